@@ -2,6 +2,7 @@
 // others read and write theirs, or draw, too, where the device is the processor.
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <condition_variable>
 #include <exception>
@@ -120,7 +121,10 @@ public:
           out_(out),
           lines_(options.path, [this] { return stopped(); }),
           renderers_(options.tried.device, options.parallel),
-          files_(options.path) {}
+          files_(options.path),
+          progress_(std::in_place, !isatty(STDOUT_FILENO)) {  // where their lines are seen, those tell
+        progress_->begin("no job done");
+    }
 
     /// @returns whether all jobs are done @throws Error if they are stopped
     bool run() {
@@ -128,6 +132,7 @@ public:
         for (int i = 1; i < options_.parallel; ++i) threads.emplace_back([this] { work(); });
         work();
         for (std::thread& thread : threads) thread.join();
+        progress_.reset();
         if (failure_) std::rethrow_exception(failure_);
         const double seconds = millisecondsSince(start_) / 1000;
         const std::string summary = std::to_string(done_) + " jobs done, " + std::to_string(failed_) + " failed, " +
@@ -219,6 +224,8 @@ private:
         ++(status == "done" ? done_ : status == "failed" ? failed_ : skipped_);
         out_ << printableJson(text) << '\n' << std::flush;
         if (!out_) throw Error("cannot write to standard output", "", "");
+        const std::uint64_t jobs = done_ + failed_ + skipped_;
+        progress_->begin(std::to_string(jobs) + (jobs == 1 ? " job done" : " jobs done"));
     }
 
     const BatchOptions& options_;
@@ -229,6 +236,7 @@ private:
     Renderers renderers_;
     BatchFiles files_;
     Progress silent_{false};
+    std::optional<Progress> progress_;
     std::mutex turn_;  // of all below
     std::uint64_t done_ = 0, failed_ = 0, skipped_ = 0;
     std::exception_ptr failure_;

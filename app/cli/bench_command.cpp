@@ -28,6 +28,7 @@ Json benchOf(const BenchOptions& options, const InputOptions& input) {
     const auto start = Clock::now();
     const Molecule molecule = loadMolecule(input, downloadProgress(progress));
     const double load = millisecondsSince(start);
+    progress.begin("building the scene");
     const Representation scene = sceneOf(molecule, input.path, options.picture.drawn, options.picture.look);
     Json report{{"input", input.path},
                 {"atoms", {{"read", molecule.atoms.size()}, {"drawn", scene.drawnAtoms}}},

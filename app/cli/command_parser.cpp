@@ -7,6 +7,7 @@
 
 #include "app/cli/command_spec.h"
 #include "app/cli/option_words.h"
+#include "app/download/database_id.h"
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
 
@@ -118,18 +119,49 @@ void refuseUnknown(const std::string& name, const CommandSpec& command, std::spa
     }
 }
 
+/// The first example of a command's help: "nacre info 1bna.pdb". Empty if there is none.
+std::string firstExample(const CommandSpec& command) {
+    const std::string begin = "  nacre " + command.name + " ";
+    const std::size_t at = command.footer.find(begin);
+    if (at == std::string::npos) return {};
+    return command.footer.substr(at + 2, command.footer.find('\n', at) - at - 2);
+}
+
+/// ", for example: nacre info 1bna.pdb"
+std::string example(const CommandSpec& command) {
+    const std::string first = firstExample(command);
+    return first.empty() ? first : ", for example: " + first;
+}
+
+/// "nacre render INPUT -o FILE [OPTION...]": what a command takes at least.
+std::string usageOf(const CommandSpec& command) {
+    std::string usage = "nacre " + command.name;
+    for (const OptionSpec& option : command.options)
+        if (option.positional()) usage += " " + option.names;
+    for (const OptionSpec& option : command.options)
+        if (option.required && !option.positional())
+            usage += " " + option.names.substr(0, option.names.find(',')) + " " + option.type;
+    return usage + " [OPTION...]";
+}
+
+bool needsWords(const CommandSpec& command) {
+    return std::any_of(command.options.begin(), command.options.end(),
+                       [](const OptionSpec& option) { return option.required; });
+}
+
 bool looksLikeInput(const std::string& word) {
     std::error_code error;
     return word.find_first_of(".:/") != std::string::npos || std::filesystem::exists(word, error);
 }
 
 [[noreturn]] void refuseWord(const std::string& word, const std::vector<std::string>& commands) {
-    if (looksLikeInput(word))
-        throw UsageError("a command comes before '" + word + "': `nacre view " + word + "` shows it, `nacre render " +
-                         word + " -o picture.png` draws it, `nacre info " + word + "` tells of it");
     std::string list;
     for (const std::string& command : commands) list += (list.empty() ? "" : ", ") + command;
-    const std::string near = suggestion(word, commands);
+    const std::string near = suggestion(word, commands), meant = near.empty() ? meantInput(word) : "",
+                      input = looksLikeInput(word) ? word : meant;
+    if (!input.empty())
+        throw UsageError("a command comes before '" + input + "': `nacre view " + input + "` shows it, `nacre render " +
+                         input + " -o picture.png` draws it, `nacre info " + input + "` tells of it");
     throw UsageError("there is no command '" + word + "'" + (near.empty() ? ": there are " + list : near));
 }
 
@@ -168,10 +200,13 @@ ParsedCommand parseCommands(const CommandSpec& program, std::span<const CommandS
     std::list<std::string> made;
     completeBare(*chosen, words, made);
     if (words.size() > 1) refuseUnknown(parsed.name, *chosen, std::span(words).subspan(parsed.name.empty() ? 1 : 2));
+    if (words.size() == 2 && needsWords(*chosen)) throw UsageError("usage: " + usageOf(*chosen) + example(*chosen));
     try {
         app.parse(static_cast<int>(words.size()), words.data());
     } catch (const CLI::CallForHelp&) {
         parsed.help = app.help();
+    } catch (const CLI::RequiredError& error) {
+        throw UsageError(oneLine(error.what()) + example(*chosen));
     } catch (const CLI::ArgumentMismatch& error) {
         throw UsageError(numberOfValues(oneLine(error.what())));
     } catch (const CLI::ParseError& error) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/cli/progress.h"
 #include "app/files/cache_folder.h"
 #include "app/files/device_report.h"
 #include "app/files/json_text.h"
@@ -30,12 +31,14 @@ std::string describe(const DeviceInfo& device) {
 void devicesCommand(const DevicesOptions& options, std::ostream& out) {
     std::vector<DeviceInfo> devices = listDevices();
     const std::string folder = cacheFolder(options.cache, "devices");
+    Progress progress;
     for (std::size_t i = 0; i < devices.size(); ++i) {
         if (options.selfTest) {
             DeviceOptions device;
             device.device = std::to_string(i);
             device.selfTests = folder;
             forgetSelfTest(folder, devices[i].driverKey);
+            progress.begin("testing device " + std::to_string(i));
             devices[i].selfTest = describe(testPaths(device, devices[i].driverKey));
         }
         // A software device takes what its caps say.

@@ -18,13 +18,6 @@
 namespace nacre::app {
 namespace {
 
-std::string sceneFile(const ExportScene& scene, const std::string& extension, const SceneFileOptions& options) {
-    if (extension == ".glb") return glbFile(scene, options);
-    if (extension == ".ply") return plyFile(scene, options);
-    if (extension == ".stl") return stlFile(scene, options);
-    return objFile(scene, options);
-}
-
 /// Of one copy of each part, in Å.
 std::string exportStats(const ExportScene& scene, std::size_t bytes) {
     nlohmann::ordered_json parts = nlohmann::ordered_json::array();

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "app/files/printable.h"
+#include "app/picture/option_values.h"
 #include "engine/error.h"
 #include "engine/molecule/selection/selection.h"
 
@@ -130,8 +131,8 @@ InteractionRequest parseInteractionRequest(const std::string& text) {
 
 InteractionRules parseInteractionRules(const std::string& name) {
     if (const auto rules = interactionRulesFromName(name)) return *rules;
-    throw Error("cannot find interactions", "--interaction-rules",
-                "expected molstar, plip, baker-hubbard or wernet-nilsson, not '" + printable(name) + "'");
+    const std::vector<std::string> names{"molstar", "plip", "baker-hubbard", "wernet-nilsson"};
+    refuse(name, "one of " + listOf(names), names);
 }
 
 std::vector<Interaction> interactionsOf(const Molecule& molecule, const InteractionRequest& request) {

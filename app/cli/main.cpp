@@ -93,11 +93,14 @@ int complete(int argc, char** argv) {
     try {
         const CommandLine line = parseCommandLine(argc, argv);
         if (line.quiet) beQuiet();
+        if (line.verbose) beVerbose();
         print(line);
         if (!std::cout) return complain("cannot write to standard output", 1);
         return 0;
     } catch (const UsageError& error) {
-        return complain("wrong usage: " + std::string(error.what()) + " (see --help)", 2);
+        const std::string_view why = error.what();
+        const bool usage = why.starts_with("usage: ");
+        return complain((usage ? "" : "wrong usage: ") + std::string(why) + " (see --help)", 2);
     } catch (const std::bad_alloc&) {
         return complain("out of memory", 1);
     } catch (const std::exception& error) {

@@ -11,16 +11,16 @@
 #include "app/export/scene_files.h"
 #include "app/files/output_file.h"
 #include "app/input/input_files.h"
+#include "app/picture/option_values.h"
 #include "engine/error.h"
 #include "engine/graph/capability_sets.h"
 
 namespace nacre::app {
 namespace {
 
-std::string capabilitySetNames() {
-    std::string names;
-    for (const graph::CapabilitySet& set : graph::capabilitySets())
-        names += (names.empty() ? "" : ", ") + set.plan.name;
+std::vector<std::string> capabilitySetNames() {
+    std::vector<std::string> names;
+    for (const graph::CapabilitySet& set : graph::capabilitySets()) names.push_back(set.plan.name);
     return names;
 }
 
@@ -45,13 +45,12 @@ void addPlan(CommandSpec& command, PlanOptions& options) {
                    Topic::levels | Topic::device | Topic::path);
     for (OptionSpec& option : command.options)
         if (option.longName() == "--device") option.excludes = "--caps";
-    OptionSpec caps{"--caps", "NAME", "none", "A capability set instead of a device: " + capabilitySetNames(),
-                    [&](const std::string& text) {
-                        try {
-                            options.caps = graph::capabilitySet(text).plan.name;
-                        } catch (const Error& error) {
-                            throw std::invalid_argument(error.what());
-                        }
+    const std::vector<std::string> names = capabilitySetNames();
+    OptionSpec caps{"--caps", "NAME", "none", "A capability set instead of a device: " + listOf(names),
+                    [&options, names](const std::string& text) {
+                        if (std::find(names.begin(), names.end(), text) == names.end())
+                            refuse(text, "one of " + listOf(names), names);
+                        options.caps = text;
                     }};
     command.options.insert(command.options.begin(), caps);  // before --device, which names it
     command.value("--supersample", "auto|1", "1",
@@ -73,9 +72,7 @@ void addExport(CommandSpec& command, ExportCommandOptions& options) {
     command
         .value("-o,--output", "FILE", "", "The file: .glb (glTF 2.0), .ply, .stl or .obj",
                [&](const std::string& text) {
-                   if (!isSceneName(text))
-                       throw std::invalid_argument("expected a name that ends in .glb, .ply, .stl or .obj, not '" +
-                                                   text + "'");
+                   if (!isSceneName(text)) refuseEnding(text, sceneEndings());
                    picture.output = text;
                })
         .required = true;
@@ -194,7 +191,11 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     static_cast<void>(window);
 #endif
     for (CommandSpec& command : commands)
-        command.flag("-q,--quiet", line.quiet, "Nothing on standard error but errors");
+        command.flag("-q,--quiet", line.quiet, "No warnings, notes or progress on standard error, only errors");
+    for (CommandSpec& command : commands)
+        if (std::any_of(command.options.begin(), command.options.end(),
+                        [](const OptionSpec& option) { return option.longName() == "--offline"; }))
+            command.flag("--verbose", line.verbose, "Errors of downloads name every address that was asked");
     return commands;
 }
 
@@ -206,7 +207,9 @@ Command commandOf(const std::string& name) {
         {"devices", Command::devices}, {"completion", Command::help},  {"man", Command::help}};
     for (const auto& [word, command] : kCommands)
         if (name == word) return command;
-    throw UsageError("a command is needed: render, movie, batch, looks, export, view, info, bench, plan or devices");
+    throw UsageError(
+        "a command is needed: render, movie, batch, looks, export, view, info, bench, plan or devices, for "
+        "example: nacre render sample:dna -o dna.png");
 }
 
 }  // namespace

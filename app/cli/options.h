@@ -101,6 +101,7 @@ struct CommandLine {
     ExportCommandOptions exported;
     std::string shell;   ///< whose completion is asked for
     bool quiet = false;  ///< nothing on standard error but errors
+    bool verbose = false;
 };
 
 /// @throws UsageError

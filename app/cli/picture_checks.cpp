@@ -27,7 +27,7 @@ void checkMovie(MovieOptions& options) {
         if (!given.path.empty()) picture.input.trajectory = given;
         if (given.frame != 1) picture.input.trajectory.frame = given.frame;
     }
-    if (!takeInput(picture)) throw UsageError("INPUT is required");
+    if (!takeInput(picture)) throw UsageError("INPUT is required: a file, pdb:1BNA, or sample:dna");
     if (!picture.input.further.empty() && options.models) throw UsageError("--models is for one INPUT");
     checkFrames(picture, options.models);
     takeSeveral(picture);

@@ -56,9 +56,7 @@ void addMovie(CommandSpec& command, MovieOptions& options) {
                "The movie: .mp4, .webm (both by ffmpeg), .gif, .png (animated); or a folder of PNG frames;\n"
                "- is an animated PNG to standard output",
                [&](const std::string& text) {
-                   if (!isMovieName(text))
-                       throw std::invalid_argument(
-                           "expected a name that ends in .mp4, .webm, .gif or .png, or a folder, not '" + text + "'");
+                   if (!isMovieName(text)) refuseEnding(text, movieEndings(), ", or a folder");
                    picture.output = text;
                })
         .required = true;

@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
+#include "app/cli/progress.h"
 #include "app/download/load_molecule.h"
 #include "app/drawing/scenes.h"
 #include "engine/device_plan.h"
@@ -240,6 +241,8 @@ std::uint64_t bytesOf(const graph::ImageDecl& image) {
 }
 
 void planCommand(const PlanOptions& options, std::ostream& out) {
+    Progress progress;
+    progress.begin("planning");
     const PlanReport report = planReport(options);
     out << (options.json ? planJson(report) : planText(report));
 }

@@ -91,7 +91,9 @@ void Progress::show() {
         // Carriage return, then "erase to the end of the line", which every terminal since the VT100 knows.
         std::fprintf(stderr, "\r\x1b[K%s", progressText(work_, share_, elapsed, left).c_str());
         std::fflush(stderr);
+        setLineShown(true);
     } while (!wake_.wait_for(lock, kBetween, [this] { return ending_; }));
+    setLineShown(false);
     std::fputs("\r\x1b[K", stderr);
     std::fflush(stderr);
 }

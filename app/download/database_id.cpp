@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
 #include "engine/error.h"
+#include "engine/molecule/nearest_word.h"
 #include "engine/molecule/text.h"
 
 namespace nacre::app {
@@ -14,6 +16,7 @@ namespace {
 
 constexpr std::size_t kLongestName = 300;
 constexpr std::size_t kMostCidDigits = 10;
+constexpr std::size_t kMostNeighbours = 1000;  // that are looked at beside a file that is not there
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
@@ -31,25 +34,26 @@ std::string upper(std::string text) {
     throw Error("cannot download", input, why);
 }
 
+/// "1bna", in lower case.
+bool isShortPdbId(std::string_view id) {
+    return id.size() == 4 && isDigit(id[0]) && std::all_of(id.begin() + 1, id.end(), isLowerOrDigit);
+}
+
 /// "1bna", or "pdb_" and eight letters and digits; those of the long form that have a short one become it.
 std::string pdbId(const std::string& input, const std::string& text) {
-    const auto isShort = [](std::string_view id) {
-        return id.size() == 4 && isDigit(id[0]) && std::all_of(id.begin() + 1, id.end(), isLowerOrDigit);
-    };
     constexpr std::string_view kLong = "pdb_", kShortAsLong = "pdb_0000";
     std::string id = lowerCase(text);
-    if (isShort(id)) return id;
+    if (isShortPdbId(id)) return id;
     const bool isLong = id.size() == kLong.size() + 8 && id.rfind(kLong, 0) == 0 &&
                         std::all_of(id.begin() + kLong.size(), id.end(), isLowerOrDigit);
     if (!isLong)
         refuse(input, "a PDB identifier is a digit and three letters or digits (1BNA), or pdb_ and eight of them");
     const std::string tail = id.substr(kShortAsLong.size());
-    return id.rfind(kShortAsLong, 0) == 0 && isShort(tail) ? tail : id;
+    return id.rfind(kShortAsLong, 0) == 0 && isShortPdbId(tail) ? tail : id;
 }
 
 /// UniProt's pattern of accessions: https://www.uniprot.org/help/accession_numbers
-std::string uniprotAccession(const std::string& input, const std::string& text) {
-    std::string id = upper(text);
+bool isUniprotAccession(const std::string& id) {
     const auto letterBlock = [&](std::size_t at) {
         return isUpper(id[at]) && isUpperOrDigit(id[at + 1]) && isUpperOrDigit(id[at + 2]) && isDigit(id[at + 3]);
     };
@@ -59,7 +63,12 @@ std::string uniprotAccession(const std::string& input, const std::string& text) 
             id.size() == 6 && isUpperOrDigit(id[2]) && isUpperOrDigit(id[3]) && isUpperOrDigit(id[4]) && isDigit(id[5]);
     else if (valid)
         valid = letterBlock(2) && (id.size() == 6 || letterBlock(6));
-    if (!valid) refuse(input, "a UniProt accession looks like P69905 or A0A024R1R8");
+    return valid;
+}
+
+std::string uniprotAccession(const std::string& input, const std::string& text) {
+    std::string id = upper(text);
+    if (!isUniprotAccession(id)) refuse(input, "a UniProt accession looks like P69905 or A0A024R1R8");
     return id;
 }
 
@@ -140,6 +149,27 @@ std::vector<Source> afdbSources(const std::string& id, const Environment& enviro
 }
 
 }  // namespace
+
+std::string meantInput(const std::string& path) {
+    namespace fs = std::filesystem;
+    const std::string lower = lowerCase(path), capital = upper(path);
+    const std::vector<std::string> samples = sampleNames();
+    if (std::find(samples.begin(), samples.end(), lower) != samples.end()) return "sample:" + lower;
+    const fs::path folder = fs::path(path).parent_path();
+    const std::string name = fs::path(path).filename().string();
+    std::vector<std::string> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end;
+         !name.empty() && !error && entry != end && files.size() < kMostNeighbours; entry.increment(error))
+        if (entry->is_regular_file(error)) files.push_back(entry->path().filename().string());
+    std::sort(files.begin(), files.end());  // the same answer whatever order the system lists them in
+    for (const std::string& file : files)
+        if (lowerCase(file).starts_with(lowerCase(name) + ".")) return (folder / file).string();
+    if (isShortPdbId(lower)) return "pdb:" + lower;
+    if (isUniprotAccession(capital)) return "afdb:" + capital;
+    const std::string near = nearestWord(name, files);
+    return near.empty() ? near : (folder / near).string();
+}
 
 std::string environmentVariable(const char* name) {
     const char* value = std::getenv(name);

@@ -32,6 +32,11 @@ struct Source {
 /// @throws Error if the identifier is none of that database's
 std::optional<DatabaseId> parseDatabaseId(const std::string& input);
 
+/// What was probably meant by the name of a file that is not there: the INPUT of an identifier ("4HHB": "pdb:4hhb",
+/// "P69905": "afdb:P69905") or of a sample ("dna"), or a file of its folder whose name is near or begins so. Empty if
+/// nothing is near.
+std::string meantInput(const std::string& path);
+
 /// Environment variables by name; empty where one is not set.
 using Environment = std::function<std::string(const char*)>;
 std::string environmentVariable(const char* name);

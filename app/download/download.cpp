@@ -49,12 +49,13 @@ public:
         auto& addresses = list_.back().first;
         if (addresses.back() != address) addresses.push_back(address);
     }
-    std::string text() const {
+    std::string text(bool withAddresses) const {
         std::string all;
         for (const auto& [addresses, why] : list_) {
             if (!all.empty()) all += "; ";
-            for (std::size_t i = 0; i < addresses.size(); ++i) all += (i == 0 ? "" : ", ") + addresses[i];
-            all += (addresses.front().empty() ? "" : ": ") + why;
+            for (std::size_t i = 0; withAddresses && i < addresses.size(); ++i)
+                all += (i == 0 ? "" : ", ") + addresses[i];
+            all += (withAddresses && !addresses.front().empty() ? ": " : "") + why;
         }
         return all;
     }
@@ -181,7 +182,9 @@ Molecule downloadMolecule(const DatabaseId& id, const ReadOptions& options, cons
         if (auto molecule = readKept(cache, source, options, settings)) return std::move(*molecule);
     if (settings.offline)
         throw Error("cannot download", id.input,
-                    cache.on() ? "--offline, and " + cache.folder() + " does not hold it" : "--offline, and no cache");
+                    !cache.on()        ? "--offline, and there is no cache"
+                    : settings.verbose ? "--offline, and it is not in the cache, " + cache.folder()
+                                       : "--offline, and it is not in the cache");
     Causes causes;
     for (const Source& source : sources) try {
             return fetch(cache, source, addressOf(source, id.id, settings), options, settings);
@@ -192,7 +195,7 @@ Molecule downloadMolecule(const DatabaseId& id, const ReadOptions& options, cons
         } catch (const Error& error) {
             causes.add("", error.what());
         }
-    throw Error("cannot download", id.input, causes.text());
+    throw Error("cannot download", id.input, causes.text(settings.verbose));
 }
 
 }  // namespace nacre::app

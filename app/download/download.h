@@ -12,6 +12,7 @@ namespace nacre::app {
 struct DownloadSettings {
     std::string cacheFolder;  ///< empty: nothing is kept, and what breaks off starts anew
     bool offline = false;     ///< the cache alone
+    bool verbose = false;     ///< errors tell what each address answered
     HttpLimits limits;
     Environment environment = environmentVariable;
     /// Called as bytes arrive, with the share of the file that is there if its size is known, 0..1.

@@ -175,9 +175,9 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
             throw HttpFailure("the connection was lost before the end of the file", true);
         case CURLE_COULDNT_RESOLVE_HOST:
         case CURLE_COULDNT_RESOLVE_PROXY:
-            throw HttpFailure("no server of that name is found (is there a network?)", false);
+            throw HttpFailure("server not found: check your connection", false);
         case CURLE_COULDNT_CONNECT:
-            throw HttpFailure("the server cannot be reached (is there a network?)", false);
+            throw HttpFailure("server not reachable: check your connection", false);
         default:
             throw HttpFailure(*message ? message : curl_easy_strerror(code), false);
     }

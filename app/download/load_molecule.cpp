@@ -33,6 +33,7 @@ Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const std
     settings.cacheFolder = cacheFolder(input.cache, "downloads");
     settings.offline = input.offline || forbidden;
     settings.limits = httpLimits();
+    settings.verbose = isVerbose();
     settings.onProgress = onDownload;
     settings.onContent = onContent;
     try {
@@ -82,10 +83,20 @@ Molecule loadNamed(InputOptions input, const std::function<void(double)>& onMode
     }
 }
 
+/// @throws InputMissing
+void checkThere(const std::string& path) {
+    std::error_code error;
+    if (path == "-" || path.find(':') != std::string::npos || std::filesystem::exists(path, error) || error) return;
+    const std::string meant = meantInput(path);
+    throw InputMissing(path, meant.empty() ? meant : " (did you mean '" + meant + "'?)");
+}
+
 Molecule loadStructure(const InputOptions& input, const std::function<void(double)>& onDownload,
                        const std::function<void(double)>& onModel) {
     if (const auto id = parseDatabaseId(input.path)) return loadDownload(input, *id, onDownload, onModel);
-    return input.namedBy.empty() ? readLocally(input, memoryOf(input), {}, onModel) : loadNamed(input, onModel);
+    if (!input.namedBy.empty()) return loadNamed(input, onModel);
+    checkThere(input.path);
+    return readLocally(input, memoryOf(input), {}, onModel);
 }
 
 }  // namespace
@@ -125,7 +136,10 @@ std::unique_ptr<ModelFile> openModels(const InputOptions& input, const std::func
         });
     } else if (!input.path.starts_with("sample:")) {
         InputOptions named = input;
-        if (!input.namedBy.empty()) named.path = namedPath(input);
+        if (input.namedBy.empty())
+            checkThere(input.path);
+        else
+            named.path = namedPath(input);
         try {
             file = std::make_unique<ModelFile>(named.path, options);
         } catch (const Error&) {

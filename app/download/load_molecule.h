@@ -16,6 +16,17 @@ public:
     using Error::Error;
 };
 
+/// There is no file of that name.
+class InputMissing : public Error {
+public:
+    explicit InputMissing(const std::string& path, const std::string& hint = {})
+        : Error("cannot read molecule", path, "No such file or directory" + hint), path_(path) {}
+    const std::string& path() const { return path_; }
+
+private:
+    std::string path_;
+};
+
 /// Reads the molecule that INPUT names, downloading it if need be.
 /// Its atoms stand where the frame of its trajectory, if it has one, puts them.
 /// Further inputs are read like it, and all are one molecule then (several_inputs.h).
@@ -24,7 +35,7 @@ public:
 /// said, since that would quote it.
 /// @param onDownload  called as a download's bytes arrive, with the share that is there, 0..1
 /// @param onModel  called after each model of `--model all` with the share that is read, 0..1
-/// @throws Error, DownloadForbidden
+/// @throws Error, DownloadForbidden, InputMissing with what was probably meant
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload = {},
                       const std::function<void(double)>& onModel = {});
 

@@ -118,7 +118,7 @@ void checkFormat(const PictureDescription& picture) {
 }
 
 void completePicture(PictureDescription& picture) {
-    if (!takeInput(picture)) throw UsageError("INPUT is required");
+    if (!takeInput(picture)) throw UsageError("INPUT is required: a file, pdb:1BNA, or sample:dna");
     checkFrames(picture);
     takeSeveral(picture);
     checkDebug(picture);

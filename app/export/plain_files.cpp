@@ -82,9 +82,15 @@ void append(std::string& out, const glm::vec3& p) {
 
 }  // namespace
 
-bool isSceneName(const std::string& path) {
-    const std::string extension = extensionOf(path);
-    return extension == ".glb" || extension == ".ply" || extension == ".stl" || extension == ".obj";
+std::vector<std::string> sceneEndings() { return {".glb", ".ply", ".stl", ".obj"}; }
+
+bool isSceneName(const std::string& path) { return std::ranges::count(sceneEndings(), extensionOf(path)) > 0; }
+
+std::string sceneFile(const ExportScene& scene, const std::string& ending, const SceneFileOptions& options) {
+    if (ending == ".glb") return glbFile(scene, options);
+    if (ending == ".ply") return plyFile(scene, options);
+    if (ending == ".stl") return stlFile(scene, options);
+    return objFile(scene, options);
 }
 
 std::string stlFile(const ExportScene& scene, const SceneFileOptions& options) {

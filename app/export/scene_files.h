@@ -15,6 +15,10 @@ struct SceneFileOptions {
 
 /// Whether a file's name ends in one of those below.
 bool isSceneName(const std::string& path);
+std::vector<std::string> sceneEndings();
+
+/// The file of the format that an ending names: ".glb", ".ply", ".stl" or ".obj".
+std::string sceneFile(const ExportScene& scene, const std::string& ending, const SceneFileOptions& options);
 
 /// glTF 2.0, binary. Meshes are nodes by chain, with colours of vertices in linear light; instances are nodes with
 /// EXT_mesh_gpu_instancing, one to each chain and colour; copies of an assembly are nodes of the same mesh.

@@ -1,5 +1,6 @@
 #include "app/files/messages.h"
 
+#include <atomic>
 #include <iostream>
 
 #include "app/files/printable.h"
@@ -7,11 +8,13 @@
 namespace nacre::app {
 namespace {
 
-bool quiet = false;
+bool quiet = false, verbose = false;
+std::atomic<bool> lineShown = false;
 thread_local HeardMessages* heard = nullptr;
 
 void say(const char* kind, const std::string& text) {
-    std::cerr << "nacre: " + std::string(kind) + printable(text) + "\n" << std::flush;
+    std::cerr << std::string(lineShown ? "\r\x1b[K" : "") + "nacre: " + std::string(kind) + printable(text) + "\n"
+              << std::flush;
 }
 
 }  // namespace
@@ -36,8 +39,11 @@ void sayNote(const std::string& text) {
         say("", text);
 }
 
+void setLineShown(bool shown) { lineShown = shown; }
 void beQuiet() { quiet = true; }
 bool isQuiet() { return quiet; }
+void beVerbose() { verbose = true; }
+bool isVerbose() { return verbose; }
 
 HeardMessages::HeardMessages() : before_(heard) { heard = this; }
 HeardMessages::~HeardMessages() { heard = before_; }

@@ -19,6 +19,13 @@ void sayNote(const std::string& text);
 void beQuiet();
 bool isQuiet();
 
+/// Errors tell all that is known of their causes from now on: every address that was asked.
+void beVerbose();
+bool isVerbose();
+
+/// Whether a line of progress stands on the terminal, which what is said then replaces.
+void setLineShown(bool shown);
+
 /// As long as it is there, warnings, notices and notes of the thread that made it come to it and are not printed.
 class HeardMessages {
 public:

@@ -14,10 +14,10 @@ bool isFrameFolder(const std::string& path) {
     return path.ends_with('/') || std::filesystem::is_directory(path, error);
 }
 
+std::vector<std::string> movieEndings() { return {".mp4", ".webm", ".gif", ".png"}; }
+
 bool isMovieName(const std::string& path) {
-    const std::string extension = extensionOf(path);
-    return isStandardOutput(path) || isFrameFolder(path) || extension == ".mp4" || extension == ".webm" ||
-           extension == ".gif" || extension == ".png";
+    return isStandardOutput(path) || isFrameFolder(path) || std::ranges::count(movieEndings(), extensionOf(path)) > 0;
 }
 
 std::unique_ptr<MovieFile> makeMovieFile(const std::string& path, const MovieShape& shape) {

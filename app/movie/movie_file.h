@@ -41,6 +41,7 @@ public:
 /// or a folder: a name that ends in '/', or one that is there.
 bool isMovieName(const std::string& path);
 bool isFrameFolder(const std::string& path);
+std::vector<std::string> movieEndings();
 
 /// Makes the files, or starts the program that does, so that what cannot be is refused before any work.
 /// @throws Error

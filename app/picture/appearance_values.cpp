@@ -63,6 +63,10 @@ constexpr Synonym kColorSynonyms[] = {{"cpk", "element"},
                                       {"hydrophobic", "hydrophobicity"},
                                       {"byresidue", "residue"}};
 
+void addSynonyms(std::span<const Synonym> synonyms, std::vector<std::string>& words) {
+    for (const Synonym& synonym : synonyms) words.emplace_back(synonym.theirs);
+}
+
 std::string_view ours(std::string_view text, std::span<const Synonym> synonyms) {
     const std::string word = lowerCase(text);
     for (const Synonym& synonym : synonyms)
@@ -123,10 +127,19 @@ std::array<float, 4> parseColor(std::string_view text) {
 Style parseStyle(std::string_view text) {
     if (lowerCase(text) == "putty")
         throw std::invalid_argument("putty is a form of cartoons: --style cartoon --putty on");
-    constexpr Style kStyles[] = {Style::spacefill, Style::ballAndStick, Style::licorice, Style::cartoon,
-                                 Style::surface};
-    return kStyles[parseChoice(ours(text, kStyleSynonyms),
-                               {"spacefill", "ball-and-stick", "licorice", "cartoon", "surface"})];
+    constexpr std::pair<const char*, Style> kStyles[] = {{"spacefill", Style::spacefill},
+                                                         {"ball-and-stick", Style::ballAndStick},
+                                                         {"licorice", Style::licorice},
+                                                         {"cartoon", Style::cartoon},
+                                                         {"surface", Style::surface}};
+    std::vector<std::string> words;
+    for (const auto& [name, style] : kStyles) {
+        if (ours(text, kStyleSynonyms) == name) return style;
+        words.emplace_back(name);
+    }
+    const std::string wanted = "one of " + listOf(words);
+    addSynonyms(kStyleSynonyms, words);
+    refuse(text, wanted, words);
 }
 
 namespace {
@@ -165,6 +178,13 @@ std::optional<ColorRange> parseRange(std::string_view text) {
     return range;
 }
 
+std::vector<std::string> palettesOf(bool ramps) {
+    std::vector<std::string> names;
+    for (const Palette palette : allPalettes())
+        if (isRamp(palette) == ramps) names.emplace_back(paletteName(palette));
+    return names;
+}
+
 /// What stands behind a scheme's name: its range, its palette, or the colour of its carbons.
 void parseColoringPart(std::string_view text, Coloring& coloring) {
     const std::string name(colorSchemeName(coloring.scheme));
@@ -183,12 +203,11 @@ void parseColoringPart(std::string_view text, Coloring& coloring) {
     } else if (coloring.scheme == ColorScheme::element) {
         coloring.color = parseAtomColor(text);
     } else if (use != PaletteUse::none) {
-        std::vector<std::string> words;
-        for (const Palette p : allPalettes()) words.emplace_back(paletteName(p));
+        const std::vector<std::string> palettes = palettesOf(use == PaletteUse::ramp);
         refuse(text,
                (takesRange(coloring.scheme) ? "a range as 10..60 or " : "") + std::string("one of ") +
-                   paletteNames(use == PaletteUse::ramp) + " behind '" + name + ":'",
-               words);
+                   listOf(palettes) + " behind '" + name + ":'",
+               palettes);
     } else {
         throw std::invalid_argument("'" + name + "' takes nothing behind it, not '" + std::string(text) +
                                     "' (element:COLOR has a colour for carbons)");
@@ -197,19 +216,44 @@ void parseColoringPart(std::string_view text, Coloring& coloring) {
 
 }  // namespace
 
-std::string paletteNames(bool ramps) {
-    std::string names;
-    for (const Palette palette : allPalettes())
-        if (isRamp(palette) == ramps) names += (names.empty() ? "" : ", ") + std::string(paletteName(palette));
+std::string paletteNames(bool ramps) { return listOf(palettesOf(ramps)); }
+
+namespace {
+
+std::vector<std::string> allSchemes() {
+    std::vector<std::string> names;
+    for (int s = 0; s < static_cast<int>(ColorScheme::uniform); ++s)
+        names.emplace_back(colorSchemeName(static_cast<ColorScheme>(s)));
     return names;
 }
 
-std::string schemeNames() {
-    std::string names;
-    for (int s = 0; s < static_cast<int>(ColorScheme::uniform); ++s)
-        names += (s ? ", " : "") + std::string(colorSchemeName(static_cast<ColorScheme>(s)));
-    return names;
+/// The word of a list that another one is the plural of: "entity" for "entities". Empty if there is none.
+std::string singularOf(std::string_view text, std::span<const std::string> words) {
+    const std::string word = lowerCase(text);
+    for (const std::string& one : words)
+        if (word == one + "s" || word == one + "es" ||
+            (one.ends_with('y') && word == one.substr(0, one.size() - 1) + "ies"))
+            return one;
+    return {};
 }
+
+/// @param text  what stands before the first colon is no scheme, and all of it is no colour
+[[noreturn]] void refuseColoring(std::string_view text) {
+    const std::string_view scheme = text.substr(0, text.find(':'));
+    std::vector<std::string> words = allSchemes();
+    const std::string wanted = schemeNames() + ", a colour's name, #rrggbb or element:COLOR for carbons in one colour";
+    if (const std::string one = singularOf(scheme, words); !one.empty())
+        throw std::invalid_argument("expected " + wanted + ", not '" + std::string(text) + "' (did you mean '" + one +
+                                    std::string(text.substr(scheme.size())) + "'?)");
+    addSynonyms(kColorSynonyms, words);
+    if (scheme.size() == text.size())
+        for (std::string& name : colorNames()) words.push_back(std::move(name));
+    refuse(scheme, wanted, words);
+}
+
+}  // namespace
+
+std::string schemeNames() { return listOf(allSchemes()); }
 
 Palette parsePalette(std::string_view text) {
     if (const auto palette = paletteFromName(lowerCase(text))) return *palette;
@@ -232,10 +276,7 @@ Coloring parseColoring(std::string_view text) {
         return coloring;
     }
     if (isColor(text)) return Coloring::uniform(parseAtomColor(text));
-    std::vector<std::string> words = colorNames();
-    for (int s = 0; s < static_cast<int>(ColorScheme::uniform); ++s)
-        words.emplace_back(colorSchemeName(static_cast<ColorScheme>(s)));
-    refuse(text, schemeNames() + ", a colour's name, #rrggbb or element:COLOR for carbons in one colour", words);
+    refuseColoring(text);
 }
 
 void setStyle(Style style, RepresentationOptions& look) {

@@ -27,6 +27,18 @@ void refuse(std::string_view text, const std::string& wanted, std::span<const st
     throw std::invalid_argument("expected " + wanted + ", not '" + std::string(text) + "'" + suggestion(text, words));
 }
 
+std::string listOf(std::span<const std::string> words) {
+    std::string list;
+    for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+    return list;
+}
+
+void refuseEnding(std::string_view name, std::span<const std::string> endings, const std::string& also) {
+    const std::size_t dot = std::min(name.rfind('.'), name.size());
+    throw std::invalid_argument("expected a name that ends in one of " + listOf(endings) + also + ", not '" +
+                                std::string(name) + "'" + suggestion(name.substr(dot), endings));
+}
+
 std::string fileName(std::string_view text) {
     if (text.empty()) throw std::invalid_argument("expected a file name");
     return std::string(text);

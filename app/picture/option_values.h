@@ -24,6 +24,13 @@ constexpr double kSmallestFov = 1, kLargestFov = 120;  ///< degrees
 /// The reason why `text` is no value. @param words  of which the nearest is suggested
 [[noreturn]] void refuse(std::string_view text, const std::string& wanted, std::span<const std::string> words = {});
 
+/// "a, b, c"
+std::string listOf(std::span<const std::string> words);
+
+/// The same of a name whose ending is none of these. @param also  what else it may be: ", or a folder"
+[[noreturn]] void refuseEnding(std::string_view name, std::span<const std::string> endings,
+                               const std::string& also = {});
+
 /// A file's name as it is; not empty.
 std::string fileName(std::string_view text);
 

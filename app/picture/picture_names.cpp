@@ -8,8 +8,12 @@
 namespace nacre::app {
 
 bool isPictureName(const std::string& path) {
-    constexpr const char* kEndings[] = {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".webp", ".exr"};
-    return isStandardOutput(path) || std::ranges::count(kEndings, extensionOf(path)) > 0;
+    return isStandardOutput(path) || std::ranges::count(pictureEndings(), extensionOf(path)) > 0;
+}
+
+std::span<const std::string> pictureEndings() {
+    static const std::string kEndings[] = {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".webp", ".exr"};
+    return kEndings;
 }
 
 }  // namespace nacre::app

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 namespace nacre::app {
@@ -7,5 +8,7 @@ namespace nacre::app {
 /// Whether a picture can be written under this name: standard output, or .png .tif .tiff .jpg .jpeg .webp .exr in any
 /// case.
 bool isPictureName(const std::string& path);
+/// Those endings, ".png" first.
+std::span<const std::string> pictureEndings();
 
 }  // namespace nacre::app

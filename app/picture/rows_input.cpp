@@ -130,8 +130,7 @@ std::vector<Option> named() {
 
 void parseFormatName(T text, P& d) {
     d.input.format = formatFromName(text);
-    if (!d.input.format)
-        throw std::invalid_argument("expected one of " + formatNames() + ", not '" + std::string(text) + "'");
+    if (!d.input.format) refuse(text, "one of " + formatNames(), allFormatNames());
 }
 
 std::string printModel(const P& d) { return d.input.model == kAllModels ? "all" : std::to_string(d.input.model); }

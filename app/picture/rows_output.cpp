@@ -25,10 +25,7 @@ std::string nameOf(Value value, const auto& values, const auto& names) {
 }
 
 void parseOutput(T text, P& d) {
-    if (!isPictureName(std::string(text)))
-        throw std::invalid_argument(
-            "expected a name that ends in .png, .tif, .tiff, .jpg, .jpeg, .webp or .exr, not '" + std::string(text) +
-            "'");
+    if (!isPictureName(std::string(text))) refuseEnding(text, pictureEndings());
     d.output = text;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/molecule/molecule.h"
 
@@ -36,7 +37,9 @@ std::optional<Format> formatFromName(std::string_view name);
 
 std::string_view formatName(Format format);
 
-/// The names of all formats that are read, for messages: "pdb, mmcif, ...".
+/// The names of all formats that are read: "pdb", "mmcif", ...
+std::vector<std::string> allFormatNames();
+/// The same for messages: "pdb, mmcif, ...".
 std::string formatNames();
 /// The same as people call them: "PDB, mmCIF, ...".
 std::string formatTitles();
@@ -52,5 +55,6 @@ Molecule readMoleculeFile(const std::string& path, const ReadOptions& options = 
 
 /// Built-in molecules: "dna", "glucose", "buckyball", with bonds. @throws Error if there is none of that name.
 Molecule sampleMolecule(std::string_view name);
+std::vector<std::string> sampleNames();
 
 }  // namespace nacre

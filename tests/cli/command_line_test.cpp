@@ -211,6 +211,35 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
           Case{"render sample:dna -o a.png --nonsense on", "nacre render has no option --nonsense (see"},
           Case{"render sample:dna -o a.png --style spacefil", "did you mean 'spacefill'?"},
           Case{"render sample:dna -o a.png --color chian", "did you mean 'chain'?"},
+          Case{"render sample:dna -o a.png --style stiks", "did you mean 'sticks'?"},
+          Case{"render sample:dna -o a.png --color residues", "did you mean 'residue'?"},
+          Case{"render sample:dna -o a.png --color entities", "did you mean 'entity'?"},
+          Case{"render sample:dna -o a.png --color b-factors:10..60", "did you mean 'b-factor:10..60'?"},
+          Case{"render sample:dna -o a.png --color-by all=copies", "did you mean 'copy'?"},
+          Case{"render sample:dna -o a.png --color spectrm", "did you mean 'spectrum'?"},
+          Case{"render sample:dna -o a.png --color elemnt:orange", "did you mean 'element'?"},
+          Case{"render sample:dna -o a.png --color element:ornage", "did you mean 'orange'?"},
+          Case{"render sample:dna -o a.png --color chain:mutd", "did you mean 'muted'?"},
+          Case{"render sample:dna -o a.png --color chain:virids", "behind 'chain:', not 'virids' (see"},
+          Case{"render sample:dna -o a.png --palette mutd", "did you mean 'muted'?"},
+          Case{"render sample:dna -o a.png --look glosy", "did you mean 'glossy'?"},
+          Case{"render sample:dna -o a.png --background blakc", "did you mean 'black'?"},
+          Case{"render sample:dna -o a.png --format pbd", "did you mean 'pdb'?"},
+          Case{"render sample:dna -o a.pgn", "did you mean '.png'?"},
+          Case{"movie sample:dna -o a.mp5 --spin y", "did you mean '.mp4'?"},
+          Case{"export sample:dna -o a.gbl", "did you mean '.glb'?"},
+          Case{"plan --caps mail", "did you mean 'mali'?"},
+          Case{"info sample:dna --interactions all --interaction-rules plipp", "did you mean 'plip'?"},
+          Case{"help selectons", "did you mean 'selections'?"},
+          Case{"help movies", "did you mean 'movie'?"},
+          Case{"render", "usage: nacre render INPUT -o FILE [OPTION...], for example: nacre render 1bna.pdb -o "},
+          Case{"movie", "usage: nacre movie INPUT -o FILE|FOLDER/ [OPTION...], for example: nacre movie "},
+          Case{"info", "usage: nacre info INPUT [OPTION...], for example: nacre info 1bna.pdb"},
+          Case{"batch", "usage: nacre batch JOBS [OPTION...], for example: nacre batch jobs.jsonl"},
+          Case{"render sample:dna", "--output is required, for example: nacre render"},
+          Case{"render -o a.png", "INPUT is required: a file, pdb:1BNA, or sample:dna"},
+          Case{"", "for example: nacre render sample:dna -o dna.png"},
+          Case{"4HHB", "a command comes before 'pdb:4hhb': `nacre view pdb:4hhb` shows it"},
           Case{"4hhb.pdb", "`nacre view 4hhb.pdb` shows it"}}) {
         const Outcome outcome = nacreIn(folder, c.arguments);
         EXPECT_EQ(outcome.code, 2) << c.arguments;
@@ -224,6 +253,28 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
     const Outcome plan = nacreIn(folder, "plan --caps powervr --visibility raster-order");
     EXPECT_EQ(plan.code, 1);
     expectOneErrorLine(plan);
+}
+
+TEST(CommandLine, OfAFileThatIsNotThereItSaysWhatWasProbablyMeant) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "1abc.cif.gz") << "x";
+    std::ofstream(folder / "model.pdb") << "x";
+    struct Case {
+        const char *input, *says;
+    };
+    for (const Case& c :
+         {Case{"4HHB", "4HHB: No such file or directory (did you mean 'pdb:4hhb'?)\n"},
+          Case{"1ABC", "(did you mean '1abc.cif.gz'?)\n"}, Case{"dna", "(did you mean 'sample:dna'?)\n"},
+          Case{"p69905", "(did you mean 'afdb:P69905'?)\n"}, Case{"model.pbd", "(did you mean 'model.pdb'?)\n"},
+          Case{"sample:dan", "(did you mean 'dna'?)\n"},
+          Case{"nothing.like.it", "nothing.like.it: No such file or directory\n"}}) {
+        for (const char* command : {"info ", "render -o a.png "}) {
+            const Outcome outcome = nacreIn(folder, command + std::string(c.input));
+            EXPECT_EQ(outcome.code, 1) << c.input;
+            expectOneErrorLine(outcome);
+            EXPECT_TRUE(outcome.err.ends_with(c.says)) << outcome.err;
+        }
+    }
 }
 
 TEST(CommandLine, WhoWritesNoPictureOrPngLoadsNoImageFormats) {

@@ -65,8 +65,12 @@ TEST_F(DownloadCommand, SaysNothingElsewhere) {
 TEST_F(DownloadCommand, AnErrorIsOneLine) {
     const MeasuredRun run = info(options("busy"));
     EXPECT_EQ(run.code, 1);
-    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
-    EXPECT_EQ(run.err.rfind("nacre: error: cannot download: pdb:1BNA: http://localhost", 0), 0u) << run.err;
+    EXPECT_EQ(run.err,
+              "nacre: error: cannot download: pdb:1BNA: the server answered with status 503 (it is busy: try again "
+              "later)\n");
+    const MeasuredRun told = test::runMeasured({"info", "pdb:1BNA", "--verbose"}, options("busy"));
+    EXPECT_EQ(std::count(told.err.begin(), told.err.end(), '\n'), 1) << told.err;
+    EXPECT_EQ(told.err.rfind("nacre: error: cannot download: pdb:1BNA: http://localhost", 0), 0u) << told.err;
 }
 
 TEST_F(DownloadCommand, InterruptedItLeavesAPartThatTheNextGoesOnWith) {

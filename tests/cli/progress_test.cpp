@@ -67,6 +67,41 @@ TEST(Progress, IsNotSeenElsewhere) {
     EXPECT_EQ(run.out + run.err, "");
 }
 
+/// A structure that takes seconds: a cube of atoms.
+std::string bigStructure(const TemporaryFolder& folder, int side) {
+    std::string xyz = std::to_string(side * side * side) + "\nmany\n";
+    for (int i = 0; i < side * side * side; ++i)
+        xyz += "O " + std::to_string(i % side * 3) + " " + std::to_string(i / side % side * 3) + " " +
+               std::to_string(i / side / side * 3) + "\n";
+    std::ofstream(folder / "big.xyz") << xyz;
+    return folder / "big.xyz";
+}
+
+TEST(Progress, IsSeenWhileASurfaceIsMadeAndWhileABatchIsDrawn) {
+    const TemporaryFolder folder;
+    test::RunOptions options;
+    options.terminal = true;
+    const std::string big = bigStructure(folder, 40);
+    MeasuredRun run;
+    for (const char* resolution : {"0.7", "0.4", "0.25"}) {
+        run = test::runMeasured(
+            {"export", big, "-o", folder / "a.ply", "--style", "surface", "--surface-resolution", resolution}, options);
+        if (run.seconds > 3) break;
+    }
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.err.find("nacre: building the scene"), std::string::npos) << run.err;
+    options.terminal = true;
+    std::ofstream(folder / "jobs") << "{\"input\": \"" << big << "\", \"output\": \"" << folder / "b.png"
+                                   << "\", \"size\": \"32x32\", \"occlusion\": \"512\"}\n";
+    run = test::runMeasured({"batch", folder / "jobs"}, options);
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.err.find("nacre: no job done, "), std::string::npos) << run.err;
+    // What is said afterwards stands on a line of its own.
+    EXPECT_NE(run.err.find("\r\x1b[Knacre: 1 jobs done"), std::string::npos) << run.err;
+    run = test::runMeasured({"batch", folder / "jobs", "--quiet"}, options);
+    EXPECT_EQ(run.err, "");
+}
+
 TEST(Progress, AnErrorOnATerminalIsOneLineByItself) {
     const TemporaryFolder folder;
     test::RunOptions options;

@@ -266,7 +266,8 @@ TEST_F(Download, ServersThatAreNotThere) {
 }
 
 TEST_F(Download, WhatIsTrueOfBothAddressesIsSaidOnce) {
-    const auto failureAt = [&](const char* base, const char* input) {
+    const auto failureAt = [&](const char* base, const char* input, bool verbose) {
+        settings_.verbose = verbose;
         settings_.environment = [=](const char*) { return std::string(base); };
         try {
             downloadMolecule(*parseDatabaseId(input), {}, settings_);
@@ -275,12 +276,16 @@ TEST_F(Download, WhatIsTrueOfBothAddressesIsSaidOnce) {
         }
         return std::string();
     };
-    EXPECT_EQ(failureAt("http://no-such-host.invalid", "pdb:1bna"),
+    EXPECT_EQ(failureAt("http://no-such-host.invalid", "pdb:1bna", false),
+              "cannot download: pdb:1bna: server not found: check your connection");
+    EXPECT_EQ(failureAt("http://no-such-host.invalid", "pdb:1bna", true),
               "cannot download: pdb:1bna: http://no-such-host.invalid/1bna.bcif.gz, "
-              "http://no-such-host.invalid/1bna.cif.gz: no server of that name is found (is there a network?)");
-    EXPECT_EQ(failureAt("http://localhost:1", "afdb:P69905"),
+              "http://no-such-host.invalid/1bna.cif.gz: server not found: check your connection");
+    EXPECT_EQ(failureAt("http://localhost:1", "afdb:P69905", false),
+              "cannot download: afdb:P69905: server not reachable: check your connection");
+    EXPECT_EQ(failureAt("http://localhost:1", "afdb:P69905", true),
               "cannot download: afdb:P69905: http://localhost:1/api/prediction/P69905: "
-              "the server cannot be reached (is there a network?)");
+              "server not reachable: check your connection");
 }
 
 TEST_F(Download, AKeptFileThatWasDamagedIsFetchedAnew) {

@@ -21,7 +21,7 @@ TEST(Samples, UnknownNameIsAnErrorThatNamesWhatThereIs) {
         sampleMolecule("rna");
         FAIL() << "no error";
     } catch (const Error& error) {
-        EXPECT_STREQ(error.what(), "unknown sample: rna: there are dna, glucose and buckyball");
+        EXPECT_STREQ(error.what(), "unknown sample: rna: there are dna, glucose and buckyball (did you mean 'dna'?)");
     }
 }
 

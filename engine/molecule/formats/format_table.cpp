@@ -62,6 +62,12 @@ std::optional<Format> formatFromName(std::string_view name) {
 
 std::string_view formatName(Format format) { return formatRow(format).name; }
 
+std::vector<std::string> allFormatNames() {
+    std::vector<std::string> names;
+    for (const FormatRow& row : kFormats) names.emplace_back(row.name);
+    return names;
+}
+
 std::string formatNames() { return listed(&FormatRow::name); }
 
 std::string formatTitles() { return listed(&FormatRow::title); }

@@ -2,6 +2,7 @@
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
+#include "engine/molecule/nearest_word.h"
 #include "engine/molecule/read.h"
 
 namespace nacre {
@@ -29,11 +30,27 @@ Molecule SampleBuilder::finish() {
     return builder_.finish();
 }
 
+namespace {
+
+struct Sample {
+    std::string_view name;
+    Molecule (*make)();
+};
+constexpr Sample kSamples[] = {{"dna", sampleDna}, {"glucose", sampleGlucose}, {"buckyball", sampleBuckyball}};
+
+}  // namespace
+
+std::vector<std::string> sampleNames() {
+    std::vector<std::string> names;
+    for (const Sample& sample : kSamples) names.emplace_back(sample.name);
+    return names;
+}
+
 Molecule sampleMolecule(std::string_view name) {
-    if (name == "dna") return sampleDna();
-    if (name == "glucose") return sampleGlucose();
-    if (name == "buckyball") return sampleBuckyball();
-    throw Error("unknown sample", std::string(name), "there are dna, glucose and buckyball");
+    for (const Sample& sample : kSamples)
+        if (sample.name == name) return sample.make();
+    throw Error("unknown sample", std::string(name),
+                "there are dna, glucose and buckyball" + suggestion(name, sampleNames()));
 }
 
 }  // namespace nacre
