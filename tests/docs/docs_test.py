@@ -1,9 +1,14 @@
 #!/usr/bin/env python3
 """What the pages say of this tree is so: docs_test.py SOURCE_FOLDER PROGRAM."""
+import functools
+import itertools
+import json
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
+import tempfile
 import unittest
 
 SOURCE, PROGRAM = pathlib.Path(sys.argv[1]), sys.argv[2]
@@ -13,6 +18,40 @@ FOLDERS = "engine|app|shaders|tests|tools|docs|third_party"
 
 def without_code(text):
     return re.sub(r"^```.*?^```$", "", text, flags=re.MULTILINE | re.DOTALL)
+
+
+def lines_outside_code(page):
+    """Lines with their numbers; those of code blocks are empty."""
+    code = False
+    for number, line in enumerate(page.read_text().splitlines(), 1):
+        fence = line.startswith("```")
+        code ^= fence
+        yield number, "" if code or fence else line
+
+
+def cells(row):
+    return [cell.strip() for cell in re.split(r"(?<!\\)\|", row.strip())[1:-1]]
+
+
+@functools.cache
+def program(*words):
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, check=True).stdout
+
+
+def commands():
+    return re.findall(r"^  ([a-z]+) ", program("--help").partition("Subcommands:")[2].partition("\n\n")[0], re.MULTILINE)
+
+
+# Phrases that readers stumbled over, and what they ought to be.
+RETIRED = {
+    r"prevails?": "overrides, wins", r"processor time": "CPU time", r"to and fro": "rock", r"swings?": "rock",
+    r"films?": "movie", r"ready-made": "presets", r"balls and sticks": "ball and stick", r"gone on with": "continued",
+    r"dots an inch": "dots per inch", r"(?:are|is) chosen": "selected", r"left as it is": "unchanged",
+    r"beside it, too": "as well", r"told of": "reported", r"goes? about": "moves between",
+    r"(?:bytes?|frames?|degrees?|samples?|pictures?|fragments?|texels?|ms|MB|GiB|MiB|instructions|words) an? "
+    r"(?:pixel|second|atom|frame|point|sphere|stick|vertex|side|picture|tile|copy|byte|patch)": "per",
+}
+BEGINNINGS = r"(?:^|(?<=[.!?] ))(What|That which|Of|It is)\b"
 
 
 def anchor(heading):
@@ -42,6 +81,85 @@ class Pages(unittest.TestCase):
                   for page in PAGES for link in re.findall(r'(?:\]\(|<img src=")([^)"\s]+)', page.read_text())}
         for file in (SOURCE / "docs").iterdir():
             self.assertIn(file.resolve(), linked, "nothing leads there")
+
+    def test_tables_are_whole_and_their_cells_short(self):
+        for page in PAGES:
+            header = None  # of the table that the line stands in
+            lines = list(lines_outside_code(page))
+            for (number, line), (_, after) in zip(lines, lines[1:] + [(0, "")]):
+                at = f"{page.name}:{number}"
+                if not line.startswith("|"):
+                    header = None
+                    continue
+                if header is None:
+                    header = cells(line)
+                    self.assertRegex(after, r"^\|(?:-+\|)+$", f"{at}: a table has no line below its head")
+                self.assertEqual(len(cells(line)), len(header), f"{at}: cells of a row")
+                for cell in cells(line):
+                    self.assertLessEqual(len(cell), 200, f"{at}: {cell}")
+
+    def test_words_that_readers_stumbled_over_stay_away(self):
+        texts = {page.name: "\n".join(line for _, line in lines_outside_code(page)) for page in PAGES}
+        for command in commands():
+            texts[f"nacre {command} --help"] = program(command, "--help")
+        for topic in ("selections", "colors", "formats", "views", "light", "devices"):
+            texts[f"nacre help {topic}"] = program("help", topic)
+        for name, text in texts.items():
+            for phrase, better in RETIRED.items():
+                found = re.search(rf"\b(?:{phrase})\b", text, re.IGNORECASE)
+                self.assertIsNone(found, f"{name}: '{found and found.group()}': {better}")
+
+    def test_sentences_begin_with_their_subject(self):
+        for page in PAGES:
+            text = "\n".join(line for _, line in lines_outside_code(page) if not re.match(r"[#|<]", line))
+            for paragraph in re.split(r"\n\s*\n|\n\s*(?:[-*]|\d+\.) ", text):
+                sentences = " ".join(paragraph.split())
+                found = re.search(BEGINNINGS, sentences)
+                self.assertIsNone(found, f"{page.name}: {found and sentences[found.start():][:80]}")
+
+    def test_options_that_are_named_exist(self):
+        offered = set()
+        for command in commands():
+            offered |= set(re.findall(r"--[a-z][a-z-]+", program(command, "--help")))
+        offered |= set(re.findall(r"--[a-z][a-z-]+", program("--help")))
+        for page in PAGES:
+            for quoted in re.findall(r"`([^`\n]+)`", without_code(page.read_text())):
+                if not re.match(r"--|nacre ", quoted) or "nacre" in quoted and "|" in quoted:
+                    continue  # of another program
+                for option in re.findall(r"(?:^|\s)(--[a-z][a-z-]+)", quoted):
+                    self.assertIn(option, offered, f"{page.name}: {quoted}")
+
+    def test_the_phrase_book_is_understood(self):
+        fragments = set()
+        for _, line in lines_outside_code(SOURCE / "docs/phrase_book.md"):
+            row = cells(line) if line.startswith("|") else [""]
+            fragments |= set(re.findall(r"`(--[^`]+)`", row[-1]))
+            if line.startswith("| ") and not re.search(r"`(?:--|nacre )", row[-1]) and len(row) == 4 and "atoms" not in row[0]:
+                fragments |= {"--hide " + shlex.quote(text) for text in re.findall(r"`([a-z][^`.:]*)`", row[-1])}
+        self.assertGreater(len(fragments), 45)
+        with tempfile.TemporaryDirectory() as folder:
+            jobs = []
+            for fragment in sorted(fragments):
+                job = {"input": "sample:dna", "output": f"{folder}/{len(jobs)}.png", "size": "16x16", "occlusion": "off"}
+                words = shlex.split(fragment)
+                for at, word in enumerate(words):
+                    if word.startswith("--"):
+                        values = list(itertools.takewhile(lambda text: not text.startswith("--"), words[at + 1:]))
+                        job[word[2:]] = values[0] if len(values) == 1 else [values]
+                jobs.append((fragment, job))
+            lines = "\n".join(json.dumps(job) for _, job in jobs)
+            report = subprocess.run([PROGRAM, "batch", "-", "--cache", "off"], input=lines, capture_output=True, text=True)
+            for line in map(json.loads, report.stdout.splitlines()):
+                # The sample has no ligand, no second chain of that name and no trajectory.
+                if line["status"] != "done":
+                    self.assertRegex(line["error"], "no such atoms|only atoms that are left out|none of its atoms|no assemblies|"
+                                     "No such file|one INPUT onto another|no atom is left", jobs[line["job"] - 1][0])
+
+    def test_programs_of_tests_that_are_named_exist(self):
+        lists = (SOURCE / "tests/CMakeLists.txt").read_text() + (SOURCE / "tests/suites.cmake").read_text()
+        for page in PAGES:
+            for name in re.findall(r"\btest_([a-z_]+)\b", page.read_text()):
+                self.assertRegex(lists, rf"\b(?:test_)?{name}\b", f"{page.name}: test_{name}")
 
     def test_files_that_are_named_exist(self):
         # NAME stands for what the reader is to put there.

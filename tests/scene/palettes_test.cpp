@@ -89,7 +89,7 @@ struct Promise {
     double normal, protanopia, deuteranopia, tritanopia;
 };
 
-/// These stand in docs/options.md: the smallest distance between any two colours.
+/// These stand in docs/pictures.md: the smallest distance between any two colours.
 TEST(Palettes, KindsAreAsFarApartAsTheDocumentationSays) {
     for (const Promise& p :
          {Promise{Palette::distinct, 8, 18.5, 17.5, 18.0, 17.5}, Promise{Palette::distinct, 4, 31.1, 23.0, 19.6, 22.9},

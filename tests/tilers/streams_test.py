@@ -117,7 +117,7 @@ class Streams(unittest.TestCase):
         records = [{**record, "statistics": {"Instruction Count": 7, "STP Count": 0}},
                    {**record, "statistics": {"Instruction Count": 9, "STP Count": 0}}, {**record, "statistics": {}}]
         self.assertEqual(tilers_streams.pipelines_of(records, "spheres"), {"colour, fragment": {"instructions": 9, "spills": 0}})
-        self.assertEqual(list(tilers_streams.pipelines_of(records, "ribbons")), ["colour of ribbons, fragment"])
+        self.assertEqual(list(tilers_streams.pipelines_of(records, "cartoons")), ["colour of cartoons, fragment"])
 
     def test_what_panvks_compiler_prints_belongs_to_the_pipeline_that_is_named_after_it(self):
         found = tilers_streams.pipelines_of(tilers_streams.of_mali(COMPILED), "spheres")

@@ -6,7 +6,7 @@
 >>> layers = dna.layers(size=(640, 480))                   # depth, normals, atoms, occlusion
 >>> dna.save("dna.png", background="transparent")
 
-The options are those of ``nacre render``, with ``_`` for ``-``: what ``nacre render --help`` and docs/options.md say of
+The options are those of ``nacre render``, with ``_`` for ``-``: what ``nacre render --help`` and docs/reference.md say of
 them holds here. Texts are as on the command line; sizes, rotations and their like may be sequences of numbers, flags and
 what is on or off may be booleans, and what may be repeated may be a list. ``nacre.options()`` lists them.
 
