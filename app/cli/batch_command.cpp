@@ -136,7 +136,7 @@ public:
         if (failure_) std::rethrow_exception(failure_);
         const double seconds = millisecondsSince(start_) / 1000;
         const std::string summary = std::to_string(done_) + " jobs done, " + std::to_string(failed_) + " failed, " +
-                                    std::to_string(skipped_) + " left out, in " +
+                                    std::to_string(skipped_) + " skipped, in " +
                                     std::to_string(static_cast<int>(seconds)) + " s";
         if (stop_.asked()) throw Error("stopped", options_.path, summary + " (--resume goes on)");
         if (done_ + failed_ + skipped_ > 0) sayNote(summary);

@@ -161,7 +161,7 @@ bool looksLikeInput(const std::string& word) {
                       input = looksLikeInput(word) ? word : meant;
     if (!input.empty())
         throw UsageError("a command comes before '" + input + "': `nacre view " + input + "` shows it, `nacre render " +
-                         input + " -o picture.png` draws it, `nacre info " + input + "` tells of it");
+                         input + " -o picture.png` draws it, `nacre info " + input + "` summarises it");
     throw UsageError("there is no command '" + word + "'" + (near.empty() ? ": there are " + list : near));
 }
 

@@ -132,7 +132,7 @@ std::string zshScript(const CommandSpec& program, std::span<const CommandSpec> c
         "_nacre() {\n    local curcontext=$curcontext state line\n    local -a commands\n    commands=(\n";
     for (const CommandSpec& command : commands)
         script += "        '" + command.name + ":" + plainHelp(command.about) + "'\n";
-    script += "        'help:What a command or a topic is about'\n    )\n    _arguments -C \\\n";
+    script += "        'help:Explain a command or a topic'\n    )\n    _arguments -C \\\n";
     for (const OptionSpec& option : program.options)
         script += "        '" + option.longName() + "[" + plainHelp(option.help) + "]' \\\n";
     script +=
@@ -154,7 +154,7 @@ std::string fishScript(const CommandSpec& program, std::span<const CommandSpec> 
     script += begin + " -f\n";
     for (const CommandSpec& command : commands)
         script += begin + " -a " + command.name + " -d '" + plainHelp(command.about) + "'\n";
-    script += begin + " -a help -d 'What a command or a topic is about'\n";
+    script += begin + " -a help -d 'Explain a command or a topic'\n";
     for (const OptionSpec& option : program.options)
         script += begin + " -l " + option.longName().substr(2) + " -d '" + plainHelp(option.help) + "'\n";
     script += "complete -c nacre -n '__fish_seen_subcommand_from help' -f -a '" +

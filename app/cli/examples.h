@@ -10,19 +10,18 @@ inline constexpr const char* kExamples =
     "  nacre movie pdb:4hhb -o blood.mp4 --spin y\n"
     "  nacre info 4hhb.cif.gz --json\n"
     "  nacre devices\n"
-    "`nacre render --help` lists what can be set; `nacre help TOPIC` tells of selections, colors, formats, views, "
-    "light\n"
+    "`nacre render --help` lists all options; `nacre help TOPIC` explains selections, colors, formats, views, light\n"
     "and devices.\n"
-    "Environment, for drivers in doubt and for captures; the picture stays the same:\n"
-    "  NACRE_NO_MERGE=1      every pass is a render pass of its own\n"
-    "  NACRE_NO_TRANSIENT=1  every attachment has memory and is stored\n"
-    "Environment, for downloads:\n"
-    "  NACRE_CACHE=DIR|off   stands for --cache\n"
+    "Environment variables for drivers in doubt; the picture stays the same:\n"
+    "  NACRE_NO_MERGE=1      each pass is a render pass of its own\n"
+    "  NACRE_NO_TRANSIENT=1  each attachment has memory and is stored\n"
+    "Environment variables for downloads:\n"
+    "  NACRE_CACHE=DIR|off   same as --cache\n"
     "  NACRE_PDB_URL, NACRE_PUBCHEM_URL, NACRE_AFDB_URL  other servers: URL/1bna.bcif.gz, URL/1bna.cif.gz;\n"
     "                        URL/compound/cid/2244/record/SDF?record_type=3d; URL/api/prediction/P69905\n"
-    "  NACRE_DOWNLOAD_TIMEOUT=SECONDS  to connect, and without data [30]\n"
+    "  NACRE_DOWNLOAD_TIMEOUT=SECONDS  limit to connect, and to wait for data [30]\n"
     "  NACRE_CA_FILE=FILE    trusted certificates (PEM) instead of the system's\n"
-    "  https_proxy, no_proxy  as curl takes them";
+    "  https_proxy, no_proxy  as for curl";
 inline constexpr const char* kMovieExamples =
     "Examples:\n"
     "  nacre movie 4hhb.cif.gz -o blood.mp4 --spin y --color chain --supersample 2\n"
@@ -52,18 +51,17 @@ inline constexpr const char* kRenderExamples =
     "Selections (SEL), as in PyMOL:\n"
     "  chain A+B, resn HEM+ATP, resi 10-20+35, name CA+CB, elem FE, altloc A, model 1, protein, nucleic, polymer,\n"
     "  ligand, water, ion, backbone, sidechain, hydrogens, hetatm, all, none; and, or, not, ( );\n"
-    "  within 5 of (SEL): at most 5 Å away, itself included; byres (SEL): its whole residues";
+    "  within 5 of (SEL): at most 5 Å away, SEL included; byres (SEL): its whole residues";
 
 inline constexpr const char* kBatchExamples =
     "A job is a line like {\"input\": \"1crn.pdb\", \"output\": \"1crn.png\", \"color\": \"chain\", \"show\": "
     "[\"ligand=licorice\"]}:\n"
-    "the options of `nacre render` without their dashes. Those of the command line hold for every job before its own.\n"
-    "As a job ends, a line of JSON says how, on standard output:\n"
+    "the options of `nacre render` without dashes. Options on the command line apply to every job; its own override them.\n"
+    "Each finished job prints a line of JSON on standard output:\n"
     "  {\"job\": 1, \"input\": \"1crn.pdb\", \"output\": \"1crn.png\", \"status\": \"done\", \"ms\": 41.2, \"bytes\": "
     "40213}\n"
-    "with \"error\" if \"status\" is \"failed\"; \"skipped\" is what --resume left out. One that failed stops no "
-    "other;\n"
-    "the exit status is 1 then.\n"
+    "\"status\" is \"done\", \"failed\" (with \"error\") or \"skipped\" (by --resume). A failed job stops no other; the exit\n"
+    "status is 1 then.\n"
     "Examples:\n"
     "  nacre batch jobs.jsonl --size 256x256 --resume > report.jsonl\n"
     "  for f in *.pdb; do printf '{\"input\": \"%s\", \"output\": \"%s.png\"}\\n' \"$f\" \"$f\"; done | nacre batch -";
@@ -73,6 +71,6 @@ inline constexpr const char* kViewExamples =
     "  nacre view 4hhb.cif.gz --style spacefill --color chain --visibility encoded\n"
     "  nacre view --view pocket.view.json\n"
     "  nacre view 1bna.pdb --capture\n"
-    "Without INPUT the window goes on where the last one was left. `?` in the window lists keys and gestures.";
+    "Without INPUT the window offers files, samples and the last session. `?` in the window lists keys and gestures.";
 
 }  // namespace nacre::app

@@ -1,4 +1,4 @@
-// `nacre help TOPIC`: what concerns several options at once, with those options' own words.
+// `nacre help TOPIC`: a text about several options, and those options' own help.
 
 #include <algorithm>
 
@@ -17,38 +17,35 @@ struct HelpTopic {
 
 constexpr HelpTopic kTopics[] = {
     {"selections",
-     "A selection names atoms. Options that take one are written SEL.\n\n"
+     "A selection names atoms. SEL in the help of an option stands for one.\n\n"
      "  chain A+B   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1\n"
      "  protein  nucleic  polymer  ligand  water  ion  backbone  sidechain  hydrogens  hetatm  all  none\n"
-     "  /NAME   one of several INPUTs, by its name: `NAME=INPUT`, or its file's (receptor.pdb: /receptor)\n"
+     "  /NAME   one of several INPUTs, named by `NAME=INPUT` or by its file (receptor.pdb: /receptor)\n"
      "  b > 50   occupancy < 1   ss helix   sequence GLN?A   /A:10-20@CA (as in ChimeraX)\n"
      "  and   or   not   ( )\n"
-     "  within 5 of (SEL)   at most 5 Å away, itself included; around 5 of (SEL): itself not\n"
+     "  within 5 of (SEL)   at most 5 Å away, SEL included; around 5 of (SEL): without SEL\n"
      "  byres (SEL)         its whole residues\n\n"
-     "Rules apply in the order they stand in, the last one prevails:\n"
+     "Rules apply in the given order, the last one wins:\n"
      "  nacre render 1hpv.pdb -o a.png --style licorice --hide water --show ligand=spacefill\n",
      static_cast<Topics>(Topic::rules)},
     {"colors",
-     "A colour is a scheme, which gives each atom its own, or one colour: a CSS name (navy, lightgray), #rgb, "
-     "#rrggbb,\n"
-     "and for backgrounds #rrggbbaa. element:COLOR has its carbons in the colour and the rest by element.\n",
+     "A colour is a scheme, which colours each atom by a property, or a single colour: a CSS name (navy, lightgray), #rgb\n"
+     "or #rrggbb; for backgrounds also #rrggbbaa. element:COLOR colours carbons in COLOR, other atoms by element.\n",
      Topic::color | Topic::background},
     {"formats",
-     "Structure files are told apart by their content first, and by their ending; each may be compressed (gzip, xz,\n"
-     "bzip2, zstd). INPUT may also be a sample that is built in, or a download. Pictures are told by their ending.\n",
+     "The content of a structure file tells its format, else its ending; it may be compressed (gzip, xz, bzip2, zstd).\n"
+     "INPUT may also be a built-in sample or a download. The ending of a picture file tells its format.\n",
      Topic::input | Topic::reading | Topic::trajectory | Topic::fit | Topic::files},
     {"views",
      "At zoom 1 the molecule's sphere fills 95 % of the shorter side. Rotations are right-handed, about the view's "
      "axes:\n"
-     "x to the right, y up, z to the viewer. `Shift S` in the window saves a view, a small JSON; `render --view` and\n"
-     "`movie --views` draw it. Its keys are the options' names. What it names as its molecule is found beside it, "
-     "too.\n",
+     "x to the right, y up, z towards the viewer. `Shift S` in the window saves a view as JSON, whose keys are the\n"
+     "options' names; `render --view` and `movie --views` draw it. Its molecule may also lie beside it.\n",
      Topic::view | Topic::camera | Topic::aim | Topic::size},
-    {"light", "Ambient occlusion is baked once for a molecule and its style, and kept on disk if that took long.\n",
+    {"light", "Ambient occlusion is computed once per molecule and style, and kept on disk if that took 50 ms or more.\n",
      Topic::look | Topic::lighting | Topic::occlusion | Topic::detail | Topic::effects | Topic::samples},
     {"devices",
-     "Any Vulkan driver will do, Mesa's lavapipe among them, which needs no GPU. `nacre devices` lists what is "
-     "there.\n",
+     "Any Vulkan driver works; Mesa's lavapipe needs no GPU. `nacre devices` lists the devices.\n",
      Topic::device | Topic::path | Topic::frame | Topic::validation},
 };
 
@@ -85,8 +82,8 @@ std::string helpTopic(const std::string& name, std::span<const CommandSpec> comm
         std::string list;
         for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
         for (const CommandSpec& command : commands) known.push_back(command.name);
-        throw UsageError("there is no help on '" + name + "'" + suggestion(name, known) + ": topics are " + list +
-                         ", and every command");
+        throw UsageError("no help topic '" + name + "'" + suggestion(name, known) + ": topics are " + list +
+                         " and every command");
     }
     std::string text = topic->text;
     const auto render =

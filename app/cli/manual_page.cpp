@@ -80,7 +80,7 @@ std::string manualPage(const CommandSpec& program, std::span<const CommandSpec> 
          << roffFlow(program.about)
          << " It reads PDB, mmCIF and other structure files, works out the bonds, and draws on Vulkan, with or without "
             "a "
-            "GPU. \\fBnacre help\\fR \\fITOPIC\\fR says more of: "
+            "GPU. \\fBnacre help\\fR \\fITOPIC\\fR explains: "
          <<
         [] {
             std::string names;

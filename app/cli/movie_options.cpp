@@ -34,25 +34,24 @@ bool goesRound(const MovieOptions& options) {
 
 void addMotion(CommandSpec& command, MovieOptions& options) {
     command.value("--spin", "AXIS", "none",
-                  "Turn about x, y, z (across, up, to the viewer) or a vector X,Y,Z, right-handed; ends where it began",
+                  "Spin about x, y, z (across, up, towards the viewer) or a vector X,Y,Z, right-handed, back to the start",
                   [&](const std::string& text) { options.spin = parseAxis(text); });
-    command.value("--turns", "N", "1", "Of --spin, -100 to 100, not 0; a part of one ends elsewhere",
+    command.value("--turns", "N", "1", "Turns of --spin, -100 to 100, not 0; may be a fraction",
                   [&](const std::string& text) {
                       options.turns = parseNumber(text, -100, 100);
-                      if (*options.turns == 0) throw std::invalid_argument("nothing moves by 0 turns");
+                      if (*options.turns == 0) throw std::invalid_argument("0 turns show no motion");
                   });
-    command.value("--rock", "DEGREES", "none", "Swing to either side and back, up to 180",
+    command.value("--rock", "DEGREES", "none", "Rotate to either side and back, by up to 180 degrees",
                   [&](const std::string& text) {
                       options.rock = parseNumber(text, 0, 180);
-                      if (*options.rock == 0) throw std::invalid_argument("nothing moves by 0 degrees");
+                      if (*options.rock == 0) throw std::invalid_argument("0 degrees show no motion");
                   });
-    command.value("--axis", "AXIS", "y", "Of --rock, as for --spin",
+    command.value("--axis", "AXIS", "y", "Axis of --rock, as for --spin",
                   [&](const std::string& text) { options.axis = parseAxis(text); });
     command.flag("--models", options.models,
-                 "Through the models, frames or records of INPUT, or the frames of --trajectory");
+                 "One model or record of INPUT after the other, or one frame of --trajectory");
     command.value("--views", "A.json,B.json,...", "none",
-                  "Along views that `nacre view` saved: turn, move and zoom; what looks otherwise is faded over;\n"
-                  "options prevail over each",
+                  "Along views that `nacre view` saved: the camera moves, other differences fade; options override each view",
                   [&](const std::string& text) { options.views = parseViews(text); });
     command.flag("--loop", options.loop, "From the last of --views back to the first");
     command.value("--easing", "NAME", "smooth for --views that do not loop, else linear",
@@ -62,37 +61,37 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
                       options.easing = kEasings[parseChoice(text, {"linear", "smooth", "stops"})];
                   });
     command.value("--seconds", "S",
-                  "6 for --spin, 4 for --rock, 2 from view to view, 0.1 a model, a frame each of --trajectory",
-                  "How long it takes, to 86400",
+                  "6 for --spin, 4 for --rock, 2 per step of --views, 0.1 per model, one frame per frame of --trajectory",
+                  "Duration, up to 86400",
                   [&](const std::string& text) { options.seconds = parseNumber(text, 0.001, 86400); });
-    command.value("--fps", "N", "30", "Frames a second, 0.1 to 120 (GIF: 50)", [&](const std::string& text) {
+    command.value("--fps", "N", "30", "Frames per second, 0.1 to 120 (GIF: 50)", [&](const std::string& text) {
         options.framesPerSecond = parseNumber(text, kSlowestMovie, kFastestMovie);
     });
-    command.value("--report", "FILE", "none", "Tells of each frame in a line of JSON; - for standard output",
+    command.value("--report", "FILE", "none", "One line of JSON per finished frame; - for standard output",
                   [&](const std::string& text) { options.report = fileName(text); });
 }
 
 void checkMotion(const MovieOptions& options) {
     const int cameras = (options.spin ? 1 : 0) + (options.rock ? 1 : 0) + (options.views.empty() ? 0 : 1);
     if (cameras > 1) throw UsageError("--spin, --rock and --views exclude each other");
-    if (cameras == 0 && !options.models) throw UsageError("nothing moves: --spin, --rock, --views or --models");
+    if (cameras == 0 && !options.models) throw UsageError("no motion given: add --spin, --rock, --views or --models");
     if (options.loop && options.views.empty()) throw UsageError("--loop is for --views");
     if (options.turns && !options.spin) throw UsageError("--turns is for --spin");
     if (options.axis && !options.rock) throw UsageError("--axis is for --rock (--spin names its own)");
     if (options.easing && cameras == 0) throw UsageError("--easing is for --spin, --rock and --views");
     if (options.easing == Easing::stops && options.views.empty())
-        throw UsageError("--easing stops is for --views, which it rests at");
+        throw UsageError("--easing stops is for --views");
     const bool trajectory = !options.picture.input.trajectory.path.empty();
     if (options.models && !trajectory && isGiven(options, "model"))
         throw UsageError("--models shows one model after the other: leave out --model");
     if (options.models && isGiven(options, "frame"))
         throw UsageError("--models shows one frame after the other: leave out --frame");
     if (options.models && !options.views.empty() && options.picture.look.ownFrame)
-        throw UsageError("--camera model is for a camera that --views do not move");
+        throw UsageError("--camera model and --views exclude each other: --views move the camera");
     if (options.models && options.picture.input.path == "-" && options.picture.input.trajectory.path.empty())
-        throw UsageError("--models reads INPUT again and again: a file, not standard input");
+        throw UsageError("--models reads INPUT several times: name a file, not standard input");
     if (framesOf(options, 1) > kMostMovieFrames)
-        throw UsageError("more than " + std::to_string(kMostMovieFrames) + " frames: --seconds, --fps");
+        throw UsageError("more than " + std::to_string(kMostMovieFrames) + " frames: lower --seconds or --fps");
 }
 
 bool isGiven(const MovieOptions& options, const char* name) {

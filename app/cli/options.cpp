@@ -77,12 +77,12 @@ void addExport(CommandSpec& command, ExportCommandOptions& options) {
                })
         .required = true;
     command.value("--atoms", "FORM", "tessellated",
-                  "Balls and sticks as tessellated triangles, or as instanced ones (.glb, EXT_mesh_gpu_instancing)",
+                  "Spheres and sticks: tessellated, or instanced (.glb, EXT_mesh_gpu_instancing)",
                   [&](const std::string& text) {
                       options.scene.instances = parseChoice(text, {"tessellated", "instanced"}) == 1;
                   });
     command.value("--sides", "auto|N", "auto",
-                  "Vertices around a ball or stick, even, 4 to 128; auto: 24, fewer for many",
+                  "Vertices around a sphere or stick, even, 4 to 128; auto: 24, fewer for many",
                   [&](const std::string& text) {
                       options.scene.sides = text == "auto" ? 0 : static_cast<int>(parseInteger(text, 4, 128));
                       if (options.scene.sides % 2) throw std::invalid_argument("expected an even number");
@@ -103,7 +103,7 @@ void checkExport(const ExportCommandOptions& options) {
     if (options.picture.occlusion.directions > 0 && extensionOf(options.picture.output) != ".glb")
         throw UsageError("--occlusion is for .glb");
     if (options.picture.occlusion.directions > 0 && options.scene.instances)
-        throw UsageError("--occlusion is of vertices, which --atoms instanced has none of its own");
+        throw UsageError("--occlusion needs vertices, which --atoms instanced shares: leave one of them out");
     try {
         const NamedFile files[] = {{"INPUT", options.picture.input.path},
                                    {"--output", options.picture.output, true},
@@ -125,11 +125,10 @@ void checkInfo(const InfoOptions& options) {
 void addInteractions(CommandSpec& command, InfoOptions& options) {
     command.value(
         "--interactions", "SEL[,SEL]|all", "none",
-        "Hydrogen bonds, salt bridges and the like of a selection with what is around it, between two selections, or "
-        "of all atoms",
+        "Hydrogen bonds, salt bridges and other contacts: of a selection, between two selections, or of all atoms",
         [&](const std::string& text) { options.interactions = parseInteractionRequest(text); });
     command.value("--interaction-rules", "molstar|plip|baker-hubbard|wernet-nilsson", "molstar",
-                  "Whose definitions of interactions: docs/interactions.md",
+                  "Definitions of interactions (docs/interactions.md)",
                   [&](const std::string& text) { options.interactionRules = parseInteractionRules(text); });
     command.flag("--csv", options.csv, "The interactions as a table of comma-separated values");
 }
@@ -137,26 +136,26 @@ void addInteractions(CommandSpec& command, InfoOptions& options) {
 std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& window) {
     CommandSpec render{"render", "Draw a molecule into a picture file", kRenderExamples};
     addRender(render, line.render);
-    CommandSpec movie{"movie", "Draw a movie: turning, swinging, through models or along saved views", kMovieExamples};
+    CommandSpec movie{"movie", "Draw a movie: spin, rock, models, trajectories, saved views", kMovieExamples};
     addMovie(movie, line.movie);
-    CommandSpec batch{"batch", "Draw many molecules, each as its line of a file says", kBatchExamples};
+    CommandSpec batch{"batch", "Draw many pictures, one per line of a job file", kBatchExamples};
     addBatch(batch, line.batch);
-    CommandSpec looks{"looks", "List the looks, or draw a molecule in each of them",
+    CommandSpec looks{"looks", "List the looks, or draw a molecule in each",
                       "Examples:\n  nacre looks\n  nacre looks sample:dna -o sheet.png\n  nacre looks --json"};
     addLooks(looks, line.looks);
-    CommandSpec exported{"export", "Write what is drawn as triangles for other programs", kExportExamples};
+    CommandSpec exported{"export", "Export the scene as triangles: glTF, PLY, STL or OBJ", kExportExamples};
     addExport(exported, line.exported);
-    CommandSpec info{"info", "Say what a structure file holds",
+    CommandSpec info{"info", "Summarise a structure file",
                      "Examples:\n  nacre info 1bna.pdb 4hhb.cif.gz\n  nacre info ligands.sdf --model 3 --json"};
     addInputs(info, line.info.paths, line.info.picture);
     info.flag("--residues", line.info.residues, "Each residue, with helix, strand or coil");
     addInteractions(info, line.info);
     info.flag("--json", line.info.json, "As one JSON object");
-    CommandSpec bench{"bench", "Time frames by each visibility path",
+    CommandSpec bench{"bench", "Time frames on each visibility path",
                       "Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json\n"
                       "  nacre bench 1bna.pdb 4hhb.cif.gz --visibility tiles --zoom 10"};
     addBench(bench, line.bench);
-    CommandSpec plan{"plan", "Show what a frame becomes on a GPU: render passes and memory traffic",
+    CommandSpec plan{"plan", "Show the render passes and memory traffic of a frame on a GPU",
                      "Examples:\n"
                      "  nacre plan --caps mali --size 1170x2532\n"
                      "  nacre plan 1aon.pdb.gz --caps mali --size 1170x2532\n"
@@ -167,11 +166,11 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     CommandSpec devices{"devices", "List the Vulkan devices",
                         "Examples:\n  nacre devices\n  nacre devices --self-test --json"};
     devices.flag("--self-test", line.devices.selfTest,
-                 "Draw by every path, tell which is right and how long it takes, and keep that for `auto`");
-    devices.value("--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre", "Where self-tests are kept",
+                 "Test and time every path, and keep the result for `auto`");
+    devices.value("--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre", "Folder for results of self-tests",
                   [&](const std::string& text) { line.devices.cache = fileName(text); });
     devices.flag("--json", line.devices.json, "As a JSON array");
-    CommandSpec completion{"completion", "Print a shell's completion",
+    CommandSpec completion{"completion", "Print completions for a shell",
                            "Examples:\n  source <(nacre completion bash)\n  nacre completion fish | source"};
     completion
         .add({"SHELL", "", "", "bash, zsh or fish",
@@ -191,11 +190,12 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     static_cast<void>(window);
 #endif
     for (CommandSpec& command : commands)
-        command.flag("-q,--quiet", line.quiet, "No warnings, notes or progress on standard error, only errors");
+        command.flag("-q,--quiet", line.quiet, "No warnings, notes or progress on standard error. Errors remain, and files that a saved view opens\n"
+                     "outside its folder");
     for (CommandSpec& command : commands)
         if (std::any_of(command.options.begin(), command.options.end(),
                         [](const OptionSpec& option) { return option.longName() == "--offline"; }))
-            command.flag("--verbose", line.verbose, "Errors of downloads name every address that was asked");
+            command.flag("--verbose", line.verbose, "Failed downloads name every address that was tried");
     return commands;
 }
 

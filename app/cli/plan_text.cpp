@@ -77,7 +77,7 @@ void renderPassText(std::ostream& out, const PlanReport& report, const graph::Re
              list(stageNames(d.fromStages)), list(stageNames(d.toStages)), d.byRegion ? "same pixel" : "whole image"});
     if (rows.size() > 1) table(out, "  ", rows);
     out << "  tile: " << pass.tileBytesPerPixel << " of " << report.plannedWith.tileBytesPerPixel
-        << " B a pixel for colour and input" << (depth ? ", depth beside them" : "") << "\n\n";
+        << " B per pixel for colour and input" << (depth ? ", depth beside them" : "") << "\n\n";
 }
 
 void computeText(std::ostream& out, const PlanReport& report, const graph::PassDecl& pass) {
@@ -104,7 +104,7 @@ std::string fetchText(const Fetch& fetch) {
     std::string text = std::to_string(fetch.sphere) + " B";
     if (fetch.cylinder || fetch.triangle) text += " / " + std::to_string(fetch.cylinder) + " B";
     if (fetch.triangle) text += " / " + std::to_string(fetch.triangle) + " B";
-    return text + (fetch.perPixel ? " a covered pixel" : "");
+    return text + (fetch.perPixel ? " per covered pixel" : "");
 }
 
 void passesText(std::ostream& out, const PlanReport& report) {
@@ -113,7 +113,7 @@ void passesText(std::ostream& out, const PlanReport& report) {
         const PassNotes notes = notesOf(pass, report.plannedWith.conservativeDepth);
         rows.push_back({pass.name, depthTimingName(notes.depth), fetchText(notes.binning), fetchText(notes.shading)});
     }
-    out << "bytes fetched for each sphere / cylinder / triangle\n";
+    out << "bytes fetched per sphere / cylinder / triangle\n";
     table(out, "  ", rows);
     for (const graph::PassDecl& pass : report.frame.graph.passes()) {
         const PassNotes notes = notesOf(pass, report.plannedWith.conservativeDepth);
@@ -123,7 +123,7 @@ void passesText(std::ostream& out, const PlanReport& report) {
 }
 
 void memoryText(std::ostream& out, const PlanReport& report) {
-    out << "bytes to and from memory a frame, of attachments, and of textures and buffers that the frame makes\n";
+    out << "bytes to and from memory per frame: attachments, and textures and buffers that the frame makes\n";
     std::vector<Row> rows{{"image", "loaded", "stored", "unmerged: loaded", "stored", "paper: loaded", "stored"}};
     const auto cells = [](Row& row, const graph::Traffic& traffic) {
         row.push_back(grouped(traffic.loaded));
@@ -156,9 +156,9 @@ void memoryText(std::ostream& out, const PlanReport& report) {
         cells(row, report.paper.traffic[p]);
         rows.push_back(row);
     }
-    rows.push_back({"in all"});
+    rows.push_back({"total"});
     for (const graph::Plan* plan : {&report.plan, &report.unmerged, &report.paper}) cells(rows.back(), plan->total);
-    rows.push_back({"a pixel"});
+    rows.push_back({"per pixel"});
     const std::uint64_t pixels = std::uint64_t{report.extent.width} * report.extent.height;
     for (const graph::Plan* plan : {&report.plan, &report.unmerged, &report.paper})
         cells(rows.back(), {plan->total.loaded / pixels, plan->total.stored / pixels});
@@ -167,22 +167,22 @@ void memoryText(std::ostream& out, const PlanReport& report) {
 
 /// What each effect adds, by itself, to the frame without any.
 void costsText(std::ostream& out, const PlanReport& report) {
-    out << "\nwhat each option adds to a frame without the others\n";
+    out << "\neach option by itself adds to a frame\n";
     std::vector<Row> rows{
-        {"option", "passes that it needs", "B loaded", "stored", "on the tile, B a pixel", "samples"}};
+        {"option", "passes", "B loaded", "stored", "on the tile, B per pixel", "samples"}};
     const auto more = [](std::int64_t bytes) {
         const std::string number = grouped(static_cast<std::uint64_t>(std::abs(bytes)));
         return bytes > 0 ? "+" + number : bytes < 0 ? "-" + number : "0";
     };
     for (const EffectCost& cost : report.costs)
-        rows.push_back({"--" + cost.option, list(cost.passes, "none: some instructions of those there are"),
+        rows.push_back({"--" + cost.option, list(cost.passes, "none: a few instructions"),
                         more(cost.loaded), more(cost.stored), more(cost.tileBytes), std::to_string(cost.samples)});
     table(out, "  ", rows, 2);
 }
 
 void geometryText(std::ostream& out, const PlanReport& report) {
     const bool stored = report.plannedWith.geometry.storesVaryings;
-    out << "\nvertices of the scene, and what they hand to fragments"
+    out << "\nvertices of the scene, and the bytes that they hand to fragments"
         << (stored ? ", through memory: written once, read once\n" : ", which stays on the chip\n");
     std::vector<Row> rows{{"pass", "vertices", "triangles", stored ? "B written" : "B", stored ? "B read" : ""}};
     const auto add = [&](const std::string& name, const PassGeometry& pass) {
@@ -190,13 +190,13 @@ void geometryText(std::ostream& out, const PlanReport& report) {
                         stored ? grouped(pass.varyingBytes) : ""});
     };
     for (const PassGeometry& pass : report.geometry) add(pass.name, pass);
-    add("in all", sumOf(report.geometry));
+    add("total", sumOf(report.geometry));
     table(out, "  ", rows, 1);
 }
 
 void levelsText(std::ostream& out, const PlanReport& report) {
-    out << "\nlevels of its cartoons and surfaces\n";
-    std::vector<Row> levels{{"off by, A", "triangles", "drawn", "", ""}};
+    out << "\nlevels of cartoons and surfaces\n";
+    std::vector<Row> levels{{"error, angstrom", "triangles", "drawn", "", ""}};
     for (const MeshLevelCount& level : report.meshLevels)
         levels.push_back(
             {numberText(std::round(level.error * 1e4) / 1e4), grouped(level.triangles), grouped(level.drawn), "", ""});
@@ -209,7 +209,7 @@ std::string planText(const PlanReport& report) {
     std::ostringstream out;
     out << report.caps << ", " << report.extent.width << "x" << report.extent.height << '\n'
         << "visibility " << visibilityName(report.visibility) << ": " << report.why << "\n";
-    if (report.samples > 1) out << "a pixel of a picture is the mean of " << report.samples << " of its pixels\n";
+    if (report.samples > 1) out << "each pixel of a picture is the mean of " << report.samples << " samples\n";
     out << '\n';
     for (const graph::Step& step : report.plan.steps) {
         barriersText(out, report, step.before);
@@ -223,7 +223,7 @@ std::string planText(const PlanReport& report) {
     if (!report.costs.empty()) costsText(out, report);
     if (!report.geometry.empty()) geometryText(out, report);
     if (!report.meshLevels.empty()) levelsText(out, report);
-    if (!report.facts.empty()) out << "\nwhat is known of " << report.caps << '\n';
+    if (!report.facts.empty()) out << "\nknown facts about " << report.caps << '\n';
     for (const graph::Fact& fact : report.facts) out << "  " << fact.what << "\n    [" << fact.source << "]\n";
     return out.str();
 }

@@ -20,7 +20,7 @@ constexpr const char* kStoredVaryings =
     "positions and varyings go through memory: shapes of few corners until spheres are large";
 constexpr Fact kMali[] = {
     {kStoredVaryings, kArmVertices},
-    {"256 bits a pixel on the tile, hardware depth beside them", kMesaTiles},
+    {"256 bits per pixel on the tile, hardware depth beside them", kMesaTiles},
     {"subpasses that read each other's pixel alone run on one tile",
      "Arm, 'Vulkan best practice for mobile developers', render subpasses tutorial"},
     {"MIN is a blend shader, and R32F does not blend: encoded depth is R32F that is written in raster order",
@@ -30,13 +30,13 @@ constexpr Fact kMali[] = {
 };
 constexpr Fact kMaliOld[] = {
     {kStoredVaryings, kArmVertices},
-    {"128 bits a pixel on the tile, hardware depth beside them", kMesaTiles},
-    {"the same limit in the vendor's words: 128 bits of colour a pixel, D32F not counted",
+    {"128 bits per pixel on the tile, hardware depth beside them", kMesaTiles},
+    {"the vendor states the same limit: 128 bits of colour per pixel, D32F not counted",
      "Arm, 'Vulkan best practice for mobile developers', render subpasses tutorial"},
     {"R32F does not blend; encoded depth takes RGBA16F", kBlendTable},
 };
 constexpr Fact kAdreno[] = {
-    {"input attachments stay in GMEM between subpasses; bins shrink as pixels grow, and 16 B a pixel is our own budget",
+    {"input attachments stay in GMEM between subpasses; bins shrink as pixels grow, and 16 B per pixel is our own budget",
      "Samsung and Qualcomm, 'Introduction to Vulkan Render Passes', developer.samsung.com/game/qualcomm"},
     {"Adreno 5xx does not blend R32F; encoded depth takes RGBA16F", kBlendTable},
     {"a tested depth buffer need not be stored again",
@@ -53,7 +53,7 @@ constexpr Fact kPowerVr[] = {
     {kStoredVaryings,
      "Imagination, 'PowerVR Series5 Architecture Guide': the tiling accelerator writes transformed vertices to the "
      "parameter buffer in memory"},
-    {"input attachments stay on the tile; 16 B a pixel is our own budget",
+    {"input attachments stay on the tile; 16 B per pixel is our own budget",
      "Imagination, 'PowerVR Performance Recommendations', Vulkan: subpasses map to pixel local storage"},
     {"R32F need not blend; encoded depth takes RGBA16F", kBlendTable},
 };
@@ -62,7 +62,7 @@ constexpr Fact kApple[] = {
      "github.com/KhronosGroup/MoltenVK issue 2454"},
     {"memoryless attachments work within one Metal encoder alone", "github.com/KhronosGroup/MoltenVK issue 490"},
     {"an input attachment becomes a plain texture read", "github.com/KhronosGroup/MoltenVK issue 2281"},
-    {"256 bits a pixel on the tile (512 from Apple4 on)", "Apple, 'Metal Feature Set Tables'"},
+    {"256 bits per pixel on the tile (512 from Apple4 on)", "Apple, 'Metal Feature Set Tables'"},
 };
 constexpr const char* kShim = "the command streams that Mesa 25.0.7 writes over its no-op kernel drivers (drm-shim)";
 constexpr Fact kTurnip[] = {
@@ -72,13 +72,13 @@ constexpr Fact kTurnip[] = {
     {"no lazily allocated memory is reported", kShim},
 };
 constexpr Fact kV3dv[] = {
-    {"a job for each subpass: the depth that two share is stored and loaded again", kShim},
+    {"one job per subpass: the depth that two share is stored and loaded again", kShim},
     {"fragdepth, in one subpass, stores colour alone", kShim},
     {"what writes depth from the fragment shader tests late, whatever it declares: plates reject nothing there", kShim},
 };
 constexpr Fact kPanvk[] = {
     {kStoredVaryings, kArmVertices},
-    {"a framebuffer for each subpass", kShim},
+    {"one framebuffer per subpass", kShim},
     {"depth is stored although nobody asks for it", kShim},
     {"every invocation loads the directions of a batch for itself: 48 of a texel's 53 loads on G610", kShim},
     {"what writes depth from the fragment shader tests late, whatever it declares: plates reject nothing there", kShim},

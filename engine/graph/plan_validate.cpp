@@ -94,7 +94,7 @@ void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& 
                          ")");
     if (bytes > caps.tileBytesPerPixel)
         throw GraphError("pass '" + pass.name + "': " + std::to_string(bytes) +
-                         " bytes of colour a pixel exceed the tile budget of '" + caps.name + "' (" +
+                         " bytes of colour per pixel exceed the tile budget of '" + caps.name + "' (" +
                          std::to_string(caps.tileBytesPerPixel) + ")");
 }
 

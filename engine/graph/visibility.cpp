@@ -17,7 +17,7 @@ VisibilityChoice chooseVisibility(DeviceKind kind, const PlanCaps& caps) {
         case DeviceKind::software:
             if (caps.tiles)
                 return {Visibility::tiles,
-                        "software rasteriser: a triangle costs it more than a pixel, and compute has none"};
+                        "software rasteriser: compute over lists of primitives costs less than triangles"};
             return {Visibility::encoded,
                     "software rasteriser: early tests against plates save more than a second pass costs"};
         case DeviceKind::immediate:

@@ -232,7 +232,7 @@ TEST(Plan, SaysOfEveryPassWhatProfilersAsk) {
 TEST(Plan, TextNamesEveryPassAndImage) {
     for (const graph::CapabilitySet& set : graph::capabilitySets()) {
         const std::string text = planText(planReport(phone(set.plan.name)));
-        for (const char* word : {"impostor colour", "colour", "depth", "in all", "paper"})
+        for (const char* word : {"impostor colour", "colour", "depth", "total", "paper"})
             EXPECT_NE(text.find(word), std::string::npos) << set.plan.name << ": " << word;
         const bool plates = graph::platesReject(graph::chooseVisibility(set.kind, set.plan).visibility, set.plan);
         EXPECT_EQ(text.find("opaque prepass") != std::string::npos, plates) << set.plan.name;
@@ -310,7 +310,7 @@ TEST(Plan, OfAPictureTellsHowItsEdgesAreDrawn) {
     options.picture.effects.halos.width = 6;
     EXPECT_EQ(jsonOf(options)["samples"], 16);
     EXPECT_EQ(jsonOf(options)["costs"][0]["samples"], 16);
-    EXPECT_NE(planText(planReport(options)).find("a pixel of a picture is the mean of 16 of its pixels"),
+    EXPECT_NE(planText(planReport(options)).find("each pixel of a picture is the mean of 16 samples"),
               std::string::npos);
     options.picture.effects.halos.width = 0;
     options.picture.device.visibility = Visibility::encoded;

@@ -174,7 +174,7 @@ class Pages(unittest.TestCase):
         self.assertEqual((SOURCE / "docs/reference.md").read_text(), written, "nacre help reference >docs/reference.md")
         help_text = subprocess.run([PROGRAM, "render", "--help"], capture_output=True, text=True, check=True).stdout
         offered = set(re.findall(r"^  (?:-\w,)?(--[a-z][a-z-]+)", help_text, re.MULTILINE))
-        self.assertEqual(offered - {"--help", "--quiet"}, set(re.findall(r"^\*\*`(--[a-z-]+)", written, re.MULTILINE)))
+        self.assertEqual(offered - {"--help", "--quiet", "--verbose"}, set(re.findall(r"^\*\*`(--[a-z-]+)", written, re.MULTILINE)))
 
     def test_options_of_movies_are_those_of_the_program(self):
         named = set(re.findall(r"--[a-z][a-z-]+", (SOURCE / "docs/movies.md").read_text()))

@@ -225,7 +225,7 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         int code;
         const char* says;
     } cases[] = {
-        {"sample:dna -o a.gif", 2, "nothing moves"},
+        {"sample:dna -o a.gif", 2, "no motion given"},
         {"sample:dna -o a.avi --spin y", 2, ".mp4, .webm, .gif or .png"},
         {"sample:dna -o a.gif --spin y --rock 20", 2, "exclude each other"},
         {"sample:dna -o a.gif --spin y --loop", 2, "--loop is for --views"},
@@ -235,8 +235,8 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         {"other.xyz -o a.gif --models --smooth 3", 1, "of model 2, atom 2 is N; of the first, atom 2 is O"},
         {"sample:dna -o a.gif --rock 20 --turns 2", 2, "--turns is for --spin"},
         {"sample:dna -o a.gif --spin y --axis x", 2, "--axis is for --rock"},
-        {"sample:dna -o a.gif --rock 0", 2, "nothing moves by 0 degrees"},
-        {"sample:dna -o a.gif --spin y --turns 0", 2, "nothing moves by 0 turns"},
+        {"sample:dna -o a.gif --rock 0", 2, "0 degrees show no motion"},
+        {"sample:dna -o a.gif --spin y --turns 0", 2, "0 turns show no motion"},
         {"other.xyz -o a.gif --models --easing smooth", 2, "--easing is for --spin, --rock and --views"},
         {"sample:dna -o a.gif --spin y --easing stops", 2, "--easing stops is for --views"},
         {"sample:dna -o a.gif --spin 0,0,0", 2, "no direction"},
