@@ -136,7 +136,7 @@ TEST(Plan, TellsWhatEachOptionOfTheLookCosts) {
         EXPECT_EQ(of[rims]["stored"], 0);
         EXPECT_EQ(of[rims]["tile_bytes_per_pixel"], 8);
     }
-    EXPECT_NE(planText(planReport(options)).find("--fog                none: some instructions"), std::string::npos);
+    EXPECT_NE(planText(planReport(options)).find("--fog                none: a few instructions"), std::string::npos);
     options.picture.lighting = false;  // then nothing is shadowed
     EXPECT_EQ(jsonOf(options)["costs"].size(), 5u);
 }
