@@ -1,5 +1,5 @@
 #pragma once
-// What was baked of ambient occlusion, on the host: for those who write it into files.
+// Finished ambient occlusion in host memory, for writers of files.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -7,21 +7,21 @@
 
 namespace nacre {
 
-/// Texels as the device has them (engine/occlusion/atlas_layout.h): patches of spheres, of cylinders, and vertices.
-/// All that it tells is how open a place is: 0 closed to 1.
+/// Texels as on the device (engine/occlusion/atlas_layout.h): patches of spheres and cylinders, and vertices.
+/// Values are openness: 0 closed, 1 open.
 struct BakedOcclusion {
     std::uint32_t sphereEdge = 0, around = 0, along = 0;  ///< texels across patches
     std::uint32_t width = 0;                              ///< of a row
     std::uint32_t sphereRows = 0, cylinderRows = 0;
-    std::vector<std::uint8_t> texels;  ///< row by row; empty: there is nothing to bake, and all is open
+    std::vector<std::uint8_t> texels;  ///< row by row; empty: nothing was baked, everything is open
 
-    // Primitives by their places in the Representation that was set, after orderInSpace(); directions as it has them.
+    // Primitives are counted as in the Representation that was set, after orderInSpace(); directions are in its axes.
 
-    /// @param normal  unit
+    /// @param normal  unit vector
     float ofSphere(std::uint32_t sphere, const glm::vec3& normal) const;
-    /// @param axis, normal  unit, across each other @param share  0 at its first end, 1 at its second
+    /// @param axis, normal  unit vectors, perpendicular @param share  position along the axis, 0 to 1
     float ofCylinder(std::uint32_t cylinder, const glm::vec3& axis, const glm::vec3& normal, float share) const;
-    /// Of a mesh's outer side.
+    /// On the outer side of a mesh.
     float ofVertex(std::uint32_t vertex) const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of what a frame works with, for engineers.
+// Intermediate images of a frame, for engineers.
 
 #include <span>
 
@@ -7,21 +7,21 @@ namespace nacre {
 
 enum class DebugView {
     none,
-    depth,      ///< of the nearest surface: white near, black far (the paper's Figure 4)
-    encoded,    ///< the encoded depth attachment as it is stored: its first three channels
-    plates,     ///< what the opaque prepass covers in full colour, the rest pale (Figure 8)
-    overdraw,   ///< fragments of the impostors that pass the early depth test: every doubling another colour
+    depth,      ///< of the nearest surface: white near, black far (Figure 4 of the paper)
+    encoded,    ///< first three channels of the encoded depth attachment, as stored
+    plates,     ///< full colour where the opaque prepass covers, pale elsewhere (Figure 8)
+    overdraw,   ///< impostor fragments that pass the early depth test: one colour per doubling
     occlusion,  ///< ambient occlusion alone, in linear light (Figure 7)
     patches,    ///< the occlusion atlas (Figure 6); pans and zooms with the view
-    id,         ///< a colour an atom
+    id,         ///< one colour per atom
     normals,    ///< x, y, z of the view-space normal as red, green, blue; 0 is mid-grey
-    tiles,      ///< mean fragments a pixel in tiles of 16 x 16 pixels, coloured as overdraw
+    tiles,      ///< mean fragments per pixel in tiles of 16 x 16 pixels, coloured as overdraw
 };
 
 /// Names by value; the first is "none".
 std::span<const char* const> debugViewNames();
 
-/// Whether there is nothing to show without ambient occlusion.
+/// Whether the view needs ambient occlusion.
 constexpr bool needsOcclusion(DebugView view) { return view == DebugView::occlusion || view == DebugView::patches; }
 
 }  // namespace nacre

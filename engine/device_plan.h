@@ -1,5 +1,5 @@
 #pragma once
-// What a real device is planned with, for whoever looks at plans instead of drawing.
+// The capabilities that plans for a real device are made with, for tools that print plans.
 
 #include <string>
 
@@ -12,12 +12,12 @@ namespace nacre {
 struct DevicePlan {
     std::string name;  ///< of the device
     graph::PlanCaps caps;
-    Visibility visibility{};  ///< the path in force
-    std::string why;          ///< of `visibility`
+    Visibility visibility{};  ///< the chosen path
+    std::string why;          ///< reason for `visibility`
     graph::EncodedFormat encoded;
 };
 
-/// Opens the device that the options name. @throws Error as Renderer does
+/// Opens the device that the options name. @throws Error like Renderer
 DevicePlan planOf(const DeviceOptions& options);
 
 }  // namespace nacre

@@ -7,13 +7,13 @@
 
 namespace nacre {
 
-/// Every one, in the order that DeviceOptions::device counts them. @throws Error
+/// All devices, in the order in which DeviceOptions::device counts them. @throws Error
 std::vector<DeviceInfo> listDevices();
 
-/// "depth encoding + impostor colour: 2 subpasses as 1" and "screen: depth: 0 of 4.0 MB committed", a line each.
+/// "depth encoding + impostor colour: 2 subpasses as 1" and "screen: depth: 0 of 4.0 MB committed", one line each.
 std::string describe(const DriverFeedback& feedback);
 
-/// Whether this program was built to capture frames.
+/// Whether this program was built with support for captures.
 bool capturesBuilt();
 
 }  // namespace nacre

@@ -8,12 +8,12 @@
 namespace nacre {
 
 /// The one exception for faults of environment or input (device, memory, file). Caught in app/ only.
-/// what() reads `WHAT: WHERE (line N): WHY`; the parts that are empty are left out.
+/// what() reads `WHAT: WHERE (line N): WHY` without empty parts.
 class Error : public std::runtime_error {
 public:
-    /// @param what  what could not be done ("cannot read molecule")
-    /// @param where file, object or option that it concerns; may be empty
-    /// @param why   the reason, in words that help
+    /// @param what  the failed action ("cannot read molecule")
+    /// @param where file, object or option; may be empty
+    /// @param why   the reason, and a remedy if there is one
     /// @param line  1-based line of a text file, if there is one
     Error(const std::string& what, const std::string& where, const std::string& why,
           std::optional<std::uint64_t> line = std::nullopt)

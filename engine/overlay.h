@@ -1,6 +1,5 @@
 #pragma once
-// What an application draws over the picture: its panel, labels and marks, as triangles. Plain data, so that whatever
-// makes it (Dear ImGui on the desktop) needs to know nothing of the GPU.
+// Triangles that an application draws over the picture: panel, labels, marks. Plain data, independent of the GPU.
 
 #include <cstdint>
 #include <vector>
@@ -9,11 +8,11 @@ namespace nacre {
 
 struct OverlayVertex {
     float x, y;           ///< pixels of the window, from the top left
-    float u, v;           ///< place in the glyph texture, 0..1
+    float u, v;           ///< position in the glyph texture, 0..1
     std::uint32_t color;  ///< sRGB-coded, straight alpha, red in the lowest byte
 };
 
-/// Triangles within a rectangle of the window, pixels.
+/// Triangles clipped to a rectangle of the window, in pixels.
 struct OverlayBatch {
     float left = 0, top = 0, right = 0, bottom = 0;
     std::uint32_t firstIndex = 0, indexCount = 0;
@@ -25,7 +24,7 @@ struct Overlay {
     std::vector<OverlayBatch> batches;
 };
 
-/// Coverage of glyphs, one byte a texel; a texel that is all covered serves for plain shapes.
+/// Coverage of glyphs, one byte per texel. Plain shapes use a fully covered texel.
 struct OverlayGlyphs {
     std::uint32_t width = 0, height = 0;
     std::vector<std::uint8_t> coverage;

@@ -1,5 +1,5 @@
 #pragma once
-// A molecule's pictures. Read this and renderer.cpp first.
+// Draws pictures of a molecule. Read this and renderer.cpp first.
 
 #include <cstdint>
 #include <memory>
@@ -15,102 +15,99 @@
 
 namespace nacre {
 
-/// After an Error the renderer is as good as before: the same call, or one that asks for less, may succeed. Only a
-/// device that was lost stays so.
+/// After an Error the renderer works as before: the same call, or one that needs less memory, may succeed. Only a lost
+/// device stays lost.
 ///
-/// Threads. One thread at a time calls a renderer, const functions included; it need not be the same one. Several
-/// renderers may be called by as many threads. Functions that a caller hands over (DeviceOptions, RenderSettings) are
-/// called by the thread that called the renderer, before that call returns. References that are handed out are good
-/// until the next call that is not const. A renderer starts threadsPerTask() - 1 threads for the time of a task
-/// (threads.h: an embedder sets how many), one to prepare each bake and, from makePipelinesAhead() on, one that makes
-/// pipelines; drivers start their own.
+/// Threads: one thread at a time may call a renderer, const functions included. Several renderers may be called by as
+/// many threads. Callbacks (DeviceOptions, RenderSettings) run on the calling thread, before the call returns. Returned
+/// references are valid until the next non-const call. A renderer starts threadsPerTask() - 1 threads per task
+/// (threads.h), one to prepare each bake and, after makePipelinesAhead(), one that compiles pipelines. Drivers start
+/// their own.
 class Renderer {
 public:
-    /// @throws Error if no suitable device is there
+    /// @throws Error if there is no suitable device
     explicit Renderer(const DeviceOptions& options);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
-    /// Uploads a scene. What was baked for the one before is dropped. @throws Error, and the scene before stays
+    /// Uploads a scene and drops the occlusion of the previous one. @throws Error and keeps the previous scene
     void setScene(Representation representation);
-    /// The scene's primitives at other places, in the order that they were handed in, as a molecule moves; anything
-    /// else is as setScene(). Never waits for the device. Frames go on with the occlusion that was baked for the places
-    /// before until advanceOcclusion() has finished a newer one; pictures and layers never do.
-    /// @throws Error, and the scene before stays
+    /// Moves the primitives of the scene, which must come in the same order; otherwise this is setScene(). Does not
+    /// wait for the device. Frames show the previous occlusion until advanceOcclusion() has finished the new one;
+    /// pictures and layers always show the new one. @throws Error and keeps the previous scene
     void moveScene(Representation representation);
 
-    /// Works on the scene's occlusion for about `milliseconds`: at least one direction, if any is left. Frames show
-    /// what is done so far; pictures and layers finish it first.
-    /// @returns the share that is done, 0..1
+    /// Bakes occlusion for about `milliseconds`, at least one direction. Frames show the finished directions; pictures
+    /// and layers finish all of them first. @returns the finished share, 0..1
     double advanceOcclusion(const RenderSettings& settings, double milliseconds = 4.0);
-    /// The same beside a window's frames: never waits, neither for the device nor for what the host must find out
-    /// first. Call it for every frame, and every millisecond or so while there is none to draw: each call lets the
-    /// device begin with the next part if it is done with the last.
+    /// The same beside a window's frames, without waiting for the device or for preparation on the host. Call it for
+    /// every frame, and about every millisecond while there is none: each call submits the next part if the last is
+    /// finished.
     double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace);
-    /// For each sphere of the scene whether any direction of the bake saw any of it; empty before the bake is done.
+    /// For each sphere, whether the bake saw it from any direction; empty before the bake is finished.
     std::vector<bool> seenSpheres() const;
 
-    /// From now on pipelines that the next passes of a picture are going to want are made on a thread of their own,
-    /// while the first is made. What goes wrong there goes wrong again, and is told, where they are wanted.
+    /// Compiles the pipelines that later passes of a picture need on a thread of its own, from now on. Errors are
+    /// reported when a pass needs the pipeline.
     void makePipelinesAhead();
 
     /// @throws Error if the picture is larger than the device draws, or memory runs out
     Picture render(const RenderSettings& settings);
-    /// A rectangle of the picture that render() draws, to the byte, which may be larger than the device draws.
+    /// A rectangle of render()'s picture, equal to the byte. The whole picture may be larger than the device draws.
     /// @param part  its x and y are multiples of PictureRect::kStep; View::quarterTurns is 0 @throws Error
     Picture renderPart(const RenderSettings& settings, const PictureRect& part);
-    /// One sample a pixel, no antialiasing; supersample is ignored.
+    /// One sample per pixel, without anti-aliasing; `supersample` is ignored.
     LayerPicture layers(const RenderSettings& settings);
 
-    /// One frame as an application would draw it: nothing is read back, and occlusion is shown as far as it is baked (1
-    /// everywhere at first). Of several samples a pixel, all are drawn where one frame can. Returns milliseconds, from
-    /// declaring the frame to the device being done.
+    /// Draws one frame as an application would: nothing is read back, and occlusion is shown as far as it is baked (1
+    /// everywhere at first). Draws all samples per pixel that fit in one frame. @returns milliseconds, from declaring
+    /// the frame until the device is finished
     double drawFrame(const RenderSettings& settings);
 
-    /// Waits until the next present() need not: for room in the queue and an image of the window. Look for input after
-    /// it, so that the frame shows what is newest. Whatever goes wrong, present() tells.
+    /// Waits for room in the queue and an image of the window, so that the next present() does not. Poll input after
+    /// it, so that the frame shows the newest state. Errors are reported by present().
     void awaitFrame();
-    /// Draws a frame into the window that DeviceOptions::surface makes, with the occlusion that is there so far, and
-    /// queues it for the display. Does not wait for the device unless two frames are in flight already.
-    /// @param settings its view has the window's size; `supersample` and `countFragments` are not looked at
+    /// Draws a frame into the window of DeviceOptions::surface, with the occlusion baked so far, and queues it for the
+    /// display. Waits for the device only if two frames are in flight.
+    /// @param settings its view has the window's size; `supersample` and `countFragments` are ignored
     FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame);
-    /// A scene like this one is about to be set, as while a file is read: the pipelines of a window's frame of it are
-    /// made on a thread of their own meanwhile. Nothing is drawn; what cannot be made is told when it is asked for.
-    /// @param like  has primitives of the same kinds; how many, and how large, is all the same
+    /// Announces a scene, for example while its file is read: the pipelines of a window's frame are compiled on a
+    /// thread of their own. Nothing is drawn, and errors are reported when the scene is drawn.
+    /// @param like  has primitives of the same kinds; their number and size do not matter
     void expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame);
     PixelSize windowSize() const;
-    /// Lets go of the window's surface, which is about to go; the next frame makes another.
+    /// Releases the window's surface before the window goes away. The next frame creates another.
     void releaseWindow();
-    /// Glyphs of the overlays that follow. @throws Error if the texture is too large
+    /// Sets the glyphs for later overlays. @throws Error if the texture is too large
     void setOverlayGlyphs(const OverlayGlyphs& glyphs);
-    /// Bakes all of the occlusion that the settings ask for, and hands it out. @throws Error
+    /// Bakes the occlusion completely and returns it. @throws Error
     BakedOcclusion bakedOcclusion(const OcclusionSettings& settings);
-    /// The atom that is seen at a place of the view or, if none is, nearest to it. @returns its 1-based position in the
-    /// file; 0: none within reach. @param x, y, reach pixels, from the top left
+    /// The atom that is visible at a point of the view, or the nearest one within `reach`. @returns its 1-based
+    /// position in the file; 0: none. @param x, y, reach pixels, from the top left
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);
 
-    /// Whether frames can be captured: DeviceOptions::capture, or RenderDoc started this program.
+    /// Whether frames can be captured: by DeviceOptions::capture, or because RenderDoc started this program.
     bool captures() const;
-    /// RenderDoc started this program: its captures are for RenderDoc to keep.
+    /// Whether RenderDoc started this program, and so decides where captures go.
     bool startedByRenderDoc() const;
-    /// All that is drawn and baked from here on becomes one capture. @param stem of the file's name, to which RenderDoc
-    /// adds; empty: as RenderDoc likes. @throws Error
+    /// Begins a capture of everything that is drawn and baked. @param stem beginning of the file's name, which
+    /// RenderDoc completes; empty: RenderDoc's choice. @throws Error
     void beginCapture(const std::string& stem);
-    /// @returns the file that RenderDoc wrote. @throws Error if there is none
+    /// @returns the path of the capture. @throws Error if RenderDoc wrote none
     std::string endCapture();
 
-    /// What the driver compiled so far, for DeviceOptions::pipelineCache of a later run.
+    /// The driver's compiled pipelines, for DeviceOptions::pipelineCache of a later run.
     std::vector<std::byte> pipelineCache() const;
 
-    /// What is known of the device's loss, in one line; empty: it is there.
+    /// One line about the loss of the device; empty while it works.
     const std::string& deviceLoss() const;
 
     const FrameStats& stats() const;
-    /// What the driver says of the render passes and images that are kept by now. Asks the driver.
+    /// The driver's feedback on current render passes and images. Queries the driver.
     DriverFeedback driverFeedback() const;
     /// Plan of the last frame as text.
     const std::string& planText() const;
-    /// What the validation layer said so far; empty is what is right.
+    /// Messages of the validation layer so far; there should be none.
     std::vector<std::string> validationMessages() const;
     /// Largest picture side of this device, in pixels.
     std::uint32_t maxSize() const;

@@ -1,5 +1,5 @@
 #pragma once
-// What a caller asks of a picture or a frame.
+// Settings of a picture or a frame.
 
 #include <array>
 #include <cstdint>
@@ -14,69 +14,67 @@
 
 namespace nacre {
 
-/// The ambient occlusion bake of a scene: how much of it, and what it may take. Two bakes with the same first four are
-/// the same.
+/// Settings of the ambient occlusion bake. Equal values of the first four fields give equal results.
 struct OcclusionSettings {
     static constexpr std::uint64_t kUsualBytes = 64ull << 20;
     int directions = 128;  ///< 0: no occlusion
-    /// Device memory budget of the bake, atlas and depth maps included. The usual one grows with meshes of more than a
-    /// million vertices: each has a value of its own.
+    /// Device memory limit of the bake, atlas and depth maps included. The default grows for meshes of more than a
+    /// million vertices, since each has a value of its own.
     std::uint64_t bytes = kUsualBytes;
     OcclusionMaps maps = OcclusionMaps::automatic;
-    /// Texels across a sphere's patch, at most, 4 to 32. Small pictures show no more than 12 of them, and a bake's time
-    /// goes with their square; depth maps, too, get no larger than the molecule wants them.
+    /// Most texels across a sphere's patch, 4 to 32. Small pictures show no more than 12. The time of a bake grows with
+    /// the square, as does the size of depth maps.
     std::uint32_t detail = 32;
-    std::string cache;         ///< folder that finished bakes are kept in; empty: none are
-    double worthKeeping = 50;  ///< milliseconds: bakes that took less are not kept
-    /// Called between batches of the bake with the share that is done, above 0 and at most 1.
+    std::string cache;         ///< folder for finished bakes; empty: none are kept
+    double worthKeeping = 50;  ///< milliseconds; shorter bakes are not kept
+    /// Called between batches of the bake with the finished share, above 0 and at most 1.
     std::function<void(double)> onProgress;
 };
 
-/// What a bake beside a window's frames may take of the device.
+/// Device time for a bake beside a window's frames.
 struct OcclusionPace {
-    double sliceMilliseconds = 4;  ///< of one submission: so long a frame behind it waits at most
-    double showMilliseconds = 0;   ///< of work, at least, from one change of what frames show to the next
-    bool mustFit = false;          ///< nothing is submitted if even the least there is takes longer than a slice
+    double sliceMilliseconds = 4;  ///< per submission: the longest that a frame waits for it
+    double showMilliseconds = 0;   ///< least work between two updates of the shown occlusion
+    bool mustFit = false;          ///< submit nothing if the smallest part exceeds a slice
 };
 
-/// How a frame is drawn. None of this changes the picture.
+/// How a frame is drawn. These never change the picture.
 struct FrameTuning {
-    PlateShape plates = PlateShape::automatic;  ///< of the opaque prepass
+    PlateShape plates = PlateShape::automatic;  ///< in the opaque prepass
     ImpostorShape impostor = ImpostorShape::automatic;
     bool countFragments = false;  ///< fill FrameStats::passes (slower)
     bool timePasses = false;      ///< fill FrameStats::passTimes; software devices finish each pass for it
-    bool transient = true;        ///< what a tile alone needs has no memory, where the device can; off: all is stored
+    bool transient = true;        ///< attachments that stay on the tile get no memory, if the device supports it
     bool merge = true;            ///< neighbouring passes share a render pass
-    bool cull = true;             ///< what certainly does not show is not drawn
-    /// Spheres of a view from which the host draws them itself, or looks for those that others hide, for the `tiles`
-    /// path: of fewer it costs what it saves.
+    bool cull = true;             ///< leave out primitives that are certainly invisible
+    /// Number of spheres from which the host draws them first, or looks for hidden ones, on the `tiles` path. Below, it
+    /// costs more than it saves.
     std::uint32_t hideFrom = 1'500'000;
 };
 
 struct RenderSettings {
-    /// Of a picture: kEdgeSamples where a pixel shows an edge, one elsewhere. Debug views have one everywhere.
+    /// Pictures have kEdgeSamples where a pixel shows an edge, and one elsewhere. Debug views have one everywhere.
     static constexpr std::uint32_t kEdges = 0;
     static constexpr std::uint32_t kEdgeSamples = 16;
-    /// Where a frame does not draw those (it is not of the `tiles` path; one looks through meshes; halos, lines of
-    /// three weights; lists that are too long), a picture has as many everywhere, so many a side.
+    /// Samples per side and pixel where a frame cannot do that: other paths than `tiles`, translucent meshes, halos,
+    /// weighted outlines, lists that are too long.
     static constexpr std::uint32_t kBlockSamples = 4;
     static_assert(kBlockSamples * kBlockSamples == kEdgeSamples);
 
     View view;
-    std::uint32_t supersample = kEdges;           ///< N x N samples a pixel, or kEdges
+    std::uint32_t supersample = kEdges;           ///< N x N samples per pixel, or kEdges
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha, 0..1
-    bool fine = false;                            ///< pictures: 32 bits a channel, linear, instead of 8, sRGB-coded
-    bool lighting = true;                         ///< off: base colour x occlusion
+    bool fine = false;                            ///< pictures: 32 bits per channel, linear, instead of 8, sRGB-coded
+    bool lighting = true;                         ///< off: base colour times occlusion
     Effects effects;                              ///< layers and picks have no contours
-    /// How far a mesh's outline may be off, as a share of the distance between samples (a quarter of a pixel at edges):
-    /// meshes are drawn by the coarsest of their levels that keeps within it. Twice that in a window's live frames.
-    /// 0: as fine as they are.
+    /// Largest error of a mesh's outline, in distances between samples (a quarter of a pixel at edges). Meshes are
+    /// drawn by the coarsest level within it. 0: the finest level.
     double meshError = 0.25;
-    DebugView debug = DebugView::none;  ///< of pictures and window frames; layers and picks are not concerned
+    DebugView debug = DebugView::none;  ///< for pictures and window frames, not for layers and picks
     OcclusionSettings occlusion;
     FrameTuning tuning;
 
-    /// What a frame goes by: all but how a bake is made, which is in strings and functions.
+    /// The settings of a frame: all but the strings and callbacks of the bake.
     RenderSettings ofFrame() const {
         RenderSettings frame{view, supersample, background, fine, lighting, effects, meshError, debug, {}, tuning};
         frame.occlusion.directions = occlusion.directions;
@@ -84,19 +82,19 @@ struct RenderSettings {
     }
 };
 
-/// How a frame for the window is drawn.
+/// Settings of a window's frame.
 struct WindowFrame {
     enum class Quality {
         live,     ///< at `scale` times the window's resolution
-        refined,  ///< one sample of each pixel more, added to those before: their mean is shown, and kept
-        kept,     ///< the refined picture once more, under another overlay
+        refined,  ///< adds one sample per pixel; the mean of all is shown and kept
+        kept,     ///< shows the refined picture again, under another overlay
     };
     Quality quality = Quality::live;
     double scale = 1;
-    std::uint32_t samples = 1;         ///< that a pixel of the refined picture has in the end: 1, 4, 9 or 16
-    std::uint32_t sample = 0;          ///< the one that this frame adds; the first begins anew
-    const Overlay* overlay = nullptr;  ///< good until the call returns
-    double meshError = 2;              ///< of a live frame, times RenderSettings::meshError
+    std::uint32_t samples = 1;         ///< samples per pixel of the finished refined picture: 1, 4, 9 or 16
+    std::uint32_t sample = 0;          ///< the sample of this frame; 0 starts again
+    const Overlay* overlay = nullptr;  ///< read during the call only
+    double meshError = 2;              ///< factor of RenderSettings::meshError for live frames
 };
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// How many threads share one of the engine's tasks, and what shares it among them.
+// Threads for the engine's tasks.
 
 #include <algorithm>
 #include <atomic>
@@ -15,17 +15,16 @@ namespace detail {
 inline std::atomic<unsigned> threadsPerTask{0};
 }
 
-/// The number of threads that share a task, of every renderer and mesh in this process, from the next task on. The
-/// thread that calls the engine is one of them: 1 starts none. Tasks that run at the same time have as many each.
-/// @param count  0: one per core, as from the start
+/// Sets the number of threads per task, for the whole process from the next task on. The calling thread is one of them,
+/// so 1 starts none. Tasks that run at the same time have this number each. @param count  0: one per core, the default
 inline void setThreadsPerTask(unsigned count) { detail::threadsPerTask = count; }
 inline unsigned threadsPerTask() {
     const unsigned set = detail::threadsPerTask;
     return set > 0 ? set : std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// Does work(0) to work(count - 1), in no certain order, by threadsPerTask() threads or fewer.
-/// @throws what the first that failed threw
+/// Calls work(0) to work(count - 1) in any order, on at most threadsPerTask() threads.
+/// @throws the exception of the first call that failed
 template <typename Work>
 void inParallel(std::size_t count, const Work& work) {
     const auto threads = std::min<std::size_t>(threadsPerTask(), count);

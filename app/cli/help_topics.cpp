@@ -29,11 +29,13 @@ constexpr HelpTopic kTopics[] = {
      "  nacre render 1hpv.pdb -o a.png --style licorice --hide water --show ligand=spacefill\n",
      static_cast<Topics>(Topic::rules)},
     {"colors",
-     "A colour is a scheme, which colours each atom by a property, or a single colour: a CSS name (navy, lightgray), #rgb\n"
+     "A colour is a scheme, which colours each atom by a property, or a single colour: a CSS name (navy, lightgray), "
+     "#rgb\n"
      "or #rrggbb; for backgrounds also #rrggbbaa. element:COLOR colours carbons in COLOR, other atoms by element.\n",
      Topic::color | Topic::background},
     {"formats",
-     "The content of a structure file tells its format, else its ending; it may be compressed (gzip, xz, bzip2, zstd).\n"
+     "The content of a structure file tells its format, else its ending; it may be compressed (gzip, xz, bzip2, "
+     "zstd).\n"
      "INPUT may also be a built-in sample or a download. The ending of a picture file tells its format.\n",
      Topic::input | Topic::reading | Topic::trajectory | Topic::fit | Topic::files},
     {"views",
@@ -42,10 +44,10 @@ constexpr HelpTopic kTopics[] = {
      "x to the right, y up, z towards the viewer. `Shift S` in the window saves a view as JSON, whose keys are the\n"
      "options' names; `render --view` and `movie --views` draw it. Its molecule may also lie beside it.\n",
      Topic::view | Topic::camera | Topic::aim | Topic::size},
-    {"light", "Ambient occlusion is computed once per molecule and style, and kept on disk if that took 50 ms or more.\n",
+    {"light",
+     "Ambient occlusion is computed once per molecule and style, and kept on disk if that took 50 ms or more.\n",
      Topic::look | Topic::lighting | Topic::occlusion | Topic::detail | Topic::effects | Topic::samples},
-    {"devices",
-     "Any Vulkan driver works; Mesa's lavapipe needs no GPU. `nacre devices` lists the devices.\n",
+    {"devices", "Any Vulkan driver works; Mesa's lavapipe needs no GPU. `nacre devices` lists the devices.\n",
      Topic::device | Topic::path | Topic::frame | Topic::validation},
 };
 

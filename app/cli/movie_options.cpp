@@ -33,9 +33,10 @@ bool goesRound(const MovieOptions& options) {
 }  // namespace
 
 void addMotion(CommandSpec& command, MovieOptions& options) {
-    command.value("--spin", "AXIS", "none",
-                  "Spin about x, y, z (across, up, towards the viewer) or a vector X,Y,Z, right-handed, back to the start",
-                  [&](const std::string& text) { options.spin = parseAxis(text); });
+    command.value(
+        "--spin", "AXIS", "none",
+        "Spin about x, y, z (across, up, towards the viewer) or a vector X,Y,Z, right-handed, back to the start",
+        [&](const std::string& text) { options.spin = parseAxis(text); });
     command.value("--turns", "N", "1", "Turns of --spin, -100 to 100, not 0; may be a fraction",
                   [&](const std::string& text) {
                       options.turns = parseNumber(text, -100, 100);
@@ -50,9 +51,10 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
                   [&](const std::string& text) { options.axis = parseAxis(text); });
     command.flag("--models", options.models,
                  "One model or record of INPUT after the other, or one frame of --trajectory");
-    command.value("--views", "A.json,B.json,...", "none",
-                  "Along views that `nacre view` saved: the camera moves, other differences fade; options override each view",
-                  [&](const std::string& text) { options.views = parseViews(text); });
+    command.value(
+        "--views", "A.json,B.json,...", "none",
+        "Along views that `nacre view` saved: the camera moves, other differences fade; options override each view",
+        [&](const std::string& text) { options.views = parseViews(text); });
     command.flag("--loop", options.loop, "From the last of --views back to the first");
     command.value("--easing", "NAME", "smooth for --views that do not loop, else linear",
                   "linear: the same pace throughout; smooth: starts and ends at rest; stops: rests at each view",
@@ -60,10 +62,10 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
                       constexpr Easing kEasings[] = {Easing::linear, Easing::smooth, Easing::stops};
                       options.easing = kEasings[parseChoice(text, {"linear", "smooth", "stops"})];
                   });
-    command.value("--seconds", "S",
-                  "6 for --spin, 4 for --rock, 2 per step of --views, 0.1 per model, one frame per frame of --trajectory",
-                  "Duration, up to 86400",
-                  [&](const std::string& text) { options.seconds = parseNumber(text, 0.001, 86400); });
+    command.value(
+        "--seconds", "S",
+        "6 for --spin, 4 for --rock, 2 per step of --views, 0.1 per model, one frame per frame of --trajectory",
+        "Duration, up to 86400", [&](const std::string& text) { options.seconds = parseNumber(text, 0.001, 86400); });
     command.value("--fps", "N", "30", "Frames per second, 0.1 to 120 (GIF: 50)", [&](const std::string& text) {
         options.framesPerSecond = parseNumber(text, kSlowestMovie, kFastestMovie);
     });
@@ -79,8 +81,7 @@ void checkMotion(const MovieOptions& options) {
     if (options.turns && !options.spin) throw UsageError("--turns is for --spin");
     if (options.axis && !options.rock) throw UsageError("--axis is for --rock (--spin names its own)");
     if (options.easing && cameras == 0) throw UsageError("--easing is for --spin, --rock and --views");
-    if (options.easing == Easing::stops && options.views.empty())
-        throw UsageError("--easing stops is for --views");
+    if (options.easing == Easing::stops && options.views.empty()) throw UsageError("--easing stops is for --views");
     const bool trajectory = !options.picture.input.trajectory.path.empty();
     if (options.models && !trajectory && isGiven(options, "model"))
         throw UsageError("--models shows one model after the other: leave out --model");

@@ -165,8 +165,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     addPlan(plan, line.plan);
     CommandSpec devices{"devices", "List the Vulkan devices",
                         "Examples:\n  nacre devices\n  nacre devices --self-test --json"};
-    devices.flag("--self-test", line.devices.selfTest,
-                 "Test and time every path, and keep the result for `auto`");
+    devices.flag("--self-test", line.devices.selfTest, "Test and time every path, and keep the result for `auto`");
     devices.value("--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre", "Folder for results of self-tests",
                   [&](const std::string& text) { line.devices.cache = fileName(text); });
     devices.flag("--json", line.devices.json, "As a JSON array");
@@ -190,8 +189,10 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     static_cast<void>(window);
 #endif
     for (CommandSpec& command : commands)
-        command.flag("-q,--quiet", line.quiet, "No warnings, notes or progress on standard error. Errors remain, and files that a saved view opens\n"
-                     "outside its folder");
+        command.flag(
+            "-q,--quiet", line.quiet,
+            "No warnings, notes or progress on standard error. Errors remain, and files that a saved view opens\n"
+            "outside its folder");
     for (CommandSpec& command : commands)
         if (std::any_of(command.options.begin(), command.options.end(),
                         [](const OptionSpec& option) { return option.longName() == "--offline"; }))

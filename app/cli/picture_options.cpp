@@ -42,7 +42,8 @@ void addPicture(CommandSpec& command, PictureDescription& picture, Topics topics
 void addInputs(CommandSpec& command, std::vector<std::string>& paths, PictureDescription& picture) {
     addPicture(command, picture, Topic::input | Topic::reading);
     OptionSpec& input = command.options.front();
-    input.help = input.help.substr(0, input.help.find(" Several are one picture")) + " Several are processed one by one";
+    input.help =
+        input.help.substr(0, input.help.find(" Several are one picture")) + " Several are processed one by one";
     input.set = [&](const std::string& text) { paths.push_back(text); };
     input.required = true;
 }
@@ -70,7 +71,8 @@ void addMovie(CommandSpec& command, MovieOptions& options) {
 void addWindow(CommandSpec& command, PictureDescription& first) {
     first.size = {1280, 800};
     addPicture(command, first, kSeen | Topic::view | Topic::look | Topic::size | Topic::debug | kDevice);
-    command.value("--stats", "FILE", "none", "Frames, times and memory as JSON when the window closes; - for standard output",
+    command.value("--stats", "FILE", "none",
+                  "Frames, times and memory as JSON when the window closes; - for standard output",
                   [&](const std::string& text) { first.stats = fileName(text); });
     command.flag("--capture", first.device.capture,
                  "Load RenderDoc, so that F12 captures a frame; it listens on this machine only");

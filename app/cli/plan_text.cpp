@@ -168,15 +168,14 @@ void memoryText(std::ostream& out, const PlanReport& report) {
 /// What each effect adds, by itself, to the frame without any.
 void costsText(std::ostream& out, const PlanReport& report) {
     out << "\neach option by itself adds to a frame\n";
-    std::vector<Row> rows{
-        {"option", "passes", "B loaded", "stored", "on the tile, B per pixel", "samples"}};
+    std::vector<Row> rows{{"option", "passes", "B loaded", "stored", "on the tile, B per pixel", "samples"}};
     const auto more = [](std::int64_t bytes) {
         const std::string number = grouped(static_cast<std::uint64_t>(std::abs(bytes)));
         return bytes > 0 ? "+" + number : bytes < 0 ? "-" + number : "0";
     };
     for (const EffectCost& cost : report.costs)
-        rows.push_back({"--" + cost.option, list(cost.passes, "none: a few instructions"),
-                        more(cost.loaded), more(cost.stored), more(cost.tileBytes), std::to_string(cost.samples)});
+        rows.push_back({"--" + cost.option, list(cost.passes, "none: a few instructions"), more(cost.loaded),
+                        more(cost.stored), more(cost.tileBytes), std::to_string(cost.samples)});
     table(out, "  ", rows, 2);
 }
 

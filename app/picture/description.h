@@ -1,7 +1,6 @@
 #pragma once
-// The description of a picture: one plain value that says everything about it. Every frontend is a way to write it:
-// the command line, jobs of a batch, Python, saved views, looks, the window's panel. options.h lists what it consists
-// of, one row an option.
+// The complete description of a picture, as one plain value. Every frontend writes it: command line, batch jobs,
+// Python, saved views, looks, the window's panel. options.h lists its options, one row each.
 
 #include <array>
 #include <cstdint>
@@ -25,7 +24,7 @@ namespace nacre::app {
 
 struct OcclusionOptions {
     int directions = 128;                   ///< 0 = off
-    std::uint32_t detail = 32;              ///< texels across a sphere's patch, at most
+    std::uint32_t detail = 32;              ///< most texels across a sphere's patch
     std::optional<std::int64_t> megabytes;  ///< of 2^20 bytes; RenderSettings has the default
 
     std::uint64_t bytes() const {
@@ -46,9 +45,9 @@ struct PictureDescription {
     OcclusionOptions occlusion;
 
     Size size;
-    std::optional<Length> width, height;  ///< prevail over `size`, which says how they relate if only one is there
+    std::optional<Length> width, height;  ///< override `size`; with one of them, `size` gives the shape
     std::optional<double> dpi;            ///< dots per inch
-    std::optional<double> contourPoints, haloPoints, textPoints;  ///< 72 per inch; prevail over pixels
+    std::optional<double> contourPoints, haloPoints, textPoints;  ///< 72 per inch; override pixels
     int bits = 8;                                                 ///< per channel of the file
     std::uint32_t supersample = RenderSettings::kEdges;
     double meshError = 0.25;  ///< as RenderSettings::meshError
@@ -56,9 +55,9 @@ struct PictureDescription {
     FrameTuning tuning;
     DebugView debug = DebugView::none;
     DeviceOptions device;
-    std::string output, layers, stats, capture;  ///< paths; each may be empty
-    std::string view;                            ///< path of the saved view that it began with; empty: none
-    std::set<std::string> given;                 ///< keys of the options that were named, not brought by look or view
+    std::string output, layers, stats, capture;  ///< paths, or empty
+    std::string view;                            ///< path of the saved view that it began with, or empty
+    std::set<std::string> given;                 ///< keys of options given explicitly, not by a look or view
 };
 
 }  // namespace nacre::app

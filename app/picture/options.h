@@ -1,7 +1,7 @@
 #pragma once
-// The options of a picture's description, one row an option. From these rows, and from nothing else, come the command
-// line with its help, manual page and completions, keys of jobs, Python's arguments, saved views, looks, undo, what has
-// to be drawn again, and docs/reference.md. Rows stand in rows_*.cpp, by what they are about.
+// The options of a picture's description, one row each. Everything follows from these rows: command line, help, manual
+// page, completions, batch jobs, Python's arguments, saved views, looks, undo, redrawing, and docs/reference.md. The
+// rows are in rows_*.cpp, by subject.
 
 #include <span>
 #include <string>
@@ -15,11 +15,11 @@ namespace nacre::app {
 /// The subject of an option. A command takes the topics that concern it; `nacre help` explains some of them.
 enum class Topic : std::uint32_t {
     view = 1 << 0,        ///< saved views
-    look = 1 << 1,        ///< several options at once, by a name
-    thumbnail = 1 << 2,   ///< the same
+    look = 1 << 1,        ///< several options by one name
+    thumbnail = 1 << 2,   ///< likewise
     input = 1 << 3,       ///< INPUT
-    reading = 1 << 4,     ///< how it is read
-    trajectory = 1 << 5,  ///< where its atoms are
+    reading = 1 << 4,     ///< how INPUT is read
+    trajectory = 1 << 5,  ///< positions of its atoms
     fit = 1 << 6,         ///< several inputs
     style = 1 << 7,
     color = 1 << 8,
@@ -42,9 +42,9 @@ enum class Topic : std::uint32_t {
     debug = 1 << 25,
     device = 1 << 26,
     path = 1 << 27,   ///< how a device draws
-    frame = 1 << 28,  ///< the same, never seen in a picture
+    frame = 1 << 28,  ///< likewise, without effect on the picture
     validation = 1 << 29,
-    saved = 1u << 31,  ///< only of saved views
+    saved = 1u << 31,  ///< in saved views only
 };
 using Topics = std::uint32_t;
 constexpr Topics operator|(Topic a, Topic b) { return static_cast<Topics>(a) | static_cast<Topics>(b); }
@@ -58,61 +58,61 @@ constexpr Topics kEveryTopic = ~static_cast<Topics>(Topic::saved);
 enum class Facet : unsigned {
     input = 1 << 0,       ///< the molecule is read
     scene = 1 << 1,       ///< spheres, sticks and meshes are made
-    view = 1 << 2,        ///< where it is seen from
+    view = 1 << 2,        ///< the camera
     shading = 1 << 3,     ///< how pixels are shaded
-    annotation = 1 << 4,  ///< the words in the picture
-    file = 1 << 5,        ///< what is written where
-    device = 1 << 6       ///< what draws it
+    annotation = 1 << 4,  ///< text in the picture
+    file = 1 << 5,        ///< output files
+    device = 1 << 6       ///< the device
 };
 using Facets = unsigned;
 constexpr Facets operator|(Facet a, Facet b) { return static_cast<Facets>(a) | static_cast<Facets>(b); }
 constexpr bool has(Facets facets, Facet facet) { return (facets & static_cast<Facets>(facet)) != 0; }
 
 struct Option {
-    /// How many values it takes, and how JSON has them.
+    /// The number of its values, and their form in JSON.
     enum class Kind {
         value,    ///< one text; JSON: a text or number
         flag,     ///< none, or "on" and "off"; JSON: a boolean
-        list,     ///< one each time; JSON: a list of texts
-        pair,     ///< two each time, a line's end between them; JSON: a list of pairs
-        numbers,  ///< several, with commas between them; JSON: a list of numbers
+        list,     ///< one per use; JSON: a list of texts
+        pair,     ///< two per use, separated by a line end; JSON: a list of pairs
+        numbers,  ///< several, separated by commas; JSON: a list of numbers
         rules,    ///< show, hide and color-by in their common order; JSON: a list of objects
         inputs    ///< further inputs; JSON: a list of objects
     };
     enum class Number { none, whole, real };
-    /// When a saved view has it.
+    /// When a saved view holds it.
     enum class Save { never, differing, always, withTrajectory };
 
     std::string_view key = {};  ///< "contours": --contours, "contours" in JSON, contours= in Python
     std::string syntax = {};    ///< of the value, for the help; empty: a flag
-    std::string standard = {};  ///< what holds without it, for the help; "=": as print() has it
-    std::string help = {};      ///< '\n' where a line of the help may end
+    std::string standard = {};  ///< default, for the help; "=": from print()
+    std::string help = {};      ///< '\n' is a possible line break
     Topic topic = Topic::saved;
     Facet facet = Facet::file;
-    /// Takes a value; of a list one more, or none any more of "". @throws std::invalid_argument, in words that
-    /// continue "--key: ", or Error
+    /// Reads a value; adds one to a list, or clears the list for "". @throws std::invalid_argument with a text that
+    /// continues "--key: ", or Error
     void (*parse)(std::string_view text, PictureDescription&) = nullptr;
-    /// What parse() reads; of a list each on a line of its own. Null: the option stands for others.
+    /// The text that parse() reads; lists have one line per value. Null: the option stands for others.
     std::string (*print)(const PictureDescription&) = nullptr;
 
     Kind kind = Kind::value;
     Save save = Save::never;
-    Number number = Number::none;    ///< as what a saved view has it, where it is one
+    Number number = Number::none;    ///< type in saved views, if it is a number
     bool look = false;               ///< part of a look
     std::string_view savedAs = {};   ///< key in saved views; empty: the same
-    std::string_view needs = {};     ///< the option without which this one shows nothing
+    std::string_view needs = {};     ///< an option without which this one has no effect
     std::string_view excludes = {};  ///< an option that cannot be given beside it
-    std::string_view bare = {};      ///< value that its name alone stands for
+    std::string_view bare = {};      ///< value of the option's name alone
     std::string_view letter = {};    ///< "-o"
     bool positional = false;         ///< INPUT
     bool required = false;
-    std::vector<std::string> choices = {};  ///< words that it takes beside others, for completion
+    std::vector<std::string> choices = {};  ///< some of its values, for completion
 
-    /// How a panel shows it, if it does.
+    /// Its control in the panel, if any.
     struct Control {
         const char* label = nullptr;
         double low = 0, high = 0;     ///< of a slider
-        const char* shown = nullptr;  ///< its value in words, as printf has it
+        const char* shown = nullptr;  ///< printf format of the value
     } control = {};
 
     std::string_view savedKey() const { return savedAs.empty() ? key : savedAs; }
@@ -120,12 +120,12 @@ struct Option {
 
 /// In the order of help and saved views.
 std::span<const Option> options();
-/// Null if there is none. @param topics  among which it is looked for
+/// Null if there is none. @param topics  to search
 const Option* findOption(std::string_view key, Topics topics = kEveryTopic);
-/// One that is known to be there.
+/// An option that must exist.
 const Option& option(std::string_view key);
 
-/// Takes a value, and notes that it was given. @throws as Option::parse
+/// Sets a value and records that it was given. @throws as Option::parse
 void setOption(const Option& option, std::string_view text, PictureDescription& description);
 
 /// The parts of the work in which two descriptions differ.

@@ -36,7 +36,8 @@ constexpr Fact kMaliOld[] = {
     {"R32F does not blend; encoded depth takes RGBA16F", kBlendTable},
 };
 constexpr Fact kAdreno[] = {
-    {"input attachments stay in GMEM between subpasses; bins shrink as pixels grow, and 16 B per pixel is our own budget",
+    {"input attachments stay in GMEM between subpasses; bins shrink as pixels grow, and 16 B per pixel is our own "
+     "budget",
      "Samsung and Qualcomm, 'Introduction to Vulkan Render Passes', developer.samsung.com/game/qualcomm"},
     {"Adreno 5xx does not blend R32F; encoded depth takes RGBA16F", kBlendTable},
     {"a tested depth buffer need not be stored again",

@@ -144,8 +144,9 @@ private:
         for (const Use& use : pass.uses)
             if (use.verb == Verb::input && find(use.resource) < 0) {
                 if (graph_.images()[use.resource].desc.samples > 1)
-                    throw GraphError(naming(graph_, pass, use) +
-                                     ": input of several samples per pixel, read outside the render pass that writes it");
+                    throw GraphError(
+                        naming(graph_, pass, use) +
+                        ": input of several samples per pixel, read outside the render pass that writes it");
                 plan_.inputIsSampled[p] = true;
             }
         if (!sharesSubpass(pass)) current().subpasses.emplace_back();

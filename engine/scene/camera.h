@@ -10,17 +10,17 @@ namespace nacre {
 
 enum class Projection { orthographic, perspective };
 
-/// What the user sets.
+/// Camera settings of the user.
 struct Camera {
     Projection projection = Projection::orthographic;
     glm::dvec3 rotationDegrees{0.0};     ///< right-handed, about the view axes, x first: v = Rz Ry Rx Q (p - C)
-    glm::dquat orientation{1, 0, 0, 0};  ///< Q, unit: any rotation, where three angles are not at hand
-    glm::dvec2 pan{0.0};                 ///< where C stands on the image plane, Å from the picture's middle
+    glm::dquat orientation{1, 0, 0, 0};  ///< Q, a unit quaternion; used where three angles are not at hand
+    glm::dvec2 pan{0.0};                 ///< position of C on the image plane, Å from the picture's middle
     double zoom = 1.0;                   ///< scales the image plane
     double fovDegrees = 30.0;            ///< perspective: across the shorter side
 };
 
-/// What follows for one picture. View space: origin at the molecule's centre, +x right, +y up, +z to the viewer, Å.
+/// The view of one picture. View space: origin at the molecule's centre, +x right, +y up, +z to the viewer, Å.
 /// Pixel (i, j), row 0 on top, looks through x = (i + 0.5 - width / 2) / pixelsPerAngstrom - pan.x,
 /// y = (height / 2 - j - 0.5) / pixelsPerAngstrom - pan.y on the plane z = 0; in perspective from the eye
 /// (0, 0, eyeDistance), so that panning shifts the picture as a shift lens does.
@@ -41,13 +41,13 @@ glm::dmat3 rotationMatrix(const glm::dvec3& degrees);
 /// R / (0.95 sin(fov / 2)) and zoom scales the image plane.
 View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint32_t height);
 
-/// The same picture with `factor` times the pixels a side, at least one.
+/// The same picture with `factor` times the pixels per side, at least one.
 View scaled(View view, double factor);
 
-/// What a view shows in a rectangle of its picture, as a picture of its own. @param x, y  its top left corner, pixels
+/// The view of a rectangle of the picture. @param x, y  its top left corner, pixels
 View partOf(View view, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height);
 
-/// The plane point (Å, before pan) that a place of the picture looks through. @param x, y pixels from the top left
+/// The point on the image plane (Å, before pan) behind a point of the picture. @param x, y pixels from the top left
 glm::dvec2 planePointAt(const View& view, double x, double y);
 
 }  // namespace nacre

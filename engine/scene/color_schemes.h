@@ -1,5 +1,5 @@
 #pragma once
-// What colours mean: schemes that give every atom a colour, and the legend that says which.
+// Colour schemes: a colour for every atom, and the legend that explains them.
 
 #include <cstddef>
 #include <cstdint>

@@ -15,14 +15,14 @@
 
 namespace nacre {
 
-/// Stream A: all that the geometry passes read. 16 bytes.
+/// Stream A, read by geometry passes. 16 bytes.
 struct Sphere {
     glm::vec3 center;  ///< Å, relative to Representation::center
     float radius;      ///< Å
 };
-/// Stream B: what shading reads beside it. 8 bytes.
+/// Stream B, read by shading as well. 8 bytes.
 struct SphereLook {
-    std::uint32_t color;  ///< sRGB, 8 bits a channel, red in the lowest byte
+    std::uint32_t color;  ///< sRGB, 8 bits per channel, red in the lowest byte
     std::uint32_t atom;   ///< 1-based position of the atom in its file
 };
 
@@ -81,8 +81,8 @@ struct Representation {
 Representation represent(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                          const RepresentationOptions& options, const std::optional<Bounds>& frame = {});
 
-/// A molecule whose atoms move: chosen, styled and coloured once, as they stand at first, and seen from one place.
-/// Selections by distance hold what they held then.
+/// A molecule whose atoms move: selected, styled and coloured once, by the first positions, with one camera. Selections
+/// by distance keep their first atoms.
 class MovingScene {
 public:
     /// As represent(). @throws Error of an assembly as well: its copies do not move
