@@ -58,7 +58,7 @@ std::optional<PictureDescription> stillThere(std::optional<PictureDescription> v
 std::optional<PictureDescription> viewOf(const void* state, std::size_t size) {
     if (!state || size == 0) return std::nullopt;
     const auto view = viewOfState(std::string(static_cast<const char*>(state), size));
-    if (!view) logError("the saved state is no view");
+    if (!view) logError("the saved state is not a view");
     return view;
 }
 

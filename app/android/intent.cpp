@@ -40,7 +40,7 @@ std::string nameOf(const Java& java, jobject resolver, jobject uri) {
 /// The document's bytes by java.io.InputStream: for providers that have no file to give.
 ReadBytes streamOf(const Java& java, jobject resolver, jobject uri) {
     const jobject stream = java.object(resolver, "openInputStream", "(Landroid/net/Uri;)Ljava/io/InputStream;", uri);
-    if (!stream) throw JavaError("the provider gives nothing");
+    if (!stream) throw JavaError("the other app returned nothing");
     const jbyteArray piece = java.env()->NewByteArray(kPiece);
     java.check();
     return [&java, stream, piece](char* to, std::size_t most) -> std::size_t {

@@ -37,7 +37,7 @@ void Java::check() const {
     const jobject words = id ? env_->CallObjectMethod(thrown, id) : nullptr;
     if (env_->ExceptionCheck()) {
         env_->ExceptionClear();
-        throw JavaError("an exception without words");
+        throw JavaError("an exception without a message");
     }
     throw JavaError(text(words));
 }

@@ -145,7 +145,7 @@ void Platform::call(const Call& call) const {
 }
 
 void Platform::fetch(const std::string& url, const HttpTake& take) const {
-    if (!there_) throw HttpFailure("there is no network here", false);
+    if (!there_) throw HttpFailure("no network available", false);
     Transfer transfer{take, {}};
     try {
         const AttachedThread thread(machine_);

@@ -218,10 +218,9 @@ WordPainter::WordPainter(FindFont find) : face_(std::make_unique<Face>()) {
     if (FT_Init_FreeType(&face_->library) ||
         FT_New_Memory_Face(face_->library, reinterpret_cast<const FT_Byte*>(font.data()),
                            static_cast<FT_Long>(font.size()), 0, &own))
-        throw Error("cannot write words", "", "FreeType does not read the font that is built in");
+        throw Error("cannot draw text", "", "FreeType does not read the built-in font");
     face_->faces.push_back(own);
-    if (FT_Stroker_New(face_->library, &face_->stroker))
-        throw Error("cannot write words", "", "FreeType has no stroker");
+    if (FT_Stroker_New(face_->library, &face_->stroker)) throw Error("cannot draw text", "", "FreeType has no stroker");
 }
 WordPainter::~WordPainter() = default;
 

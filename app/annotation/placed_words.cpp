@@ -165,7 +165,7 @@ void placeLabel(const Label& label, const Molecule& molecule, const DrawnAtoms& 
     }
     if (placed.labels.size() + groups.size() > kMostLabels)
         throw Error("cannot label", label.selection.text,
-                    std::to_string(placed.labels.size() + groups.size()) + " labels are more than the bound of " +
+                    std::to_string(placed.labels.size() + groups.size()) + " labels are more than the limit of " +
                         std::to_string(kMostLabels) + " (select fewer atoms, or name residues or chains)");
     for (const std::vector<std::uint32_t>& group : groups) {
         PlacedLabel one;

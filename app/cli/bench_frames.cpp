@@ -268,7 +268,7 @@ void addFrames(const BenchOptions& options, const Representation& scene, Json& r
 
 void printFrames(const Json& report, std::ostream& out) {
     const auto table = out.flags();
-    out << "\npath           frame ms: min   median      p99  processor  vertices  bake ms  tile B/px\n";
+    out << "\npath           frame ms: min   median      p99     CPU ms  vertices  bake ms  tile B/px\n";
     for (const Json& path : report["paths"])
         out << std::left << std::setw(15) << path["visibility"].get<std::string>() << std::right << std::setw(13)
             << path["frame"]["min"].get<double>() << std::setw(9) << path["frame"]["median"].get<double>()
@@ -280,7 +280,7 @@ void printFrames(const Json& report, std::ostream& out) {
         const std::string name = path["visibility"];
         for (const Json& pass : path["passes"])
             out << name << ", " << pass["name"].get<std::string>() << ": " << pass["ms"]["median"].get<double>()
-                << " ms on the device\n";
+                << " ms of device time\n";
         if (path.contains("lists"))
             out << name << ": " << path["lists"]["kept"] << " primitives in " << path["lists"]["entries"]
                 << " entries of lists, " << path["lists"]["tiles"] << " tiles\n";
@@ -290,9 +290,9 @@ void printFrames(const Json& report, std::ostream& out) {
         << report["triangles"]["submitted"] << " triangles submitted; " << report["covered_pixels"]
         << " pixels covered";
     if (report.contains("floor"))
-        out << " by " << report["atoms"]["visible"] << " atoms; with those alone "
-            << report["floor"]["frame"]["min"].get<double>() << " ms, of which the frame takes "
-            << report["floor"]["ratio"].get<double>() << " times";
+        out << " by " << report["atoms"]["visible"] << " atoms; a frame of these atoms takes "
+            << report["floor"]["frame"]["min"].get<double>() << " ms, the whole frame "
+            << report["floor"]["ratio"].get<double>() << " times as long";
     out << "\n";
     out.flags(table);
 }

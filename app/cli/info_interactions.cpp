@@ -96,8 +96,8 @@ const char* donorName(const Interaction& interaction) {
 
 std::string shortEnd(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     const EndFields fields = fieldsOf(molecule, atoms);
-    return printable(fields.chain + "/" + fields.residue + std::to_string(fields.number) + fields.insertion + " " +
-                     joined(fields.atoms));
+    return printable(fields.chain + "/" + fields.residue + " " + std::to_string(fields.number) + fields.insertion +
+                     " " + joined(fields.atoms));
 }
 
 std::vector<bool> matched(const Molecule& molecule, const std::string& text) {

@@ -221,7 +221,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     CommandSpec program{"nacre", "Nacre draws molecules.", kExamples};
     bool version = false, notices = false;
     program.flag("--version", version, "Commit, Vulkan headers, device and driver");
-    program.flag("--notices", notices, "Licences of Nacre and of the parts that it is made of");
+    program.flag("--notices", notices, "Licences of Nacre and its dependencies");
     const std::vector<CommandSpec> commands = commandsOf(line, window);
     const bool isHelp = argc > 2 && std::string_view(argv[1]) == "help";
     if (isHelp && std::none_of(commands.begin(), commands.end(), [&](const auto& c) { return c.name == argv[2]; })) {

@@ -22,7 +22,7 @@ bool isCoarse(const OcclusionStats& occlusion) { return occlusion.directions > 0
 void sayOcclusion(const OcclusionStats& occlusion) {
     const std::string patch = std::to_string(occlusion.patchTexels);
     std::string text = "ambient occlusion: " +
-                       (occlusion.patchTexels == 1 ? "one value an atom" : patch + " x " + patch + " texels an atom");
+                       (occlusion.patchTexels == 1 ? "one value per atom" : patch + " x " + patch + " texels per atom");
     if (!occlusion.cached) text += ", depth maps of " + std::to_string(occlusion.mapPixels) + " pixels";
     sayNote(text + ", " + std::to_string(occlusion.bytes >> 20) + " of " + std::to_string(occlusion.budget >> 20) +
             " MB");

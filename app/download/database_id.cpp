@@ -138,7 +138,7 @@ std::vector<Source> pubchemSources(const std::string& id, const Environment& env
     const std::string file = pubchemFileName(id);
     return {{file + "-3d.sdf", Format::sdf, compound + "3d", "", ""},
             {file + "-2d.sdf", Format::sdf, compound + "2d", "",
-             "PubChem has no 3D structure of this compound: this is its flat drawing"}};
+             "PubChem has no 3D structure of this compound: this is its 2D drawing"}};
 }
 
 std::vector<Source> afdbSources(const std::string& id, const Environment& environment) {

@@ -85,7 +85,7 @@ bool begin(Transfer& transfer) {
     if (status == 206) {
         const auto range = contentRange(headerOf(transfer.handle, "Content-Range"));
         if (transfer.asked == 0 || !range || range->first != transfer.asked) {
-            transfer.refusal = "the server sent another part of the file than was asked for";
+            transfer.refusal = "the server sent the wrong part of the file";
             return false;
         }
     } else {
@@ -166,8 +166,8 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
         case CURLE_UNSUPPORTED_PROTOCOL:
             // Also what libcurl calls an answer without a status line.
             if (std::string_view(message).find("HTTP/0.9") != std::string_view::npos)
-                throw HttpFailure("the server's answer is no HTTP of our time: it has no status and no headers", false);
-            throw HttpFailure("redirected to another protocol, which is not followed", false);
+                throw HttpFailure("invalid answer: it has no HTTP status and no headers", false);
+            throw HttpFailure("the server redirects to another protocol, which is refused", false);
         case CURLE_PARTIAL_FILE:
         case CURLE_RECV_ERROR:
         case CURLE_HTTP2:

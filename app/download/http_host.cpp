@@ -29,7 +29,7 @@ void httpGet(const std::string& url, const HttpLimits& limits, HttpBody& body,
         const std::lock_guard lock(fetchMutex);
         if (!fetches.empty()) fetch = fetches.back().second;
     }
-    if (!fetch) throw HttpFailure("there is no network here", false);
+    if (!fetch) throw HttpFailure("no network available", false);
     body.restart("");
     fetch(url, [&](std::string_view bytes, std::uint64_t come, std::uint64_t all) {
         if (all > limits.maxBytes || body.size() + bytes.size() > limits.maxBytes)

@@ -54,14 +54,14 @@ bool isPlain(const std::string& path) {
 /// be waited for without an end
 std::string namedPath(const InputOptions& input) {
     if (input.path == "-")
-        throw Error("cannot read molecule", input.namedBy, "it names standard input: name INPUT beside it");
+        throw Error("cannot read molecule", input.namedBy, "it names standard input: give an INPUT as well");
     if (const std::string notice = outsideNotice(input); !notice.empty()) sayNotice(notice);
     const std::string named = (std::filesystem::path(input.namedBy).parent_path() / input.path).string();
     const std::string path = filePathOf(input);
     if (path != named && isPlain(path))
         sayNote(input.namedBy + " names a file that is gone; this one has its content: " + path);
     else if (!input.hash.empty() && isPlain(path) && fileHash(path) != input.hash)
-        sayNotice(path + " is not as it was when " + input.namedBy + " was saved");
+        sayNotice(path + " has changed since " + input.namedBy + " was saved");
     std::error_code error;
     if (std::filesystem::exists(path, error) && !isPlain(path))
         throw Error("cannot read molecule", path, input.namedBy + " names it, and it is no plain file");
@@ -109,7 +109,7 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
     Molecule molecule = loadStructure(structure, onDownload, onModel);
     moveToFrame(input.trajectory, molecule);
     if (input.further.empty() && !input.fits.empty())
-        throw Error("cannot fit", input.path, "one INPUT is laid onto another: name two");
+        throw Error("cannot fit", input.path, "--fit superposes one INPUT on another: name two");
     if (input.further.empty()) return molecule;
     std::vector<Molecule> molecules;
     molecules.push_back(std::move(molecule));

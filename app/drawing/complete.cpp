@@ -34,13 +34,13 @@ bool takeInput(PictureDescription& picture) {
 void takeSeveral(PictureDescription& picture) {
     const InputOptions& input = picture.input;
     if (input.further.empty()) {
-        if (!input.fits.empty()) throw UsageError("--fit lays one INPUT onto another: name two");
+        if (!input.fits.empty()) throw UsageError("--fit superposes one INPUT on another: name two");
         return;
     }
     if (!picture.look.assembly.empty()) throw UsageError("--assembly is for one INPUT");
     const auto standardInputs = std::count_if(input.further.begin(), input.further.end(),
                                               [](const FurtherInput& further) { return further.path == "-"; });
-    if (standardInputs + (input.path == "-" ? 1 : 0) > 1) throw UsageError("standard input is one INPUT alone");
+    if (standardInputs + (input.path == "-" ? 1 : 0) > 1) throw UsageError("only one INPUT can be standard input");
     const std::vector<std::string> names = inputNames(input);
     for (std::size_t i = 0; i < names.size(); ++i)
         if (const std::string& given = i == 0 ? input.name : input.further[i - 1].name;
@@ -65,7 +65,7 @@ void checkDebug(const PictureDescription& picture) {
     if (needsOcclusion(picture.debug) && picture.occlusion.directions == 0)
         throw UsageError("--debug " + view + " shows nothing with --occlusion off");
     if (picture.debug != DebugView::none && picture.supersample > 1)
-        throw UsageError("--debug " + view + " takes one sample a pixel: leave out --supersample");
+        throw UsageError("--debug " + view + " takes one sample per pixel: leave out --supersample");
 }
 
 void checkSize(const PictureDescription& picture, std::uint64_t most) {
@@ -114,7 +114,7 @@ void checkFormat(const PictureDescription& picture) {
         throw UsageError("--depth 16 is for PNG and TIFF, not " + picture.output);
     constexpr std::uint32_t kLargestWebp = 16383;  // the format's own limit
     if (format == ".webp" && std::max(picture.size.width, picture.size.height) > kLargestWebp)
-        throw UsageError("WebP holds at most " + std::to_string(kLargestWebp) + " pixels a side");
+        throw UsageError("WebP holds at most " + std::to_string(kLargestWebp) + " pixels per side");
 }
 
 void completePicture(PictureDescription& picture) {

@@ -45,7 +45,7 @@ public:
         if (triangleCount(result_) > kMostExportTriangles)
             throw Error("cannot export molecule", "",
                         "it would have " + std::to_string(triangleCount(result_)) +
-                            " triangles, more than the bound of " + std::to_string(kMostExportTriangles) +
+                            " triangles, more than the limit of " + std::to_string(kMostExportTriangles) +
                             " (fewer --sides, or --atoms instanced)");
         return std::move(result_);
     }

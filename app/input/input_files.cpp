@@ -119,7 +119,7 @@ std::vector<std::string> trajectoryNotices(const TrajectoryOptions& trajectory) 
     if (isOutside(trajectory.namedBy, path)) notices.push_back(outsideText(trajectory.namedBy, path));
     std::error_code error;
     if (!trajectory.hash.empty() && fs::is_regular_file(path, error) && trajectoryHash(path) != trajectory.hash)
-        notices.push_back(path + " is not as it was when " + trajectory.namedBy + " was saved");
+        notices.push_back(path + " has changed since " + trajectory.namedBy + " was saved");
     return notices;
 }
 

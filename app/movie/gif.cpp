@@ -30,7 +30,7 @@ class Gif : public MovieFile {
 public:
     Gif(const std::string& path, const MovieShape& shape) : stream_(path), shape_(shape) {
         if (shape.framesPerSecond > kFastestGif)
-            throw Error("cannot write file", path, "a GIF has at most 50 frames a second: --fps");
+            throw Error("cannot write file", path, "a GIF has at most 50 frames per second: --fps");
         int error = 0;
         gif_ = EGifOpen(&stream_, writeGif, &error);
         if (!gif_) fail(error);
@@ -88,7 +88,7 @@ private:
 
     void begin(const Picture& first) {
         if (shape_.size.width > 65535 || shape_.size.height > 65535)
-            throw Error("cannot write file", stream_.path(), "a GIF has at most 65535 pixels a side");
+            throw Error("cannot write file", stream_.path(), "a GIF has at most 65535 pixels per side");
         codePicture(first, false, coded_);
         palette_.count(coded_);
         palette_.settle();

@@ -117,8 +117,8 @@ private:
         if (failure == 0) return;
         child_ = -1;
         throw Error("cannot write file", file_.path(),
-                    failure == ENOENT ? "the program ffmpeg is not there, which writes videos (Debian's package "
-                                        "ffmpeg); .gif, .png and folders of frames need no other program"
+                    failure == ENOENT ? "the program ffmpeg, which writes videos, is not installed (Debian: ffmpeg); "
+                                        ".gif, .png and folders of frames work without it"
                                       : std::string("ffmpeg: ") + std::strerror(failure));
     }
 

@@ -209,7 +209,7 @@ void parseColoringPart(std::string_view text, Coloring& coloring) {
                    listOf(palettes) + " behind '" + name + ":'",
                palettes);
     } else {
-        throw std::invalid_argument("'" + name + "' takes nothing behind it, not '" + std::string(text) +
+        throw std::invalid_argument("'" + name + "' takes no value behind it, not '" + std::string(text) +
                                     "' (element:COLOR has a colour for carbons)");
     }
 }

@@ -39,7 +39,7 @@ public:
                 continue;
             }
             const int level = text_[at_++] == '^' ? 1 : -1;
-            if (at_ >= text_.size()) fail("nothing follows its last sign");
+            if (at_ >= text_.size()) fail("nothing follows its last character");
             if (text_[at_] != '{') {
                 add(character(), level);
                 continue;
@@ -62,7 +62,7 @@ private:
             at_ += bytes;
             return std::string(text_.substr(at_ - bytes, bytes));
         }
-        if (++at_ >= text_.size()) fail("nothing follows its last sign");
+        if (++at_ >= text_.size()) fail("nothing follows its last character");
         if (!isAsciiLetter(text_[at_])) return std::string(1, text_[at_++]);
         std::size_t end = at_;
         while (end < text_.size() && isAsciiLetter(text_[end])) ++end;

@@ -1,7 +1,9 @@
 #include "app/picture/option_text.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include "app/picture/appearance_values.h"
 #include "app/picture/srgb.h"
@@ -17,7 +19,9 @@ std::string exactText(double value) {
     std::array<char, 40> digits{};
     for (int precision = 1; precision <= 17; ++precision) {
         std::snprintf(digits.data(), digits.size(), "%.*g", precision, value);
-        if (std::strtod(digits.data(), nullptr) == value) break;
+        const bool plain = std::strchr(digits.data(), 'e') == nullptr;  // 30, where one digit would be 3e+01
+        const bool readable = plain || std::abs(value) < 1e-4 || std::abs(value) >= 1e15;
+        if (readable && std::strtod(digits.data(), nullptr) == value) break;
     }
     return digits.data();
 }

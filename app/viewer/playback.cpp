@@ -72,13 +72,13 @@ void Playback::request(std::size_t frame, double now) {
 void Playback::step(int step, double now) {
     stop();
     const std::size_t frames = clock_.frames();
-    if (frames < 2) return stage_.messages.say("it has one model alone", now);
+    if (frames < 2) return stage_.messages.say("it has only one model", now);
     const bool all = stage_.view().input.model == kAllModels;
     show(all ? 0 : (clock_.frame() + frames + static_cast<std::size_t>(step)) % frames, now);
 }
 
 void Playback::play(double now) {
-    if (clock_.frames() < 2) return stage_.messages.say("it has one model alone", now);
+    if (clock_.frames() < 2) return stage_.messages.say("it has only one model", now);
     stage_.remember();
     clock_.play(now);
     if (const auto next = clock_.next(); next && player_) request(*next, now);

@@ -63,7 +63,7 @@ bool Reading::beginWith(PictureDescription& view, const std::vector<std::string>
     stage_.schedule.overlayChanged();
     const std::size_t before = view.input.further.size() + 1;
     if (before + paths.size() > kMostInputs) {
-        stage_.messages.fail("more than 100 molecules are not shown together", now);
+        stage_.messages.fail("at most 100 molecules can be shown together", now);
         return false;
     }
     for (const std::string& path : paths) view.input.further.push_back({"", path, ""});

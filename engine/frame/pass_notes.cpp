@@ -16,7 +16,7 @@ constexpr Fetch kRecords{sizeof(Sphere) + sizeof(SphereLook), sizeof(Cylinder) +
 constexpr Fetch kRecordsOfPixel{kRecords.sphere, kRecords.cylinder, kRecords.triangle, true};
 
 constexpr const char* kPrecisionPlates = "fp32: positions; no fragment arithmetic";
-constexpr const char* kPrecisionHit = "fp32: positions, hit, depth (a half tells 0.06 A apart at 100 A)";
+constexpr const char* kPrecisionHit = "fp32: positions, hit, depth (a half resolves 0.06 A at 100 A)";
 constexpr const char* kPrecisionShade =
     "fp32: positions, hit, depth, atlas address; fp16 would do: normal, occlusion, light, colour";
 
@@ -56,7 +56,7 @@ PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
                 kPrecisionHit};
     if (pass.name.starts_with(kTranslucentColor))
         return {pass.has(Verb::depthTest) ? DepthTiming::late : DepthTiming::none,
-                "a triangle over the screen; what is opaque hides a layer, or is seen through it",
+                "a triangle over the screen; opaque shapes hide a layer, or are seen through it",
                 {},
                 {},
                 kPrecisionShade};
@@ -66,7 +66,8 @@ PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
                 "shaded once",
                 kPositions, kRecordsOfPixel, kPrecisionShade};
     if (pass.kind == graph::PassKind::compute)
-        return {DepthTiming::none, "the nearest depth of a tile's pixels stays in registers; lists go from near to far",
+        return {DepthTiming::none,
+                "the nearest depth of a tile's pixels stays in registers; lists are sorted from near to far",
                 kPositions, kPositions, kPrecisionHit};
     if (pass.name == kRimPass)
         return {DepthTiming::early, "depth is only tested; of the rims at a pixel MAX keeps the densest", kPositions,
@@ -92,7 +93,7 @@ PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
     }
     if (!pass.has(Verb::depthTest) && !shades && !pass.has(Verb::input))
         return {DepthTiming::none,
-                "edge pixels, which are shaded by now, are laid over the picture",
+                "shaded edge pixels are drawn over the picture",
                 {},
                 {},
                 "fp16: linear colour, coverage"};

@@ -173,7 +173,7 @@ void PictureFrames::checkSize(const View& view) const {
     const std::uint32_t most = device_.caps().maxImageSize;
     if (std::max(view.width, view.height) > most)
         throw Error("picture too large", std::to_string(view.width) + "x" + std::to_string(view.height),
-                    "this device draws at most " + std::to_string(most) + " pixels a side, supersampling counted");
+                    "this device draws at most " + std::to_string(most) + " pixels per side, supersampling included");
 }
 
 Picture PictureFrames::resolved(const Drawn& drawn, const RenderSettings& settings, const Wanted& wanted,

@@ -32,9 +32,8 @@ std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& 
 /// @throws Error if no layer can be laid over a picture of this format
 void SceneFrames::checkBlending(VkFormat format) const {
     if (format != VK_FORMAT_R32G32B32A32_SFLOAT || device_.caps().blendsFloats) return;
-    throw Error(
-        "cannot draw translucent surfaces", device_.caps().deviceName,
-        "it does not blend 32 bits a channel, which layers and pictures of 16 bits are made of; ask for 8 bits");
+    throw Error("cannot draw translucent surfaces", device_.caps().deviceName,
+                "it does not blend 32 bits per channel, which layers and 16-bit pictures need; use 8 bits");
 }
 
 bool SceneFrames::hides(const passes::SceneView& seen, const RenderSettings& settings) {

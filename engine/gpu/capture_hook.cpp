@@ -93,7 +93,7 @@ bool CaptureHook::built() { return false; }
 void CaptureHook::load(bool wanted) {
     if (wanted)
         throw Error("cannot capture", "",
-                    "this program was built without RenderDoc's header (Debian: librenderdoc-dev, then build anew)");
+                    "this program was built without RenderDoc's header (Debian: librenderdoc-dev, then build again)");
 }
 
 void CaptureHook::checkLayer(const vk::raii::Context&) {}

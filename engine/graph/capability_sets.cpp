@@ -48,7 +48,7 @@ constexpr Fact kAdrenoNoSubpass[] = {
      "github.com/microsoft/DirectXShaderCompiler issue 2842; github.com/SaschaWillems/Vulkan pull request 697"},
 };
 constexpr Fact kNoSubpass[] = {
-    {"one subpass, and nothing read from the tile: the least that may go wrong", "engine/graph/known_drivers.cpp"},
+    {"one subpass, and nothing read from the tile: the least risk", "engine/graph/known_drivers.cpp"},
 };
 constexpr Fact kPowerVr[] = {
     {kStoredVaryings,
@@ -67,22 +67,22 @@ constexpr Fact kApple[] = {
 };
 constexpr const char* kShim = "the command streams that Mesa 25.0.7 writes over its no-op kernel drivers (drm-shim)";
 constexpr Fact kTurnip[] = {
-    {"encoded: three clears, no load, one store a tile; the input attachment is read from GMEM", kShim},
+    {"encoded: three clears, no load, one store per tile; the input attachment is read from GMEM", kShim},
     {"R32F blends, in fewer instructions than RGBA16F (48 and 117 for a sphere of the encoding on A740)", kShim},
-    {"what writes depth from the fragment shader tests late, whatever it declares", kShim},
+    {"a fragment shader that writes depth is tested late, whatever it declares", kShim},
     {"no lazily allocated memory is reported", kShim},
 };
 constexpr Fact kV3dv[] = {
     {"one job per subpass: the depth that two share is stored and loaded again", kShim},
     {"fragdepth, in one subpass, stores colour alone", kShim},
-    {"what writes depth from the fragment shader tests late, whatever it declares: plates reject nothing there", kShim},
+    {"a fragment shader that writes depth is tested late, whatever it declares: plates reject nothing there", kShim},
 };
 constexpr Fact kPanvk[] = {
     {kStoredVaryings, kArmVertices},
     {"one framebuffer per subpass", kShim},
-    {"depth is stored although nobody asks for it", kShim},
+    {"depth is stored although no pass reads it", kShim},
     {"every invocation loads the directions of a batch for itself: 48 of a texel's 53 loads on G610", kShim},
-    {"what writes depth from the fragment shader tests late, whatever it declares: plates reject nothing there", kShim},
+    {"a fragment shader that writes depth is tested late, whatever it declares: plates reject nothing there", kShim},
 };
 constexpr Fact kDesktop[] = {
     {"no lazily allocated memory, no tile: transient attachments save nothing",

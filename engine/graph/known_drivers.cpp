@@ -51,7 +51,7 @@ constexpr KnownDriver kRows[] = {
       "github.com/flutter/flutter issue 161274"}},
     {named(kQualcomm, "Adreno", 631, 650),
      "adreno-no-subpass",
-     {"Impeller has given up Vulkan on Adreno 640 and 650: the least that may go wrong there is asked for",
+     {"Impeller has given up Vulkan on Adreno 640 and 650: the least risky path is taken there",
       "github.com/flutter/flutter issue 178833"}},
     {named(kQualcomm, ""),
      "adreno",

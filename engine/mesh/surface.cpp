@@ -193,7 +193,7 @@ void checkSurfaceSize(const std::vector<SurfaceBall>& balls, double step) {
     if (triangles > static_cast<double>(kMostSurfaceTriangles))
         throw Error("cannot make surface", "",
                     "it would have some " + std::to_string(std::llround(triangles / 1e6)) +
-                        " million triangles, more than the bound of " +
+                        " million triangles, more than the limit of " +
                         std::to_string(kMostSurfaceTriangles / 1000000) + " (fewer atoms, or a coarser resolution)");
     if (farthest / step > kFarthestCell) throw Error("cannot make surface", "", "its atoms are too far apart");
 }

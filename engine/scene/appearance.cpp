@@ -50,9 +50,8 @@ std::string warningOfNothing(const Rule& rule, bool inMolecule) {
     const char* verb = rule.action == Rule::Action::show   ? "show"
                        : rule.action == Rule::Action::hide ? "hide"
                                                            : "color";
-    const char* why = inMolecule ? "': it holds only atoms that are left out (waters, hydrogens, other conformers)"
-                                 : "': the molecule has no such atoms";
-    return std::string("nothing to ") + verb + " by '" + rule.selection.text + why;
+    const char* why = inMolecule ? " (all that it matches are hidden waters or hydrogens, or other conformers)" : "";
+    return "'" + rule.selection.text + "' matches no atoms to " + verb + why;
 }
 
 std::vector<AtomLook> settle(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,

@@ -241,7 +241,7 @@ void refuseCrowd(const Representation& r) {
     if (times > kMostCovered)
         throw Error("cannot draw molecule", "",
                     "its atoms, bonds and surfaces lie over one another " + std::to_string(std::llround(times)) +
-                        " times, more than the bound of " + std::to_string(std::llround(kMostCovered)) +
+                        " times, more than the limit of " + std::to_string(std::llround(kMostCovered)) +
                         " (draw fewer of them, or as thinner sticks)");
 }
 

@@ -71,7 +71,7 @@ TEST(Words, TheFinestFieldSaysWhatALabelIsFor) {
 TEST(Words, WhatCannotBeSaidIsAnError) {
     const Dna dna;
     EXPECT_EQ(faultOf([&] { dna.placed("resn XYZ=x"); }), "cannot label: resn XYZ: the molecule has no such atoms");
-    EXPECT_NE(faultOf([&] { dna.placed("all={atom}"); }).find("more than the bound of 400"), std::string::npos);
+    EXPECT_NE(faultOf([&] { dna.placed("all={atom}"); }).find("more than the limit of 400"), std::string::npos);
     Words words;
     words.measures.push_back(parseMeasure("resi 3,id 5"));
     EXPECT_NE(faultOf([&] { placeWords(words, dna.molecule, dna.scene); }).find("where one is needed"),

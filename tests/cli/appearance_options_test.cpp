@@ -190,7 +190,7 @@ TEST(AppearanceOptions, ColoursAndLegendReachPictureAndStats) {
                 "--lighting off --color element:red --color-by 'elem O=blue' --hide hydrogens "
                 "--show 'elem C=licorice' --color-by 'resn QQQ=chain'");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "nacre: warning: nothing to color by 'resn QQQ': the molecule has no such atoms\n");
+    EXPECT_EQ(outcome.err, "nacre: warning: 'resn QQQ' matches no atoms to color\n");
     const auto stats = nlohmann::json::parse(test::contentOf(folder / "s.json"));
     EXPECT_EQ(stats["legend"].dump(),
               R"([{"entries":[{"color":"#ff0000","label":"C"}],"scheme":"element:#ff0000","selection":"all"},)"

@@ -137,7 +137,7 @@ TEST(SavedTrajectory, IsFoundBesideItsViewByItsHash) {
     view("gone/by-another-name.dcd", stated);
     EXPECT_EQ(drawn(""), picture);
     view("as-long.dcd", stated);
-    drawn("as-long.dcd is not as it was when sent/v.json was saved");
+    drawn("as-long.dcd has changed since sent/v.json was saved");
     view("gone/as-long.dcd", ", \"trajectory-hash\": \"" + hash + "0\"");
     EXPECT_EQ(drawn("gone/as-long.dcd"), "") << "the name alone is not enough";
     put("t.dcd", drifting(3));

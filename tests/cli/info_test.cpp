@@ -173,7 +173,7 @@ TEST(Info, InteractionsAsJsonCsvAndText) {
               "b_insertion,b_atoms,b_ids,distance,angles,offset,donor,waters\n"
               "water-bridge,A,1,LIG,0,B,C1,2,A,1,ALA,-3,,CA,1,3.142,water=101.3,,b,1\n");
     EXPECT_EQ(interactionText(molecule, found),
-              "  interactions\n    water-bridge   3.14 Å  A/LIG0B C1  -  A/ALA-3 CA  by A/ALA-3 CA\n");
+              "  interactions\n    water-bridge   3.14 Å  A/LIG 0B C1  -  A/ALA -3 CA  by A/ALA -3 CA\n");
 }
 
 TEST(Info, InteractionsOfOneSelectionOrTwo) {

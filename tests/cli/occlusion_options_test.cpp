@@ -24,7 +24,7 @@ TEST(OcclusionMemory, IsKeptToAndSaid) {
         const auto occlusion = nlohmann::json::parse(contentOf(folder / "s.json"))["occlusion"];
         EXPECT_LE(occlusion["bytes"].get<std::uint64_t>(), std::uint64_t(megabytes) << 20);
         const std::string patch = std::to_string(occlusion["patch_texels"].get<int>());
-        EXPECT_NE(outcome.err.find(patch + " x " + patch + " texels an atom"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find(patch + " x " + patch + " texels per atom"), std::string::npos) << outcome.err;
         EXPECT_NE(outcome.err.find(" of " + std::to_string(megabytes) + " MB"), std::string::npos) << outcome.err;
     }
 }

@@ -230,7 +230,7 @@ TEST(Outputs, AViewFromSomebodyElseFetchesNothingAndQuotesNothing) {
         {"pipe", "error: cannot read molecule: view/pipe: view/pipe.json names it, and it is no plain file\n"},
         {"moves", "error: cannot read trajectory: view/pipe: it is not a plain file\n"},
         {"standard",
-         "error: cannot read molecule: view/standard.json: it names standard input: name INPUT beside it\n"}};
+         "error: cannot read molecule: view/standard.json: it names standard input: give an INPUT as well\n"}};
     for (const auto& [view, why] : endless) {
         const Outcome outcome =
             nacreIn(folder, std::string("render --view view/") + view + ".json -o a.png", "", "exec </dev/zero");

@@ -106,7 +106,7 @@ TEST(SavedView, FindsItsFileBesideItByItsHash) {
     view("oxygen.pdb", carbon);
     outcome = draw();
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("oxygen.pdb is not as it was when v.json was saved"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("oxygen.pdb has changed since v.json was saved"), std::string::npos) << outcome.err;
 }
 
 TEST(SavedView, OptionsBecomeAViewThatMeansThem) {

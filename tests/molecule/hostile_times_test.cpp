@@ -87,7 +87,7 @@ TEST(HostileTimes, ManyAtomsAtOnePlaceAreRefused) {
         represent(molecule, drawn, {});
         ADD_FAILURE();
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("100000 times, more than the bound of 10000"), std::string::npos)
+        EXPECT_NE(std::string(error.what()).find("100000 times, more than the limit of 10000"), std::string::npos)
             << error.what();
     }
 }

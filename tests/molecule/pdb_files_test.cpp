@@ -76,7 +76,7 @@ TEST(PdbFiles, BadOnesGiveOneClearErrorOrLoad) {
     const std::string cannot = "cannot read molecule: ";
     EXPECT_EQ(errorOf("bad/empty.pdb"), cannot + "bad/empty.pdb: the file is empty");
     EXPECT_EQ(errorOf("bad/no-atoms.pdb"), cannot + "bad/no-atoms.pdb: it has no ATOM or HETATM records");
-    EXPECT_EQ(errorOf("bad/png-named.pdb"), cannot + "bad/png-named.pdb: it is no text, hence no PDB file");
+    EXPECT_EQ(errorOf("bad/png-named.pdb"), cannot + "bad/png-named.pdb: it is not text, so not a PDB file");
     EXPECT_EQ(errorOf("bad/truncated-mid-line.pdb"),
               cannot + "bad/truncated-mid-line.pdb: it has no ATOM or HETATM records");
     EXPECT_EQ(errorOf("bad/huge-line.pdb"), cannot + "bad/huge-line.pdb: it has no ATOM or HETATM records");

@@ -114,8 +114,8 @@ TEST(ReadBcif, WhatIsWrong) {
     const auto wrong = [](const std::string& file, const char* part) { expectError("a.bcif", file, {part}); };
     wrong(packMap({{"dataBlocks", packInteger(1)}}), "no dataBlocks");
     wrong(bcifFile({}), "no atoms");
-    wrong(atomSite(2, bcifPlain({1, 2, 3})), "column _atom_site.cartn_x: its values are not the 2 announced");
-    wrong(atomSite(2, bcifPlain({1})), "its values are not the 2 announced");
+    wrong(atomSite(2, bcifPlain({1, 2, 3})), "column _atom_site.cartn_x: it does not have 2 values");
+    wrong(atomSite(2, bcifPlain({1})), "it does not have 2 values");
     wrong(atomSite(1, bcifData("\x01\x02\x03", {bcifByteArray(3)})), "no whole number");
     wrong(atomSite(1, bcifData(littleEndian(0x80000000, 4), {bcifByteArray(6)})), "exceeds 2147483647");
     wrong(atomSite(1, bcifData("\x01", {bcifByteArray(7)})), "type is out of range");
@@ -156,8 +156,8 @@ TEST(ReadBcif, SizesOfHostileFilesAreNotBelieved) {
     EXPECT_EQ(readMolecule("a.bcif", site(100, runs(1, 100, 100))).atoms.size(), 100u);
     expectError("a.bcif", site(2'000'000'000, runs(1, 2'000'000'000, 2'000'000'000)), {"rows of _atom_site"});
     expectError("a.bcif", site(-1, runs(1, 1, 1)), {"rows of _atom_site"});
-    expectError("a.bcif", site(100, runs(1, 2'000'000'000, 2'000'000'000)), {"not the 100 announced"});
-    expectError("a.bcif", site(100, runs(1, 2'000'000'000, 100)), {"not the 100 announced"});
+    expectError("a.bcif", site(100, runs(1, 2'000'000'000, 2'000'000'000)), {"not have 100 values"});
+    expectError("a.bcif", site(100, runs(1, 2'000'000'000, 100)), {"not have 100 values"});
     expectError("a.bcif", site(100, runs(1, -5, 100)), {"a negative one"});
     expectError("a.bcif", packMap({{"dataBlocks", "\xDD\xFF\xFF\xFF\xFF"}}), {"cut short"});
     expectError("a.bcif", packMap({{"dataBlocks", "\xC6\xFF\xFF\xFF\xFF"}}), {"cut short"});

@@ -174,7 +174,7 @@ TEST(ReadMmtf, WhatIsWrong) {
     wrong("xCoordList", encoded(10, 4, 1000, words({1, 2, 3}, 2)), "xCoordList: its values are not the 4");
     wrong("xCoordList", encoded(10, 4, 0, words({1, 2, 3, 4}, 2)), "x of atom 1 is not a finite number");
     wrong("yCoordList", encoded(1, 4, 0, words({0x7FC00000, 0, 0, 0}, 4)), "y of atom 1 is not a finite number");
-    wrong("zCoordList", encoded(9, 4, 1, words({1, 2'000'000'000}, 4)), "not the 4 announced");
+    wrong("zCoordList", encoded(9, 4, 1, words({1, 2'000'000'000}, 4)), "not have 4 values");
     wrong("zCoordList", encoded(99, 4, 1, ""), "codec 99 is unknown");
     wrong("chainIdList", encoded(5, 2, 4, "A"), "chainIdList is no array of 2 names");
     ReadOptions options;

@@ -64,8 +64,9 @@ TEST(Appearance, RulesChooseAmongTheDrawnAtoms) {
         appearanceOf(molecule, drawn, {Style::spacefill, {}, {show("water", Style::licorice), hide("resn QQQ")}});
     EXPECT_EQ(a.atoms, drawn);
     ASSERT_EQ(a.warnings.size(), 2u);
-    EXPECT_NE(a.warnings[0].find("show by 'water': it holds only atoms that are left out"), std::string::npos);
-    EXPECT_NE(a.warnings[1].find("hide by 'resn QQQ': the molecule has no such atoms"), std::string::npos);
+    EXPECT_NE(a.warnings[0].find("'water' matches no atoms to show (all that it matches are hidden"),
+              std::string::npos);
+    EXPECT_NE(a.warnings[1].find("'resn QQQ' matches no atoms to hide"), std::string::npos);
 }
 
 TEST(Appearance, LegendsNameWhatIsSeen) {

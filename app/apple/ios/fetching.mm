@@ -17,7 +17,7 @@ constexpr std::int64_t kGlance = 100'000'000;  // nanoseconds from one look at w
 
 void fetchBySystem(const std::string& url, const HttpTake& take) {
     NSURL* address = [NSURL URLWithString:stringOf(url)];
-    if (!address) throw HttpFailure("that is no address", false);
+    if (!address) throw HttpFailure("invalid address", false);
     __block NSData* bytes = nil;
     __block NSInteger status = 0;
     __block std::string failed;

@@ -12,9 +12,12 @@ struct SpokenAction {
     ViewerCommand command;
 };
 SpokenAction const kActions[] = {
-    {@"Turn left", ViewerCommand::rotateLeft},     {@"Turn right", ViewerCommand::rotateRight},
-    {@"Turn up", ViewerCommand::rotateUp},         {@"Turn down", ViewerCommand::rotateDown},
-    {@"Show the whole", ViewerCommand::fit},       {@"Turn by itself, or stop", ViewerCommand::autoRotate},
+    {@"Turn left", ViewerCommand::rotateLeft},
+    {@"Turn right", ViewerCommand::rotateRight},
+    {@"Turn up", ViewerCommand::rotateUp},
+    {@"Turn down", ViewerCommand::rotateDown},
+    {@"Show all", ViewerCommand::fit},
+    {@"Spin, or stop", ViewerCommand::autoRotate},
     {@"Next colouring", ViewerCommand::nextColor},
 };
 

@@ -23,7 +23,7 @@ void goToPictures() {
 void tell(const char* why) {
     NSString* text = [NSString stringWithUTF8String:why];
     NSAlert* alert = [[NSAlert alloc] init];
-    alert.messageText = @"Nacre cannot go on";
+    alert.messageText = @"Nacre has to quit";
     alert.informativeText = text ? text : @"";
     [alert runModal];
 }

@@ -271,8 +271,8 @@ void addDistanceBonds(BondWork& work) {
     for (const Cell& cell : cells)
         if (cell.end - cell.begin > mostAtomsPerCell) crowded += cell.end - cell.begin;
     if (crowded > 0)
-        work.molecule.warnings.push_back(std::to_string(crowded) +
-                                         " atoms stand closer than matter can; no bonds by distance were sought there");
+        work.molecule.warnings.push_back(
+            std::to_string(crowded) + " atoms are closer than atoms can be; no bonds by distance are assigned there");
     if (pairs.refused() > 0)
         work.molecule.warnings.push_back("atoms with more than " + std::to_string(kMostBondsPerAtom) +
                                          " neighbours at bonding distance keep that many bonds");

@@ -28,7 +28,7 @@ public:
 private:
     [[noreturn]] void fail(const std::string& why) const { cannotRead(builder_.name(), why, lines_.number()); }
     static std::string ordinal(const char* what, std::int64_t i, std::int64_t count) {
-        return std::string(what) + " " + std::to_string(i + 1) + " of the " + std::to_string(count) + " announced";
+        return std::string(what) + " " + std::to_string(i + 1) + " of " + std::to_string(count);
     }
     void step(const char* what, std::int64_t i, std::int64_t count) {
         if (!lines_.next()) fail("the record ends before " + ordinal(what, i, count));
@@ -51,7 +51,7 @@ private:
             charge = words[5];
         }
         if (!numeric() || !isSymbol(symbol))
-            fail(ordinal("atom", i, count) + " is no atom line: '" + printable(line) + "'");
+            fail(ordinal("atom", i, count) + " is not an atom line: '" + printable(line) + "'");
         glm::vec3 position;
         for (int axis = 0; axis < 3; ++axis)
             position[axis] = parseCoordinate(axes[axis], "xyz"[axis], builder_.name(), lines_.number());
@@ -70,7 +70,7 @@ private:
             b = parseInteger(words[1]);
             type = parseInteger(words[2]);
         }
-        if (!a || !b || !type) fail(ordinal("bond", i, count) + " is no bond line: '" + printable(line) + "'");
+        if (!a || !b || !type) fail(ordinal("bond", i, count) + " is not a bond line: '" + printable(line) + "'");
         if (const int order = bondOrderOfCtab(*type)) builder_.addBond(*a - 1, *b - 1, order, lines_.number());
     }
 

@@ -25,7 +25,7 @@ public:
                 announced = CtabCounts{*atoms, *bonds};
             } else if (words[0] == "BEGIN" && words[1] == "ATOM") {
                 read.atoms += block("ATOM", [this] { readAtom(); });
-                if (IdIndex(ids_).repeats()) fail("a number of an atom occurs twice");
+                if (IdIndex(ids_).repeats()) fail("an atom number occurs twice");
             } else if (words[0] == "BEGIN" && words[1] == "BOND") {
                 const IdIndex index(ids_);
                 read.bonds += block("BOND", [&] { readBond(index); });
@@ -35,7 +35,7 @@ public:
         }
         if (!ended) fail("the record ends before END CTAB");
         if (announced && (announced->atoms != read.atoms || announced->bonds != read.bonds))
-            builder_.warn("the counts line announces " + std::to_string(announced->atoms) + " atoms and " +
+            builder_.warn("the counts line states " + std::to_string(announced->atoms) + " atoms and " +
                           std::to_string(announced->bonds) + " bonds, but there are " + std::to_string(read.atoms) +
                           " and " + std::to_string(read.bonds));
         return read;

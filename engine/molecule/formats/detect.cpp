@@ -178,8 +178,7 @@ Format detectFormat(const std::string& name, std::string_view text) {
     // A name may narrow down what looks like PDB: PQR files are free in their columns.
     const bool narrowed = named.format == Format::pqr || named.format == Format::pdbqt;
     const Guess guess = content && !(content.format == Format::pdb && narrowed) ? content : named;
-    if (!guess)
-        cannotRead(name, "its format cannot be told from its content or name; state it (" + formatNames() + ")");
+    if (!guess) cannotRead(name, "neither content nor name tell its format; name it (" + formatNames() + ")");
     if (!guess.format) refuse(name, guess.other);
     return *guess.format;
 }

@@ -33,7 +33,7 @@ Molecule FrameReader::run(const char* format) {
 
 void FrameReader::refuseCount(std::string_view announced, std::uint64_t line) const {
     if (!isCount(announced)) cannotRead(name_, "expected a number of atoms, not '" + printable(announced) + "'", line);
-    cannotRead(name_, "it announces " + printable(announced) + " atoms, but does not have as many", line);
+    cannotRead(name_, "it states " + printable(announced) + " atoms, but does not have as many", line);
 }
 
 }  // namespace nacre

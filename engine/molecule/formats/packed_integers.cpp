@@ -110,7 +110,7 @@ private:
         while (count < most && values_->next(values[count])) ++count;
         seen_ += count;
         if (seen_ > size_ || (count == 0 && seen_ < size_))
-            throw PackedFault("its values are not the " + std::to_string(size_) + " announced");
+            throw PackedFault("it does not have " + std::to_string(size_) + " values as stated");
         return count;
     }
 

@@ -18,7 +18,7 @@ public:
 
     void document(const MsgpackValue& root) {
         const auto blocks = root.find("dataBlocks");
-        if (!blocks || !blocks->is(Kind::array)) fail("it has no dataBlocks, so it is no BinaryCIF");
+        if (!blocks || !blocks->is(Kind::array)) fail("it has no dataBlocks, so it is not BinaryCIF");
         MsgpackElements elements(*blocks);
         for (MsgpackValue block; elements.next(block);) {
             model_.beginBlock();

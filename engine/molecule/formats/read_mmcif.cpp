@@ -194,7 +194,7 @@ std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, 
     } catch (const pegtl::parse_error& fault) {
         const std::string message = messageOf(fault);
         std::string why = "not valid CIF: " + printable(message, 200);
-        if (message == "parse error") why += "; perhaps a quote or a text field before it is not closed";
+        if (message == "parse error") why += "; perhaps a quote or a text field before it is unclosed";
         cannotRead(name, why, lineOf(fault));
     }
 }

@@ -58,7 +58,7 @@ private:
     std::vector<std::uint32_t> counts(const char* field, std::size_t size, std::size_t total) const {
         const MsgpackValue list = fields_.list(field);
         if (!list.is(Kind::array) || list.count != size)
-            fields_.fail(std::string(field) + " has not the announced length");
+            fields_.fail(std::string(field) + " does not have the stated length");
         std::vector<std::uint32_t> counts;
         MsgpackElements elements(list);
         std::size_t sum = 0;

@@ -158,10 +158,10 @@ private:
         const auto atoms = parseInteger(words[0]), bonds = parseInteger(words[1]);
         if (!atoms) fail("expected a number of atoms, not '" + printable(words[0]) + "'", lines.number());
         if (*atoms > record.atoms)
-            fail("it announces " + std::to_string(*atoms) + " atoms and has " + std::to_string(record.atoms),
+            fail("it states " + std::to_string(*atoms) + " atoms and has " + std::to_string(record.atoms),
                  lines.number());
         if (*atoms != record.atoms || (bonds && *bonds != record.bonds))
-            builder_.warn("it announces " + std::to_string(*atoms) + " atoms and " + printable(words[1]) +
+            builder_.warn("it states " + std::to_string(*atoms) + " atoms and " + printable(words[1]) +
                           " bonds, and has " + std::to_string(record.atoms) + " and " + std::to_string(record.bonds));
     }
 

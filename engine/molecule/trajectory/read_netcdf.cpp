@@ -47,12 +47,12 @@ private:
     std::uint64_t entries(std::uint32_t expected) {
         const auto tag = numbers_.next<std::uint32_t>();
         const std::uint64_t n = count();
-        if ((tag != expected && !(tag == 0 && n == 0)) || n > kMostEntries) file_.fail("its head is damaged");
+        if ((tag != expected && !(tag == 0 && n == 0)) || n > kMostEntries) file_.fail("its header is damaged");
         return n;
     }
     std::string name() {
         const std::uint64_t length = count();
-        if (length > kLongestName) file_.fail("its head is damaged");
+        if (length > kLongestName) file_.fail("its header is damaged");
         std::string text(length, '\0');
         file_.read(numbers_.offset(), std::as_writable_bytes(std::span(text)));
         numbers_.skip(fourfold(length));
@@ -60,7 +60,7 @@ private:
     }
     std::uint32_t type() {
         const auto value = numbers_.next<std::uint32_t>();
-        if (value == 0 || value >= kTypeBytes.size()) file_.fail("its head is damaged");
+        if (value == 0 || value >= kTypeBytes.size()) file_.fail("its header is damaged");
         return value;
     }
     void readDimensions() {
@@ -73,7 +73,7 @@ private:
         for (std::uint64_t n = entries(kAttributes); n > 0; --n) {
             name();
             const std::uint64_t bytes = kTypeBytes[type()], values = count();
-            if (values > file_.size()) file_.fail("its head is damaged");
+            if (values > file_.size()) file_.fail("its header is damaged");
             numbers_.skip(fourfold(values * bytes));
         }
     }
@@ -84,17 +84,17 @@ private:
             const std::string variable = name();
             NetcdfVariable v;
             const std::uint64_t rank = count();
-            if (rank > kMostEntries) file_.fail("its head is damaged");
+            if (rank > kMostEntries) file_.fail("its header is damaged");
             v.bytes = 1;
             for (std::uint64_t i = 0; i < rank; ++i) {
                 const std::uint64_t dimension = count();
-                if (dimension >= dimensions.size()) file_.fail("its head is damaged");
+                if (dimension >= dimensions.size()) file_.fail("its header is damaged");
                 const std::uint64_t length = dimensions[dimension];
                 v.dimensions.push_back(length);
                 if (i == 0 && length == 0)
                     v.recorded = true;
                 else if (length > file_.size() || (v.bytes *= length) > file_.size())
-                    file_.fail("its head names more than it holds");
+                    file_.fail("its header lists more than the file holds");
             }
             skipAttributes();
             v.type = type();

@@ -18,11 +18,11 @@ TrrHead trrHeadAt(const TrajectoryFile& file, std::uint64_t at) {
     NumberReader numbers(file, at, kBigEndianSwapped);
     const auto size = [&]() -> std::uint64_t {
         const auto value = numbers.next<std::int32_t>();
-        if (value < 0) file.fail("a frame's head is damaged (byte " + std::to_string(at) + ")");
+        if (value < 0) file.fail("a frame's header is damaged (byte " + std::to_string(at) + ")");
         return static_cast<std::uint64_t>(value);
     };
     if (numbers.next<std::int32_t>() != 1993)
-        file.fail("a frame does not begin as one (byte " + std::to_string(at) + ")");
+        file.fail("a frame has no valid header (byte " + std::to_string(at) + ")");
     numbers.skip(4);  // length of the name with its end
     numbers.skip((size() + 3) / 4 * 4);
     TrrHead head;
@@ -38,7 +38,7 @@ TrrHead trrHeadAt(const TrajectoryFile& file, std::uint64_t at) {
     numbers.skip(head.twice ? 8 : 4);  // lambda
     if (records + others != 0 || (head.box != 0 && head.box != (head.twice ? 72u : 36u)) ||
         (head.positions != 0 && head.positions != static_cast<std::uint64_t>(head.atoms) * (head.twice ? 24 : 12)))
-        file.fail("a frame's head is damaged (byte " + std::to_string(at) + ")");
+        file.fail("a frame's header is damaged (byte " + std::to_string(at) + ")");
     head.begin = numbers.offset();
     head.beforePositions = head.box + tensors;
     head.size = head.beforePositions + head.positions + rest;

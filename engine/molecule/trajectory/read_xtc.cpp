@@ -22,7 +22,7 @@ struct XtcHead {
 XtcHead xtcHeadAt(const TrajectoryFile& file, std::uint64_t at) {
     NumberReader numbers(file, at, kBigEndianSwapped);
     const auto magic = numbers.next<std::int32_t>();
-    if (magic != 1995 && magic != 2023) file.fail("a frame does not begin as one (byte " + std::to_string(at) + ")");
+    if (magic != 1995 && magic != 2023) file.fail("a frame has no valid header (byte " + std::to_string(at) + ")");
     XtcHead head;
     head.atoms = checkedAtoms(file, numbers.next<std::int32_t>());
     NumberReader packed(file, at + kCountAt, kBigEndianSwapped);

@@ -217,7 +217,7 @@ public final class NacreActivity extends NativeActivity
             try {
                 startActivityForResult(pick, PICKED);
             } catch (ActivityNotFoundException none) {
-                if (app != 0) failed(app, "no app here has documents");
+                if (app != 0) failed(app, "no app on this device can open documents");
             }
         });
     }

@@ -48,7 +48,7 @@ public final class SharedPictures extends ContentProvider {
 
     @Override
     public ParcelFileDescriptor openFile(Uri uri, String mode) throws FileNotFoundException {
-        if (!"r".equals(mode)) throw new FileNotFoundException("it is not to be written");
+        if (!"r".equals(mode)) throw new FileNotFoundException("it is read-only");
         return ParcelFileDescriptor.open(fileOf(uri), ParcelFileDescriptor.MODE_READ_ONLY);
     }
 
