@@ -187,7 +187,7 @@ TEST(Info, InteractionsOfOneSelectionOrTwo) {
     EXPECT_THROW(parseInteractionRequest("ligand,"), Error);
     EXPECT_THROW(interactionsOf(twoCarbons(), parseInteractionRequest("resn XYZ")), Error);
     EXPECT_EQ(parseInteractionRules("wernet-nilsson"), InteractionRules::wernetNilsson);
-    EXPECT_THROW(parseInteractionRules("probe"), Error);
+    EXPECT_THROW(parseInteractionRules("probe"), std::invalid_argument);
 }
 
 }  // namespace

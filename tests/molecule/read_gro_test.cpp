@@ -89,7 +89,7 @@ TEST(ReadGro, Frames) {
 
 TEST(ReadGro, Faults) {
     test::expectError("a.gro", "title\nx\n" + kAtom, {"(line 2)", "a number of atoms"});
-    test::expectError("a", frame(kAtom, 1000), {"(line 2)", "announces 1000 atoms, but does not have as many"});
+    test::expectError("a", frame(kAtom, 1000), {"(line 2)", "states 1000 atoms, but does not have as many"});
     test::expectError("a", "title\n99999999999999999999\n" + kAtom, {"(line 2)", "but does not have as many"});
     test::expectError("a", frame(kAtom + "    1THR     CA    1   1.705     nan   0.363\n", 2),
                       {"(line 4)", "y is not a usable coordinate"});

@@ -162,7 +162,7 @@ TEST(ReadMmtf, WhatIsWrong) {
     wrong("numAtoms", packInteger(0), "no atoms");
     wrong("groupsPerChain", list({1, 2}), "impossible value");
     wrong("groupsPerChain", list({1, 0}), "does not add up");
-    wrong("groupsPerChain", list({2}), "announced length");
+    wrong("groupsPerChain", list({2}), "stated length");
     wrong("groupTypeList", integers({0, 1}), "a group that is not there");
     wrong("groupTypeList", integers({0, -1}), "a group that is not there");
     wrong("groupList", packArray({group(list({0, 2}))}), "a bond to an atom that is not there");
@@ -171,7 +171,7 @@ TEST(ReadMmtf, WhatIsWrong) {
     wrong("groupList", packArray({packMap({})}), "its groups have 0 atoms instead of numAtoms");
     wrong("bondAtomList", integers({0, 4}), "bondAtomList refers to an atom");
     wrong("bondAtomList", integers({0, 1, 2}), "impossible number");
-    wrong("xCoordList", encoded(10, 4, 1000, words({1, 2, 3}, 2)), "xCoordList: its values are not the 4");
+    wrong("xCoordList", encoded(10, 4, 1000, words({1, 2, 3}, 2)), "xCoordList: it does not have 4 values");
     wrong("xCoordList", encoded(10, 4, 0, words({1, 2, 3, 4}, 2)), "x of atom 1 is not a finite number");
     wrong("yCoordList", encoded(1, 4, 0, words({0x7FC00000, 0, 0, 0}, 4)), "y of atom 1 is not a finite number");
     wrong("zCoordList", encoded(9, 4, 1, words({1, 2'000'000'000}, 4)), "not have 4 values");

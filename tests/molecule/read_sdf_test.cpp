@@ -97,12 +97,12 @@ TEST(ReadSdf, WhatIsWrongIsSaidWithItsLine) {
     const std::string counts = "  3  2  0  0  0  0  0  0  0  0999 V2000\n";
     test::expectError("a.sdf", "a\nb\n", {"ends before the counts line"});
     test::expectError("a.sdf", kHeader + "        V2000\n", {"(line 4)", "no counts"});
-    test::expectError("a.sdf", kHeader + counts + kAtomTable, {"ends before bond 1 of the 2"});
+    test::expectError("a.sdf", kHeader + counts + kAtomTable, {"ends before bond 1 of 2"});
     test::expectError("a.sdf", kHeader + counts + kAtomTable + "  1  1  1\n  1  2  1\n", {"(line 8)", "to itself"});
     test::expectError("a.sdf", kHeader + counts + kAtomTable + "  0  1  1\n  1  2  1\n",
                       {"(line 8)", "atoms 0 and 1 of 3"});
     test::expectError("a.sdf", kHeader + counts + "       nan    0.0000    0.0000 C   0  0\n", {"(line 5)", "nan"});
-    test::expectError("a.sdf", kHeader + "999999  0  0  0  0  0  0  0  0999 V2000\n", {"before atom 1 of the 999"});
+    test::expectError("a.sdf", kHeader + "999999  0  0  0  0  0  0  0  0999 V2000\n", {"before atom 1 of 999"});
 }
 
 TEST(ReadSdf, WhatIsWrongInV3000) {
@@ -120,7 +120,7 @@ TEST(ReadSdf, WhatIsWrongInV3000) {
     const Molecule molecule = readMolecule("a.sdf", huge + kV3000Atoms + kV3000Bonds + kV3000End);
     expectFormate(molecule);
     ASSERT_EQ(molecule.warnings.size(), 1u);
-    EXPECT_NE(molecule.warnings[0].find("announces 4000000000 atoms"), std::string::npos);
+    EXPECT_NE(molecule.warnings[0].find("states 4000000000 atoms"), std::string::npos);
 }
 
 TEST(ReadSdf, AtomListsAndHydrogenBondsOfV3000) {
