@@ -29,4 +29,8 @@ private:
     float patch(std::uint64_t left, std::uint64_t top, float u, float v, std::uint32_t w, std::uint32_t h) const;
 };
 
+/// Share of the ambient light that reaches a place, as pictures have it (shaders/common/shading.glsl).
+/// @param base  linear base colour @param open  0 closed to 1
+float reachingLight(const glm::vec3& base, float open);
+
 }  // namespace nacre

@@ -8,6 +8,7 @@
 
 #include "app/export/scene_files.h"
 #include "app/picture/srgb.h"
+#include "engine/baked_occlusion.h"
 #include "engine/scene/colors.h"
 
 namespace nacre::app {
@@ -80,11 +81,11 @@ private:
         std::vector<std::array<std::uint16_t, 4>> colors;
         for (std::size_t v = 0; v < mesh.atoms.size(); ++v) {
             const std::uint32_t c = mesh.atoms[v];
-            const float o = occlusion.empty() ? 1.0f : occlusion[v], open = o * (0.45f * o + 0.55f);
+            const glm::vec3 base(linearOf(c, 0), linearOf(c, 1), linearOf(c, 2));
+            const glm::vec3 lit = occlusion.empty() ? base : base * reachingLight(base, occlusion[v]);
             std::array<std::uint16_t, 4> linear{};
             for (int i = 0; i < 3; ++i)
-                linear[static_cast<std::size_t>(i)] =
-                    static_cast<std::uint16_t>(linearOf(c, i) * open * 65535.0f + 0.5f);
+                linear[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(lit[i] * 65535.0f + 0.5f);
             linear[3] = static_cast<std::uint16_t>(65535u * opacitySteps(c) / kOpacitySteps);
             colors.push_back(linear);
         }

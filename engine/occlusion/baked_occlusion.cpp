@@ -6,6 +6,8 @@
 #include <glm/vec2.hpp>
 #include <numbers>
 
+#include "shaders/common/layout.h"
+
 namespace nacre {
 namespace {
 
@@ -65,6 +67,13 @@ float BakedOcclusion::ofVertex(std::uint32_t vertex) const {
     if (texels.empty()) return 1;
     const std::uint64_t at = 2 * std::uint64_t{vertex};
     return texel(at % width, std::uint64_t{sphereRows} + cylinderRows + at / width);
+}
+
+float reachingLight(const glm::vec3& base, float open) {
+    const float kLeastSquare = layout::kLeastLight * layout::kLeastLight;
+    const float albedo = (base.r + base.g + base.b) / 3, o = std::sqrt(open * open * (1 - kLeastSquare) + kLeastSquare);
+    const float bounced = o * (o * 2.0404f - 4.7951f) + 2.7552f, first = o * (o * -0.3324f + 0.6417f) + 0.6903f;
+    return o * std::max(albedo * bounced + first, 1.0f);
 }
 
 }  // namespace nacre

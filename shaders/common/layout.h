@@ -171,6 +171,8 @@ struct EffectConstants {
 
 // Towards the light, view space: over the viewer's left shoulder. Not yet of unit length.
 const float kLightX = -0.35f, kLightY = 0.55f, kLightZ = 0.76f;
+// Share of the light that reaches what no direction reaches.
+const float kLeastLight = 0.08f;
 
 /// Push constants of the occlusion passes. A batch of depth maps lies side by side in one image, kMapsAcross in a row.
 struct OcclusionConstants {

@@ -7,10 +7,10 @@
 #include <iostream>
 #include <numbers>
 #include <random>
-#include <thread>
 
 #include "tests/reference/ambient_occlusion.h"
 #include "tests/renderer/scenes.h"
+#include "tests/support/on_every_core.h"
 
 namespace nacre::test {
 namespace {
@@ -23,17 +23,6 @@ RenderSettings layerSettings(const View& view) {
     s.view = view;
     s.occlusion.directions = 0;
     return s;
-}
-
-/// Calls work(i) for every i below count, on every core.
-template <typename Work>
-void onEveryCore(std::size_t count, Work&& work) {
-    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::jthread> threads;
-    for (std::size_t core = 0; core < cores; ++core)
-        threads.emplace_back([&, core] {
-            for (std::size_t i = core; i < count; i += cores) work(i);
-        });
 }
 
 Difference differenceOf(const std::vector<double>& values, const std::vector<TracedPoint>& points) {

@@ -12,31 +12,13 @@
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <string>
 
+#include "tests/reference/random.h"
+
 namespace nacre::reference {
 namespace {
-
-/// How far above the surface rays start, in Å. Embree works in float, whose step at 100 Å from the origin is 8e-6 Å
-/// (3e-5 at 500): a start this high stays outside its own solid with a margin of 30 to 100 roundings. On the other
-/// side it is 1/150 of the thinnest bond's radius, so that what the patch sees does not change noticeably.
-constexpr double kLift = 1e-3;
-
-/// Same sequence on every standard library, unlike std::uniform_real_distribution.
-class Random {
-public:
-    explicit Random(std::uint64_t seed) : engine_(seed) {}
-    /// In [0, 1).
-    double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-    std::size_t below(std::size_t count) {
-        return std::min(static_cast<std::size_t>(unit() * static_cast<double>(count)), count - 1);
-    }
-
-private:
-    std::mt19937_64 engine_;
-};
 
 void boundRod(const RTCBoundsFunctionArguments* arguments) {
     const Rod& rod = (*static_cast<const std::vector<Rod>*>(arguments->geometryUserPtr))[arguments->primID];
@@ -65,13 +47,17 @@ void occludeByRod(const RTCOccludedFunctionNArguments* arguments) {
     }
 }
 
-/// Any two unit vectors that stand square to `normal` and to each other.
-void frameAbout(const glm::dvec3& normal, glm::dvec3& across, glm::dvec3& upward) {
-    const glm::dvec3 size = glm::abs(normal);
-    glm::dvec3 least(0.0);
-    least[size.x <= size.y && size.x <= size.z ? 0 : (size.y <= size.z ? 1 : 2)] = 1.0;
-    across = glm::normalize(glm::cross(least, normal));
-    upward = glm::cross(normal, across);
+RTCRay rayOf(const glm::dvec3& start, const glm::dvec3& direction) {
+    RTCRay ray{};
+    ray.org_x = static_cast<float>(start.x);
+    ray.org_y = static_cast<float>(start.y);
+    ray.org_z = static_cast<float>(start.z);
+    ray.dir_x = static_cast<float>(direction.x);
+    ray.dir_y = static_cast<float>(direction.y);
+    ray.dir_z = static_cast<float>(direction.z);
+    ray.tfar = std::numeric_limits<float>::infinity();
+    ray.mask = ~0u;
+    return ray;
 }
 
 /// Even over all rotations: K. Shoemake, "Uniform random rotations", Graphics Gems III (1992), 124-132.
@@ -119,6 +105,7 @@ void OcclusionScene::addSpheres(const std::vector<Sphere>& spheres) {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_.get(), geometry);
     rtcReleaseGeometry(geometry);
+    spheres_ = true;
 }
 
 void OcclusionScene::addRods(const std::vector<Cylinder>& cylinders) {
@@ -155,20 +142,11 @@ void OcclusionScene::addMesh(const Representation& scene) {
 }
 
 bool OcclusionScene::openTowards(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& direction) const {
-    const glm::dvec3 start = point + kLift * normal;
 #if RTC_VERSION_MAJOR < 4
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
 #endif
-    RTCRay ray{};
-    ray.org_x = static_cast<float>(start.x);
-    ray.org_y = static_cast<float>(start.y);
-    ray.org_z = static_cast<float>(start.z);
-    ray.dir_x = static_cast<float>(direction.x);
-    ray.dir_y = static_cast<float>(direction.y);
-    ray.dir_z = static_cast<float>(direction.z);
-    ray.tfar = std::numeric_limits<float>::infinity();
-    ray.mask = ~0u;
+    RTCRay ray = rayOf(point + kLift * normal, direction);
 #if RTC_VERSION_MAJOR >= 4
     rtcOccluded1(scene_.get(), &ray);
 #else
@@ -177,24 +155,37 @@ bool OcclusionScene::openTowards(const glm::dvec3& point, const glm::dvec3& norm
     return ray.tfar > 0.0f;
 }
 
+std::optional<OcclusionScene::Hit> OcclusionScene::nearest(const glm::dvec3& start, const glm::dvec3& direction) const {
+    if (!rods_.empty()) throw std::logic_error("OcclusionScene::nearest: cylinders are not intersected");
+#if RTC_VERSION_MAJOR < 4
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+#endif
+    RTCRayHit ray{};
+    ray.ray = rayOf(start, direction);
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR >= 4
+    rtcIntersect1(scene_.get(), &ray);
+#else
+    rtcIntersect1(scene_.get(), &context, &ray);
+#endif
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    const glm::dvec3 normal = glm::normalize(glm::dvec3(ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z));
+    return Hit{ray.hit.geomID != 0 || !spheres_, ray.hit.primID, start + static_cast<double>(ray.ray.tfar) * direction,
+               glm::dot(normal, direction) > 0 ? -normal : normal};
+}
+
 double OcclusionScene::occlusionAt(const glm::dvec3& point, const glm::dvec3& normal, std::size_t rayCount,
                                    std::uint64_t seed) const {
     const auto side =
         std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(rayCount)))));
-    glm::dvec3 across, upward;
-    frameAbout(normal, across, upward);
-
     Random random(seed);
     std::size_t open = 0;
     for (std::size_t i = 0; i < side; ++i)
         for (std::size_t j = 0; j < side; ++j) {
-            // Even over the unit disc, lifted to the hemisphere: density cos / pi (Nusselt's analogue).
             const double square = (static_cast<double>(i) + random.unit()) / static_cast<double>(side);
-            const double turn =
-                2.0 * std::numbers::pi * (static_cast<double>(j) + random.unit()) / static_cast<double>(side);
-            const double reach = std::sqrt(square);
-            const glm::dvec3 direction =
-                reach * std::cos(turn) * across + reach * std::sin(turn) * upward + std::sqrt(1.0 - square) * normal;
+            const double turn = (static_cast<double>(j) + random.unit()) / static_cast<double>(side);
+            const glm::dvec3 direction = cosineDirection(normal, square, turn);
             if (openTowards(point, normal, direction)) ++open;
         }
     return static_cast<double>(open) / static_cast<double>(side * side);
