@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "app/images/image_webp.h"
+#include "app/images/srgb_profile.h"
 
 namespace nacre::app {
 namespace {
@@ -51,6 +52,11 @@ OIIO::ImageSpec specOf(const ImageRequest& request, const Format& format) {
     spec.attribute("oiio:ColorSpace", format.exr ? "Linear" : "sRGB");
     if (format.exr || format.tiff) spec.attribute("compression", "zip");
     if (!format.exr && request.channels == 4) spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (format.jpeg || format.tiff) {
+        const std::vector<std::uint8_t> profile = srgbProfile();
+        spec.attribute("ICCProfile", OIIO::TypeDesc(OIIO::TypeDesc::UINT8, static_cast<int>(profile.size())),
+                       profile.data());
+    }
     if (format.jpeg) {
         spec.attribute("Compression", "jpeg:" + std::to_string(kJpegQuality));
         spec.attribute("jpeg:subsampling", "4:4:4");  // red atoms on white would bleed otherwise

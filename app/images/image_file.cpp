@@ -150,7 +150,7 @@ void writePicture(OutputFile& file, std::uint32_t width, std::uint32_t height, c
 
 void writeLayers(OutputFile& file, const LayerPicture& layers) {
     constexpr std::uint32_t kChannels = 10;
-    constexpr const char* kNames[kChannels] = {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "id", "occlusion"};
+    constexpr const char* kNames[kChannels] = {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "id.Y", "occlusion.Y"};
     ImageRequest request = requestOf(layers.width, layers.height, kChannels, Samples::floats);
     request.channelNames = kNames;
     request.alphaChannel = 3;

@@ -31,7 +31,8 @@ using PictureRows = std::function<const float*(std::uint32_t first, std::uint32_
 void writePicture(OutputFile& file, std::uint32_t width, std::uint32_t height, const PictureRows& rows,
                   const PictureFormat& format);
 
-/// EXR, float32, channels R G B A Z N.X N.Y N.Z id occlusion, compressed without loss. @throws Error
+/// EXR, float32, channels R G B A Z N.X N.Y N.Z id.Y occlusion.Y, which compositors show as the picture, its depth and
+/// the layers N, id and occlusion; compressed without loss. On the background Z is infinite and all else 0. @throws Error
 void writeLayers(OutputFile& file, const LayerPicture& layers);
 
 }  // namespace nacre::app

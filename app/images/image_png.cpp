@@ -95,7 +95,7 @@ bool beginPng(png_structp png, png_infop info, const ImageRequest& request) {
     // filter on each row (docs/measurements.md).
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_set_compression_level(png, 4);
-    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_ABSOLUTE);
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     if (request.dotsPerInch > 0) {
         const auto perMetre = static_cast<png_uint_32>(std::lround(request.dotsPerInch / 0.0254));
         png_set_pHYs(png, info, perMetre, perMetre, PNG_RESOLUTION_METER);

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/images/srgb_profile.h"
 
 namespace nacre::app {
 namespace {
-
-using Sink = std::function<bool(const void*, std::size_t)>;
 
 /// A picture of libwebp's, which holds all of it.
 struct Image {
@@ -36,9 +38,34 @@ void fill(WebPPicture& picture, const ImageRequest& request) {
     }
 }
 
+/// A file of one picture as libwebp writes it, RIFF and one chunk, with a colour profile before the picture: "Extended
+/// File Format" of the WebP Container Specification.
+std::vector<std::uint8_t> withProfile(const std::vector<std::uint8_t>& file, const ImageRequest& request) {
+    constexpr std::size_t kRiffHeader = 12;
+    std::vector<std::uint8_t> whole;
+    const auto number = [&](std::size_t value, int bytes) {
+        for (int i = 0; i < bytes; ++i) whole.push_back(static_cast<std::uint8_t>(value >> 8 * i));
+    };
+    const auto text = [&](std::string_view letters) { whole.insert(whole.end(), letters.begin(), letters.end()); };
+    const std::vector<std::uint8_t> profile = srgbProfile();  // of an even size, as chunks are
+    text("RIFF");
+    number(file.size() - 8 + 18 + 8 + profile.size(), 4);
+    text("WEBPVP8X");
+    number(10, 4);
+    constexpr std::uint8_t kProfile = 0x20, kAlpha = 0x10;
+    number(kProfile | (request.channels == 4 ? kAlpha : 0), 4);
+    number(request.width - 1, 3);
+    number(request.height - 1, 3);
+    text("ICCP");
+    number(profile.size(), 4);
+    whole.insert(whole.end(), profile.begin(), profile.end());
+    whole.insert(whole.end(), file.begin() + kRiffHeader, file.end());
+    return whole;
+}
+
 }  // namespace
 
-void writeWebp(const ImageRequest& request, const Sink& sink) {
+void writeWebp(const ImageRequest& request, const std::function<bool(const void*, std::size_t)>& sink) {
     WebPConfig config;
     constexpr int kEffort = 3;  // of 9: half as long as 6, for a hundredth more bytes
     if (!WebPConfigInit(&config) || !WebPConfigLosslessPreset(&config, kEffort))
@@ -51,14 +78,18 @@ void writeWebp(const ImageRequest& request, const Sink& sink) {
     picture.height = static_cast<int>(request.height);
     if (!WebPPictureAlloc(&picture)) throw std::runtime_error("out of memory");
     fill(picture, request);
-    picture.custom_ptr = const_cast<Sink*>(&sink);
+    std::vector<std::uint8_t> file;
+    picture.custom_ptr = &file;
     picture.writer = [](const std::uint8_t* bytes, std::size_t size, const WebPPicture* p) -> int {
-        return (*static_cast<const Sink*>(p->custom_ptr))(bytes, size);
+        auto& all = *static_cast<std::vector<std::uint8_t>*>(p->custom_ptr);
+        all.insert(all.end(), bytes, bytes + size);
+        return 1;
     };
     if (!WebPEncode(&config, &picture))
-        throw std::runtime_error(picture.error_code == VP8_ENC_ERROR_BAD_WRITE
-                                     ? "the data could not be written (is the disk full?)"
-                                     : "libwebp's error " + std::to_string(picture.error_code));
+        throw std::runtime_error("libwebp's error " + std::to_string(picture.error_code));
+    const std::vector<std::uint8_t> whole = withProfile(file, request);
+    if (!sink(whole.data(), whole.size()))
+        throw std::runtime_error("the data could not be written (is the disk full?)");
 }
 
 }  // namespace nacre::app

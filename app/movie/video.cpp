@@ -54,7 +54,10 @@ public:
     Video(const std::string& path, const MovieShape& shape)
         : file_(path), shape_(shape), alpha_(shape.alpha && !isMp4(path)), complaints_(std::tmpfile()) {
         if (isMp4(path) && (shape.size.width % 2 || shape.size.height % 2))
-            throw Error("cannot write file", path, "H.264 wants even numbers of pixels: --size");
+            throw Error("cannot write file", path,
+                        "H.264 takes even numbers of pixels only: --size " +
+                            std::to_string(shape.size.width + shape.size.width % 2) + "x" +
+                            std::to_string(shape.size.height + shape.size.height % 2));
         if (!complaints_) throw Error("cannot write file", path, std::strerror(errno));
         start();
     }

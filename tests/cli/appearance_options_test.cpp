@@ -86,7 +86,7 @@ std::map<std::uint32_t, int> pixelsOfAtoms(const std::string& path) {
     const auto input = OIIO::ImageInput::open(path);
     if (!input) throw std::runtime_error(OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();
-    const int channel = spec.channelindex("id");
+    const int channel = spec.channelindex("id.Y");
     std::vector<float> ids(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height));
     if (channel < 0 || !input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, ids.data()))
         throw std::runtime_error("no channel id");

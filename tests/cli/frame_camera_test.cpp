@@ -80,7 +80,7 @@ float nearestOf(const std::string& path, float atom) {
     std::vector<float> pixels(spec.image_pixels() * channels);
     EXPECT_TRUE(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data()));
     const auto z = static_cast<std::size_t>(spec.channelindex("Z")),
-               id = static_cast<std::size_t>(spec.channelindex("id"));
+               id = static_cast<std::size_t>(spec.channelindex("id.Y"));
     float nearest = INFINITY;
     for (std::size_t i = 0; i < pixels.size(); i += channels)
         if (pixels[i + id] == atom) nearest = std::min(nearest, pixels[i + z]);

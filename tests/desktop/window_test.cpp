@@ -210,7 +210,7 @@ TEST(Window, ClickPicksTheAtomThatIsSeen) {
         int lastX = 0, lastY = 0;
         while (expected.size() < 4) {
             const int x = static_cast<int>(random() % 260), y = static_cast<int>(random() % 300);
-            const int id = static_cast<int>(layers.at(x, y, "id"));
+            const int id = static_cast<int>(layers.at(x, y, "id.Y"));
             if (id == 0 || std::find(expected.begin(), expected.end(), id) != expected.end()) continue;
             if (!expected.empty() && std::hypot(x - lastX, y - lastY) < 10) continue;  // that is a double click
             lastX = x, lastY = y;

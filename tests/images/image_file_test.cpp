@@ -167,6 +167,23 @@ TEST(ImageFile, PngSaysWhoWroteItAndThatItsColoursAreSrgb) {
     EXPECT_EQ(spec.get_string_attribute("oiio:ColorSpace"), "sRGB");
     const std::string bytes = test::contentOf(folder / "a.png");
     for (const char* chunk : {"sRGB", "gAMA", "cHRM"}) EXPECT_NE(bytes.find(chunk), std::string::npos) << chunk;
+    EXPECT_EQ(bytes.at(bytes.find("sRGB") + 4), 0);  // perceptual
+}
+
+TEST(ImageFile, OthersHaveTheProfileOfSrgb) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.jpg", "a.tif", "a.webp"})
+        for (const bool alpha : {false, true}) {
+            write(folder / name, ramp(), alpha);
+            const std::string bytes = test::contentOf(folder / name);
+            // A header of ICC.1: RGB of a display; tests/python has LittleCMS read it.
+            const std::size_t header = bytes.find("mntrRGB XYZ ");
+            ASSERT_NE(header, std::string::npos) << name;
+            EXPECT_EQ(bytes.substr(header + 24, 4), "acsp") << name;
+            const ReadBack back = readBack(folder / name);
+            EXPECT_EQ(back.spec.nchannels, alpha && name != std::string("a.jpg") ? 4 : 3) << name;
+            EXPECT_NEAR(back.at(kWidth - 3, 75, 1), linearToSrgb(0.25f), 0.02f) << name;
+        }
 }
 
 TEST(ImageFile, PngIsCompressedFast) {
@@ -247,7 +264,7 @@ TEST(ImageFile, LayersKeepEveryBit) {
     }
     const ReadBack back = readBack(folder / "l.exr");
     ASSERT_EQ(back.spec.nchannels, 10);
-    for (const char* name : {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "id", "occlusion"})
+    for (const char* name : {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "id.Y", "occlusion.Y"})
         ASSERT_GE(back.spec.channelindex(name), 0) << name;
     EXPECT_EQ(back.spec.format, OIIO::TypeDesc::FLOAT);
     for (std::uint32_t y = 0; y < kHeight; ++y)
@@ -255,8 +272,8 @@ TEST(ImageFile, LayersKeepEveryBit) {
             const std::size_t i = std::size_t{y} * kWidth + x;
             ASSERT_EQ(back.at(x, y, back.channel("Z")), z[i]);
             ASSERT_EQ(back.at(x, y, back.channel("N.Z")), normal[3 * i + 2]);
-            ASSERT_EQ(back.at(x, y, back.channel("id")), static_cast<float>(id[i]));
-            ASSERT_EQ(back.at(x, y, back.channel("occlusion")), occlusion[i]);
+            ASSERT_EQ(back.at(x, y, back.channel("id.Y")), static_cast<float>(id[i]));
+            ASSERT_EQ(back.at(x, y, back.channel("occlusion.Y")), occlusion[i]);
             ASSERT_EQ(back.at(x, y, back.channel("R")), ramp()[4 * i]);
             if (x > 3) x += 7;  // ramp() is slow; a grid of pixels will do
         }

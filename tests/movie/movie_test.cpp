@@ -242,7 +242,7 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         {"sample:dna -o a.gif --spin 0,0,0", 2, "no direction"},
         {"sample:dna -o a.gif --spin y --seconds 80000 --fps 100", 2, "more than 100000 frames"},
         {"sample:dna -o a.gif --spin y --fps 60", 1, "50 frames a second"},
-        {"sample:dna -o a.mp4 --spin y --size 65x48", 1, "even numbers"},
+        {"sample:dna -o a.mp4 --spin y --size 65x48", 1, "even numbers of pixels only: --size 66x48"},
         {"sample:dna -o a.gif --models", 1, "one alone"},
         {"unlike.xyz -o a.gif --models --model 2", 2, "leave out --model"},
         {"unlike.xyz -o a.gif --models --frame 2 --trajectory a.dcd", 2, "leave out --frame"},
