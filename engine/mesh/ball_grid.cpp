@@ -64,4 +64,32 @@ void BallGrid::sortIntoCells(const std::vector<SurfaceBall>& balls) {
     for (std::uint32_t i = 0; i < balls.size(); ++i) sorted_[places[number(balls[i])]++] = i;
 }
 
+BallExit exitOf(const std::vector<SurfaceBall>& balls, const BallGrid& grid, double widest, const glm::dvec3& from,
+                const glm::dvec3& way) {
+    struct Span {
+        double begin = 0, end = 0;
+        std::uint32_t ball = 0;
+    };
+    std::vector<Span> spans;  // of the line, in each ball near it
+    const double squared = glm::dot(way, way);
+    grid.near(from, widest + std::sqrt(squared), [&](std::uint32_t number) {
+        const glm::dvec3 off = from - balls[number].center;
+        const double half = glm::dot(off, way), radius = balls[number].radius;
+        const double under = half * half - squared * (glm::dot(off, off) - radius * radius);
+        if (under <= 0) return;
+        const double root = std::sqrt(under);
+        if (root > half) spans.push_back({(-half - root) / squared, (root - half) / squared, number});
+    });
+    BallExit exit;
+    for (bool further = true; further;) {
+        further = false;
+        for (const Span& span : spans)
+            if (span.begin <= exit.share && span.end > exit.share) {
+                exit = {span.end, span.ball};
+                further = true;
+            }
+    }
+    return exit;
+}
+
 }  // namespace nacre

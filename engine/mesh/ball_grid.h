@@ -44,4 +44,14 @@ private:
     std::vector<std::size_t> offsets_;
 };
 
+/// Where a line leaves the balls that it begins in, followed from one to the next.
+struct BallExit {
+    double share = 0;                ///< of the way; 0 if it begins outside
+    std::uint32_t ball = kNoSource;  ///< the last one; none if it begins outside
+};
+/// @param widest  largest radius of a ball, Å  @param way  looked at up to its end, and as far behind it as a ball
+/// reaches
+BallExit exitOf(const std::vector<SurfaceBall>& balls, const BallGrid& grid, double widest, const glm::dvec3& from,
+                const glm::dvec3& way);
+
 }  // namespace nacre

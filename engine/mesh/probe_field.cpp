@@ -25,7 +25,9 @@ public:
           probe_(probe),
           reach_(probe + step * 1.001),
           outside_(probe < step * 1.001 ? step * 1.001 : 0),
-          places_(balls, probe) {}
+          places_(balls, probe) {
+        for (const SurfaceBall& ball : balls) widest_ = std::max(widest_, ball.radius);
+    }
 
     std::vector<std::array<dvec3, 2>> reaches() const override {
         std::vector<std::array<dvec3, 2>> boxes;
@@ -62,6 +64,7 @@ public:
     }
 
     SurfacePoint cross(const Node& inside, const Node& outside) const override {
+        if (probe_ == 0) return leave(inside.place, outside.place);
         double a = 0, b = 1, atA = inside.value, atB = outside.value;
         Nearest nearest;
         dvec3 place{};
@@ -131,6 +134,18 @@ private:
         };
         return balls_[*std::min_element(of.begin(), of.end(), [&](auto a, auto b) { return height(a) < height(b); })]
             .atom;
+    }
+
+    /// Without a probe: where a line leaves the balls, which is exact.
+    SurfacePoint leave(const dvec3& from, const dvec3& to) const {
+        const dvec3 way = to - from;
+        const BallExit exit = exitOf(balls_, places_.grid(), widest_, from, way);
+        const SurfaceBall& ball = balls_[exit.ball == kNoSource ? 0 : exit.ball];
+        SurfacePoint point;
+        point.place = from + way * std::clamp(exit.share, 0.0, 1.0);
+        point.normal = unitOr(point.place - ball.center, unitOr(way, dvec3(0, 0, 1)));
+        point.atom = ball.atom;
+        return point;
     }
 
     template <typename Visit>
@@ -239,7 +254,7 @@ private:
     }
 
     const std::vector<SurfaceBall>& balls_;
-    double probe_, reach_;
+    double probe_, reach_, widest_ = 0;
     double outside_;  ///< Å, to which distances are known beyond the probe's places, of probes smaller than a cell
     ProbePlaces places_;
 };

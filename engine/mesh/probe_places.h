@@ -46,6 +46,8 @@ public:
     bool isOpen(std::uint32_t ball) const { return open_[ball] != 0; }
     std::span<const std::uint32_t> neighbours(std::uint32_t ball) const { return grid_.neighbours(ball); }
 
+    const BallGrid& grid() const { return grid_; }
+
     /// Of the sphere about a ball. Å
     double reachOf(std::uint32_t ball) const { return balls_[ball].radius + probe_; }
     /// Whether a place is inside of that.

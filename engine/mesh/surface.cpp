@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "engine/mesh/creases.h"
 #include "engine/mesh/marching_cubes.h"
 #include "engine/mesh/mesh_measures.h"
 #include "engine/mesh/probe_field.h"
@@ -233,6 +234,8 @@ Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, con
         meshes[i] = BlockCutter(*field, {first, first + kBlockCells, step}, middle - origin).cut(*list[i].second);
     });
     Mesh mesh = joined(meshes);
+    if (options.kind != SurfaceKind::gaussian && (accessible || probe == 0))
+        putCreases(mesh, balls, middle - origin, step);
     if (!options.cavities) dropCavities(mesh);
     return mesh;
 }
