@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <iomanip>
 #include <limits>
+#include <span>
 #include <sstream>
 
 #include "engine/error.h"
@@ -20,6 +21,9 @@ namespace {
 
 constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::rasterOrder,
                                  Visibility::deferred};
+/// Of those that are tried when they are asked for; tiles are for software devices, which nothing is found out about.
+constexpr Visibility kEveryPath[] = {Visibility::encoded, Visibility::fragdepth, Visibility::rasterOrder,
+                                     Visibility::deferred, Visibility::tiles};
 constexpr const char* kOutcomes[] = {"right", "wrong", "failed", "unfinished"};
 constexpr const char* kHeading = "nacre self-test 3";
 constexpr std::uint32_t kPixels = 128, kTimedPixels = 720;
@@ -53,9 +57,9 @@ SelfTest read(const std::string& folder, const std::string& key) {
               r.committedBytes))
             return {};
         const auto visibility =
-            std::find_if(std::begin(kPaths), std::end(kPaths), [&](Visibility v) { return path == visibilityName(v); });
+            std::ranges::find_if(kEveryPath, [&](Visibility v) { return path == visibilityName(v); });
         const auto found = std::find(std::begin(kOutcomes), std::end(kOutcomes), outcome);
-        if (visibility == std::end(kPaths) || found == std::end(kOutcomes)) return {};
+        if (visibility == std::end(kEveryPath) || found == std::end(kOutcomes)) return {};
         r.visibility = *visibility;
         r.outcome = static_cast<PathResult::Outcome>(found - std::begin(kOutcomes));
     }
@@ -257,11 +261,13 @@ PathResult tested(const DeviceOptions& options, Visibility path) {
 }
 
 /// Whether a device has a path at all.
-bool has(const DeviceInfo& device, Visibility path) { return path != Visibility::rasterOrder || device.rasterOrder; }
+bool has(const DeviceInfo& device, Visibility path) {
+    return path == Visibility::rasterOrder ? device.rasterOrder : path != Visibility::tiles || device.tiles;
+}
 
 }  // namespace
 
-SelfTest testPaths(const DeviceOptions& options, const std::string& key) {
+SelfTest testPaths(const DeviceOptions& options, const std::string& key, bool every) {
     const DeviceInfo device = [&] {
         DeviceOptions alone = options;
         alone.surface = {};
@@ -269,7 +275,8 @@ SelfTest testPaths(const DeviceOptions& options, const std::string& key) {
         return Renderer(alone).stats().device;
     }();
     SelfTest test = read(options.selfTests, key);
-    for (const Visibility path : kPaths) {
+    const std::span<const Visibility> paths = every ? std::span<const Visibility>(kEveryPath) : kPaths;
+    for (const Visibility path : paths) {
         if (!has(device, path)) continue;
         auto it = std::find_if(test.begin(), test.end(), [&](const PathResult& r) { return r.visibility == path; });
         if (it == test.end()) it = test.insert(it, {path, PathResult::Outcome::unfinished, 0, 0});
@@ -284,7 +291,8 @@ SelfTest testPaths(const DeviceOptions& options, const std::string& key) {
 
 std::optional<SelfTest> keptSelfTest(const std::string& folder, const std::string& key) {
     SelfTest test = read(folder, key);
-    const bool whole = !test.empty() && test.back().visibility == kPaths[std::size(kPaths) - 1];
+    const Visibility last = kPaths[std::size(kPaths) - 1];
+    const bool whole = std::ranges::any_of(test, [&](const PathResult& r) { return r.visibility == last; });
     if (!whole || !std::all_of(test.begin(), test.end(), [](const PathResult& r) { return r.known(); })) return {};
     return test;
 }
@@ -324,6 +332,7 @@ TestedPath choosePath(const SelfTest& test, Visibility byCaps, const std::string
     for (const PathResult& r : test) {
         if (r.outcome != PathResult::Outcome::right) continue;
         if (r.visibility == byCaps) chosen = &r;
+        if (r.visibility == Visibility::tiles && r.visibility != byCaps) continue;  // of small scenes it tells nothing
         if (!fastest || r.milliseconds < fastest->milliseconds) fastest = &r;
     }
     if (!fastest) return {byCaps, whyByCaps + " (and no path draws right: " + describe(test) + ")"};

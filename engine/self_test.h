@@ -36,7 +36,8 @@ using SelfTest = std::vector<PathResult>;
 /// Tests each path of a device without a known result, and keeps the results.
 /// @param options  name the device; their window is ignored. @param key  DeviceInfo::driverKey  @throws Error if there
 /// is no device
-SelfTest testPaths(const DeviceOptions& options, const std::string& key);
+/// @param every  also those that `automatic` takes by capabilities alone: tiles
+SelfTest testPaths(const DeviceOptions& options, const std::string& key, bool every = false);
 /// The kept results of a device; nothing if any path is missing. @param folder  DeviceOptions::selfTests
 std::optional<SelfTest> keptSelfTest(const std::string& folder, const std::string& key);
 

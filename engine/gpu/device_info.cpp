@@ -34,6 +34,7 @@ DeviceInfo gpu::infoOf(const Caps& caps) {
     info.lazyMemory = caps.plan.transient;
     info.timestamps = caps.timestampBits > 0;
     info.rasterOrder = caps.plan.rasterOrder;
+    info.tiles = caps.plan.tiles;
     info.localRead = caps.localRead;
     info.mergeFeedback = caps.mergeFeedback;
     info.driverKey = caps.driverKey;

@@ -3,10 +3,10 @@
 #include <fstream>
 #include <iostream>
 
-#include "engine/error.h"
-#include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/read.h"
-#include "engine/renderer.h"
+#include "nacre/error.h"
+#include "nacre/molecule/drawn_atoms.h"
+#include "nacre/molecule/read.h"
+#include "nacre/renderer.h"
 
 int main(int count, char** arguments) try {
     if (count != 3) throw nacre::Error("wrong usage", arguments[0], "wanted: INPUT OUTPUT.ppm");

@@ -15,6 +15,12 @@ cmake --build "$folder/build" >>"$folder/log" || { cat "$folder/log"; exit 1; }
 ! grep -rqF "$(dirname -- "$(dirname -- "$here")")/engine" "$folder/prefix/lib" --include='*.cmake' ||
     { echo "the installed CMake files name the source folder"; exit 1; }
 
+# Every header stands by itself under nacre/: none names another that is not installed.
+(cd "$folder/prefix/include" && find nacre -name '*.h' | sort | sed 's/.*/#include <&>/') >"$folder/headers.cpp"
+[[ $(wc -l <"$folder/headers.cpp") -gt 50 ]] || { echo "headers are missing"; exit 1; }
+! grep -rq '"engine/' "$folder/prefix/include" || { echo "an installed header names engine/"; exit 1; }
+"$compiler" -std=c++20 -fsyntax-only -I"$folder/prefix/include" "$folder/headers.cpp"
+
 printf '3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n' >"$folder/water.xyz"
 "$folder/build/embedding" "$folder/water.xyz" "$folder/water.ppm"
 # The installed program draws the same: as many pixels are not black, but for the edges, which two by two samples widen.

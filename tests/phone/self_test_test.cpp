@@ -117,6 +117,10 @@ TEST(SelfTest, APathThatEndedTheProgramTwiceIsNotTriedAgain) {
     const DeviceInfo device = started(folder);
     EXPECT_EQ(device.selfTest.find("encoded ends the program, fragdepth "), 0u) << device.selfTest;
     EXPECT_NE(device.visibility, "encoded");
+    keep("nacre self-test 3\ndeferred right 1 0 0 0 0 0\ntiles right 1 0 0 0 0 0\n");
+    EXPECT_TRUE(keptSelfTest(folder / "devices", key));
+    keep("nacre self-test 3\nencoded right 1 0 0 0 0 0\ntiles right 1 0 0 0 0 0\n");
+    EXPECT_FALSE(keptSelfTest(folder / "devices", key));
     // What is no answer is none.
     for (const char* text :
          {"", "nacre self-test 2\nencoded right 1 0\n", "nacre self-test 3\nencoded fine 1 0 0 0 0 0\n",
@@ -134,6 +138,10 @@ TEST(SelfTest, AnotherPathIsTakenWhereItIsFasterByFar) {
     EXPECT_EQ(faster.visibility, Visibility::rasterOrder);
     EXPECT_EQ(faster.why, "the fastest here: encoded 2.00 ms, raster-order 1.50 ms");
     EXPECT_EQ(choose({encoded, {Visibility::rasterOrder, Outcome::wrong, 0, 0}}).visibility, Visibility::encoded);
+    // Tiles are timed for who asks, and taken where the caps say so.
+    const PathResult tiles{Visibility::tiles, Outcome::right, 0.1, 0};
+    EXPECT_EQ(choose({encoded, tiles}).why, "by its caps");
+    EXPECT_EQ(choosePath({encoded, tiles}, Visibility::tiles, "by its caps").visibility, Visibility::tiles);
     const TestedPath none = choose({{Visibility::encoded, Outcome::wrong, 0, 0}});
     EXPECT_EQ(none.visibility, Visibility::encoded);
     EXPECT_NE(none.why.find("no path draws right"), std::string::npos);
