@@ -20,6 +20,7 @@
 #include "app/cli/picture_job.h"
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
+#include "app/files/spare_memory.h"
 #include "app/movie/stop_request.h"
 #include "engine/error.h"
 
@@ -152,6 +153,7 @@ private:
                 const std::optional<BatchLine> line = lines_.next();
                 if (!line) return;
                 report(doJob(*line));
+                givePicturesMemoryBack();
             }
         } catch (...) {
             const std::lock_guard lock(turn_);
