@@ -19,16 +19,6 @@ const Option* lookOption(std::string_view key) {
     return found && found->look ? found : nullptr;
 }
 
-Look lookFromFile(const std::string& path) {
-    Look look{path, "", {}};
-    readSavedView(path);  // judges every key and value
-    const auto keys = parseJson<OrderedJson>(readViewText(path));
-    for (const auto& [key, value] : keys.items())
-        if (lookOption(key))
-            look.options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
-    return look;
-}
-
 std::string textOf(const std::vector<std::pair<std::string, std::string>>& options) {
     OrderedJson json = OrderedJson::object();
     for (const auto& [key, value] : options) json[key] = value;
@@ -87,6 +77,16 @@ std::span<const Look> looks() {
     return kLooks;
 }
 
+Look lookFromText(const std::string& json, const std::string& name) {
+    Look look{name, "", {}};
+    parseSavedView(json, name);  // judges every key and value
+    const auto keys = parseJson<OrderedJson>(json);
+    for (const auto& [key, value] : keys.items())
+        if (lookOption(key))
+            look.options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
+    return look;
+}
+
 Look lookOf(const std::string& nameOrFile) {
     std::vector<std::string> names;
     std::string list;
@@ -95,7 +95,7 @@ Look lookOf(const std::string& nameOrFile) {
         names.push_back(look.name);
         list += look.name + ", ";
     }
-    if (nameOrFile.ends_with(".json")) return lookFromFile(nameOrFile);
+    if (nameOrFile.ends_with(".json")) return lookFromText(readViewText(nameOrFile), nameOrFile);
     throw std::invalid_argument("expected " + list + "or a file that ends in .json, not '" + nameOrFile + "'" +
                                 suggestion(nameOrFile, names));
 }

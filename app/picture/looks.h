@@ -25,6 +25,9 @@ std::span<const Look> looks();
 /// alone. @throws std::invalid_argument, Error
 Look lookOf(const std::string& nameOrFile);
 
+/// The text of such a file. @param name  of it @throws Error
+Look lookFromText(const std::string& json, const std::string& name);
+
 /// Gives a view a look instead of the one that it has. Colours stay unless the look has some.
 void applyLook(const Look& look, PictureDescription& view);
 
