@@ -132,7 +132,7 @@ InteractionRequest parseInteractionRequest(const std::string& text) {
 InteractionRules parseInteractionRules(const std::string& name) {
     if (const auto rules = interactionRulesFromName(name)) return *rules;
     const std::vector<std::string> names{"molstar", "plip", "baker-hubbard", "wernet-nilsson"};
-    refuse(name, "one of " + listOf(names), names);
+    refuse(name, anyOf(names), names);
 }
 
 std::vector<Interaction> interactionsOf(const Molecule& molecule, const InteractionRequest& request) {

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "app/movie/movie_file.h"
 
 namespace nacre::app {
 namespace {
 
-constexpr double kSpinSeconds = 6, kRockSeconds = 4, kStretchSeconds = 2, kModelSeconds = 0.1;
+constexpr double kStretchSeconds = 2;
 constexpr std::size_t kMostViews = 1000;
 
 std::vector<std::string> parseViews(const std::string& text) {
@@ -33,22 +32,16 @@ bool goesRound(const MovieOptions& options) {
 }  // namespace
 
 void addMotion(CommandSpec& command, MovieOptions& options) {
-    command.value(
-        "--spin", "AXIS", "none",
-        "Spin about x, y, z (across, up, towards the viewer) or a vector X,Y,Z, right-handed, back to the start",
-        [&](const std::string& text) { options.spin = parseAxis(text); });
-    command.value("--turns", "N", "1", "Turns of --spin, -100 to 100, not 0; may be a fraction",
-                  [&](const std::string& text) {
-                      options.turns = parseNumber(text, -100, 100);
-                      if (*options.turns == 0) throw std::invalid_argument("0 turns show no motion");
-                  });
-    command.value("--rock", "DEGREES", "none", "Rotate to either side and back, by up to 180 degrees",
-                  [&](const std::string& text) {
-                      options.rock = parseNumber(text, 0, 180);
-                      if (*options.rock == 0) throw std::invalid_argument("0 degrees show no motion");
-                  });
-    command.value("--axis", "AXIS", "y", "Axis of --rock, as for --spin",
-                  [&](const std::string& text) { options.axis = parseAxis(text); });
+    const auto motion = [&](const std::string& key, const std::string& type, const std::string& fallback,
+                            const std::string& help) {
+        command.value("--" + key, type, fallback, help,
+                      [&options, key](const std::string& text) { setMotion(key, text, options); });
+    };
+    motion("spin", "AXIS", "none",
+           "Spin about x, y, z (across, up, towards the viewer) or a vector X,Y,Z, right-handed, back to the start");
+    motion("turns", "N", "1", "Turns of --spin, -100 to 100, not 0; may be a fraction");
+    motion("rock", "DEGREES", "none", "Rotate to either side and back, by up to 180 degrees");
+    motion("axis", "AXIS", "y", "Axis of --rock, as for --spin");
     command.flag("--models", options.models,
                  "One model or record of INPUT after the other, or one frame of --trajectory");
     command.value(
@@ -56,19 +49,12 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
         "Along views that `nacre view` saved: the camera moves, other differences fade; options override each view",
         [&](const std::string& text) { options.views = parseViews(text); });
     command.flag("--loop", options.loop, "From the last of --views back to the first");
-    command.value("--easing", "NAME", "smooth for --views that do not loop, else linear",
-                  "linear: the same pace throughout; smooth: starts and ends at rest; stops: rests at each view",
-                  [&](const std::string& text) {
-                      constexpr Easing kEasings[] = {Easing::linear, Easing::smooth, Easing::stops};
-                      options.easing = kEasings[parseChoice(text, {"linear", "smooth", "stops"})];
-                  });
-    command.value(
-        "--seconds", "S",
-        "6 for --spin, 4 for --rock, 2 per step of --views, 0.1 per model, one frame per frame of --trajectory",
-        "Duration, up to 86400", [&](const std::string& text) { options.seconds = parseNumber(text, 0.001, 86400); });
-    command.value("--fps", "N", "30", "Frames per second, 0.1 to 120 (GIF: 50)", [&](const std::string& text) {
-        options.framesPerSecond = parseNumber(text, kSlowestMovie, kFastestMovie);
-    });
+    motion("easing", "NAME", "smooth for --views that do not loop, else linear",
+           "linear: the same pace throughout; smooth: starts and ends at rest; stops: rests at each view");
+    motion("seconds", "S",
+           "6 for --spin, 4 for --rock, 2 per step of --views, 0.1 per model, one frame per frame of --trajectory",
+           "Duration, up to 86400");
+    motion("fps", "N", "30", "Frames per second, 0.1 to 120 (GIF: 50)");
     command.value("--report", "FILE", "none", "One line of JSON per finished frame; - for standard output",
                   [&](const std::string& text) { options.report = fileName(text); });
 }
@@ -78,8 +64,7 @@ void checkMotion(const MovieOptions& options) {
     if (cameras > 1) throw UsageError("--spin, --rock and --views exclude each other");
     if (cameras == 0 && !options.models) throw UsageError("no motion given: add --spin, --rock, --views or --models");
     if (options.loop && options.views.empty()) throw UsageError("--loop is for --views");
-    if (options.turns && !options.spin) throw UsageError("--turns is for --spin");
-    if (options.axis && !options.rock) throw UsageError("--axis is for --rock (--spin names its own)");
+    checkCameraMotion(options);
     if (options.easing && cameras == 0) throw UsageError("--easing is for --spin, --rock and --views");
     if (options.easing == Easing::stops && options.views.empty()) throw UsageError("--easing stops is for --views");
     const bool trajectory = !options.picture.input.trajectory.path.empty();
@@ -102,9 +87,7 @@ bool isGiven(const MovieOptions& options, const char* name) {
 std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models) {
     const std::size_t views = options.views.size();
     const bool moving = !options.picture.input.trajectory.path.empty();
-    double seconds = static_cast<double>(models) * (moving ? 1 / options.framesPerSecond : kModelSeconds);
-    if (options.spin) seconds = kSpinSeconds;
-    if (options.rock) seconds = kRockSeconds;
+    double seconds = secondsOf(options, models, moving);
     if (views) seconds = kStretchSeconds * static_cast<double>(options.loop ? views : views - 1);
     seconds = options.seconds.value_or(seconds);
     return static_cast<std::uint64_t>(std::max(std::llround(seconds * options.framesPerSecond), 1ll));
@@ -113,15 +96,6 @@ std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models) {
 double timeOf(const MovieOptions& options, std::uint64_t frame, std::uint64_t frames) {
     const std::uint64_t whole = goesRound(options) ? frames : std::max<std::uint64_t>(frames - 1, 1);
     return static_cast<double>(frame) / static_cast<double>(whole);
-}
-
-View viewAt(const MovieOptions& options, const View& view, double time) {
-    const double t = eased(options.easing.value_or(Easing::linear), time);
-    if (options.spin) return turned(view, *options.spin, 360 * options.turns.value_or(1) * t);
-    if (options.rock)
-        return turned(view, options.axis.value_or(glm::dvec3(0, 1, 0)),
-                      *options.rock * std::sin(2 * std::numbers::pi * t));
-    return view;
 }
 
 }  // namespace nacre::app

@@ -19,7 +19,4 @@ std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models);
 /// Time of a frame, 0..1. What goes round begins anew at 1, which the last frame stays short of; else that is at 1.
 double timeOf(const MovieOptions& options, std::uint64_t frame, std::uint64_t frames);
 
-/// The picture's view at a time, where there are no key views.
-View viewAt(const MovieOptions& options, const View& view, double time);
-
 }  // namespace nacre::app

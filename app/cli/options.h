@@ -17,20 +17,13 @@
 namespace nacre::app {
 
 /// What moves, how long, and how fast.
-struct MovieOptions {
+struct MovieOptions : CameraMotion {
     PictureDescription picture;
-    std::optional<glm::dvec3> spin;  ///< axis of a turn
-    std::optional<double> turns;     ///< of spin; empty: one
-    std::optional<double> rock;      ///< degrees to either side
-    std::optional<glm::dvec3> axis;  ///< of rock; empty: y
-    bool models = false;             ///< one after the other
+    bool models = false;  ///< one after the other
     std::vector<std::string> views;
     std::vector<OptionValue> given;  ///< of `picture`: they prevail over each of the views
     bool loop = false;               ///< the last view is followed by the first
-    std::optional<double> seconds;   ///< empty: what the motion takes
-    double framesPerSecond = 30;
-    std::optional<Easing> easing;
-    std::string report;  ///< path, "-" for standard output; empty: none
+    std::string report;              ///< path, "-" for standard output; empty: none
 };
 
 struct BatchOptions {

@@ -109,6 +109,7 @@ void Drawing::bringUpTo(const Molecule& molecule, const PictureDescription& desc
     if (another) {
         scene_.emplace();
         radius_ = buildScene(molecule, description_, frame, *scene_);
+        if (recolor) recolor(*scene_);
         number_ = ++scenes;
         ++counts_.scenes;
     }

@@ -3,6 +3,7 @@
 // description that differs from the last one has only those parts of the work done again that differ.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,6 +46,8 @@ public:
     /// @param settings  that it was drawn with  @param memory  of pictures that follow each other
     std::size_t addWords(const RenderSettings& settings, Picture& picture, WordMemory* memory = nullptr) const;
 
+    /// Colours a scene anew once it is built, before its legend is laid out. Who changes it calls forget().
+    std::function<void(Representation&)> recolor;
     /// Not after handOver().
     const Representation& scene() const { return *scene_; }
     const PictureDescription& description() const { return description_; }

@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/movie/movie_file.h"
 #include "app/picture/option_values.h"
+#include "app/picture/usage_error.h"
 
 namespace nacre::app {
 namespace {
@@ -65,6 +67,54 @@ glm::dvec3 parseAxis(std::string_view text) {
     const double length = glm::length(axis);
     if (!(length > 1e-9 && length < 1e9)) throw std::invalid_argument("the axis has no direction");
     return axis / length;
+}
+
+bool setMotion(std::string_view key, std::string_view text, CameraMotion& motion) {
+    constexpr Easing kEasings[] = {Easing::linear, Easing::smooth, Easing::stops};
+    const auto moves = [](double value, const char* what) {
+        if (value == 0) throw std::invalid_argument(std::string("0 ") + what + " show no motion");
+        return value;
+    };
+    if (key == "spin")
+        motion.spin = parseAxis(text);
+    else if (key == "turns")
+        motion.turns = moves(parseNumber(text, -100, 100), "turns");
+    else if (key == "rock")
+        motion.rock = moves(parseNumber(text, 0, 180), "degrees");
+    else if (key == "axis")
+        motion.axis = parseAxis(text);
+    else if (key == "easing")
+        motion.easing = kEasings[parseChoice(text, {"linear", "smooth", "stops"})];
+    else if (key == "seconds")
+        motion.seconds = parseNumber(text, 0.001, 86400);
+    else if (key == "fps")
+        motion.framesPerSecond = parseNumber(text, kSlowestMovie, kFastestMovie);
+    else
+        return false;
+    return true;
+}
+
+void checkCameraMotion(const CameraMotion& motion) {
+    if (motion.spin && motion.rock) throw UsageError("--spin and --rock exclude each other");
+    if (motion.turns && !motion.spin) throw UsageError("--turns is for --spin");
+    if (motion.axis && !motion.rock) throw UsageError("--axis is for --rock (--spin names its own)");
+}
+
+double secondsOf(const CameraMotion& motion, std::uint64_t models, bool trajectory) {
+    constexpr double kSpinSeconds = 6, kRockSeconds = 4, kModelSeconds = 0.1;
+    if (motion.seconds) return *motion.seconds;
+    if (motion.rock) return kRockSeconds;
+    if (motion.spin) return kSpinSeconds;
+    return static_cast<double>(models) * (trajectory ? 1 / motion.framesPerSecond : kModelSeconds);
+}
+
+View viewAt(const CameraMotion& motion, const View& view, double time) {
+    const double t = eased(motion.easing.value_or(Easing::linear), time);
+    if (motion.spin) return turned(view, *motion.spin, 360 * motion.turns.value_or(1) * t);
+    if (motion.rock)
+        return turned(view, motion.axis.value_or(glm::dvec3(0, 1, 0)),
+                      *motion.rock * std::sin(2 * std::numbers::pi * t));
+    return view;
 }
 
 View turned(View view, const glm::dvec3& axis, double degrees) {

@@ -2,9 +2,11 @@
 // Where the camera stands at a time of a movie: turning, swinging, or on a smooth path through key views. Pure
 // arithmetic on views.
 
+#include <cstdint>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +29,27 @@ glm::dvec3 parseAxis(std::string_view text);
 /// A view turned about an axis through the molecule's centre, in the axes of the picture, right-handed. About one of
 /// these axes the numbers are those of rotationMatrix(), so that the picture is that of `--rotate`.
 View turned(View view, const glm::dvec3& axis, double degrees);
+
+/// How a camera moves by itself, how long and how fast.
+struct CameraMotion {
+    std::optional<glm::dvec3> spin;  ///< axis of a turn
+    std::optional<double> turns;     ///< of spin; empty: one
+    std::optional<double> rock;      ///< degrees to either side
+    std::optional<glm::dvec3> axis;  ///< of rock; empty: y
+    std::optional<Easing> easing;
+    std::optional<double> seconds;  ///< empty: secondsOf()
+    double framesPerSecond = 30;
+};
+
+/// Takes the value of "spin", "turns", "rock", "axis", "easing", "seconds" or "fps".
+/// @returns whether it is one of them @throws std::invalid_argument, in words that continue "--key: "
+bool setMotion(std::string_view key, std::string_view text, CameraMotion& motion);
+/// @throws UsageError for what does not go together
+void checkCameraMotion(const CameraMotion& motion);
+/// What a turn or a swing takes; else what so many models take. @param trajectory  a frame of the movie for each
+double secondsOf(const CameraMotion& motion, std::uint64_t models, bool trajectory);
+/// A view at a time, 0..1; the same where no camera moves.
+View viewAt(const CameraMotion& motion, const View& view, double time);
 
 /// A view in the file's frame, whatever molecule it was made for.
 struct Lens {

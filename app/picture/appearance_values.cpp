@@ -137,7 +137,7 @@ Style parseStyle(std::string_view text) {
         if (ours(text, kStyleSynonyms) == name) return style;
         words.emplace_back(name);
     }
-    const std::string wanted = "one of " + listOf(words);
+    const std::string wanted = anyOf(words);
     addSynonyms(kStyleSynonyms, words);
     refuse(text, wanted, words);
 }

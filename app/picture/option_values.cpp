@@ -33,9 +33,13 @@ std::string listOf(std::span<const std::string> words) {
     return list;
 }
 
+std::string anyOf(std::span<const std::string> words) {
+    return (words.size() > 1 ? listOf(words.first(words.size() - 1)) + " or " : "") + words.back();
+}
+
 void refuseEnding(std::string_view name, std::span<const std::string> endings, const std::string& also) {
     const std::size_t dot = std::min(name.rfind('.'), name.size());
-    throw std::invalid_argument("expected a name that ends in one of " + listOf(endings) + also + ", not '" +
+    throw std::invalid_argument("expected a name that ends in " + anyOf(endings) + also + ", not '" +
                                 std::string(name) + "'" + suggestion(name.substr(dot), endings));
 }
 

@@ -26,6 +26,8 @@ constexpr double kSmallestFov = 1, kLargestFov = 120;  ///< degrees
 
 /// "a, b, c"
 std::string listOf(std::span<const std::string> words);
+/// "a, b or c"
+std::string anyOf(std::span<const std::string> words);
 
 /// The same of a name whose ending is none of these. @param also  what else it may be: ", or a folder"
 [[noreturn]] void refuseEnding(std::string_view name, std::span<const std::string> endings,

@@ -1,6 +1,9 @@
 #include "app/python/drawing.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <optional>
 #include <tuple>
@@ -9,7 +12,9 @@
 #include "app/drawing/complete.h"
 #include "app/files/messages.h"
 #include "app/files/output_file.h"
+#include "app/files/spare_memory.h"
 #include "app/input/read_input.h"
+#include "app/picture/input_names.h"
 #include "app/picture/option_json.h"
 #include "app/picture/picture_names.h"
 #include "engine/error.h"
@@ -30,21 +35,15 @@ bool isOfReading(const app::Option& option) { return has(app::kReading, option.t
 /// Of reading, but it says where occlusion is kept, too.
 bool isCache(const app::Option& option) { return option.key == "cache"; }
 
-/// @param output  whose name tells the format; it is not made @throws app::UsageError
-PictureDescription requestOf(const Structure& structure, const std::string& json, const std::string& output) {
-    std::vector<OptionValue> values = app::optionValuesOf(json, "render()");
-    for (const OptionValue& value : values) {
-        const app::Option& option = app::option(value.key);
-        if (has(kNotHere, option.topic)) throw app::UsageError("render() takes no \"" + value.key + "\"");
-        if (isOfReading(option) && !isCache(option)) throw app::UsageError("\"" + value.key + "\" is for open()");
-    }
-    for (const std::string& input : structure.inputs) values.push_back({"input", input});
-    values.push_back({"output", output});
-    PictureDescription request;
-    app::setOptions(values, request);
-    app::completePicture(request);
-    app::checkSize(request, app::kMostSamplesHeld);
-    return request;
+/// Drivers and threads do not live on in a process that was forked. @throws Error in such a one
+void checkNotForked() {
+    static std::atomic<pid_t> owner{0};
+    pid_t first = 0;
+    const pid_t self = getpid();
+    if (!owner.compare_exchange_strong(first, self) && first != self)
+        throw Error("cannot draw", "process " + std::to_string(self),
+                    "it was forked from one that had drawn: start processes by spawn or forkserver "
+                    "(multiprocessing.get_context(\"spawn\"))");
 }
 
 /// What decides about the device.
@@ -53,11 +52,18 @@ auto deviceKey(const DeviceOptions& d) { return std::tuple(d.device, d.visibilit
 /// The renderer, made for the first picture and kept; one thread at a time draws. Each structure keeps its scene.
 class Shared {
 public:
-    /// @param draw  of (drawing, canvas) what is to be handed back
-    template <typename Draw>
-    auto draw(const Structure& structure, const PictureDescription& request, Draw&& draw) {
+    void draw(const Structure& structure, const PictureDescription& request, const Colors& colors, const Draw& draw) {
+        checkNotForked();  // before any lock, which nobody may be there to open
+        if (!colors.atoms.empty()) checkCount(colors, structure.molecule->atoms.size());
         const std::lock_guard its(structure.kept->turn);
         app::Drawing& drawing = structure.kept->drawing;
+        if (!(structure.kept->colors == colors)) {
+            drawing.forget();
+            structure.kept->colors = colors;
+            drawing.recolor = {};
+            if (!colors.atoms.empty())
+                drawing.recolor = [kept = structure.kept.get()](Representation& scene) { paint(kept->colors, scene); };
+        }
         drawing.prepare(*structure.molecule, request);  // beside others that draw
         const std::lock_guard lock(turn_);
         const auto key = deviceKey(request.device);
@@ -66,10 +72,10 @@ public:
             canvas_.emplace(request.device);
             key_ = key;
         }
-        auto drawn = draw(drawing, *canvas_);
+        draw(drawing, *canvas_);
+        app::givePicturesMemoryBack();
         if (const auto messages = canvas_->renderer.validationMessages(); !messages.empty())
             throw Error("Vulkan validation", canvas_->renderer.stats().device.name, messages.front());
-        return drawn;
     }
 
 private:
@@ -98,6 +104,32 @@ app::InputOptions readingOf(const std::vector<std::string>& inputs, const std::s
 
 }  // namespace
 
+PictureDescription requestOf(const Structure& structure, const std::string& json, const std::string& output) {
+    std::vector<OptionValue> values = app::optionValuesOf(json, "render()");
+    for (const OptionValue& value : values) {
+        const app::Option& option = app::option(value.key);
+        if (has(kNotHere, option.topic)) throw app::UsageError("render() takes no \"" + value.key + "\"");
+        if (isOfReading(option) && !isCache(option)) throw app::UsageError("\"" + value.key + "\" is for open()");
+    }
+    for (const std::string& input : structure.inputs) values.push_back({"input", input});
+    values.push_back({"output", output});
+    PictureDescription request;
+    app::setOptions(values, request);
+    app::completePicture(request);
+    app::checkSize(request, app::kMostSamplesHeld);
+    return request;
+}
+
+void withScene(const Structure& structure, const PictureDescription& request, const Colors& colors, const Draw& draw) {
+    shared().draw(structure, request, colors, draw);
+}
+
+void checkName(const char* who, const std::string& path, bool good, std::span<const std::string> endings) {
+    if (!good || app::isStandardOutput(path))
+        throw app::UsageError(std::string(who) + " takes a name that ends in " + app::anyOf(endings) +
+                              ", not '" + path + "'");
+}
+
 Structure openInputs(const std::vector<std::string>& inputs, const std::string& options) {
     if (inputs.empty()) throw app::UsageError("open() needs an input");
     const app::InputOptions input = readingOf(inputs, options);
@@ -106,7 +138,7 @@ Structure openInputs(const std::vector<std::string>& inputs, const std::string& 
         throw app::UsageError("open() reads no standard input: hand over its bytes");
     const app::HeardMessages heard;
     auto molecule = std::make_shared<const Molecule>(app::loadMolecule(input));
-    return {std::move(molecule), inputs, heard.warnings, heard.notes};
+    return {std::move(molecule), inputs, heard.warnings, heard.notes, input};
 }
 
 Structure openBytes(const std::string& name, std::string bytes, const std::string& options) {
@@ -118,44 +150,61 @@ Structure openBytes(const std::string& name, std::string bytes, const std::strin
     ReadOptions reading = readWithin(most);
     reading.format = input.format;
     reading.model = input.model;
-    return {std::make_shared<const Molecule>(readMolecule(input.path, std::move(bytes), reading)), {input.path}};
+    reading.others = true;
+    auto molecule = std::make_shared<const Molecule>(readMolecule(input.path, std::move(bytes), reading));
+    return {std::move(molecule), {input.path}, {}, {}, input};
 }
 
 namespace {
 
-constexpr const char* kPlain = "picture.png";  ///< what shows a picture's pixels as they are
-
-Drawn drawAs(const std::string& output, const Structure& structure, const std::string& options) {
+Drawn drawAs(const std::string& output, const Structure& structure, const std::string& options, const Colors& colors) {
     const PictureDescription request = requestOf(structure, options, output);
-    return shared().draw(structure, request, [&](app::Drawing& drawing, app::Canvas& canvas) {
+    Drawn drawn;
+    withScene(structure, request, colors, [&](app::Drawing& drawing, app::Canvas& canvas) {
         std::size_t crowded = 0;
-        Drawn drawn{drawing.draw(canvas, &crowded), app::formatOf(request), drawing.warnings};
+        drawn = {drawing.draw(canvas, &crowded), app::formatOf(request), drawing.warnings};
         if (crowded) drawn.warnings.push_back(std::to_string(crowded) + " labels found no room in the picture");
-        return drawn;
     });
+    return drawn;
 }
 
 }  // namespace
 
-Drawn draw(const Structure& structure, const std::string& options) { return drawAs(kPlain, structure, options); }
-
-LayerPicture drawLayers(const Structure& structure, const std::string& options, std::vector<std::string>& warnings) {
-    return shared().draw(structure, requestOf(structure, options, kPlain),
-                         [&](app::Drawing& drawing, app::Canvas& canvas) {
-                             warnings = drawing.warnings;
-                             drawing.show(canvas);
-                             return drawing.layers(canvas.renderer);
-                         });
+Drawn draw(const Structure& structure, const std::string& options, const Colors& colors) {
+    return drawAs(kPlain, structure, options, colors);
 }
 
-std::vector<std::string> save(const Structure& structure, const std::string& path, const std::string& options) {
-    if (!app::isPictureName(path) || app::isStandardOutput(path))
-        throw app::UsageError("save() takes a name that ends in .png, .tif, .tiff, .jpg, .jpeg, .webp or .exr, not '" +
-                              path + "'");
+LayerPicture drawLayers(const Structure& structure, const std::string& options, const Colors& colors,
+                        std::vector<std::string>& warnings) {
+    LayerPicture layers;
+    withScene(structure, requestOf(structure, options, kPlain), colors,
+              [&](app::Drawing& drawing, app::Canvas& canvas) {
+                  warnings = drawing.warnings;
+                  drawing.show(canvas);
+                  layers = drawing.layers(canvas.renderer);
+              });
+    return layers;
+}
+
+std::vector<std::string> save(const Structure& structure, const std::string& path, const std::string& options,
+                              const Colors& colors) {
+    checkName("save()", path, app::isPictureName(path), app::pictureEndings());
     app::OutputFile file(path);
-    const Drawn drawn = drawAs(path, structure, options);
+    const Drawn drawn = drawAs(path, structure, options, colors);
     app::writePicture(file, drawn.picture, drawn.format);
     return drawn.warnings;
+}
+
+std::vector<bool> selected(const Structure& structure, const std::string& text) {
+    try {
+        Selection selection = parseSelection(text);
+        app::InputOptions inputs;
+        for (const std::string& input : structure.inputs) app::addInput(inputs, input);
+        if (!inputs.further.empty()) app::nameInputs(app::inputNames(inputs), selection);
+        return selectAtoms(*structure.molecule, selection);
+    } catch (const Error& error) {
+        throw app::UsageError(error.what());
+    }
 }
 
 std::vector<std::pair<std::string, std::string>> optionNames() {

@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <cstring>
 
+#include "app/download/load_molecule.h"
+#include "app/input/molecule_info.h"
 #include "app/picture/srgb.h"
 #include "app/picture/usage_error.h"
 #include "app/python/drawing.h"
+#include "app/python/pickled.h"
 #include "engine/error.h"
 #include "engine/molecule/bonds/bonds.h"
 #include "engine/molecule/element.h"
@@ -20,6 +23,7 @@ namespace nacre::python {
 namespace {
 
 using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
+constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
 using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
 
 template <typename T>
@@ -183,11 +187,12 @@ Structure fromArrays(const Floats& positions, const std::vector<std::string>& el
     return {std::make_shared<const Molecule>(std::move(m)), {name}};
 }
 
-/// Rows of sRGB bytes with straight alpha, as a PNG has them.
-py::array_t<std::uint8_t> bytesOf(const Picture& picture) {
-    py::array_t<std::uint8_t> array(
+/// Rows of sRGB code values with straight alpha, as a PNG has them.
+template <typename Code>
+py::array_t<Code> codesOf(const Picture& picture) {
+    py::array_t<Code> array(
         {static_cast<py::ssize_t>(picture.height), static_cast<py::ssize_t>(picture.width), py::ssize_t{4}});
-    std::uint8_t* out = array.mutable_data();
+    Code* out = array.mutable_data();
     const std::size_t pixels = std::size_t{picture.width} * picture.height;
     const py::gil_scoped_release others;
     for (std::size_t i = 0; i < pixels; ++i) app::codePixel(picture.rgba.data() + 4 * i, true, out + 4 * i);
@@ -212,22 +217,7 @@ auto freely(Work&& work) {
     return work();
 }
 
-}  // namespace
-}  // namespace nacre::python
-
-PYBIND11_MODULE(_nacre, m) {
-    using namespace nacre::python;
-    static py::exception<nacre::Error> error(m, "Error", PyExc_RuntimeError);
-    static py::exception<nacre::app::UsageError> usage(m, "UsageError", PyExc_ValueError);
-    py::register_exception_translator([](std::exception_ptr failure) {
-        try {
-            if (failure) std::rethrow_exception(failure);
-        } catch (const nacre::app::UsageError& e) {
-            usage(e.what());
-        } catch (const nacre::Error& e) {
-            error(e.what());
-        }
-    });
+void addReading(py::module_& m) {
     py::class_<Structure>(m, "Structure")
         .def_property_readonly("name", [](const Structure& s) { return s.inputs.front(); })
         .def_property_readonly("title", [](const Structure& s) { return py::bytes(s.molecule->file.title); })
@@ -236,7 +226,30 @@ PYBIND11_MODULE(_nacre, m) {
         .def_property_readonly("said", [](const Structure& s) { return std::pair(s.warnings, s.notes); })
         .def("__len__", [](const Structure& s) { return s.molecule->atoms.size(); })
         .def("atoms", &atomsOf)
-        .def("bonds", &bondsOf);
+        .def("bonds", &bondsOf)
+        .def("info",
+             [](const Structure& s) { return py::bytes(app::infoJson(*s.molecule).dump(-1, ' ', true, kReplace)); })
+        .def("select",
+             [](const Structure& s, const std::string& selection) {
+                 const std::vector<bool> chosen = freely([&] { return selected(s, selection); });
+                 py::array_t<bool> mask(static_cast<py::ssize_t>(chosen.size()));
+                 std::copy(chosen.begin(), chosen.end(), mask.mutable_data());
+                 return mask;
+             })
+        .def(py::pickle(
+            [](const Structure& s) {
+                // Without its trajectory, of which the atoms stand as its frame has them.
+                return py::make_tuple(py::bytes(freely([&] { return pickled(*s.molecule); })), s.inputs, s.notes,
+                                      s.reading.model);
+            },
+            [](const py::tuple& state) {
+                const std::string bytes = state[0].cast<py::bytes>();
+                auto molecule = std::make_shared<const Molecule>(unpickled(bytes));
+                Structure structure{std::move(molecule), state[1].cast<std::vector<std::string>>()};
+                structure.notes = state[2].cast<std::vector<std::string>>();
+                structure.reading.model = state[3].cast<int>();
+                return structure;
+            }));
     m.def("open_inputs", [](const std::vector<std::string>& inputs, const std::string& options) {
         return freely([&] { return openInputs(inputs, options); });
     });
@@ -253,17 +266,70 @@ PYBIND11_MODULE(_nacre, m) {
               return fromArrays(positions, elements, bonds,
                                 {names, residueNames, chains, residueNumbers, temperatureFactors, occupancies}, name);
           });
-    m.def("render", [](const Structure& s, const std::string& options) {
-        const Drawn drawn = freely([&] { return draw(s, options); });
-        return std::pair(bytesOf(drawn.picture), drawn.warnings);
+}
+
+void addDrawing(py::module_& m) {
+    py::class_<Colors>(m, "Colors")
+        .def(py::init([](const py::array_t<std::uint8_t, py::array::c_style>& rgb) {
+            Colors colors;
+            for (py::ssize_t i = 0; i < rgb.shape(0); ++i)
+                colors.atoms.push_back(0xff000000u | static_cast<std::uint32_t>(rgb.at(i, 0)) |
+                                       static_cast<std::uint32_t>(rgb.at(i, 1)) << 8 |
+                                       static_cast<std::uint32_t>(rgb.at(i, 2)) << 16);
+            return colors;
+        }))
+        .def(py::init())
+        .def_static("of_values", &colorsOfValues);
+    m.def("render", [](const Structure& s, const std::string& options, const Colors& colors) {
+        const Drawn drawn = freely([&] { return draw(s, options, colors); });
+        const py::array picture = drawn.format.bits == 16 ? py::array(codesOf<std::uint16_t>(drawn.picture))
+                                                          : py::array(codesOf<std::uint8_t>(drawn.picture));
+        return std::pair(picture, drawn.warnings);
     });
-    m.def("layers", [](const Structure& s, const std::string& options) {
+    m.def("layers", [](const Structure& s, const std::string& options, const Colors& colors) {
         std::vector<std::string> warnings;
-        const nacre::LayerPicture layers = freely([&] { return drawLayers(s, options, warnings); });
+        const LayerPicture layers = freely([&] { return drawLayers(s, options, colors, warnings); });
         return std::pair(layersOf(layers), warnings);
     });
-    m.def("save", [](const Structure& s, const std::string& path, const std::string& options) {
-        return freely([&] { return save(s, path, options); });
+    m.def("save", [](const Structure& s, const std::string& path, const std::string& options, const Colors& colors) {
+        return freely([&] { return save(s, path, options, colors); });
+    });
+    m.def("export", [](const Structure& s, const std::string& path, const std::string& options, const Colors& colors) {
+        return freely([&] { return exportScene(s, path, options, colors); });
+    });
+    m.def("movie", [](const Structure& s, const std::string& path,
+                      const std::vector<std::pair<std::string, std::string>>& motion, bool models,
+                      const std::string& options, const Colors& colors) {
+        return freely([&] {
+            return movie(s, path, {motion, models}, options, colors, [] {
+                const py::gil_scoped_acquire lock;
+                if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+            });
+        });
     });
     m.def("option_names", &optionNames);
+}
+
+}  // namespace
+}  // namespace nacre::python
+
+PYBIND11_MODULE(_nacre, m) {
+    using namespace nacre::python;
+    m.attr("__version__") = NACRE_VERSION;
+    static py::exception<nacre::Error> error(m, "Error", PyExc_RuntimeError);
+    static py::exception<nacre::app::InputMissing> missing(m, "Missing", error.ptr());
+    static py::exception<nacre::app::UsageError> usage(m, "UsageError", PyExc_ValueError);
+    py::register_exception_translator([](std::exception_ptr failure) {
+        try {
+            if (failure) std::rethrow_exception(failure);
+        } catch (const nacre::app::UsageError& e) {
+            usage(e.what());
+        } catch (const nacre::app::InputMissing& e) {
+            PyErr_SetObject(missing.ptr(), py::make_tuple(e.what(), e.path()).ptr());
+        } catch (const nacre::Error& e) {
+            error(e.what());
+        }
+    });
+    addReading(m);
+    addDrawing(m);
 }

@@ -1,6 +1,9 @@
 """The Python module, as a user meets it; gemmi's, Biopython's and the command line's answers are what it is held to."""
+import io
+import json
 import os
 import pathlib
+import pickle
 import subprocess
 import sys
 import threading
@@ -41,6 +44,29 @@ def test_renders_what_the_command_line_renders(dna, tmp_path):
     np.testing.assert_array_equal(picture, png(tmp_path / "a.png"))
     dna.save(tmp_path / "b.png", **options)
     assert (tmp_path / "b.png").read_bytes() == (tmp_path / "a.png").read_bytes()
+
+
+def test_files_say_that_they_are_srgb(dna, tmp_path):
+    ImageCms, Image = pytest.importorskip("PIL.ImageCms"), pytest.importorskip("PIL.Image")
+    colours = Image.fromarray(np.random.default_rng(1).integers(0, 256, (64, 64, 3), dtype=np.uint8))
+    for name in ("a.jpg", "a.tif", "a.webp"):
+        dna.save(tmp_path / name, **SMALL)
+        profile = ImageCms.ImageCmsProfile(io.BytesIO(Image.open(tmp_path / name).info["icc_profile"]))
+        assert (ImageCms.getProfileDescription(profile).strip(), ImageCms.getDefaultIntent(profile)) == ("sRGB", 0)
+        # LittleCMS takes its own sRGB for the same.
+        changed = ImageCms.applyTransform(colours, ImageCms.buildTransform(profile, ImageCms.createProfile("sRGB"), "RGB", "RGB"))
+        assert np.abs(np.asarray(changed).astype(int) - np.asarray(colours)).max() <= 1
+
+
+def test_sixteen_bits_are_sixteen(dna):
+    options = {**SMALL, "supersample": 1, "background": "#336699"}
+    coarse, fine, light = dna.render(**options), dna.render(depth=16, **options), dna.layers(**options)["rgba"]
+    assert fine.dtype == np.uint16 and fine.shape == coarse.shape
+    light = np.clip(light, 0, 1)
+    coded = np.where(light <= 0.0031308, light * 12.92, 1.055 * light ** (1 / 2.4) - 0.055)
+    coded[..., 3] = 1
+    assert np.abs(fine.astype(int) - np.round(65535 * coded)).max() <= 1
+    assert np.abs(fine / 257 - coarse).max() < 1 and len(np.unique(fine)) > 4 * len(np.unique(coarse))
 
 
 def test_words_are_written(dna, tmp_path):
@@ -177,6 +203,19 @@ def test_open_takes_bytes_in_any_format():
 
 @pytest.mark.parametrize("call, kind, words", [
     (lambda s: nacre.open("nosuch.pdb"), nacre.Error, "cannot read molecule: nosuch.pdb: No such file or directory"),
+    (lambda s: nacre.open("4HHB"), nacre.Error, "(did you mean 'pdb:4hhb'?)"),
+    (lambda s: s.select("chian A"), nacre.UsageError, "(did you mean 'chain'?)"),
+    (lambda s: s.render(color=np.zeros(3)), nacre.UsageError, "expected 486 values or (486, 3) colours"),
+    (lambda s: s.render(color=np.full((486, 3), 2.0)), nacre.UsageError, "from 0 to 1"),
+    (lambda s: s.render(color=["red"] * 486), nacre.UsageError, '"color": expected a scheme'),
+    (lambda s: s.render(color="chain", color_limits=(0, 1)), nacre.UsageError, "goes with values"),
+    (lambda s: s.render(color=np.zeros(486), color_limits=(1, 1)), nacre.UsageError, "two finite numbers that differ"),
+    (lambda s: s.render(color=np.zeros(486), palette="muted"), nacre.UsageError, "'muted' is of kinds"),
+    (lambda s: s.export("a.xyz"), nacre.UsageError, "export() takes a name that ends in .glb, .ply, .stl or .obj"),
+    (lambda s: s.movie("a.avi"), nacre.UsageError, "movie() takes a name that ends in .mp4"),
+    (lambda s: s.movie(spin="w"), nacre.UsageError, "spin: expected x, y, z"),
+    (lambda s: s.movie(spin="x", rock=5), nacre.UsageError, "exclude each other"),
+    (lambda s: s.movie(models=True), nacre.Error, "it has one alone"),
     (lambda s: nacre.open(b"ATOM  no\n", name="bad.pdb"), nacre.Error, "bad.pdb (line 1)"),
     (lambda s: nacre.open("-"), nacre.UsageError, "no standard input"),
     (lambda s: nacre.open(["sample:dna", "-"]), nacre.UsageError, "no standard input"),
@@ -282,6 +321,157 @@ def test_options_are_the_command_lines():
     assert {"size", "color", "show", "occlusion"} <= ours
     stub = (pathlib.Path(nacre.__file__).parent / "__init__.pyi").read_text()
     assert text in stub, "nacre help keywords has another list than the class Options of __init__.pyi"
+
+
+def test_a_file_that_is_missing_is_pythons_own_exception(dna, tmp_path):
+    for call, path in ((lambda: nacre.open("nosuch.pdb"), "nosuch.pdb"),
+                       (lambda: dna.save("/nowhere/a.png", **SMALL), "/nowhere/a.png"),
+                       (lambda: dna.export("/nowhere/a.glb"), "/nowhere/a.glb"),
+                       (lambda: dna.movie("/nowhere/a.gif"), "/nowhere/a.gif")):
+        with pytest.raises(FileNotFoundError) as failure:
+            call()
+        assert isinstance(failure.value, nacre.Error)
+        assert (failure.value.filename, failure.value.errno) == (path, 2) and path in str(failure.value)
+        again = pickle.loads(pickle.dumps(failure.value))
+        assert (str(again), again.filename) == (str(failure.value), path)
+
+
+def test_selections_are_masks(dna):
+    mask = dna.select("chain A and name P")
+    np.testing.assert_array_equal(mask, (dna.atoms["chain"] == "A") & (dna.atoms["name"] == "P"))
+    assert mask.dtype == bool and 0 < mask.sum() < len(dna)
+    pair = nacre.open(["duplex=sample:dna", "sugar=sample:glucose"])
+    assert pair.select("/sugar").tolist() == [False] * 486 + [True] * 24
+
+
+def test_info_is_the_command_lines(dna):
+    text = subprocess.run([PROGRAM, "info", "sample:dna", "--json"], capture_output=True, text=True, check=True).stdout
+    assert dna.info() == json.loads(text)
+
+
+def test_colours_of_ones_own(dna):
+    flat = {**SMALL, "occlusion": "off", "lighting": "off", "supersample": 1}
+    rng = np.random.default_rng(1)
+    colours = rng.integers(0, 256, (len(dna), 3))
+    for style in ("spacefill", "ball-and-stick"):
+        options = {**flat, "style": style}
+        ids, picture = dna.layers(**options)["id"], dna.render(color=colours, **options)
+        hit = ids > 0
+        np.testing.assert_array_equal(picture[..., :3][hit], colours[ids[hit] - 1])
+        np.testing.assert_array_equal(picture, dna.render(color=colours / 255, **options))
+    # What a scheme has drawn before and after stays what it was.
+    chain = dna.render(color="chain", **flat)
+    np.testing.assert_array_equal(dna.render(color=[[255, 0, 0]] * len(dna), **flat), dna.render(color="#ff0000", **flat))
+    np.testing.assert_array_equal(dna.render(color="chain", **flat), chain)
+    for style in ("cartoon", "surface"):
+        np.testing.assert_array_equal(dna.render(color=[[0, 0, 255]] * len(dna), style=style, **SMALL),
+                                      dna.render(color="#0000ff", style=style, **SMALL))
+
+
+def test_values_along_a_ramp(dna):
+    flat = {**SMALL, "occlusion": "off", "lighting": "off", "style": "spacefill", "supersample": 1}
+    ids = dna.layers(**flat)["id"]
+    hit = ids > 0
+    values = np.arange(len(dna), dtype=float)
+    # The command line's own ramp over the same numbers.
+    atoms = dna.atoms
+    same = nacre.from_arrays(atoms["position"], atoms["element"], dna.bonds, names=atoms["name"], b_factors=values)
+    np.testing.assert_array_equal(dna.render(color=values, **flat)[hit],
+                                  same.render(color=f"b-factor:0..{len(dna) - 1}:viridis", **flat)[hit])
+    np.testing.assert_array_equal(dna.render(color=values, color_limits=(400, 50), palette="plasma", **flat)[hit],
+                                  same.render(color="b-factor:400..50:plasma", **flat)[hit])
+    values[ids[hit][0] - 1] = np.nan
+    grey = dna.render(color=values, **flat)[hit][0]
+    assert grey[:3].tolist() == [0xc4, 0xbe, 0xb4]
+    assert not np.array_equal(dna.render(color=values, legend=True, **flat), dna.render(color=values, **flat))
+    dna.render(color=np.zeros(len(dna)), **flat)
+
+
+def test_movies_are_the_command_lines(dna, tmp_path):
+    size = {"size": (48, 32), "occlusion": "off"}
+    subprocess.run([PROGRAM, "movie", "sample:dna", "-o", tmp_path / "a.png", "--spin", "x", "--turns", "0.5", "--seconds", "1",
+                    "--fps", "5", "--size", "48x32", "--occlusion", "off"], check=True, capture_output=True)
+    movie = dna.movie(tmp_path / "b.png", spin="x", turns=0.5, seconds=1, fps=5, **size)
+    assert movie.frames == 5 and movie.data == (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
+    assert list(movie._repr_mimebundle_()) == ["image/png"]
+    inline = dna.movie(seconds=0.2, **size)
+    assert inline.frames == 3 and b"acTL" in inline.data
+    assert dna.movie(tmp_path / "c.gif", rock=20, seconds=0.5, fps=10, **size).type == "image/gif"
+    before = dna.render(**SMALL)
+    dna.movie(color=np.zeros((len(dna), 3)), seconds=0.2, **size)
+    np.testing.assert_array_equal(dna.render(**SMALL), before)
+
+
+def test_movies_through_models(tmp_path):
+    (tmp_path / "m.pdb").write_bytes(MODELS)
+    size = {"size": (48, 32), "occlusion": "off"}
+    subprocess.run([PROGRAM, "movie", tmp_path / "m.pdb", "-o", tmp_path / "a.png", "--models", "--fps", "10", "--size",
+                    "48x32", "--occlusion", "off"], check=True, capture_output=True)
+    for structure in (nacre.open(tmp_path / "m.pdb"), nacre.open(MODELS, name="m.pdb"),
+                      pickle.loads(pickle.dumps(nacre.open(tmp_path / "m.pdb")))):
+        assert structure.movie(models=True, fps=10, **size).data == (tmp_path / "a.png").read_bytes()
+
+
+def test_export_is_the_command_lines(dna, tmp_path):
+    subprocess.run([PROGRAM, "export", "sample:dna", "-o", tmp_path / "a.ply", "--style", "cartoon"], check=True)
+    dna.export(tmp_path / "b.ply", style="cartoon")
+    assert (tmp_path / "a.ply").read_bytes() == (tmp_path / "b.ply").read_bytes()
+    dna.export(tmp_path / "c.ply", style="cartoon", color=np.zeros((len(dna), 3)))
+    assert (tmp_path / "c.ply").read_bytes() != (tmp_path / "b.ply").read_bytes()
+
+
+def test_structures_are_pickled(tmp_path):
+    (tmp_path / "m.pdb").write_bytes(MODELS)
+    for structure in (nacre.open("sample:dna"), nacre.open(STRUCTURES / "gemmi/dna.cif"), nacre.open(tmp_path / "m.pdb"),
+                      nacre.open(["duplex=sample:dna", "sugar=sample:glucose"])):
+        again = pickle.loads(pickle.dumps(structure))
+        assert (again.name, again.title, again.warnings, len(again)) == (structure.name, structure.title, structure.warnings,
+                                                                         len(structure))
+        assert again.info() == structure.info()
+        for key, column in structure.atoms.items():
+            np.testing.assert_array_equal(again.atoms[key], column)
+        np.testing.assert_array_equal(again.bonds, structure.bonds)
+        np.testing.assert_array_equal(again.render(color="chain", **SMALL), structure.render(color="chain", **SMALL))
+        assert pickle.dumps(again) == pickle.dumps(structure)
+    state = nacre.open("sample:glucose")._core.__reduce_ex__(2)[2]
+    for damaged in (state[0][:-9], b"x" + state[0][1:], b""):
+        with pytest.raises(nacre.Error, match="cannot unpickle"):
+            nacre._nacre.Structure.__new__(nacre._nacre.Structure).__setstate__((damaged, *state[1:]))
+
+
+def test_after_a_fork_it_says_what_to_do(dna):
+    dna.render(**SMALL)
+    read, write = os.pipe()
+    child = os.fork()
+    if child == 0:
+        try:
+            dna.render(**SMALL)
+            said = "drawn"
+        except nacre.Error as error:
+            said = str(error)
+        os.write(write, said.encode())
+        os._exit(0)
+    os.close(write)
+    assert "start processes by spawn" in os.read(read, 1000).decode()
+    os.close(read)
+    os.waitpid(child, 0)
+
+
+def test_it_has_a_version():
+    said = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=True).stdout
+    assert said.startswith(f"nacre {nacre.__version__} ")
+
+
+def test_the_stub_is_whole(tmp_path):
+    """mypy's own comparison of a stub with the module."""
+    pytest.importorskip("mypy.stubtest")
+    (tmp_path / "allowed").write_text("nacre\\._nacre.*\nnacre\\.nacre_images\nnacre\\.(Options|OwnColors|Layers)\n")
+    (tmp_path / "mypy.ini").write_text("[mypy]\nenable_incomplete_feature = Unpack\n")
+    done = subprocess.run([sys.executable, "-m", "mypy.stubtest", "nacre", "--allowlist", str(tmp_path / "allowed"),
+                           "--ignore-unused-allowlist", "--mypy-config-file", str(tmp_path / "mypy.ini")],
+                          capture_output=True, text=True, cwd=tmp_path,
+                          env={**os.environ, "MYPYPATH": str(pathlib.Path(nacre.__file__).parents[1])})
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
 def test_stubs_name_what_there_is(tmp_path):

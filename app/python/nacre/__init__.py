@@ -5,6 +5,9 @@
 >>> picture = dna.render(size=(640, 480), color="chain")   # (480, 640, 4) uint8
 >>> layers = dna.layers(size=(640, 480))                   # depth, normals, atoms, occlusion
 >>> dna.save("dna.png", background="transparent")
+>>> dna.movie(spin="y")                                    # in a notebook: it moves
+>>> dna.select("chain A")                                  # a mask of the atoms
+>>> dna.render(color=values, palette="viridis")            # values or colours of one's own, one for each atom
 
 The options are those of ``nacre render``, with ``_`` for ``-``: what ``nacre render --help`` and docs/reference.md say of
 them holds here. Texts are as on the command line; sizes, rotations and their like may be sequences of numbers, flags and
@@ -16,6 +19,8 @@ renderer, at which pictures take turns. It keeps what it baked of a structure as
 
 from __future__ import annotations
 
+import base64 as _base64
+import errno as _errno
 import json as _json
 import os as _os
 import tempfile as _tempfile
@@ -26,9 +31,35 @@ import numpy as _numpy
 from . import _nacre
 from ._nacre import Error, UsageError
 
-__all__ = ["Error", "Structure", "UsageError", "from_arrays", "from_biopython", "from_gemmi", "open", "options"]
+__version__ = _nacre.__version__
+__all__ = ["Error", "FileMissing", "Movie", "Structure", "UsageError", "__version__", "from_arrays", "from_biopython",
+           "from_gemmi", "open", "options"]
 
 _NOTEBOOK = {"size": (512, 512), "supersample": 2}
+_NOTEBOOK_MOVIE = {"size": (384, 384)}, {"seconds": 4, "fps": 15}
+_MOVIE_TYPES = {".png": "image/png", ".gif": "image/gif", ".mp4": "video/mp4", ".webm": "video/webm"}
+
+
+class FileMissing(Error, FileNotFoundError):
+    """There is no such file, or no folder to write one to."""
+
+    def __init__(self, message, path=None):
+        super().__init__(message)
+        self.errno, self.strerror, self.filename = _errno.ENOENT, _os.strerror(_errno.ENOENT), path
+
+    def __str__(self):
+        return self.args[0]
+
+    def __reduce__(self):
+        return FileMissing, (self.args[0], self.filename)
+
+
+def _writable(path):
+    path = _os.fspath(path)
+    folder = _os.path.dirname(path)
+    if folder and not _os.path.isdir(folder):
+        raise FileMissing(f"cannot write file: {path}: No such file or directory", path)
+    return path
 
 
 def _plain(value):
@@ -67,6 +98,52 @@ def _text(options):
 def _tell(warnings):
     for warning in warnings:
         _warnings.warn(warning, stacklevel=3)
+
+
+def _colored(count, options):
+    """Takes colours or values of one's own out of the options."""
+    options = dict(options)
+    color, limits = options.get("color"), options.pop("color_limits", None)
+    if color is None or isinstance(color, str):
+        if limits is not None:
+            raise UsageError('"color_limits" goes with values in "color", one for each atom')
+        return _nacre.Colors(), _text(options)
+    del options["color"]
+    array = _numpy.asarray(color)
+    if array.dtype.kind not in "biuf":
+        raise UsageError(f'"color": expected a scheme, a colour, values or colours of the atoms, not {_kind(color)}')
+    if array.ndim == 1 and len(array) == count:
+        if limits is not None:
+            limits = tuple(float(limit) for limit in limits)
+            if len(limits) != 2 or not _numpy.all(_numpy.isfinite(limits)) or limits[0] == limits[1]:
+                raise UsageError('"color_limits": expected two finite numbers that differ')
+        palette = options.pop("palette", "viridis")
+        return _nacre.Colors.of_values(array.astype(float).tolist(), palette, limits), _text(options)
+    if array.shape != (count, 3):
+        raise UsageError(f'"color": expected {count} values or ({count}, 3) colours, one for each atom, not an array of shape '
+                         f"{array.shape}")
+    if limits is not None:
+        raise UsageError('"color_limits" goes with values, not colours')
+    whole = array.dtype.kind in "iu"
+    if not _numpy.all(_numpy.isfinite(array)) or array.min() < 0 or array.max() > (255 if whole else 1):
+        raise UsageError('"color": expected whole numbers from 0 to 255, or others from 0 to 1')
+    return _nacre.Colors(_numpy.round(array * (1 if whole else 255)).astype(_numpy.uint8)), _text(options)
+
+
+class Movie:
+    """A movie's file, which a notebook shows."""
+
+    def __init__(self, data, type, frames):
+        self.data, self.type, self.frames = data, type, frames
+
+    def __repr__(self):
+        return f"<nacre.Movie: {self.frames} frames, {self.type}, {len(self.data)} bytes>"
+
+    def _repr_mimebundle_(self, include=None, exclude=None):
+        if self.type.startswith("image/"):
+            return {self.type: _base64.b64encode(self.data).decode()}
+        source = f"data:{self.type};base64,{_base64.b64encode(self.data).decode()}"
+        return {"text/html": f'<video autoplay loop muted controls src="{source}"></video>'}
 
 
 class Structure:
@@ -130,13 +207,26 @@ class Structure:
             self._bonds.flags.writeable = False
         return self._bonds
 
+    def info(self):
+        """What `nacre info --json` says of it, as a dict: counts, chains with their sequences, ligands, assemblies, bonds."""
+        return _json.loads(self._core.info())
+
+    def select(self, selection):
+        """The atoms that a selection names, as on the command line ("chain A and not water"): a boolean for each."""
+        return self._core.select(selection)
+
     def render(self, **options):
-        """Draws a picture: (height, width, 4) uint8, sRGB with straight alpha, as a PNG has it.
+        """Draws a picture: (height, width, 4) uint8 (depth=16: uint16), sRGB with straight alpha, as a PNG has it.
+
+        color may also be an array of one entry for each atom: colours (n, 3), whole numbers from 0 to 255 or others from 0
+        to 1; or values (n,), which palette (a ramp, "viridis") shows from the least to the largest, or between
+        color_limits. Values that are not finite are grey. The same holds for layers(), save(), movie() and export().
 
         Raises UsageError for options that are wrong, Error for what cannot be done; both say it in the words of the
         command line.
         """
-        picture, warnings = _nacre.render(self._core, _text(options))
+        colors, text = _colored(len(self), options)
+        picture, warnings = _nacre.render(self._core, text, colors)
         _tell(warnings)
         return picture
 
@@ -146,19 +236,58 @@ class Structure:
         in perspective), infinite on the background; normal (h, w, 3), view space; id (h, w), 1-based atom, 0 on the
         background; occlusion (h, w), 0 closed to 1 open.
         """
-        layers, warnings = _nacre.layers(self._core, _text(options))
+        colors, text = _colored(len(self), options)
+        layers, warnings = _nacre.layers(self._core, text, colors)
         _tell(warnings)
         return layers
 
     def save(self, path, **options):
         """Draws a picture into a .png, .tif, .jpg, .webp or .exr file, which appears whole or not at all."""
-        _tell(_nacre.save(self._core, _os.fspath(path), _text(options)))
+        colors, text = _colored(len(self), options)
+        _tell(_nacre.save(self._core, _writable(path), text, colors))
+
+    def export(self, path, **options):
+        """Writes what is drawn as triangles: a .glb, .ply, .stl or .obj file. options: style, color, show and what else
+        says what is drawn.
+        """
+        colors, text = _colored(len(self), options)
+        _tell(_nacre.export(self._core, _writable(path), text, colors))
+
+    def movie(self, path=None, *, spin=None, turns=None, rock=None, axis=None, easing=None, models=False, seconds=None,
+              fps=None, **options):
+        """Draws a movie and returns it; a notebook shows it. With a path it is also written there: .mp4 and .webm (both by
+        the program ffmpeg), .gif, or .png (animated), which it is without one.
+
+        spin: turns about an axis, "x", "y", "z" or a vector; turns: how many (1). rock: degrees to either side, about
+        axis. models: through the models of the structure, or the frames of the trajectory that it was opened with.
+        Without any of these it turns about y. seconds, fps: how long and how fast. options: those of render().
+        """
+        motion = {"spin": spin, "turns": turns, "rock": rock, "axis": axis, "easing": easing, "seconds": seconds, "fps": fps}
+        if path is None:
+            usual, pace = _NOTEBOOK_MOVIE
+            options = usual | options
+            for key, value in pace.items():
+                if motion[key] is None and not (models and key == "seconds"):
+                    motion[key] = value
+        values = [(key, value if isinstance(value, str) else ",".join(map(str, _numpy.ravel(value).tolist())))
+                  for key, value in motion.items() if value is not None]
+        colors, text = _colored(len(self), options)
+        with _tempfile.TemporaryDirectory(prefix="nacre-") as folder:
+            target = _os.path.join(folder, "movie.png") if path is None else _writable(path)
+            frames, warnings = _nacre.movie(self._core, target, values, bool(models), text, colors)
+            with _open(target, "rb") as file:
+                data = file.read()
+        _tell(warnings)
+        return Movie(data, _MOVIE_TYPES[_os.path.splitext(target)[1].lower()], frames)
+
+    def __reduce__(self):
+        return Structure, (self._core,)
 
     def _repr_png_(self):
         """What a notebook shows of it."""
         with _tempfile.TemporaryDirectory(prefix="nacre-") as folder:
             path = _os.path.join(folder, "picture.png")
-            _nacre.save(self._core, path, _text(_NOTEBOOK))
+            _nacre.save(self._core, path, _text(_NOTEBOOK), _nacre.Colors())
             with _open(path, "rb") as file:
                 return file.read()
 
@@ -184,7 +313,10 @@ def open(source, *, name="", **options):  # noqa: A001: nacre.open, as PIL's Ima
             raise UsageError("open() takes bytes alone, not in a list: write them to a file")
         if not isinstance(one, (str, _os.PathLike)):
             raise UsageError(f"open() takes a list of paths, not of {_kind(one)}")
-    core = _nacre.open_inputs([_os.fspath(one) for one in sources], _text(options))
+    try:
+        core = _nacre.open_inputs([_os.fspath(one) for one in sources], _text(options))
+    except _nacre.Missing as missing:
+        raise FileMissing(*missing.args) from None
     _tell(core.said[0])
     return Structure(core)
 

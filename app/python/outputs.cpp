@@ -1,0 +1,140 @@
+// Movies and files of triangles.
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "app/annotation/layout.h"
+#include "app/drawing/scenes.h"
+#include "app/export/scene_files.h"
+#include "app/input/trajectory_input.h"
+#include "app/movie/camera_path.h"
+#include "app/movie/movie_encoder.h"
+#include "app/movie/movie_file.h"
+#include "app/picture/usage_error.h"
+#include "app/python/drawing.h"
+#include "engine/error.h"
+
+namespace nacre::python {
+namespace {
+
+/// @throws app::UsageError
+app::CameraMotion motionOf(const Moving& moving) {
+    app::CameraMotion motion;
+    for (const auto& [key, text] : moving.motion) try {
+            if (!app::setMotion(key, text, motion)) throw app::UsageError("movie() takes no \"" + key + "\"");
+        } catch (const std::invalid_argument& error) {
+            throw app::UsageError(key + ": " + error.what());
+        }
+    if (!motion.spin && !motion.rock && !moving.models) motion.spin = glm::dvec3(0, 1, 0);
+    app::checkCameraMotion(motion);
+    if (motion.easing == app::Easing::stops) throw app::UsageError("easing: 'stops' is for a path along views");
+    return motion;
+}
+
+/// The models of a structure, or the frames of the trajectory that it was opened with.
+class Models {
+public:
+    /// @throws Error if there is one alone
+    Models(const Structure& structure, const app::PictureDescription& request) : now_(*structure.molecule) {
+        const app::TrajectoryOptions& frames = structure.reading.trajectory;
+        if (!frames.path.empty()) {
+            motion_ = app::openMotion(frames, now_);
+        } else {
+            auto models = trajectoryOfModels(structure.molecule, structure.reading.model);
+            if (!models)
+                throw Error("cannot show models", structure.inputs.front(),
+                            structure.molecule->othersMissing.empty() ? "it has one alone, or models of other atoms"
+                                                                      : structure.molecule->othersMissing);
+            motion_ = std::make_unique<Motion>(std::move(models), now_, app::motionOptions(frames, now_));
+        }
+        app::movePositions(now_, motion_->positions(0));
+        moving_.emplace(app::movingSceneOf(now_, structure.inputs.front(), request.drawn, request.look));
+    }
+
+    std::uint64_t count() const { return motion_->frames(); }
+    /// Puts one of them on the canvas, with its words. @throws Error
+    void show(std::uint64_t model, const app::PictureDescription& request, app::Drawing& drawing, app::Canvas& canvas) {
+        app::movePositions(now_, motion_->positions(model));
+        moving_->move(now_);
+        Representation scene = moving_->scene();
+        if (drawing.recolor) drawing.recolor(scene);
+        drawing.words = app::placeWords(request.words, now_, scene);
+        app::reachTo(drawing.settings.view, scene.radius);
+        canvas.scene = 0;
+        canvas.renderer.setScene(std::move(scene));
+    }
+
+private:
+    Molecule now_;
+    std::unique_ptr<Motion> motion_;
+    std::optional<MovingScene> moving_;
+};
+
+}  // namespace
+
+std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& structure, const std::string& path,
+                                                         const Moving& moving, const std::string& options,
+                                                         const Colors& colors, const std::function<void()>& between) {
+    checkName("movie()", path, app::isMovieName(path) && !app::isFrameFolder(path), app::movieEndings());
+    const app::CameraMotion motion = motionOf(moving);
+    app::PictureDescription request = requestOf(structure, options, kPlain);
+    request.aim.turns = true;
+    std::optional<Models> models;
+    if (moving.models) models.emplace(structure, request);
+    const std::uint64_t modelCount = models ? models->count() : 1;
+    const double seconds = app::secondsOf(motion, modelCount, !structure.reading.trajectory.path.empty());
+    const auto frames = static_cast<std::uint64_t>(std::max(std::llround(seconds * motion.framesPerSecond), 1ll));
+    if (frames > app::kMostMovieFrames)
+        throw app::UsageError("more than " + std::to_string(app::kMostMovieFrames) + " frames: seconds, fps");
+    const app::MovieShape shape{request.size, motion.framesPerSecond, request.background[3] < 1.0f, frames};
+    const std::unique_ptr<app::MovieFile> file = app::makeMovieFile(path, shape);
+    std::vector<std::string> warnings;
+    Structure own = structure;  // a scene of its own: words have another room where the camera moves
+    own.kept = std::make_shared<Structure::Kept>();
+    withScene(own, request, colors, [&](app::Drawing& drawing, app::Canvas& canvas) {
+        warnings = drawing.warnings;
+        app::WordMemory memory;
+        if (models) drawing.settings.occlusion.cache.clear();  // of models that come and go
+        const auto picture = [&](std::uint64_t frame) {
+            if (models)
+                models->show(frame * modelCount / frames, request, drawing, canvas);
+            else
+                drawing.show(canvas);
+            RenderSettings settings = drawing.settings;
+            // What turns begins anew at 1, which the last frame stays short of.
+            settings.view =
+                app::viewAt(motion, settings.view, static_cast<double>(frame) / static_cast<double>(frames));
+            Picture drawn = canvas.renderer.render(settings);
+            drawing.addWords(settings, drawn, &memory);
+            between();
+            return drawn;
+        };
+        constexpr std::uint64_t kSamples = 6;  // that a palette is made from
+        if (file->wantsSamples())
+            for (std::uint64_t i = 0; i < std::min(kSamples, frames); ++i) file->sample(picture(i * frames / kSamples));
+        app::MovieEncoder encoder(*file);
+        for (std::uint64_t frame = 0; frame < frames; ++frame) encoder.add(picture(frame));
+        encoder.finish();
+    });
+    return {frames, warnings};
+}
+
+std::vector<std::string> exportScene(const Structure& structure, const std::string& path, const std::string& options,
+                                     const Colors& colors) {
+    checkName("export()", path, app::isSceneName(path), app::sceneEndings());
+    const app::PictureDescription request = requestOf(structure, options, kPlain);
+    app::OutputFile file(path);
+    const Molecule& molecule = *structure.molecule;
+    Representation scene = app::sceneOf(molecule, structure.inputs.front(), request.drawn, request.look);
+    if (!colors.atoms.empty()) {
+        checkCount(colors, molecule.atoms.size());
+        paint(colors, scene);
+    }
+    const std::string& title = molecule.file.title;
+    const app::SceneFileOptions titled{title.empty() ? structure.inputs.front() : title, 1};
+    app::writeText(file, app::sceneFile(app::exportScene(molecule, scene, {}), app::extensionOf(path), titled));
+    return scene.warnings;
+}
+
+}  // namespace nacre::python

@@ -1,0 +1,195 @@
+#include "app/python/pickled.h"
+
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#include "engine/error.h"
+
+namespace nacre::python {
+namespace {
+
+/// What bytes begin with. Sizes stand for the layout of what is copied as it lies in memory.
+std::string heading() {
+    std::string text = "nacre molecule " NACRE_VERSION;
+    for (const std::size_t size : {sizeof(Atom), sizeof(Residue), sizeof(Bond), sizeof(Molecule)})
+        text += " " + std::to_string(size);
+    return text;
+}
+
+class Writer {
+public:
+    template <typename T>
+    void plain(const T& value) {
+        bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    }
+    template <typename T>
+    void plains(const std::vector<T>& list) {
+        plain(std::uint64_t{list.size()});
+        bytes.append(reinterpret_cast<const char*>(list.data()), list.size() * sizeof(T));
+    }
+    void text(const std::string& value) {
+        plain(std::uint64_t{value.size()});
+        bytes += value;
+    }
+    template <typename T, typename Each>
+    void list(const std::vector<T>& values, Each&& each) {
+        plain(std::uint64_t{values.size()});
+        for (const T& value : values) each(value);
+    }
+    std::string bytes;
+};
+
+class Reader {
+public:
+    explicit Reader(std::string_view bytes) : rest_(bytes) {}
+
+    template <typename T>
+    void plain(T& value) {
+        std::memcpy(&value, take(sizeof value), sizeof value);
+    }
+    template <typename T>
+    void plains(std::vector<T>& list) {
+        list.resize(count(sizeof(T)));
+        if (!list.empty())
+            std::memcpy(static_cast<void*>(list.data()), take(list.size() * sizeof(T)), list.size() * sizeof(T));
+    }
+    void text(std::string& value) {
+        const std::size_t size = count(1);
+        value.assign(take(size), size);
+    }
+    template <typename T, typename Each>
+    void list(std::vector<T>& values, Each&& each) {
+        values.resize(count(1));
+        for (T& value : values) each(value);
+    }
+    bool atEnd() const { return rest_.empty(); }
+
+private:
+    const char* take(std::size_t size) {
+        if (size > rest_.size()) fail();
+        const char* const at = rest_.data();
+        rest_.remove_prefix(size);
+        return at;
+    }
+    /// Of a list, so that what is no molecule asks for no more memory than it has bytes.
+    std::size_t count(std::size_t each) {
+        std::uint64_t n = 0;
+        plain(n);
+        if (n > rest_.size() / each) fail();
+        return static_cast<std::size_t>(n);
+    }
+    [[noreturn]] static void fail() { throw Error("cannot unpickle", "a structure", "its bytes are damaged"); }
+
+    std::string_view rest_;
+};
+
+template <typename Archive, typename Maybe>
+void maybe(Archive& archive, Maybe& value) {
+    bool there = value.has_value();
+    archive.plain(there);
+    if constexpr (!std::is_const_v<Maybe>)
+        if (there) value.emplace();
+    if (there) archive.plain(*value);
+}
+
+template <typename Archive, typename Parts>
+void parts(Archive& archive, Parts& all) {
+    archive.list(all, [&](auto& part) {
+        archive.plains(part.transforms);
+        archive.plains(part.subchains);
+    });
+}
+
+/// Both ways. The bindings name every member: who adds one to a struct has to add it here, or this does not compile.
+template <typename Archive, typename M>
+void all(Archive& archive, M& molecule) {
+    auto& [atoms, residues, chains, subchains, bonds, assemblies, entities, statesSecondaryStructure, partialCharges,
+           radii, warnings, modelsAreInputs, others, othersMissing, file] = molecule;
+    const auto texts = [&](auto& list) { archive.list(list, [&](auto& text) { archive.text(text); }); };
+    archive.plains(atoms);
+    archive.plains(residues);
+    archive.list(chains, [&](auto& chain) {
+        auto& [name, model] = chain;
+        archive.text(name);
+        archive.plain(model);
+    });
+    texts(subchains);
+    archive.plains(bonds);
+    archive.list(assemblies, [&](auto& assembly) {
+        auto& [id, details, itsParts] = assembly;
+        archive.text(id);
+        archive.text(details);
+        parts(archive, itsParts);
+    });
+    texts(entities);
+    archive.plain(statesSecondaryStructure);
+    archive.plains(partialCharges);
+    archive.plains(radii);
+    texts(warnings);
+    archive.plain(modelsAreInputs);
+    archive.text(othersMissing);
+    auto& [format, title, models, records, totalAtomsAllModels, totalAtomsAllRecords, totalBondsAllRecords, stated,
+           bondsAllModels, conectUniquePairs, itsChains, chainsAuth, chainsLabel, biomtOperators, itsAssemblies,
+           operators, resolution, confidence, box] = file;
+    archive.text(format);
+    archive.text(title);
+    for (auto* number : {&models, &records, &totalAtomsAllModels, &totalAtomsAllRecords, &totalBondsAllRecords, &stated,
+                         &bondsAllModels, &conectUniquePairs, &itsChains, &chainsAuth, &chainsLabel, &biomtOperators,
+                         &itsAssemblies, &operators})
+        maybe(archive, *number);
+    maybe(archive, resolution);
+    archive.plain(confidence);
+    maybe(archive, box);
+    static_cast<void>(others);  // by its functions, below
+}
+
+static_assert(std::is_trivially_copyable_v<Atom> && std::is_trivially_copyable_v<Residue> &&
+              std::is_trivially_copyable_v<Bond>);
+
+void write(Writer& writer, const Molecule& molecule) {
+    all(writer, molecule);
+    writer.plain(std::uint64_t{molecule.others.size()});
+    for (std::size_t i = 0; i < molecule.others.size(); ++i) {
+        const OtherModel other = molecule.others[i];
+        writer.plains(other.positions);
+        writer.plain(other.whole != nullptr);
+        if (other.whole) write(writer, *other.whole);
+    }
+}
+
+Molecule read(Reader& reader, bool whole) {
+    Molecule molecule;
+    all(reader, molecule);
+    std::uint64_t others = 0;
+    reader.plain(others);
+    if (others > 0 && !whole) throw Error("cannot unpickle", "a structure", "its bytes are damaged");
+    for (std::uint64_t i = 0; i < others; ++i) {
+        OtherModel other;
+        bool hasAtoms = false;
+        reader.plains(other.positions);
+        reader.plain(hasAtoms);
+        if (hasAtoms) other.whole = std::make_shared<const Molecule>(read(reader, false));
+        molecule.others.add(std::move(other));
+    }
+    return molecule;
+}
+
+}  // namespace
+
+std::string pickled(const Molecule& molecule) {
+    Writer writer;
+    writer.text(heading());
+    write(writer, molecule);
+    return std::move(writer.bytes);
+}
+
+Molecule unpickled(std::string_view bytes) {
+    Reader reader(bytes);
+    std::string begin;
+    reader.text(begin);
+    if (begin != heading()) throw Error("cannot unpickle", "a structure", "another version of nacre pickled it");
+    return read(reader, true);
+}
+
+}  // namespace nacre::python
