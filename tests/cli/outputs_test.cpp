@@ -240,7 +240,7 @@ TEST(Outputs, AViewFromSomebodyElseFetchesNothingAndQuotesNothing) {
     const Outcome fetch = render("fetch");
     EXPECT_EQ(fetch.code, 1);
     EXPECT_NE(fetch.err.find("--allow-download"), std::string::npos) << fetch.err;
-    EXPECT_NE(render("fetch", "--allow-download").err.find("http://127.0.0.1:9"), std::string::npos);
+    EXPECT_NE(render("fetch", "--allow-download --verbose").err.find("http://127.0.0.1:9"), std::string::npos);
     // What the user names is the user's.
     EXPECT_NE(nacreIn(folder, "info secret.txt --format pdb").err.find("secret.txt"), std::string::npos);
 }
