@@ -65,97 +65,124 @@ private:
         return Circle{one.center + axis * along, axis, std::sqrt(squared)};
     }
 
-    /// A vertex at a place of the crease, unless that is far from where it was looked for. Where another ball covers
-    /// it, on that one, towards there.
-    std::uint32_t vertexAt(dvec3 place, const dvec3& from, dvec3 normal, std::uint32_t atom) {
-        if (!(glm::distance(place, from) <= step_)) return kNone;
-        if (isCovered(place)) {
-            const dvec3 way = unitOr(from - place, normal) * step_;
-            const BallExit exit = exitOf(balls_, grid_, widest_, place, way);
-            if (exit.ball == kNoSource || exit.share > 1) return kNone;
-            place += way * exit.share;
-            normal = unitOr(place - balls_[exit.ball].center, normal);
-            atom = balls_[exit.ball].atom;
-        }
-        mesh_.positions.emplace_back(place + shift_);
-        mesh_.normals.emplace_back(normal);
-        mesh_.atoms.push_back(atom);
+    /// A place on a crease, if it is open and near enough to where it was looked for. Where another ball covers it, the
+    /// place towards there on that one.
+    struct Place {
+        dvec3 at{};
+        std::uint32_t ball = kNone;  ///< the one that covers it; none: it is on the crease
+    };
+    std::optional<Place> openPlace(const dvec3& place, const dvec3& from, const dvec3& normal) const {
+        if (!(glm::distance(place, from) <= step_)) return std::nullopt;
+        if (!isCovered(place)) return Place{place, kNone};
+        const dvec3 way = unitOr(from - place, normal) * step_;
+        const BallExit exit = exitOf(balls_, grid_, widest_, place, way);
+        if (exit.ball == kNoSource || exit.share > 1) return std::nullopt;
+        return Place{place + way * exit.share, exit.ball};
+    }
+
+    /// A vertex there that belongs to a ball: each side of a crease has its own normal and atom.
+    std::uint32_t vertexOf(const Place& place, std::uint32_t ball) {
+        const SurfaceBall& of = balls_[place.ball == kNone ? ball : place.ball];
+        mesh_.positions.emplace_back(place.at + shift_);
+        mesh_.normals.emplace_back(unitOr(place.at - of.center, dvec3(0, 0, 1)));
+        mesh_.atoms.push_back(of.atom);
         return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
     }
 
-    /// The vertex on the crease between an edge's ends, the same for both triangles that share it; none where there is
-    /// no crease.
-    std::uint32_t onEdge(std::uint32_t u, std::uint32_t v) {
-        if (mesh_.atoms[u] == mesh_.atoms[v]) return kNone;
-        const auto [entry, added] = edges_.try_emplace(std::uint64_t{std::min(u, v)} << 32 | std::max(u, v), kNone);
-        if (!added) return entry->second;
+    /// Vertices on the crease between an edge's ends, for the side of the one with the lower and with the higher
+    /// number; the same for both triangles that share the edge. None where there is no crease.
+    struct Cut {
+        std::uint32_t low = kNone, high = kNone;
+    };
+    Cut onEdge(std::uint32_t u, std::uint32_t v) {
+        if (mesh_.atoms[u] == mesh_.atoms[v]) return {};
         if (u > v) std::swap(u, v);
-        const std::optional<Circle> circle = circleOf(ballOf(u), ballOf(v));
-        if (!circle) return kNone;
+        const auto [entry, added] = edges_.try_emplace(std::uint64_t{u} << 32 | v);
+        if (!added) return entry->second;
+        const std::uint32_t ballU = ballOf(u), ballV = ballOf(v);
+        const std::optional<Circle> circle = circleOf(ballU, ballV);
+        if (!circle) return {};
         const dvec3 a = placeOf(u), b = placeOf(v);
         const double heightA = glm::dot(a - circle->center, circle->axis),
                      heightB = glm::dot(b - circle->center, circle->axis);
         const double share = heightA * heightB < 0 ? heightA / (heightA - heightB) : 0.5;
         const dvec3 from = a + (b - a) * share;
         const dvec3 out = unitOr(across(from - circle->center, circle->axis), dvec3());
-        if (out == dvec3()) return kNone;
+        if (out == dvec3()) return {};
         const dvec3 normal = unitOr(dvec3(mesh_.normals[u]) + dvec3(mesh_.normals[v]), out);
-        return entry->second = vertexAt(circle->center + out * circle->radius, from, normal, mesh_.atoms[u]);
+        const std::optional<Place> place = openPlace(circle->center + out * circle->radius, from, normal);
+        if (!place) return {};
+        Cut cut{vertexOf(*place, ballU), kNone};
+        cut.high = place->ball == kNone ? vertexOf(*place, ballV) : cut.low;
+        return entry->second = cut;
     }
 
-    /// The vertex where the spheres of a triangle's corners meet.
-    std::uint32_t onCorner(const glm::uvec3& t) {
+    /// Where the spheres of a triangle's corners meet.
+    std::optional<Place> onCorner(const glm::uvec3& t) const {
         const std::optional<Circle> circle = circleOf(ballOf(t.x), ballOf(t.y));
-        if (!circle) return kNone;
+        if (!circle) return std::nullopt;
         // Points of the circle that are on the third sphere: by how far they go towards its centre.
         const SurfaceBall& third = balls_[ballOf(t.z)];
         const dvec3 way = third.center - circle->center, aside = across(way, circle->axis);
         const double length = glm::length(aside);
-        if (length < kTouch) return kNone;
+        if (length < kTouch) return std::nullopt;
         const double along =
             (glm::dot(way, way) + circle->radius * circle->radius - third.radius * third.radius) / (2 * length);
         const double squared = circle->radius * circle->radius - along * along;
-        if (squared < 0) return kNone;
+        if (squared < 0) return std::nullopt;
         const dvec3 from = (placeOf(t.x) + placeOf(t.y) + placeOf(t.z)) / 3.0;
         const dvec3 base = circle->center + aside / length * along,
                     half = glm::cross(circle->axis, aside / length) * std::sqrt(squared);
         const dvec3 place = glm::dot(from - base, half) > 0 ? base + half : base - half;
         const dvec3 sum = dvec3(mesh_.normals[t.x]) + dvec3(mesh_.normals[t.y]) + dvec3(mesh_.normals[t.z]);
-        return vertexAt(place, from, unitOr(sum, dvec3(mesh_.normals[t.x])), mesh_.atoms[t.x]);
+        return openPlace(place, from, unitOr(sum, dvec3(mesh_.normals[t.x])));
     }
 
     void add(std::uint32_t a, std::uint32_t b, std::uint32_t c) { mesh_.triangles.emplace_back(a, b, c); }
 
     void split(const glm::uvec3& t) {
         // Opposite of each corner.
-        const std::uint32_t edge[3] = {onEdge(t.y, t.z), onEdge(t.z, t.x), onEdge(t.x, t.y)};
-        const int cut = static_cast<int>(std::count_if(edge, edge + 3, [](std::uint32_t e) { return e != kNone; }));
-        if (cut == 0) return add(t.x, t.y, t.z);
-        if (cut == 3) {
-            const std::uint32_t center = onCorner(t);
-            if (center != kNone) {
-                for (int i = 0; i < 3; ++i) {
-                    add(t[i], edge[(i + 2) % 3], center);
-                    add(t[i], center, edge[(i + 1) % 3]);
-                }
-                return;
-            }
-            for (int i = 0; i < 3; ++i) add(t[i], edge[(i + 2) % 3], edge[(i + 1) % 3]);
-            return add(edge[0], edge[1], edge[2]);
-        }
+        const Cut cuts[3] = {onEdge(t.y, t.z), onEdge(t.z, t.x), onEdge(t.x, t.y)};
+        const auto isCut = [&](int i) { return cuts[i].low != kNone; };
+        // The vertex on the edge opposite of corner i, on the side of corner j.
+        const auto on = [&](int i, int j) {
+            const int other = 3 - i - j;
+            return t[j] < t[other] ? cuts[i].low : cuts[i].high;
+        };
+        const int count = isCut(0) + isCut(1) + isCut(2);
+        if (count == 0) return add(t.x, t.y, t.z);
+        if (count == 3) return splitIntoSides(t, on);
         for (int i = 0; i < 3; ++i) {
-            const std::uint32_t a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
-            if (cut == 1 && edge[i] != kNone) {
-                add(a, b, edge[i]);
-                return add(a, edge[i], c);
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            if (count == 1 && isCut(i)) {
+                add(t[i], t[j], on(i, j));
+                return add(t[i], on(i, k), t[k]);
             }
-            if (cut == 2 && edge[i] == kNone) {  // a stands alone beyond the crease
-                const std::uint32_t ab = edge[(i + 2) % 3], ca = edge[(i + 1) % 3];
-                add(a, ab, ca);
-                add(ab, b, c);
-                return add(ab, c, ca);
+            if (count == 2 && !isCut(i)) {  // corner i stands alone beyond the crease
+                add(t[i], on(k, i), on(j, i));
+                add(on(k, j), t[j], t[k]);
+                return add(on(k, j), t[k], on(j, k));
             }
         }
+    }
+
+    /// A triangle between three balls.
+    template <typename On>
+    void splitIntoSides(const glm::uvec3& t, const On& on) {
+        const std::optional<Place> middle = onCorner(t);
+        std::uint32_t center[3] = {kNone, kNone, kNone};
+        for (int i = 0; middle && i < 3; ++i)
+            center[i] = i > 0 && middle->ball != kNone ? center[0] : vertexOf(*middle, ballOf(t[i]));
+        for (int i = 0; i < 3; ++i) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            if (middle) {
+                add(t[i], on(k, i), center[i]);
+                add(t[i], center[i], on(j, i));
+            } else {
+                add(t[i], on(k, i), on(j, i));
+            }
+        }
+        if (!middle) add(on(0, 1), on(1, 2), on(2, 0));
     }
 
     Mesh& mesh_;
@@ -164,7 +191,7 @@ private:
     dvec3 shift_;
     double step_, widest_ = 0;
     std::unordered_map<std::uint32_t, std::uint32_t> ballOfAtom_;
-    std::unordered_map<std::uint64_t, std::uint32_t> edges_;
+    std::unordered_map<std::uint64_t, Cut> edges_;
 };
 
 }  // namespace

@@ -11,7 +11,8 @@ namespace nacre {
 
 /// Puts vertices onto the creases: on each edge between two balls' vertices where their spheres meet, and into each
 /// triangle between three of them where all three do, unless another ball covers the place or it is farther off than a
-/// cell. Closed meshes stay closed.
+/// cell. Each side has its own vertices there, so that normals and colours change at the crease; closed meshes stay
+/// closed, if what stands at one place counts as one.
 /// @param mesh  of the balls' union; of each vertex the atom on whose ball it lies
 /// @param balls  at most one for each atom
 /// @param shift  from the balls' places to the mesh's, Å

@@ -234,9 +234,9 @@ Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, con
         meshes[i] = BlockCutter(*field, {first, first + kBlockCells, step}, middle - origin).cut(*list[i].second);
     });
     Mesh mesh = joined(meshes);
+    if (!options.cavities) dropCavities(mesh);  // by what hangs together, which creases part
     if (options.kind != SurfaceKind::gaussian && (accessible || probe == 0))
         putCreases(mesh, balls, middle - origin, step);
-    if (!options.cavities) dropCavities(mesh);
     return mesh;
 }
 
