@@ -7,14 +7,14 @@
 >>> dna.save("dna.png", background="transparent")
 >>> dna.movie(spin="y")                                    # in a notebook: it moves
 >>> dna.select("chain A")                                  # a mask of the atoms
->>> dna.render(color=values, palette="viridis")            # values or colours of one's own, one for each atom
+>>> dna.render(color=values, palette="viridis")            # your own values or colours, one per atom
 
-The options are those of ``nacre render``, with ``_`` for ``-``: what ``nacre render --help`` and docs/reference.md say of
-them holds here. Texts are as on the command line; sizes, rotations and their like may be sequences of numbers, flags and
-what is on or off may be booleans, and what may be repeated may be a list. ``nacre.options()`` lists them.
+The options are those of ``nacre render``, with ``_`` for ``-`` (``nacre render --help``, docs/reference.md).
+``nacre.options()`` lists them. Text is as on the command line; sizes and rotations may be sequences of numbers, flags and
+switches booleans, repeatable options lists.
 
-Threads may share structures and call everything here at once: reading runs beside whatever else, and there is one
-renderer, at which pictures take turns. It keeps what it baked of a structure as long as only the view changes.
+Threads may share structures and call everything here at the same time. There is one renderer, at which pictures take
+turns. It keeps the occlusion of a structure while only the view changes.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ _MOVIE_TYPES = {".png": "image/png", ".gif": "image/gif", ".mp4": "video/mp4", "
 
 
 class FileMissing(Error, FileNotFoundError):
-    """There is no such file, or no folder to write one to."""
+    """The file, or the folder to write to, does not exist."""
 
     def __init__(self, message, path=None):
         super().__init__(message)
@@ -63,7 +63,7 @@ def _writable(path):
 
 
 def _plain(value):
-    """What JSON knows of a value."""
+    """The value in types that JSON has."""
     if isinstance(value, _os.PathLike):
         return _os.fspath(value)
     if isinstance(value, _numpy.ndarray):
@@ -101,7 +101,7 @@ def _tell(warnings):
 
 
 def _colored(count, options):
-    """Takes colours or values of one's own out of the options."""
+    """Takes colours or values per atom out of the options."""
     options = dict(options)
     color, limits = options.get("color"), options.pop("color_limits", None)
     if color is None or isinstance(color, str):
@@ -131,7 +131,7 @@ def _colored(count, options):
 
 
 class Movie:
-    """A movie's file, which a notebook shows."""
+    """The file of a movie, shown by notebooks."""
 
     def __init__(self, data, type, frames):
         self.data, self.type, self.frames = data, type, frames
@@ -147,7 +147,7 @@ class Movie:
 
 
 class Structure:
-    """A molecule: atoms and bonds, one model of a file. Nothing changes it.
+    """A molecule: the atoms and bonds of one model of a file. Immutable.
 
     Made by open(), from_arrays(), from_gemmi() or from_biopython().
     """
@@ -159,7 +159,7 @@ class Structure:
         self._atoms = self._bonds = None
 
     def __len__(self):
-        """Atoms, those included that are not drawn."""
+        """The number of atoms, drawn or not."""
         return len(self._core)
 
     def __repr__(self):
@@ -167,28 +167,28 @@ class Structure:
 
     @property
     def name(self):
-        """What it was opened as."""
+        """The name that it was opened by."""
         return self._core.name
 
     @property
     def title(self):
-        """As the file states it."""
+        """The title in the file."""
         return self._core.title.decode("utf-8", "replace")
 
     @property
     def warnings(self):
-        """What was read leniently, a sentence each."""
+        """One sentence per problem that the reader tolerated."""
         return list(self._core.warnings)
 
     @property
     def notes(self):
-        """What there is to know of how it was opened, a sentence each: the RMSD of fit."""
+        """One sentence per note on opening it, such as the RMSD of fit."""
         return list(self._core.said[1])
 
     @property
     def atoms(self):
-        """Arrays of one entry an atom, in the file's order: position (n, 3) in Å, element, name, residue_name,
-        residue_number, chain, model, b_factor in Å², occupancy, charge, hetero. Not to be written to.
+        """Arrays with one entry per atom, in the file's order: position (n, 3) in Å, element, name, residue_name,
+        residue_number, chain, model, b_factor in Å², occupancy, charge, hetero. Read-only.
         """
         if self._atoms is None:
             atoms = self._core.atoms()
@@ -201,29 +201,28 @@ class Structure:
 
     @property
     def bonds(self):
-        """(n, 3): indices of two atoms, the smaller first, and the order: 1, 2, 3 or 4, aromatic."""
+        """(n, 3): two atom indices, the smaller first, and the order: 1, 2, 3, or 4 for aromatic. Read-only."""
         if self._bonds is None:
             self._bonds = self._core.bonds()
             self._bonds.flags.writeable = False
         return self._bonds
 
     def info(self):
-        """What `nacre info --json` says of it, as a dict: counts, chains with their sequences, ligands, assemblies, bonds."""
+        """The summary of `nacre info --json` as a dict: counts, chains with sequences, ligands, assemblies, bonds."""
         return _json.loads(self._core.info())
 
     def select(self, selection):
-        """The atoms that a selection names, as on the command line ("chain A and not water"): a boolean for each."""
+        """A boolean array, one value per atom, for a selection such as "chain A and not water"."""
         return self._core.select(selection)
 
     def render(self, **options):
-        """Draws a picture: (height, width, 4) uint8 (depth=16: uint16), sRGB with straight alpha, as a PNG has it.
+        """Draws a picture: (height, width, 4) uint8 (depth=16: uint16), sRGB with straight alpha, as in PNG.
 
-        color may also be an array of one entry for each atom: colours (n, 3), whole numbers from 0 to 255 or others from 0
-        to 1; or values (n,), which palette (a ramp, "viridis") shows from the least to the largest, or between
-        color_limits. Values that are not finite are grey. The same holds for layers(), save(), movie() and export().
+        color may also be an array with one entry per atom: colours (n, 3), integers from 0 to 255 or numbers from 0 to 1;
+        or values (n,), shown along palette (a ramp, "viridis") from the smallest to the largest, or between color_limits.
+        Values that are not finite are grey. The same holds for layers(), save(), movie() and export().
 
-        Raises UsageError for options that are wrong, Error for what cannot be done; both say it in the words of the
-        command line.
+        Raises UsageError for wrong options and Error for other failures, with the messages of the command line.
         """
         colors, text = _colored(len(self), options)
         picture, warnings = _nacre.render(self._core, text, colors)
@@ -231,7 +230,7 @@ class Structure:
         return picture
 
     def layers(self, **options):
-        """Draws what compositing needs, one sample a pixel, float32 but for id, which is uint32:
+        """Draws layers for compositing, one sample per pixel, as float32 (id: uint32):
         rgba (h, w, 4), linear light, premultiplied; z (h, w) in Å from the plane in front of the molecule (from the eye
         in perspective), infinite on the background; normal (h, w, 3), view space; id (h, w), 1-based atom, 0 on the
         background; occlusion (h, w), 0 closed to 1 open.
@@ -242,24 +241,24 @@ class Structure:
         return layers
 
     def save(self, path, **options):
-        """Draws a picture into a .png, .tif, .jpg, .webp or .exr file, which appears whole or not at all."""
+        """Draws a picture into a .png, .tif, .jpg, .webp or .exr file. The file appears whole or not at all."""
         colors, text = _colored(len(self), options)
         _tell(_nacre.save(self._core, _writable(path), text, colors))
 
     def export(self, path, **options):
-        """Writes what is drawn as triangles: a .glb, .ply, .stl or .obj file. options: style, color, show and what else
-        says what is drawn.
+        """Exports the scene as triangles: a .glb, .ply, .stl or .obj file. options: style, color, show and others about
+        the scene.
         """
         colors, text = _colored(len(self), options)
         _tell(_nacre.export(self._core, _writable(path), text, colors))
 
     def movie(self, path=None, *, spin=None, turns=None, rock=None, axis=None, easing=None, models=False, seconds=None,
               fps=None, **options):
-        """Draws a movie and returns it; a notebook shows it. With a path it is also written there: .mp4 and .webm (both by
-        the program ffmpeg), .gif, or .png (animated), which it is without one.
+        """Draws a movie and returns it; notebooks show it. A path writes it to a file as well: .mp4 or .webm (both need the
+        program ffmpeg), .gif or .png (animated). Without a path it is an animated PNG.
 
-        spin: turns about an axis, "x", "y", "z" or a vector; turns: how many (1). rock: degrees to either side, about
-        axis. models: through the models of the structure, or the frames of the trajectory that it was opened with.
+        spin: axis to turn about, "x", "y", "z" or a vector; turns: their number (1). rock: degrees to either side, about
+        axis. models: one model after the other, or one frame of the trajectory that it was opened with.
         Without any of these it turns about y. seconds, fps: how long and how fast. options: those of render().
         """
         motion = {"spin": spin, "turns": turns, "rock": rock, "axis": axis, "easing": easing, "seconds": seconds, "fps": fps}
@@ -284,7 +283,7 @@ class Structure:
         return Structure, (self._core,)
 
     def _repr_png_(self):
-        """What a notebook shows of it."""
+        """The picture in a notebook."""
         with _tempfile.TemporaryDirectory(prefix="nacre-") as folder:
             path = _os.path.join(folder, "picture.png")
             _nacre.save(self._core, path, _text(_NOTEBOOK), _nacre.Colors())
@@ -297,10 +296,10 @@ _open = __builtins__["open"] if isinstance(__builtins__, dict) else __builtins__
 
 def open(source, *, name="", **options):  # noqa: A001: nacre.open, as PIL's Image.open
     """Reads a structure: a path, "sample:dna", "pdb:1BNA" or another INPUT of `nacre render`, or a file's bytes, in any
-    format that is read, compressed or not. A list of those but bytes is drawn together, each with a name for
-    selections: open(["receptor=a.pdb", "ligand=b.sdf"], fit=("/ligand", "/receptor")) lays one onto the other.
+    supported format, compressed or not. A list of paths is drawn together, each with a name for selections:
+    open(["receptor=a.pdb", "ligand=b.sdf"], fit=("/ligand", "/receptor")) superposes the first on the second.
 
-    name: of bytes, for messages and as a hint to their format ("1crn.pdb"). options: those of `nacre info`: format, model (a
+    name: of bytes, for messages and as a hint to the format ("1crn.pdb"). options: those of `nacre info`: format, model (a
     number from 1, or "all"), trajectory, frame, memory, offline, cache and more.
     """
     if isinstance(source, (bytes, bytearray, memoryview)):
@@ -323,10 +322,10 @@ def open(source, *, name="", **options):  # noqa: A001: nacre.open, as PIL's Ima
 
 def from_arrays(positions, elements, bonds=None, *, names=(), residue_names=(), residue_numbers=(), chains=(),
                 b_factors=(), occupancies=(), name="arrays"):
-    """A structure of one's own.
+    """A structure from your own arrays.
 
-    positions: (n, 3) in Å. elements: n symbols or atomic numbers. bonds: rows of two indices from 0, or of those and an
-    order; None: found by residue and distance; an empty list: none. The others: n entries each, or nothing.
+    positions: (n, 3) in Å. elements: n symbols or atomic numbers. bonds: rows of two indices from 0, or of two indices
+    and an order; None: found by residue and distance; an empty list: none. The others: n entries each, or empty.
     """
     elements = [_symbol(e) for e in _numpy.asarray(elements).ravel().tolist()]
     positions = _numpy.asarray(positions, dtype=_numpy.float32)
@@ -363,7 +362,7 @@ _SYMBOLS = (
 
 
 def from_gemmi(structure, **options):
-    """A gemmi Structure, Model or Chain, by way of mmCIF. options: as those of open()."""
+    """A gemmi Structure, Model or Chain, by way of mmCIF. options: as for open()."""
     import gemmi
 
     whole = structure
@@ -380,7 +379,7 @@ def from_gemmi(structure, **options):
 
 
 def from_biopython(entity, **options):
-    """A Bio.PDB Structure, Model or Chain, by way of mmCIF. options: as those of open()."""
+    """A Bio.PDB Structure, Model or Chain, by way of mmCIF. options: as for open()."""
     import copy
     import io
 
@@ -402,5 +401,5 @@ def from_biopython(entity, **options):
 
 
 def options():
-    """The options that render(), layers() and save() take, and what each does."""
+    """The options of render(), layers() and save(), with their help."""
     return dict(_nacre.option_names())
