@@ -119,9 +119,9 @@ struct DrawnAtoms {
 };
 
 /// The atoms of a selection that are drawn; none only of what may be left out, which `placed` then lists.
-std::vector<std::uint32_t> drawnOf(const Selection& selection, const Molecule& molecule, const DrawnAtoms& drawn,
+std::vector<std::uint32_t> drawnOf(const Selection& selection, const ResidueFacts& facts, const DrawnAtoms& drawn,
                                    const char* what, WordsOfHidden hidden, PlacedWords& placed) {
-    const std::vector<bool> chosen = selectAtoms(molecule, selection);
+    const std::vector<bool> chosen = selectAtoms(facts, selection);
     std::vector<std::uint32_t> atoms;
     for (std::uint32_t i = 0; i < chosen.size(); ++i)
         if (chosen[i] && drawn.places[i].radius >= 0) atoms.push_back(i);
@@ -147,13 +147,14 @@ std::vector<std::uint32_t> numbersOfResidues(const Molecule& molecule, const std
     return numbers;
 }
 
-void placeLabel(const Label& label, const Molecule& molecule, const DrawnAtoms& drawn, WordsOfHidden hidden,
+void placeLabel(const Label& label, const ResidueFacts& facts, const DrawnAtoms& drawn, WordsOfHidden hidden,
                 PlacedWords& placed) {
+    const Molecule& molecule = facts.molecule();
     const LabelScope scope = scopeOf(label.text);
     // Atoms of one label, in the file's order of the first of each.
     std::map<std::uint32_t, std::size_t> groupOf;
     std::vector<std::vector<std::uint32_t>> groups;
-    for (const std::uint32_t atom : drawnOf(label.selection, molecule, drawn, "cannot label", hidden, placed)) {
+    for (const std::uint32_t atom : drawnOf(label.selection, facts, drawn, "cannot label", hidden, placed)) {
         const std::uint32_t residue = molecule.atoms[atom].residue;
         const std::uint32_t key = scope == LabelScope::atom      ? atom
                                   : scope == LabelScope::residue ? residue
@@ -197,17 +198,17 @@ std::string shortAtomText(const Molecule& molecule, std::uint32_t index) {
     return text + (text.empty() ? "" : " ") + name;
 }
 
-void placeMeasure(const Measure& measure, const Molecule& molecule, const DrawnAtoms& drawn, WordsOfHidden hidden,
+void placeMeasure(const Measure& measure, const ResidueFacts& facts, const DrawnAtoms& drawn, WordsOfHidden hidden,
                   PlacedWords& placed) {
     PlacedMeasure result;
     for (const Selection& point : measure.points) {
-        const std::vector<std::uint32_t> atoms = drawnOf(point, molecule, drawn, "cannot measure", hidden, placed);
+        const std::vector<std::uint32_t> atoms = drawnOf(point, facts, drawn, "cannot measure", hidden, placed);
         if (atoms.empty()) return;
         if (atoms.size() > 1)
             throw Error("cannot measure", point.text,
                         "it has " + std::to_string(atoms.size()) + " drawn atoms, where one is needed (name CA, say)");
         result.points.push_back(drawn.places[atoms.front()].at);
-        result.atoms += (result.atoms.empty() ? "" : " to ") + shortAtomText(molecule, atoms.front());
+        result.atoms += (result.atoms.empty() ? "" : " to ") + shortAtomText(facts.molecule(), atoms.front());
     }
     result.of = measure.text;
     result.text = measuredValue(result.points);
@@ -216,17 +217,17 @@ void placeMeasure(const Measure& measure, const Molecule& molecule, const DrawnA
 
 }  // namespace
 
-PlacedWords placeWords(const Words& words, const Molecule& molecule, const Representation& scene,
+PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Representation& scene,
                        WordsOfHidden hidden) {
     PlacedWords placed;
     placed.title = words.title;
     placed.scaleBar = words.scaleBar;
     if (words.legend) placed.legends = scene.legends;
     if (words.labels.empty() && words.measures.empty()) return placed;
-    const DrawnAtoms drawn(molecule, scene);
+    const DrawnAtoms drawn(facts.molecule(), scene);
     if (words.seenOnly && !words.labels.empty()) placed.sight = std::make_shared<const LabelSight>(scene);
-    for (const Label& label : words.labels) placeLabel(label, molecule, drawn, hidden, placed);
-    for (const Measure& measure : words.measures) placeMeasure(measure, molecule, drawn, hidden, placed);
+    for (const Label& label : words.labels) placeLabel(label, facts, drawn, hidden, placed);
+    for (const Measure& measure : words.measures) placeMeasure(measure, facts, drawn, hidden, placed);
     return placed;
 }
 

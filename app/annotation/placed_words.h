@@ -48,7 +48,7 @@ enum class WordsOfHidden { refused, leftOut };
 
 /// Of an assembly, words stand at the first copy.
 /// @throws Error if a label's selection has no drawn atom, a measurement's not just one, or the labels are too many
-PlacedWords placeWords(const Words& words, const Molecule& molecule, const Representation& scene,
+PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Representation& scene,
                        WordsOfHidden hidden = WordsOfHidden::refused);
 
 }  // namespace nacre::app

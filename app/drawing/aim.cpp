@@ -10,9 +10,9 @@
 namespace nacre::app {
 namespace {
 
-std::vector<glm::dvec4> ballsOf(const Selection& selection, const char* what, const Molecule& molecule,
+std::vector<glm::dvec4> ballsOf(const Selection& selection, const char* what, const ResidueFacts& facts,
                                 const Representation& scene) {
-    const std::vector<bool> chosen = selectAtoms(molecule, selection);
+    const std::vector<bool> chosen = selectAtoms(facts, selection);
     std::vector<glm::dvec4> balls = chosenBalls(scene, chosen);
     if (!balls.empty()) return balls;
     const bool any = std::find(chosen.begin(), chosen.end(), true) != chosen.end();
@@ -36,26 +36,26 @@ const std::optional<Selection>& uncoveredBy(const Aim& aim) {
     return aim.uncover ? aim.uncover : aim.uncovers ? aim.zoomTo : kNothing;
 }
 
-Aimed aimed(const Camera& camera, const Aim& aim, const Molecule& molecule, const Representation& scene,
+Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, const Representation& scene,
             const Size& size) {
     Aimed result{camera, std::nullopt};
     if (!aim.any()) return result;
     const std::vector<glm::dvec4> all = drawnBalls(scene);
     if (aim.principal) result.camera.orientation = principalOrientation(all, size.width >= size.height);
     if (aim.lookAt)
-        result.camera.orientation = facingOrientation(ballsOf(*aim.lookAt, "cannot look at", molecule, scene), all,
+        result.camera.orientation = facingOrientation(ballsOf(*aim.lookAt, "cannot look at", facts, scene), all,
                                                       glm::mat3_cast(result.camera.orientation));
     if (aim.principal && !aim.zoomTo && !aim.lookAt)
         result.camera = fitted(result.camera, all, scene.radius, size.width, size.height, kLargestZoom);
     if (aim.zoomTo) {
-        const std::vector<glm::dvec4> target = ballsOf(*aim.zoomTo, "cannot zoom to", molecule, scene);
+        const std::vector<glm::dvec4> target = ballsOf(*aim.zoomTo, "cannot zoom to", facts, scene);
         result.camera = closeUp(result.camera, target, scene.radius, kZoomMargin, kLargestZoom);
     }
     const std::optional<Selection>& shown = uncoveredBy(aim);
     if (!shown) return result;
     const glm::dmat3 rotation =
         rotationMatrix(result.camera.rotationDegrees) * glm::mat3_cast(result.camera.orientation);
-    result.clipNear = clipBefore(ballsOf(*shown, "cannot uncover", molecule, scene), all, rotation);
+    result.clipNear = clipBefore(ballsOf(*shown, "cannot uncover", facts, scene), all, rotation);
     return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/picture/aim.h"
 #include "app/picture/option_values.h"
+#include "engine/molecule/residue_facts.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/representation.h"
 
@@ -21,7 +22,7 @@ const std::optional<Selection>& uncoveredBy(const Aim& aim);
 
 /// The camera, aimed. Its rotation in degrees is applied last, its zoom is that of what is zoomed to.
 /// @throws Error if a selection has no drawn atom
-Aimed aimed(const Camera& camera, const Aim& aim, const Molecule& molecule, const Representation& scene,
+Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, const Representation& scene,
             const Size& size);
 
 /// Room around what is zoomed to, Å: a ligand with what touches it.

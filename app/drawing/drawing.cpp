@@ -21,13 +21,14 @@ namespace {
 
 /// A frame of a trajectory is seen from where the first is, as in a window and in movies, and drawn as chosen there;
 /// unless each is to have a camera of its own. @returns the radius that the camera goes by
-double buildScene(const Molecule& molecule, const PictureDescription& options, const std::optional<Bounds>& frame,
+double buildScene(const ResidueFacts& facts, const PictureDescription& options, const std::optional<Bounds>& frame,
                   Representation& scene) {
     const InputOptions& input = options.input;
     const TrajectoryOptions& frames = input.trajectory;
+    const Molecule& molecule = facts.molecule();
     if (frames.path.empty() || frames.frame == 1 || options.look.ownFrame || !options.look.assembly.empty() ||
         !input.further.empty()) {
-        scene = sceneOf(molecule, input.path, options.drawn, options.look, frame);
+        scene = sceneOf(facts, input.path, options.drawn, options.look, frame);
         return scene.radius;
     }
     Molecule first = molecule;
@@ -61,7 +62,7 @@ RenderSettings settingsOf(const PictureDescription& options, const Camera& camer
 
 /// Leaves out what hides the target. A plane cuts instead in assemblies, whose copies share their primitives, and in
 /// movies, which go around it.
-void uncoverTarget(const Aimed& aim, const Aim& wanted, const Molecule& molecule, Representation& scene,
+void uncoverTarget(const Aimed& aim, const Aim& wanted, const ResidueFacts& facts, Representation& scene,
                    RenderSettings& settings, RunStats& run) {
     const std::optional<Selection>& target = uncoveredBy(wanted);
     if (!target) return;
@@ -70,7 +71,7 @@ void uncoverTarget(const Aimed& aim, const Aim& wanted, const Molecule& molecule
         clipNear = std::max(clipNear, *aim.clipNear);
     if (wanted.turns) return;
     run.uncovers = target->text;
-    run.uncovered = uncover(scene, selectAtoms(molecule, *target), settings.view, clipNear);
+    run.uncovered = uncover(scene, selectAtoms(facts, *target), settings.view, clipNear);
 }
 
 void tellScene(const Molecule& molecule, const Representation& scene, RunStats& run) {
@@ -89,17 +90,19 @@ void tellScene(const Molecule& molecule, const Representation& scene, RunStats& 
 void Drawing::prepare(const Molecule& molecule, const PictureDescription& description,
                       const std::optional<Bounds>& frame) {
     try {
-        bringUpTo(molecule, description, frame);
+        facts_ = facts_ ? facts_->moved(molecule) : ResidueFacts(molecule);
+        bringUpTo(*facts_, description, frame);
     } catch (...) {
         forget();  // what was half done must not pass for done when the same is asked for again
         throw;
     }
 }
 
-void Drawing::bringUpTo(const Molecule& molecule, const PictureDescription& description,
+void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& description,
                         const std::optional<Bounds>& frame) {
     static std::atomic<std::uint64_t> scenes{0};
     const Clock::time_point start = Clock::now();
+    const Molecule& molecule = facts.molecule();
     const Facets parts = difference(description_, description);
     if (scene_ && parts == 0) return;
     // What is left out since it hides something depends on the view, too.
@@ -108,13 +111,13 @@ void Drawing::bringUpTo(const Molecule& molecule, const PictureDescription& desc
     description_ = description;
     if (another) {
         scene_.emplace();
-        radius_ = buildScene(molecule, description_, frame, *scene_);
+        radius_ = buildScene(facts, description_, frame, *scene_);
         if (recolor) recolor(*scene_);
         number_ = ++scenes;
         ++counts_.scenes;
     }
     run = {};
-    const Aimed aim = aimed(description_.camera, description_.aim, molecule, *scene_, description_.size);
+    const Aimed aim = aimed(description_.camera, description_.aim, facts, *scene_, description_.size);
     settings = settingsOf(description_, aim.camera, radius_);
     const View& view = settings.view;
     const auto depthFrom = [&] { return view.projection == Projection::perspective ? view.eyeDistance : view.radius; };
@@ -122,10 +125,10 @@ void Drawing::bringUpTo(const Molecule& molecule, const PictureDescription& desc
     if (scene_->radius > radius_) reachTo(settings.view, scene_->radius);
     depthShift_ = depthFrom() - depthOfFirst;
     run.zoom = aim.camera.zoom;
-    uncoverTarget(aim, description_.aim, molecule, *scene_, settings, run);
+    uncoverTarget(aim, description_.aim, facts, *scene_, settings, run);
     run.clip = clipText(settings.effects.clip);
     warnings = scene_->warnings;
-    if (description_.debug == DebugView::none) putWords(molecule);
+    if (description_.debug == DebugView::none) putWords(facts);
     for (std::string& idle : idleOptions(description_, *scene_, settings.effects, scene_->radius))
         warnings.push_back(std::move(idle));
     makeRoom();
@@ -136,9 +139,9 @@ void Drawing::bringUpTo(const Molecule& molecule, const PictureDescription& desc
 }
 
 /// Words of what is left out since it hides something go with it.
-void Drawing::putWords(const Molecule& molecule) {
+void Drawing::putWords(const ResidueFacts& facts) {
     const bool some = !run.uncovers.empty();
-    words = placeWords(description_.words, molecule, *scene_, some ? WordsOfHidden::leftOut : WordsOfHidden::refused);
+    words = placeWords(description_.words, facts, *scene_, some ? WordsOfHidden::leftOut : WordsOfHidden::refused);
     if (words.leftOut.empty()) return;
     const std::size_t others = words.leftOut.size() - 1;
     warnings.push_back("no words at " + words.leftOut.front() +

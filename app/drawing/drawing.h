@@ -11,6 +11,7 @@
 #include "app/annotation/layout.h"
 #include "app/drawing/run_stats.h"
 #include "app/picture/description.h"
+#include "engine/molecule/residue_facts.h"
 #include "engine/renderer.h"
 
 namespace nacre::app {
@@ -32,7 +33,10 @@ public:
     void prepare(const Molecule& molecule, const PictureDescription& description,
                  const std::optional<Bounds>& frame = {});
     /// The molecule is going to be another one, or its atoms elsewhere.
-    void forget() { scene_.reset(); }
+    void forget() {
+        scene_.reset();
+        facts_.reset();
+    }
 
     /// Puts the scene on a canvas, unless it is there. Occlusion that was baked for it stays.
     void show(Canvas& canvas);
@@ -64,11 +68,13 @@ public:
     const Counts& counts() const { return counts_; }
 
 private:
-    void bringUpTo(const Molecule& molecule, const PictureDescription& description, const std::optional<Bounds>& frame);
-    void putWords(const Molecule& molecule);
+    void bringUpTo(const ResidueFacts& facts, const PictureDescription& description,
+                   const std::optional<Bounds>& frame);
+    void putWords(const ResidueFacts& facts);
     void makeRoom();
 
     PictureDescription description_;
+    std::optional<ResidueFacts> facts_;  ///< of the molecule
     std::optional<Representation> scene_;
     std::uint64_t number_ = 0;  ///< of scene_
     double radius_ = 0;         ///< that the camera goes by, Å

@@ -19,32 +19,31 @@ std::vector<std::uint32_t> someDrawnAtoms(const Molecule& molecule, const std::s
 
 }  // namespace
 
-MovingScene movingSceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
+MovingScene movingSceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,
                           const RepresentationOptions& look) {
-    const ResidueFacts facts(molecule);
-    return {facts, someDrawnAtoms(molecule, name, drawn), look, sharedFrame(facts, drawn, look)};
+    return {facts, someDrawnAtoms(facts.molecule(), name, drawn), look, sharedFrame(facts, drawn, look)};
 }
 
-Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawnOptions,
+Representation sceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawnOptions,
                        const RepresentationOptions& look, const std::optional<Bounds>& frame) {
+    const Molecule& molecule = facts.molecule();
     const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, name, drawnOptions);
-    const ResidueFacts facts(molecule);
     Representation scene = represent(facts, drawn, look, frame ? frame : sharedFrame(facts, drawnOptions, look));
     if (!look.ownFrame && !molecule.othersMissing.empty())
         scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);
     return scene;
 }
 
-void uncoverIn(Representation& scene, const Molecule& molecule, const PictureDescription& view) {
+void uncoverIn(Representation& scene, const ResidueFacts& facts, const PictureDescription& view) {
     if (!view.aim.uncover) return;
     constexpr std::uint32_t kAnySize = 256;
-    uncover(scene, selectAtoms(molecule, *view.aim.uncover), viewOf(view.camera, scene.radius, kAnySize, kAnySize),
+    uncover(scene, selectAtoms(facts, *view.aim.uncover), viewOf(view.camera, scene.radius, kAnySize, kAnySize),
             view.effects.clip.near);
 }
 
-Representation sceneOfView(const Molecule& molecule, const PictureDescription& view) {
-    Representation scene = sceneOf(molecule, view.input.path, view.drawn, view.look);
-    uncoverIn(scene, molecule, view);
+Representation sceneOfView(const ResidueFacts& facts, const PictureDescription& view) {
+    Representation scene = sceneOf(facts, view.input.path, view.drawn, view.look);
+    uncoverIn(scene, facts, view);
     return scene;
 }
 

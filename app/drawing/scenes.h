@@ -7,6 +7,7 @@
 
 #include "app/picture/saved_view.h"
 #include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/residue_facts.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/representation.h"
 
@@ -14,11 +15,11 @@ namespace nacre::app {
 
 /// What is drawn of a molecule, in its style and colours. @throws Error if that is nothing
 /// @param frame  that all models of its file share (shared_frame.h), if that is known; else it is found, if it can be
-Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
+Representation sceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,
                        const RepresentationOptions& look, const std::optional<Bounds>& frame = {});
 
 /// The same of one whose atoms move; seen as all models of its file are, if it has others. @throws Error
-MovingScene movingSceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
+MovingScene movingSceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,
                           const RepresentationOptions& look);
 
 /// Atoms that moved may reach farther than what a view goes by: it sees them all, from where it is.
@@ -30,8 +31,8 @@ inline void reachTo(View& view, double radius) {
 }
 
 /// Leaves out what hides the atoms that a view wants uncovered; `scene` shows its molecule, as it stands now.
-void uncoverIn(Representation& scene, const Molecule& molecule, const PictureDescription& view);
+void uncoverIn(Representation& scene, const ResidueFacts& facts, const PictureDescription& view);
 /// What is drawn of a view's molecule. @throws Error if that is nothing
-Representation sceneOfView(const Molecule& molecule, const PictureDescription& view);
+Representation sceneOfView(const ResidueFacts& facts, const PictureDescription& view);
 
 }  // namespace nacre::app

@@ -103,7 +103,7 @@ void drawPart(PanelFrame& f, const Part& part, std::size_t number) {
         if (f.ui.row(open ? Icon::up : Icon::down, part.name, nameWidth)) {
             f.s.unfolded = open ? "" : part.selection;
             f.s.sequence.clear();
-            if (part.kind == Part::Kind::chain) f.s.sequence = sequenceOf(*f.s.molecule, part.chain);
+            if (part.kind == Part::Kind::chain) f.s.sequence = sequenceOf(*f.s.facts, part.chain);
             f.s.sequenceInput = part.input;
             f.s.dragFrom = f.s.dragTo = -1;
         }
@@ -128,11 +128,11 @@ void drawPartsPage(PanelFrame& f) {
     if (!document) return f.ui.caption("No molecule is open.");
     if (f.s.molecule != document->molecule) {
         f.s.molecule = document->molecule;
+        f.s.facts = ResidueFacts(*f.s.molecule);
         const bool several = document->molecule->modelsAreInputs;
         f.s.parts =
-            partsOf(*document->molecule, several ? inputNames(inputOf(document->view)) : std::vector<std::string>());
+            partsOf(*f.s.facts, several ? inputNames(inputOf(document->view)) : std::vector<std::string>());
         f.s.unfolded.clear();
-        f.s.folds.clear();
         f.s.residueColors.clear();
     }
     drawAssemblies(f, *document->molecule);

@@ -95,6 +95,7 @@ struct PanelState {
     WordMemory wordMemory;
     // Parts of the molecule that is shown
     std::shared_ptr<const Molecule> molecule;
+    std::optional<ResidueFacts> facts;  ///< of the molecule, once there is one
     std::vector<Part> parts;
     std::string unfolded;                            ///< the part whose sequence is shown
     std::vector<std::uint32_t> sequence;             ///< of it
@@ -103,7 +104,6 @@ struct PanelState {
     bool alongSequence = false;                      ///< arrow keys go along it
     int sequenceStep = 0;                            ///< that one of them asks for
     bool sequenceExtends = false;                    ///< to what is selected
-    std::vector<SecondaryStructure> folds;           ///< of the molecule's residues
     std::vector<std::uint32_t> residueColors;        ///< of the same
     std::pair<RepresentationOptions, bool> colored;  ///< what they are the colours of
     int rule = -1;                                   ///< that is being edited

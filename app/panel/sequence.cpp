@@ -7,7 +7,6 @@
 
 #include "app/panel/panel_state.h"
 #include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/kabsch_sander.h"
 #include "engine/scene/appearance.h"
 #include "engine/scene/colors.h"
 
@@ -40,8 +39,9 @@ struct Letters {
 
 /// Of each residue the colour that its first seen atom is drawn in; 0: none is seen, or copies have colours of their
 /// own.
-std::vector<std::uint32_t> residueColors(const Molecule& molecule, const PictureDescription& view) {
-    const Appearance seen = appearanceOf(molecule, drawnAtoms(molecule, view.drawn), view.look);
+std::vector<std::uint32_t> residueColors(const ResidueFacts& facts, const PictureDescription& view) {
+    const Molecule& molecule = facts.molecule();
+    const Appearance seen = appearanceOf(facts, drawnAtoms(molecule, view.drawn), view.look);
     std::vector<std::uint32_t> colors(molecule.residues.size());
     const auto take = [&](const std::vector<std::uint32_t>& atoms, const std::vector<std::uint32_t>& of) {
         for (std::size_t i = 0; i < atoms.size(); ++i) {
@@ -80,9 +80,9 @@ void drawLetter(PanelFrame& f, int i, ImVec2 p, ImVec2 size, bool chosen, bool h
     const Theme& theme = f.ui.theme();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::uint32_t r = f.s.sequence[static_cast<std::size_t>(i)];
-    const SecondaryStructure fold = f.s.folds[r];
+    const SecondaryStructure fold = f.s.facts->folds()[r];
     const bool more = i + 1 < static_cast<int>(f.s.sequence.size());
-    const bool last = !more || f.s.folds[f.s.sequence[static_cast<std::size_t>(i) + 1]] != fold;
+    const bool last = !more || f.s.facts->folds()[f.s.sequence[static_cast<std::size_t>(i) + 1]] != fold;
     const float above = f.ui.px(14);
     if (chosen)
         list.AddRectFilled(ImVec2(p.x, p.y + above), ImVec2(p.x + size.x, p.y + size.y - f.ui.px(2)),
@@ -112,9 +112,8 @@ void drawResidueNumber(PanelFrame& f, int i, ImVec2 right, float line) {
 
 void drawSequence(PanelFrame& f, const Part& part) {
     if (f.s.sequence.empty()) return;
-    if (f.s.folds.empty()) f.s.folds = secondaryStructure(*f.s.molecule);
     if (f.s.residueColors.empty() || f.s.colored != std::pair(f.look.look, f.look.drawn.hydrogens)) {
-        f.s.residueColors = residueColors(*f.s.molecule, f.look);
+        f.s.residueColors = residueColors(*f.s.facts, f.look);
         f.s.colored = {f.look.look, f.look.drawn.hydrogens};
     }
     Letters letters{};

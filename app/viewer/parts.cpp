@@ -94,10 +94,11 @@ void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const st
 
 }  // namespace
 
-std::vector<Part> partsOf(const Molecule& m, const std::vector<std::string>& inputs) {
+std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::string>& inputs) {
+    const Molecule& m = facts.molecule();
     std::vector<Part> parts;
     if (m.atoms.empty()) return parts;
-    const std::vector<ResidueKind> kinds = residueKinds(m);
+    const std::vector<ResidueKind>& kinds = facts.kinds();
     if (inputs.empty()) addParts(m, kinds, "", 0, parts);
     for (std::size_t i = 0; i < inputs.size(); ++i) addParts(m, kinds, inputs[i], static_cast<int>(i + 1), parts);
     if (parts.size() > kMostParts) parts.resize(kMostParts);
@@ -137,13 +138,13 @@ void setLookOf(PictureDescription& view, const Part& part, const PartLook& look)
         add(Rule::Action::hide);
 }
 
-std::vector<std::uint32_t> sequenceOf(const Molecule& m, std::uint32_t chain) {
-    const std::vector<ResidueKind> kinds = residueKinds(m);
+std::vector<std::uint32_t> sequenceOf(const ResidueFacts& facts, std::uint32_t chain) {
+    const Molecule& m = facts.molecule();
     std::vector<std::uint32_t> residues;
     for (std::uint32_t r = 0; r < m.residues.size(); ++r) {
         const Residue& residue = m.residues[r];
         const Chain& of = m.chains[residue.chain];
-        if (of.name == m.chains[chain].name && of.model == m.chains[chain].model && isPolymer(kinds[r]))
+        if (of.name == m.chains[chain].name && of.model == m.chains[chain].model && facts.isPolymer(r))
             residues.push_back(r);
     }
     return residues;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/picture/saved_view.h"
+#include "engine/molecule/residue_facts.h"
 
 namespace nacre::app {
 
@@ -25,7 +26,7 @@ constexpr std::size_t kMostParts = 200;
 /// Chains in the file's order, then ligands, ions and water; of a molecule that has none of these, all of it.
 /// Of several molecules the same for each. At most kMostParts.
 /// @param inputs  names of the molecules, if there are several
-std::vector<Part> partsOf(const Molecule& molecule, const std::vector<std::string>& inputs = {});
+std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::string>& inputs = {});
 
 /// Whether a part is seen, and how, as far as rules of just its selection say.
 struct PartLook {
@@ -39,7 +40,7 @@ void setLookOf(PictureDescription& view, const Part& part, const PartLook& look)
 
 /// Residues of a chain that have letters: the polymer, in the file's order. @param chain  index into Molecule::chains
 /// @returns indices into Molecule::residues
-std::vector<std::uint32_t> sequenceOf(const Molecule& molecule, std::uint32_t chain);
+std::vector<std::uint32_t> sequenceOf(const ResidueFacts& facts, std::uint32_t chain);
 /// 'X' where a residue of a polymer is none of the usual.
 char letterOf(const Residue& residue);
 /// Neighbours of a sequence, as a selection: "chain A and resi 10-15". @param input  as Part::input
