@@ -19,7 +19,7 @@ CLANG = "/usr/bin/clang++-14"
 
 def configure(folder, *options):
     command = ["cmake", "-S", str(SOURCE), "-B", str(folder), "-G", "Ninja", "-D", "APPLE=ON",
-               "-D", "NACRE_TESTS=OFF", "-D", "NACRE_TOGETHER=OFF", "-D", f"CMAKE_CXX_COMPILER={CLANG}",
+               "-D", "NACRE_TESTS=OFF", "-D", f"CMAKE_CXX_COMPILER={CLANG}",
                "-D", f"CMAKE_OBJCXX_COMPILER={CLANG}", "-D", "CMAKE_EXPORT_COMPILE_COMMANDS=ON", *options]
     run = subprocess.run(command, capture_output=True, text=True)
     if run.returncode:

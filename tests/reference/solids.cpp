@@ -8,7 +8,7 @@
 namespace nacre::reference {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 struct Interval {
     double low, high;
@@ -19,7 +19,7 @@ std::optional<Interval> withinDistance(const glm::dvec3& offset, const glm::dvec
     const double square = glm::dot(slope, slope);
     if (square == 0.0) {
         if (glm::length(offset) > radius) return std::nullopt;
-        return Interval{-kInfinity, kInfinity};
+        return Interval{-kUnbounded, kUnbounded};
     }
     const double middle = -glm::dot(offset, slope) / square;
     const glm::dvec3 closest = offset + middle * slope;
@@ -33,7 +33,7 @@ std::optional<Interval> withinDistance(const glm::dvec3& offset, const glm::dvec
 std::optional<Interval> betweenPlanes(double offset, double slope, double length) {
     if (slope == 0.0) {
         if (offset < 0.0 || offset > length) return std::nullopt;
-        return Interval{-kInfinity, kInfinity};
+        return Interval{-kUnbounded, kUnbounded};
     }
     const double first = -offset / slope, second = (length - offset) / slope;
     return Interval{std::min(first, second), std::max(first, second)};

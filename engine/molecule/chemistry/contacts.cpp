@@ -16,7 +16,7 @@ constexpr double kStacking = 5.5, kStackingAngle = 30, kOffset = 2.0;
 constexpr double kCationPi = 6.0, kAmineAngle = 30;
 constexpr double kHalogen = 4.0, kHalogenDeviation = 30, kHalogenAcceptor = 120;
 constexpr double kMolstarHalogenDonor = 180, kPlipHalogenDonor = 165;
-constexpr double kHydrophobic = 4.0, kMetal = 3.0;
+constexpr double kHydrophobicReach = 4.0, kMetalReach = 3.0;
 constexpr double kLargestGroup = 4;  // Å from the middle of a charged group to its farthest atom
 
 bool isPlip(const InteractionSearch& search) { return search.rules == InteractionRules::plip; }
@@ -182,10 +182,11 @@ void findHydrophobic(InteractionSearch& search) {
             if (search.molecule.atoms[halogen.atom].element == kFluorine) atoms.push_back(halogen.atom);
     std::vector<glm::vec3> places;
     for (const std::uint32_t atom : atoms) places.push_back(search.molecule.atoms[atom].position);
-    const PlaceGrid grid(places, kHydrophobic);
+    const PlaceGrid grid(places, kHydrophobicReach);
     for (std::uint32_t i = 0; i < atoms.size(); ++i)
         grid.near(places[i], [&](std::uint32_t j, double squared) {
-            if (j <= i || squared >= kHydrophobic * kHydrophobic || squared <= kNearestContact * kNearestContact)
+            if (j <= i || squared >= kHydrophobicReach * kHydrophobicReach ||
+                squared <= kNearestContact * kNearestContact)
                 return;
             const int sides = search.sides(atoms[i], atoms[j]);
             if (sides == 0 || !search.apart(atoms[i], atoms[j]) || !search.allowed(atoms[i], atoms[j])) return;
@@ -200,11 +201,11 @@ void findMetals(InteractionSearch& search) {
     std::vector<glm::vec3> places;
     for (const std::uint32_t atom : search.features.metalBinders)
         places.push_back(search.molecule.atoms[atom].position);
-    const PlaceGrid grid(places, kMetal);
+    const PlaceGrid grid(places, kMetalReach);
     for (const std::uint32_t metal : search.features.metals)
         grid.near(search.molecule.atoms[metal].position, [&](std::uint32_t index, double squared) {
             const std::uint32_t binder = search.features.metalBinders[index];
-            if (squared >= kMetal * kMetal || binder == metal) return;
+            if (squared >= kMetalReach * kMetalReach || binder == metal) return;
             int sides = search.sides(metal, binder);
             // A metal that is selected with its ligand is held by it all the same.
             if (sides == 0 && search.query.a[metal] && search.query.a[binder]) sides = 1;
