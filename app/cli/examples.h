@@ -67,6 +67,15 @@ inline constexpr const char* kBatchExamples =
     "Examples:\n"
     "  nacre batch jobs.jsonl --size 256x256 --resume > report.jsonl\n"
     "  for f in *.pdb; do printf '{\"input\": \"%s\", \"output\": \"%s.png\"}\\n' \"$f\" \"$f\"; done | nacre batch -";
+inline constexpr const char* kServeExamples =
+    "  GET /picture?input=sample:dna&style=licorice&size=512x512   the options of `nacre render` as keys\n"
+    "  GET /4hhb_assembly-1_front-512x512.webp                     a stable name\n"
+    "  POST /picture                                               a structure or a saved view as the body\n"
+    "  GET /info, /options, /health, /metrics                      JSON, JSON Schema, ok, Prometheus\n"
+    "  GET /                                                       a page that turns molecules\n"
+    "Examples:\n"
+    "  nacre serve --root ~/structures\n"
+    "  nacre serve --listen 0.0.0.0:8080 --allow-download";
 inline constexpr const char* kViewExamples =
     "Examples:\n"
     "  nacre view 1bna.pdb\n"

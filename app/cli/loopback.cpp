@@ -20,6 +20,7 @@ using Bind = int(int, const sockaddr*, socklen_t);
 }  // namespace
 
 void listenOnLoopbackAlone() { loopbackAlone = true; }
+void listenAnywhere() { loopbackAlone = false; }
 
 }  // namespace nacre::app
 

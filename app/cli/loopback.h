@@ -6,5 +6,7 @@ namespace nacre::app {
 /// the loopback. RenderDoc, once it is loaded, listens for its user interface on all addresses, without asking for a
 /// word. What was bound before, by a RenderDoc that started this program, stays as it is.
 void listenOnLoopbackAlone();
+/// Takes that back: what `nacre serve` is asked to listen on is meant.
+void listenAnywhere();
 
 }  // namespace nacre::app

@@ -19,6 +19,7 @@
 #ifdef NACRE_DESKTOP
 #include "app/desktop/view_command.h"
 #endif
+#include "app/serve/server.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -48,6 +49,12 @@ void run(const CommandLine& line, std::ostream& out) {
             break;
         case Command::batch:
             if (!batchCommand(line.batch, std::cout)) throw Error("batch", line.batch.path, "not all jobs are done");
+            break;
+        case Command::serve:
+#ifdef NACRE_LOOPBACK
+            listenAnywhere();  // where its option says
+#endif
+            serveCommand(line.serve);
             break;
         case Command::looks:
             looksCommand(line.looks, out);

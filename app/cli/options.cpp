@@ -7,6 +7,7 @@
 #include "app/cli/examples.h"
 #include "app/cli/option_words.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/serve_command_options.h"
 #include "app/drawing/complete.h"
 #include "app/export/scene_files.h"
 #include "app/files/output_file.h"
@@ -140,6 +141,9 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     addMovie(movie, line.movie);
     CommandSpec batch{"batch", "Draw many pictures, one per line of a job file", kBatchExamples};
     addBatch(batch, line.batch);
+    CommandSpec serve{"serve", "Answer requests for pictures over HTTP, and show a page that turns molecules",
+                      kServeExamples};
+    addServe(serve, line.serve);
     CommandSpec looks{"looks", "List the looks, or draw a molecule in each",
                       "Examples:\n  nacre looks\n  nacre looks sample:dna -o sheet.png\n  nacre looks --json"};
     addLooks(looks, line.looks);
@@ -179,8 +183,8 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
               }})
         .required = true;
     CommandSpec man{"man", "Print the manual page", "Examples:\n  nacre man | man -l -"};
-    std::vector<CommandSpec> commands{render, movie, batch,   looks,      exported, info,
-                                      bench,  plan,  devices, completion, man};
+    std::vector<CommandSpec> commands{render, movie, batch, serve,   looks,      exported,
+                                      info,   bench, plan,  devices, completion, man};
 #ifdef NACRE_DESKTOP
     CommandSpec view{"view", "Show a molecule in a window", kViewExamples};
     addWindow(view, window);
@@ -202,14 +206,15 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
 
 Command commandOf(const std::string& name) {
     constexpr std::pair<const char*, Command> kCommands[] = {
-        {"render", Command::render},   {"movie", Command::movie},      {"batch", Command::batch},
-        {"looks", Command::looks},     {"export", Command::exporting}, {"view", Command::view},
-        {"info", Command::info},       {"bench", Command::bench},      {"plan", Command::plan},
-        {"devices", Command::devices}, {"completion", Command::help},  {"man", Command::help}};
+        {"render", Command::render}, {"movie", Command::movie},     {"batch", Command::batch},
+        {"serve", Command::serve},   {"looks", Command::looks},     {"export", Command::exporting},
+        {"view", Command::view},     {"info", Command::info},       {"bench", Command::bench},
+        {"plan", Command::plan},     {"devices", Command::devices}, {"completion", Command::help},
+        {"man", Command::help}};
     for (const auto& [word, command] : kCommands)
         if (name == word) return command;
     throw UsageError(
-        "a command is needed: render, movie, batch, looks, export, view, info, bench, plan or devices, for "
+        "a command is needed: render, movie, batch, serve, looks, export, view, info, bench, plan or devices, for "
         "example: nacre render sample:dna -o dna.png");
 }
 

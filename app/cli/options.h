@@ -13,6 +13,7 @@
 #include "app/movie/camera_path.h"
 #include "app/picture/description.h"
 #include "app/picture/option_json.h"
+#include "app/serve/serve_options.h"
 
 namespace nacre::app {
 
@@ -77,7 +78,22 @@ struct PlanOptions {
     bool json = false;
 };
 
-enum class Command { help, version, notices, render, movie, batch, looks, exporting, view, info, devices, bench, plan };
+enum class Command {
+    help,
+    version,
+    notices,
+    render,
+    movie,
+    batch,
+    serve,
+    looks,
+    exporting,
+    view,
+    info,
+    devices,
+    bench,
+    plan
+};
 
 struct CommandLine {
     Command command = Command::help;
@@ -85,6 +101,7 @@ struct CommandLine {
     PictureDescription render;
     MovieOptions movie;
     BatchOptions batch;
+    ServeOptions serve;
     ViewOptions view;
     InfoOptions info;
     BenchOptions bench;

@@ -1,0 +1,216 @@
+#include "app/serve/picture_request.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <sstream>
+
+#include "app/download/database_id.h"
+#include "app/drawing/complete.h"
+#include "app/files/json_text.h"
+#include "app/input/input_files.h"
+#include "app/picture/appearance_values.h"
+#include "app/picture/picture_names.h"
+#include "app/picture/saved_view.h"
+#include "app/serve/problem.h"
+#include "engine/error.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Topics kServers = Topic::device | Topic::path | Topic::validation | Topic::files | Topic::view |
+                            Topic::trajectory | Topic::debug | Topic::frame;
+/// Of reading, but the server's.
+constexpr std::string_view kServerKeys[] = {"cache", "offline", "memory", "occlusion-memory"};
+
+/// Where an input is, if a request may have it. @throws Problem
+std::string placeOf(const std::string& input, const ServeOptions& options, const std::string& uploads) {
+    constexpr std::string_view kUpload = "upload:";
+    std::error_code error;
+    if (input.starts_with(kUpload)) {
+        const std::string name = input.substr(kUpload.size());
+        const std::string path = uploads + "/" + name;
+        if (name.find_first_not_of("0123456789abcdef") == std::string::npos && fs::is_regular_file(path, error))
+            return path;
+        throw Problem(404, "'" + input + "' is not held any more: send it again");
+    }
+    if (input.starts_with("sample:")) return input;
+    try {
+        if (parseDatabaseId(input)) return input;
+    } catch (const Error& wrong) {
+        throw Problem(400, wrong.what());
+    }
+    if (options.root.empty())
+        throw Problem(404, "'" + input +
+                               "' is no sample and no identifier (pdb:1BNA), and this server has no folder "
+                               "of files (--root)");
+    const fs::path root = fs::canonical(options.root, error);
+    const fs::path file = error ? fs::path() : fs::canonical(root / input, error);
+    const bool inside = !error && std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
+    // One answer for what is outside and for what is not there.
+    if (!inside || !fs::is_regular_file(file, error)) throw Problem(404, "there is no input '" + input + "'");
+    return file.string();
+}
+
+/// What an input's content is known by.
+std::string contentOf(const std::string& place) {
+    const bool named = place.starts_with("sample:") || parseDatabaseId(place);
+    return named ? place : fileHash(place);
+}
+
+constexpr auto kSavedOnly = static_cast<Topics>(Topic::saved);
+
+/// Of saved views, and of a request: where the page has turned the picture.
+bool isCameraKey(std::string_view key) { return key == "orientation" || key == "pan"; }
+
+OptionValue valueOf(const std::string& key, const std::string& text) {
+    std::string name = key;
+    std::replace(name.begin(), name.end(), '_', '-');
+    const Option* row = findOption(name, isCameraKey(name) ? kSavedOnly : kEveryTopic);
+    if (!row) throw Problem(400, "there is no option \"" + key + "\" (GET /options lists them)");
+    if (!isServed(*row)) throw Problem(400, "\"" + key + "\" is the server's to say");
+    if (name == "look" && text.find_first_of("./\\") != std::string::npos)
+        throw Problem(400, "\"look\" takes a look's name here");
+    OptionValue value{name, text};
+    if (row->kind == Option::Kind::flag) {
+        if (text == "off" || text == "false" || text == "0") return {};
+        value.value.clear();
+    } else if (row->kind == Option::Kind::pair) {
+        std::replace(value.value.begin(), value.value.end(), ';', '\n');
+    }
+    return value;
+}
+
+/// A saved view from somebody else: its inputs count as the request's.
+void takeView(const std::string& text, const std::string& name, PictureDescription& d) {
+    PictureDescription view = parseSavedView(text, name);
+    if (!view.input.trajectory.path.empty()) throw Problem(422, "a view's trajectory is not drawn here");
+    view.input.namedBy.clear();
+    view.input.hash.clear();
+    for (FurtherInput& further : view.input.further) further.hash.clear();
+    view.size = d.size;
+    d = view;
+}
+
+std::string printed(const PictureDescription& description) {
+    std::ostringstream text;
+    for (const Option& row : options())
+        if (row.print && row.facet != Facet::device && row.key != "output" && row.key != "input" &&
+            row.key != "further-inputs" && row.key != "cache")
+            text << row.key << '=' << row.print(description) << '\n';
+    return text.str();
+}
+
+/// `format` of the picture; the same key with another value is the format of the input.
+bool isPictureFormat(const std::string& key, const std::string& text) {
+    return key == "format" && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz") == std::string::npos &&
+           isPictureName("picture." + text);
+}
+
+std::string pictureName(const Query& query) {
+    std::string name = "picture.png";
+    for (const auto& [key, text] : query)
+        if (isPictureFormat(key, text)) name = "picture." + text;
+    return name;
+}
+
+bool isStyle(const std::string& word) {
+    try {
+        parseStyle(word);
+        return true;
+    } catch (const std::invalid_argument&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+bool isServed(const Option& option) {
+    return !has(kServers, option.topic) && (option.topic != Topic::saved || isCameraKey(option.key)) &&
+           std::find(std::begin(kServerKeys), std::end(kServerKeys), option.key) == std::end(kServerKeys);
+}
+
+PictureRequest pictureRequest(const Query& query, const std::string& body, const ServeOptions& options,
+                              const std::string& uploads) {
+    PictureRequest request;
+    PictureDescription& d = request.description;
+    try {
+        bool isView = false;
+        if (!body.empty()) {
+            const std::string text = fs::file_size(body) < kMostBodyBytes ? readViewText(body) : std::string();
+            const nlohmann::json json = parseJson<nlohmann::json>(text);
+            isView = json.is_object() && (json.contains("input") || json.contains("rules") || json.contains("style"));
+            if (isView) takeView(text, "the request's view", d);
+        }
+        std::vector<OptionValue> values, camera;
+        for (const auto& [key, text] : query) {
+            if (isPictureFormat(key, text)) continue;
+            OptionValue value = valueOf(key, text);
+            if (!value.key.empty()) (isCameraKey(value.key) ? camera : values).push_back(std::move(value));
+        }
+        setOptions(values, d);
+        for (const OptionValue& value : camera) findOption(value.key, kSavedOnly)->parse(value.value, d);
+        if (!body.empty() && !isView)
+            d.input.path = body;
+        else if (!d.input.path.empty())
+            d.input.path = placeOf(d.input.path, options, uploads);
+        for (FurtherInput& further : d.input.further) further.path = placeOf(further.path, options, uploads);
+        d.output = pictureName(query);
+        d.input.cache = options.picture.input.cache;
+        d.input.offline = options.picture.input.offline || !options.picture.input.allowDownload;
+        d.input.memoryMegabytes = options.picture.input.memoryMegabytes;
+        d.occlusion.megabytes = options.picture.occlusion.megabytes;
+        d.device = options.picture.device;
+        completePicture(d);
+        checkSize(d, kMostServedSamples);
+        request.identity = printed(d) + contentOf(d.input.path);
+        for (const FurtherInput& further : d.input.further)
+            request.identity += "\n" + further.name + "=" + contentOf(further.path);
+        request.identity += "\n" + d.output;
+    } catch (const UsageError& error) {
+        throw Problem(400, error.what());
+    } catch (const Error& error) {
+        throw Problem(422, error.what());
+    } catch (const std::invalid_argument& error) {
+        throw Problem(400, error.what());
+    }
+    return request;
+}
+
+Query queryOfName(const std::string& name) {
+    const std::size_t dot = name.rfind('.');
+    if (dot == std::string::npos || !isPictureFormat("format", name.substr(dot + 1))) return {};
+    std::string stem = name.substr(0, dot), size;
+    const std::size_t dash = stem.rfind('-');
+    if (dash != std::string::npos && stem.find('x', dash) != std::string::npos &&
+        stem.find_first_not_of("0123456789x", dash + 1) == std::string::npos) {
+        size = stem.substr(dash + 1);
+        stem.resize(dash);
+    }
+    std::istringstream words(stem);
+    std::string id;
+    std::getline(words, id, '_');
+    const std::vector<std::string> samples = sampleNames();
+    const bool sample = std::find(samples.begin(), samples.end(), id) != samples.end();
+    if (!sample && (id.size() != 4 || !std::isdigit(static_cast<unsigned char>(id[0])))) return {};
+    Query query{{"input", (sample ? "sample:" : "pdb:") + id}, {"format", name.substr(dot + 1)}};
+    for (std::string word; std::getline(words, word, '_');) {
+        if (word.starts_with("assembly-"))
+            query.emplace_back("assembly", word.substr(9));
+        else if (word.starts_with("model-"))
+            query.emplace_back("model", word.substr(6));
+        else if (word == "front" || word == "side" || word == "top") {
+            query.emplace_back("orient", "principal");
+            if (word != "front") query.emplace_back("rotate", word == "side" ? "0,90,0" : "90,0,0");
+        } else {
+            query.emplace_back(isStyle(word) ? "style" : "color", word);
+        }
+    }
+    if (!size.empty()) query.emplace_back("size", size);
+    return query;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,179 @@
+#include "app/serve/workers.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "app/download/database_id.h"
+#include "app/download/load_molecule.h"
+#include "app/drawing/drawing.h"
+#include "app/files/messages.h"
+#include "app/images/image_file.h"
+#include "app/serve/problem.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+std::string bytesOfFile(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What a picture is in its format. The codecs write files, so it goes through one.
+std::string encoded(const Picture& picture, const PictureDescription& description) {
+    static std::atomic<unsigned> number{0};
+    const std::string name =
+        "nacre-serve-" + std::to_string(getpid()) + "-" + std::to_string(++number) + extensionOf(description.output);
+    const std::string path = (std::filesystem::temp_directory_path() / name).string();
+    {
+        OutputFile file(path);
+        writePicture(file, picture, formatOf(description));
+    }
+    std::string bytes = bytesOfFile(path);
+    std::error_code error;
+    std::filesystem::remove(path, error);
+    if (bytes.empty()) throw Problem(503, "no room for the picture");
+    return bytes;
+}
+
+}  // namespace
+
+class Workers::Worker {
+public:
+    explicit Worker(const DeviceOptions& device) : device_(device) { canvas_.emplace(device); }
+
+    /// Whether it has the molecule of a request.
+    bool has(const PictureDescription& description) const {
+        return molecule_ && !app::has(difference(last_, description), Facet::input);
+    }
+
+    ServedPicture draw(const PictureDescription& description) {
+        HeardMessages heard;
+        if (!canvas_ || !canvas_->renderer.deviceLoss().empty()) {
+            canvas_.reset();
+            canvas_.emplace(device_);
+        }
+        if (!has(description)) {
+            drawing_.forget();
+            molecule_.reset();
+            molecule_.emplace(load(description.input));
+            last_ = description;
+        }
+        drawing_.prepare(*molecule_, description);
+        std::size_t crowded = 0;
+        ServedPicture served{encoded(drawing_.draw(*canvas_, &crowded), description), heard.warnings};
+        served.warnings.insert(served.warnings.end(), drawing_.warnings.begin(), drawing_.warnings.end());
+        if (crowded > 0) served.warnings.push_back(std::to_string(crowded) + " labels found no room");
+        return served;
+    }
+
+    /// @throws Problem
+    static Molecule load(const InputOptions& input) {
+        try {
+            return loadMolecule(input);
+        } catch (const Error& error) {
+            const bool missing = parseDatabaseId(input.path) || dynamic_cast<const InputMissing*>(&error);
+            throw Problem(missing ? 404 : 422, error.what());
+        }
+    }
+
+    bool isLost() const { return canvas_ && !canvas_->renderer.deviceLoss().empty(); }
+
+private:
+    const DeviceOptions& device_;
+    std::optional<Canvas> canvas_;
+    std::optional<Molecule> molecule_;
+    PictureDescription last_;  ///< whose molecule it is
+    Drawing drawing_;
+};
+
+Workers::Workers(const ServeOptions& options) : options_(options) {
+    for (int i = 0; i < options.workers; ++i) workers_.push_back(std::make_unique<Worker>(options.picture.device));
+    for (const std::unique_ptr<Worker>& worker : workers_) threads_.emplace_back([&] { work(*worker); });
+}
+
+Workers::~Workers() {
+    {
+        const std::lock_guard lock(turn_);
+        stopping_ = true;
+        for (const std::shared_ptr<Task>& task : tasks_)
+            task->promise.set_exception(std::make_exception_ptr(Problem(503, "the server stops")));
+        tasks_.clear();
+    }
+    wake_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+}
+
+std::size_t Workers::waiting() const {
+    const std::lock_guard lock(turn_);
+    return tasks_.size();
+}
+
+ServedPicture Workers::draw(const PictureRequest& request, const std::string& newest) {
+    const auto task = std::make_shared<Task>();
+    task->request = request;
+    task->newest = newest;
+    std::future<ServedPicture> picture = task->promise.get_future();
+    {
+        const std::lock_guard lock(turn_);
+        if (stopping_) throw Problem(503, "the server stops");
+        if (!newest.empty()) {
+            const auto older = std::find_if(tasks_.begin(), tasks_.end(),
+                                            [&](const std::shared_ptr<Task>& one) { return one->newest == newest; });
+            if (older != tasks_.end()) {
+                (*older)->promise.set_exception(std::make_exception_ptr(Problem(429, "a newer view was asked for")));
+                tasks_.erase(older);
+            }
+        }
+        if (tasks_.size() >= static_cast<std::size_t>(options_.queue))
+            throw Problem(429, std::to_string(options_.queue) + " requests wait already");
+        tasks_.push_back(task);
+    }
+    wake_.notify_one();
+    if (picture.wait_for(std::chrono::duration<double>(options_.seconds)) == std::future_status::ready)
+        return picture.get();
+    const std::lock_guard lock(turn_);
+    task->given = true;
+    throw Problem(503, "the picture took longer than " + std::to_string(static_cast<int>(options_.seconds)) + " s");
+}
+
+/// The first that waits for the worker's molecule, else the first of all that no other worker has, else the first.
+std::shared_ptr<Workers::Task> Workers::next(const Worker& worker) {
+    std::unique_lock lock(turn_);
+    wake_.wait(lock, [&] { return stopping_ || !tasks_.empty(); });
+    if (tasks_.empty()) return nullptr;
+    constexpr std::ptrdiff_t kLookAhead = 8;  // farther ones wait their turn, so that none waits for ever
+    const auto end = tasks_.begin() + std::min<std::ptrdiff_t>(kLookAhead, std::ssize(tasks_));
+    auto chosen = std::find_if(
+        tasks_.begin(), end, [&](const std::shared_ptr<Task>& task) { return worker.has(task->request.description); });
+    if (chosen == end) chosen = tasks_.begin();
+    const std::shared_ptr<Task> task = *chosen;
+    tasks_.erase(chosen);
+    return task;
+}
+
+void Workers::work(Worker& worker) {
+    while (const std::shared_ptr<Task> task = next(worker)) {
+        {
+            const std::lock_guard lock(turn_);
+            if (task->given) continue;
+        }
+        try {
+            task->promise.set_value(worker.draw(task->request.description));
+        } catch (const Problem&) {
+            task->promise.set_exception(std::current_exception());
+        } catch (const std::bad_alloc&) {
+            task->promise.set_exception(std::make_exception_ptr(Problem(503, "out of memory")));
+        } catch (const std::exception& error) {
+            const int status = worker.isLost() ? 503 : 422;
+            task->promise.set_exception(std::make_exception_ptr(Problem(status, error.what())));
+        }
+    }
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,60 @@
+#pragma once
+// Threads that draw. Each has a canvas, and keeps the last molecule and scene: a request that differs from it in the
+// view alone costs a frame, and goes to the worker that has its molecule if that is free.
+
+#include <condition_variable>
+#include <deque>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/serve/picture_request.h"
+
+namespace nacre::app {
+
+/// A picture as it is sent.
+struct ServedPicture {
+    std::string bytes;
+    std::vector<std::string> warnings;
+};
+
+class Workers {
+public:
+    /// @param options  outlives this @throws Error if there is no device
+    explicit Workers(const ServeOptions& options);
+    /// Requests that are being drawn are finished, those that wait are answered with 503.
+    ~Workers();
+    Workers(const Workers&) = delete;
+
+    /// Draws one picture. @throws Problem: 429 if too many wait, 503 if it takes too long or the device is lost, 404 or
+    /// 422 for what cannot be read or drawn
+    /// @param newest  not empty: who asks. An older request of the same that still waits is answered with 429
+    ServedPicture draw(const PictureRequest& request, const std::string& newest = {});
+
+    std::size_t waiting() const;
+
+private:
+    struct Task {
+        PictureRequest request;
+        std::string newest;
+        std::promise<ServedPicture> promise;
+        bool given = false;  ///< up by who asked
+    };
+    class Worker;
+
+    void work(Worker& worker);
+    std::shared_ptr<Task> next(const Worker& worker);
+
+    const ServeOptions& options_;
+    mutable std::mutex turn_;  // of all below
+    std::condition_variable wake_;
+    std::deque<std::shared_ptr<Task>> tasks_;
+    bool stopping_ = false;
+    std::vector<std::unique_ptr<Worker>> workers_;
+    std::vector<std::thread> threads_;
+};
+
+}  // namespace nacre::app

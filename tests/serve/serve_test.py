@@ -1,0 +1,250 @@
+"""`nacre serve`: its answers, its bounds, and its page in headless Chromium. serve_test.py PROGRAM"""
+import concurrent.futures
+import importlib.util
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+import urllib.error
+import urllib.parse
+import urllib.request
+
+PROGRAM = sys.argv.pop(1)
+PDB = ("ATOM      1  N   GLY A   1       0.000   0.000   0.000  1.00  0.00           N\n"
+       "ATOM      2  CA  GLY A   1       1.450   0.000   0.000  1.00  0.00           C\n"
+       "ATOM      3  C   GLY A   1       2.000   1.420   0.000  1.00  0.00           C\n"
+       "ATOM      4  O   GLY A   1       1.250   2.390   0.000  1.00  0.00           O\nEND\n")
+
+
+class Server:
+    def __init__(self, folder, *options):
+        environment = dict(os.environ, NACRE_CACHE=str(folder / "cache"), TMPDIR=str(folder))
+        self.process = subprocess.Popen([PROGRAM, "serve", "--listen", "0", *options], stderr=subprocess.PIPE,
+                                        text=True, env=environment)
+        line = self.process.stderr.readline()
+        self.url = re.search(r"http://[^/ ]+/", line).group(0)
+
+    def ask(self, path, data=None, **headers):
+        """-> status, headers, body"""
+        request = urllib.request.Request(self.url + path, data=data, headers=headers)
+        try:
+            with urllib.request.urlopen(request, timeout=120) as answer:
+                return answer.status, answer.headers, answer.read()
+        except urllib.error.HTTPError as error:
+            return error.code, error.headers, error.read()
+
+    def stop(self):
+        self.process.send_signal(signal.SIGTERM)
+        code = self.process.wait(60)
+        self.process.stderr.close()
+        return code
+
+
+class ServeTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp())
+        cls.root = cls.folder / "root"
+        cls.root.mkdir()
+        (cls.root / "gly.pdb").write_text(PDB)
+        (cls.folder / "secret.pdb").write_text(PDB)
+        (cls.root / "link.pdb").symlink_to(cls.folder / "secret.pdb")
+        (cls.root / "bad.pdb").write_text("no atoms\n")
+        cls.server = Server(cls.folder, "--root", str(cls.root))
+
+    @classmethod
+    def tearDownClass(cls):
+        code = cls.server.stop()
+        shutil.rmtree(cls.folder)
+        assert code == 0, f"SIGTERM: exit status {code}"
+
+    def refused(self, path, status, words, data=None):
+        got, headers, body = self.server.ask(path, data)
+        self.assertEqual(got, status, body)
+        self.assertEqual(headers["Content-Type"], "application/problem+json")
+        problem = json.loads(body)
+        self.assertEqual(problem["status"], status)
+        self.assertIn(words, problem["detail"])
+        if str(self.folder) not in urllib.parse.unquote(path):
+            self.assertNotIn(str(self.folder), problem["detail"])
+
+    def test_a_picture_has_the_bytes_of_render(self):
+        status, headers, body = self.server.ask("picture?input=sample:dna&style=licorice&size=96x64")
+        self.assertEqual((status, headers["Content-Type"]), (200, "image/png"))
+        path = self.folder / "render.png"
+        subprocess.run([PROGRAM, "render", "sample:dna", "--style", "licorice", "--size", "96x64", "-o", path, "-q"],
+                       check=True)
+        self.assertEqual(body, path.read_bytes())
+
+    def test_the_same_picture_is_not_sent_twice(self):
+        path = "picture?input=gly.pdb&size=64x64"
+        _, headers, first = self.server.ask(path)
+        tag = headers["ETag"]
+        self.assertEqual(self.server.ask(path, None, **{"If-None-Match": tag})[0], 304)
+        self.assertEqual(self.server.ask(path)[2], first)
+        # Another order of the same options is the same picture, another option another.
+        self.assertEqual(self.server.ask("picture?size=64x64&input=gly.pdb")[1]["ETag"], tag)
+        self.assertNotEqual(self.server.ask(path + "&zoom=2")[1]["ETag"], tag)
+        changed = PDB.replace("2.390", "2.490")
+        (self.root / "gly.pdb").write_text(changed)
+        try:
+            self.assertNotEqual(self.server.ask(path)[1]["ETag"], tag)
+        finally:
+            (self.root / "gly.pdb").write_text(PDB)
+
+    def test_bodies(self):
+        status, headers, body = self.server.ask("picture?size=64x64&format=webp", PDB.encode())
+        self.assertEqual((status, headers["Content-Type"], body[:4]), (200, "image/webp", b"RIFF"))
+        view = json.dumps({"input": "gly.pdb", "style": "licorice"}).encode()
+        status, _, body = self.server.ask("picture?size=64x64", view)
+        self.assertEqual(status, 200, body)
+        self.assertEqual(body, self.server.ask("picture?input=gly.pdb&style=licorice&size=64x64")[2])
+        told = json.loads(self.server.ask("structures", PDB.encode())[2])
+        self.assertEqual(self.server.ask("picture?size=64x64&input=" + told["input"])[0], 200)
+        self.refused("picture", 400, "empty", b"")
+        self.refused("picture", 413, "64 MiB", bytes((64 << 20) + 1))
+        outside = json.dumps({"input": "../secret.pdb", "style": "licorice"}).encode()
+        self.refused("picture", 404, "there is no input", outside)
+
+    def test_nothing_outside_the_root_is_read(self):
+        for name in ("../secret.pdb", "link.pdb", str(self.folder / "secret.pdb"), "none.pdb", "."):
+            self.refused("picture?input=" + urllib.parse.quote(name), 404, "there is no input")
+        self.refused("picture?input=upload:../../x", 404, "not held")
+
+    def test_what_is_wrong(self):
+        self.refused("picture", 400, "INPUT is required")
+        self.refused("picture?input=gly.pdb&stile=cartoon", 400, "stile")
+        self.refused("picture?input=gly.pdb&style=blob", 400, "spacefill")
+        self.refused("picture?input=gly.pdb&size=9000x9000", 400, "samples")
+        self.refused("picture?input=bad.pdb", 422, "the input")
+        self.refused("picture?input=pdb:9xyz", 404, "cache")
+        self.refused("x.png", 404, "no picture has this name")
+        self.refused("nowhere", 404, "/nowhere")
+        for key in ("output", "layers", "stats", "capture", "view", "trajectory", "device", "cache", "memory"):
+            self.refused(f"picture?input=gly.pdb&{key}=/etc/passwd", 400, "the server's")
+        self.refused("picture?input=gly.pdb&look=/etc/passwd", 400, "look")
+
+    def test_options_are_the_tables(self):
+        schema = json.loads(self.server.ask("options")[2])
+        for key in ("input", "style", "color", "zoom", "label", "size"):
+            self.assertIn(key, schema["properties"])
+        for key, row in schema["properties"].items():
+            self.assertNotRegex(row.get("x-syntax", ""), r"FILE(?!\b.*NAME)|DIR") if key != "look" else None
+
+    def test_stable_names(self):
+        status, headers, body = self.server.ask("dna_licorice_front-80x60.webp")
+        self.assertEqual((status, headers["Content-Type"]), (200, "image/webp"))
+        path = "picture?input=sample:dna&style=licorice&orient=principal&size=80x60&format=webp"
+        self.assertEqual(body, self.server.ask(path)[2])
+
+    def test_info_health_metrics(self):
+        info = json.loads(self.server.ask("info?input=gly.pdb")[2])
+        self.assertEqual(info["atoms"], 4)
+        self.assertNotIn(str(self.folder), json.dumps(info))
+        self.assertEqual(self.server.ask("health")[2], b"ok\n")
+        before = int(re.search(r'status="404"} (\d+)', self.server.ask("metrics")[2].decode() + 'status="404"} 0').group(1))
+        self.server.ask("nowhere")
+        after = int(re.search(r'status="404"} (\d+)', self.server.ask("metrics")[2].decode()).group(1))
+        self.assertEqual(after, before + 1)
+
+    def test_a_full_queue_asks_to_come_again(self):
+        server = Server(self.folder, "--jobs", "1", "--queue", "1", "--pictures", "off")
+        with concurrent.futures.ThreadPoolExecutor(12) as pool:
+            paths = [f"picture?input=sample:dna&size=400x400&zoom={1 + i / 10}" for i in range(12)]
+            answers = list(pool.map(server.ask, paths))
+        self.assertEqual(server.stop(), 0)
+        codes = [status for status, _, _ in answers]
+        self.assertEqual(set(codes), {200, 429})
+        for status, headers, _ in answers:
+            self.assertEqual(headers["Retry-After"], "1" if status == 429 else None)
+
+    def test_a_port_that_is_taken(self):
+        port = self.server.url.rstrip("/").rsplit(":", 1)[1]
+        run = subprocess.run([PROGRAM, "serve", "--listen", port], capture_output=True, text=True, timeout=60)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("cannot listen", run.stderr)
+        self.assertEqual(run.stderr.count("\n"), 1)
+
+
+@unittest.skipUnless(shutil.which("chromedriver") and importlib.util.find_spec("selenium"),
+                     "chromedriver or python3-selenium is not installed")
+class PageTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        from selenium import webdriver
+        from selenium.webdriver.chrome.service import Service
+        cls.folder = pathlib.Path(tempfile.mkdtemp())
+        cls.server = Server(cls.folder)
+        options = webdriver.ChromeOptions()
+        for word in ("--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=900,700"):
+            options.add_argument(word)
+        cls.browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.quit()
+        cls.server.stop()
+        shutil.rmtree(cls.folder)
+
+    def at_rest(self, more_than=0):
+        """The picture's pixels once it is at rest."""
+        from selenium.webdriver.support.ui import WebDriverWait
+        WebDriverWait(self.browser, 90).until(lambda b: b.execute_script(
+            "return document.body.dataset.state === 'rest' && Number(document.body.dataset.pictures) > arguments[0] "
+            "&& document.getElementById('picture').naturalWidth > 0", more_than))
+        return self.browser.execute_script(
+            "const i = document.getElementById('picture'), c = document.createElement('canvas');"
+            "c.width = i.naturalWidth; c.height = i.naturalHeight; const g = c.getContext('2d'); g.drawImage(i, 0, 0);"
+            "const d = g.getImageData(0, 0, c.width, c.height).data; let h = 0, ink = 0;"
+            "for (let k = 0; k < d.length; k += 4) { h = (h * 31 + d[k] + 3 * d[k+1] + 7 * d[k+2]) >>> 0;"
+            " if (d[k] < 250) ++ink; } return [h, ink / (c.width * c.height)];")
+
+    def count(self):
+        return int(self.browser.execute_script("return document.body.dataset.pictures || 0"))
+
+    def test_the_page_turns_the_molecule(self):
+        from selenium.webdriver.common.action_chains import ActionChains
+        from selenium.webdriver.common.by import By
+        from selenium.webdriver.common.keys import Keys
+        browser = self.browser
+        browser.get(self.server.url)
+        first, ink = self.at_rest()
+        self.assertGreater(ink, 0.1)
+        stage = browser.find_element(By.ID, "stage")
+        n = self.count()
+        ActionChains(browser).click_and_hold(stage).move_by_offset(80, 30).release().perform()
+        dragged, _ = self.at_rest(n)
+        self.assertNotEqual(dragged, first)
+        n = self.count()
+        stage.send_keys(Keys.ARROW_LEFT)
+        self.assertNotEqual(self.at_rest(n)[0], dragged)
+        n = self.count()
+        stage.send_keys("r")
+        self.assertEqual(self.at_rest(n)[0], first)
+        n = self.count()
+        browser.find_element(By.ID, "input").clear()
+        browser.find_element(By.ID, "input").send_keys("sample:nothing" + Keys.ENTER)
+        self.at_rest(n)
+        self.assertIn("sample", browser.find_element(By.ID, "error").text)
+        link = browser.find_element(By.ID, "link").get_attribute("href")
+        self.assertIn("/picture?input=sample", link)
+
+    def test_narrow_screens_hide_nothing(self):
+        self.browser.set_window_size(500, 800)
+        try:
+            self.browser.get(self.server.url + "?input=sample:glucose")
+            self.at_rest()
+            wide = self.browser.execute_script("return document.documentElement.scrollWidth - innerWidth")
+            self.assertLessEqual(wide, 0)
+        finally:
+            self.browser.set_window_size(900, 700)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
