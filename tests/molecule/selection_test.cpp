@@ -197,5 +197,18 @@ TEST(Selection, TheModelIsTheOneThatWasRead) {
     EXPECT_EQ(count(third, "model 1"), 0u);
 }
 
+/// It is written into saved views, and compared where a view changes.
+TEST(Selection, ItsTextIsAllOfItAndReadsAgain) {
+    std::string many = "id 1";
+    for (int i = 2; i < 400; ++i) many += "+" + std::to_string(2 * i);
+    for (const std::string& text : {std::string("chain A\t+B and\n all"), many}) {
+        const Selection selection = parseSelection(text);
+        EXPECT_EQ(selection.text.size(), text.size());
+        EXPECT_EQ(parseSelection(selection.text), selection);
+        EXPECT_EQ(selection.text.find('\n'), std::string::npos);
+    }
+    EXPECT_NE(parseSelection(many + "+5"), parseSelection(many + "+7"));
+}
+
 }  // namespace
 }  // namespace nacre

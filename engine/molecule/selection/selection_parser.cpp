@@ -30,7 +30,7 @@ public:
                         "it is longer than " + std::to_string(kLongestText) + " characters");
         expression();
         if (!atEnd()) expected("'and', 'or' or the end", {"and", "or", "within", "around"});
-        result_.text = printable(trim(text_), 200);
+        result_.text = trim(text_);
         return std::move(result_);
     }
 
@@ -300,6 +300,11 @@ private:
 
 }  // namespace
 
-Selection parseSelection(std::string_view text) { return Parser(text).parse(); }
+Selection parseSelection(std::string_view text) {
+    // Blanks of any kind are one kind: the text is written into views and lists, whose lines end.
+    std::string plain(text.substr(0, kLongestText + 1));
+    std::replace_if(plain.begin(), plain.end(), isBlank, ' ');
+    return Parser(plain).parse();
+}
 
 }  // namespace nacre
