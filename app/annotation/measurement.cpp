@@ -6,6 +6,8 @@
 #include <glm/trigonometric.hpp>
 
 #include "app/annotation/element_names.h"
+#include "engine/molecule/element.h"
+#include "engine/scene/contacts.h"
 
 namespace nacre::app {
 namespace {
@@ -60,6 +62,38 @@ std::string atomText(const Molecule& molecule, std::uint32_t index) {
     }
     if (const std::string& chain = molecule.chains[residue.chain].name; !chain.empty()) text += ", chain " + chain;
     return text + ", atom " + std::to_string(index + 1);
+}
+
+std::string shortAtomText(const Molecule& molecule, std::uint32_t index) {
+    const Atom& atom = molecule.atoms[index];
+    const Residue& residue = molecule.residues[atom.residue];
+    std::string text;
+    if (!residue.name.view().empty()) text = std::string(residue.name.view()) + " " + std::to_string(residue.number);
+    if (residue.insertionCode) text += residue.insertionCode;
+    const std::string name(atom.name.view());
+    if (name.empty()) return text + (text.empty() ? "atom " : ", atom ") + std::to_string(index + 1);
+    return text + (text.empty() ? "" : " ") + name;
+}
+
+namespace {
+
+/// An atom, or the residue of a group.
+std::string endText(const Molecule& molecule, const InteractionEnd& end) {
+    const bool one =
+        end.atoms.size() == 1 || (end.atoms.size() == 2 && isHydrogen(molecule.atoms[end.atoms[1]].element));
+    std::string text = shortAtomText(molecule, end.atoms.front());
+    const std::string_view name = molecule.atoms[end.atoms.front()].name.view();
+    if (!one && text.size() > name.size() + 1 && !name.empty()) text.resize(text.size() - name.size() - 1);
+    return text;
+}
+
+}  // namespace
+
+std::string contactText(const Molecule& molecule, const Interaction& contact) {
+    std::string text = contactLook(contact.kind).label + formatted(" %.2f Å, ", contact.distance) +
+                       endText(molecule, contact.a) + " to " + endText(molecule, contact.b);
+    for (const std::uint32_t water : contact.waters) text += " by " + shortAtomText(molecule, water);
+    return text;
 }
 
 }  // namespace nacre::app

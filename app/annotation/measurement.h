@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "engine/molecule/chemistry/interactions.h"
 #include "engine/molecule/molecule.h"
 
 namespace nacre::app {
@@ -24,5 +25,11 @@ std::string measuredValue(std::span<const glm::dvec3> places);
 /// Element, name, residue, chain and number: "Oxygen O6, residue DG 4, chain A, atom 78".
 /// @param atom index into Molecule::atoms
 std::string atomText(const Molecule& molecule, std::uint32_t atom);
+
+/// "Hydrogen bond 2.91 Å, ASP 189 OD1 to BEN 1 N1"; of rings and charged groups their residues.
+std::string contactText(const Molecule& molecule, const Interaction& contact);
+
+/// "HIS 87 NE2", or what there is of it. @param atom index into Molecule::atoms
+std::string shortAtomText(const Molecule& molecule, std::uint32_t atom);
 
 }  // namespace nacre::app

@@ -88,8 +88,11 @@ struct DrawnAtoms {
 
     DrawnAtoms(const Molecule& molecule, const Representation& scene) : places(molecule.atoms.size()) {
         const auto put = [&](std::size_t i, const glm::dmat4x3& transform) {
-            places[scene.sphereLooks[i].atom - 1] = {transform * glm::dvec4(scene.spheres[i].center, 1.0),
-                                                     static_cast<double>(scene.spheres[i].radius)};
+            // An atom's own ball comes before what belongs to its bonds.
+            const std::uint32_t number = scene.sphereLooks[i].atom;
+            if (scene.contactOf(number) || places[number - 1].radius >= 0) return;
+            places[number - 1] = {transform * glm::dvec4(scene.spheres[i].center, 1.0),
+                                  static_cast<double>(scene.spheres[i].radius)};
         };
         if (scene.copies.transforms.empty())
             for (std::size_t i = 0; i < scene.spheres.size(); ++i) put(i, glm::dmat4x3(1.0));
@@ -186,18 +189,6 @@ void placeLabel(const Label& label, const ResidueFacts& facts, const DrawnAtoms&
     }
 }
 
-/// "HIS 87 NE2", or what there is of it.
-std::string shortAtomText(const Molecule& molecule, std::uint32_t index) {
-    const Atom& atom = molecule.atoms[index];
-    const Residue& residue = molecule.residues[atom.residue];
-    std::string text;
-    if (!residue.name.view().empty()) text = std::string(residue.name.view()) + " " + std::to_string(residue.number);
-    if (residue.insertionCode) text += residue.insertionCode;
-    const std::string name(atom.name.view());
-    if (name.empty()) return text + (text.empty() ? "atom " : ", atom ") + std::to_string(index + 1);
-    return text + (text.empty() ? "" : " ") + name;
-}
-
 void placeMeasure(const Measure& measure, const ResidueFacts& facts, const DrawnAtoms& drawn, WordsOfHidden hidden,
                   PlacedWords& placed) {
     PlacedMeasure result;
@@ -215,6 +206,24 @@ void placeMeasure(const Measure& measure, const ResidueFacts& facts, const Drawn
     placed.measures.push_back(std::move(result));
 }
 
+/// Beside the middle of each line.
+void placeDistances(const Representation& scene, PlacedWords& placed) {
+    if (scene.contacts.size() > kMostLabels)
+        throw Error("cannot label", "--interaction-labels",
+                    std::to_string(scene.contacts.size()) + " interactions are more than the bound of " +
+                        std::to_string(kMostLabels) + " labels (select fewer atoms or kinds)");
+    const glm::dmat4x3 place = scene.copies.transforms.empty() ? glm::dmat4x3(1.0) : scene.copies.transforms.front();
+    for (const DrawnContact& contact : scene.contacts) {
+        PlacedLabel label;
+        label.at = place * glm::dvec4(contact.middle, 1.0);
+        char text[32];
+        std::snprintf(text, sizeof text, "%.1f", contact.interaction.distance);
+        label.text = text;
+        label.ofAtom = true;  // a line is not written over
+        placed.labels.push_back(std::move(label));
+    }
+}
+
 }  // namespace
 
 PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Representation& scene,
@@ -223,6 +232,7 @@ PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Repr
     placed.title = words.title;
     placed.scaleBar = words.scaleBar;
     if (words.legend) placed.legends = scene.legends;
+    if (words.distances) placeDistances(scene, placed);
     if (words.labels.empty() && words.measures.empty()) return placed;
     const DrawnAtoms drawn(facts.molecule(), scene);
     if (words.seenOnly && !words.labels.empty()) placed.sight = std::make_shared<const LabelSight>(scene);

@@ -9,11 +9,13 @@
 #include <sstream>
 
 #include "app/cli/commands.h"
+#include "app/cli/info_frequencies.h"
 #include "app/cli/info_interactions.h"
 #include "app/cli/progress.h"
 #include "app/download/load_molecule.h"
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
+#include "app/picture/input_names.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -156,6 +158,28 @@ struct InfoOfInput {
     std::string text;
 };
 
+void addInteractionsOf(const Molecule& molecule, const InputOptions& input, const InfoOptions& options,
+                       InfoOfInput& info) {
+    ContactOptions contacts = options.picture.look.contacts;
+    if (!input.further.empty())
+        for (std::optional<Selection>* selection : {&contacts.of, &contacts.with})
+            if (*selection) nameInputs(inputNames(input), **selection);
+    if (options.frequencies) {
+        const ContactFrequencies frequencies = contactFrequencies(molecule, contacts, input.trajectory);
+        if (options.csv) info.text = frequencyCsv(molecule, frequencies);
+        if (options.json) {
+            info.json["interactions_of"] = frequencies.of;
+            info.json["interaction_frequencies"] = frequencyList(molecule, frequencies);
+        }
+        if (!options.csv && !options.json) info.text += frequencyText(molecule, frequencies);
+        return;
+    }
+    const std::vector<Interaction> interactions = interactionsOf(molecule, contacts);
+    if (options.csv) info.text = interactionCsv(molecule, interactions);
+    if (options.json) info.json["interactions"] = interactionList(molecule, interactions);
+    if (!options.csv && !options.json) info.text += interactionText(molecule, interactions);
+}
+
 InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
     Progress progress;
     progress.begin("reading");
@@ -166,14 +190,9 @@ InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
         info.json["residues"] = residueList(molecule);
         info.text = residueText(info.json["residues"]);
     }
-    if (options.interactions) {
-        InteractionRequest request = *options.interactions;
-        request.rules = options.interactionRules;
+    if (options.picture.look.contacts.of) {
         progress.begin("finding interactions");
-        const std::vector<Interaction> interactions = interactionsOf(molecule, request);
-        if (options.csv) info.text = interactionCsv(molecule, interactions);
-        if (options.json) info.json["interactions"] = interactionList(molecule, interactions);
-        if (!options.csv && !options.json) info.text += interactionText(molecule, interactions);
+        addInteractionsOf(molecule, input, options, info);
     }
     std::error_code error;
     const auto bytes = std::filesystem::file_size(input.path, error);
@@ -181,9 +200,28 @@ InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
     return info;
 }
 
+/// Several INPUTs that make one scene.
+void infoTogether(const InfoOptions& options, std::ostream& out) {
+    InputOptions input = options.picture.input;
+    input.alone = true;
+    std::string names;
+    for (const std::string& path : options.paths) {
+        addInput(input, path);
+        names += (names.empty() ? "" : " + ") + path;
+    }
+    const InfoOfInput info = infoOf(input, options);
+    if (options.json) {
+        out << jsonText(info.json);
+        return;
+    }
+    if (!options.csv) out << infoText(names, info.json);
+    out << info.text;
+}
+
 }  // namespace
 
 void infoCommand(const InfoOptions& options, std::ostream& out) {
+    if (options.together && options.paths.size() > 1) return infoTogether(options, out);
     const bool several = options.paths.size() > 1;
     Json list = Json::array();
     std::optional<Error> failure;  // the last one; those before it are said at once

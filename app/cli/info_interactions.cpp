@@ -6,9 +6,7 @@
 #include <sstream>
 
 #include "app/files/printable.h"
-#include "app/picture/option_values.h"
 #include "engine/error.h"
-#include "engine/molecule/selection/selection.h"
 
 namespace nacre::app {
 
@@ -67,19 +65,31 @@ std::string joined(const std::vector<Value>& values) {
     return text.str();
 }
 
-/// A cell of a spreadsheet: quoted where it has to be.
-std::string cell(const std::string& text) {
+std::string endCells(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
+    const EndFields fields = fieldsOf(molecule, atoms);
+    return csvCell(fields.chain) + "," + std::to_string(fields.model) + "," + csvCell(fields.residue) + "," +
+           std::to_string(fields.number) + "," + csvCell(fields.insertion) + "," + csvCell(joined(fields.atoms)) + "," +
+           joined(fields.ids);
+}
+
+const char* donorName(const Interaction& interaction) {
+    return interaction.donor == DonorSide::a ? "a" : interaction.donor == DonorSide::b ? "b" : "";
+}
+
+std::vector<bool> matched(const Molecule& molecule, const Selection& selection) {
+    std::vector<bool> atoms = selectAtoms(molecule, selection);
+    if (std::find(atoms.begin(), atoms.end(), true) == atoms.end())
+        throw Error("cannot find interactions", "--interactions", "'" + selection.text + "' matches no atoms");
+    return atoms;
+}
+
+}  // namespace
+
+std::string csvCell(const std::string& text) {
     if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + "\"";
-}
-
-std::string endCells(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
-    const EndFields fields = fieldsOf(molecule, atoms);
-    return cell(fields.chain) + "," + std::to_string(fields.model) + "," + cell(fields.residue) + "," +
-           std::to_string(fields.number) + "," + cell(fields.insertion) + "," + cell(joined(fields.atoms)) + "," +
-           joined(fields.ids);
 }
 
 std::string decimals(double value, int digits) {
@@ -90,56 +100,22 @@ std::string decimals(double value, int digits) {
     return text.str();
 }
 
-const char* donorName(const Interaction& interaction) {
-    return interaction.donor == DonorSide::a ? "a" : interaction.donor == DonorSide::b ? "b" : "";
-}
+double thousandths(double value) { return rounded(value, 1000); }
 
-std::string shortEnd(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
+std::string endName(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     const EndFields fields = fieldsOf(molecule, atoms);
     return printable(fields.chain + "/" + fields.residue + " " + std::to_string(fields.number) + fields.insertion +
                      " " + joined(fields.atoms));
 }
 
-std::vector<bool> matched(const Molecule& molecule, const std::string& text) {
-    std::vector<bool> atoms = selectAtoms(molecule, parseSelection(text));
-    if (std::find(atoms.begin(), atoms.end(), true) == atoms.end())
-        throw Error("cannot find interactions", "--interactions", "'" + text + "' matches no atoms");
-    return atoms;
+InteractionQuery interactionQuery(const Molecule& molecule, const ContactOptions& contacts) {
+    InteractionQuery query{matched(molecule, *contacts.of), {}, contacts.kinds};
+    if (contacts.with) query.b = matched(molecule, *contacts.with);
+    return query;
 }
 
-bool parses(const std::string& text) {
-    try {
-        parseSelection(text);
-        return true;
-    } catch (const Error&) {
-        return false;
-    }
-}
-
-}  // namespace
-
-InteractionRequest parseInteractionRequest(const std::string& text) {
-    if (parses(text)) return {text, "", InteractionRules::molstar};
-    for (std::size_t at = text.find(','); at != std::string::npos; at = text.find(',', at + 1)) {
-        const std::string first = text.substr(0, at), second = text.substr(at + 1);
-        if (parses(first) && parses(second)) return {first, second, InteractionRules::molstar};
-    }
-    parseSelection(text.substr(0, text.find(',')));  // says what is wrong with the first of two
-    parseSelection(text);
-    return {};
-}
-
-InteractionRules parseInteractionRules(const std::string& name) {
-    if (const auto rules = interactionRulesFromName(name)) return *rules;
-    const std::vector<std::string> names{"molstar", "plip", "baker-hubbard", "wernet-nilsson"};
-    refuse(name, anyOf(names), names);
-}
-
-std::vector<Interaction> interactionsOf(const Molecule& molecule, const InteractionRequest& request) {
-    InteractionQuery query;
-    query.a = matched(molecule, request.a);
-    if (!request.b.empty()) query.b = matched(molecule, request.b);
-    return InteractionFinder(molecule, request.rules).find(molecule, query);
+std::vector<Interaction> interactionsOf(const Molecule& molecule, const ContactOptions& contacts) {
+    return InteractionFinder(molecule, contacts.rules).find(molecule, interactionQuery(molecule, contacts));
 }
 
 Json interactionList(const Molecule& molecule, const std::vector<Interaction>& interactions) {
@@ -190,9 +166,9 @@ std::string interactionText(const Molecule& molecule, const std::vector<Interact
     for (const Interaction& interaction : interactions) {
         std::string line = "    " + std::string(interactionKindName(interaction.kind));
         line.resize(std::max<std::size_t>(line.size(), 19), ' ');
-        line += decimals(interaction.distance, 2) + " Å  " + shortEnd(molecule, interaction.a.atoms) + "  -  " +
-                shortEnd(molecule, interaction.b.atoms);
-        for (const std::uint32_t water : interaction.waters) line += "  by " + shortEnd(molecule, {water});
+        line += decimals(interaction.distance, 2) + " Å  " + endName(molecule, interaction.a.atoms) + "  -  " +
+                endName(molecule, interaction.b.atoms);
+        for (const std::uint32_t water : interaction.waters) line += "  by " + endName(molecule, {water});
         text += line + "\n";
     }
     return text;

@@ -5,25 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "engine/molecule/chemistry/interactions.h"
+#include "engine/scene/contacts.h"
 
 namespace nacre::app {
 
-/// What --interactions and --interaction-rules ask for.
-struct InteractionRequest {
-    std::string a, b;  ///< selections; b empty: the surroundings of a, or all against all
-    InteractionRules rules = InteractionRules::molstar;
-};
-
-/// "all", "SEL" or "SEL,SEL". A comma that is part of a selection's list stays one: `chain A,B` is one selection.
-/// @throws Error as parseSelection() does
-InteractionRequest parseInteractionRequest(const std::string& text);
-
-/// "molstar", "plip", "baker-hubbard" or "wernet-nilsson". @throws Error
-InteractionRules parseInteractionRules(const std::string& name);
+/// A cell of a spreadsheet: quoted where it has to be.
+std::string csvCell(const std::string& text);
+std::string decimals(double value, int digits);
+/// Rounded to thousandths.
+double thousandths(double value);
+/// "A/HIS57 NE2": chain, residue and names of the atoms of one side.
+std::string endName(const Molecule& molecule, const std::vector<std::uint32_t>& atoms);
 
 /// @throws Error if a selection matches no atoms
-std::vector<Interaction> interactionsOf(const Molecule& molecule, const InteractionRequest& request);
+InteractionQuery interactionQuery(const Molecule& molecule, const ContactOptions& contacts);
+/// @param contacts  with what they are of @throws Error if a selection matches no atoms
+std::vector<Interaction> interactionsOf(const Molecule& molecule, const ContactOptions& contacts);
 
 /// Each {kind, a, b, distance (Å), angles {name: degrees}, offset (Å, of rings), donor ("a" or "b", else absent),
 /// waters}; a, b and each of waters {chain, model if there are several, residue, number, insertion, atoms, ids}.

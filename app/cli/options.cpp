@@ -117,20 +117,21 @@ void checkExport(const ExportCommandOptions& options) {
 
 /// @throws UsageError
 void checkInfo(const InfoOptions& options) {
+    if (options.frequencies && !options.picture.look.contacts.of)
+        throw UsageError("--frequencies is for --interactions");
     if (!options.csv) return;
-    if (!options.interactions) throw UsageError("--csv is for --interactions");
+    if (!options.picture.look.contacts.of) throw UsageError("--csv is for --interactions");
     if (options.json) throw UsageError("--csv and --json exclude each other");
-    if (options.paths.size() > 1) throw UsageError("--csv is for one INPUT");
+    if (options.paths.size() > 1 && !options.together) throw UsageError("--csv is for one INPUT, or for --together");
 }
 
 void addInteractions(CommandSpec& command, InfoOptions& options) {
-    command.value(
-        "--interactions", "SEL[,SEL]|all", "none",
-        "Hydrogen bonds, salt bridges and other contacts: of a selection, between two selections, or of all atoms",
-        [&](const std::string& text) { options.interactions = parseInteractionRequest(text); });
-    command.value("--interaction-rules", "molstar|plip|baker-hubbard|wernet-nilsson", "molstar",
-                  "Definitions of interactions (docs/interactions.md)",
-                  [&](const std::string& text) { options.interactionRules = parseInteractionRules(text); });
+    addPicture(command, options.picture, static_cast<Topics>(Topic::interactions));
+    command.flag("--together", options.together,
+                 "The INPUTs as one scene, so that interactions between them are found; NAME=INPUT names one for "
+                 "selections, /NAME");
+    command.flag("--frequencies", options.frequencies,
+                 "How often each interaction is there, over all models (--model all) or frames (--trajectory)");
     command.flag("--csv", options.csv, "The interactions as a table of comma-separated values");
 }
 
@@ -152,6 +153,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     CommandSpec info{"info", "Summarise a structure file",
                      "Examples:\n  nacre info 1bna.pdb 4hhb.cif.gz\n  nacre info ligands.sdf --model 3 --json"};
     addInputs(info, line.info.paths, line.info.picture);
+    addPicture(info, line.info.picture, static_cast<Topics>(Topic::trajectory));
     info.flag("--residues", line.info.residues, "Each residue, with helix, strand or coil");
     addInteractions(info, line.info);
     info.flag("--json", line.info.json, "As one JSON object");

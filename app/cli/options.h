@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/cli/command_spec.h"
-#include "app/cli/info_interactions.h"
 #include "app/desktop/view_options.h"
 #include "app/export/export_scene.h"
 #include "app/movie/camera_path.h"
@@ -39,8 +38,8 @@ struct InfoOptions {
     std::vector<std::string> paths;  ///< one or more
     PictureDescription picture;      ///< how each of them is read
     bool residues = false;           ///< each of them, with its place in the fold
-    std::optional<InteractionRequest> interactions;
-    InteractionRules interactionRules = InteractionRules::molstar;
+    bool together = false;           ///< the INPUTs are one scene
+    bool frequencies = false;        ///< how often each interaction is there
     bool json = false, csv = false;  ///< csv: of the interactions alone
 };
 

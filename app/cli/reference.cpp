@@ -19,6 +19,7 @@ constexpr ReferenceGroup kReferenceGroups[] = {
     {"Representation", Topic::style | Topic::atoms},
     {"Colours", Topic::color | Topic::background},
     {"Selections", static_cast<Topics>(Topic::rules)},
+    {"Interactions", static_cast<Topics>(Topic::interactions)},
     {"Cartoons and surfaces", static_cast<Topics>(Topic::mesh)},
     {"Camera", Topic::camera | Topic::aim},
     {"Looks and saved views", Topic::look | Topic::view | Topic::thumbnail},

@@ -93,7 +93,8 @@ void checkThere(const std::string& path) {
 
 Molecule loadStructure(const InputOptions& input, const std::function<void(double)>& onDownload,
                        const std::function<void(double)>& onModel) {
-    if (const auto id = parseDatabaseId(input.path)) return loadDownload(input, *id, onDownload, onModel);
+    if (const auto id = parseDatabaseId(input.path))
+        return completed(input, loadDownload(input, *id, onDownload, onModel));
     if (!input.namedBy.empty()) return loadNamed(input, onModel);
     checkThere(input.path);
     return readLocally(input, memoryOf(input), {}, onModel);

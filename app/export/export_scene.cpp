@@ -79,7 +79,7 @@ private:
 
     /// @param atom  counted from 1
     const std::string& chainOf(std::uint32_t atom) const {
-        return molecule_.chains[molecule_.residues[molecule_.atoms[atom - 1].residue].chain].name;
+        return molecule_.chains[molecule_.residues[molecule_.atoms[scene_.atomOf(atom) - 1].residue].chain].name;
     }
 
     GroupMesh& meshOf(std::uint32_t list, std::uint32_t atom, const char* kind) {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/error.h"
+#include "engine/molecule/chemistry/hydrogens.h"
 #include "engine/molecule/memory_bound.h"
 
 namespace nacre::app {
@@ -21,6 +22,14 @@ std::uint64_t memoryShare(unsigned parts) {
     return static_cast<std::uint64_t>(pages) / parts * static_cast<std::uint64_t>(size);
 }
 
+Molecule completed(const InputOptions& input, Molecule molecule) {
+    if (!input.addHydrogens) return molecule;
+    if (!input.trajectory.path.empty())
+        throw Error("cannot add hydrogens", input.path,
+                    "the trajectory " + input.trajectory.path + " has none of them");
+    return withMissingHydrogens(molecule);
+}
+
 Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
                      const std::function<std::string(const std::string&)>& readFile,
                      const std::function<void(double)>& onModel) {
@@ -28,14 +37,15 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
         if (input.format) throw Error("cannot read molecule", input.path, "a sample takes no --format");
         if (input.model != 1 && input.model != kAllModels)
             throw Error("cannot read molecule", input.path, "a sample has one model");
-        return sampleMolecule(std::string_view(input.path).substr(kSample.size()));
+        return completed(input, sampleMolecule(std::string_view(input.path).substr(kSample.size())));
     }
     ReadOptions options = readWithin(bytes);
     options.format = input.format;
     options.model = input.model;
     options.onModel = onModel;
     options.others = !input.alone;
-    return readFile ? readMolecule(input.path, readFile(input.path), options) : readMoleculeFile(input.path, options);
+    return completed(input, readFile ? readMolecule(input.path, readFile(input.path), options)
+                                     : readMoleculeFile(input.path, options));
 }
 
 }  // namespace nacre::app

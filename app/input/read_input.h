@@ -13,6 +13,10 @@ namespace nacre::app {
 /// A part of the machine's memory, in bytes. @param parts  how many such parts there are
 std::uint64_t memoryShare(unsigned parts);
 
+/// A molecule as it was read, with the hydrogens that it is asked to have. @throws Error if they would not move with a
+/// trajectory
+Molecule completed(const InputOptions& input, Molecule molecule);
+
 /// Reads a sample, a file or standard input, whatever else `input.path` looks like.
 /// @param bytes     what the molecule may take
 /// @param readFile  gives a file's bytes, where a path alone does not open it

@@ -31,6 +31,7 @@ void drawSelectionActions(PanelFrame& f, const std::string& selection) {
     f.ui.heading("Actions");
     if (f.ui.button(Icon::fit, "Zoom to")) aim(&Aim::zoomTo);
     if (f.ui.word("Turn to front")) aim(&Aim::lookAt);
+    drawContactActions(f, selection);
     if (f.ui.word("Label")) f.look.words.labels.push_back(parseLabel(selection + "={residue} {number}"));
     if (f.ui.word("Hide")) add(parseHide(selection));
     if (f.ui.word("Show only these")) add(parseHide("not (" + selection + ")"));
@@ -95,6 +96,7 @@ void drawSelectPage(PanelFrame& f) {
         f.ui.caption("Nothing selected.");
     if (selection.any() && selection.count > 0) drawSelectionActions(f, selection.text);
     if (!f.s.ruleError.empty()) f.ui.warning(f.s.ruleError);
+    drawContactList(f);
     drawRules(f);
 }
 

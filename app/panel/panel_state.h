@@ -146,6 +146,9 @@ void drawPartsPage(PanelFrame& f);
 void drawSequence(PanelFrame& f, const Part& part);
 void drawSelectPage(PanelFrame& f);
 void drawRules(PanelFrame& f);
+/// What interactions and pockets are to be shown of a selection, and those that are drawn, to fly to (contacts.cpp).
+void drawContactActions(PanelFrame& f, const std::string& selection);
+void drawContactList(PanelFrame& f);
 void drawLabelsPage(PanelFrame& f);
 void drawMorePage(PanelFrame& f);
 // Under the picture, and upon it

@@ -78,7 +78,8 @@ void nameInputs(PictureDescription& d) {
     for (Label& label : d.words.labels) nameInputs(names, label.selection);
     for (Measure& measure : d.words.measures)
         for (Selection& point : measure.points) nameInputs(names, point);
-    for (std::optional<Selection>* selection : {&d.aim.lookAt, &d.aim.zoomTo, &d.aim.uncover})
+    for (std::optional<Selection>* selection :
+         {&d.aim.lookAt, &d.aim.zoomTo, &d.aim.uncover, &d.look.contacts.of, &d.look.contacts.with})
         if (*selection) nameInputs(names, **selection);
     for (FitOptions& fit : d.input.fits) {
         nameInputs(names, fit.moving);

@@ -40,6 +40,7 @@ struct InputOptions {
     std::string path;  ///< a file, "-", "sample:NAME", or "pdb:", "pubchem:", "afdb:" and an identifier
     std::optional<Format> format;
     int model = 1;                     ///< 1-based, or kAllModels
+    bool addHydrogens = false;         ///< those that the file lacks
     bool alone = false;                ///< without the places of the file's other models
     std::optional<std::string> cache;  ///< folder, or "off"; empty: the usual one (cache_folder.h)
     bool offline = false;              ///< downloads from the cache alone

@@ -44,6 +44,7 @@ enum class Topic : std::uint32_t {
     path = 1 << 27,   ///< how a device draws
     frame = 1 << 28,  ///< likewise, without effect on the picture
     validation = 1 << 29,
+    interactions = 1 << 30,
     saved = 1u << 31,  ///< in saved views only
 };
 using Topics = std::uint32_t;
@@ -51,7 +52,8 @@ constexpr Topics operator|(Topic a, Topic b) { return static_cast<Topics>(a) | s
 constexpr Topics operator|(Topics a, Topic b) { return a | static_cast<Topics>(b); }
 constexpr bool has(Topics topics, Topic topic) { return (topics & static_cast<Topics>(topic)) != 0; }
 constexpr Topics kReading = Topic::input | Topic::reading | Topic::trajectory | Topic::fit;
-constexpr Topics kAppearance = Topic::style | Topic::color | Topic::rules | Topic::mesh | Topic::atoms;
+constexpr Topics kAppearance =
+    Topic::style | Topic::color | Topic::rules | Topic::mesh | Topic::atoms | Topic::interactions;
 constexpr Topics kEveryTopic = ~static_cast<Topics>(Topic::saved);
 
 /// The part of the work that is done again when an option changes.

@@ -2,6 +2,7 @@
 
 #include "app/picture/input_names.h"
 #include "app/picture/looks.h"
+#include "app/picture/pocket.h"
 #include "app/picture/rows.h"
 #include "app/picture/saved_view.h"
 #include "engine/molecule/read.h"
@@ -58,6 +59,13 @@ std::vector<Option> severalAtOnce() {
                  "--occlusion-detail 12; options override it, and so does the camera of --view",
          .topic = Topic::thumbnail,
          .parse = takeThumbnail},
+        {.key = "pocket",
+         .syntax = "SEL",
+         .standard = "none",
+         .help = "A ligand in its pocket: it and the residues within 4 Å as sticks, interactions, labels, a faint "
+                 "cartoon,\nseen from the open side; options override it",
+         .topic = Topic::look,
+         .parse = applyPocket},
     };
 }
 
@@ -182,6 +190,16 @@ std::vector<Option> reading() {
          .print = printModel,
          .save = always,
          .number = Option::Number::whole},
+        {.key = "add-hydrogens",
+         .syntax = "on|off",
+         .standard = "=",
+         .help = "Add the hydrogens that the file lacks, at neutral pH",
+         .topic = Topic::reading,
+         .facet = Facet::input,
+         .parse = parseSwitch<kOnOff, &P::input, &InputOptions::addHydrogens>,
+         .print = printSwitch<kOnOff, &P::input, &InputOptions::addHydrogens>,
+         .save = differing,
+         .bare = "on"},
     };
 }
 

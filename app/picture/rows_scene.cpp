@@ -1,6 +1,7 @@
 // How the molecule is represented: style, colours, rules, meshes, and which atoms are drawn.
 
 #include "app/picture/appearance_values.h"
+#include "app/picture/interaction_values.h"
 #include "app/picture/rows.h"
 
 namespace nacre::app {
@@ -13,6 +14,8 @@ using enum Option::Kind;
 using enum Option::Save;
 
 inline constexpr Words2 kModelAll = {"model", "all"}, kAllOwn = {"all", "own"};
+inline constexpr std::array<const char*, 3> kBondOrders{"off", "ligands", "on"};
+inline constexpr std::array<const char*, 2> kAromaticForms{"dashes", "ring"};
 inline constexpr std::array<const char*, 3> kHelixForms{"ribbon", "tube", "cylinder"};
 inline constexpr std::array<const char*, 3> kBaseForms{"plates", "ladder", "none"};
 inline constexpr std::array<const char*, 3> kSurfaceKinds{"excluded", "accessible", "gaussian"};
@@ -65,6 +68,25 @@ std::vector<Option> whole() {
          .facet = Facet::scene,
          .parse = [](T text, P& d) { setStyle(parseStyle(text), d.look); },
          .print = [](const P& d) { return std::string(d.look.style ? styleName(*d.look.style) : ""); },
+         .save = differing},
+        {.key = "bond-orders",
+         .syntax = "ligands|on|off",
+         .standard = "=",
+         .help =
+             "Double, triple and aromatic bonds as parallel sticks: of ligands and small molecules, of all, or none",
+         .topic = Topic::style,
+         .facet = Facet::scene,
+         .parse = parseNamed<kBondOrders, &P::look, &R::bondOrders>,
+         .print = printNamed<kBondOrders, &P::look, &R::bondOrders>,
+         .save = differing},
+        {.key = "aromatic-bonds",
+         .syntax = "dashes|ring",
+         .standard = "=",
+         .help = "Inner line of aromatic rings: dashes along each bond, or a ring",
+         .topic = Topic::style,
+         .facet = Facet::scene,
+         .parse = parseNamed<kAromaticForms, &P::look, &R::aromatic>,
+         .print = printNamed<kAromaticForms, &P::look, &R::aromatic>,
          .save = differing},
         {.key = "color",
          .syntax = "SCHEME|COLOR",
@@ -156,6 +178,48 @@ std::vector<Option> meshes() {
     return rows;
 }
 
+std::vector<Option> interactions() {
+    std::vector<Option> rows{
+        {.key = "interactions",
+         .syntax = "SEL[,SEL]|off",
+         .standard = "=",
+         .help = "Hydrogen bonds, salt bridges and the like as dashed lines: of a selection with what is around it, or "
+                 "between\ntwo selections; all: everything with everything",
+         .topic = Topic::interactions,
+         .parse = [](T text, P& d) { parseInteractions(text, d.look.contacts); },
+         .print = [](const P& d) { return interactionsText(d.look.contacts); }},
+        {.key = "interaction-kinds",
+         .syntax = "KIND[,KIND]|all",
+         .standard = "=",
+         .help = interactionKindNames(),
+         .topic = Topic::interactions,
+         .parse = [](T text, P& d) { d.look.contacts.kinds = parseInteractionKinds(text); },
+         .print = [](const P& d) { return interactionKindsText(d.look.contacts.kinds); },
+         .needs = "interactions"},
+        {.key = "interaction-rules",
+         .syntax = "NAME",
+         .standard = "=",
+         .help = "Definitions of interactions: molstar, plip, baker-hubbard or wernet-nilsson (docs/interactions.md)",
+         .topic = Topic::interactions,
+         .parse = [](T text, P& d) { d.look.contacts.rules = parseInteractionRules(text); },
+         .print = [](const P& d) { return std::string(interactionRulesName(d.look.contacts.rules)); },
+         .needs = "interactions"},
+        {.key = "interaction-width",
+         .syntax = "WIDTH",
+         .standard = "=",
+         .help = "Thickness of their dashes in Å, 0.02 to 1",
+         .topic = Topic::style,
+         .parse = [](T text, P& d) { d.look.contacts.width = parseNumber(text, 0.02, 1); },
+         .print = printNumber<&P::look, &R::contacts, &ContactOptions::width>,
+         .needs = "interactions"},
+    };
+    for (Option& row : rows) {
+        row.facet = Facet::scene;
+        row.save = differing;
+    }
+    return rows;
+}
+
 template <Rule (*parse)(T)>
 void parseRule(T text, P& d) {
     addTo(d.look.rules, text, kMostRules, parse);
@@ -207,7 +271,7 @@ std::vector<Option> chosen() {
 
 std::vector<Option> sceneRows() {
     std::vector<Option> rows = whole();
-    for (std::vector<Option> (*some)() : {meshes, chosen})
+    for (std::vector<Option> (*some)() : {meshes, interactions, chosen})
         for (Option& option : some()) rows.push_back(std::move(option));
     return rows;
 }

@@ -133,7 +133,7 @@ std::vector<Option> aimRows() {
         {.key = "look-at",
          .syntax = "SEL",
          .standard = "none",
-         .help = "Turn to the viewer the side from which a selection is least hidden",
+         .help = "Turn to the viewer the side from which most of a selection is seen",
          .topic = Topic::aim,
          .facet = Facet::view,
          .parse = parseSelected<&P::aim, &Aim::lookAt>,

@@ -11,7 +11,7 @@ using T = std::string_view;
 using enum Option::Kind;
 using enum Option::Save;
 
-inline constexpr Words2 kSeenAll = {"seen", "all"};
+inline constexpr Words2 kSeenAll = {"seen", "all"}, kDistanceOff = {"distance", "off"};
 
 void parseTextSize(T text, P& d) {
     d.words.size = parsePixels(text, 4, 2000);
@@ -66,6 +66,18 @@ std::vector<Option> wordRows() {
          .print = printSwitch<kOnOff, &P::words, &Words::legend>,
          .save = differing,
          .bare = "on"},
+        {.key = "interaction-labels",
+         .syntax = "distance|off",
+         .standard = "=",
+         .help = "Distances of interactions that are drawn, in Å",
+         .parse =
+             [](T text, P& d) {
+                 d.words.distances = parseChoice(text, {"distance", "off"}) == 0;
+             },
+         .print = printSwitch<kDistanceOff, &P::words, &Words::distances>,
+         .save = differing,
+         .needs = "interactions",
+         .bare = "distance"},
         {.key = "show-labels",
          .syntax = "all|seen",
          .standard = "=",

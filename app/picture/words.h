@@ -35,12 +35,14 @@ struct Words {
     std::string title;
     ScaleBar scaleBar = ScaleBar::off;
     bool legend = false;
+    bool distances = false;                     ///< of interactions that are drawn
     bool seenOnly = false;                      ///< no labels of what lies behind other atoms
     double size = 0;                            ///< pixels of an em; 0: a 42nd of the shorter side
     std::optional<std::array<float, 3>> color;  ///< sRGB-coded; empty: dark or light, against the background
 
     bool any() const {
-        return !labels.empty() || !measures.empty() || !title.empty() || scaleBar != ScaleBar::off || legend;
+        return !labels.empty() || !measures.empty() || !title.empty() || scaleBar != ScaleBar::off || legend ||
+               distances;
     }
     friend bool operator==(const Words&, const Words&) = default;
 };

@@ -107,8 +107,8 @@ void CameraControl::aim(const Aim& aim, double now) {
         take(aim, true, now);
 }
 
-void CameraControl::arrived(double now) {
-    if (aim_.any()) take(std::exchange(aim_, {}), false, now);
+void CameraControl::arrived(bool fly, double now) {
+    if (aim_.any()) take(std::exchange(aim_, {}), fly, now);
 }
 
 void CameraControl::fit(double now) {

@@ -24,8 +24,8 @@ public:
     void take(Aim aim, bool fly, double now);
     /// Flies to the whole molecule.
     void fit(double now);
-    /// Another molecule is there: aims that waited for it are taken.
-    void arrived(double now);
+    /// Another molecule or scene is there: an aim that waited for it is taken. @param fly  from where the camera is
+    void arrived(bool fly, double now);
     /// The view is another one, with its own clipping planes.
     void forgetClip() { clipped_ = false; }
 

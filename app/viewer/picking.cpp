@@ -63,6 +63,12 @@ void Picking::tap(glm::dvec2 at, double now) {
         select("");
         return;
     }
+    if (const DrawnContact* contact = stage_.document.scene.contactOf(*atom)) {
+        picks_.clear();
+        select("byres (id " + std::to_string(contact->interaction.a.atoms.front() + 1) + "+" +
+               std::to_string(contact->interaction.b.atoms.front() + 1) + ")");
+        return;
+    }
     select(residueText(stage_.document, *atom - 1));
     if (!picks_.empty() && picks_.back() == *atom - 1) return;
     if (picks_.size() == 4) picks_.clear();
@@ -73,7 +79,8 @@ void Picking::tap(glm::dvec2 at, double now) {
 std::optional<Selection> Picking::doubleTap(glm::dvec2 at, double now) {
     picks_ = picksBefore_;
     stage_.schedule.overlayChanged();
-    const std::uint32_t atom = frames_.atomAt(at, kFingerPoints, now).value_or(0);
+    std::uint32_t atom = frames_.atomAt(at, kFingerPoints, now).value_or(0);
+    if (atom > 0) atom = stage_.document.scene.atomOf(atom);
     if (atom == 0 || stage_.document.molecule->residues.size() < 2) return std::nullopt;
     return parseSelection(residueText(stage_.document, atom - 1));
 }
@@ -159,7 +166,10 @@ Annotations Picking::annotations() const {
     const Document& document = stage_.document;
     const View view = frames_.settings().view;
     for (const glm::dvec3& place : selectedPlaces_) a.selected.push_back(frames_.pointOf(place, view));
-    if (hovers() && hovered_ <= document.molecule->atoms.size()) a.hover = atomText(*document.molecule, hovered_ - 1);
+    if (const DrawnContact* contact = hovers() ? document.scene.contactOf(hovered_) : nullptr)
+        a.hover = contactText(*document.molecule, contact->interaction);
+    else if (hovers() && hovered_ <= document.molecule->atoms.size())
+        a.hover = atomText(*document.molecule, hovered_ - 1);
     if (picks_.empty()) return a;
     std::vector<glm::dvec3> places;
     for (const std::uint32_t pick : picks_) {

@@ -164,8 +164,8 @@ void Viewer::takeDocument(double now) {
     if (arrival.another) {
         picking_.drop();
         if (!arrival.step) stage_.messages.clear();
-        camera_.arrived(now);
     }
+    camera_.arrived(!arrival.another, now);
     playback_.arrived(arrival);
     words_.place(now);
     if (arrival.another && !arrival.step) picking_.select("");

@@ -13,6 +13,7 @@
 #include "engine/molecule/molecule.h"
 #include "engine/molecule/selection/selection.h"
 #include "engine/scene/color_schemes.h"
+#include "engine/scene/contacts.h"
 
 namespace nacre {
 
@@ -20,6 +21,11 @@ namespace nacre {
 /// ions) is then licorice, or a small ball where nothing is bonded to it. A surface goes over what is there, but takes
 /// the place of space-filling atoms, which reach as far.
 enum class Style { spacefill, ballAndStick, licorice, cartoon, surface };
+
+/// Of which bonds the order is seen: none, those of all but polymers, all.
+enum class BondOrders : std::uint8_t { off, ligands, on };
+/// The inner line of an aromatic ring: dashes along each bond, or a circle.
+enum class AromaticForm : std::uint8_t { dashes, ring };
 
 constexpr double kLeastOpacity = 0.01;  ///< of a cartoon or surface; less would not be seen
 
@@ -52,6 +58,9 @@ struct RepresentationOptions {
     SurfaceOptions surface = {};
     double cartoonOpacity = 1, surfaceOpacity = 1;  ///< kLeastOpacity to 1, of what no rule gives one
     bool modelsOcclude = false;                     ///< models that are drawn together darken each other
+    ContactOptions contacts = {};
+    BondOrders bondOrders = BondOrders::ligands;
+    AromaticForm aromatic = AromaticForm::dashes;
     friend bool operator==(const RepresentationOptions&, const RepresentationOptions&) = default;
 };
 

@@ -162,6 +162,17 @@ void AssemblyScene::sortByCopies(std::vector<Bond>& bonds) {
     bonds = inOrder(bonds, order);
 }
 
+/// A water that bridges two atoms may stand in fewer copies; then it is their line that counts.
+std::uint32_t AssemblyScene::listOf(const Interaction& contact) {
+    return commonListOf(contact.a.atoms.front(), contact.b.atoms.front());
+}
+
+void AssemblyScene::keepTogether(std::vector<Interaction>& contacts) {
+    std::erase_if(contacts, [&](const Interaction& contact) { return listOf(contact) == Placement::kNowhere; });
+    std::stable_sort(contacts.begin(), contacts.end(),
+                     [&](const Interaction& l, const Interaction& r) { return listOf(l) < listOf(r); });
+}
+
 std::size_t AssemblyScene::countCopies(std::span<const std::uint32_t> atoms) const {
     std::size_t count = 0;
     for (const std::uint32_t atom : atoms) count += placement_.lists[listOf(atom)].size();
@@ -218,8 +229,12 @@ void AssemblyScene::finish(Representation& r) {
     const auto run = [](std::uint32_t list, std::size_t first, std::size_t count) {
         return PrimitiveRun{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), list, {}, 0};
     };
+    const auto listOfLook = [&](std::uint32_t a, std::uint32_t b) {
+        const DrawnContact* contact = r.contactOf(a);
+        return contact ? listOf(contact->interaction) : commonListOf(a - 1, b - 1);
+    };
     eachRun(
-        r.spheres.size(), [&](std::size_t i) { return listOf(r.sphereLooks[i].atom - 1); },
+        r.spheres.size(), [&](std::size_t i) { return listOfLook(r.sphereLooks[i].atom, r.sphereLooks[i].atom); },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
             copies.spheres.push_back(run(list, first, count));
             bound(copies.spheres.back(),
@@ -227,7 +242,7 @@ void AssemblyScene::finish(Representation& r) {
         });
     eachRun(
         r.cylinders.size(),
-        [&](std::size_t i) { return commonListOf(r.cylinderLooks[i].atomA - 1, r.cylinderLooks[i].atomB - 1); },
+        [&](std::size_t i) { return listOfLook(r.cylinderLooks[i].atomA, r.cylinderLooks[i].atomB); },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
             copies.cylinders.push_back(run(list, first, count));
             bound(copies.cylinders.back(), [&](std::size_t i, const auto& add) {

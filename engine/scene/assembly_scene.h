@@ -29,6 +29,8 @@ public:
     void sortByCopies(Appearance& appearance) const;
     /// The same for bonds, less those whose atoms are never drawn together.
     void sortByCopies(std::vector<Bond>& bonds);
+    /// Drops interactions of atoms that are never drawn together; the others are sorted by their copies.
+    void keepTogether(std::vector<Interaction>& contacts);
     /// Visits the balls in all their copies.
     void eachBall(const SeenBalls& seen, const std::function<void(const glm::dvec3&, double)>& visit) const;
     /// Of the balls in all their copies. @throws Error if they are too many
@@ -42,6 +44,7 @@ public:
 
 private:
     std::uint32_t commonListOf(std::uint32_t atomA, std::uint32_t atomB);
+    std::uint32_t listOf(const Interaction& contact);
     void spread(std::size_t colors);
     void checkNumber(std::size_t primitives) const;
     static void keepWholeMeshes(Representation& representation);

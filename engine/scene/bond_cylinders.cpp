@@ -6,16 +6,35 @@
 
 namespace nacre {
 
-BondStrands bondStrands(std::uint8_t order) {
+BondStrands bondStrands(std::uint8_t order, bool inRing) {
+    constexpr BondStrands::Strand kInner{0.3f, 0.05f};
     switch (order) {
         case 2:
+            if (inRing) return {{{{0.0f, 0.12f}}}, 1, {0.29f, 0.07f}};
             return {{{{-0.13f, 0.08f}, {0.13f, 0.08f}}}, 2};
         case 3:
             return {{{{-0.155f, 0.055f}, {0.0f, 0.055f}, {0.155f, 0.055f}}}, 3};
         case 4:
-            return {{{{-0.09f, 0.1f}, {0.16f, 0.05f}}}, 2};
+        case 5:
+            return {{{{0.0f, kBondRadius}}}, 1, kInner};
         default:
             return {{{{0.0f, kBondRadius}}}, 1};
+    }
+}
+
+BondStrands licoriceStrands(std::uint8_t order, bool inRing) {
+    constexpr float kStick = 0.25f;
+    switch (order) {
+        case 2:
+            if (inRing) return {{{{0.0f, kStick}}}, 1, {0.43f, 0.09f}};
+            return {{{{-0.14f, 0.11f}, {0.14f, 0.11f}}}, 2};
+        case 3:
+            return {{{{-0.175f, 0.075f}, {0.0f, 0.075f}, {0.175f, 0.075f}}}, 3};
+        case 4:
+        case 5:
+            return {{{{0.0f, kStick}}}, 1, {0.43f, 0.08f}};
+        default:
+            return {{{{0.0f, kStick}}}, 1};
     }
 }
 

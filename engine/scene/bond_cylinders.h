@@ -9,20 +9,24 @@ namespace nacre {
 
 constexpr float kBondRadius = 0.15f;  ///< Å, a single bond in ball-and-stick
 
-/// The cylinders of one bond: shifted sideways by offset along the bond's side vector.
+/// The strands of one bond: shifted sideways by offset along the bond's side vector.
 struct BondStrands {
     struct Strand {
-        float offset;  ///< Å along the side vector
-        float radius;  ///< Å
+        float offset = 0;  ///< Å along the side vector
+        float radius = 0;  ///< Å
     };
-    std::array<Strand, 3> strands{};
+    std::array<Strand, 3> strands{};  ///< from atom to atom
     int count = 0;
+    /// A shorter line with round ends on the side vector's side; dashed, but for a double bond. Radius 0: none.
+    Strand inner{};
 };
 
-/// Single: one of 0.15 Å. Double: two of 0.08 Å. Triple: three of 0.055 Å. Aromatic (4), drawn as one and a half: a
-/// full strand outside and a thin one on the side vector's side, where the ring's middle is. No strand reaches
-/// farther than 0.21 Å from the axis, which is inside the smallest ball, so every end is covered.
-BondStrands bondStrands(std::uint8_t order);
+/// Ball-and-stick. Single: one of 0.15 Å. Double: two of 0.08 Å; in a ring one and a line inside it. Triple: three of
+/// 0.055 Å. Aromatic (4) and delocalised (5): one and a dashed line. No strand reaches farther than 0.21 Å from the
+/// axis, which is inside the smallest ball, so every end is covered.
+BondStrands bondStrands(std::uint8_t order, bool inRing = false);
+/// Licorice: likewise, within its 0.25 Å.
+BondStrands licoriceStrands(std::uint8_t order, bool inRing = false);
 
 constexpr float kDashRadius = 0.09f;  ///< Å, of the dashes of a metal's coordination
 

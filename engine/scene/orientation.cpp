@@ -210,7 +210,8 @@ std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vect
     Balls balls;
     const auto addSphere = [&](std::size_t i, const glm::dmat4x3& place) {
         const Sphere& s = scene.spheres[i];
-        if (chosen[scene.sphereLooks[i].atom - 1])
+        const std::uint32_t number = scene.sphereLooks[i].atom;
+        if (number <= chosen.size() && chosen[number - 1])
             balls.emplace_back(place * glm::dvec4(s.center, 1.0), static_cast<double>(s.radius));
     };
     const auto addVertex = [&](const MeshVertex& vertex, float step, const glm::dmat4x3& place) {
@@ -245,10 +246,30 @@ glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide)
     return glm::normalize(glm::quat_cast(glm::transpose(glm::dmat3(x, y, depth))));
 }
 
+/// How much of the picture a target covers as seen along each of some ways: of the ellipse of its spread.
+std::vector<double> breadthsOf(const Balls& target, const std::vector<glm::dvec3>& ways) {
+    constexpr double kAtom = 1;  // Å², of an atom alone
+    const glm::dvec3 middle = meanOf(target);
+    glm::dmat3 spread(0.0);
+    for (const glm::dvec4& ball : target) {
+        const glm::dvec3 off = glm::dvec3(ball) - middle;
+        spread += glm::outerProduct(off, off) / static_cast<double>(target.size());
+    }
+    std::vector<double> breadths;
+    for (const glm::dvec3& way : ways) {
+        const glm::dvec3 u = acrossFrom(way, 0), v = glm::cross(way, u);
+        const double uu = glm::dot(u, spread * u) + kAtom, vv = glm::dot(v, spread * v) + kAtom;
+        const double uv = glm::dot(u, spread * v);
+        breadths.push_back(std::sqrt(std::max(uu * vv - uv * uv, 0.0)));
+    }
+    return breadths;
+}
+
 glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
                              const glm::dmat3& from) {
     constexpr std::size_t kDirections = 400, kMostTargets = 48;
     constexpr double kOutward = 0.15, kSharpness = 12;  // what the way out counts; a cone of about 20 degrees
+    constexpr double kNarrow = 0.5;                     // what a target counts that is seen from its edge
     const glm::dvec3 viewer = glm::transpose(from) * glm::dvec3(0, 0, 1);
     const glm::dvec3 middle = meanOf(target), out = middle - meanOf(all);
     const glm::dvec3 outward = glm::length(out) > 0.5 ? glm::normalize(out) : viewer;
@@ -256,14 +277,18 @@ glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::v
     const std::vector<double> open = openShares(sampleOf(target, kMostTargets), without(all, target), ways);
     glm::dvec3 best = viewer;
     double most = -1;
-    for (const glm::dvec3& way : ways) {
+    const std::vector<double> breadths = breadthsOf(target, ways);
+    const double broadest = *std::max_element(breadths.begin(), breadths.end());
+    for (std::size_t w = 0; w < ways.size(); ++w) {
+        const glm::dvec3& way = ways[w];
         double sum = 0, weights = 0;  // one slit between two atoms is no opening
         for (std::size_t i = 0; i < ways.size(); ++i) {
             const double near = std::pow(std::max(glm::dot(way, ways[i]), 0.0), kSharpness);
             sum += near * open[i];
             weights += near;
         }
-        const double score = sum / weights + kOutward * glm::dot(way, outward);
+        const double seen = sum / weights * (kNarrow + (1 - kNarrow) * breadths[w] / broadest);
+        const double score = seen + kOutward * glm::dot(way, outward);
         if (score > most) most = score, best = way;
     }
     // The shortest turn from where `best` points to now, to the viewer.

@@ -29,8 +29,8 @@ std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vect
 /// @param wide  the picture is at least as wide as high
 glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide);
 
-/// The rotation by the shortest way from `from` that turns to the viewer the side on which the least of the other atoms
-/// stands before the target. Among sides that are about equally open, the one that points out of the molecule prevails.
+/// The rotation by the shortest way from `from` that turns to the viewer the side from which most of the target is
+/// seen: open, and broad. Among sides that are about equally good, the one that points out of the molecule prevails.
 /// @param all  of the whole molecule, the target among them
 glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
                              const glm::dmat3& from);

@@ -1,11 +1,9 @@
 #include "engine/scene/representation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -14,75 +12,13 @@
 #include "engine/molecule/element.h"
 #include "engine/scene/assembly_scene.h"
 #include "engine/scene/atom_groups.h"
-#include "engine/scene/bond_cylinders.h"
+#include "engine/scene/bond_drawing.h"
 #include "engine/scene/bounds.h"
+#include "engine/scene/contact_lines.h"
 #include "engine/scene/mesh_scene.h"
 
 namespace nacre {
 namespace {
-
-constexpr double kShortestBond = 1e-3;  // Å; below it the ends coincide and there is no direction to draw
-constexpr std::uint32_t kNotDrawn = std::numeric_limits<std::uint32_t>::max();
-
-/// Position of each atom in the list of drawn ones, or kNotDrawn.
-std::vector<std::uint32_t> drawnSlots(const Molecule& molecule, std::span<const std::uint32_t> drawn) {
-    std::vector<std::uint32_t> slots(molecule.atoms.size(), kNotDrawn);
-    for (std::size_t i = 0; i < drawn.size(); ++i) slots[drawn[i]] = static_cast<std::uint32_t>(i);
-    return slots;
-}
-
-glm::dvec3 between(const Molecule& molecule, const Bond& bond) {
-    return glm::dvec3(molecule.atoms[bond.b].position) - glm::dvec3(molecule.atoms[bond.a].position);
-}
-
-/// What lies around each atom: its first four bonded neighbours (a flat atom has at most three), and the sum of the
-/// vectors to those by aromatic bonds, which points into the ring.
-struct Surroundings {
-    struct Neighbours {
-        std::array<std::uint32_t, 4> atoms;
-        std::uint32_t count = 0;
-    };
-    std::vector<Neighbours> neighbours;
-    std::vector<glm::dvec3> aromatic;
-
-    void add(std::uint32_t atom, std::uint32_t other) {
-        Neighbours& list = neighbours[atom];
-        if (list.count < list.atoms.size()) list.atoms[list.count++] = other;
-    }
-};
-
-Surroundings surroundingsOf(const Molecule& molecule, std::span<const Bond> bonds) {
-    Surroundings around{std::vector<Surroundings::Neighbours>(molecule.atoms.size()),
-                        std::vector<glm::dvec3>(molecule.atoms.size(), glm::dvec3(0))};
-    for (const Bond& bond : bonds) {
-        around.add(bond.a, bond.b);
-        around.add(bond.b, bond.a);
-        if (bond.order != 4) continue;
-        around.aromatic[bond.a] += between(molecule, bond);
-        around.aromatic[bond.b] -= between(molecule, bond);
-    }
-    return around;
-}
-
-/// Side of a bond that has more than one strand: into the ring if aromatic, else towards the neighbour that stands
-/// farthest off the axis. One neighbour decides, since those of a flat atom cancel in a sum.
-glm::dvec3 strandSide(const Molecule& molecule, const Bond& bond, const glm::dvec3& axis, const Surroundings& around) {
-    const auto across = [&](const glm::dvec3& way) { return way - axis * glm::dot(axis, way); };
-    if (bond.order == 4) {
-        const glm::dvec3 ring = across(around.aromatic[bond.a] + around.aromatic[bond.b]);
-        if (glm::length(ring) > 1e-2) return bondSide(axis, ring);
-    }
-    glm::dvec3 best(0);
-    for (const std::uint32_t end : {bond.a, bond.b}) {
-        const Surroundings::Neighbours& list = around.neighbours[end];
-        for (std::uint32_t i = 0; i < list.count; ++i) {
-            const glm::dvec3 way =
-                across(glm::dvec3(molecule.atoms[list.atoms[i]].position) - glm::dvec3(molecule.atoms[end].position));
-            if (glm::length(way) > glm::length(best)) best = way;
-        }
-    }
-    return bondSide(axis, best);
-}
 
 void appendAtoms(const Molecule& molecule, const Appearance& appearance, Representation& result) {
     result.spheres.reserve(appearance.atoms.size());
@@ -95,85 +31,6 @@ void appendAtoms(const Molecule& molecule, const Appearance& appearance, Represe
         result.spheres.push_back({glm::vec3(position), radius});
         result.sphereLooks.push_back({appearance.colors[i], index + 1});
     }
-}
-
-Style stouter(Style a, Style b) {
-    if (a == Style::licorice || b == Style::licorice) return Style::licorice;
-    return a == Style::spacefill ? b : a;
-}
-
-/// Coordination is what binds a metal to anything but metals, whatever order a file gives it.
-bool isCoordination(const Molecule& molecule, const Bond& bond) {
-    return isMetal(molecule.atoms[bond.a].element) != isMetal(molecule.atoms[bond.b].element);
-}
-
-/// A bond's dashes, each in the colour of the atom that it is nearer to.
-void appendDashes(const Sphere& a, const Sphere& b, const SphereLook& lookA, const SphereLook& lookB,
-                  Representation& result) {
-    const glm::dvec3 way = glm::dvec3(b.center) - glm::dvec3(a.center);
-    const double length = glm::length(way);
-    const Dashes dashes = bondDashes(length, static_cast<double>(a.radius), static_cast<double>(b.radius));
-    for (int i = 0; i < dashes.count; ++i) {
-        const double from = dashes.first + 2 * i * dashes.length;
-        const auto at = [&](double distance) { return glm::vec3(glm::dvec3(a.center) + way * (distance / length)); };
-        result.cylinders.push_back({at(from), kDashRadius, at(from + dashes.length), 0.0f});
-        const SphereLook& first = 2 * i + 1 <= dashes.count ? lookA : lookB;
-        const SphereLook& second = 2 * i + 1 < dashes.count ? lookA : lookB;
-        result.cylinderLooks.push_back({first.color, second.color, first.atom, second.atom});
-    }
-}
-
-void appendBonds(const Molecule& molecule, std::span<const Bond> bonds, const Surroundings& around,
-                 std::span<const std::uint32_t> slots, std::span<const Style> styles, Representation& result) {
-    for (const Bond& bond : bonds) {
-        const std::uint32_t slotA = slots[bond.a], slotB = slots[bond.b];
-        ++result.drawnBonds;
-        if (isCoordination(molecule, bond)) {
-            appendDashes(result.spheres[slotA], result.spheres[slotB], result.sphereLooks[slotA],
-                         result.sphereLooks[slotB], result);
-            continue;
-        }
-        const Style style = stouter(styles[slotA], styles[slotB]);
-        const glm::dvec3 way = between(molecule, bond);
-        const double length = glm::length(way);
-        const glm::dvec3 axis = way / length;
-        BondStrands strands{{{{0.0f, kLicoriceRadius}}}, 1};
-        if (style == Style::ballAndStick) strands = bondStrands(bond.order);
-        const glm::dvec3 side = strands.count > 1 ? strandSide(molecule, bond, axis, around) : glm::dvec3(0);
-        const glm::dvec3 start = glm::dvec3(molecule.atoms[bond.a].position) - result.center;
-        const SphereLook& lookA = result.sphereLooks[slotA];
-        const SphereLook& lookB = result.sphereLooks[slotB];
-        for (int i = 0; i < strands.count; ++i) {
-            const auto& strand = strands.strands[static_cast<std::size_t>(i)];
-            const glm::dvec3 from = start + side * static_cast<double>(strand.offset);
-            result.cylinders.push_back({glm::vec3(from), strand.radius, glm::vec3(from + way), 0.0f});
-            result.cylinderLooks.push_back({lookA.color, lookB.color, lookA.atom, lookB.atom});
-        }
-    }
-}
-
-/// Bonds whose two atoms are drawn and apart.
-std::vector<Bond> drawableBonds(const Molecule& molecule, std::span<const std::uint32_t> slots) {
-    std::vector<Bond> bonds;
-    for (const Bond& bond : molecule.bonds)
-        if (slots[bond.a] != kNotDrawn && slots[bond.b] != kNotDrawn &&
-            glm::length(between(molecule, bond)) > kShortestBond)
-            bonds.push_back(bond);
-    return bonds;
-}
-
-void addBonds(const Molecule& molecule, const Appearance& appearance, AssemblyScene* assembly, Representation& result) {
-    const std::vector<Style>& styles = appearance.styles;
-    const auto has = [&](Style style) { return std::find(styles.begin(), styles.end(), style) != styles.end(); };
-    if (!has(Style::ballAndStick) && !has(Style::licorice)) return;
-    const std::vector<std::uint32_t> slots = drawnSlots(molecule, appearance.atoms);
-    std::vector<Bond> bonds = drawableBonds(molecule, slots);
-    const Surroundings around = has(Style::ballAndStick) ? surroundingsOf(molecule, bonds) : Surroundings{};
-    std::erase_if(bonds, [&](const Bond& bond) {
-        return stouter(styles[slots[bond.a]], styles[slots[bond.b]]) == Style::spacefill;
-    });
-    if (assembly) assembly->sortByCopies(bonds);
-    appendBonds(molecule, bonds, around, slots, styles, result);
 }
 
 /// The runs of primitives of one model. @param modelOf  by primitive
@@ -191,8 +48,9 @@ std::vector<ModelRun> modelRuns(std::size_t count, const std::map<int, std::uint
 
 /// Notes what belongs to which model, if there are several.
 void separateModels(const Molecule& molecule, Representation& result) {
-    const auto modelOf = [&](std::uint32_t atom) {
-        return molecule.chains[molecule.residues[molecule.atoms[atom - 1].residue].chain].model;
+    const auto modelOf = [&](std::uint32_t number) {
+        const Atom& atom = molecule.atoms[result.atomOf(number) - 1];
+        return molecule.chains[molecule.residues[atom.residue].chain].model;
     };
     std::map<int, std::uint32_t> numbers;
     for (const SphereLook& look : result.sphereLooks) numbers.emplace(modelOf(look.atom), 0);
@@ -264,6 +122,14 @@ std::size_t countAtoms(const Appearance& appearance, const AssemblyScene* assemb
     return assembly->countCopies(seen);
 }
 
+/// A contact belongs to the residue of its first atom, where lines are drawn between groups.
+void addContactGroups(Representation& r) {
+    if (r.contacts.empty()) return;
+    r.atomGroups.resize(r.firstContact - 1);
+    for (const DrawnContact& contact : r.contacts)
+        r.atomGroups.push_back(r.atomGroups[contact.interaction.a.atoms.front()]);
+}
+
 }  // namespace
 
 Representation represent(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
@@ -289,7 +155,14 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     result.radius = bounds.radius;
     appendAtoms(molecule, appearance, result);
     result.drawnAtoms = countAtoms(appearance, assembly ? &*assembly : nullptr);
-    addBonds(molecule, appearance, assembly ? &*assembly : nullptr, result);
+    result.legends = std::move(appearance.legends);
+    result.warnings = std::move(appearance.warnings);
+    std::vector<Interaction> contacts;
+    if (options.contacts.of) contacts = ContactFinder(facts, options.contacts).find(molecule, appearance);
+    if (assembly) assembly->keepTogether(contacts);
+    addBonds(molecule, appearance, DrawnOrders(facts, appearance, options), contacts, assembly ? &*assembly : nullptr,
+             result);
+    if (options.contacts.of) addContacts(molecule, appearance, std::move(contacts), options.contacts, result);
     const auto groupOf = [&](std::uint32_t atom) {
         if (assembly) return assembly->listOf(atom);
         return static_cast<std::uint32_t>(molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model);
@@ -304,8 +177,7 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     if (!options.modelsOcclude && !molecule.modelsAreInputs) separateModels(molecule, result);
     refuseCrowd(result);
     result.atomGroups = atomGroups(facts);
-    result.legends = std::move(appearance.legends);
-    result.warnings = std::move(appearance.warnings);
+    addContactGroups(result);
     return result;
 }
 
@@ -314,17 +186,38 @@ MovingScene::MovingScene(const ResidueFacts& facts, std::span<const std::uint32_
     : facts_(facts) {
     if (!options.assembly.empty()) throw Error("cannot move molecule", "", "the copies of an assembly stand still");
     scene_ = represent(facts, drawn, options, frame);
+    if (options.contacts.of) fillUp(scene_, mostSpheres_, mostCylinders_);
     appearance_ = appearanceOf(facts, drawn, options);
+    orders_.emplace(facts, appearance_, options);
     options_ = options;
 }
 
+/// Contacts of the atoms where they are now; how many primitives they take hardly changes.
+void MovingScene::moveContacts(const Molecule& molecule, std::vector<Interaction> contacts) {
+    if (!options_.contacts.of) return;
+    std::erase_if(scene_.legends, [](const Legend& legend) { return legend.scheme == kContactScheme; });
+    const std::size_t warnings = scene_.warnings.size();
+    addContacts(molecule, appearance_, std::move(contacts), options_.contacts, scene_);
+    scene_.warnings.resize(warnings);
+    fillUp(scene_, mostSpheres_, mostCylinders_);
+    addContactGroups(scene_);
+}
+
 void MovingScene::move(const Molecule& molecule) {
+    scene_.spheres.resize(appearance_.atoms.size());
+    scene_.sphereLooks.resize(appearance_.atoms.size());
     for (std::size_t i = 0; i < appearance_.atoms.size(); ++i)
         scene_.spheres[i].center = glm::vec3(glm::dvec3(molecule.atoms[appearance_.atoms[i]].position) - scene_.center);
     scene_.cylinders.clear();
     scene_.cylinderLooks.clear();
     scene_.drawnBonds = 0;
-    addBonds(molecule, appearance_, nullptr, scene_);
+    std::vector<Interaction> contacts;
+    if (options_.contacts.of) {
+        if (!finder_) finder_.emplace(facts_, options_.contacts);
+        contacts = finder_->find(molecule, appearance_);
+    }
+    addBonds(molecule, appearance_, *orders_, contacts, nullptr, scene_);
+    moveContacts(molecule, std::move(contacts));
     scene_.triangles.clear();
     scene_.meshes.clear();
     scene_.coarseTriangles.clear();

@@ -4,12 +4,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/molecule/molecule.h"
 #include "engine/scene/appearance.h"
+#include "engine/scene/bond_orders.h"
 #include "engine/scene/bounds.h"
+#include "engine/scene/contact_lines.h"
+#include "engine/scene/contacts.h"
 #include "engine/scene/copies.h"
 #include "engine/scene/mesh_streams.h"
 
@@ -23,7 +27,7 @@ struct Sphere {
 /// Stream B, read by shading as well. 8 bytes.
 struct SphereLook {
     std::uint32_t color;  ///< sRGB, 8 bits per channel, red in the lowest byte
-    std::uint32_t atom;   ///< 1-based position of the atom in its file
+    std::uint32_t atom;   ///< 1-based position of the atom in its file; beyond its atoms, the number of a contact
 };
 
 /// A cylinder with flat caps from a to b. 32 bytes.
@@ -67,6 +71,18 @@ struct Representation {
     std::size_t drawnBonds = 0;
     std::vector<Legend> legends;        ///< what the colours mean
     std::vector<std::string> warnings;  ///< rules and schemes that had no effect, one sentence each
+    std::vector<DrawnContact> contacts;
+    std::uint32_t firstContact = 0;  ///< the number that looks have of the first contact; higher than every atom's
+
+    /// The contact that a look's number is of; null if it is an atom's.
+    const DrawnContact* contactOf(std::uint32_t number) const {
+        return contacts.empty() || number < firstContact ? nullptr : &contacts[number - firstContact];
+    }
+    /// An atom that a look's number stands for, counted from 1: of a contact its first.
+    std::uint32_t atomOf(std::uint32_t number) const {
+        const DrawnContact* contact = contactOf(number);
+        return contact ? contact->interaction.a.atoms.front() + 1 : number;
+    }
 };
 
 /// A bond is drawn if both its atoms are and either has a style with bonds; it takes the stouter style of the two:
@@ -95,10 +111,15 @@ public:
     void move(const Molecule& molecule);
 
 private:
+    void moveContacts(const Molecule& molecule, std::vector<Interaction> contacts);
+
     Representation scene_;
     Appearance appearance_;
     RepresentationOptions options_;
     ResidueFacts facts_;  ///< as they were at first
+    std::optional<DrawnOrders> orders_;
+    std::optional<ContactFinder> finder_;
+    std::size_t mostSpheres_ = 0, mostCylinders_ = 0;  ///< that contacts took so far
 };
 
 }  // namespace nacre

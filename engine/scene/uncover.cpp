@@ -78,7 +78,9 @@ public:
     Covers(const Representation& scene, const std::vector<bool>& chosen)
         : scene_(scene), chosen_(chosen), through_(!translucentRuns(scene).empty()) {}
 
-    bool isPart(std::uint32_t atom) const { return chosen_[atom - 1]; }
+    /// A contact's dashes are of nothing, and cover nothing: they go with its atoms.
+    bool isContact(std::uint32_t number) const { return number > chosen_.size(); }
+    bool isPart(std::uint32_t atom) const { return !isContact(atom) && chosen_[atom - 1]; }
     std::array<std::uint32_t, 3> atomsOf(const Triangle& t) const {
         const auto atom = [&](std::uint32_t v) { return scene_.meshLooks[scene_.meshVertices[v].look].atom; };
         return {atom(t.a), atom(t.b), atom(t.c)};
@@ -135,10 +137,11 @@ void Covers::count(const Placed& placed, const PartPicture& picture, double near
     };
     placed.eachSphere(false, [&](std::size_t i, const glm::dvec3& center, double radius) {
         const std::uint32_t atom = scene_.sphereLooks[i].atom;
-        if (!isPart(atom)) picture.eachOfBall(center, radius, note(byAtom_, atom));
+        if (!isPart(atom) && !isContact(atom)) picture.eachOfBall(center, radius, note(byAtom_, atom));
     });
     placed.eachStick(false, [&](std::size_t i, const glm::dvec3& center, double radius) {
-        if (chosenOf(scene_.cylinderLooks[i]) == 0) picture.eachOfBall(center, radius, note(byStick_, i));
+        const CylinderLook& look = scene_.cylinderLooks[i];
+        if (chosenOf(look) == 0 && !isContact(look.atomA)) picture.eachOfBall(center, radius, note(byStick_, i));
     });
     placed.eachTriangle(false, [&](std::size_t i, const std::array<glm::dvec3, 3>& corners) {
         const Triangle& t = scene_.triangles[i];
@@ -150,7 +153,7 @@ void Covers::count(const Placed& placed, const PartPicture& picture, double near
 void Covers::peel(const Placed& placed, double nearest) {
     placed.eachSphere(false, [&](std::size_t i, const glm::dvec3& center, double) {
         const std::uint32_t atom = scene_.sphereLooks[i].atom;
-        if (center.z > nearest && !isPart(atom)) atomsGone_.insert(atom);
+        if (center.z > nearest && !isPart(atom) && !isContact(atom)) atomsGone_.insert(atom);
     });
     placed.eachTriangle(false, [&](std::size_t i, const std::array<glm::dvec3, 3>& corners) {
         const Triangle& t = scene_.triangles[i];
@@ -193,6 +196,11 @@ void Covers::settle() {
     }
     for (const auto& [atom, left] : sticksLeft)
         if (left == 0 && !isPart(atom)) atomsGone_.insert(atom);
+    for (std::uint32_t i = 0; i < scene_.contacts.size(); ++i) {
+        const Interaction& contact = scene_.contacts[i].interaction;
+        for (const InteractionEnd* end : {&contact.a, &contact.b})
+            if (atomsGone_.contains(end->atoms.front() + 1)) atomsGone_.insert(scene_.firstContact + i);
+    }
 }
 
 /// What is left of some runs. @param before  how many primitives stay of those before each
@@ -225,7 +233,9 @@ void keep(std::vector<T>& items, const std::vector<std::uint32_t>& before) {
 void remove(const Covers& covers, Representation& scene, Uncovered& result) {
     const auto spheres =
         staying(scene.spheres.size(), [&](std::size_t i) { return covers.isGone(scene.sphereLooks[i]); });
-    const auto sticks = staying(scene.cylinders.size(), [&](std::size_t i) { return covers.isGone(i); });
+    const auto sticks = staying(scene.cylinders.size(), [&](std::size_t i) {
+        return covers.isGone(i) || covers.isGone(SphereLook{0, scene.cylinderLooks[i].atomA});
+    });
     const auto ofTriangles = [&](const std::vector<Triangle>& triangles) {
         return staying(triangles.size(), [&](std::size_t i) { return covers.isGone(triangles[i]); });
     };

@@ -50,5 +50,24 @@ TEST(Measurement, Words) {
     EXPECT_EQ(elementName(255), "Atom");
 }
 
+TEST(Measurement, ContactsAreSaidByTheirEnds) {
+    const Molecule dna = sampleMolecule("dna");
+    Interaction bond;
+    bond.distance = 2.914;
+    bond.a.atoms = {0};
+    bond.b.atoms = {1};
+    const std::string first = shortAtomText(dna, 0), second = shortAtomText(dna, 1);
+    EXPECT_EQ(contactText(dna, bond), "Hydrogen bond 2.91 Å, " + first + " to " + second);
+    bond.kind = InteractionKind::waterBridge;
+    bond.waters = {2};
+    EXPECT_EQ(contactText(dna, bond),
+              "Water bridge 2.91 Å, " + first + " to " + second + " by " + shortAtomText(dna, 2));
+    bond = {};
+    bond.kind = InteractionKind::saltBridge;
+    bond.a.atoms = {0, 1, 2};  // a group is its residue
+    bond.b.atoms = {3};
+    EXPECT_EQ(contactText(dna, bond), "Salt bridge 0.00 Å, DC 1 to " + shortAtomText(dna, 3));
+}
+
 }  // namespace
 }  // namespace nacre::app

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "app/cli/info_command.h"
+#include "app/cli/info_frequencies.h"
 #include "app/cli/info_interactions.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"
@@ -176,18 +178,55 @@ TEST(Info, InteractionsAsJsonCsvAndText) {
               "  interactions\n    water-bridge   3.14 Å  A/LIG 0B C1  -  A/ALA -3 CA  by A/ALA -3 CA\n");
 }
 
-TEST(Info, InteractionsOfOneSelectionOrTwo) {
-    const auto two = parseInteractionRequest("ligand,protein");
-    EXPECT_EQ(two.a + "|" + two.b, "ligand|protein");
-    const auto list = parseInteractionRequest("chain A,B");  // a list of one selection
-    EXPECT_EQ(list.a + "|" + list.b, "chain A,B|");
-    const auto lists = parseInteractionRequest("resn HEM,CMO,chain A and protein");
-    EXPECT_EQ(lists.a + "|" + lists.b, "resn HEM,CMO|chain A and protein");
-    EXPECT_THROW(parseInteractionRequest("chain"), Error);
-    EXPECT_THROW(parseInteractionRequest("ligand,"), Error);
-    EXPECT_THROW(interactionsOf(twoCarbons(), parseInteractionRequest("resn XYZ")), Error);
-    EXPECT_EQ(parseInteractionRules("wernet-nilsson"), InteractionRules::wernetNilsson);
-    EXPECT_THROW(parseInteractionRules("probe"), std::invalid_argument);
+TEST(Info, InteractionsOfWhatIsNotThereAreRefused) {
+    ContactOptions contacts;
+    contacts.of = parseSelection("resn XYZ");
+    EXPECT_THROW(interactionsOf(twoCarbons(), contacts), Error);
+}
+
+/// The sample's DNA as two models, in the second of which the strands are apart.
+Molecule twoModels() {
+    Molecule both = sampleMolecule("dna");
+    const Molecule first = both;
+    for (Chain chain : first.chains) {
+        chain.model = 2;
+        both.chains.push_back(chain);
+    }
+    for (Residue residue : first.residues) {
+        residue.chain += static_cast<std::uint32_t>(first.chains.size());
+        residue.firstAtom += static_cast<std::uint32_t>(first.atoms.size());
+        both.residues.push_back(residue);
+    }
+    for (Atom atom : first.atoms) {
+        if (first.residues[atom.residue].chain == 1) atom.position.x += 50;
+        atom.residue += static_cast<std::uint32_t>(first.residues.size());
+        both.atoms.push_back(atom);
+    }
+    const auto shift = static_cast<std::uint32_t>(first.atoms.size());
+    for (Bond bond : first.bonds) both.bonds.push_back({bond.a + shift, bond.b + shift, bond.order, bond.source});
+    return both;
+}
+
+TEST(Info, HowOftenInteractionsAreThere) {
+    const Molecule molecule = twoModels();
+    ContactOptions contacts;
+    contacts.of = parseSelection("chain A");
+    contacts.with = parseSelection("chain B");
+    contacts.kinds = {true};
+    const ContactFrequencies found = contactFrequencies(molecule, contacts, {});
+    EXPECT_EQ(found.of, 2u);
+    ASSERT_EQ(found.contacts.size(), 32u);
+    for (const ContactFrequency& frequency : found.contacts) EXPECT_EQ(frequency.count, 1u);
+    const auto list = frequencyList(molecule, found);
+    EXPECT_EQ(list[0]["share"], 0.5);
+    EXPECT_EQ(list[0]["distance"]["mean"], list[0]["distance"]["min"]);
+    EXPECT_TRUE(frequencyCsv(molecule, found)
+                    .starts_with("kind,a,b,count,of,percent,mean_distance,min_distance,max_distance\n"
+                                 "hydrogen-bond,A/DC 1 O2,B/DG 24 N2,1,2,50.0,3.006,3.006,3.006\n"));
+    contacts.with = parseSelection("chain A");  // each strand is whole in both models
+    contacts.kinds = {true, true, true, true, true, true, true, true};
+    for (const ContactFrequency& frequency : contactFrequencies(molecule, contacts, {}).contacts)
+        EXPECT_EQ(frequency.count, 2u);
 }
 
 }  // namespace

@@ -100,6 +100,15 @@ TEST(Orientation, FacesTheOpening) {
     EXPECT_GT((other * glm::dvec3(0, -1, 0)).z, 0.8);
 }
 
+TEST(Orientation, FacesTheBroadSideOfWhatIsFlat) {
+    Balls disc;
+    for (int i = 0; i < 24; ++i)
+        for (const double r : {2.0, 5.0})
+            disc.emplace_back(r * std::cos(0.2618 * i), 0.02 * r * std::sin(0.2618 * i), r * std::sin(0.2618 * i), 1.0);
+    const glm::dquat turn = facingOrientation(disc, disc, glm::dmat3(1.0));
+    EXPECT_GT(std::abs((turn * glm::dvec3(0, 1, 0)).z), 0.95);
+}
+
 TEST(Orientation, ClosesInOnATarget) {
     const Balls target{glm::dvec4(5, 2, 3, 1), glm::dvec4(7, 2, 3, 1)};
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {

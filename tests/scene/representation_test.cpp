@@ -86,42 +86,25 @@ TEST(Representation, BallAndStickDrawsADoubleBondInTheMoleculesPlane) {
     EXPECT_EQ(scene.cylinderLooks[0].atomB, 2u);
 }
 
-TEST(Representation, AromaticBondsTurnTheThinStrandIntoTheRing) {
-    Molecule molecule;
-    molecule.chains.resize(1);
-    molecule.residues.resize(1);
-    for (int i = 0; i < 6; ++i) {
-        Atom atom;
-        atom.element = 6;
-        const float angle = static_cast<float>(i) * 1.0471976f;
-        atom.position = {1.39f * std::cos(angle), 1.39f * std::sin(angle), 0.0f};
-        molecule.atoms.push_back(atom);
-    }
-    for (std::uint32_t i = 0; i < 5; ++i) molecule.bonds.push_back({i, i + 1, 4, BondSource::file});
-    molecule.bonds.push_back({0, 5, 4, BondSource::file});
-    const Representation scene = represent(molecule, everyAtom(molecule), {Style::ballAndStick, ColorScheme::element});
-    ASSERT_EQ(scene.cylinders.size(), 12u);
-    for (std::size_t i = 0; i < 12; i += 2) {
-        const Cylinder &thick = scene.cylinders[i], &thin = scene.cylinders[i + 1];
-        EXPECT_GT(thick.radius, thin.radius);
-        EXPECT_LT(glm::length(thin.a + thin.b), glm::length(thick.a + thick.b));  // nearer to the ring's middle
-    }
-}
-
 TEST(Representation, EveryStrandEndsInsideTheSmallestBall) {
     float smallest = 10;
     for (int element = 0; element <= 119; ++element)
         smallest = std::min(smallest, 0.25f * vanDerWaalsRadius(static_cast<Element>(element)));
-    for (std::uint8_t order = 1; order <= 4; ++order) {
+    for (std::uint8_t order = 1; order <= 5; ++order) {
         const BondStrands strands = bondStrands(order);
         for (std::size_t i = 0; i < static_cast<std::size_t>(strands.count); ++i)
             EXPECT_LT(std::abs(strands.strands[i].offset) + strands.strands[i].radius, smallest);
+        const BondStrands thick = licoriceStrands(order);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(thick.count); ++i)
+            EXPECT_LE(std::abs(thick.strands[i].offset) + thick.strands[i].radius, kLicoriceRadius);
     }
 }
 
 TEST(Representation, LicoriceIsAQuarterAngstromThroughout) {
     const Molecule molecule = formaldehyde();
-    const Representation scene = represent(molecule, everyAtom(molecule), {Style::licorice, ColorScheme::element});
+    RepresentationOptions options{Style::licorice, ColorScheme::element};
+    options.bondOrders = BondOrders::off;
+    const Representation scene = represent(molecule, everyAtom(molecule), options);
     ASSERT_EQ(scene.cylinders.size(), 3u);
     for (const Sphere& sphere : scene.spheres) EXPECT_FLOAT_EQ(sphere.radius, 0.25f);
     for (const Cylinder& cylinder : scene.cylinders) EXPECT_FLOAT_EQ(cylinder.radius, 0.25f);

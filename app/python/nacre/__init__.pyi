@@ -25,10 +25,13 @@ class Layers(TypedDict):
 class Options(TypedDict, total=False):
     look: str
     thumbnail: str
+    pocket: str
     camera: str
     occlusion_models: str
     assembly: str | float
     style: str
+    bond_orders: str
+    aromatic_bonds: str
     color: str
     palette: str
     helices: str
@@ -41,6 +44,10 @@ class Options(TypedDict, total=False):
     cavities: str
     surface_opacity: str | float
     cartoon_opacity: str | float
+    interactions: str
+    interaction_kinds: str
+    interaction_rules: str
+    interaction_width: str | float
     show: str | Sequence[str]
     hide: str | Sequence[str]
     color_by: str | Sequence[str]
@@ -83,6 +90,7 @@ class Options(TypedDict, total=False):
     title: str | float
     scale_bar: str
     legend: str | bool
+    interaction_labels: str
     show_labels: str
     text_size: str
     text_color: str

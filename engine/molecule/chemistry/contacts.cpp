@@ -71,8 +71,8 @@ void findStacking(InteractionSearch& search, const std::vector<RingPlace>& rings
             const double offset =
                 std::min(offsetInPlane(l.centre, l.normal, r.centre), offsetInPlane(r.centre, r.normal, l.centre));
             if ((angle >= kStackingAngle && angle <= 90 - kStackingAngle) || offset >= kOffset) return;
-            Interaction& found = search.add(InteractionKind::piStacking, {*l.atoms, l.centre}, {*r.atoms, r.centre},
-                                            DonorSide::none, sides);
+            Interaction& found = search.add(InteractionKind::piStacking, {*l.atoms, l.centre, true},
+                                            {*r.atoms, r.centre, true}, DonorSide::none, sides);
             found.angles.push_back({"planes", angle});
             found.offset = offset;
         });
@@ -101,7 +101,7 @@ void findCationPi(InteractionSearch& search, const std::vector<RingPlace>& rings
             const double offset = offsetInPlane(ring.centre, ring.normal, centre);
             if (offset >= kOffset) return;
             if (isPlip(search) && group.tertiaryAmine && !aminePoints(search, group, ring.normal)) return;
-            Interaction& found = search.add(InteractionKind::cationPi, {*ring.atoms, ring.centre},
+            Interaction& found = search.add(InteractionKind::cationPi, {*ring.atoms, ring.centre, true},
                                             {group.atoms, centre}, DonorSide::none, sides);
             found.offset = offset;
         });

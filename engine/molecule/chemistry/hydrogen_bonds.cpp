@@ -12,9 +12,8 @@
 namespace nacre {
 namespace {
 
-// Mol*: donor to acceptor, Å; degrees from the ideal direction, and out of the plane of a planar donor or acceptor.
+// Mol*: donor to acceptor, Å.
 constexpr double kMolstarLength = 3.5, kMolstarSulphurLength = 4.1;
-constexpr double kMolstarAngle = 45, kMolstarDonorPlane = 45, kMolstarAcceptorPlane = 90;
 // PLIP: donor to acceptor, Å, exclusive; degrees at the hydrogen.
 constexpr double kPlipLength = 4.1, kPlipShortest = 0.5, kPlipAngle = 100;
 // Baker and Hubbard (1984): hydrogen to acceptor, Å; degrees at the hydrogen.
@@ -124,7 +123,8 @@ std::vector<PlacedHydrogen> hydrogensOf(const InteractionSearch& search, const D
     return hydrogens;
 }
 
-bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::uint32_t acceptor) {
+bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::uint32_t acceptor,
+                     const MolstarLimits& limits) {
     const glm::dvec3 way = search.at(acceptor) - search.at(donor);
     const std::uint8_t donorShape = search.chemistry.hybrid[donor], acceptorShape = search.chemistry.hybrid[acceptor];
     double hydrogen = 181;
@@ -132,16 +132,16 @@ bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::
         const double angle = angleBetween(search.at(n.atom) - search.at(donor), way);
         if (isHydrogen(search.molecule.atoms[n.atom].element))
             hydrogen = std::min(hydrogen, angle);
-        else if (std::abs(idealAngle(donorShape) - angle) > kMolstarAngle)
+        else if (std::abs(idealAngle(donorShape) - angle) > limits.donor)
             return false;
     }
-    if (hydrogen < 180.5 && hydrogen > kMolstarAngle) return false;
-    if (donorShape == 2 && angleOutOfPlane(search, donor, way) > kMolstarDonorPlane) return false;
+    if (limits.hydrogens && hydrogen < 180.5 && hydrogen > limits.donor) return false;
+    if (donorShape == 2 && angleOutOfPlane(search, donor, way) > limits.donorPlane) return false;
     for (const std::uint32_t n : heavyNeighbours(search.molecule, search.chemistry, acceptor)) {
         const double angle = angleBetween(search.at(n) - search.at(acceptor), -way);
-        if (idealAngle(acceptorShape) - angle > kMolstarAngle) return false;
+        if (idealAngle(acceptorShape) - angle > limits.acceptor) return false;
     }
-    return acceptorShape != 2 || angleOutOfPlane(search, acceptor, -way) <= kMolstarAcceptorPlane;
+    return acceptorShape != 2 || angleOutOfPlane(search, acceptor, -way) <= limits.acceptorPlane;
 }
 
 void findHydrogenBonds(InteractionSearch& search) {

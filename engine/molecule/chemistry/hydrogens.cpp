@@ -7,6 +7,7 @@
 
 #include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/chemistry/steps.h"
+#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
 
 namespace nacre {
@@ -228,6 +229,14 @@ Molecule withHydrogens(const Molecule& molecule, const Chemistry& chemistry) {
         if (bond.a > bond.b) std::swap(bond.a, bond.b);
     std::sort(result.bonds.begin(), result.bonds.end(),
               [](const Bond& l, const Bond& r) { return l.a != r.a ? l.a < r.a : l.b < r.b; });
+    return result;
+}
+
+Molecule withMissingHydrogens(const Molecule& molecule) {
+    const std::vector<std::uint32_t> drawn = drawnAtoms(molecule, {.water = true, .hydrogens = true});
+    Molecule result = withHydrogens(molecule, perceiveChemistry(molecule, drawn));
+    if (!result.others.empty()) result.othersMissing = "hydrogens were added";
+    result.others.clear();
     return result;
 }
 

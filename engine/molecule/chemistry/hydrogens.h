@@ -34,5 +34,8 @@ std::vector<glm::vec3> hydrogenPositions(const Molecule& molecule, const Chemist
 /// H2, ... Nothing determines where those of water point. Every index of an atom moves; residues, chains and what else
 /// refers to residues stay. Partial charges and radii, which hydrogens lack, are dropped.
 Molecule withHydrogens(const Molecule& molecule, const Chemistry& chemistry);
+/// The same with the chemistry that perceiveChemistry() finds of the drawn conformer. Other models are left out, as
+/// they have other atoms then.
+Molecule withMissingHydrogens(const Molecule& molecule);
 
 }  // namespace nacre

@@ -71,8 +71,14 @@ struct PlacedHydrogen {
 constexpr std::uint32_t kNoHydrogen = 0xffffffffu;
 std::vector<PlacedHydrogen> hydrogensOf(const InteractionSearch& search, const Donor& donor);
 
+/// What Mol* allows of a hydrogen bond, degrees: off the ideal angles, out of the plane of a planar donor or acceptor.
+struct MolstarLimits {
+    double donor = 45, acceptor = 45, donorPlane = 45, acceptorPlane = 90;
+    bool hydrogens = true;  ///< a donor's hydrogen, where it has one, points at the acceptor
+};
 /// Whether Mol* would call donor and acceptor a hydrogen bond, by its angles; the distance is the caller's.
-bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::uint32_t acceptor);
+bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::uint32_t acceptor,
+                     const MolstarLimits& limits = {});
 
 /// By partner of a metal: PLIP finds no place for it in the geometry (linear to octahedral) that the partners fit best.
 std::vector<std::uint8_t> superfluousPartners(const glm::dvec3& metal, const std::vector<glm::dvec3>& partners);

@@ -43,6 +43,7 @@ struct InteractionEnd {
     std::vector<std::uint32_t> atoms;  ///< indices into Molecule::atoms: an atom and the hydrogen of it that the file
                                        ///< has, the atoms of a charged group, or those of a ring
     glm::vec3 place{};                 ///< where a dash ends, Å: the atom, or the middle of the group
+    bool ring = false;                 ///< atoms of an aromatic ring, in its order
 };
 
 /// An angle that a rule looks at, in degrees.

@@ -141,7 +141,10 @@ std::vector<std::size_t> clusters(const InteractionSearch& search, const std::ve
     return group;
 }
 
-/// What is merged below never leaves a residue without a contact: then its shortest one stays.
+/// Å: the radii of two carbons and 0.2. A contact as close as that is one, whatever becomes of the others.
+constexpr double kClosestCarbons = 3.6;
+
+/// What is merged below never leaves a residue without a contact that is close: then its shortest one stays.
 void keepOnePerResidue(const InteractionSearch& search, const std::vector<std::size_t>& contacts,
                        std::vector<std::uint8_t>& dropped) {
     struct Best {
@@ -157,7 +160,7 @@ void keepOnePerResidue(const InteractionSearch& search, const std::vector<std::s
         if (interaction.distance < search.found[best.shortest].distance) best.shortest = i;
     }
     for (const auto& [pair, best] : byPair)
-        if (!best.kept) dropped[best.shortest] = 0;
+        if (!best.kept && search.found[best.shortest].distance < kClosestCarbons) dropped[best.shortest] = 0;
 }
 
 /// Where one atom of the receptor touches several atoms of a ligand: the shortest of each group of atoms bonded to each

@@ -10,10 +10,9 @@
 namespace nacre {
 namespace {
 
-// Å, degrees. Under Mol*'s rules both are hydrogen bonds, which leave the water at the angle of a tetrahedron within
-// what the rules allow about any donor.
-constexpr double kMolstarWater = 3.5, kTetrahedralWater = 109.47, kWaterDeviation = 45;
-constexpr double kPlipWater = 4.1, kPlipNearestWater = 2.5;
+// Å, degrees; Mol* has taken over PLIP's.
+constexpr double kFarthestWater = 4.1, kNearestWater = 2.5;
+constexpr double kMolstarBond = 3.5, kTetrahedralWater = 109.47, kWaterDeviation = 45;
 constexpr double kLeastWaterAngle = 71, kMostWaterAngle = 140, kIdealWaterAngle = 110, kLeastDonorAngle = 100;
 
 struct WaterPartner {
@@ -22,6 +21,7 @@ struct WaterPartner {
     glm::dvec3 hydrogen{};
     std::uint32_t hydrogenAtom = kNoHydrogen;
     double angle = -1;  ///< at the hydrogen
+    bool bond = false;  ///< Mol*: it is a hydrogen bond, not only what it allows a bridge
 };
 
 Interaction& addBridge(InteractionSearch& search, const WaterPartner& first, const WaterPartner& second,
@@ -44,19 +44,22 @@ Interaction& addBridge(InteractionSearch& search, const WaterPartner& first, con
 
 using Partners = std::map<std::uint32_t, std::vector<WaterPartner>>;  // by water
 
-/// Partners that a hydrogen bond by Mol*'s rules joins to a water.
+/// Partners that Mol* allows a water, which looser angles bind than a hydrogen bond. An atom that gives and takes is
+/// there twice.
 Partners molstarPartners(InteractionSearch& search, const PlaceGrid& grid) {
+    constexpr MolstarLimits kLoose{80, 50, 45, 90, false};
     Partners partners;
     const auto each = [&](std::uint32_t atom, bool donates) {
         if (search.features.waterOxygen[atom]) return;
-        grid.near(search.molecule.atoms[atom].position, [&](std::uint32_t index, double) {
+        grid.near(search.molecule.atoms[atom].position, [&](std::uint32_t index, double squared) {
             const std::uint32_t water = search.features.waters[index];
-            if (!search.together(atom, water)) return;
-            if (!(donates ? molstarGeometry(search, atom, water) : molstarGeometry(search, water, atom))) return;
-            std::vector<WaterPartner>& list = partners[water];
-            const bool known =
-                std::any_of(list.begin(), list.end(), [&](const WaterPartner& p) { return p.atom == atom; });
-            if (!known) list.push_back({atom, donates, {}, kNoHydrogen, -1});
+            if (squared < kNearestWater * kNearestWater || !search.together(atom, water)) return;
+            const auto fits = [&](const MolstarLimits& limits) {
+                return donates ? molstarGeometry(search, atom, water, limits)
+                               : molstarGeometry(search, water, atom, limits);
+            };
+            const bool bond = squared <= kMolstarBond * kMolstarBond && fits({});
+            if (bond || fits(kLoose)) partners[water].push_back({atom, donates, {}, kNoHydrogen, -1, bond});
         });
     };
     for (const Donor& donor : search.features.donors) each(donor.atom, true);
@@ -64,19 +67,37 @@ Partners molstarPartners(InteractionSearch& search, const PlaceGrid& grid) {
     return partners;
 }
 
+/// A donor and an acceptor at one water, or two hydrogen bonds to it. Of the waters between two atoms the nearest
+/// counts.
 void findMolstarBridges(InteractionSearch& search, const PlaceGrid& grid) {
-    for (const auto& [water, list] : molstarPartners(search, grid)) {
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            for (std::size_t j = i + 1; j < list.size(); ++j) {
-                const int sides = search.sides(list[i].atom, list[j].atom);
-                if (sides == 0 || !search.apart(list[i].atom, list[j].atom)) continue;
-                const double angle = angleBetween(search.at(list[i].atom) - search.at(water),
-                                                  search.at(list[j].atom) - search.at(water));
-                if (std::abs(angle - kTetrahedralWater) <= kWaterDeviation)
-                    addBridge(search, list[i], list[j], water, angle, sides);
+    struct Bridge {
+        WaterPartner first, second;
+        std::uint32_t water = 0;
+        double angle = 0, squares = 0;
+    };
+    std::map<std::pair<std::uint32_t, std::uint32_t>, Bridge> nearest;
+    const auto away = [&](std::uint32_t atom, std::uint32_t water) {
+        return glm::distance(search.at(atom), search.at(water));
+    };
+    for (const auto& [water, list] : molstarPartners(search, grid))
+        for (const WaterPartner& first : list)
+            for (const WaterPartner& second : list) {
+                if (first.atom >= second.atom || search.sides(first.atom, second.atom) == 0) continue;
+                if (!search.apart(first.atom, second.atom)) continue;
+                const double angle =
+                    angleBetween(search.at(first.atom) - search.at(water), search.at(second.atom) - search.at(water));
+                const bool passed =
+                    first.donates != second.donates && angle >= kLeastWaterAngle && angle <= kMostWaterAngle;
+                const bool bonds = first.bond && second.bond && std::abs(angle - kTetrahedralWater) <= kWaterDeviation;
+                if (!passed && !bonds) continue;
+                const double one = away(first.atom, water), other = away(second.atom, water);
+                const Bridge bridge{first, second, water, angle, one * one + other * other};
+                const auto [known, added] = nearest.emplace(std::pair(first.atom, second.atom), bridge);
+                if (!added && bridge.squares < known->second.squares) known->second = bridge;
             }
-        }
-    }
+    for (const auto& [atoms, bridge] : nearest)
+        addBridge(search, bridge.first, bridge.second, bridge.water, bridge.angle,
+                  search.sides(bridge.first.atom, bridge.second.atom));
 }
 
 /// What PLIP thinks of as one ligand with its site.
@@ -96,7 +117,7 @@ struct PlipBridge {
 
 Partners plipPartners(InteractionSearch& search, const PlaceGrid& grid) {
     Partners partners;
-    constexpr double kNearest = kPlipNearestWater * kPlipNearestWater;
+    constexpr double kNearest = kNearestWater * kNearestWater;
     for (const std::uint32_t acceptor : search.features.acceptors)
         grid.near(search.molecule.atoms[acceptor].position, [&](std::uint32_t index, double squared) {
             if (squared >= kNearest && search.together(acceptor, search.features.waters[index]))
@@ -190,7 +211,7 @@ void findWaterBridges(InteractionSearch& search) {
     std::vector<glm::vec3> places;
     for (const std::uint32_t water : search.features.waters) places.push_back(search.molecule.atoms[water].position);
     const bool plip = search.rules == InteractionRules::plip;
-    const PlaceGrid grid(places, plip ? kPlipWater : kMolstarWater);
+    const PlaceGrid grid(places, kFarthestWater);
     plip ? findPlipBridges(search, grid) : findMolstarBridges(search, grid);
 }
 

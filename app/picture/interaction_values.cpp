@@ -1,0 +1,85 @@
+#include "app/picture/interaction_values.h"
+
+#include <algorithm>
+
+#include "app/picture/option_values.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+std::optional<Selection> parsed(std::string_view text) {
+    try {
+        return parseSelection(text);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+void parseInteractions(std::string_view text, ContactOptions& contacts) {
+    contacts.of.reset();
+    contacts.with.reset();
+    if (text == "off" || (contacts.of = parsed(text))) return;
+    for (std::size_t at = text.find(','); at != std::string_view::npos; at = text.find(',', at + 1)) {
+        contacts.of = parsed(text.substr(0, at));
+        contacts.with = parsed(text.substr(at + 1));
+        if (contacts.of && contacts.with) return;
+    }
+    contacts.with.reset();
+    parseSelection(text.substr(0, text.find(',')));  // says what is wrong with the first of two
+    contacts.of = parseSelection(text);
+}
+
+std::string interactionsText(const ContactOptions& contacts) {
+    if (!contacts.of) return "off";
+    return contacts.of->text + (contacts.with ? "," + contacts.with->text : "");
+}
+
+InteractionRules parseInteractionRules(std::string_view name) {
+    if (const auto rules = interactionRulesFromName(name)) return *rules;
+    constexpr const char* kNames[] = {"molstar", "plip", "baker-hubbard", "wernet-nilsson"};
+    return static_cast<InteractionRules>(parseChoice(name, kNames));
+}
+
+std::array<bool, kInteractionKinds> parseInteractionKinds(std::string_view text) {
+    std::array<bool, kInteractionKinds> kinds{};
+    if (text == "all") {
+        kinds.fill(true);
+        return kinds;
+    }
+    std::vector<std::string> names{"all"};
+    for (std::size_t i = 0; i < kInteractionKinds; ++i)
+        names.emplace_back(interactionKindName(static_cast<InteractionKind>(i)));
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t end = std::min(text.find(',', from), text.size());
+        const auto kind = interactionKindFromName(text.substr(from, end - from));
+        if (!kind) refuse(text.substr(from, end - from), "all, or of " + interactionKindNames(), names);
+        kinds[static_cast<std::size_t>(*kind)] = true;
+        from = end + 1;
+    }
+    return kinds;
+}
+
+std::string interactionKindsText(const std::array<bool, kInteractionKinds>& kinds) {
+    if (std::find(kinds.begin(), kinds.end(), false) == kinds.end()) return "all";
+    std::string text;
+    for (std::size_t i = 0; i < kInteractionKinds; ++i)
+        if (kinds[i])
+            text += (text.empty() ? "" : ",") + std::string(interactionKindName(static_cast<InteractionKind>(i)));
+    return text;
+}
+
+std::string interactionKindNames() {
+    std::array<bool, kInteractionKinds> all{};
+    std::string names;
+    for (std::size_t i = 0; i < kInteractionKinds; ++i) {
+        all = {};
+        all[i] = true;
+        names += (names.empty() ? "" : ", ") + interactionKindsText(all);
+    }
+    return names;
+}
+
+}  // namespace nacre::app

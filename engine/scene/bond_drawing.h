@@ -1,0 +1,21 @@
+#pragma once
+// The bonds of a scene: sticks, their parallel strands and inner lines, and the dashes of coordination. Used by
+// representation.cpp.
+
+#include <span>
+#include <vector>
+
+#include "engine/scene/appearance.h"
+#include "engine/scene/assembly_scene.h"
+#include "engine/scene/bond_orders.h"
+#include "engine/scene/representation.h"
+
+namespace nacre {
+
+/// Adds the bonds of what has a style with bonds.
+/// @param contacts  that are drawn, too: coordination that one of them shows is left to it
+/// @param assembly  null: there is none @param result  has the atoms' spheres, in the order of the appearance
+void addBonds(const Molecule& molecule, const Appearance& appearance, const DrawnOrders& orders,
+              std::span<const Interaction> contacts, AssemblyScene* assembly, Representation& result);
+
+}  // namespace nacre

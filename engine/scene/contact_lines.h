@@ -1,0 +1,40 @@
+#pragma once
+// From interactions to the dashed lines of a scene. Used by representation.cpp.
+
+#include <span>
+#include <vector>
+
+#include "engine/molecule/molecule.h"
+#include "engine/scene/appearance.h"
+#include "engine/scene/contacts.h"
+
+namespace nacre {
+
+struct Representation;
+
+/// Finds the interactions that are asked for, of which every atom is seen, in whatever style. Keeps what does not move.
+class ContactFinder {
+public:
+    /// @throws Error if a selection matches no atoms
+    ContactFinder(const ResidueFacts& facts, const ContactOptions& options);
+    /// @param molecule  the one that it was made for, with any positions
+    std::vector<Interaction> find(const Molecule& molecule, const Appearance& appearance) const;
+
+private:
+    InteractionFinder finder_;
+    InteractionQuery query_;
+};
+
+/// Adds their lines, marks of ring centres and of waters that are not drawn, and their legend. A line ends at the
+/// surfaces of the balls that are drawn of its atoms, or at the atoms' centres; those of rings at their middles; those
+/// of charged groups at the nearest atom. Where a donor's hydrogen is drawn, the line ends there.
+/// @param atoms  balls of the scene, as Appearance has them: its first spheres
+void addContacts(const Molecule& molecule, const Appearance& appearance, std::vector<Interaction> contacts,
+                 const ContactOptions& options, Representation& scene);
+
+/// Keeps the number of spheres and cylinders while contacts come and go in a trajectory, so that frames need not wait:
+/// adds what lies inside the first ball. Nothing where there is none.
+/// @param spheres, cylinders  how many there shall be at least; afterwards how many there are
+void fillUp(Representation& scene, std::size_t& spheres, std::size_t& cylinders);
+
+}  // namespace nacre
