@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "engine/scene/palettes.h"
+#include "engine/scene/colors.h"
 
 namespace nacre::app {
 namespace {
@@ -98,7 +98,7 @@ void colorApart(const std::vector<std::string>& names, RepresentationOptions& lo
         step.numbers.push_back({number, number, '\0', '\0'});
         rule.selection.text = "/" + names[i];
         rule.selection.steps.push_back(step);
-        rule.coloring = Coloring::elementWithCarbons(kindColor(i));
+        rule.coloring = Coloring::elementWithCarbons(kindColor(i, kCarbonPalette));
         rules.push_back(rule);
     }
     look.rules.insert(look.rules.begin(), rules.begin(), rules.end());
