@@ -114,7 +114,7 @@ void layLegends(Room& room, const std::vector<Legend>& legends) {
             y += line;
         }
         room.marks.backs.push_back({{left - 0.5 * size, top - 0.3 * size}, {right + 0.5 * size, y + 0.1 * size}});
-        room.taken.push_back({{left - 0.5 * size, top - 0.3 * size}, {right + 0.5 * size, y + 0.1 * size}});
+        room.taken.push_back({{left - 0.3 * size, top}, {right, y}});
         right = left - 1.2 * size;
     }
 }

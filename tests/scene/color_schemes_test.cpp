@@ -258,7 +258,9 @@ TEST(ColorSchemes, ASurfaceOverACartoonHasItsColours) {
 TEST(ColorSchemes, CarbonsByChainAndTheRestByElement) {
     const Molecule dna = sampleMolecule("dna");
     const ColoredAtoms result = colored(dna, ColorScheme::chainCarbons);
-    const ColoredAtoms chains = colored(dna, ColorScheme::chain), elements = colored(dna, ColorScheme::element);
+    Coloring byChain(ColorScheme::chain);
+    byChain.palette = Palette::carbons;
+    const ColoredAtoms chains = colored(dna, byChain), elements = colored(dna, ColorScheme::element);
     for (std::size_t i = 0; i < dna.atoms.size(); ++i)
         ASSERT_EQ(result.colors[i], dna.atoms[i].element == 6 ? chains.colors[i] : elements.colors[i]) << i;
     EXPECT_EQ(labels(result), "C of chain A|C of chain B|N|O|P");
