@@ -119,6 +119,42 @@ void judgeSight(const PlacedWords& words, const View& view, const Clip& clip, st
     for (std::size_t i = 0; i < shares.size(); ++i) held[i].shown = shares[i] >= (held[i].shown ? kHardly : kSeen);
 }
 
+/// Offsets of a text's middle at which it covers none of the atoms that it names, the nearest first. None where these
+/// take most of the picture: a chain wears its name.
+/// @param half  of the text
+std::vector<glm::dvec2> besideNamed(const Room& room, const LabelSight::Named& named, const glm::dvec2& anchor,
+                                    const glm::dvec2& half) {
+    constexpr int kWays = 12;
+    constexpr double kRoom = 1.2;  // radii, as some atoms of large groups are left out
+    constexpr double kMost = 0.6;  // of the picture's shorter side
+    std::vector<DiscMark> discs;
+    Area all{anchor, anchor};
+    for (std::size_t i = 0; i < named.places.size(); ++i) {
+        const Room::Seen seen = room.seen(named.places[i]);
+        discs.push_back({seen.at, kRoom * named.radii[i] * seen.scale, 0});
+        all.low = glm::min(all.low, seen.at - discs.back().radius);
+        all.high = glm::max(all.high, seen.at + discs.back().radius);
+    }
+    const glm::dvec2 extent = all.high - all.low;
+    if (std::max(extent.x, extent.y) > kMost * std::min(room.view.width, room.view.height)) return {};
+    std::vector<glm::dvec2> offsets;
+    for (int way = 0; way < kWays; ++way) {
+        const double angle = 2 * std::numbers::pi * way / kWays;
+        const auto covers = [&](const glm::dvec2& offset) {
+            const Area area = Area{anchor + offset - half, anchor + offset + half}.grown(0.1 * room.size);
+            return std::any_of(discs.begin(), discs.end(), [&](const DiscMark& disc) {
+                return glm::distance(area.nearest(disc.at), disc.at) < disc.radius;
+            });
+        };
+        glm::dvec2 offset(0);
+        while (covers(offset)) offset += 0.4 * room.size * glm::dvec2(std::cos(angle), std::sin(angle));
+        offsets.push_back(offset);
+    }
+    std::stable_sort(offsets.begin(), offsets.end(),
+                     [](const glm::dvec2& a, const glm::dvec2& b) { return glm::dot(a, a) < glm::dot(b, b); });
+    return offsets;
+}
+
 /// @param held  of each, before and after
 void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vector<Held>& held) {
     const std::vector<PlacedLabel>& labels = words.labels;
@@ -148,6 +184,10 @@ void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vect
                       {-beside - half.x, 0},
                       {0, -beside - half.y},
                       {0, beside + half.y}};
+        if (!labels[i].ofAtom) {
+            const std::vector<glm::dvec2> clear = besideNamed(room, labels[i].named, anchors[i].at, half);
+            if (!clear.empty()) wishes = clear;
+        }
         std::vector<glm::dvec2> others = points;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
         held[i].rank = rank++;

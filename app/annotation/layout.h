@@ -42,7 +42,14 @@ struct RampMark {
     std::vector<std::uint32_t> colors;
 };
 
+/// A rectangle of the halo's colour, behind all else, through which the picture shows a little.
+struct BackMark {
+    glm::dvec2 low{}, high{};
+    static constexpr double kStrength = 0.8;
+};
+
 struct Marks {
+    std::vector<BackMark> backs;
     std::vector<LineMark> lines;  ///< drawn in this order, each kind over the one before
     std::vector<DiscMark> discs;
     std::vector<RampMark> ramps;

@@ -24,6 +24,7 @@ std::string headingOf(const Legend& legend) {
                                                               {"hydrophobicity", "Hydropathy (Kyte–Doolittle)"},
                                                               {"secondary-structure", "Secondary structure"},
                                                               {"chain-carbons", "Carbons by chain"},
+                                                              {"input", "Molecule"},
                                                               {"copy", "Copy"},
                                                               {"copy-chain", "Copy, chain"},
                                                               {"copy-entity", "Copy, entity"},
@@ -112,6 +113,7 @@ void layLegends(Room& room, const std::vector<Legend>& legends) {
             if (row.color) legendSwatch(room, row, {left + swatch, baseline - kMiddle * size}, swatch, line);
             y += line;
         }
+        room.marks.backs.push_back({{left - 0.5 * size, top - 0.3 * size}, {right + 0.5 * size, y + 0.1 * size}});
         room.taken.push_back({{left - 0.3 * size, top}, {right, y}});
         right = left - 1.2 * size;
     }

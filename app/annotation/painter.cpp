@@ -241,6 +241,11 @@ void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, st
             return nearRows(p.y, line.width + marks.haloWidth + glm::distance(line.points.front(), line.points.back()));
         });
     };
+    for (const BackMark& back : marks.backs)
+        if (back.low.y < static_cast<double>(first) + rows && back.high.y > first)
+            rasterizePolygon(library, {back.low, {back.high.x, back.low.y}, back.high, {back.low.x, back.high.y}},
+                             coverage);
+    coverage.pour(marks.halo, BackMark::kStrength, rgba);
     for (const LineMark& line : marks.lines)
         if (nearLine(line)) rasterizeLine(library, line, marks.haloWidth * 0.8, coverage);
     for (const DiscMark& disc : marks.discs)

@@ -177,13 +177,11 @@ void placeLabel(const Label& label, const ResidueFacts& facts, const DrawnAtoms&
         one.ofAtom = group.size() == 1;
         one.radius = drawn.places[group.front()].radius;
         one.text = filledIn(label.text, molecule, group.front());
-        if (placed.sight) {
-            one.named.atoms = numbersOfResidues(molecule, group);
-            const std::size_t step = (group.size() + kMostAsked - 1) / kMostAsked;
-            for (std::size_t i = 0; i < group.size(); i += step) {
-                one.named.places.push_back(drawn.places[group[i]].at);
-                one.named.radii.push_back(drawn.places[group[i]].radius);
-            }
+        if (placed.sight) one.named.atoms = numbersOfResidues(molecule, group);
+        const std::size_t step = (group.size() + kMostAsked - 1) / kMostAsked;
+        for (std::size_t i = 0; i < group.size(); i += step) {
+            one.named.places.push_back(drawn.places[group[i]].at);
+            one.named.radii.push_back(drawn.places[group[i]].radius);
         }
         placed.labels.push_back(std::move(one));
     }

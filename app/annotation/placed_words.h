@@ -19,7 +19,7 @@ struct PlacedLabel {
     std::string text;           ///< with markup
     bool ofAtom = false;        ///< stands beside an atom, not upon what it names
     double radius = 0;          ///< of that atom, Å
-    LabelSight::Named named{};  ///< where labels may be hidden: its atoms
+    LabelSight::Named named{};  ///< its atoms; those that do not hide it where labels may be hidden
 };
 struct PlacedMeasure {
     std::vector<glm::dvec3> points;

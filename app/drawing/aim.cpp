@@ -39,14 +39,14 @@ const std::optional<Selection>& uncoveredBy(const Aim& aim) {
 Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, const Representation& scene,
             const Size& size) {
     Aimed result{camera, std::nullopt};
-    if (!aim.any()) return result;
-    const std::vector<glm::dvec4> all = drawnBalls(scene);
+    if (!aim.any() && !aim.fits) return result;
+    const std::vector<glm::dvec4> all = aim.any() ? drawnBalls(scene) : std::vector<glm::dvec4>();
     if (aim.principal) result.camera.orientation = principalOrientation(all, size.width >= size.height);
     if (aim.lookAt)
         result.camera.orientation = facingOrientation(ballsOf(*aim.lookAt, "cannot look at", facts, scene), all,
                                                       glm::mat3_cast(result.camera.orientation));
-    if (aim.principal && !aim.zoomTo && !aim.lookAt)
-        result.camera = fitted(result.camera, all, scene.radius, size.width, size.height, kLargestZoom);
+    if ((aim.fits || (aim.principal && !aim.lookAt)) && !aim.zoomTo)
+        result.camera = fitted(result.camera, scene, scene.radius, size.width, size.height, kLargestZoom);
     if (aim.zoomTo) {
         const std::vector<glm::dvec4> target = ballsOf(*aim.zoomTo, "cannot zoom to", facts, scene);
         result.camera = closeUp(result.camera, target, scene.radius, kZoomMargin, kLargestZoom);

@@ -85,6 +85,15 @@ void tellScene(const Molecule& molecule, const Representation& scene, RunStats& 
     run.legends = scene.legends;
 }
 
+/// What is asked of the view. What shares its scale with other pictures is not fitted into each of them.
+Aim aimOf(const Molecule& molecule, const PictureDescription& options, const std::optional<Bounds>& frame) {
+    Aim aim = options.aim;
+    const bool alone = !frame && options.input.trajectory.path.empty() && molecule.others.empty() &&
+                       !options.look.ownFrame && !aim.turns;
+    aim.fits = aim.fits && alone && options.camera.zoom == 1 && options.camera.pan == glm::dvec2(0);
+    return aim;
+}
+
 }  // namespace
 
 void Drawing::prepare(const Molecule& molecule, const PictureDescription& description,
@@ -117,7 +126,8 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
         ++counts_.scenes;
     }
     run = {};
-    const Aimed aim = aimed(description_.camera, description_.aim, facts, *scene_, description_.size);
+    const Aimed aim =
+        aimed(description_.camera, aimOf(molecule, description_, frame), facts, *scene_, description_.size);
     settings = settingsOf(description_, aim.camera, radius_);
     const View& view = settings.view;
     const auto depthFrom = [&] { return view.projection == Projection::perspective ? view.eyeDistance : view.radius; };

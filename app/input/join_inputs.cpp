@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/files/messages.h"
+#include "app/picture/input_names.h"
 #include "engine/error.h"
 #include "engine/molecule/join_models.h"
 #include "engine/molecule/matched_atoms.h"
@@ -76,6 +77,7 @@ Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
         for (Chain& chain : molecules[i].chains) chain.model = static_cast<int>(i + 1);
     Molecule whole = joinModels(input.path, std::move(molecules), kMaxAtoms);
     whole.modelsAreInputs = true;
+    whole.inputs = inputNames(input);
     whole.assemblies.clear();  // they place one of the molecules, not all
     for (const FitOptions& fit : input.fits) tell(fitInput(whole, fit));
     return whole;

@@ -116,6 +116,9 @@ void drawWords(PanelFrame& f) {
     const auto placeOf = [&](const glm::dvec2& p) { return place(p + corner); };
     const auto haloWidth = static_cast<float>(marks.haloWidth);
     const ImU32 halo = (marks.halo & 0xffffff) | 0xd8000000;
+    for (const BackMark& back : marks.backs)
+        list.AddRectFilled(placeOf(back.low), placeOf(back.high),
+                           (marks.halo & 0xffffff) | static_cast<ImU32>(255 * BackMark::kStrength) << 24);
     for (const bool ink : {false, true})
         for (const LineMark& line : marks.lines)
             for (std::size_t i = 1; i < line.points.size(); ++i)

@@ -37,7 +37,7 @@ struct PictureDescription {
     DrawnAtomsOptions drawn;
     RepresentationOptions look;
     Camera camera;
-    Aim aim;
+    Aim aim = Aim::standard();
     Words words;
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "engine/scene/palettes.h"
+#include "engine/scene/colors.h"
 
 namespace nacre::app {
 namespace {
@@ -28,6 +28,11 @@ bool isInputName(const std::string& text) {
 void addInput(InputOptions& input, const std::string& text) {
     if (input.further.size() + 1 >= kMostInputs)
         throw std::invalid_argument("more than " + std::to_string(kMostInputs) + " of them");
+    if (!input.namedBy.empty()) {  // a view's molecules give way to those that are asked for
+        input.path.clear(), input.name.clear(), input.hash.clear(), input.namedBy.clear();
+        input.further.clear(), input.fits.clear();
+        if (!input.trajectory.namedBy.empty()) input.trajectory = {};
+    }
     const std::size_t equals = text.find('=');
     std::error_code error;
     FurtherInput next{"", text, ""};
@@ -99,7 +104,7 @@ void colorApart(const std::vector<std::string>& names, RepresentationOptions& lo
         step.numbers.push_back({number, number, '\0', '\0'});
         rule.selection.text = "/" + names[i];
         rule.selection.steps.push_back(step);
-        rule.coloring = Coloring::elementWithCarbons(kindColor(i));
+        rule.coloring = Coloring::elementWithCarbons(kindColor(i, kCarbonPalette));
         rules.push_back(rule);
     }
     look.rules.insert(look.rules.begin(), rules.begin(), rules.end());

@@ -53,6 +53,16 @@ void parsePan(T text, P& d) {
 }
 std::string printPan(const P& d) { return exactText(d.camera.pan.x) + "," + exactText(d.camera.pan.y); }
 
+void parseZoom(T text, P& d) {
+    d.aim.fits = text == "fit";
+    d.camera.zoom = d.aim.fits ? 1 : parseNumber(text, kSmallestZoom, kLargestZoom);
+}
+/// A camera that was moved says itself how large.
+std::string printZoom(const P& d) {
+    const bool moved = d.camera.zoom != 1 || d.camera.pan != glm::dvec2(0);
+    return d.aim.fits && !moved ? "fit" : exactText(d.camera.zoom);
+}
+
 std::string printRotation(const P& d) {
     const glm::dvec3& r = d.camera.rotationDegrees;
     return exactText(r.x) + "," + exactText(r.y) + "," + exactText(r.z);
@@ -80,13 +90,14 @@ std::vector<Option> cameraRows() {
          .save = always,
          .number = Option::Number::real},
         {.key = "zoom",
-         .syntax = "F",
+         .syntax = "F|fit",
          .standard = "=",
-         .help = "Scales the picture, 0.0001 to 10000",
+         .help = "fit: what is drawn fills the picture as seen from this side, except in movies and among models and\n"
+                 "frames, which share a scale; F: 1 has the molecule's sphere fill it from any side, 0.0001 to 10000",
          .topic = Topic::camera,
          .facet = Facet::view,
-         .parse = [](T text, P& d) { d.camera.zoom = parseNumber(text, kSmallestZoom, kLargestZoom); },
-         .print = printExact<&P::camera, &Camera::zoom>,
+         .parse = parseZoom,
+         .print = printZoom,
          .save = always,
          .number = Option::Number::real},
         {.key = "orientation",

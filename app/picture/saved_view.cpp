@@ -209,6 +209,7 @@ void readView(const std::string& json, const std::string& name, PictureDescripti
     }
     if (!object.is_object()) throw Error("cannot read view", name, "it is no JSON object");
     if (!twice.empty()) throw Error("cannot read view", name, "\"" + twice + "\": it is there twice");
+    view.aim.fits = false;  // it keeps its scale, also where it does not state it
     readKeys(object, name, view);
     view.aim.uncovers = true;  // a plane that was saved asks for nothing
 }

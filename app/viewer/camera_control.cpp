@@ -125,6 +125,7 @@ void CameraControl::unclip() {
 
 void CameraControl::take(Aim aim, bool fly, double now) {
     const Document& document = stage_.document;
+    aim.fits = false;  // it is to fit from all sides
     for (std::optional<Selection>* selection : {&aim.lookAt, &aim.zoomTo, &aim.uncover})
         if (*selection && !document.view.input.further.empty())
             nameInputs(inputNames(inputOf(document.view)), **selection);

@@ -57,6 +57,7 @@ std::span<const ColorWord> colorWords() {
     static constexpr ColorWord kWords[] = {{"By element", "element"},
                                            {"By chain", "chain"},
                                            {"By chain, atoms by element", "chain-carbons"},
+                                           {"By input", "input"},
                                            {"By copy of the assembly", "copy"},
                                            {"By copy, chains shaded", "copy-chain"},
                                            {"By copy, molecules shaded", "copy-entity"},

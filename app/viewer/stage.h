@@ -28,6 +28,7 @@ public:
     /// As it is wanted, seen from where `motion` has the camera.
     const PictureDescription& view() const {
         view_.camera = motion.camera();
+        view_.aim.fits = false;  // that says how large
         return view_;
     }
     /// The same, to be changed; its camera is not looked at.
@@ -36,6 +37,7 @@ public:
     PictureDescription destination() const {
         PictureDescription view = view_;
         view.camera = motion.destination();
+        view.aim.fits = false;
         return view;
     }
     /// A document is there.

@@ -141,6 +141,7 @@ struct Molecule {
     std::vector<float> radii;               ///< by atom, Å, as PQR states them; empty otherwise
     std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number
     bool modelsAreInputs = false;           ///< what chains call models are several molecules that stand together
+    std::vector<std::string> inputs;        ///< names of those, in the order of their models; empty: there is one
     OtherModels others;         ///< if they were asked for: the file's other models, for a camera that all share
     std::string othersMissing;  ///< why they are not there though there are some; empty: they are, or none is
     FileSummary file;

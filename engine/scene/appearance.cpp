@@ -1,6 +1,7 @@
 #include "engine/scene/appearance.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "engine/molecule/element.h"
@@ -105,6 +106,25 @@ std::vector<bool> bondedAmong(const Molecule& molecule, const std::vector<std::u
     return bonded;
 }
 
+/// Gives a surface over a cartoon the cartoon's colours, by the atom of each residue that the cartoon has its from,
+/// where one colouring by chain settles both. @param looks, inCartoon  of the seen atoms @param schemeOf  of a rule
+template <typename SchemeOf>
+void colorAsCartoon(const Molecule& molecule, const std::vector<AtomLook>& looks, const std::vector<bool>& inCartoon,
+                    const SchemeOf& schemeOf, Appearance& appearance) {
+    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> shows(molecule.residues.size(), kNone);
+    const auto atomOf = [&](std::size_t i) -> const Atom& { return molecule.atoms[appearance.atoms[i]]; };
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const std::string_view name = atomOf(i).name.view();
+        if (inCartoon[i] && (name == "CA" || name == "C4'" || name == "C4*")) shows[atomOf(i).residue] = i;
+    }
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const std::size_t from = shows[atomOf(i).residue];
+        if (!inCartoon[i] || !looks[i].surface || from == kNone || looks[i].color != looks[from].color) continue;
+        if (schemeOf(looks[i].color) == ColorScheme::chainCarbons) appearance.colors[i] = appearance.colors[from];
+    }
+}
+
 /// Parts all that is seen by how it is drawn. @param looks  of the seen atoms
 void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, const RepresentationOptions& options,
                  Appearance& appearance) {
@@ -134,6 +154,11 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
         atoms.colors.push_back(appearance.colors[i]);
         atoms.tints.push_back(appearance.tints[i]);
     }
+    if (!wanted.empty())
+        colorAsCartoon(
+            facts.molecule(), looks, inCartoon,
+            [&](std::uint32_t rule) { return rule == kBase ? options.color.scheme : rules[rule - 1].coloring.scheme; },
+            appearance);
     const auto opacity = [&](std::uint32_t rule, double ofAll) {
         return rule == kBase ? ofAll : rules[rule - 1].opacity.value_or(ofAll);
     };

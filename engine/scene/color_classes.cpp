@@ -46,17 +46,23 @@ Classes byElement(const Molecule& molecule, std::span<const std::uint32_t> atoms
     return classes;
 }
 
-Classes byChain(const Molecule& molecule, std::span<const std::uint32_t> atoms, Palette palette) {
-    // A chain looks the same in every model. Chains of one model that share a name are told apart by their order.
+/// A chain looks the same in every model. Chains of one model that share a name are
+/// told apart by their order; those of several molecules always are.
+/// @param before  of a chain's name in the legend
+Classes byChain(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, Palette palette,
+                const std::string& before = "") {
+    const Molecule& molecule = facts.molecule();
     std::map<std::pair<int, std::string_view>, int> namesakes;
-    std::map<std::pair<std::string_view, int>, std::uint32_t> known;
+    std::map<std::tuple<int, std::string_view, int>, std::uint32_t> known;
     Classes classes;
     std::vector<std::uint32_t> ofChain;
-    for (const Chain& chain : molecule.chains) {
+    const std::vector<std::string> labels = chainLabels(facts, before);
+    for (std::uint32_t i = 0; i < molecule.chains.size(); ++i) {
+        const Chain& chain = molecule.chains[i];
         const auto next = static_cast<std::uint32_t>(classes.entries.size());
-        const int namesake = namesakes[{chain.model, chain.name}]++;
-        const auto [found, added] = known.emplace(std::pair(std::string_view(chain.name), namesake), next);
-        if (added) classes.entries.push_back({chain.name.empty() ? "(no name)" : chain.name, kindColor(next, palette)});
+        const int namesake = namesakes[{chain.model, chain.name}]++, input = molecule.inputs.empty() ? 0 : chain.model;
+        const auto [found, added] = known.emplace(std::tuple(input, std::string_view(chain.name), namesake), next);
+        if (added) classes.entries.push_back({labels[i], kindColor(next, palette)});
         ofChain.push_back(found->second);
     }
     sortAtoms(classes, atoms,
@@ -65,15 +71,31 @@ Classes byChain(const Molecule& molecule, std::span<const std::uint32_t> atoms, 
 }
 
 /// Where there are no chains to tell apart, carbons keep a colour of their own all the same.
-Classes byChainCarbons(const Molecule& molecule, std::span<const std::uint32_t> atoms, Palette palette) {
+Classes byChainCarbons(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, Palette palette) {
     constexpr Element kCarbon = 6;
+    const Molecule& molecule = facts.molecule();
     const Classes elements = byElement(molecule, atoms, 0);
-    Classes classes = byChain(molecule, atoms, palette);
+    Classes classes = byChain(facts, atoms, palette, "chain ");
     const auto chains = static_cast<std::uint32_t>(classes.entries.size());
-    for (LegendEntry& entry : classes.entries) entry.label = "C of chain " + entry.label;
+    for (LegendEntry& entry : classes.entries) entry.label = "C of " + entry.label;
     classes.entries.insert(classes.entries.end(), elements.entries.begin(), elements.entries.end());
     for (std::size_t i = 0; i < atoms.size(); ++i)
         if (molecule.atoms[atoms[i]].element != kCarbon) classes.ofAtom[i] = chains + elements.ofAtom[i];
+    return classes;
+}
+
+Classes byInput(const Molecule& molecule, std::span<const std::uint32_t> atoms, Palette palette) {
+    Classes classes;
+    for (std::size_t i = 0; i < molecule.inputs.size(); ++i)
+        classes.entries.push_back({molecule.inputs[i], kindColor(i, palette)});
+    if (molecule.inputs.empty()) {
+        classes.entries.push_back({"the only INPUT", kindColor(0, palette)});
+        classes.warning = "there is one INPUT";
+    }
+    sortAtoms(classes, atoms, [&](std::uint32_t i) {
+        return molecule.inputs.empty() ? 0
+                                       : molecule.chains[molecule.residues[molecule.atoms[i].residue].chain].model - 1;
+    });
     return classes;
 }
 
@@ -233,9 +255,11 @@ Classes classesOf(const ResidueFacts& facts, std::span<const std::uint32_t> atom
     const auto palette = [&](Palette own) { return coloring.palette == Palette::automatic ? own : coloring.palette; };
     switch (coloring.scheme) {
         case ColorScheme::chain:
-            return byChain(molecule, atoms, palette(kChainPalette));
+            return byChain(facts, atoms, palette(kChainPalette));
         case ColorScheme::chainCarbons:
-            return byChainCarbons(molecule, atoms, palette(kChainPalette));
+            return byChainCarbons(facts, atoms, palette(kCarbonPalette));
+        case ColorScheme::input:
+            return byInput(molecule, atoms, palette(kChainPalette));
         case ColorScheme::residue:
             return byResidueName(molecule, atoms, [](const Name& name) {
                 const std::string_view text = name.view();
@@ -257,6 +281,34 @@ Classes classesOf(const ResidueFacts& facts, std::span<const std::uint32_t> atom
 }
 
 }  // namespace
+
+std::vector<std::string> chainLabels(const ResidueFacts& facts, const std::string& before) {
+    const Molecule& molecule = facts.molecule();
+    std::vector<std::string> labels;
+    for (const Chain& chain : molecule.chains) labels.push_back(chain.name.empty() ? "" : before + chain.name);
+    // One without a name by what it is: a polymer, residues of one name beside water, or several.
+    constexpr std::string_view kWater = "water";
+    std::vector<bool> polymer(labels.size());
+    for (std::uint32_t r = 0; r < molecule.residues.size(); ++r) {
+        const std::uint32_t chain = molecule.residues[r].chain;
+        const bool water = facts.kinds()[r] == ResidueKind::water;
+        if (!molecule.chains[chain].name.empty() || polymer[chain] || (water && !labels[chain].empty())) continue;
+        const std::string name(molecule.residues[r].name.view());
+        std::string& label = labels[chain];
+        polymer[chain] = facts.isPolymer(r);
+        if (polymer[chain])
+            label = facts.kinds()[r] == ResidueKind::protein ? "protein" : "nucleic acid";
+        else if (water)
+            label = kWater;
+        else if (name.empty() || (!label.empty() && label != kWater && label != name))
+            label = "ligand";
+        else
+            label = name;
+    }
+    for (std::size_t i = 0; i < labels.size() && !molecule.inputs.empty(); ++i)
+        labels[i] += " of " + molecule.inputs[static_cast<std::size_t>(molecule.chains[i].model) - 1];
+    return labels;
+}
 
 ColoredAtoms colorByClass(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const Coloring& coloring) {
     const Classes classes = classesOf(facts, atoms, coloring);

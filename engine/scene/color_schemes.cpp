@@ -31,6 +31,7 @@ struct SchemeName {
 constexpr SchemeName kNames[] = {{"element", ColorScheme::element},
                                  {"chain", ColorScheme::chain},
                                  {"chain-carbons", ColorScheme::chainCarbons},
+                                 {"input", ColorScheme::input},
                                  {"copy", ColorScheme::copy},
                                  {"copy-chain", ColorScheme::copyChain},
                                  {"copy-entity", ColorScheme::copyEntity},
@@ -181,12 +182,13 @@ TintKinds tintKinds(const ResidueFacts& facts, Atoms atoms, ColorScheme scheme) 
     if (scheme == ColorScheme::copy) return {{""}, std::vector<std::uint32_t>(atoms.size(), 0)};
     std::optional<ResidueEntities> entities;
     if (scheme == ColorScheme::copyEntity) entities = residueEntities(facts);
+    const std::vector<std::string> chains = chainLabels(facts, "chain ");
     std::map<std::uint32_t, std::uint32_t> numbers;
     for (const std::uint32_t atom : atoms) {
         const std::uint32_t residue = molecule.atoms[atom].residue, chain = molecule.residues[residue].chain;
         const std::uint32_t key = entities ? entities->ofResidue[residue] : chain;
         const auto [number, added] = numbers.emplace(key, static_cast<std::uint32_t>(kinds.names.size()));
-        if (added) kinds.names.push_back(entities ? entities->labels[key] : "chain " + molecule.chains[chain].name);
+        if (added) kinds.names.push_back(entities ? entities->labels[key] : chains[key]);
         kinds.ofAtom.push_back(number->second);
     }
     return kinds;
@@ -226,6 +228,7 @@ PaletteUse paletteUse(ColorScheme scheme) {
     switch (scheme) {
         case ColorScheme::chain:
         case ColorScheme::chainCarbons:
+        case ColorScheme::input:
         case ColorScheme::copy:
         case ColorScheme::copyChain:
         case ColorScheme::copyEntity:

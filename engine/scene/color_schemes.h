@@ -18,6 +18,7 @@ enum class ColorScheme {
     element,
     chain,
     chainCarbons,        ///< carbons by chain, all else by element
+    input,               ///< of several molecules in one picture
     copy,                ///< of an assembly
     copyChain,           ///< likewise, its chains in tints of it
     copyEntity,          ///< likewise, its entities

@@ -17,6 +17,8 @@ std::uint32_t elementColor(Element element);
 
 /// What tells chains and copies apart where no palette is asked for.
 constexpr Palette kChainPalette = Palette::distinct;
+/// Where carbons alone are coloured, beside atoms in the colours of their elements.
+constexpr Palette kCarbonPalette = Palette::carbons;
 
 /// A colour that is only a tint of the copy's that an atom stands in: a grey, by which that is darkened. The first of
 /// some is white, so the copy's own.

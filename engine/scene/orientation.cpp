@@ -189,20 +189,36 @@ void forEachVertex(const Representation& scene, std::size_t mostCopies, Add&& ad
     forEachCopy(scene.copies, scene.copies.triangles, scene.triangles.size(), mostCopies, addTriangle);
 }
 
+template <typename Visit>
+void eachDrawnBall(const Representation& scene, const Visit& visit) {
+    const auto ofSphere = [&](std::size_t i, const glm::dmat4x3& place) {
+        const Sphere& s = scene.spheres[i];
+        visit(glm::dvec4(place * glm::dvec4(s.center, 1.0), s.radius));
+    };
+    const auto ofVertex = [&](const MeshVertex& vertex, float step, const glm::dmat4x3& place) {
+        visit(glm::dvec4(place * glm::dvec4(positionOf(vertex, step), 1.0), 0.0));
+    };
+    forEachCopy(scene.copies, scene.copies.spheres, scene.spheres.size(), kEveryCopy, ofSphere);
+    forEachVertex(scene, kEveryCopy, ofVertex);
+}
+
+/// Spheres and, of triangles, vertices that a walk over all copies comes to.
+double drawnBallCount(const Representation& scene) {
+    if (scene.copies.transforms.empty())
+        return static_cast<double>(scene.spheres.size()) + 3 * static_cast<double>(scene.triangles.size());
+    double count = 0;
+    for (const auto& [runs, each] : {std::pair(&scene.copies.spheres, 1.0), std::pair(&scene.copies.triangles, 3.0)})
+        for (const PrimitiveRun& run : *runs)
+            count += each * run.count * static_cast<double>(scene.copies.lists[run.list].size());
+    return count;
+}
+
 }  // namespace
 
 std::vector<glm::dvec4> drawnBalls(const Representation& scene) {
     Balls balls;
     balls.reserve(scene.drawnAtoms);
-    const auto addSphere = [&](std::size_t i, const glm::dmat4x3& place) {
-        const Sphere& s = scene.spheres[i];
-        balls.emplace_back(place * glm::dvec4(s.center, 1.0), s.radius);
-    };
-    const auto addVertex = [&](const MeshVertex& vertex, float step, const glm::dmat4x3& place) {
-        balls.emplace_back(place * glm::dvec4(positionOf(vertex, step), 1.0), 0.0);
-    };
-    forEachCopy(scene.copies, scene.copies.spheres, scene.spheres.size(), kEveryCopy, addSphere);
-    forEachVertex(scene, kEveryCopy, addVertex);
+    eachDrawnBall(scene, [&](const glm::dvec4& ball) { balls.push_back(ball); });
     return balls;
 }
 
@@ -311,19 +327,20 @@ Camera closeUp(Camera camera, const std::vector<glm::dvec4>& target, double radi
     return camera;
 }
 
-Camera fitted(Camera camera, const std::vector<glm::dvec4>& balls, double radius, std::uint32_t width,
-              std::uint32_t height, double mostZoom) {
-    constexpr double kFill = 0.95;
+Camera fitted(Camera camera, const Representation& scene, double radius, std::uint32_t width, std::uint32_t height,
+              double mostZoom) {
+    constexpr double kFill = 0.95, kMost = 1e7;
+    if (drawnBallCount(scene) > kMost) return camera;
     const View view = viewOf(camera, radius, width, height);
+    const bool perspective = view.projection == Projection::perspective;
     glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
-    for (const glm::dvec4& ball : balls) {
+    eachDrawnBall(scene, [&](const glm::dvec4& ball) {
         const glm::dvec3 v = view.rotation * glm::dvec3(ball);
-        const double magnify =
-            view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1.0;
+        const double magnify = perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1.0;
         low = glm::min(low, (glm::dvec2(v) - ball.w) * magnify);
         high = glm::max(high, (glm::dvec2(v) + ball.w) * magnify);
-    }
-    if (balls.empty()) return camera;
+    });
+    if (low.x > high.x) return camera;
     const glm::dvec2 extent = glm::max(high - low, glm::dvec2(1e-6));
     camera.pan = -(low + high) / 2.0;
     const double more = std::min(width / extent.x, height / extent.y) * kFill / view.pixelsPerAngstrom;

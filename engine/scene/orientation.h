@@ -40,12 +40,12 @@ glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::v
 /// @param radius  of the scene, Å
 Camera closeUp(Camera camera, const std::vector<glm::dvec4>& target, double radius, double margin, double mostZoom);
 
-/// The camera that has some balls in the picture's middle and as large as they fit into 95 % of both its sides, times
-/// the camera's zoom. A molecule that lies along the picture is larger than at zoom 1, where its sphere fills the
-/// shorter side.
-/// @param radius  of the scene, Å @param width, height  of the picture
-Camera fitted(Camera camera, const std::vector<glm::dvec4>& balls, double radius, std::uint32_t width,
-              std::uint32_t height, double mostZoom);
+/// The camera that has a scene in the picture's middle and as large as it fits into 95 % of both sides, times the
+/// camera's zoom. A molecule that lies along the picture is larger than at zoom 1, where its sphere fills the shorter
+/// side. As it is for scenes of more than 10^7 spheres and vertices, copies counted.
+/// @param radius  of the scene's view, Å @param width, height  of the picture
+Camera fitted(Camera camera, const Representation& scene, double radius, std::uint32_t width, std::uint32_t height,
+              double mostZoom);
 
 /// How much of a target other atoms hide: the share of its atoms whose middle is covered, seen along the view's axis.
 double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,

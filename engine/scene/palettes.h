@@ -23,6 +23,7 @@ enum class Palette : std::uint8_t {
     automatic,  ///< that of the scheme
     // Of kinds. "Tol": P. Tol, "Colour schemes", SRON/EPS/TN/09-002 (2021).
     distinct,  ///< our own: a search for eight tones whose smallest CIEDE2000 distance is largest, whoever looks
+    carbons,   ///< our own: likewise, far from the blue of nitrogen, the red of oxygen and the yellow of sulphur
     light,     ///< Tol
     okabeIto,  ///< M. Okabe and K. Ito, "Color Universal Design" (2008), without its black, lightened for shading
     bright,    ///< Tol

@@ -111,6 +111,22 @@ double spheresReach(const Representation& r) {
     return farthest;
 }
 
+/// Leaves out of legends the kinds whose colour nothing has that is drawn: a cartoon shows few of its atoms' colours.
+void dropUndrawn(const Representation& r, std::vector<Legend>& legends) {
+    std::vector<bool> drawn(std::size_t{1} << 24);
+    const auto note = [&](std::uint32_t color) { drawn[color & 0xffffffu] = true; };
+    for (const SphereLook& look : r.sphereLooks) note(look.color);
+    for (const CylinderLook& look : r.cylinderLooks) note(look.colorA), note(look.colorB);
+    for (const SphereLook& look : r.meshLooks) note(look.color);
+    for (Legend& legend : legends) {
+        const auto first = legend.entries.begin() + static_cast<std::ptrdiff_t>(legend.stops);
+        legend.entries.erase(std::remove_if(first, legend.entries.end(),
+                                            [&](const LegendEntry& e) { return !drawn[e.color & 0xffffffu]; }),
+                             legend.entries.end());
+    }
+    std::erase_if(legends, [](const Legend& legend) { return legend.entries.empty(); });
+}
+
 /// Atoms that are seen, in whatever style, in all their copies.
 std::size_t countAtoms(const Appearance& appearance, const AssemblyScene* assembly) {
     if (!assembly) return appearance.seen;
@@ -148,6 +164,7 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     } else if (appearance.anyByCopy()) {
         appearance.warnings.push_back("colour by copy: there is one copy without an assembly (--assembly)");
     }
+    const bool byCopy = appearance.anyByCopy();
     const SeenBalls seen = seenBalls(molecule, appearance);
     Representation result;
     const Bounds bounds = frame ? *frame : assembly ? assembly->bounds(seen) : boundsOf(seen.balls);
@@ -178,6 +195,7 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     refuseCrowd(result);
     result.atomGroups = atomGroups(facts);
     addContactGroups(result);
+    if (!byCopy) dropUndrawn(result, result.legends);
     return result;
 }
 

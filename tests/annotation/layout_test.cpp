@@ -102,6 +102,33 @@ TEST(WordLayout, LabelsStandOnTheirAnchorsWhileThereIsRoomAndNeverOverlap) {
     EXPECT_GT(layOut(words, square(400), 14, {}, kWhite, widthOf).crowded, 50u);
 }
 
+TEST(WordLayout, LabelsOfGroupsStandBesideTheirAtoms) {
+    PlacedWords words;
+    PlacedLabel label{{0, 0, 0}, "ligand", false, 1};
+    for (int i = 0; i < 6; ++i) {
+        label.named.places.emplace_back(std::cos(i * 1.047), std::sin(i * 1.047), 0);
+        label.named.radii.push_back(0.9);
+    }
+    words.labels = {label};
+    const View view = square(400);
+    const auto covered = [&](const Marks& marks) {
+        const Box box = boxOf(marks.texts.at(0));
+        std::size_t count = 0;
+        for (const glm::dvec3& place : label.named.places) {
+            const glm::dvec2 at(200 + place.x * view.pixelsPerAngstrom, 200 - place.y * view.pixelsPerAngstrom);
+            if (bottomOf(box, at) < 0.9 * view.pixelsPerAngstrom) ++count;
+        }
+        return count;
+    };
+    const Marks beside = layOut(words, view, 14, {}, kWhite, widthOf);
+    EXPECT_EQ(covered(beside), 0u);
+    EXPECT_TRUE(beside.lines.empty()) << "it is near enough";
+    // A chain wears its name.
+    for (glm::dvec3& place : words.labels[0].named.places) place *= 7.0;
+    const Box box = boxOf(layOut(words, view, 14, {}, kWhite, widthOf).texts.at(0));
+    EXPECT_NEAR((box.left + box.right) / 2, 200, 1e-6);
+}
+
 /// Two balls in a row to the viewer, with their labels.
 PlacedWords twoInARow(Representation& r, bool oneResidue = false) {
     Molecule m = sampleMolecule("glucose");
@@ -254,6 +281,14 @@ TEST(WordLayout, LegendsShowKindsAndRamps) {
     EXPECT_EQ(marks.ramps.front().colors.front(), paletteColor(Palette::viridis, 1));
     EXPECT_EQ(marks.ramps.back().colors.back(), paletteColor(Palette::viridis, 0));
     EXPECT_NEAR(marks.ramps[0].high.y, marks.ramps[1].low.y, 1e-9);
+    // Behind it all, a backing.
+    ASSERT_EQ(marks.backs.size(), 1u);
+    for (const TextMark& text : marks.texts) {
+        const Box box = boxOf(text);
+        EXPECT_TRUE(box.left > marks.backs[0].low.x && box.right < marks.backs[0].high.x &&
+                    box.top > marks.backs[0].low.y && box.bottom < marks.backs[0].high.y && marks.backs[0].high.x < 600)
+            << text.text;
+    }
     // A list that is too long says so.
     words.legends[0].entries.assign(500, {"X", 7});
     const Marks cut = layOut(words, square(600), 16, {}, kWhite, widthOf);
@@ -413,6 +448,22 @@ TEST(WordPainter, AHaloKeepsTextReadable) {
             lightest = std::max(lightest, static_cast<double>(picture.rgba[i]));
         }
         EXPECT_GT((lightest + 0.05) / (darkest + 0.05), 4.5) << ground;
+    }
+}
+
+TEST(WordPainter, ABackingKeepsLegendsReadable) {
+    const WordPainter painter;
+    for (const float ground : {0.0f, 0.2f, 0.5f, 1.0f}) {
+        Picture picture = filled(300, ground, 1);
+        PlacedWords words;
+        words.legends = {{"all", "chain", {{"A", packedColor(0xff0000)}}, Palette::automatic, 0}};
+        const Marks marks = painter.layOut(words, square(300), 20, {}, kWhite);
+        painter.paint(words, square(300), 20, {}, kWhite, picture);
+        ASSERT_EQ(marks.backs.size(), 1u);
+        const auto x = static_cast<std::size_t>(marks.backs[0].low.x) + 2;
+        const auto y = static_cast<std::size_t>(marks.backs[0].low.y) + 2;
+        const double ink = 0.013, back = static_cast<double>(picture.rgba[4 * (300 * y + x)]);  // linear
+        EXPECT_GT((back + 0.05) / (ink + 0.05), 7) << ground;
     }
 }
 

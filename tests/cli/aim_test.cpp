@@ -1,8 +1,11 @@
 // --orient, --look-at and --zoom-to, in what the program says of its view.
 
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/run_program.h"
@@ -25,7 +28,8 @@ TEST(Aim, ViewsAreToldSoThatTheyCanBeRepeated) {
     const TemporaryFolder folder;
     const nlohmann::json file = viewOf(folder, "sample:dna");
     EXPECT_EQ(file["orientation"], nlohmann::json({1.0, 0.0, 0.0, 0.0}));
-    EXPECT_EQ(file["zoom"], 1.0);
+    EXPECT_GT(file["zoom"], 1.0) << "its picture is narrower than its sphere";
+    EXPECT_EQ(viewOf(folder, "sample:dna --zoom 1")["zoom"], 1.0);
     const nlohmann::json aimed =
         viewOf(folder, "sample:dna --orient principal --zoom-to 'chain A and resi 3' --rotate 0,0,10");
     EXPECT_NE(aimed["rotation"], file["rotation"]);
@@ -52,6 +56,48 @@ TEST(Aim, ViewsAreToldSoThatTheyCanBeRepeated) {
     // The file's frame again, whatever the view says.
     EXPECT_EQ(viewOf(folder, "--view v.json --orient file")["orientation"], file["orientation"]);
     EXPECT_NE(viewOf(folder, "sample:dna --look-at 'chain B and resi 20'")["rotation"], file["rotation"]);
+}
+
+/// What is drawn, in pixels.
+struct Extent {
+    int left = 1 << 20, top = 1 << 20, right = -1, bottom = -1;
+    int width() const { return right - left + 1; }
+    int height() const { return bottom - top + 1; }
+};
+Extent extentOf(const TemporaryFolder& folder, const std::string& options) {
+    const Outcome outcome = nacreIn(
+        folder, "render -q -o a.png --size 300x200 --occlusion off --background transparent --stats s.json " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const std::unique_ptr<OIIO::ImageInput> file = OIIO::ImageInput::open(folder / "a.png");
+    std::vector<unsigned char> pixels(300 * 200 * 4);
+    EXPECT_TRUE(file && file->read_image(0, 0, 0, 4, OIIO::TypeDesc::UINT8, pixels.data()));
+    Extent extent;
+    for (int y = 0; y < 200; ++y)
+        for (int x = 0; x < 300; ++x) {
+            if (pixels[static_cast<std::size_t>(4 * (300 * y + x) + 3)] == 0) continue;
+            extent.left = std::min(extent.left, x), extent.right = std::max(extent.right, x);
+            extent.top = std::min(extent.top, y), extent.bottom = std::max(extent.bottom, y);
+        }
+    return extent;
+}
+
+TEST(Aim, ThePictureIsFilledUnlessItsScaleIsGiven) {
+    const TemporaryFolder folder;
+    for (const char* options :
+         {"", " --rotate 0,0,90", " --rotate 30,40,50 --style cartoon", " --projection perspective"}) {
+        const Extent e = extentOf(folder, std::string("sample:dna") + options);
+        EXPECT_TRUE(e.width() >= 280 || e.height() >= 187) << options << e.width() << " " << e.height();
+        EXPECT_TRUE(e.width() <= 290 && e.height() <= 194) << options << e.width() << " " << e.height();
+        EXPECT_NEAR(e.left, 299 - e.right, 4) << options;
+        EXPECT_NEAR(e.top, 199 - e.bottom, 4) << options;
+    }
+    // Views that say how large keep to it: 95 % of the shorter side are the molecule's sphere.
+    for (const char* json : {R"({"input": "sample:dna", "zoom": 1})", R"({"input": "sample:dna"})"}) {
+        std::ofstream(folder / "v.json") << json;
+        EXPECT_LT(extentOf(folder, "--view v.json").height(), 187);
+        const auto view = nlohmann::json::parse(test::contentOf(folder / "s.json"))["view"];
+        EXPECT_NEAR(view["pixels_per_angstrom"].get<double>(), 0.95 * 200 / (2 * view["radius"].get<double>()), 1e-9);
+    }
 }
 
 TEST(Aim, NothingToAimAtIsAnError) {

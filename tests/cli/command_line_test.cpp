@@ -382,9 +382,10 @@ TEST(CommandLine, OutputThatIsLostIsAnError) {
 
 TEST(CommandLine, RenderWritesWholeFilesAndTheStats) {
     const TemporaryFolder folder;
-    const Outcome outcome = nacreIn(folder,
-                                    "render sample:glucose -o a.png --size 64x48 --occlusion 8 --rotate -90,0,0 "
-                                    "--layers l.exr --stats s.json");
+    const Outcome outcome =
+        nacreIn(folder,
+                "render sample:glucose -o a.png --size 64x48 --occlusion 8 --zoom 1 --rotate -90,0,0 "
+                "--layers l.exr --stats s.json");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.out + outcome.err, "");
     EXPECT_EQ(folder.count(), 3u);

@@ -37,6 +37,9 @@ TEST(SavedView, IsTheOptionsThatItStandsFor) {
     EXPECT_EQ(rendered(folder, "--view v.json"), picture);
     EXPECT_EQ(rendered(folder, "sample:glucose --view v.json"), picture);
     EXPECT_NE(rendered(folder, "sample:dna --view v.json"), picture);
+    // An INPUT takes the place of the view's.
+    rendered(folder, "sample:glucose --view v.json --stats s.json");
+    EXPECT_NE(contentOf(folder / "s.json").find("\"read\": 24"), std::string::npos);
 }
 
 TEST(SavedView, OptionsPrevailWhereverTheyStand) {

@@ -20,7 +20,7 @@ using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
 
-const std::string kSmall = " -o a.png --size 64x64 --occlusion off --cache off";
+const std::string kSmall = " -o a.png --size 64x64 --occlusion off --cache off --zoom 1";
 
 TEST(SeveralInputs, HaveNames) {
     InputOptions input;

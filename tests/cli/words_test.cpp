@@ -34,7 +34,7 @@ std::size_t differing(const std::vector<float>& a, const std::vector<float>& b) 
     return count;
 }
 
-constexpr const char* kBase = "render sample:glucose --size 200x160 --occlusion off ";
+constexpr const char* kBase = "render sample:glucose --size 200x160 --occlusion off --zoom 1 ";
 
 TEST(WordOptions, EachPutsInkIntoThePictureAndAViewKeepsIt) {
     const TemporaryFolder folder;

@@ -19,8 +19,8 @@ TEST(Movie, FramesAreTheFilesThatRenderWrites) {
     const TemporaryFolder pictures;
     for (int i = 0; i < 4; ++i) {
         const std::string name = std::to_string(i) + ".png";
-        ASSERT_EQ(nacreIn(pictures,
-                          "render sample:glucose -o " + name + " --rotate 0," + std::to_string(90 * i) + ",0" + kSmall)
+        ASSERT_EQ(nacreIn(pictures, "render sample:glucose -o " + name + " --rotate 0," + std::to_string(90 * i) +
+                                        ",0 --zoom 1" + kSmall)
                       .code,
                   0);
         EXPECT_EQ(contentOf(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png")), contentOf(pictures / name))
@@ -172,9 +172,10 @@ TEST(Movie, RocksToEitherSideAndBackWithoutAJump) {
     ASSERT_EQ(nacreIn(folder, "movie sample:glucose -o f/ --rock 40 --fps 8 --seconds 1" + kSmall).code, 0);
     const auto frame = [&](int i) { return framesOf(folder / ("f/frame_0000" + std::to_string(i) + ".png")); };
     const auto rotated = [&](const char* degrees) {
-        EXPECT_EQ(
-            nacreIn(folder, std::string("render sample:glucose -o a.png --rotate 0,") + degrees + ",0" + kSmall).code,
-            0);
+        EXPECT_EQ(nacreIn(folder,
+                          std::string("render sample:glucose -o a.png --rotate 0,") + degrees + ",0 --zoom 1" + kSmall)
+                      .code,
+                  0);
         return framesOf(folder / "a.png");
     };
     EXPECT_EQ(frame(1), rotated("0"));

@@ -56,7 +56,9 @@ TEST(SavedView, StatesFilesFromItsFolderOn) {
 }
 
 TEST(SavedView, AnEmptyObjectIsTheDefault) {
-    EXPECT_EQ(savedViewJson(parseSavedView("{}", "test")), savedViewJson(PictureDescription{}));
+    PictureDescription standard;
+    standard.aim.fits = false;  // a view keeps its scale
+    EXPECT_EQ(savedViewJson(parseSavedView("{}", "test")), savedViewJson(standard));
 }
 
 TEST(SavedView, BadFilesAreRefusedByTheirKey) {

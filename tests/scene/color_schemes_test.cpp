@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/colors.h"
 #include "engine/scene/palettes.h"
@@ -176,10 +177,90 @@ TEST(ColorSchemes, ChainsResiduesAndOneColour) {
     EXPECT_EQ(one.colors.back(), packedColor(0x123456));
 }
 
+/// Two molecules of one residue each, chain A.
+Molecule twoInputs() {
+    test::MoleculeText text;
+    text.residue("ALA").atom("CA", "C", {0, 0, 0}).atom("N", "N", {2, 0, 0}).residue("ALA").atom("CA", "C", {9, 0, 0});
+    text.molecule.chains.push_back({"A", 2});
+    text.molecule.residues[1].chain = 1;
+    text.molecule.modelsAreInputs = true;
+    text.molecule.inputs = {"apo", "holo"};
+    return text.molecule;
+}
+
+TEST(ColorSchemes, InputsAreToldApart) {
+    const ColoredAtoms inputs = colored(twoInputs(), ColorScheme::input);
+    EXPECT_EQ(labels(inputs), "apo|holo");
+    EXPECT_EQ(inputs.colors[0], inputs.colors[1]);
+    EXPECT_NE(inputs.colors[0], inputs.colors[2]);
+    // So are their chains, which models of one file share.
+    for (const ColorScheme scheme : {ColorScheme::chain, ColorScheme::chainCarbons}) {
+        const ColoredAtoms chains = colored(twoInputs(), scheme);
+        EXPECT_NE(chains.colors[0], chains.colors[2]);
+    }
+    EXPECT_EQ(labels(colored(twoInputs(), ColorScheme::chain)), "A of apo|A of holo");
+    Molecule models = twoInputs();
+    models.modelsAreInputs = false;
+    models.inputs.clear();
+    EXPECT_EQ(labels(colored(models, ColorScheme::chain)), "A");
+    EXPECT_NE(colored(models, ColorScheme::input).warning, "");
+}
+
+TEST(ColorSchemes, AChainWithoutANameIsNamedByItsResidues) {
+    const auto labelOf = [](std::initializer_list<const char*> residues) {
+        test::MoleculeText text;
+        for (const char* name : residues) text.residue(name).atom("C", "C", {0, 0, 0});
+        text.molecule.chains[0].name.clear();
+        return labels(colored(text.molecule, ColorScheme::chainCarbons));
+    };
+    EXPECT_EQ(labelOf({"478"}), "C of 478");
+    EXPECT_EQ(labelOf({"HOH", "478", "HOH"}), "C of 478");
+    EXPECT_EQ(labelOf({"478", "CLX"}), "C of ligand");
+    EXPECT_EQ(labelOf({""}), "C of ligand");
+    EXPECT_EQ(labelOf({"ALA", "GLY"}), "C of protein");
+}
+
+TEST(ColorSchemes, ALegendListsWhatIsDrawn) {
+    const Molecule dna = sampleMolecule("dna");
+    const auto labelsOf = [&](Style style) {
+        std::string text;
+        for (const Legend& legend : represent(dna, drawnAtoms(dna), {style, ColorScheme::chainCarbons}).legends)
+            for (const LegendEntry& entry : legend.entries) text += entry.label + "|";
+        return text;
+    };
+    EXPECT_EQ(labelsOf(Style::spacefill), "C of chain A|C of chain B|N|O|P|");
+    EXPECT_EQ(labelsOf(Style::cartoon), "C of chain A|C of chain B|");
+}
+
+TEST(ColorSchemes, ASurfaceOverACartoonHasItsColours) {
+    const Molecule dna = sampleMolecule("dna");
+    Rule surface;
+    surface.style = Style::surface;
+    surface.selection = parseSelection("all");
+    const auto colorsOf = [&](std::optional<ColorScheme> told) {
+        RepresentationOptions options{Style::cartoon, ColorScheme::chainCarbons, {surface}};
+        if (told) {
+            Rule color;
+            color.action = Rule::Action::color;
+            color.selection = parseSelection("all");
+            color.coloring = *told;
+            options.rules.push_back(color);
+        }
+        const std::vector<std::uint32_t> drawn = drawnAtoms(dna);
+        const MeshAtoms seen = appearanceOf(dna, drawn, options).surface;
+        return std::set<std::uint32_t>(seen.colors.begin(), seen.colors.end());
+    };
+    EXPECT_EQ(colorsOf(std::nullopt),
+              (std::set<std::uint32_t>{kindColor(0, kCarbonPalette), kindColor(1, kCarbonPalette)}));
+    EXPECT_EQ(colorsOf(ColorScheme::element).size(), 4u);
+}
+
 TEST(ColorSchemes, CarbonsByChainAndTheRestByElement) {
     const Molecule dna = sampleMolecule("dna");
     const ColoredAtoms result = colored(dna, ColorScheme::chainCarbons);
-    const ColoredAtoms chains = colored(dna, ColorScheme::chain), elements = colored(dna, ColorScheme::element);
+    Coloring byChain(ColorScheme::chain);
+    byChain.palette = Palette::carbons;
+    const ColoredAtoms chains = colored(dna, byChain), elements = colored(dna, ColorScheme::element);
     for (std::size_t i = 0; i < dna.atoms.size(); ++i)
         ASSERT_EQ(result.colors[i], dna.atoms[i].element == 6 ? chains.colors[i] : elements.colors[i]) << i;
     EXPECT_EQ(labels(result), "C of chain A|C of chain B|N|O|P");
