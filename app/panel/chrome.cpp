@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/panel/panel_state.h"
+#include "app/picture/options.h"
 
 namespace nacre::app {
 namespace {
@@ -141,12 +142,12 @@ void drawPanel(PanelFrame& f) {
         followFinger(f);
     }
     f.look = f.viewer.view();
-    const std::string before = savedViewJson(f.look);
+    const PictureDescription before = f.look;
     kTabs[static_cast<std::size_t>(s.page)].draw(f);
     if (!low) ImGui::EndChild();
     ImGui::End();
     if (s.sheet) ImGui::PopStyleVar();
-    if (savedViewJson(f.look) != before) {
+    if (difference(f.look, before) != 0) {
         f.viewer.setLook(f.look, f.now, s.editing);
         s.editing = ImGui::IsAnyItemActive();
     }

@@ -40,10 +40,9 @@ void drawLabelsPage(PanelFrame& f) {
     f.s.typingTitle = ImGui::IsItemActive();
     if (f.ui.edited()) f.s.take([&] { words.title = parseTitle(f.s.title); });
     if (!f.s.ruleError.empty()) f.ui.warning(f.s.ruleError);
-    f.ui.toggle("Colour legend", words.legend);
+    toggleOption(f, "legend");
     f.ui.heading("Scale bar");
-    constexpr const char* kBars[] = {"None", "In ångström", "In nanometres"};
-    f.ui.choose("Scale bar", kBars, words.scaleBar);
+    chooseOption(f, "scale-bar");
     f.ui.heading("Measurements");
     const std::size_t picked = f.viewer.picking().picks().size();
     if (picked < 2) {
@@ -56,11 +55,10 @@ void drawLabelsPage(PanelFrame& f) {
     listWords(f, 0, words.measures,
               [&](const Measure& measure) { return rowText(measure, f.viewer.words().placed()); });
     f.ui.heading("Labels");
-    bool hidden = !words.seenOnly;
     if (words.labels.empty())
         f.ui.caption("Choose atoms under \"Select\", then \"Label\".");
-    else if (f.ui.toggle("Show hidden labels", hidden))
-        words.seenOnly = !hidden;
+    else
+        toggleOption(f, "show-labels");
     listWords(f, 1000, words.labels, [](const Label& label) { return label.selection.text; });
 }
 

@@ -155,7 +155,7 @@ void drawPartsPage(PanelFrame& f) {
         if (f.s.unfolded == part.selection) drawSequence(f, part);
     }
     if (f.s.parts.size() >= kMostParts) f.ui.caption("Of more parts, the first 200 are listed.");
-    f.ui.toggle("Hydrogens", f.look.drawn.hydrogens);
+    toggleOption(f, "hydrogens");
 }
 
 }  // namespace nacre::app

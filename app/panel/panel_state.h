@@ -181,8 +181,17 @@ void beginProgress(PanelFrame& f, const char* name);
 /// The window that is being laid out scrolls with the finger.
 void followFinger(PanelFrame& f);
 
-/// One of the styles that have words, or `none`, if that is offered. @returns whether it is another one
+// Controls of options (option_controls.cpp)
+/// So that a saved view reads well.
+double inHundredths(float value);
+/// Of one that is a number, or "off" at its lower end. @returns whether it is on
+bool slideOption(PanelFrame& f, std::string_view key, bool byRatio = false);
+/// Of one of two choices. @returns whether it is on
+bool toggleOption(PanelFrame& f, std::string_view key);
+void chooseOption(PanelFrame& f, std::string_view key);
+/// The same of a value by itself. @returns whether it is another one
+bool chooseValue(Widgets& ui, const char* name, std::string_view key, std::string& value);
+/// One of the styles, or `none`, if that is offered. @returns whether it is another one
 bool chooseStyle(Widgets& ui, const char* name, const char* none, std::optional<Style>& style, float width = -1);
-bool chooseColoring(Widgets& ui, const char* name, Coloring& coloring);
 
 }  // namespace nacre::app

@@ -22,6 +22,11 @@ void parseAssembly(T text, P& d) {
     d.look.assembly = text;
 }
 
+void parseAnyStyle(T text, P& d) {
+    if (text == "auto") return d.look.style.reset();
+    setStyle(parseStyle(text), d.look);
+}
+
 std::vector<Option> whole() {
     return {
         {.key = "camera",
@@ -60,12 +65,20 @@ std::vector<Option> whole() {
         {.key = "style",
          .syntax = "NAME",
          .standard = "spacefill; ball-and-stick under 100 atoms with bonds",
-         .help = "spacefill, ball-and-stick, licorice, cartoon (with ligands as licorice) or surface",
+         .help =
+             "spacefill, ball-and-stick, licorice, cartoon (with ligands as licorice), surface or auto: the default",
          .topic = Topic::style,
          .facet = Facet::scene,
-         .parse = [](T text, P& d) { setStyle(parseStyle(text), d.look); },
-         .print = [](const P& d) { return std::string(d.look.style ? styleName(*d.look.style) : ""); },
-         .save = differing},
+         .parse = parseAnyStyle,
+         .print = [](const P& d) { return std::string(d.look.style ? styleName(*d.look.style) : "auto"); },
+         .save = differing,
+         .control = {.label = "Style",
+                     .choices = {{"Automatic", "auto"},
+                                 {"Spacefill", "spacefill"},
+                                 {"Ball and stick", "ball-and-stick"},
+                                 {"Licorice", "licorice"},
+                                 {"Cartoon", "cartoon"},
+                                 {"Surface", "surface"}}}},
         {.key = "color",
          .syntax = "SCHEME|COLOR",
          .standard = "element; chain-carbons for cartoons",
@@ -76,7 +89,23 @@ std::vector<Option> whole() {
          .parse = [](T text, P& d) { d.look.color = parseColoring(text); },
          .print = [](const P& d) { return coloringText(d.look.color); },
          .save = always,
-         .look = true},
+         .look = true,
+         .control = {.label = "Colours",
+                     .choices = {{"By element", "element"},
+                                 {"By chain", "chain"},
+                                 {"By chain, atoms by element", "chain-carbons"},
+                                 {"By copy of the assembly", "copy"},
+                                 {"By copy, chains shaded", "copy-chain"},
+                                 {"By copy, molecules shaded", "copy-entity"},
+                                 {"By residue", "residue"},
+                                 {"By kind of molecule", "entity"},
+                                 {"Rainbow, start to end", "rainbow"},
+                                 {"By charge", "charge"},
+                                 {"By B factor", "b-factor"},
+                                 {"By helix and strand", "secondary-structure"},
+                                 {"By confidence (AlphaFold)", "plddt"},
+                                 {"By occupancy", "occupancy"},
+                                 {"Hydrophobic to polar", "hydrophobicity"}}}},
         {.key = "palette",
          .syntax = "NAME",
          .standard = "by the scheme",
@@ -178,7 +207,7 @@ std::vector<Option> chosen() {
                       .parse = parse,
                       .kind = list};
     };
-    const auto shown = [](T key, const char* standard, const char* help, auto parse, auto print) {
+    const auto shown = [](T key, const char* standard, const char* help, const char* label, auto parse, auto print) {
         return Option{.key = key,
                       .syntax = "show|hide",
                       .standard = standard,
@@ -187,7 +216,8 @@ std::vector<Option> chosen() {
                       .facet = Facet::scene,
                       .parse = parse,
                       .print = print,
-                      .save = always};
+                      .save = always,
+                      .control = {.label = label, .choices = {{"hidden", "hide"}, {"shown", "show"}}}};
     };
     return {
         rule("show", "SEL=STYLE", "Draw the atoms of a selection in a style; repeatable", parseRule<parseShow>),
@@ -196,9 +226,10 @@ std::vector<Option> chosen() {
              "Colour the atoms of a selection; repeatable. These three apply in the given order, the last one wins",
              parseRule<parseColorBy>),
         {.key = "rules", .facet = Facet::scene, .print = printRules, .kind = rules, .save = always},
-        shown("water", "hide", "Water molecules", parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::water>,
+        shown("water", "hide", "Water molecules", "Water", parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::water>,
               printSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::water>),
-        shown("hydrogens", "show", "Hydrogen atoms", parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>,
+        shown("hydrogens", "show", "Hydrogen atoms", "Hydrogens",
+              parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>,
               printSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>),
     };
 }

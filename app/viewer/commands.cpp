@@ -42,6 +42,8 @@ constexpr Binding kBindings[] = {
     {C::spacefill, key(U'1'), "1", "Space-filling"},
     {C::ballAndStick, key(U'2'), "2", "Ball and stick"},
     {C::licorice, key(U'3'), "3", "Licorice"},
+    {C::cartoon, key(U'4'), "4", "Cartoon"},
+    {C::surface, key(U'5'), "5", "Surface"},
     {C::nextColor, key(U'c'), "C", "Next colouring"},
     {C::nextPreset, key(U'n'), "N", "Next preset"},
     {C::nextLook, key(U'k'), "K", "Next look"},

@@ -39,6 +39,8 @@ enum class ViewerCommand {
     spacefill,
     ballAndStick,
     licorice,
+    cartoon,
+    surface,
     nextColor,
     nextPreset,
     nextLook,

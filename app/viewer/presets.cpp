@@ -53,28 +53,4 @@ void firstLook(const Molecule& molecule, PictureDescription& view) {
     if (predicted || aminoAcids > kFewResidues) setStyle(Style::cartoon, look);
 }
 
-std::span<const ColorWord> colorWords() {
-    static constexpr ColorWord kWords[] = {{"By element", "element"},
-                                           {"By chain", "chain"},
-                                           {"By chain, atoms by element", "chain-carbons"},
-                                           {"By copy of the assembly", "copy"},
-                                           {"By copy, chains shaded", "copy-chain"},
-                                           {"By copy, molecules shaded", "copy-entity"},
-                                           {"By residue", "residue"},
-                                           {"By kind of molecule", "entity"},
-                                           {"Rainbow, start to end", "rainbow"},
-                                           {"By charge", "charge"},
-                                           {"By B factor", "b-factor"},
-                                           {"By helix and strand", "secondary-structure"},
-                                           {"By confidence (AlphaFold)", "plddt"},
-                                           {"By occupancy", "occupancy"},
-                                           {"Hydrophobic to polar", "hydrophobicity"}};
-    return kWords;
-}
-
-std::span<const char* const> backgroundChoices() {
-    static constexpr const char* kChoices[] = {"white", "lightgray", "gray", "black", "#102040"};
-    return kChoices;
-}
-
 }  // namespace nacre::app

@@ -22,13 +22,4 @@ void applyPreset(const Preset& preset, PictureDescription& view);
 /// says something of styles, colours or selections, stays as it is.
 void firstLook(const Molecule& molecule, PictureDescription& view);
 
-/// Colourings that are offered: the words, and the colouring that they stand for.
-struct ColorWord {
-    const char* word;
-    const char* option;  ///< as `--color` takes it
-};
-std::span<const ColorWord> colorWords();
-/// Backgrounds that a key steps through, as `--background` takes them.
-std::span<const char* const> backgroundChoices();
-
 }  // namespace nacre::app
