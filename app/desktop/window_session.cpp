@@ -82,6 +82,7 @@ double WindowSession::step(double longest) {
         if (panel_->glyphsChanged()) renderer().setOverlayGlyphs(panel_->glyphs());
         return overlay;
     });
+    inputs_.frameDrawn(panel_->input());
     const bool shown = renderer().stats().windowFrames != shown_;
     if (shown) {
         shown_ = renderer().stats().windowFrames;
@@ -203,9 +204,15 @@ ViewerOptions WindowSession::viewerOptions() const {
     return options;
 }
 
-/// Of what the next frame answers, the first.
-void WindowSession::noteInput() {
+/// Of what the next frame answers, the first is noted.
+void WindowSession::input(InputQueue::Kind kind, std::function<void()> handle) {
     if (inputAt_ == 0) inputAt_ = now();
+    inputs_.add(panel_->input(), kind, std::move(handle));
+    if (kind == InputQueue::Kind::key) viewer().schedule().overlayChanged();
+}
+
+void WindowSession::command(const KeyEvent& key) {
+    if (const auto command = commandOf(key)) run(*command);
 }
 
 WindowEvents WindowSession::events() {
@@ -217,48 +224,57 @@ WindowEvents WindowSession::events() {
         saveState(viewer().view());
     };
     e.damaged = [this] { viewer().schedule().overlayChanged(); };
+    using Kind = InputQueue::Kind;
     e.pointer = [this](glm::dvec2 at) {
-        noteInput();
-        pointer_ = at;
-        panel_->input().pointer(at);
-        if (panelDrag_ || panel_->input().ownsPointer())
-            viewer().picking().pointerLeft();
-        else
-            viewer().mouseMove(at / scale_, now());
+        input(Kind::pointer, [this, at] {
+            pointer_ = at;
+            panel_->input().pointer(at);
+            if (panelDrag_ || panel_->input().ownsPointer())
+                viewer().picking().pointerLeft();
+            else
+                viewer().mouseMove(at / scale_, now());
+        });
     };
     e.button = [this](MouseButton button, bool down, Modifiers with) {
-        noteInput();
-        // Who got the press gets the release.
-        if (down) panelDrag_ = panel_->input().ownsPointer();
-        if (panelDrag_)
-            panel_->input().button(button, down);
-        else
-            viewer().mouseButton(button, down, pointer_ / scale_, with, now());
-        if (!down) panelDrag_ = false;
+        input(Kind::pointer, [this, button, down, with] {
+            // Who got the press gets the release.
+            if (down) panelDrag_ = panel_->input().ownsPointer();
+            if (panelDrag_)
+                panel_->input().button(button, down);
+            else
+                viewer().mouseButton(button, down, pointer_ / scale_, with, now());
+            if (!down) panelDrag_ = false;
+        });
     };
     e.wheel = [this](double steps) {
-        noteInput();
-        if (panel_->input().ownsPointer())
-            panel_->input().wheel(steps);
-        else
-            viewer().wheel(steps, pointer_ / scale_, now());
+        input(Kind::pointer, [this, steps] {
+            if (panel_->input().ownsPointer())
+                panel_->input().wheel(steps);
+            else
+                viewer().wheel(steps, pointer_ / scale_, now());
+        });
     };
     // The panel may let go of the keys by one: who had them before has that one.
-    e.special = [this](SpecialKey key, bool down, Modifiers with) {
-        keyOwned_ = panel_->input().ownsKeys();
-        if (keyOwned_ || !down || key == SpecialKey::tab) panel_->input().key(key, down, with);
-        viewer().schedule().overlayChanged();
+    e.special = [this](SpecialKey key, bool down, bool repeated, Modifiers with) {
+        if (repeated && !inputs_.empty()) return;  // a key that is held does not run ahead of the frames
+        input(Kind::key, [this, key, down, with] {
+            const bool owned = panel_->input().ownsKeys();
+            if (owned || !down || key == SpecialKey::tab) panel_->input().key(key, down, with);
+            if (down && !owned) command({keyOf(key), with});
+        });
     };
     e.character = [this](char32_t c) {
-        keyOwned_ = panel_->input().ownsKeys();
-        if (keyOwned_) panel_->input().character(c);
-        viewer().schedule().overlayChanged();
+        input(Kind::key, [this, c] {
+            if (panel_->input().ownsKeys()) return panel_->input().character(c);
+            const bool capital = c >= U'A' && c <= U'Z';
+            command({capital ? c - U'A' + U'a' : c, {capital, false}});
+        });
     };
-    e.key = [this](KeyEvent key) {
-        noteInput();
-        if (std::exchange(keyOwned_, false)) return;
-        if (key.with.control && panel_->input().ownsKeys()) return panel_->input().shortcut(key.key);
-        if (const auto command = commandOf(key)) run(*command);
+    e.shortcut = [this](KeyEvent key) {
+        input(Kind::key, [this, key] {
+            if (panel_->input().ownsKeys()) return panel_->input().shortcut(key.key);
+            command(key);
+        });
     };
     e.dropped = [this](const std::vector<std::string>& paths) { openFiles(paths); };
     return e;

@@ -3,6 +3,7 @@
 #include "app/panel/panel.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <utility>
 
@@ -118,6 +119,7 @@ Panel::Panel(double pixelsPerPoint, PanelHost host, PanelHand hand) {
     io.IniFilename = nullptr;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    io.KeyRepeatDelay = FLT_MAX;  // the system repeats keys
     state_ = std::make_unique<PanelState>(std::move(host), pixelsPerPoint, hand == PanelHand::fingers);
     input_ = std::make_unique<PanelInput>(context_, *state_);
     addPanelFont(state_->ui.px(1));

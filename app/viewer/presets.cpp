@@ -43,14 +43,13 @@ void applyPreset(const Preset& preset, PictureDescription& view) {
 }
 
 void firstLook(const Molecule& molecule, PictureDescription& view) {
-    constexpr std::size_t kFewResidues = 200;
     RepresentationOptions& look = view.look;
     if (look.style || !look.rules.empty() || look.color != Coloring()) return;
     std::size_t aminoAcids = 0;
     for (const ChainSummary& chain : summariseChains(molecule)) aminoAcids += chain.aminoAcids;
     const bool predicted = aminoAcids > 0 && molecule.file.confidence;
     if (predicted) look.color = ColorScheme::plddt;
-    if (predicted || aminoAcids > kFewResidues) setStyle(Style::cartoon, look);
+    if (predicted || aminoAcids >= kFewestOfCartoon) setStyle(Style::cartoon, look);
 }
 
 }  // namespace nacre::app
