@@ -228,6 +228,18 @@ std::string plainNumber(double value) {
     return out.str();
 }
 
+/// "A, B: HIV-1 protease; C: DNA": those of one name together.
+std::string namesOf(const Json& json, const char* key) {
+    std::map<std::string, std::string> byName;
+    for (const auto& [identifier, name] : json.value(key, Json::object()).items()) {
+        std::string& of = byName[name.get<std::string>()];
+        of += (of.empty() ? "" : ", ") + identifier;
+    }
+    std::string text;
+    for (const auto& [name, of] : byName) text += (text.empty() ? "" : "; ") + of + ": " + name;
+    return text;
+}
+
 }  // namespace
 
 Json infoJson(const Molecule& molecule) {
@@ -235,6 +247,8 @@ Json infoJson(const Molecule& molecule) {
     Json json;
     json["format"] = file.format;
     if (!file.title.empty()) json["title"] = file.title;
+    if (!file.organism.empty()) json["organism"] = file.organism;
+    if (!file.method.empty()) json["method"] = file.method;
     if (file.resolution) json["resolution"] = *file.resolution;
     const MoleculeCounts counts = countMolecule(molecule);
     json["atoms"] = counts.atoms;
@@ -253,6 +267,8 @@ Json infoJson(const Molecule& molecule) {
         putAtomCounts(json, counts);
         putChains(json, molecule);
     }
+    if (!file.chainNames.empty()) json["chain_names"] = file.chainNames;
+    if (!file.componentNames.empty()) json["component_names"] = file.componentNames;
     put(json, "biomt_operators", file.biomtOperators);
     put(json, "assemblies", file.assemblies);
     put(json, "oper_list", file.operators);
@@ -270,6 +286,8 @@ std::string infoText(const std::string& name, const Json& json) {
     std::ostringstream out;
     out << printable(name) << " (" << json["format"].get<std::string>() << ")\n";
     line(out, "title", json.value("title", ""));
+    line(out, "organism", json.value("organism", ""));
+    line(out, "method", json.value("method", ""));
     if (json.contains("resolution")) line(out, "resolution", plainNumber(json["resolution"].get<double>()) + " Å");
     line(out, "atoms", std::to_string(json["atoms"].get<std::int64_t>()));
     line(out, "of these",
@@ -287,7 +305,9 @@ std::string infoText(const std::string& name, const Json& json) {
          listed(json, {{"chains", "identifiers"}, {"chains_auth", "by author"}, {"chains_label", "by label"}}));
     if (json.contains("chain_list")) {
         sequences(out, json["chain_list"]);
+        line(out, "chain names", namesOf(json, "chain_names"));
         line(out, "ligands", namesAndCounts(json["ligands"]));
+        line(out, "their names", namesOf(json, "component_names"));
         line(out, "ions", namesAndCounts(json["ions"]));
         line(out, "water", listed(json, {{"waters", "molecules"}}));
     }
