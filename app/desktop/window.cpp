@@ -132,6 +132,10 @@ void Window::connect() {
     });
     // Characters as the layout types them: '+' and '?' stand elsewhere on every keyboard.
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int c) { eventsOf(w).character(c); });
+    glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
+        glfwSetWindowShouldClose(w, GLFW_FALSE);
+        eventsOf(w).closing();
+    });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
         if (count > 0) eventsOf(w).dropped({paths, paths + count});
     });

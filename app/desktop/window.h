@@ -24,7 +24,8 @@ struct WindowEvents {
     std::function<void(double)> wheel;
     std::function<void(SpecialKey, bool down, bool repeated, Modifiers)> special;
     std::function<void(char32_t)> character;
-    std::function<void(KeyEvent)> shortcut;                        ///< a letter with Ctrl
+    std::function<void()> closing;           ///< the user closes the window, which stays until close()
+    std::function<void(KeyEvent)> shortcut;  ///< a letter with Ctrl
     std::function<void(const std::vector<std::string>&)> dropped;  ///< paths, one or more
 };
 

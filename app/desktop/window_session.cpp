@@ -133,7 +133,8 @@ std::unique_ptr<Panel> WindowSession::makePanel() {
 PanelHost WindowSession::panelHost() {
     PanelHost host;
     host.run = [this](ViewerCommand command) { run(command); };
-    if (FileDialog::available()) {
+    host.browses = !FileDialog::available();
+    if (!host.browses) {
         host.openDialog = [this] { openDialog(); };
         host.saveDialog = [this](const std::string& suggested) { saveDialog(suggested); };
     }
@@ -156,6 +157,7 @@ PanelHost WindowSession::panelHost() {
     host.recording = [this] { return recorder_.state(); };
     host.stopRecording = [this] { recorder_.stop(); };
     host.videos = hasProgram("ffmpeg");
+    host.quit = [this] { window_.close(); };
     host.copyPicture = [this] { run(ViewerCommand::copyPicture); };
     host.clipboard = [this] { return (clipboard_ = window_.clipboard()).c_str(); };
     host.setClipboard = [this](const char* text) { window_.setClipboard(text); };
@@ -272,10 +274,10 @@ WindowEvents WindowSession::events() {
     };
     e.shortcut = [this](KeyEvent key) {
         input(Kind::key, [this, key] {
-            if (panel_->input().ownsKeys()) return panel_->input().shortcut(key.key);
-            command(key);
+            if (!panel_->input().ownsKeys() || !panel_->input().shortcut(key.key)) command(key);
         });
     };
+    e.closing = [this] { quit(); };
     e.dropped = [this](const std::vector<std::string>& paths) { openFiles(paths); };
     return e;
 }
@@ -317,7 +319,7 @@ void WindowSession::run(ViewerCommand command) {
             if (panel_->closeTop()) return;
             break;
         case ViewerCommand::quit:
-            return window_.close();
+            return quit();
         case ViewerCommand::savePicture:
             if (!viewer().document()) return;
             return savePicture({window_.size(), false, pictureName(".png")});
@@ -331,6 +333,19 @@ void WindowSession::run(ViewerCommand command) {
             break;
     }
     viewer().run(command, now());
+}
+
+/// Asks first, if something is lost by it; who asks once more means it.
+void WindowSession::quit() {
+    std::string unsaved;
+    if (recorder_.state().running) unsaved += "The movie is still being recorded. ";
+    if (const std::size_t keys = panel_->unrecordedViews())
+        unsaved +=
+            (keys == 1 ? "1 keyframe was" : std::to_string(keys) + " keyframes were") + std::string(" not recorded. ");
+    if (viewer().hasUnsavedWork()) unsaved += "Labels, measurements or rules are not in a saved view. ";
+    if (unsaved.empty() || panel_->asksToQuit()) return window_.close();
+    panel_->askToQuit(unsaved);
+    viewer().schedule().overlayChanged();
 }
 
 void WindowSession::openDialog() {

@@ -47,6 +47,7 @@ private:
     void rescaled();
     void resized();
     void run(ViewerCommand command);
+    void quit();
     void openDialog();
     void saveDialog(const std::string& suggested);
     void takeChosen();

@@ -59,6 +59,7 @@ void drawHeader(PanelFrame& f) {
         f.s.keyboard = false;
         f.s.restless = 2;
     }
+    if (!f.s.foreign.missing().empty()) f.ui.caption(f.s.foreign.missing());
     if (!document) return;
     std::string text = std::to_string(document->scene.drawnAtoms) + " atoms";
     // Of the few sticks beside ribbons it says nothing.

@@ -33,7 +33,7 @@ void listWords(PanelFrame& f, int id, std::vector<Word>& words, TextOf textOf) {
 
 void drawLabelsPage(PanelFrame& f) {
     Words& words = f.look.words;
-    f.ui.caption("All of this is in saved pictures and views.");
+    f.ui.caption("Included in saved images and views.");
     f.ui.heading("Title");
     if (!f.s.typingTitle) f.s.title = words.title;
     f.ui.field("Title", "None", f.s.title);
@@ -44,12 +44,15 @@ void drawLabelsPage(PanelFrame& f) {
     f.ui.heading("Scale bar");
     chooseOption(f, "scale-bar");
     f.ui.heading("Measurements");
-    const std::size_t picked = f.viewer.picking().picks().size();
-    if (picked < 2) {
-        f.ui.caption(f.ui.forFingers() ? "Tap two atoms for a distance, three for an angle, four for a torsion."
-                                       : "Click two atoms for a distance, three for an angle, four for a torsion.");
-    } else {
-        f.ui.paragraph(f.viewer.picking().annotations().measurement);
+    Picking& picking = f.viewer.picking();
+    constexpr const char* kModes[] = {"Measure nothing", "Measure distances", "Measure angles", "Measure torsions"};
+    Measuring measuring = picking.measuring();
+    if (f.ui.choose("Measure", kModes, measuring)) picking.measure(measuring);
+    if (measuring != Measuring::off)
+        f.ui.caption((f.ui.forFingers() ? "Tap " : "Click ") + std::to_string(picking.mostPicks()) +
+                     " atoms. One more starts anew.");
+    if (picking.picks().size() > 1) {
+        f.ui.paragraph(picking.annotations().measurement);
         if (f.ui.button(Icon::none, "Pin measurement")) f.host.run(ViewerCommand::keepMeasurement);
     }
     listWords(f, 0, words.measures,

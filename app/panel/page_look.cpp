@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "app/panel/panel_state.h"
+#include "app/panel/words.h"
 #include "app/picture/appearance_values.h"
 #include "app/picture/looks.h"
+#include "app/picture/option_text.h"
 #include "app/picture/options.h"
 #include "app/viewer/presets.h"
 
@@ -45,6 +47,8 @@ void drawStyles(PanelFrame& f) {
         f.ui.controls.back().role = "choice";
         f.ui.controls.back().value = chosen(row, f.look) == i ? "on" : "off";
     }
+    if (!look.style && f.viewer.document())
+        f.ui.caption("Automatic chose: " + wordOf("style", styleName(f.viewer.document()->scene.style)));
     if (shows(Style::cartoon, look)) slideOpacity(f.ui, "cartoon-opacity", look.cartoonOpacity);
     if (shows(Style::surface, look)) slideOpacity(f.ui, "surface-opacity", look.surfaceOpacity);
 }

@@ -6,6 +6,7 @@
 #include "app/panel/words.h"
 #include "app/picture/input_names.h"
 #include "app/picture/option_values.h"
+#include "app/viewer/explanation.h"
 #include "engine/scene/colors.h"
 
 namespace nacre::app {
@@ -135,6 +136,11 @@ void drawPartsPage(PanelFrame& f) {
         f.s.folds.clear();
         f.s.residueColors.clear();
     }
+    const FileSummary file = document->molecule->modelsAreInputs ? FileSummary() : document->molecule->file;
+    if (!file.title.empty()) f.ui.paragraph(file.title);
+    if (const std::string origin = originText(file); !origin.empty()) f.ui.caption(origin);
+    f.ui.heading("What am I seeing?");
+    f.ui.paragraph(f.viewer.explanation());
     drawAssemblies(f, *document->molecule);
     Part::Kind last = Part::Kind::all;
     std::string input;

@@ -95,19 +95,18 @@ void PanelInput::typed(const std::string& name, const std::string& text) {
     s_.restless = 3;
 }
 
-void PanelInput::shortcut(char32_t letter) {
+bool PanelInput::shortcut(char32_t letter) {
     const Turn turn(context_);
-    await(true);
+    const auto known =
+        std::find_if(std::begin(kLetters), std::end(kLetters), [&](const auto& of) { return of.second == letter; });
+    if (known == std::end(kLetters)) return false;
 #if IMGUI_VERSION_NUM < 18700
     ImGuiIO& io = ImGui::GetIO();
-    for (const auto& [theirs, ours] : kLetters)
-        if (ours == letter) {
-            io.KeysDown[indexOf(ours)] = true;  // until the next frame is drawn
-            io.KeyCtrl = letter != U' ';
-        }
-#else
-    (void)letter;
+    io.KeysDown[indexOf(letter)] = true;  // until the next frame is drawn
+    io.KeyCtrl = letter != U' ';
 #endif
+    await(true);
+    return true;
 }
 
 void PanelInput::hold(SpecialKey key, bool down) {
@@ -128,7 +127,13 @@ void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
     await(key == SpecialKey::tab || key == SpecialKey::enter || key == SpecialKey::escape);
     if (key == SpecialKey::tab && !popup) {
         // Into the panel, and on to its next control. A card keeps to itself.
-        const char* card = s_.help ? "Help" : s_.saving ? "Save" : s_.recording ? "Record" : s_.start ? "Start" : "";
+        const char* card = s_.browser.open ? "Browse"
+                           : s_.help       ? "Help"
+                           : s_.saving     ? "Save"
+                           : s_.recording  ? "Record"
+                           : s_.quitting   ? "Quit"
+                           : s_.start      ? "Start"
+                                           : "";
         const auto next = down ? nextStop(s_.ui.controls, with.shift, card) : std::nullopt;
         if (!next) return;
         s_.keyboard = true;
@@ -147,7 +152,10 @@ void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
         const auto focus =
             std::find_if(s_.ui.controls.begin(), s_.ui.controls.end(), [](const Control& c) { return c.focused; });
         const bool typing = focus != s_.ui.controls.end() && (focus->role == "field" || focus->role == "slider");
-        if (!typing && down) return shortcut(U' ');
+        if (!typing && down) {
+            shortcut(U' ');
+            return;
+        }
     }
     io.KeyShift = with.shift;
     io.KeyCtrl = with.control;

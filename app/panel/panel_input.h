@@ -26,8 +26,8 @@ public:
     void wheel(double steps);
     void character(char32_t c);
     void key(SpecialKey key, bool down, Modifiers with = {});
-    /// A letter with Ctrl, for a field that is being typed in.
-    void shortcut(char32_t letter);
+    /// A letter with Ctrl, for a field that is being typed in. @returns whether such a field knows it
+    bool shortcut(char32_t letter);
     /// What was typed into the field of a name, where the system's keyboard is asked for it.
     void typed(const std::string& name, const std::string& text);
     /// Whether the pointer or the keys are the panel's, not the molecule's.

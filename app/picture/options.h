@@ -116,6 +116,7 @@ struct Option {
         struct Choice {
             const char* label;
             std::string value;
+            const char* meaning = "";  ///< what a picture with it shows, a sentence
         };
         const char* label = nullptr;
         double low = 0, high = 0;          ///< of a slider

@@ -50,6 +50,7 @@ enum class ViewerCommand {
     perspective,
     lighting,
     occlusion,
+    measure,
     keepMeasurement,
     legend,
     scaleBar,

@@ -7,6 +7,7 @@
 
 #include "app/picture/input_names.h"
 #include "app/picture/options.h"
+#include "app/viewer/explanation.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -166,6 +167,7 @@ void Viewer::takeDocument(double now) {
     }
     playback_.arrived(arrival);
     words_.place(now);
+    if (view().input.path != saved_.input.path) noteSaved();
     if (arrival.another && !arrival.step) picking_.select("");
     picking_.placeSelection();
     if (stage_.history.empty())
@@ -178,6 +180,14 @@ void Viewer::takeDocument(double now) {
     if (!shown.scene.warnings.empty()) stage_.messages.say(shown.scene.warnings.front(), now);
     stage_.changed(now);
     if (arrival.another && has(difference(shown.view, view()), Facet::scene)) reading_.build();
+}
+
+std::string Viewer::explanation() const {
+    return stage_.shown() ? explanationText(stage_.document.view, stage_.document.scene) : std::string();
+}
+
+bool Viewer::hasUnsavedWork() const {
+    return stage_.shown() && (view().words != saved_.words || view().look.rules != saved_.look.rules);
 }
 
 std::string Viewer::title() const {

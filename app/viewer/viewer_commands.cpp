@@ -107,10 +107,14 @@ void Viewer::run(ViewerCommand command, double now) {
         case C::clearPicks:
             if (reading_.question()) return reading_.answer(false, now);
             if (!stage_.messages.failure().empty()) return stage_.messages.dismissFailure();
+            if (picking_.picks().empty()) picking_.measure(Measuring::off);
             picking_.drop();
             picking_.select("");
             stage_.messages.clear();
             return stage_.schedule.overlayChanged();
+        case C::measure:
+            return picking_.measure(
+                static_cast<Measuring>((static_cast<std::size_t>(picking_.measuring()) + 1) % std::size(kMeasurings)));
         case C::undo:
             return undo(now);
         case C::redo:

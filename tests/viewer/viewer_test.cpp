@@ -110,11 +110,20 @@ TEST(Viewer, PicksNameAndMeasure) {
     EXPECT_EQ(tap(1).measurement, "");
     EXPECT_NE(tap(1).atom.find("atom 1"), std::string::npos);  // the same again is no second one
     EXPECT_EQ(b.viewer.picking().picks().size(), 1u);
-    EXPECT_EQ(tap(2).measurement.substr(0, 8), "distance");
-    EXPECT_EQ(tap(3).measurement.substr(0, 5), "angle");
-    EXPECT_EQ(tap(4).measurement.substr(0, 7), "torsion");
-    EXPECT_EQ(tap(5).atoms.size(), 1u);
-    EXPECT_EQ(tap(0).atoms.size(), 0u);
+    EXPECT_EQ(tap(2).measurement, "");
+    // Each kind takes its atoms; one more starts anew.
+    constexpr const char* kBegins[] = {"distance 1", "angle ", "torsion "};
+    for (std::uint32_t kind = 0; kind < 3; ++kind) {
+        b.viewer.run(ViewerCommand::measure, b.now);
+        b.viewer.picking().drop();
+        for (std::uint32_t atom = 1; atom <= kind + 1; ++atom)
+            EXPECT_NE(tap(atom).measurement.find(" more atom"), std::string::npos);
+        EXPECT_EQ(tap(kind + 2).measurement.find(kBegins[kind]), 0u) << tap(kind + 2).measurement;
+        EXPECT_EQ(tap(kind + 3).atoms.size(), 1u) << kind;
+        EXPECT_EQ(tap(0).atoms.size(), 0u);
+    }
+    b.viewer.run(ViewerCommand::clearPicks, b.now);  // Esc leaves it
+    EXPECT_EQ(b.viewer.picking().measuring(), Measuring::off);
     // Where the marks are is where the atoms are seen: atom 1 through the camera's own formula.
     tap(1);
     const View view = b.viewer.frames().settings().view;
