@@ -59,6 +59,9 @@ std::string atomText(const Molecule& molecule, std::uint32_t index) {
     if (!residue.name.view().empty()) {
         text += ", residue " + std::string(residue.name.view()) + " " + std::to_string(residue.number);
         if (residue.insertionCode) text += residue.insertionCode;
+        if (const auto name = molecule.file.componentNames.find(std::string(residue.name.view()));
+            name != molecule.file.componentNames.end())
+            text += " (" + name->second + ")";
     }
     if (const std::string& chain = molecule.chains[residue.chain].name; !chain.empty()) text += ", chain " + chain;
     return text + ", atom " + std::to_string(index + 1);

@@ -22,7 +22,8 @@ std::string measurementText(std::span<const glm::dvec3> places);
 /// The same without its name: "3.21 Å".
 std::string measuredValue(std::span<const glm::dvec3> places);
 
-/// Element, name, residue, chain and number: "Oxygen O6, residue DG 4, chain A, atom 78".
+/// Element, name, residue, chain and number: "Oxygen O6, residue DG 4, chain A, atom 78"; behind the residue what the
+/// file calls it, if it does: "(amprenavir)".
 /// @param atom index into Molecule::atoms
 std::string atomText(const Molecule& molecule, std::uint32_t atom);
 

@@ -97,12 +97,27 @@ std::string plainNumber(double value) {
     return out.str();
 }
 
+/// "A, B: HIV-1 protease; C: DNA": those of one name together.
+std::string namesOf(const Json& json, const char* key) {
+    std::map<std::string, std::string> byName;
+    const Json names = json.value(key, Json::object());
+    for (const auto& [identifier, name] : names.items()) {
+        std::string& of = byName[name.get<std::string>()];
+        of += (of.empty() ? "" : ", ") + identifier;
+    }
+    std::string text;
+    for (const auto& [name, of] : byName) text += (text.empty() ? "" : "; ") + of + ": " + name;
+    return text;
+}
+
 }  // namespace
 
 std::string infoText(const std::string& name, const Json& json) {
     std::ostringstream out;
     out << printable(name) << " (" << json["format"].get<std::string>() << ")\n";
     line(out, "title", json.value("title", ""));
+    line(out, "organism", json.value("organism", ""));
+    line(out, "method", json.value("method", ""));
     if (json.contains("resolution")) line(out, "resolution", plainNumber(json["resolution"].get<double>()) + " Å");
     line(out, "atoms", std::to_string(json["atoms"].get<std::int64_t>()));
     line(out, "of these",
@@ -120,7 +135,9 @@ std::string infoText(const std::string& name, const Json& json) {
          listed(json, {{"chains", "identifiers"}, {"chains_auth", "by author"}, {"chains_label", "by label"}}));
     if (json.contains("chain_list")) {
         sequences(out, json["chain_list"]);
+        line(out, "chain names", namesOf(json, "chain_names"));
         line(out, "ligands", namesAndCounts(json["ligands"]));
+        line(out, "their names", namesOf(json, "component_names"));
         line(out, "ions", namesAndCounts(json["ions"]));
         line(out, "water", listed(json, {{"waters", "molecules"}}));
     }

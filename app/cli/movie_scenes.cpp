@@ -22,8 +22,8 @@ namespace {
 bool sameLook(const PictureDescription& a, PictureDescription b) {
     b.effects.clip.near = a.effects.clip.near;
     b.effects.clip.far = a.effects.clip.far;
-    const Facets parts = difference(a, b);
-    return !has(parts, Facet::scene) && !has(parts, Facet::shading) && !has(parts, Facet::annotation);
+    constexpr Facets kSeen = Facet::scene | Facet::shading | Facet::occlusion | Facet::annotation;
+    return (difference(a, b) & kSeen) == 0;
 }
 
 std::string pathsOf(const InputOptions& input) {

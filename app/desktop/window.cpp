@@ -125,17 +125,16 @@ void Window::connect() {
             // With Ctrl there is no character: the letter is that of the layout.
             const char* name = with.control && action != GLFW_RELEASE ? glfwGetKeyName(key, scancode) : nullptr;
             if (name && name[0] != '\0' && name[1] == '\0')
-                eventsOf(w).key({static_cast<char32_t>(std::tolower(static_cast<unsigned char>(name[0]))), with});
+                eventsOf(w).shortcut({static_cast<char32_t>(std::tolower(static_cast<unsigned char>(name[0]))), with});
             return;
         }
-        eventsOf(w).special(*special, action != GLFW_RELEASE, with);
-        if (action != GLFW_RELEASE) eventsOf(w).key({keyOf(*special), with});
+        eventsOf(w).special(*special, action != GLFW_RELEASE, action == GLFW_REPEAT, with);
     });
     // Characters as the layout types them: '+' and '?' stand elsewhere on every keyboard.
-    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int c) {
-        eventsOf(w).character(c);
-        const bool capital = c >= 'A' && c <= 'Z';
-        eventsOf(w).key({capital ? c - 'A' + 'a' : c, {capital, false}});
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int c) { eventsOf(w).character(c); });
+    glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
+        glfwSetWindowShouldClose(w, GLFW_FALSE);
+        eventsOf(w).closing();
     });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
         if (count > 0) eventsOf(w).dropped({paths, paths + count});

@@ -22,9 +22,10 @@ struct WindowEvents {
     std::function<void(glm::dvec2)> pointer;
     std::function<void(MouseButton, bool, Modifiers)> button;
     std::function<void(double)> wheel;
-    std::function<void(KeyEvent)> key;  ///< pressed or repeated
-    std::function<void(SpecialKey, bool, Modifiers)> special;
+    std::function<void(SpecialKey, bool down, bool repeated, Modifiers)> special;
     std::function<void(char32_t)> character;
+    std::function<void()> closing;           ///< the user closes the window, which stays until close()
+    std::function<void(KeyEvent)> shortcut;  ///< a letter with Ctrl
     std::function<void(const std::vector<std::string>&)> dropped;  ///< paths, one or more
 };
 

@@ -128,6 +128,7 @@ void WindowSession::saveView() {
         view.input.trajectory.path = pathInView(path, view.input.trajectory.path);
         for (FurtherInput& further : view.input.further) further.path = pathInView(path, further.path);
         writeText(file, savedViewJson(view));
+        viewer().noteSaved();
         viewer().messages().say("saved " + path, now());
     } catch (const Error& error) {
         viewer().messages().fail(error.what(), now());

@@ -82,6 +82,7 @@ double WindowSession::step(double longest) {
         if (panel_->glyphsChanged()) renderer().setOverlayGlyphs(panel_->glyphs());
         return overlay;
     });
+    inputs_.frameDrawn(panel_->input());
     const bool shown = renderer().stats().windowFrames != shown_;
     if (shown) {
         shown_ = renderer().stats().windowFrames;
@@ -132,7 +133,8 @@ std::unique_ptr<Panel> WindowSession::makePanel() {
 PanelHost WindowSession::panelHost() {
     PanelHost host;
     host.run = [this](ViewerCommand command) { run(command); };
-    if (FileDialog::available()) {
+    host.browses = !FileDialog::available();
+    if (!host.browses) {
         host.openDialog = [this] { openDialog(); };
         host.saveDialog = [this](const std::string& suggested) { saveDialog(suggested); };
     }
@@ -155,6 +157,7 @@ PanelHost WindowSession::panelHost() {
     host.recording = [this] { return recorder_.state(); };
     host.stopRecording = [this] { recorder_.stop(); };
     host.videos = hasProgram("ffmpeg");
+    host.quit = [this] { window_.close(); };
     host.copyPicture = [this] { run(ViewerCommand::copyPicture); };
     host.clipboard = [this] { return (clipboard_ = window_.clipboard()).c_str(); };
     host.setClipboard = [this](const char* text) { window_.setClipboard(text); };
@@ -203,9 +206,15 @@ ViewerOptions WindowSession::viewerOptions() const {
     return options;
 }
 
-/// Of what the next frame answers, the first.
-void WindowSession::noteInput() {
+/// Of what the next frame answers, the first is noted.
+void WindowSession::input(InputQueue::Kind kind, std::function<void()> handle) {
     if (inputAt_ == 0) inputAt_ = now();
+    inputs_.add(panel_->input(), kind, std::move(handle));
+    if (kind == InputQueue::Kind::key) viewer().schedule().overlayChanged();
+}
+
+void WindowSession::command(const KeyEvent& key) {
+    if (const auto command = commandOf(key)) run(*command);
 }
 
 WindowEvents WindowSession::events() {
@@ -217,49 +226,58 @@ WindowEvents WindowSession::events() {
         saveState(viewer().view());
     };
     e.damaged = [this] { viewer().schedule().overlayChanged(); };
+    using Kind = InputQueue::Kind;
     e.pointer = [this](glm::dvec2 at) {
-        noteInput();
-        pointer_ = at;
-        panel_->input().pointer(at);
-        if (panelDrag_ || panel_->input().ownsPointer())
-            viewer().picking().pointerLeft();
-        else
-            viewer().mouseMove(at / scale_, now());
+        input(Kind::pointer, [this, at] {
+            pointer_ = at;
+            panel_->input().pointer(at);
+            if (panelDrag_ || panel_->input().ownsPointer())
+                viewer().picking().pointerLeft();
+            else
+                viewer().mouseMove(at / scale_, now());
+        });
     };
     e.button = [this](MouseButton button, bool down, Modifiers with) {
-        noteInput();
-        // Who got the press gets the release.
-        if (down) panelDrag_ = panel_->input().ownsPointer();
-        if (panelDrag_)
-            panel_->input().button(button, down);
-        else
-            viewer().mouseButton(button, down, pointer_ / scale_, with, now());
-        if (!down) panelDrag_ = false;
+        input(Kind::pointer, [this, button, down, with] {
+            // Who got the press gets the release.
+            if (down) panelDrag_ = panel_->input().ownsPointer();
+            if (panelDrag_)
+                panel_->input().button(button, down);
+            else
+                viewer().mouseButton(button, down, pointer_ / scale_, with, now());
+            if (!down) panelDrag_ = false;
+        });
     };
     e.wheel = [this](double steps) {
-        noteInput();
-        if (panel_->input().ownsPointer())
-            panel_->input().wheel(steps);
-        else
-            viewer().wheel(steps, pointer_ / scale_, now());
+        input(Kind::pointer, [this, steps] {
+            if (panel_->input().ownsPointer())
+                panel_->input().wheel(steps);
+            else
+                viewer().wheel(steps, pointer_ / scale_, now());
+        });
     };
     // The panel may let go of the keys by one: who had them before has that one.
-    e.special = [this](SpecialKey key, bool down, Modifiers with) {
-        keyOwned_ = panel_->input().ownsKeys();
-        if (keyOwned_ || !down || key == SpecialKey::tab) panel_->input().key(key, down, with);
-        viewer().schedule().overlayChanged();
+    e.special = [this](SpecialKey key, bool down, bool repeated, Modifiers with) {
+        if (repeated && !inputs_.empty()) return;  // a key that is held does not run ahead of the frames
+        input(Kind::key, [this, key, down, with] {
+            const bool owned = panel_->input().ownsKeys();
+            if (owned || !down || key == SpecialKey::tab) panel_->input().key(key, down, with);
+            if (down && !owned) command({keyOf(key), with});
+        });
     };
     e.character = [this](char32_t c) {
-        keyOwned_ = panel_->input().ownsKeys();
-        if (keyOwned_) panel_->input().character(c);
-        viewer().schedule().overlayChanged();
+        input(Kind::key, [this, c] {
+            if (panel_->input().ownsKeys()) return panel_->input().character(c);
+            const bool capital = c >= U'A' && c <= U'Z';
+            command({capital ? c - U'A' + U'a' : c, {capital, false}});
+        });
     };
-    e.key = [this](KeyEvent key) {
-        noteInput();
-        if (std::exchange(keyOwned_, false)) return;
-        if (key.with.control && panel_->input().ownsKeys()) return panel_->input().shortcut(key.key);
-        if (const auto command = commandOf(key)) run(*command);
+    e.shortcut = [this](KeyEvent key) {
+        input(Kind::key, [this, key] {
+            if (!panel_->input().ownsKeys() || !panel_->input().shortcut(key.key)) command(key);
+        });
     };
+    e.closing = [this] { quit(); };
     e.dropped = [this](const std::vector<std::string>& paths) { openFiles(paths); };
     return e;
 }
@@ -301,7 +319,7 @@ void WindowSession::run(ViewerCommand command) {
             if (panel_->closeTop()) return;
             break;
         case ViewerCommand::quit:
-            return window_.close();
+            return quit();
         case ViewerCommand::savePicture:
             if (!viewer().document()) return;
             return savePicture({window_.size(), false, pictureName(".png")});
@@ -315,6 +333,19 @@ void WindowSession::run(ViewerCommand command) {
             break;
     }
     viewer().run(command, now());
+}
+
+/// Asks first, if something is lost by it; who asks once more means it.
+void WindowSession::quit() {
+    std::string unsaved;
+    if (recorder_.state().running) unsaved += "The movie is still being recorded. ";
+    if (const std::size_t keys = panel_->unrecordedViews())
+        unsaved +=
+            (keys == 1 ? "1 keyframe was" : std::to_string(keys) + " keyframes were") + std::string(" not recorded. ");
+    if (viewer().hasUnsavedWork()) unsaved += "Labels, measurements or rules are not in a saved view. ";
+    if (unsaved.empty() || panel_->asksToQuit()) return window_.close();
+    panel_->askToQuit(unsaved);
+    viewer().schedule().overlayChanged();
 }
 
 void WindowSession::openDialog() {

@@ -1,6 +1,7 @@
 #pragma once
 // The desktop shell: window, panel and renderer about the viewer.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "app/desktop/recorder.h"
 #include "app/desktop/view_options.h"
 #include "app/desktop/window.h"
+#include "app/panel/input_queue.h"
 #include "app/panel/panel.h"
 #include "app/viewer/session.h"
 
@@ -40,10 +42,12 @@ private:
     /// Seconds, from some time on.
     static double now();
     static const double kStarted;  ///< when the program was
-    void noteInput();
+    void input(InputQueue::Kind kind, std::function<void()> handle);
+    void command(const KeyEvent& key);
     void rescaled();
     void resized();
     void run(ViewerCommand command);
+    void quit();
     void openDialog();
     void saveDialog(const std::string& suggested);
     void takeChosen();
@@ -79,7 +83,8 @@ private:
     std::uint64_t shown_ = 0;        // frames, when lastShown_ was
     double opening_ = 0, open_ = 0;  // when the device was asked for, and when it was there
     double sceneShown_ = 0;          // when the first frame with a scene was handed to the display
-    bool panelDrag_ = false, keyOwned_ = false;
+    InputQueue inputs_;
+    bool panelDrag_ = false;
     std::string remembered_;  // the input that stands first among the recent files
 };
 

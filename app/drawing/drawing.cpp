@@ -42,16 +42,10 @@ double buildScene(const ResidueFacts& facts, const PictureDescription& options, 
 }
 
 RenderSettings settingsOf(const PictureDescription& options, const Camera& camera, double radius) {
-    RenderSettings settings;
+    RenderSettings settings = shadingOf(options);
     settings.view = viewOf(camera, radius, options.size.width, options.size.height);
     settings.supersample = options.supersample;
     settings.meshError = options.meshError;
-    settings.background = options.background;
-    settings.lighting = options.lighting;
-    settings.effects = options.effects;
-    settings.occlusion.directions = options.occlusion.directions;
-    settings.occlusion.bytes = options.occlusion.bytes();
-    settings.occlusion.detail = options.occlusion.detail;
     settings.fine = options.bits == 16 || extensionOf(options.output) == ".exr";
     settings.tuning = options.tuning;
     settings.debug = options.debug;
@@ -115,7 +109,7 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
     const Facets parts = difference(description_, description);
     if (scene_ && parts == 0) return;
     // What is left out since it hides something depends on the view, too.
-    const bool another = !scene_ || has(parts, Facet::input) || has(parts, Facet::scene) ||
+    const bool another = !scene_ || (parts & (Facet::input | Facet::frame | Facet::scene)) != 0 ||
                          uncoveredBy(description.aim) || uncoveredBy(description_.aim);
     description_ = description;
     if (another) {

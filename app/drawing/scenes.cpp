@@ -34,6 +34,17 @@ Representation sceneOf(const ResidueFacts& facts, const std::string& name, const
     return scene;
 }
 
+RenderSettings shadingOf(const PictureDescription& picture) {
+    RenderSettings settings;
+    settings.background = picture.background;
+    settings.lighting = picture.lighting;
+    settings.effects = picture.effects;
+    settings.occlusion.directions = picture.occlusion.directions;
+    settings.occlusion.bytes = picture.occlusion.bytes();
+    settings.occlusion.detail = picture.occlusion.detail;
+    return settings;
+}
+
 void uncoverIn(Representation& scene, const ResidueFacts& facts, const PictureDescription& view) {
     if (!view.aim.uncover) return;
     constexpr std::uint32_t kAnySize = 256;

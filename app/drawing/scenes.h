@@ -30,6 +30,9 @@ inline void reachTo(View& view, double radius) {
     if (view.projection == Projection::perspective) view.eyeDistance = std::max(view.eyeDistance, radius * kNearest);
 }
 
+/// How pixels are shaded, of whatever scene and from wherever it is seen.
+RenderSettings shadingOf(const PictureDescription& picture);
+
 /// Leaves out what hides the atoms that a view wants uncovered; `scene` shows its molecule, as it stands now.
 void uncoverIn(Representation& scene, const ResidueFacts& facts, const PictureDescription& view);
 /// What is drawn of a view's molecule. @throws Error if that is nothing

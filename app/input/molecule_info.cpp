@@ -150,6 +150,8 @@ Json infoJson(const Molecule& molecule) {
     Json json;
     json["format"] = file.format;
     if (!file.title.empty()) json["title"] = file.title;
+    if (!file.organism.empty()) json["organism"] = file.organism;
+    if (!file.method.empty()) json["method"] = file.method;
     if (file.resolution) json["resolution"] = *file.resolution;
     const MoleculeCounts counts = countMolecule(molecule);
     json["atoms"] = counts.atoms;
@@ -168,6 +170,8 @@ Json infoJson(const Molecule& molecule) {
         putAtomCounts(json, counts);
         putChains(json, molecule);
     }
+    if (!file.chainNames.empty()) json["chain_names"] = file.chainNames;
+    if (!file.componentNames.empty()) json["component_names"] = file.componentNames;
     put(json, "biomt_operators", file.biomtOperators);
     put(json, "assemblies", file.assemblies);
     put(json, "oper_list", file.operators);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/panel/panel_state.h"
+#include "app/picture/options.h"
 
 namespace nacre::app {
 namespace {
@@ -58,6 +59,7 @@ void drawHeader(PanelFrame& f) {
         f.s.keyboard = false;
         f.s.restless = 2;
     }
+    if (!f.s.foreign.missing().empty()) f.ui.caption(f.s.foreign.missing());
     if (!document) return;
     std::string text = std::to_string(document->scene.drawnAtoms) + " atoms";
     // Of the few sticks beside ribbons it says nothing.
@@ -141,12 +143,12 @@ void drawPanel(PanelFrame& f) {
         followFinger(f);
     }
     f.look = f.viewer.view();
-    const std::string before = savedViewJson(f.look);
+    const PictureDescription before = f.look;
     kTabs[static_cast<std::size_t>(s.page)].draw(f);
     if (!low) ImGui::EndChild();
     ImGui::End();
     if (s.sheet) ImGui::PopStyleVar();
-    if (savedViewJson(f.look) != before) {
+    if (difference(f.look, before) != 0) {
         f.viewer.setLook(f.look, f.now, s.editing);
         s.editing = ImGui::IsAnyItemActive();
     }

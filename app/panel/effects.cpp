@@ -1,33 +1,13 @@
-// Light, outlines, halos, fog and clipping planes. Labels and ranges are those of the options' table.
+// Light, outlines, halos, fog and clipping planes.
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "app/panel/panel_state.h"
-#include "app/picture/option_text.h"
 #include "app/picture/options.h"
 
 namespace nacre::app {
 namespace {
-
-/// In hundredths, so that a saved view reads well.
-double inHundredths(float value) { return std::round(static_cast<double>(value) * 100) / 100; }
-
-/// A slider of an option that is a number, or "off" at its lower end. @returns whether it is on
-bool slide(PanelFrame& f, std::string_view key, bool byRatio = false) {
-    const Option& row = option(key);
-    const Option::Control& control = row.control;
-    const std::string text = row.print(f.look), off = std::string(control.label) + ": off";
-    auto at = static_cast<float>(text == "off" ? 0 : std::strtod(text.c_str(), nullptr));
-    if (f.ui.slide(control.label, at, static_cast<float>(control.low), static_cast<float>(control.high),
-                   text == "off" ? off.c_str() : control.shown, byRatio)) {
-        const double value = inHundredths(at);
-        const bool canBeOff = row.syntax.ends_with("|off");
-        row.parse(canBeOff && value < 0.1 ? "off" : numberText(value), f.look);
-    }
-    return text != "off";
-}
 
 void chooseColor(PanelFrame& f, std::string_view key, std::array<float, 3>& color) {
     const char* label = option(key).control.label;
@@ -37,18 +17,16 @@ void chooseColor(PanelFrame& f, std::string_view key, std::array<float, 3>& colo
 }
 
 void slideOutlines(PanelFrame& f) {
-    Contours& lines = f.look.effects.contours;
-    if (!slide(f, "contours")) return;
-    slide(f, "contour-depth", true);
-    bool three = lines.weights == 3;
-    if (f.ui.toggle(option("contour-weights").control.label, three)) lines.weights = three ? 3 : 1;
-    chooseColor(f, "contour-color", lines.color);
+    if (!slideOption(f, "contours")) return;
+    slideOption(f, "contour-depth", true);
+    toggleOption(f, "contour-weights");
+    chooseColor(f, "contour-color", f.look.effects.contours.color);
 }
 
 void slideHalos(PanelFrame& f) {
-    if (!slide(f, "halos")) return;
-    slide(f, "halo-strength");
-    slide(f, "halo-depth", true);
+    if (!slideOption(f, "halos")) return;
+    slideOption(f, "halo-strength");
+    slideOption(f, "halo-depth", true);
     chooseColor(f, "halo-color", f.look.effects.halos.color);
 }
 
@@ -111,15 +89,14 @@ void slidePlanes(Widgets& ui, Clip& clip, double radius) {
 void drawEffects(PanelFrame& f) {
     const double radius = f.viewer.document() ? f.viewer.document()->scene.radius : 1;
     if (f.ui.unfold("Light, outlines, fog")) {
-        for (const char* key : {"ambient", "direct", "shadow", "highlight", "occlusion-strength"}) slide(f, key);
+        for (const char* key : {"ambient", "direct", "shadow", "highlight", "occlusion-strength"}) slideOption(f, key);
         slideOutlines(f);
         slideHalos(f);
         slideFog(f, radius);
     }
     if (f.ui.unfold("Clipping planes")) {
         slidePlanes(f.ui, f.look.effects.clip, radius);
-        constexpr const char* kCaps[] = {"Cap style: plain", "Cap style: dark", "Cap style: hatched"};
-        f.ui.choose("Cap style", kCaps, f.look.effects.clip.cap);
+        chooseOption(f, "cap");
     }
 }
 

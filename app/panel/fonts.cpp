@@ -1,5 +1,6 @@
 #include "app/panel/fonts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -83,6 +84,27 @@ void ForeignGlyphs::find() {
         font.ranges.push_back(0);
         fonts_.push_back(std::move(font));
     }
+}
+
+void ForeignGlyphs::noteMissing(const ImFont& font) {
+    constexpr struct {
+        char32_t from, to;
+        const char* name;
+    } kFonts[] = {{0x590, 0x600, "Noto Sans Hebrew"},     {0x600, 0x780, "Noto Naskh Arabic"},
+                  {0x900, 0x980, "Noto Sans Devanagari"}, {0xe00, 0xe80, "Noto Sans Thai"},
+                  {0x2e80, 0xfb00, "Noto Sans CJK"},      {0xfb1d, 0xfb50, "Noto Sans Hebrew"},
+                  {0xfb50, 0xff00, "Noto Naskh Arabic"},  {0xff00, 0xfff0, "Noto Sans CJK"}};
+    std::set<std::string> names;
+    for (const char32_t c : met_) {
+        if (font.FindGlyphNoFallback(static_cast<ImWchar>(c))) continue;
+        const auto known = std::find_if(std::begin(kFonts), std::end(kFonts),
+                                        [c](const auto& each) { return c >= each.from && c < each.to; });
+        names.insert(known == std::end(kFonts) ? "Noto Sans Symbols 2" : known->name);
+    }
+    missing_.clear();
+    for (const std::string& name : names)
+        missing_ += (missing_.empty() ? "Characters are missing: install " : ", ") + name;
+    if (!missing_.empty()) missing_ += '.';
 }
 
 void addPanelFont(float pixelsPerPoint, const std::vector<ForeignGlyphs::Font>& foreign) {

@@ -30,11 +30,16 @@ public:
         std::vector<ImWchar> ranges;  ///< as Dear ImGui takes them
     };
     const std::vector<Font>& fonts() const { return fonts_; }
+    /// Of what was met, notes what a font with all of them still lacks.
+    void noteMissing(const ImFont& font);
+    /// A sentence that names the fonts to install; empty: nothing is missing.
+    const std::string& missing() const { return missing_; }
 
 private:
     FindFont find_;
     std::set<char32_t> met_;
     std::vector<Font> fonts_;
+    std::string missing_;
     bool news_ = false;
 };
 

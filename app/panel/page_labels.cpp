@@ -33,34 +33,35 @@ void listWords(PanelFrame& f, int id, std::vector<Word>& words, TextOf textOf) {
 
 void drawLabelsPage(PanelFrame& f) {
     Words& words = f.look.words;
-    f.ui.caption("All of this is in saved pictures and views.");
+    f.ui.caption("Included in saved images and views.");
     f.ui.heading("Title");
     if (!f.s.typingTitle) f.s.title = words.title;
     f.ui.field("Title", "None", f.s.title);
     f.s.typingTitle = ImGui::IsItemActive();
     if (f.ui.edited()) f.s.take([&] { words.title = parseTitle(f.s.title); });
     if (!f.s.ruleError.empty()) f.ui.warning(f.s.ruleError);
-    f.ui.toggle("Colour legend", words.legend);
+    toggleOption(f, "legend");
     f.ui.heading("Scale bar");
-    constexpr const char* kBars[] = {"None", "In ångström", "In nanometres"};
-    f.ui.choose("Scale bar", kBars, words.scaleBar);
+    chooseOption(f, "scale-bar");
     f.ui.heading("Measurements");
-    const std::size_t picked = f.viewer.picking().picks().size();
-    if (picked < 2) {
-        f.ui.caption(f.ui.forFingers() ? "Tap two atoms for a distance, three for an angle, four for a torsion."
-                                       : "Click two atoms for a distance, three for an angle, four for a torsion.");
-    } else {
-        f.ui.paragraph(f.viewer.picking().annotations().measurement);
+    Picking& picking = f.viewer.picking();
+    constexpr const char* kModes[] = {"Measure nothing", "Measure distances", "Measure angles", "Measure torsions"};
+    Measuring measuring = picking.measuring();
+    if (f.ui.choose("Measure", kModes, measuring)) picking.measure(measuring);
+    if (measuring != Measuring::off)
+        f.ui.caption((f.ui.forFingers() ? "Tap " : "Click ") + std::to_string(picking.mostPicks()) +
+                     " atoms. One more starts anew.");
+    if (picking.picks().size() > 1) {
+        f.ui.paragraph(picking.annotations().measurement);
         if (f.ui.button(Icon::none, "Pin measurement")) f.host.run(ViewerCommand::keepMeasurement);
     }
     listWords(f, 0, words.measures,
               [&](const Measure& measure) { return rowText(measure, f.viewer.words().placed()); });
     f.ui.heading("Labels");
-    bool hidden = !words.seenOnly;
     if (words.labels.empty())
         f.ui.caption("Choose atoms under \"Select\", then \"Label\".");
-    else if (f.ui.toggle("Show hidden labels", hidden))
-        words.seenOnly = !hidden;
+    else
+        toggleOption(f, "show-labels");
     listWords(f, 1000, words.labels, [](const Label& label) { return label.selection.text; });
 }
 

@@ -6,6 +6,7 @@
 #include "app/panel/words.h"
 #include "app/picture/input_names.h"
 #include "app/picture/option_values.h"
+#include "app/viewer/explanation.h"
 #include "engine/scene/colors.h"
 
 namespace nacre::app {
@@ -135,6 +136,11 @@ void drawPartsPage(PanelFrame& f) {
         f.s.unfolded.clear();
         f.s.residueColors.clear();
     }
+    const FileSummary file = document->molecule->modelsAreInputs ? FileSummary() : document->molecule->file;
+    if (!file.title.empty()) f.ui.paragraph(file.title);
+    if (const std::string origin = originText(file); !origin.empty()) f.ui.caption(origin);
+    f.ui.heading("What am I seeing?");
+    f.ui.paragraph(f.viewer.explanation());
     drawAssemblies(f, *document->molecule);
     Part::Kind last = Part::Kind::all;
     std::string input;
@@ -155,7 +161,7 @@ void drawPartsPage(PanelFrame& f) {
         if (f.s.unfolded == part.selection) drawSequence(f, part);
     }
     if (f.s.parts.size() >= kMostParts) f.ui.caption("Of more parts, the first 200 are listed.");
-    f.ui.toggle("Hydrogens", f.look.drawn.hydrogens);
+    toggleOption(f, "hydrogens");
 }
 
 }  // namespace nacre::app

@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "app/panel/panel_state.h"
-#include "app/panel/words.h"
 #include "app/picture/appearance_values.h"
 #include "app/picture/option_text.h"
+#include "app/picture/options.h"
 
 namespace nacre::app {
 namespace {
@@ -35,8 +35,8 @@ void drawSelectionActions(PanelFrame& f, const std::string& selection) {
     if (f.ui.word("Label")) f.look.words.labels.push_back(parseLabel(selection + "={residue} {number}"));
     if (f.ui.word("Hide")) add(parseHide(selection));
     if (f.ui.word("Show only these")) add(parseHide("not (" + selection + ")"));
-    for (const StyleWord& word : styleWords())
-        if (word.style && f.ui.word(word.word)) add(parseShow(selection + "=" + styleName(*word.style)));
+    for (const auto& style : option("style").control.choices)
+        if (style.value != "auto" && f.ui.word(style.label)) add(parseShow(selection + "=" + style.value));
     if (const auto color = f.ui.swatches(std::nullopt, f.ui.forFingers() ? 6 : 8)) {
         Rule rule;
         rule.action = Rule::Action::color;

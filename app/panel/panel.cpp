@@ -3,6 +3,7 @@
 #include "app/panel/panel.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <utility>
 
@@ -46,6 +47,7 @@ void addFonts(PanelState& s) {
     addPanelFont(s.ui.px(1), s.foreign.fonts());
     fonts.Build();
     fonts.ClearInputData();  // files that are not the atlas's
+    s.foreign.noteMissing(*fonts.Fonts[0]);
     s.glyphsChanged = true;
 }
 
@@ -83,7 +85,7 @@ void PanelState::toggle() {
 }
 
 bool PanelState::closeTop() {
-    for (bool* open : {&help, &saving, &recording, &start})
+    for (bool* open : {&quitting, &browser.open, &help, &saving, &recording, &start})
         if (std::exchange(*open, false)) {
             restless = 2;
             return true;
@@ -118,6 +120,7 @@ Panel::Panel(double pixelsPerPoint, PanelHost host, PanelHand hand) {
     io.IniFilename = nullptr;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    io.KeyRepeatDelay = FLT_MAX;  // the system repeats keys
     state_ = std::make_unique<PanelState>(std::move(host), pixelsPerPoint, hand == PanelHand::fingers);
     input_ = std::make_unique<PanelInput>(context_, *state_);
     addPanelFont(state_->ui.px(1));
@@ -153,11 +156,21 @@ void Panel::togglePanel() { state_->toggle(); }
 void Panel::toggleHelp() { state_->help = !state_->help, state_->restless = 2; }
 void Panel::showStart() { state_->start = true, state_->restless = 2; }
 void Panel::showSave() { state_->saving = true, state_->restless = 2; }
+void Panel::setSavePath(const std::string& path) { state_->setSavePath(path); }
 void Panel::showRecord() { state_->recording = static_cast<bool>(state_->host.record), state_->restless = 2; }
 void Panel::showPage(Page page) { state_->page = page, state_->restless = 2; }
 bool Panel::opensTogether() const { return state_->start && state_->together; }
 void Panel::keepView(const Viewer& viewer) { app::keepView(*state_, viewer); }
 std::size_t Panel::keptViews() const { return state_->keys.size(); }
+std::size_t Panel::unrecordedViews() const { return state_->keysRecorded ? 0 : keptViews(); }
+bool Panel::asksToQuit() const { return state_->quitting; }
+
+void Panel::askToQuit(const std::string& unsaved) {
+    state_->quitting = true;
+    state_->unsaved = unsaved;
+    state_->restless = 2;
+}
+
 bool Panel::helpOpen() const { return state_->help; }
 bool Panel::panelOpen() const { return state_->shown == PanelState::Shown::open; }
 bool Panel::closeTop() { return state_->closeTop(); }
@@ -203,8 +216,10 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     if (!over) drawPlayBar(f);
     if (empty || s.start) drawStart(f);
     if (s.saving && viewer.document()) drawSave(f);
+    if (s.browser.open) drawBrowse(f);
     if (s.recording && viewer.document()) drawRecord(f);
     if (s.help) drawHelp(f);
+    if (s.quitting) drawQuit(f);
     drawRecording(f);
     previewFilm(f);
     drawReading(f);

@@ -41,6 +41,7 @@ struct PanelHost {
     std::function<void(ViewerCommand)> run;                  ///< the commands that the user clicks
     std::function<void()> openDialog;                        ///< the system's, which then opens what it is told
     std::function<void(const std::string&)> saveDialog;      ///< the system's, from a path; setSavePath() hears of it
+    bool browses = false;                                    ///< it has no such dialogs: the panel shows its own
     std::function<void(const std::string&)> open;            ///< a file or another input; empty: the viewer's open()
     std::function<void(const std::string&)> add;             ///< the same, beside what is open
     std::function<const std::vector<RecentFile>&()> recent;  ///< the latest first
@@ -53,7 +54,8 @@ struct PanelHost {
     std::function<void(const RecordingWish&, const std::vector<PictureDescription>&)> record;
     std::function<RecordingState()> recording;
     std::function<void()> stopRecording;
-    bool videos = false;  ///< what .mp4 and .webm need is there
+    std::function<void()> quit;  ///< without asking
+    bool videos = false;         ///< what .mp4 and .webm need is there
     std::function<const char*()> clipboard;
     std::function<void(const char*)> setClipboard;
     /// Shows the system's keyboard for a field; typed() hears of it. For fingers.
@@ -97,9 +99,14 @@ public:
     /// Keeps what is seen as a key of a film; forgets those of other molecules.
     void keepView(const Viewer& viewer);
     std::size_t keptViews() const;
+    /// Those that no movie was recorded of.
+    std::size_t unrecordedViews() const;
+    /// Asks whether to quit. @param unsaved  what is lost by it, as sentences
+    void askToQuit(const std::string& unsaved);
+    bool asksToQuit() const;
     bool helpOpen() const;
     bool panelOpen() const;
-    /// Closes what lies over everything: help, save, start. @returns whether something did
+    /// Closes what lies over everything: help, save, start, quit. @returns whether something did
     bool closeTop();
 
     /// Whether something in the panel still reacts to what the user did.

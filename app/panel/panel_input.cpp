@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "app/panel/panel_state.h"
 
@@ -47,6 +48,13 @@ PanelInput::PanelInput(ImGuiContext* context, PanelState& state) : context_(cont
 #endif
 }
 
+/// Something has come that a frame has to see before what comes next.
+void PanelInput::await(bool focusMoves) {
+    focusMoves_ = focusMoves || (focusMoves_ && frames_ < 2);
+    frames_ = 0;
+    s_.restless = 3;
+}
+
 void PanelInput::pointer(glm::dvec2 at) {
     const Turn turn(context_);
     const bool was = ownsPointer();
@@ -63,7 +71,7 @@ void PanelInput::button(MouseButton button, bool down) {
     const bool popup = popupOpen();
     if (down && !popup && !s_.occupies({at.x, at.y})) s_.closeTop();  // a click beside
     s_.keyboard = false;
-    s_.restless = 3;
+    await(true);
 }
 
 void PanelInput::wheel(double steps) {
@@ -87,29 +95,45 @@ void PanelInput::typed(const std::string& name, const std::string& text) {
     s_.restless = 3;
 }
 
-void PanelInput::shortcut(char32_t letter) {
+bool PanelInput::shortcut(char32_t letter) {
     const Turn turn(context_);
+    const auto known =
+        std::find_if(std::begin(kLetters), std::end(kLetters), [&](const auto& of) { return of.second == letter; });
+    if (known == std::end(kLetters)) return false;
 #if IMGUI_VERSION_NUM < 18700
     ImGuiIO& io = ImGui::GetIO();
-    for (const auto& [theirs, ours] : kLetters)
-        if (ours == letter) {
-            io.KeysDown[indexOf(ours)] = true;  // until the next frame is drawn
-            io.KeyCtrl = letter != U' ';
-        }
-#else
-    (void)letter;
+    io.KeysDown[indexOf(letter)] = true;  // until the next frame is drawn
+    io.KeyCtrl = letter != U' ';
 #endif
-    s_.restless = 3;
+    await(true);
+    return true;
+}
+
+void PanelInput::hold(SpecialKey key, bool down) {
+#if IMGUI_VERSION_NUM < 18700
+    ImGui::GetIO().KeysDown[indexOf(key)] = down;
+#else
+    for (const auto& [theirs, ours] : kKeys)
+        if (ours == key) ImGui::GetIO().AddKeyEvent(theirs, down);
+#endif
 }
 
 void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
     const Turn turn(context_);
     ImGuiIO& io = ImGui::GetIO();
-    s_.restless = 3;
     const bool popup = popupOpen();
+    const bool held = down ? !held_.insert(key).second : held_.erase(key) != 0;
+    if (!down && !held) return;  // it went down elsewhere
+    await(key == SpecialKey::tab || key == SpecialKey::enter || key == SpecialKey::escape);
     if (key == SpecialKey::tab && !popup) {
         // Into the panel, and on to its next control. A card keeps to itself.
-        const char* card = s_.help ? "Help" : s_.saving ? "Save" : s_.recording ? "Record" : s_.start ? "Start" : "";
+        const char* card = s_.browser.open ? "Browse"
+                           : s_.help       ? "Help"
+                           : s_.saving     ? "Save"
+                           : s_.recording  ? "Record"
+                           : s_.quitting   ? "Quit"
+                           : s_.start      ? "Start"
+                                           : "";
         const auto next = down ? nextStop(s_.ui.controls, with.shift, card) : std::nullopt;
         if (!next) return;
         s_.keyboard = true;
@@ -128,15 +152,17 @@ void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
         const auto focus =
             std::find_if(s_.ui.controls.begin(), s_.ui.controls.end(), [](const Control& c) { return c.focused; });
         const bool typing = focus != s_.ui.controls.end() && (focus->role == "field" || focus->role == "slider");
-        if (!typing && down) return shortcut(U' ');
+        if (!typing && down) {
+            shortcut(U' ');
+            return;
+        }
     }
-    io.KeysDown[indexOf(key)] = down;
     io.KeyShift = with.shift;
     io.KeyCtrl = with.control;
-#else
-    for (const auto& [theirs, ours] : kKeys)
-        if (ours == key) io.AddKeyEvent(theirs, down);
 #endif
+    // One that repeats goes up in between.
+    if (down && held) again_ = key;
+    hold(key, down && !held);
 }
 
 bool PanelInput::ownsPointer() const {
@@ -213,11 +239,15 @@ void PanelInput::beginFrame(float seconds) {
 
 /// Keys that were pressed for one frame go up again.
 void PanelInput::endFrame() {
+    frames_ = std::min(frames_ + 1, 2);
 #if IMGUI_VERSION_NUM < 18700
     ImGuiIO& io = ImGui::GetIO();
     for (const auto& [theirs, ours] : kLetters) io.KeysDown[indexOf(ours)] = false;
     io.KeyCtrl = false;
 #endif
+    if (!again_) return;
+    hold(*std::exchange(again_, std::nullopt), true);
+    await(false);
 }
 
 /// A list that a finger let go while it moved goes on for a while.

@@ -31,6 +31,20 @@ struct Rectangle {
     bool holds(glm::dvec2 p) const { return p.x >= left && p.x < right && p.y >= top && p.y < bottom; }
 };
 
+/// The panel's own dialog for files (browse.cpp).
+struct Browser {
+    struct Entry {
+        std::string name;
+        bool folder;
+    };
+    bool open = false, saving = false;
+    std::string folder, typed;
+    bool listed = false;  ///< the entries are those of the folder
+    std::vector<Entry> entries;
+    std::size_t more = 0;  ///< that are not listed
+    std::string error;
+};
+
 struct PanelState {
     PanelState(PanelHost lent, double scale, bool fingers)
         : host(std::move(lent)),
@@ -55,7 +69,13 @@ struct PanelState {
     Panel::Page page = Panel::Page::look;
     Panel::Brightness brightness = Panel::Brightness::system;
     bool help = false, licences = false, start = false, saving = false, recording = false, developers = false;
-    bool over() const { return help || saving || recording || start; }
+    bool quitting = false;
+    Browser browser;
+    bool over() const { return help || saving || recording || start || quitting || browser.open; }
+    /// @param suggested  a file, whose folder is shown; empty: the current folder
+    /// @param toSave  an image is to be written there; else one is opened
+    void browse(const std::string& suggested, bool toSave);
+    void setSavePath(const std::string& path);
     bool closeTop();
     void toggle();
     void setBrightness(Panel::Brightness to);
@@ -120,8 +140,11 @@ struct PanelState {
     bool filmLoop = false, filmTransparent = false;
     std::string film;
     std::vector<PictureDescription> keys;  ///< views that it goes through
-    std::size_t previewed = 0;             ///< of them while they are shown in turn, counted from 1; 0: they are not
-    double previewDue = 0;                 ///< when the next one is flown to
+    bool keysRecorded = true;
+    std::string unsaved;  ///< what is lost by quitting
+    std::string helpSearch;
+    std::size_t previewed = 0;  ///< of them while they are shown in turn, counted from 1; 0: they are not
+    double previewDue = 0;      ///< when the next one is flown to
 };
 
 /// A frame of the panel, of which its pages are drawn.
@@ -157,9 +180,13 @@ void drawWords(PanelFrame& f);
 void drawAnnotations(PanelFrame& f);
 // Cards, which lie over everything
 void drawStart(PanelFrame& f);
+void drawBrowse(PanelFrame& f);
+/// What was chosen on the start screen, instead of what is open or beside it.
+void openInput(PanelFrame& f, const std::string& input);
 void drawSave(PanelFrame& f);
 void drawRecord(PanelFrame& f);
 void drawHelp(PanelFrame& f);
+void drawQuit(PanelFrame& f);
 void drawRecording(PanelFrame& f);
 /// Flies from one kept view to the next, as long as the film takes, and comes back to the film.
 void previewFilm(PanelFrame& f);
@@ -184,8 +211,17 @@ void beginProgress(PanelFrame& f, const char* name);
 /// The window that is being laid out scrolls with the finger.
 void followFinger(PanelFrame& f);
 
-/// One of the styles that have words, or `none`, if that is offered. @returns whether it is another one
+// Controls of options (option_controls.cpp)
+/// So that a saved view reads well.
+double inHundredths(float value);
+/// Of one that is a number, or "off" at its lower end. @returns whether it is on
+bool slideOption(PanelFrame& f, std::string_view key, bool byRatio = false);
+/// Of one of two choices. @returns whether it is on
+bool toggleOption(PanelFrame& f, std::string_view key);
+void chooseOption(PanelFrame& f, std::string_view key);
+/// The same of a value by itself. @returns whether it is another one
+bool chooseValue(Widgets& ui, const char* name, std::string_view key, std::string& value);
+/// One of the styles, or `none`, if that is offered. @returns whether it is another one
 bool chooseStyle(Widgets& ui, const char* name, const char* none, std::optional<Style>& style, float width = -1);
-bool chooseColoring(Widgets& ui, const char* name, Coloring& coloring);
 
 }  // namespace nacre::app

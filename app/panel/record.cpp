@@ -114,6 +114,7 @@ void drawRecord(PanelFrame& f) {
         f.s.recording = false;
         f.s.film.clear();
         f.host.record(wish, f.s.keys);
+        f.s.keysRecorded |= views;
         f.s.restless = 3;
     }
     ImGui::EndDisabled();
@@ -147,6 +148,7 @@ void keepView(PanelState& s, const Viewer& viewer) {
     const PictureDescription& view = viewer.view();
     std::erase_if(s.keys, [&](const PictureDescription& key) { return key.input.path != view.input.path; });
     s.keys.push_back(viewer.picking().savedView());
+    s.keysRecorded = false;
     s.filmSeconds = 0;
     s.restless = 2;
 }
@@ -166,7 +168,7 @@ void drawRecording(PanelFrame& f) {
     f.ui.progress(recording.share, text);
     if (f.ui.button(Icon::close, "Stop")) f.host.stopRecording();
     ImGui::SameLine();
-    f.ui.caption("What is done by then is kept.");
+    f.ui.caption("Finished frames are kept.");
     endGrown(f);
 }
 

@@ -6,6 +6,7 @@
 #include "app/panel/panel_state.h"
 #include "app/panel/words.h"
 #include "app/picture/appearance_values.h"
+#include "app/picture/option_text.h"
 
 namespace nacre::app {
 namespace {
@@ -19,10 +20,8 @@ std::string ruleWords(const Rule& rule) {
         case Rule::Action::color:
             return what + ": " + colorWord(rule.coloring);
         case Rule::Action::show:
-            break;
+            return what + ": " + wordOf("style", styleName(rule.style));
     }
-    for (const StyleWord& word : styleWords())
-        if (word.style == rule.style) return what + ": " + word.word;
     return what;
 }
 
@@ -38,7 +37,8 @@ void drawRuleEditor(PanelFrame& f, Rule& rule) {
         if (chooseStyle(f.ui, "Style of the rule", nullptr, style)) rule.style = *style;
     }
     if (rule.action != Rule::Action::color) return;
-    chooseColoring(f.ui, "Colours of the rule", rule.coloring);
+    std::string scheme = coloringText(rule.coloring);
+    if (chooseValue(f.ui, "Colours of the rule", "color", scheme)) rule.coloring = parseColoring(scheme);
     const bool own = rule.coloring.scheme == ColorScheme::uniform;
     const auto ownColor = own ? std::optional<ImU32>(rule.coloring.color) : std::nullopt;
     if (const auto color = f.ui.swatches(ownColor, f.ui.forFingers() ? 6 : 8))

@@ -24,13 +24,12 @@ std::uint32_t pixelsOf(int millimetres, int dpi) {
 
 }  // namespace
 
-void Panel::setSavePath(const std::string& path) {
-    PanelState& s = *state_;
-    const std::string end = std::filesystem::path(path).extension().string();
-    s.path = end.empty() ? path + kExtensions[s.format] : path;
+void PanelState::setSavePath(const std::string& to) {
+    const std::string end = std::filesystem::path(to).extension().string();
+    path = end.empty() ? to + kExtensions[format] : to;
     for (int i = 0; i < static_cast<int>(std::size(kExtensions)); ++i)
-        if (end == kExtensions[i]) s.format = i;
-    s.restless = 3;
+        if (end == kExtensions[i]) format = i;
+    restless = 3;
 }
 
 void drawSave(PanelFrame& f) {
@@ -66,12 +65,14 @@ void drawSave(PanelFrame& f) {
     if (f.ui.choose("Format", kFormats, f.s.format)) rename();
     if (f.s.format != kJpeg) f.ui.toggle("Transparent background", f.s.transparent);
     f.ui.heading("Save as");
-    const float choose = f.host.saveDialog ? f.ui.buttonWidth("Choose ...") + f.ui.px(2) : 0;
-    const float gap = f.host.saveDialog ? ImGui::GetStyle().ItemSpacing.x : 0;
+    const bool dialog = f.host.saveDialog || f.host.browses;
+    const float choose = dialog ? f.ui.buttonWidth("Choose ...") + f.ui.px(2) : 0;
+    const float gap = dialog ? ImGui::GetStyle().ItemSpacing.x : 0;
     f.ui.field("Path", "picture.png", f.s.path, ImGui::GetContentRegionAvail().x - choose - gap);
-    if (f.host.saveDialog) {
+    if (dialog) {
         ImGui::SameLine();
-        if (f.ui.button(Icon::none, "Choose ...", choose)) f.host.saveDialog(f.s.path);
+        if (f.ui.button(Icon::none, "Choose ...", choose))
+            f.host.browses ? f.s.browse(f.s.path, true) : f.host.saveDialog(f.s.path);
     }
     f.ui.folderOf(f.s.path.c_str());
     ImGui::Spacing();

@@ -35,17 +35,6 @@ void drawPicture(ImDrawList& list, const RecentFile& recent, ImVec2 low, ImVec2 
         }
 }
 
-void openInput(PanelFrame& f, const std::string& input) {
-    if (input.empty()) return;
-    const bool beside = std::exchange(f.s.start, false) && f.s.together;
-    if (beside)
-        f.host.add(input);
-    else if (f.host.open)
-        f.host.open(input);
-    else
-        f.viewer.reading().open(input, f.now);
-}
-
 /// Buttons side by side, each of which opens something.
 void offer(PanelFrame& f, std::span<const std::pair<const char*, const char*>> inputs) {
     for (const auto& each : inputs)
@@ -92,10 +81,22 @@ void drawInput(PanelFrame& f) {
 
 }  // namespace
 
+void openInput(PanelFrame& f, const std::string& input) {
+    if (input.empty()) return;
+    const bool beside = std::exchange(f.s.start, false) && f.s.together;
+    if (beside)
+        f.host.add(input);
+    else if (f.host.open)
+        f.host.open(input);
+    else
+        f.viewer.reading().open(input, f.now);
+}
+
 void drawStart(PanelFrame& f) {
     const bool empty = !f.viewer.document();
     if (beginCard(f, "Start", empty ? "Nacre" : "Open", kStartPoints, !empty)) f.s.start = false;
     f.ui.caption("Molecules, from files and databases");
+    if (!f.s.foreign.missing().empty()) f.ui.caption(f.s.foreign.missing());
     ImGui::Spacing();
     if (!f.viewer.messages().failure().empty()) {
         tellFailure(f);
@@ -103,17 +104,18 @@ void drawStart(PanelFrame& f) {
     }
     if (empty) f.s.together = false;
     if (f.host.add && !empty) f.ui.toggle("Add to current scene", f.s.together);
-    if (f.host.openDialog && f.ui.button(Icon::open, "Open a file ...", 0, true)) f.host.openDialog();
+    const bool dialog = f.host.openDialog || f.host.browses;
+    if (dialog && f.ui.button(Icon::open, "Open a file ...", 0, true))
+        f.host.browses ? f.s.browse("", false) : f.host.openDialog();
     if (f.host.goOn && empty) {
-        const std::string words = "Go on with " + f.host.lastView;
+        const std::string words = "Continue with " + f.host.lastView;
         const float wide = f.ui.buttonWidth(words.c_str()) + f.ui.px(23);
-        if (f.host.openDialog) f.ui.wrapLine(wide);
+        if (dialog) f.ui.wrapLine(wide);
         const bool fits = ImGui::GetContentRegionAvail().x >= wide;
-        if (f.ui.button(Icon::play, words.c_str(), fits ? 0 : -1, !f.host.openDialog)) f.host.goOn();
+        if (f.ui.button(Icon::play, words.c_str(), fits ? 0 : -1, !dialog)) f.host.goOn();
         f.ui.controls.back().cut = false;  // a long name is shortened, as everywhere
     }
-    if (!f.ui.forFingers())
-        f.ui.caption(f.host.openDialog ? "Or drop a file on this window." : "Drop a file on this window.");
+    if (!f.ui.forFingers()) f.ui.caption(dialog ? "Or drop a file on this window." : "Drop a file on this window.");
     if (!f.ui.forFingers() || (f.host.downloads && f.ui.typable())) drawInput(f);
     if (f.host.recent && !f.host.recent().empty()) {
         f.ui.heading("Recent files");

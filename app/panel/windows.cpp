@@ -38,15 +38,16 @@ std::string adviceFor(const std::string& error) {
         return false;
     };
     if (says({"resolve", "connect", "timed out", "timeout", "network", "certificate"}))
-        return "Check that this computer is online, then open it once more.";
+        return "Check that this computer is online, then try again.";
     if (says({"no such file", "No such file", "does not exist"}))
         return "Check the name, or whether the file was moved or renamed.";
     if (says({"not found", "404", "no such entry"}))
-        return "Check the identifier: a PDB entry has four signs, as 1BNA.";
+        return "Check the identifier: a PDB ID has four characters, such as 1BNA.";
     if (says({"ermission"})) return "Ask whoever owns the file or folder, or choose another one.";
     if (says({"memory"})) return "Close other programs, or show less of the molecule.";
     if (says({"cannot read molecule", "cannot read"}))
-        return "The file may be damaged, or no structure: PDB, mmCIF, BinaryCIF, SDF, MOL2, XYZ and others are read.";
+        return "The file may be damaged, or not a structure file: PDB, mmCIF, BinaryCIF, SDF, MOL2, XYZ and others are "
+               "read.";
     return "What was there before is unchanged.";
 }
 
@@ -120,7 +121,7 @@ void drawReading(PanelFrame& f) {
 
 void tellFailure(PanelFrame& f) {
     Messages& messages = f.viewer.messages();
-    f.ui.warning("This did not work");
+    f.ui.warning("An error occurred");
     f.ui.paragraph(messages.failure());
     f.ui.caption(adviceFor(messages.failure()));
     if (f.ui.button(Icon::none, "Close")) messages.dismissFailure();
@@ -158,6 +159,26 @@ void drawQuestion(PanelFrame& f) {
     endGrown(f);
     if (!yes && !no) return;
     f.viewer.reading().answer(yes, f.now);
+    f.s.restless = 2;
+}
+
+void drawQuit(PanelFrame& f) {
+    constexpr float kQuitPoints = 400;
+    bool done = beginCard(f, "Quit", "Quit Nacre?", kQuitPoints);
+    f.ui.paragraph(f.s.unsaved);
+    ImGui::Spacing();
+    const bool saves = f.viewer.hasUnsavedWork();
+    const bool first = saves && f.ui.button(Icon::save, "Save view and quit", 0, true);
+    if (saves) f.ui.wrapLine(f.ui.buttonWidth("Quit"));
+    const bool quits = f.ui.button(Icon::none, "Quit", 0, !saves);
+    f.ui.wrapLine(f.ui.buttonWidth("Cancel"));
+    done |= f.ui.button(Icon::none, "Cancel") || first || quits;
+    endGrown(f);
+    if (first) f.host.run(ViewerCommand::saveView);
+    // A view that could not be saved is a reason to stay.
+    if (quits || (first && f.viewer.messages().failure().empty())) f.host.quit();
+    if (!done) return;
+    f.s.quitting = false;
     f.s.restless = 2;
 }
 

@@ -1,21 +1,17 @@
 #pragma once
-// What options are called where people choose them.
+// What options' values are called where people choose them.
 
-#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "engine/scene/appearance.h"
 
 namespace nacre::app {
 
-struct StyleWord {
-    const char* word;
-    std::optional<Style> style;  ///< empty: whichever suits the size
-};
-std::span<const StyleWord> styleWords();
-
-/// A coloring in words: "By chain"; a colour as it is written.
+/// A value of an option as its control calls it; itself where it is none of the control's choices.
+std::string wordOf(std::string_view key, std::string_view value);
+/// The same of a coloring: "By chain"; colours that swatches have by their names.
 std::string colorWord(const Coloring& coloring);
 struct NamedColor {
     const char* name;
@@ -25,6 +21,5 @@ struct NamedColor {
 };
 /// Colours that are told apart by most people: M. Okabe and K. Ito's, and some more.
 std::span<const NamedColor> swatches();
-std::span<const NamedColor> backgrounds();
 
 }  // namespace nacre::app

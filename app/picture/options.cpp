@@ -1,5 +1,6 @@
 #include "app/picture/options.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iterator>
 
@@ -34,6 +35,20 @@ const Option& option(std::string_view key) {
 void setOption(const Option& option, std::string_view text, PictureDescription& description) {
     option.parse(text, description);
     description.given.emplace(option.key);
+}
+
+std::size_t chosen(const Option& option, const PictureDescription& description) {
+    const auto& choices = option.control.choices;
+    const std::string value = option.print(description);
+    const auto is = [&](const Option::Control::Choice& choice) { return choice.value == value; };
+    return static_cast<std::size_t>(std::find_if(choices.begin(), choices.end(), is) - choices.begin());
+}
+
+std::size_t stepOption(const Option& option, PictureDescription& description) {
+    const std::size_t count = option.control.choices.size();
+    const std::size_t at = (std::min(chosen(option, description), count - 1) + 1) % count;
+    option.parse(option.control.choices[at].value, description);
+    return at;
 }
 
 Facets difference(const PictureDescription& a, const PictureDescription& b) {

@@ -59,15 +59,18 @@ constexpr Topics kEveryTopic = ~static_cast<Topics>(Topic::saved);
 /// The part of the work that is done again when an option changes.
 enum class Facet : unsigned {
     input = 1 << 0,       ///< the molecule is read
+    frame = 1 << 7,       ///< which of its models or frames is taken, and how frames are laid
     scene = 1 << 1,       ///< spheres, sticks and meshes are made
     view = 1 << 2,        ///< the camera
     shading = 1 << 3,     ///< how pixels are shaded
+    occlusion = 1 << 8,   ///< baked ambient occlusion
     annotation = 1 << 4,  ///< text in the picture
     file = 1 << 5,        ///< output files
     device = 1 << 6       ///< the device
 };
 using Facets = unsigned;
 constexpr Facets operator|(Facet a, Facet b) { return static_cast<Facets>(a) | static_cast<Facets>(b); }
+constexpr Facets operator|(Facets a, Facet b) { return a | static_cast<Facets>(b); }
 constexpr bool has(Facets facets, Facet facet) { return (facets & static_cast<Facets>(facet)) != 0; }
 
 struct Option {
@@ -112,9 +115,15 @@ struct Option {
 
     /// Its control in the panel, if any.
     struct Control {
+        struct Choice {
+            const char* label;
+            std::string value;
+            const char* meaning = "";  ///< what a picture with it shows, a sentence
+        };
         const char* label = nullptr;
-        double low = 0, high = 0;     ///< of a slider
-        const char* shown = nullptr;  ///< printf format of the value
+        double low = 0, high = 0;          ///< of a slider
+        const char* shown = nullptr;       ///< printf format of the value
+        std::vector<Choice> choices = {};  ///< of a list; of a switch two: off, and on
     } control = {};
 
     std::string_view savedKey() const { return savedAs.empty() ? key : savedAs; }
@@ -129,6 +138,11 @@ const Option& option(std::string_view key);
 
 /// Sets a value and records that it was given. @throws as Option::parse
 void setOption(const Option& option, std::string_view text, PictureDescription& description);
+
+/// The place of its value among the choices of its control; behind them if it is another one.
+std::size_t chosen(const Option& option, const PictureDescription& description);
+/// Takes the next of those choices, the first after another value. @returns its place
+std::size_t stepOption(const Option& option, PictureDescription& description);
 
 /// The parts of the work in which two descriptions differ.
 Facets difference(const PictureDescription& a, const PictureDescription& b);

@@ -59,7 +59,7 @@ std::vector<Option> sizeRows() {
          .help = "Texels of occlusion across an atom's patch at most, 4 to 32; 12 are enough for thumbnails, in a\n"
                  "quarter of the time",
          .topic = Topic::detail,
-         .facet = Facet::shading,
+         .facet = Facet::occlusion,
          .parse = [](T text, P& d) { d.occlusion.detail = static_cast<std::uint32_t>(parseInteger(text, 4, 32)); },
          .print = [](const P& d) { return std::to_string(d.occlusion.detail); }},
         {.key = "size",

@@ -25,6 +25,11 @@ void parseAssembly(T text, P& d) {
     d.look.assembly = text;
 }
 
+void parseAnyStyle(T text, P& d) {
+    if (text == "auto") return d.look.style.reset();
+    setStyle(parseStyle(text), d.look);
+}
+
 std::vector<Option> whole() {
     return {
         {.key = "camera",
@@ -63,12 +68,23 @@ std::vector<Option> whole() {
         {.key = "style",
          .syntax = "NAME",
          .standard = "spacefill; ball-and-stick under 100 atoms with bonds",
-         .help = "spacefill, ball-and-stick, licorice, cartoon (with ligands as licorice) or surface",
+         .help =
+             "spacefill, ball-and-stick, licorice, cartoon (with ligands as licorice), surface or auto: the default",
          .topic = Topic::style,
          .facet = Facet::scene,
-         .parse = [](T text, P& d) { setStyle(parseStyle(text), d.look); },
-         .print = [](const P& d) { return std::string(d.look.style ? styleName(*d.look.style) : ""); },
-         .save = differing},
+         .parse = parseAnyStyle,
+         .print = [](const P& d) { return std::string(d.look.style ? styleName(*d.look.style) : "auto"); },
+         .save = differing,
+         .control =
+             {.label = "Style",
+              .choices = {{"Automatic", "auto"},
+                          {"Spacefill", "spacefill", "Each atom is a sphere of its van der Waals radius."},
+                          {"Ball and stick", "ball-and-stick",
+                           "Balls are atoms, and sticks are the bonds between them."},
+                          {"Licorice", "licorice", "Sticks are the bonds between atoms."},
+                          {"Cartoon", "cartoon",
+                           "Ribbons follow the backbone: coils are helices, arrows are strands; ligands are sticks."},
+                          {"Surface", "surface", "The surface is the one that water meets."}}}},
         {.key = "bond-orders",
          .syntax = "ligands|on|off",
          .standard = "=",
@@ -98,7 +114,32 @@ std::vector<Option> whole() {
          .parse = [](T text, P& d) { d.look.color = parseColoring(text); },
          .print = [](const P& d) { return coloringText(d.look.color); },
          .save = always,
-         .look = true},
+         .look = true,
+         .control =
+             {.label = "Colours",
+              .choices =
+                  {{"By element", "element",
+                    "Each element has its own colour: carbon grey, oxygen red, nitrogen blue."},
+                   {"By chain", "chain", "Each chain has its own colour."},
+                   {"By chain, atoms by element", "chain-carbons",
+                    "Carbon has the colour of its chain, other elements their own: oxygen red, nitrogen blue."},
+                   {"By input", "input", "Each input has its own colour."},
+                   {"By copy of the assembly", "copy", "Each copy of the assembly has its own colour."},
+                   {"By copy, chains shaded", "copy-chain",
+                    "Each copy of the assembly has its own colour, and each of its chains a shade of it."},
+                   {"By copy, molecules shaded", "copy-entity",
+                    "Each copy of the assembly has its own colour, and each of its molecules a shade of it."},
+                   {"By residue", "residue", "Each kind of residue has its own colour."},
+                   {"By kind of molecule", "entity", "Each kind of molecule has its own colour."},
+                   {"Rainbow, start to end", "rainbow", "Colours run along each chain from its start to its end."},
+                   {"By charge", "charge", "Colours show which residues are charged."},
+                   {"By B factor", "b-factor",
+                    "Colours show the B factor: how much atoms move, or how uncertain their places are."},
+                   {"By helix and strand", "secondary-structure",
+                    "Helices, strands and loops have colours of their own."},
+                   {"By confidence (AlphaFold)", "plddt", "Colours show how sure the prediction is of each residue."},
+                   {"By occupancy", "occupancy", "Colours show how often an atom stands at its place."},
+                   {"Hydrophobic to polar", "hydrophobicity", "Colours run from hydrophobic to polar residues."}}}},
         {.key = "palette",
          .syntax = "NAME",
          .standard = "by the scheme",
@@ -242,7 +283,7 @@ std::vector<Option> chosen() {
                       .parse = parse,
                       .kind = list};
     };
-    const auto shown = [](T key, const char* standard, const char* help, auto parse, auto print) {
+    const auto shown = [](T key, const char* standard, const char* help, const char* label, auto parse, auto print) {
         return Option{.key = key,
                       .syntax = "show|hide",
                       .standard = standard,
@@ -251,7 +292,8 @@ std::vector<Option> chosen() {
                       .facet = Facet::scene,
                       .parse = parse,
                       .print = print,
-                      .save = always};
+                      .save = always,
+                      .control = {.label = label, .choices = {{"hidden", "hide"}, {"shown", "show"}}}};
     };
     return {
         rule("show", "SEL=STYLE", "Draw the atoms of a selection in a style; repeatable", parseRule<parseShow>),
@@ -260,9 +302,10 @@ std::vector<Option> chosen() {
              "Colour the atoms of a selection; repeatable. These three apply in the given order, the last one wins",
              parseRule<parseColorBy>),
         {.key = "rules", .facet = Facet::scene, .print = printRules, .kind = rules, .save = always},
-        shown("water", "hide", "Water molecules", parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::water>,
+        shown("water", "hide", "Water molecules", "Water", parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::water>,
               printSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::water>),
-        shown("hydrogens", "show", "Hydrogen atoms", parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>,
+        shown("hydrogens", "show", "Hydrogen atoms", "Hydrogens",
+              parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>,
               printSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>),
     };
 }

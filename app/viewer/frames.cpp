@@ -61,13 +61,9 @@ RenderSettings Frames::settings() const {
 
 RenderSettings Frames::pictureSettings(PixelSize size) const {
     const PictureDescription& view = stage_.view();
-    RenderSettings s;
+    RenderSettings s = shadingOf(view);
     s.view = viewOf(view.camera, stage_.radius(), size.width, size.height);
     if (stage_.document.moves()) reachTo(s.view, stage_.document.scene.radius);
-    s.background = view.background;
-    s.lighting = view.lighting;
-    s.effects = view.effects;
-    s.occlusion.directions = view.occlusion.directions;
     s.occlusion.bytes = options_.occlusionBytes;
     s.occlusion.cache = options_.occlusionCache;
     s.tuning = options_.tuning;

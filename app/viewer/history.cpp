@@ -1,25 +1,24 @@
 #include "app/viewer/history.h"
 
-#include <utility>
+#include "app/picture/options.h"
 
 namespace nacre::app {
 
 void History::begin(const PictureDescription& view) {
-    views_.assign(1, {view, savedViewJson(view)});
+    views_.assign(1, view);
     at_ = 0;
 }
 
 bool History::isAnother(const PictureDescription& now) const {
-    return acted_ && (views_.empty() || savedViewJson(now) != views_[at_].text);
+    return acted_ && (views_.empty() || difference(now, views_[at_]) != 0);
 }
 
 void History::remember(const PictureDescription& now) {
     acted_ = true;
     if (views_.empty()) return begin(now);
-    std::string text = savedViewJson(now);
-    if (text == views_[at_].text) return;
+    if (difference(now, views_[at_]) == 0) return;
     views_.resize(at_ + 1);
-    views_.push_back({now, std::move(text)});
+    views_.push_back(now);
     if (views_.size() > kMost) views_.erase(views_.begin());
     at_ = views_.size() - 1;
 }
@@ -30,7 +29,7 @@ const PictureDescription* History::go(const PictureDescription& now, int step) {
     if (to >= views_.size()) return nullptr;
     acted_ = false;
     at_ = to;
-    return &views_[at_].view;
+    return &views_[at_];
 }
 
 }  // namespace nacre::app

@@ -1,11 +1,9 @@
 #pragma once
 // What was seen before, and what was taken back: each act of the user is a step, a drag from its beginning to its end.
-// A view is compared by what a file of it would say.
 
-#include <string>
 #include <vector>
 
-#include "app/picture/saved_view.h"
+#include "app/picture/description.h"
 
 namespace nacre::app {
 
@@ -29,13 +27,9 @@ public:
     const PictureDescription* redo(const PictureDescription& now) { return go(now, 1); }
 
 private:
-    struct Entry {
-        PictureDescription view;
-        std::string text;
-    };
     bool isAnother(const PictureDescription& now) const;
     const PictureDescription* go(const PictureDescription& now, int step);
-    std::vector<Entry> views_;
+    std::vector<PictureDescription> views_;
     std::size_t at_ = 0;
     bool acted_ = false;
 };

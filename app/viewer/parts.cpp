@@ -59,11 +59,23 @@ std::vector<std::pair<std::string, Group>> groupsOf(const Molecule& m, Test test
     return groups;
 }
 
+/// What a file calls something by its identifier; that itself where it has no name.
+std::string nameOf(const std::string& identifier, const std::map<std::string, std::string>& names) {
+    const auto found = names.find(identifier);
+    return found == names.end() ? identifier : found->second;
+}
+/// Both.
+std::string named(const std::string& identifier, const std::map<std::string, std::string>& names) {
+    const auto found = names.find(identifier);
+    return found == names.end() ? identifier : identifier + ", " + found->second;
+}
+
 bool isPolymer(ResidueKind kind) { return kind == ResidueKind::protein || kind == ResidueKind::nucleic; }
 
 /// Those of one molecule. @param model  its number among several
 void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const std::string& input, int model,
               std::vector<Part>& parts) {
+    static const std::map<std::string, std::string> kNone;  // several files may each have a chain A
     const std::size_t before = parts.size();
     const std::string of = input.empty() ? "" : "/" + input + " and ";
     const auto ours = [&](std::uint32_t r) { return input.empty() || m.chains[m.residues[r].chain].model == model; };
@@ -74,15 +86,16 @@ void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const st
     for (const auto& [name, group] : groupsOf(
              m, [&](std::uint32_t r) { return isPolymer(kinds[r]) && ours(r); },
              [&](const Residue& r) { return m.chains[r.chain].name; }))
-        parts.push_back({Part::Kind::chain, name.empty() ? "Polymer" : "Chain " + name,
+        parts.push_back({Part::Kind::chain,
+                         name.empty() ? "Polymer" : "Chain " + named(name, input.empty() ? m.file.chainNames : kNone),
                          of + (name.empty() ? "polymer" : "chain " + quoted(name) + " and polymer"), group.residues,
                          group.atoms, m.residues[group.first].chain, input});
     for (const auto& [kind, partKind, word] : {std::tuple(ResidueKind::ligand, Part::Kind::ligand, " and ligand"),
                                                {ResidueKind::ion, Part::Kind::ion, " and ion"}})
         for (const auto& [name, group] : groupsOf(m, ofKind(kind), residueName))
             if (!name.empty())
-                parts.push_back(
-                    {partKind, name, of + "resn " + quoted(name) + word, group.residues, group.atoms, 0, input});
+                parts.push_back({partKind, nameOf(name, m.file.componentNames), of + "resn " + quoted(name) + word,
+                                 group.residues, group.atoms, 0, input});
     if (parts.size() == before) {
         Part all{Part::Kind::all, "All atoms", input.empty() ? "all" : "/" + input};
         all.input = input;

@@ -14,7 +14,7 @@ namespace nacre::app {
 struct Part {
     enum class Kind { all, chain, ligand, ion, water };
     Kind kind = Kind::all;
-    std::string name;       ///< "Chain A", "HEM"
+    std::string name;       ///< "Chain A, HIV-1 protease", "amprenavir"; where the file has no names "Chain A", "HEM"
     std::string selection;  ///< "chain A and polymer"
     std::size_t residues = 0, atoms = 0;
     std::uint32_t chain = 0;  ///< index into Molecule::chains, of a chain

@@ -69,10 +69,16 @@ void Picking::tap(glm::dvec2 at, double now) {
                std::to_string(contact->interaction.b.atoms.front() + 1) + ")");
         return;
     }
-    select(residueText(stage_.document, *atom - 1));
+    if (measuring_ == Measuring::off) select(residueText(stage_.document, *atom - 1));
     if (!picks_.empty() && picks_.back() == *atom - 1) return;
-    if (picks_.size() == 4) picks_.clear();
+    if (picks_.size() >= mostPicks()) picks_.clear();
     picks_.push_back(*atom - 1);
+}
+
+void Picking::measure(Measuring what) {
+    measuring_ = what;
+    if (picks_.size() > mostPicks() || what == Measuring::off) picks_.clear();
+    stage_.schedule.overlayChanged();
 }
 
 /// Beside the molecule it means the whole, and where one residue is all of it.
@@ -170,16 +176,25 @@ Annotations Picking::annotations() const {
         a.hover = contactText(*document.molecule, contact->interaction);
     else if (hovers() && hovered_ <= document.molecule->atoms.size())
         a.hover = atomText(*document.molecule, hovered_ - 1);
-    if (picks_.empty()) return a;
     std::vector<glm::dvec3> places;
     for (const std::uint32_t pick : picks_) {
         const glm::dvec3 place = document.placed->atoms[pick].position;
         places.push_back(place);
         a.atoms.push_back(frames_.pointOf(place - document.scene.center, view));
     }
-    a.atom = atomText(*document.molecule, picks_.back());
-    a.measurement = measurementText(places);
+    if (!picks_.empty()) a.atom = atomText(*document.molecule, picks_.back());
+    a.measurement = measurement(places);
     return a;
+}
+
+/// @param places  of the picked atoms, Å
+std::string Picking::measurement(const std::vector<glm::dvec3>& places) const {
+    std::string text = measurementText(places);
+    const std::size_t left = mostPicks() - places.size();
+    if (measuring_ == Measuring::off || left == 0) return text;
+    text += (text.empty() ? "" : "; ") + std::string(kMeasurings[static_cast<std::size_t>(measuring_)]) + ": ";
+    text += (places.empty() ? "pick " : "") + std::to_string(left) + (places.empty() ? "" : " more");
+    return text + (left == 1 ? " atom" : " atoms");
 }
 
 PictureDescription Picking::savedView() const {

@@ -15,7 +15,7 @@ namespace nacre::app {
 struct Annotations {
     std::vector<glm::dvec2> atoms;     ///< picked, in their order; a line joins each to the next
     std::string atom;                  ///< what the last one is
-    std::string measurement;           ///< what they measure
+    std::string measurement;           ///< what they measure, and how many atoms more that takes
     std::string message;               ///< of the last command, or of what went wrong
     std::string error;                 ///< what went wrong, until it is dismissed (ViewerOptions::errorsStay)
     std::vector<glm::dvec2> selected;  ///< atoms of the selection; of many, some
@@ -31,6 +31,10 @@ struct SelectedAtoms {
     bool any() const { return !text.empty() && error.empty(); }
 };
 
+/// What clicks on atoms measure. One more atom than it takes starts anew.
+enum class Measuring { off, distance, angle, torsion };
+constexpr const char* kMeasurings[] = {"off", "distance", "angle", "torsion"};
+
 class Picking {
 public:
     Picking(Stage& stage, Frames& frames) : stage_(stage), frames_(frames) {}
@@ -42,6 +46,11 @@ public:
     void pointerMoved(glm::dvec2 at, double now) { pointer_ = Pointer{at, now}; }
     /// The pointer has left the picture.
     void pointerLeft();
+
+    void measure(Measuring what);
+    Measuring measuring() const { return measuring_; }
+    /// Atoms that are picked at most: one where nothing is measured.
+    std::size_t mostPicks() const { return static_cast<std::size_t>(measuring_) + 1; }
 
     /// Picked atoms, from 0, in their order.
     const std::vector<std::uint32_t>& picks() const { return picks_; }
@@ -68,8 +77,11 @@ private:
     std::vector<std::uint32_t> markedAtoms(const std::vector<bool>& chosen) const;
     bool hovers() const { return hovered_ > 0 && seen_ == stage_.changes(); }
 
+    std::string measurement(const std::vector<glm::dvec3>& places) const;
+
     Stage& stage_;
     Frames& frames_;
+    Measuring measuring_ = Measuring::off;
     std::vector<std::uint32_t> picks_, picksBefore_;  // atoms, from 0
     SelectedAtoms selected_;
     std::vector<glm::dvec3> selectedPlaces_;  // from the scene's centre

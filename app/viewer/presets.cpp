@@ -43,39 +43,13 @@ void applyPreset(const Preset& preset, PictureDescription& view) {
 }
 
 void firstLook(const Molecule& molecule, PictureDescription& view) {
-    constexpr std::size_t kFewResidues = 200;
     RepresentationOptions& look = view.look;
     if (look.style || !look.rules.empty() || look.color != Coloring()) return;
     std::size_t aminoAcids = 0;
     for (const ChainSummary& chain : summariseChains(molecule)) aminoAcids += chain.aminoAcids;
     const bool predicted = aminoAcids > 0 && molecule.file.confidence;
     if (predicted) look.color = ColorScheme::plddt;
-    if (predicted || aminoAcids > kFewResidues) setStyle(Style::cartoon, look);
-}
-
-std::span<const ColorWord> colorWords() {
-    static constexpr ColorWord kWords[] = {{"By element", "element"},
-                                           {"By chain", "chain"},
-                                           {"By chain, atoms by element", "chain-carbons"},
-                                           {"By input", "input"},
-                                           {"By copy of the assembly", "copy"},
-                                           {"By copy, chains shaded", "copy-chain"},
-                                           {"By copy, molecules shaded", "copy-entity"},
-                                           {"By residue", "residue"},
-                                           {"By kind of molecule", "entity"},
-                                           {"Rainbow, start to end", "rainbow"},
-                                           {"By charge", "charge"},
-                                           {"By B factor", "b-factor"},
-                                           {"By helix and strand", "secondary-structure"},
-                                           {"By confidence (AlphaFold)", "plddt"},
-                                           {"By occupancy", "occupancy"},
-                                           {"Hydrophobic to polar", "hydrophobicity"}};
-    return kWords;
-}
-
-std::span<const char* const> backgroundChoices() {
-    static constexpr const char* kChoices[] = {"white", "lightgray", "gray", "black", "#102040"};
-    return kChoices;
+    if (predicted || aminoAcids >= kFewestOfCartoon) setStyle(Style::cartoon, look);
 }
 
 }  // namespace nacre::app

@@ -17,18 +17,10 @@ std::span<const Preset> presets();
 /// Changes what is drawn and its colours; camera and file stay.
 void applyPreset(const Preset& preset, PictureDescription& view);
 
-/// How a molecule looks at first where nothing was asked for: proteins of over 200 residues as cartoons, their ligands
-/// as sticks; a prediction that states its confidence as a cartoon coloured by it. Anything else, and any view that
-/// says something of styles, colours or selections, stays as it is.
+/// How a molecule looks at first where nothing was asked for: proteins, from kFewestOfCartoon amino acids on, as
+/// cartoons with their ligands as sticks; a prediction that states its confidence as a cartoon coloured by it. Anything
+/// else, and any view that says something of styles, colours or selections, stays as it is.
+constexpr std::size_t kFewestOfCartoon = 10;  // shorter peptides show their atoms
 void firstLook(const Molecule& molecule, PictureDescription& view);
-
-/// Colourings that are offered: the words, and the colouring that they stand for.
-struct ColorWord {
-    const char* word;
-    const char* option;  ///< as `--color` takes it
-};
-std::span<const ColorWord> colorWords();
-/// Backgrounds that a key steps through, as `--background` takes them.
-std::span<const char* const> backgroundChoices();
 
 }  // namespace nacre::app

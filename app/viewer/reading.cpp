@@ -9,13 +9,7 @@ namespace {
 
 /// Which molecules a view is of, and where they come from.
 void takeInput(const PictureDescription& from, PictureDescription& to) {
-    to.input.path = from.input.path;
-    to.input.format = from.input.format;
-    to.input.model = from.input.model;
-    to.input.trajectory = from.input.trajectory;
-    to.input.name = from.input.name;
-    to.input.further = from.input.further;
-    to.input.fits = from.input.fits;
+    to.input = from.input;
     to.look.assembly = from.look.assembly;
 }
 

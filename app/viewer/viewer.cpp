@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "app/picture/input_names.h"
+#include "app/picture/options.h"
+#include "app/viewer/explanation.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -97,12 +99,12 @@ void Viewer::setLook(const PictureDescription& look, double now, bool continues)
     nameInputs(wanted);
     stage_.motion.setProjection(look.camera.projection);
     stage_.changed(now);
+    const Facets parts = difference(before, view());
     // What cannot be said of this molecule is not kept.
-    if (wanted.words != before.words && !words_.place(now)) wanted.words = before.words;
-    const bool scene = wanted.look != before.look || look.drawn != before.drawn;
+    if (has(parts, Facet::annotation) && !words_.place(now)) wanted.words = before.words;
     // What is being read is seen in this look once it is there.
-    if (scene && stage_.shown() && !reading_.another()) reading_.build();
-    if (look.occlusion.directions != before.occlusion.directions) frames_.restartOcclusion();
+    if (has(parts, Facet::scene) && stage_.shown() && !reading_.another()) reading_.build();
+    if (has(parts, Facet::occlusion)) frames_.restartOcclusion();
 }
 
 void Viewer::undo(double now) {
@@ -124,15 +126,14 @@ void Viewer::show(const PictureDescription& to, double now, double seconds) {
 }
 
 void Viewer::restore(const PictureDescription& to, double now, double seconds) {
-    const PictureDescription before = view();
     // What is shown may still be something else than what was asked for before.
     const Document& document = stage_.document;
-    const PictureDescription& there = document.view;
-    const bool file = !stage_.shown() || to.input.path != there.input.path || to.input.format != there.input.format ||
-                      to.input.name != there.input.name || to.input.further != there.input.further ||
-                      to.input.fits != there.input.fits || to.input.trajectory.path != there.input.trajectory.path;
-    const bool frame = !file && document.moves() && to.look.assembly == there.look.assembly;  // the player has it
-    const bool another = file || (!frame && to.input.model != there.input.model);
+    const Facets seen = difference(view(), to), parts = difference(document.view, to);
+    const bool file = !stage_.shown() || has(parts, Facet::input);
+    const bool frame =
+        !file && document.moves() && to.look.assembly == document.view.look.assembly;  // the player has it
+    const bool another = file || (!frame && has(parts, Facet::frame));
+    const bool scene = has(seen, Facet::scene) || to.aim.uncover != view().aim.uncover;
     CameraMotion& motion = stage_.motion;
     Camera camera = motion.camera();
     stage_.wanted() = to;
@@ -143,12 +144,10 @@ void Viewer::restore(const PictureDescription& to, double now, double seconds) {
     playback_.stop();
     camera_.forgetClip();
     stage_.messages.dismissFailure();
-    if (another || to.look != before.look || to.drawn != before.drawn || to.aim.uncover != before.aim.uncover ||
-        reading_.loader().busy())
-        reading_.restore(to, another);
+    if (another || scene || reading_.loader().busy()) reading_.restore(to, another);
     if (!another) words_.place(now);
     if (frame) playback_.restore(to);
-    if (to.occlusion.directions != before.occlusion.directions) frames_.restartOcclusion();
+    if (has(seen, Facet::occlusion)) frames_.restartOcclusion();
     stage_.changed(now);
 }
 
@@ -168,6 +167,7 @@ void Viewer::takeDocument(double now) {
     camera_.arrived(!arrival.another, now);
     playback_.arrived(arrival);
     words_.place(now);
+    if (view().input.path != saved_.input.path) noteSaved();
     if (arrival.another && !arrival.step) picking_.select("");
     picking_.placeSelection();
     if (stage_.history.empty())
@@ -179,7 +179,15 @@ void Viewer::takeDocument(double now) {
     const Document& shown = stage_.document;
     if (!shown.scene.warnings.empty()) stage_.messages.say(shown.scene.warnings.front(), now);
     stage_.changed(now);
-    if (arrival.another && (view().look != shown.view.look || view().drawn != shown.view.drawn)) reading_.build();
+    if (arrival.another && has(difference(shown.view, view()), Facet::scene)) reading_.build();
+}
+
+std::string Viewer::explanation() const {
+    return stage_.shown() ? explanationText(stage_.document.view, stage_.document.scene) : std::string();
+}
+
+bool Viewer::hasUnsavedWork() const {
+    return stage_.shown() && (view().words != saved_.words || view().look.rules != saved_.look.rules);
 }
 
 std::string Viewer::title() const {

@@ -69,6 +69,11 @@ public:
     void undo(double now);
     void redo(double now);
     std::string title() const;
+    /// Of what is shown, in words (explanation.h); empty while there is nothing.
+    std::string explanation() const;
+    /// Labels, measurements and rules are others than when the molecule was opened, or the view was saved.
+    bool hasUnsavedWork() const;
+    void noteSaved() { saved_ = view(); }
 
     /// Brings everything to a time and draws, if there is something to draw.
     /// @param overlay called before a frame is drawn; may be empty
@@ -86,6 +91,7 @@ private:
     double advance(double now);
 
     Stage stage_;
+    PictureDescription saved_;
     Frames frames_;
     Reading reading_;
     PictureWords words_;

@@ -1,27 +1,33 @@
 // What the viewer does at a command.
 
-#include <algorithm>
-
-#include "app/picture/appearance_values.h"
 #include "app/picture/looks.h"
-#include "app/picture/option_text.h"
+#include "app/picture/options.h"
 #include "app/viewer/presets.h"
 #include "app/viewer/viewer.h"
 
 namespace nacre::app {
 namespace {
 
-/// The choice after `current`, the first if that is none of them.
-std::string nextOf(std::span<const char* const> choices, const std::string& current) {
-    const auto at = std::find(choices.begin(), choices.end(), current);
-    return at == choices.end() || at + 1 == choices.end() ? choices[0] : at[1];
-}
+struct OptionCommand {
+    ViewerCommand command;
+    const char* key;
+    const char* value = nullptr;  ///< that it takes; null: the next choice of its control
+};
 
-std::vector<const char*> colorOptions() {
-    std::vector<const char*> options;
-    for (const ColorWord& word : colorWords()) options.push_back(word.option);
-    return options;
-}
+constexpr OptionCommand kOptionCommands[] = {{ViewerCommand::spacefill, "style", "spacefill"},
+                                             {ViewerCommand::ballAndStick, "style", "ball-and-stick"},
+                                             {ViewerCommand::licorice, "style", "licorice"},
+                                             {ViewerCommand::cartoon, "style", "cartoon"},
+                                             {ViewerCommand::surface, "style", "surface"},
+                                             {ViewerCommand::nextColor, "color"},
+                                             {ViewerCommand::nextBackground, "background"},
+                                             {ViewerCommand::water, "water"},
+                                             {ViewerCommand::hydrogens, "hydrogens"},
+                                             {ViewerCommand::perspective, "projection"},
+                                             {ViewerCommand::lighting, "lighting"},
+                                             {ViewerCommand::occlusion, "occlusion"},
+                                             {ViewerCommand::legend, "legend"},
+                                             {ViewerCommand::scaleBar, "scale-bar"}};
 
 }  // namespace
 
@@ -45,21 +51,17 @@ void Viewer::aimAt(ViewerCommand command, double now) {
 bool Viewer::changeLook(ViewerCommand command, PictureDescription& look, double now) {
     using C = ViewerCommand;
     std::string said;
-    const auto toggle = [](bool& value) { return value = !value; };
+    for (const OptionCommand& of : kOptionCommands) {
+        if (of.command != command) continue;
+        const Option& row = option(of.key);
+        if (of.value)
+            row.parse(of.value, look);
+        else
+            said = std::string(row.control.label) + ": " + row.control.choices[stepOption(row, look)].label;
+        if (!said.empty()) stage_.messages.say(said, now);
+        return true;
+    }
     switch (command) {
-        case C::spacefill:
-            look.look.style = Style::spacefill;
-            break;
-        case C::ballAndStick:
-            look.look.style = Style::ballAndStick;
-            break;
-        case C::licorice:
-            look.look.style = Style::licorice;
-            break;
-        case C::nextColor:
-            look.look.color = parseColoring(nextOf(colorOptions(), coloringText(look.look.color)));
-            said = "colours: " + coloringText(look.look.color);
-            break;
         case C::nextPreset:
             preset_ = (preset_ + 1) % presets().size();
             applyPreset(presets()[preset_], look);
@@ -70,34 +72,9 @@ bool Viewer::changeLook(ViewerCommand command, PictureDescription& look, double 
             applyLook(looks()[look_], look);
             said = "look: " + looks()[look_].name;
             break;
-        case C::nextBackground:
-            look.background = parseColor(nextOf(backgroundChoices(), backgroundText(look.background)));
-            break;
-        case C::water:
-            said = toggle(look.drawn.water) ? "water shown" : "water hidden";
-            break;
-        case C::hydrogens:
-            said = toggle(look.drawn.hydrogens) ? "hydrogens shown" : "hydrogens hidden";
-            break;
-        case C::perspective:
-            look.camera.projection =
-                look.camera.projection == Projection::orthographic ? Projection::perspective : Projection::orthographic;
-            break;
-        case C::lighting:
-            toggle(look.lighting);
-            break;
-        case C::occlusion:
-            look.occlusion.directions = look.occlusion.directions ? 0 : PictureDescription{}.occlusion.directions;
-            break;
         case C::keepMeasurement:
             look = picking_.savedView();
             picking_.drop();
-            break;
-        case C::legend:
-            toggle(look.words.legend);
-            break;
-        case C::scaleBar:
-            look.words.scaleBar = static_cast<ScaleBar>((static_cast<int>(look.words.scaleBar) + 1) % 3);
             break;
         default:
             return false;
@@ -130,10 +107,14 @@ void Viewer::run(ViewerCommand command, double now) {
         case C::clearPicks:
             if (reading_.question()) return reading_.answer(false, now);
             if (!stage_.messages.failure().empty()) return stage_.messages.dismissFailure();
+            if (picking_.picks().empty()) picking_.measure(Measuring::off);
             picking_.drop();
             picking_.select("");
             stage_.messages.clear();
             return stage_.schedule.overlayChanged();
+        case C::measure:
+            return picking_.measure(
+                static_cast<Measuring>((static_cast<std::size_t>(picking_.measuring()) + 1) % std::size(kMeasurings)));
         case C::undo:
             return undo(now);
         case C::redo:

@@ -7,6 +7,7 @@
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -118,8 +119,11 @@ struct FileSummary {
     std::optional<std::int64_t> chainsLabel;        ///< distinct label_asym_id (mmCIF)
     std::optional<std::int64_t> biomtOperators;     ///< REMARK 350 BIOMT1 lines; MMTF: most transforms of an assembly
     std::optional<std::int64_t> assemblies;
-    std::optional<std::int64_t> operators;  ///< _pdbx_struct_oper_list rows
-    std::optional<double> resolution;       ///< Å, as the file states it
+    std::optional<std::int64_t> operators;          ///< _pdbx_struct_oper_list rows
+    std::optional<double> resolution;               ///< Å, as the file states it
+    std::string organism, method;                   ///< "Homo sapiens"; "X-ray diffraction"; of several, with commas
+    std::map<std::string, std::string> chainNames;  ///< "A": "HIV-1 protease", of polymers
+    std::map<std::string, std::string> componentNames;  ///< "478": "amprenavir", of residues that are no standard ones
     bool confidence = false;  ///< the file says that it is a prediction whose B factors are confidence (pLDDT)
     std::optional<std::array<glm::vec3, 3>> box;  ///< vectors of the simulation box, Å (GRO)
 };

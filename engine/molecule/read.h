@@ -36,6 +36,8 @@ struct ReadOptions {
 std::optional<Format> formatFromName(std::string_view name);
 
 std::string_view formatName(Format format);
+/// The format that the end of a file's name says, compressed or not.
+std::optional<Format> formatOfFileName(const std::string& name);
 
 /// The names of all formats that are read: "pdb", "mmcif", ...
 std::vector<std::string> allFormatNames();

@@ -170,6 +170,7 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     const Bounds bounds = frame ? *frame : assembly ? assembly->bounds(seen) : boundsOf(seen.balls);
     result.center = bounds.center;
     result.radius = bounds.radius;
+    result.style = appearance.style;
     appendAtoms(molecule, appearance, result);
     result.drawnAtoms = countAtoms(appearance, assembly ? &*assembly : nullptr);
     result.legends = std::move(appearance.legends);

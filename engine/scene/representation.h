@@ -69,6 +69,7 @@ struct Representation {
     double radius = 0;           ///< max(|p - center| + r) over the same spheres, and the meshes' vertices, Å
     std::size_t drawnAtoms = 0;  ///< of all copies
     std::size_t drawnBonds = 0;
+    Style style = Style::spacefill;     ///< of what no rule gives one
     std::vector<Legend> legends;        ///< what the colours mean
     std::vector<std::string> warnings;  ///< rules and schemes that had no effect, one sentence each
     std::vector<DrawnContact> contacts;

@@ -48,6 +48,22 @@ TEST(Info, ResiduesWithTheirPlaceInTheFold) {
     EXPECT_EQ(residueText(list), "  residues\n    A        -3  ALA   strand\n    A        0B  HOH \n");
 }
 
+TEST(Info, TellsWhatTheFileSaysOfItself) {
+    Molecule molecule = twoAtoms();
+    molecule.file.organism = "Homo sapiens";
+    molecule.file.method = "X-ray diffraction";
+    molecule.file.chainNames = {{"A", "Protease"}, {"B", "Protease"}, {"C", "DNA"}};
+    molecule.file.componentNames = {{"478", "amprenavir"}};
+    const auto json = infoJson(molecule);
+    EXPECT_EQ(json["organism"], "Homo sapiens");
+    EXPECT_EQ(json["method"], "X-ray diffraction");
+    EXPECT_EQ(json["chain_names"]["B"], "Protease");
+    EXPECT_EQ(json["component_names"]["478"], "amprenavir");
+    const std::string text = infoText("a.pdb", json);
+    for (const char* words : {"Homo sapiens", "X-ray diffraction", "C: DNA; A, B: Protease", "478: amprenavir"})
+        EXPECT_NE(text.find(words), std::string::npos) << text;
+}
+
 TEST(Info, CountsWhatTheMoleculeHolds) {
     const auto json = infoJson(twoAtoms());
     EXPECT_EQ(json["format"], "pdb");

@@ -206,6 +206,7 @@ TEST(Window, ClickPicksTheAtomThatIsSeen) {
         ASSERT_EQ(outcome.code, 0) << outcome.err;
         const Image layers = readImage(session.folder() / "l.exr");
         std::vector<int> expected;
+        for (int i = 0; i < 3; ++i) session.type("u");  // measures torsions: four atoms
         std::mt19937 random(7);
         int lastX = 0, lastY = 0;
         while (expected.size() < 4) {
@@ -220,6 +221,33 @@ TEST(Window, ClickPicksTheAtomThatIsSeen) {
         EXPECT_EQ(session.quit(), 0) << session.errors();
         EXPECT_EQ(session.stats()["picked"].get<std::vector<int>>(), expected) << style;
     }
+}
+
+TEST(Window, PressesWithoutHoldOrPauseAreNeverLost) {
+    XSession session("sample:dna --size 700x500");
+    std::vector<std::string> keys{"Control_L+o", "Tab", "Tab", "Tab", "Tab"};  // close, add, open a file, its name
+    for (const char* letter : {"s", "a", "m", "p", "l", "e", "colon", "g", "l", "u", "x", "x", "x", "x", "x", "x"})
+        keys.push_back(letter);
+    keys.insert(keys.end(), 6, "BackSpace");
+    for (const char* letter : {"c", "o", "s", "e", "Return"}) keys.push_back(letter);
+    session.typeAtOnce(keys);
+    EXPECT_TRUE(session.waitForTitle("sample:glucose - Nacre")) << session.title();
+    EXPECT_EQ(session.quit(), 0) << session.errors();
+}
+
+TEST(Window, QuittingAsksWhereWorkIsLost) {
+    XSession session("sample:dna --size 700x500");
+    session.type("m");
+    session.type("d");  // a keyframe that no movie is made of
+    session.settle();
+    const WindowPicture before = session.picture();
+    session.typeAtOnce({"Control_L+q"});
+    EXPECT_TRUE(session.waitUntil([&] { return session.picture() != before; }));
+    session.type("Escape");
+    session.settle();
+    session.typeAtOnce({"Control_L+q"});
+    session.settle();
+    EXPECT_EQ(session.quit(), 0) << "who asks once more means it: " << session.errors();
 }
 
 TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {

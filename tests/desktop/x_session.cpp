@@ -1,5 +1,6 @@
 #include "tests/desktop/x_session.h"
 
+#include <X11/XKBlib.h>
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
@@ -216,6 +217,22 @@ void XSession::type(const std::string& keysym, bool shift) {
     sleep(0.1);
 }
 
+void XSession::typeAtOnce(const std::vector<std::string>& keysyms) {
+    const auto press = [this](KeyCode code, bool down) { XTestFakeKeyEvent(x_->display, code, down, CurrentTime); };
+    for (const std::string& keysym : keysyms) {
+        const std::size_t plus = keysym.find('+');
+        const KeySym symbol = XStringToKeysym(keysym.substr(plus == std::string::npos ? 0 : plus + 1).c_str());
+        const KeyCode code = XKeysymToKeycode(x_->display, symbol);
+        const bool shifted = XkbKeycodeToKeysym(x_->display, code, 0, 0) != symbol;
+        const std::string with = plus != std::string::npos ? keysym.substr(0, plus) : shifted ? "Shift_L" : "";
+        const KeyCode held = with.empty() ? 0 : XKeysymToKeycode(x_->display, XStringToKeysym(with.c_str()));
+        if (held) press(held, true);
+        press(code, true), press(code, false);
+        if (held) press(held, false);
+    }
+    XFlush(x_->display);
+}
+
 void XSession::resize(int width, int height) {
     XResizeWindow(x_->display, x_->window, static_cast<unsigned>(width), static_cast<unsigned>(height));
     XFlush(x_->display);
@@ -351,7 +368,7 @@ bool XSession::waitForTitle(const std::string& text) const {
 }
 
 int XSession::quit() {
-    type("q");
+    typeAtOnce({"Control_L+q"});
     const int status = awaitEnd();
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }

@@ -38,6 +38,8 @@ public:
     void drag(int fromX, int fromY, int toX, int toY);  ///< rests before it lets go
     void wheel(int x, int y, int steps);
     void type(const std::string& keysym, bool shift = false);
+    /// Keys without hold times or pauses. @param keysyms  "BackSpace", "colon", "Control_L+o"
+    void typeAtOnce(const std::vector<std::string>& keysyms);
     void resize(int width, int height);
     void iconify();
     void restore();
@@ -53,7 +55,7 @@ public:
     /// Waits until the title holds a text. @returns whether it came
     bool waitForTitle(const std::string& text) const;
     void sleep(double seconds) const;
-    /// Types Q and waits. @returns the exit status of nacre; its standard error is errors()
+    /// Types Ctrl Q and waits. @returns the exit status of nacre; its standard error is errors()
     int quit();
     /// Sends a signal and waits. @returns the one that nacre ended by, or the negative of its exit status
     int end(int signal);

@@ -73,6 +73,7 @@ TEST(Panel, EveryCardIsReadableEverywhere) {
         const std::string where = nameOf(place);
         Bench b("sample:dna", place.points, place.scale, place.hand, sampleSources(), [](PanelHost& host) {
             host.record = [](const RecordingWish&, const std::vector<PictureDescription>&) {};
+            host.browses = true;
         });
         b.panel.toggleHelp();
         b.settle();
@@ -98,6 +99,18 @@ TEST(Panel, EveryCardIsReadableEverywhere) {
         b.settle();
         EXPECT_TRUE(b.find("Open a file ..."));
         expectReadable(b, where + ", start");
+        b.click("Open a file ...");
+        EXPECT_TRUE(b.find("Current folder"));
+        expectReadable(b, where + ", files");
+        b.panel.closeTop();
+        b.panel.closeTop();
+        PictureDescription look = b.viewer.view();
+        look.words.title = "mine";
+        b.viewer.setLook(look, b.now);
+        b.panel.askToQuit("The movie is still being recorded. 2 keyframes were not recorded.");
+        b.settle();
+        EXPECT_TRUE(b.find("Save view and quit"));
+        expectReadable(b, where + ", quit");
         b.panel.closeTop();
         b.viewer.reading().open("nothing.pdb", b.now);
         b.settle();

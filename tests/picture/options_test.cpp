@@ -181,7 +181,9 @@ TEST(Options, DifferenceIsInThePartsThatDiffer) {
     EXPECT_EQ(changed("rotate", "1,2,3"), static_cast<Facets>(Facet::view));
     EXPECT_EQ(changed("title", "A"), static_cast<Facets>(Facet::annotation));
     EXPECT_EQ(changed("show", "ligand=licorice"), static_cast<Facets>(Facet::scene));
-    EXPECT_EQ(changed("model", "2"), static_cast<Facets>(Facet::input));
+    EXPECT_EQ(changed("format", "pdb"), static_cast<Facets>(Facet::input));
+    EXPECT_EQ(changed("model", "2"), static_cast<Facets>(Facet::frame));
+    EXPECT_EQ(changed("occlusion", "64"), static_cast<Facets>(Facet::occlusion));
     EXPECT_EQ(changed("look", "dark"), static_cast<Facets>(Facet::shading));
     EXPECT_EQ(changed("look", "illustrative"), Facet::scene | Facet::shading);
 }
@@ -205,6 +207,31 @@ TEST(OptionJson, TakesWhatACommandLineTakes) {
         EXPECT_THROW(optionValuesOf(bad), UsageError) << bad;
     EXPECT_THROW(setOptions(optionValuesOf(R"({"clip": "1", "slab": 3})"), job), UsageError);
     EXPECT_THROW(setOptions(optionValuesOf(R"({"zoom": -1})"), job), UsageError);
+}
+
+TEST(Options, ChoicesOfControlsAreTheirValues) {
+    for (const Option& option : options()) {
+        const auto& choices = option.control.choices;
+        if (choices.empty()) continue;
+        PictureDescription picture;
+        for (std::size_t i = 0; i < choices.size(); ++i) {
+            option.parse(choices[i].value, picture);
+            EXPECT_EQ(option.print(picture), choices[i].value) << option.key;
+            EXPECT_EQ(chosen(option, picture), i) << option.key;
+        }
+        EXPECT_EQ(stepOption(option, picture), 0u) << option.key << ": from the last to the first";
+    }
+    PictureDescription picture;
+    setOption(option("occlusion"), "64", picture);
+    EXPECT_EQ(stepOption(option("occlusion"), picture), 0u) << "from a value that is none of them to off";
+}
+
+TEST(Options, EverySchemeIsOfferedInThePanel) {
+    for (int scheme = 0; scheme < static_cast<int>(ColorScheme::uniform); ++scheme) {
+        PictureDescription picture;
+        picture.look.color = static_cast<ColorScheme>(scheme);
+        EXPECT_LT(chosen(option("color"), picture), option("color").control.choices.size()) << scheme;
+    }
 }
 
 }  // namespace

@@ -2,21 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include "app/picture/appearance_values.h"
-#include "app/picture/option_text.h"
 #include "app/viewer/presets.h"
 
 namespace nacre::app {
 namespace {
 
-TEST(Presets, EveryPresetAndChoiceIsOneThatTheSceneTakes) {
+TEST(Presets, EveryOneIsWhatASavedViewHolds) {
     for (const Preset& preset : presets()) {
         PictureDescription view;
         applyPreset(preset, view);
         EXPECT_EQ(parseSavedView(savedViewJson(view), preset.name).look, view.look) << preset.name;
     }
-    for (const ColorWord& color : colorWords()) EXPECT_EQ(coloringText(parseColoring(color.option)), color.option);
-    for (const char* color : backgroundChoices()) EXPECT_EQ(backgroundText(parseColor(color)), color);
 }
 
 TEST(Commands, EveryCommandHasAKeyOfItsOwn) {

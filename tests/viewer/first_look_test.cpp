@@ -8,13 +8,13 @@
 namespace nacre::app {
 namespace {
 
-TEST(FirstLook, LargeProteinsAreCartoons) {
+TEST(FirstLook, ProteinsAreCartoons) {
     PictureDescription view;
-    firstLook(test::chainOf(201, -57, -47), view);
+    firstLook(test::chainOf(10, -57, -47), view);
     EXPECT_EQ(view.look.style, Style::cartoon);
     EXPECT_EQ(view.look.color, Coloring(ColorScheme::chainCarbons));
-    PictureDescription small;
-    firstLook(test::chainOf(200, -57, -47), small);
+    PictureDescription small;  // a peptide
+    firstLook(test::chainOf(9, -57, -47), small);
     EXPECT_EQ(small.look, RepresentationOptions());
 }
 

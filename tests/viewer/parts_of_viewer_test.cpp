@@ -65,9 +65,23 @@ TEST(Messages, OnePassesAndAFailureStays) {
     EXPECT_EQ(messages.failure(), "");
 }
 
+TEST(Picking, OneAtomIsNamedWhereNothingIsMeasured) {
+    Shown s;
+    Picking picking(s.stage, s.frames);
+    for (const std::uint32_t atom : {1u, 3u, 5u, 7u}) {
+        s.screen.atom = atom;
+        picking.tap({10, 10}, 1);
+        EXPECT_EQ(picking.picks(), std::vector<std::uint32_t>{atom - 1});
+        EXPECT_EQ(picking.annotations().measurement, "");
+        EXPECT_TRUE(picking.selection().any());
+    }
+}
+
 TEST(Picking, PicksMeasuresAndSelects) {
     Shown s;
     Picking picking(s.stage, s.frames);
+    picking.measure(Measuring::distance);
+    EXPECT_EQ(picking.annotations().measurement, "distance: pick 2 atoms");
     for (const std::uint32_t atom : {1u, 3u, 3u}) {
         s.screen.atom = atom;
         picking.tap({10, 10}, 1);
@@ -76,6 +90,7 @@ TEST(Picking, PicksMeasuresAndSelects) {
     EXPECT_EQ(picking.annotations().atoms.size(), 2u);
     EXPECT_EQ(picking.savedView().words.measures.size(), 1u);
     EXPECT_TRUE(s.stage.view().words.measures.empty());
+    EXPECT_FALSE(picking.selection().any()) << "a measured atom selects nothing";
     picking.select("elem C");
     EXPECT_EQ(picking.selection().count, 6u);
     picking.select("elem");

@@ -49,7 +49,7 @@ TEST(Viewer, EveryChangeIsDrawnAndRefinedOnce) {
         const std::size_t before = b.screen.frames.size();
         const int refined = b.screen.count(Quality::refined);
         b.viewer.run(command, b.now);
-        b.run(2);
+        b.run(8);  // what it says is gone by then
         EXPECT_EQ(b.screen.count(Quality::refined), refined + 16);
         EXPECT_GE(b.screen.frames.size(), before + 2);
         const std::size_t after = b.screen.frames.size();

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/picture/appearance_values.h"
+#include "app/picture/options.h"
 #include "app/picture/words.h"
 #include "tests/viewer/viewer_bench.h"
 
@@ -109,11 +110,20 @@ TEST(Viewer, PicksNameAndMeasure) {
     EXPECT_EQ(tap(1).measurement, "");
     EXPECT_NE(tap(1).atom.find("atom 1"), std::string::npos);  // the same again is no second one
     EXPECT_EQ(b.viewer.picking().picks().size(), 1u);
-    EXPECT_EQ(tap(2).measurement.substr(0, 8), "distance");
-    EXPECT_EQ(tap(3).measurement.substr(0, 5), "angle");
-    EXPECT_EQ(tap(4).measurement.substr(0, 7), "torsion");
-    EXPECT_EQ(tap(5).atoms.size(), 1u);
-    EXPECT_EQ(tap(0).atoms.size(), 0u);
+    EXPECT_EQ(tap(2).measurement, "");
+    // Each kind takes its atoms; one more starts anew.
+    constexpr const char* kBegins[] = {"distance 1", "angle ", "torsion "};
+    for (std::uint32_t kind = 0; kind < 3; ++kind) {
+        b.viewer.run(ViewerCommand::measure, b.now);
+        b.viewer.picking().drop();
+        for (std::uint32_t atom = 1; atom <= kind + 1; ++atom)
+            EXPECT_NE(tap(atom).measurement.find(" more atom"), std::string::npos);
+        EXPECT_EQ(tap(kind + 2).measurement.find(kBegins[kind]), 0u) << tap(kind + 2).measurement;
+        EXPECT_EQ(tap(kind + 3).atoms.size(), 1u) << kind;
+        EXPECT_EQ(tap(0).atoms.size(), 0u);
+    }
+    b.viewer.run(ViewerCommand::clearPicks, b.now);  // Esc leaves it
+    EXPECT_EQ(b.viewer.picking().measuring(), Measuring::off);
     // Where the marks are is where the atoms are seen: atom 1 through the camera's own formula.
     tap(1);
     const View view = b.viewer.frames().settings().view;
@@ -327,6 +337,62 @@ TEST(Viewer, WordsOfWhatIsHiddenWaitUntilItIsDrawnAgain) {
     look.words.labels.push_back(parseLabel("id 999=none"));
     show(look);
     EXPECT_EQ(b.viewer.view().words.labels.size(), 2u);
+}
+
+TEST(Viewer, ViewShadingAndWordsBuildNoSceneAndNoBake) {
+    CountingScreen screen;
+    int built = 0;
+    Sources sources = sampleSources();
+    sources.build = [&](const Molecule& molecule, const PictureDescription& view) {
+        ++built;
+        return sceneOfView(molecule, view);
+    };
+    Viewer viewer(screen, sources, Bench::viewOf("sample:dna"), {});
+    viewer.frames().resize({640, 480}, 1, 100);
+    double now = 100;
+    const auto rest = [&] {
+        viewer.reading().loader().wait();
+        for (const double end = now + 3; now < end; now += 0.05) viewer.update(now);
+    };
+    rest();
+    ASSERT_EQ(viewer.frames().occlusion(), 1);
+    const auto counts = [&] { return std::tuple(built, screen.scenes, screen.paces.size()); };
+    const auto before = counts();
+    constexpr std::pair<const char*, const char*> kChanges[] = {{"projection", "perspective"},
+                                                                {"fog", "auto"},
+                                                                {"contours", "2"},
+                                                                {"contour-weights", "3"},
+                                                                {"background", "navy"},
+                                                                {"lighting", "off"},
+                                                                {"title", "DNA"},
+                                                                {"legend", "on"},
+                                                                {"clip", "0"},
+                                                                {"scale-bar", "nm"},
+                                                                {"ambient", "0.5"},
+                                                                {"label", "chain A and resi 1={residue}"}};
+    for (const auto& [key, value] : kChanges) {
+        PictureDescription look = viewer.view();
+        setOption(option(key), value, look);
+        viewer.setLook(look, now);
+        rest();
+        EXPECT_EQ(option(key).print(viewer.view()), option(key).print(look)) << key;
+        EXPECT_EQ(counts(), before) << key;
+    }
+    for (const auto& [key, value] : kChanges) {
+        viewer.undo(now);
+        rest();
+        EXPECT_EQ(counts(), before) << "undo of a change, " << key << " and before";
+    }
+    EXPECT_FALSE(viewer.canUndo());
+    viewer.run(ViewerCommand::occlusion, now);
+    viewer.run(ViewerCommand::occlusion, now);
+    rest();
+    EXPECT_EQ(built, std::get<0>(before));
+    EXPECT_GT(screen.paces.size(), std::get<2>(before)) << "other directions are baked";
+    viewer.run(ViewerCommand::hydrogens, now);
+    rest();
+    EXPECT_EQ(built, std::get<0>(before) + 1);
+    EXPECT_EQ(screen.scenes, std::get<1>(before) + 1);
 }
 
 }  // namespace

@@ -36,10 +36,10 @@ public:
         const double end = seconds() + time;
         while (seconds() < end) session_.step(0.02);
     }
-    /// The first control of a name that is seen.
+    /// The first control that is seen of a name, or of one with what a file calls it behind: "Chain A, Hemoglobin".
     const Control* find(const std::string& name) {
         for (const Control& c : panel().controls())
-            if (c.name == name && c.seen() && c.role != "text") return &c;
+            if ((c.name == name || c.name.starts_with(name + ", ")) && c.seen() && c.role != "text") return &c;
         return nullptr;
     }
     /// Whether a text that begins so is there.
@@ -80,19 +80,18 @@ public:
         }
     }
     void press(SpecialKey key) {
-        events_.special(key, true, {});
-        events_.key({keyOf(key), {}});
+        events_.special(key, true, false, {});
         session_.step(0.02);
-        events_.special(key, false, {});
+        events_.special(key, false, false, {});
         session_.step(0.02);
     }
     void drop(const std::string& path) {
         events_.dropped({path});
         settle();
     }
-    void press(char32_t letter, Modifiers with) { events_.key({letter, with}); }
     bool rests = true;  ///< the picture is taken once nothing moves
-    void run(ViewerCommand command) { events_.key({0, {}}), viewer().run(command, seconds()); }
+    void run(ViewerCommand command) { viewer().run(command, seconds()); }
+    void quit() { events_.closing(); }
 
 private:
     WindowSession session_;

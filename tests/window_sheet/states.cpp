@@ -57,6 +57,13 @@ std::vector<State> states(const std::string& protein, const std::string& models)
     };
     const auto help = [](Driver& d) { d.panel().toggleHelp(); };
     const auto save = [](Driver& d) { d.panel().showSave(); };
+    const auto browse = [](Driver& d) {
+        d.panel().showStart();
+        d.pause(0.2);
+        d.click("Open a file ...");
+        d.pause(0.2);
+        d.click("Current folder");
+    };
     const auto record = [](Driver& d) {
         d.panel().showRecord();
         d.pause(0.2);
@@ -204,6 +211,28 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"help", kUsual, "sample:dna", help},
         {"help, dark", kUsual, "sample:dna", [=](Driver& d) { dark(d), help(d); }},
         {"help, narrow, light", kNarrow, "sample:dna", [=](Driver& d) { light(d), help(d); }},
+        {"help, search", kUsual, "sample:dna",
+         [=](Driver& d) {
+             help(d);
+             d.pause(0.2);
+             d.click("Search the help");
+             d.type("hydr");
+         }},
+        {"quit", kUsual, "sample:dna",
+         [=](Driver& d) {
+             measured(d), keep(d);
+             d.quit();
+         }},
+        {"browse", kUsual, p, browse},
+        {"browse, narrow, light", kNarrow, p, [=](Driver& d) { light(d), browse(d); }},
+        {"measuring", kUsual, p,
+         [](Driver& d) {
+             const double scale = d.viewer().frames().size().height / 720.0;
+             d.panel().showPage(Panel::Page::labels);
+             d.run(ViewerCommand::measure), d.run(ViewerCommand::measure);
+             d.clickAt(scale * glm::dvec2(600, 300));
+             d.clickAt(scale * glm::dvec2(690, 400));
+         }},
         {"error", kUsual, "sample:dna", failure},
         {"error, dark", kUsual, "sample:dna", [=](Driver& d) { dark(d), failure(d); }},
         {"legends", kUsual, p,
@@ -258,10 +287,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"playing, options", kUsual, several, [](Driver& d) { d.click("How it is played"); }},
         {"playing, options, narrow, light", kNarrow, several,
          [=](Driver& d) { light(d), d.click("How it is played"); }},
-        {"view is saved", kUsual, "sample:dna",
-         [](Driver& d) {
-             d.press('s', {true, false});
-         }},
+        {"view is saved", kUsual, "sample:dna", [](Driver& d) { d.type("S"); }},
         {"start, 420 pixels", {210, 380}, "", [](Driver&) {}},
         {"look, 420 pixels", {210, 380}, p, page(Panel::Page::look)},
         {"parts, 420 pixels", {210, 380}, p, page(Panel::Page::parts)},

@@ -156,6 +156,12 @@ Guess guessByName(const std::string& name) {
     return {};
 }
 
+}  // namespace
+
+std::optional<Format> formatOfFileName(const std::string& name) { return guessByName(name).format; }
+
+namespace {
+
 [[noreturn]] void refuse(const std::string& name, std::string_view other) {
     const bool isFormat = other.find(' ') == std::string_view::npos;
     if (!isFormat) cannotRead(name, "it is " + std::string(other));

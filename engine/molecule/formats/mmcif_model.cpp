@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "engine/molecule/floating_point.h"
+#include "engine/molecule/formats/plain_names.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -94,7 +95,12 @@ bool MmcifModel::isKept(std::string_view category) {
                                                  "cell",
                                                  "symmetry_equiv",
                                                  "space_group_symop",
-                                                 "chemical"};
+                                                 "chemical",
+                                                 "exptl",
+                                                 "entity_src_gen",
+                                                 "entity_src_nat",
+                                                 "pdbx_entity_src_syn",
+                                                 "ma_target_ref_db_details"};
     return std::find(std::begin(kKept), std::end(kKept), category) != std::end(kKept);
 }
 
@@ -238,6 +244,36 @@ std::vector<Molecule> MmcifModel::finish(const std::string& format) {
     return models;
 }
 
+/// What the file calls its chains and components, and where they come from.
+void MmcifModel::nameParts(Molecule& molecule) {
+    FileSummary& file = molecule.file;
+    const auto addTo = [&](std::string& list, const char* category, const char* column) {
+        const MmcifTable& table = tables_[category];
+        for (std::size_t row = 0; row < table.rows(); ++row)
+            addToList(list, plainCase(table.get(row, {column}).value_or(""), true));
+    };
+    addTo(file.method, "exptl", "method");
+    addTo(file.organism, "entity_src_gen", "pdbx_gene_src_scientific_name");
+    addTo(file.organism, "entity_src_nat", "pdbx_organism_scientific");
+    addTo(file.organism, "pdbx_entity_src_syn", "organism_scientific");
+    addTo(file.organism, "ma_target_ref_db_details", "organism_scientific");
+    const MmcifTable &components = tables_["chem_comp"], &entities = tables_["entity"];
+    for (std::size_t row = 0; row < components.rows(); ++row)
+        if (lowerCase(components.get(row, {"mon_nstd_flag"}).value_or("")) != "y")
+            noteName(file.componentNames, components.get(row, {"id"}).value_or(""),
+                     plainComponentName(components.get(row, {"name"}).value_or(""),
+                                        components.get(row, {"pdbx_synonyms"}).value_or("")));
+    std::map<std::string_view, std::string_view> described;
+    for (std::size_t row = 0; row < entities.rows(); ++row)
+        described[entities.get(row, {"id"}).value_or("")] = entities.get(row, {"pdbx_description"}).value_or("");
+    for (const Residue& residue : molecule.residues) {
+        if (residue.entityKind != EntityKind::protein && residue.entityKind != EntityKind::nucleic) continue;
+        const std::string& chain = molecule.chains[residue.chain].name;
+        if (file.chainNames.contains(chain)) continue;
+        noteName(file.chainNames, chain, plainCase(described[molecule.entities[residue.entity - 1]], true));
+    }
+}
+
 void MmcifModel::summarise(FileSummary& file, const char* titleOf) {
     setTitle(file, tables_[titleOf]);
     for (const auto& [category, column] :
@@ -247,6 +283,7 @@ void MmcifModel::summarise(FileSummary& file, const char* titleOf) {
         const auto value = parseNumber(table.get(0, {column}).value_or(""));
         if (value && *value > 0 && *value < 1e6) file.resolution = *value;
     }
+    nameParts(builders_.front().molecule());
     const MmcifTable& metrics = tables_["ma_qa_metric"];
     for (std::size_t row = 0; row < metrics.rows(); ++row)
         file.confidence = file.confidence || lowerCase(metrics.get(row, {"type"}).value_or("")) == "plddt" ||

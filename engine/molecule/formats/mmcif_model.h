@@ -154,6 +154,7 @@ private:
     std::vector<EntityKind> entityKinds();
     void finishModels(FileSummary& file);
     void summarise(FileSummary& file, const char* titleOf);
+    void nameParts(Molecule& molecule);
 
     std::deque<MoleculeBuilder> builders_;  ///< of the models that are wanted
     std::string_view document_;

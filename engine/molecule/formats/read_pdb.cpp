@@ -12,6 +12,7 @@
 #include "engine/molecule/formats/pdb_assemblies.h"
 #include "engine/molecule/formats/pdb_conect.h"
 #include "engine/molecule/formats/pdb_fields.h"
+#include "engine/molecule/formats/pdb_header.h"
 #include "engine/molecule/read.h"
 #include "engine/molecule/secondary_structure.h"
 #include "engine/molecule/text.h"
@@ -84,6 +85,8 @@ private:
                 molecule_.file.resolution = *stated;
         } else if (startsWith(line, "REMARK 350")) {
             remark350_.add(line);
+        } else {
+            header_.add(line);
         }
     }
 
@@ -234,6 +237,7 @@ private:
         conect_.resolve(serials_, molecule_);
         applySecondaryStructure(molecule_, secondary_);
         remark350_.resolve(molecule_);
+        header_.resolve(file);
         return std::move(molecule_);
     }
 
@@ -246,6 +250,7 @@ private:
     pdb::ConectTable conect_;
     Molecule molecule_;
     pdb::Remark350 remark350_;
+    pdb::Header header_;
     std::vector<std::int64_t> serials_;
     std::vector<SecondaryRange> secondary_;
     std::array<int, 256> chainIndex_{};

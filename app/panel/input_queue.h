@@ -1,0 +1,41 @@
+#pragma once
+// Events of mouse and keys in their order. What a click or a key does to the panel is known a frame or two later: what
+// comes behind it waits until then, and is never lost, however short a press was or how slow the frames are.
+
+#include <deque>
+#include <functional>
+#include <utility>
+
+#include "app/panel/panel_input.h"
+
+namespace nacre::app {
+
+class InputQueue {
+public:
+    enum class Kind { pointer, key };
+
+    /// Handles an event at once, or after those that wait.
+    void add(const PanelInput& panel, Kind kind, std::function<void()> handle) {
+        events_.push_back({kind, std::move(handle)});
+        go(panel);
+    }
+    /// Handles those that may go on; to be called after each frame.
+    void frameDrawn(const PanelInput& panel) { go(panel); }
+    bool empty() const { return events_.empty(); }
+
+private:
+    struct Event {
+        Kind kind;
+        std::function<void()> handle;
+    };
+    void go(const PanelInput& panel) {
+        while (!events_.empty() && panel.answered(events_.front().kind == Kind::key)) {
+            const Event event = std::move(events_.front());
+            events_.pop_front();
+            event.handle();
+        }
+    }
+    std::deque<Event> events_;
+};
+
+}  // namespace nacre::app

@@ -1,0 +1,25 @@
+#pragma once
+// What the header of a PDB file says of the whole: COMPND, SOURCE, EXPDTA, HETNAM and HETSYN (wwPDB format 3.3).
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre::pdb {
+
+class Header {
+public:
+    void add(std::string_view line);
+    /// Names of chains and components, organism and method; a title where the file has none but one free text
+    /// in COMPND, as those before 1996 do.
+    void resolve(FileSummary& file) const;
+
+private:
+    static constexpr std::size_t kMostText = 1 << 20;  ///< bytes of each
+    std::string entry_, compound_, source_, method_;
+    std::map<std::string, std::string> names_, synonyms_;  ///< by the component's name
+};
+
+}  // namespace nacre::pdb
