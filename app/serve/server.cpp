@@ -90,7 +90,10 @@ std::string optionSchema() {
         nlohmann::ordered_json property{{"type", row.kind == Option::Kind::flag ? "boolean" : "string"},
                                         {"description", row.help}};
         if (!row.syntax.empty()) property["x-syntax"] = row.syntax;
-        if (!row.choices.empty()) property["examples"] = row.choices;
+        std::vector<std::string> examples = row.choices;
+        for (const Option::Control::Choice& choice : row.control.choices)
+            if (row.choices.empty()) examples.push_back(choice.value);
+        if (!examples.empty()) property["examples"] = examples;
         properties[std::string(row.key)] = std::move(property);
     }
     return jsonText({{"$schema", "https://json-schema.org/draft/2020-12/schema"},
