@@ -153,7 +153,7 @@ class Pages(unittest.TestCase):
                 # The sample has no ligand, no second chain of that name and no trajectory.
                 if line["status"] != "done":
                     self.assertRegex(line["error"], "no such atoms|only atoms that are left out|none of its atoms|no assemblies|"
-                                     "No such file|one INPUT on another|no atom is left", jobs[line["job"] - 1][0])
+                                     "No such file|one INPUT on another|no atom is left|matches no atom", jobs[line["job"] - 1][0])
 
     def test_programs_of_tests_that_are_named_exist(self):
         lists = (SOURCE / "tests/CMakeLists.txt").read_text() + (SOURCE / "tests/suites.cmake").read_text()
