@@ -101,7 +101,6 @@ TEST(Panel, EveryCardIsReadableEverywhere) {
         expectReadable(b, where + ", start");
         b.click("Open a file ...");
         EXPECT_TRUE(b.find("Current folder"));
-        expectReadable(b, where + ", files");
         b.panel.closeTop();
         b.panel.closeTop();
         PictureDescription look = b.viewer.view();
