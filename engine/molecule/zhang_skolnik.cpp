@@ -11,7 +11,7 @@ namespace nacre {
 namespace {
 
 constexpr std::uint32_t kNoCarbon = 0xffffffffu;
-constexpr Element kCarbon = 6;
+constexpr Element kElementOfTrace = 6;
 constexpr std::size_t kWindow = 5;
 
 /// Distances of alpha carbons that stand 2, 3 and 4 residues apart, and by how much each may be off, Å.
@@ -38,7 +38,7 @@ std::vector<AlphaCarbon> loneAlphaCarbons(const ResidueFacts& facts) {
         const Atom& atom = molecule.atoms[index];
         const std::string_view name = atom.name.view();
         AlphaCarbon& carbon = carbons[facts.positions()[atom.residue]];
-        if (name == "CA" && atom.element == kCarbon && carbon.atom == kNoCarbon) carbon.atom = index;
+        if (name == "CA" && atom.element == kElementOfTrace && carbon.atom == kNoCarbon) carbon.atom = index;
         carbon.nitrogen |= name == "N";
         carbon.oxygen |= name == "O";
     }
