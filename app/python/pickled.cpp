@@ -93,6 +93,16 @@ void maybe(Archive& archive, Maybe& value) {
     if (there) archive.plain(*value);
 }
 
+template <typename Archive, typename Names>
+void names(Archive& archive, Names& all) {
+    std::vector<std::pair<std::string, std::string>> pairs(all.begin(), all.end());
+    archive.list(pairs, [&](auto& pair) {
+        archive.text(pair.first);
+        archive.text(pair.second);
+    });
+    if constexpr (!std::is_const_v<Names>) all = {pairs.begin(), pairs.end()};
+}
+
 template <typename Archive, typename Parts>
 void parts(Archive& archive, Parts& all) {
     archive.list(all, [&](auto& part) {
@@ -105,7 +115,7 @@ void parts(Archive& archive, Parts& all) {
 template <typename Archive, typename M>
 void all(Archive& archive, M& molecule) {
     auto& [atoms, residues, chains, subchains, bonds, assemblies, entities, statesSecondaryStructure, partialCharges,
-           radii, warnings, modelsAreInputs, others, othersMissing, file] = molecule;
+           radii, warnings, modelsAreInputs, inputs, others, othersMissing, file] = molecule;
     const auto texts = [&](auto& list) { archive.list(list, [&](auto& text) { archive.text(text); }); };
     archive.plains(atoms);
     archive.plains(residues);
@@ -128,12 +138,17 @@ void all(Archive& archive, M& molecule) {
     archive.plains(radii);
     texts(warnings);
     archive.plain(modelsAreInputs);
+    texts(inputs);
     archive.text(othersMissing);
     auto& [format, title, models, records, totalAtomsAllModels, totalAtomsAllRecords, totalBondsAllRecords, stated,
            bondsAllModels, conectUniquePairs, itsChains, chainsAuth, chainsLabel, biomtOperators, itsAssemblies,
-           operators, resolution, confidence, box] = file;
+           operators, resolution, organism, method, chainNames, componentNames, confidence, box] = file;
     archive.text(format);
     archive.text(title);
+    archive.text(organism);
+    archive.text(method);
+    names(archive, chainNames);
+    names(archive, componentNames);
     for (auto* number : {&models, &records, &totalAtomsAllModels, &totalAtomsAllRecords, &totalBondsAllRecords, &stated,
                          &bondsAllModels, &conectUniquePairs, &itsChains, &chainsAuth, &chainsLabel, &biomtOperators,
                          &itsAssemblies, &operators})
