@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
 #include "app/drawing/complete.h"
 #include "app/drawing/scenes.h"
@@ -23,7 +24,8 @@ bool sameLook(const PictureDescription& a, PictureDescription b) {
     b.effects.clip.near = a.effects.clip.near;
     b.effects.clip.far = a.effects.clip.far;
     const Facets parts = difference(a, b);
-    return !has(parts, Facet::scene) && !has(parts, Facet::shading) && !has(parts, Facet::annotation);
+    return !has(parts, Facet::scene) && !has(parts, Facet::map) && !has(parts, Facet::shading) &&
+           !has(parts, Facet::annotation);
 }
 
 std::string pathsOf(const InputOptions& input) {
@@ -106,6 +108,7 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
             models_ = motion_->frames();
         }
     }
+    loadMaps(options.picture, downloadProgress(progress_));
     frames_ = framesOf(options, models_);
     if (frames_ > kMostMovieFrames)
         throw Error("movie too long", input.path, "more than " + std::to_string(kMostMovieFrames) + " frames");

@@ -97,6 +97,7 @@ void drawLookPage(PanelFrame& f) {
     bool perspective = look.camera.projection == Projection::perspective;
     if (f.ui.toggle("Perspective", perspective))
         look.camera.projection = perspective ? Projection::perspective : Projection::orthographic;
+    drawMaps(f);
     drawEffects(f);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/picture/input_names.h"
+#include "app/picture/options.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -99,7 +100,8 @@ void Viewer::setLook(const PictureDescription& look, double now, bool continues)
     stage_.changed(now);
     // What cannot be said of this molecule is not kept.
     if (wanted.words != before.words && !words_.place(now)) wanted.words = before.words;
-    const bool scene = wanted.look != before.look || look.drawn != before.drawn;
+    const bool scene = wanted.look != before.look || look.drawn != before.drawn ||
+                       has(difference(wanted, before), Facet::map);
     // What is being read is seen in this look once it is there.
     if (scene && stage_.shown() && !reading_.another()) reading_.build();
     if (look.occlusion.directions != before.occlusion.directions) frames_.restartOcclusion();
@@ -144,7 +146,7 @@ void Viewer::restore(const PictureDescription& to, double now, double seconds) {
     camera_.forgetClip();
     stage_.messages.dismissFailure();
     if (another || to.look != before.look || to.drawn != before.drawn || to.aim.uncover != before.aim.uncover ||
-        reading_.loader().busy())
+        has(difference(to, before), Facet::map) || reading_.loader().busy())
         reading_.restore(to, another);
     if (!another) words_.place(now);
     if (frame) playback_.restore(to);
@@ -156,7 +158,7 @@ void Viewer::takeDocument(double now) {
     std::optional<Document> document = reading_.take(now);
     if (!document) return;
     try {
-        frames_.setScene(document->scene);
+        frames_.setScene(document->scene, document->maps);
     } catch (const Error& error) {
         return stage_.messages.fail(error.what(), now);  // the document before stays
     }

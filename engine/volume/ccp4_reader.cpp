@@ -9,7 +9,7 @@ namespace nacre {
 namespace {
 
 // Words of the header, counted from 1 as its description does.
-constexpr int kMode = 4, kStart = 5, kIntervals = 8, kLengths = 11, kAngles = 14, kAxes = 17, kMax = 21, kGroup = 23,
+constexpr int kMode = 4, kStartWord = 5, kIntervals = 8, kLengths = 11, kAngles = 14, kAxes = 17, kMax = 21, kGroup = 23,
               kExtended = 24, kImodStamp = 39, kImodFlags = 40, kOrigin = 50, kStamp = 54;
 constexpr std::size_t kMapWord = 208;
 constexpr std::int32_t kImod = 1146047817;  // a program whose bytes are unsigned unless a flag says otherwise
@@ -96,7 +96,7 @@ void Ccp4Reader::readGeometry() {
     for (int i = 0; i < 3; ++i) {
         files_[i] = integer(1 + i);
         box_.size[axisOf(i)] = files_[i];
-        box_.start[axisOf(i)] = integer(kStart + i);
+        box_.start[axisOf(i)] = integer(kStartWord + i);
     }
     checkedNodes(name_, box_.size, limits_);
     for (int i = 0; i < 3; ++i) {
