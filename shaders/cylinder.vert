@@ -36,8 +36,9 @@ float reach(Outline o, vec2 direction) {
 void main() {
     precise vec3 a = toView(inA.xyz);
     precise vec3 b = toView(inB.xyz);
-    float radius = inA.w;
+    float radius = stickRadius(inA.w, a.z, b.z);
     endA = vec4(a, radius);
+    radius = abs(radius);
     endB = vec4(b, inB.w);
 #ifdef LOOK
 #ifdef ATOM

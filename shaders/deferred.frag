@@ -45,6 +45,7 @@ struct Shown {
     float occlusion;  // of triangles; the others' is a texel of a patch:
     uint patchAddress;
     vec2 at, texels;  // where in the patch, 0..1, and its size
+    bool wire;        // it has none
 };
 
 /// Sets the copy that a number stands for. @returns the primitive in it
@@ -76,7 +77,8 @@ void showCylinder(uint index, inout Shown shown) {
     vec4 shapeB = shapeAt(view.spheres + 2u * index + 1u);
     precise vec3 a = toView(shapeA.xyz);
     precise vec4 b = endToView(shapeB);
-    shown.hit = cylinderHit(a, b, shapeA.w, gl_FragCoord.xy);
+    shown.hit = cylinderHit(a, b, stickRadius(shapeA.w, a.z, b.z), gl_FragCoord.xy);
+    shown.wire = shapeA.w < 0.0;
     shown.look = 2u * view.spheres + 4u * index + (shown.hit.along < 0.5 ? 0u : 1u);
     shown.at = cylinderCoordinate(shown.hit, (shapeB.xyz - shapeA.xyz) * shapeB.w);
     shown.texels = vec2(cylinderTexels());
@@ -105,7 +107,7 @@ void main() {
 #endif
     countFragment();
     uint index = placed(number);
-    Shown shown = Shown(noHit(), 0u, 1.0, 0u, vec2(0.0), vec2(2.0));
+    Shown shown = Shown(noHit(), 0u, 1.0, 0u, vec2(0.0), vec2(2.0), false);
     uint firstTriangle = view.spheres + view.cylinders;
     bool cylinder = kCylinders && index >= view.spheres && index < firstTriangle;
     bool triangle = kTriangles && index >= firstTriangle;
@@ -124,7 +126,7 @@ void main() {
         showCylinder(index - view.spheres, shown);
     else
         showSphere(index, shown);
-    if (!triangle && shadesOcclusion(shown.hit))
+    if (!triangle && !shown.wire && shadesOcclusion(shown.hit))
         shown.occlusion = patchTexel(patchPlace(shown.patchAddress), shown.at, shown.texels);
 #endif
     // The atoms stand behind the colours, of which a cylinder has two.

@@ -82,7 +82,7 @@ void main() {
 #endif
 #elif defined(CYLINDER)
     bool first = hit.along < 0.5;
-    float occlusion = cylinderOcclusion(hit, axis, place);
+    float occlusion = endA.w < 0.0 ? 1.0 : cylinderOcclusion(hit, axis, place);  // wires have no patch
 #ifdef IDENTITY
     writeSurface(hit, first ? atoms.x : atoms.y, occlusion);
 #else

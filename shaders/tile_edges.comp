@@ -246,7 +246,7 @@ void sampleNeighbours(ivec2 pixel) {
         bool live = candidate != kNothing;
         uint at = 2u * place(live ? candidate + 1u : view.spheres + 1u) - view.spheres;
         vec4 shape = shapeAt(at);
-        keepStick(stickOf(toView(shape.xyz), endToView(shapeAt(at + 1u)), shape.w), candidate + 1u, live);
+        keepStick(stickAt(shape, shapeAt(at + 1u)), candidate + 1u, live);
         more = anyOf(sticks);
     } while (more);
 #endif

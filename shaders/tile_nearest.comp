@@ -90,8 +90,7 @@ uint sightAt(uint number, vec2 q) {
 #ifdef CYLINDERS
     if (index >= view.spheres) {
         uint at = 2u * index - view.spheres;
-        vec4 a = shapeAt(at);
-        sight = sightOf(cylinderHitThrough(toView(a.xyz), endToView(shapeAt(at + 1u)), a.w, q), number);
+        sight = sightOf(stickHitThrough(stickAt(shapeAt(at), shapeAt(at + 1u)), q), number);
     } else
 #endif
     if (!kPlain) {

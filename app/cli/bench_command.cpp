@@ -5,7 +5,9 @@
 #include "app/cli/bench_frames.h"
 #include "app/cli/commands.h"
 #include "app/cli/stats.h"
+#include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
+#include "app/drawing/map_layers.h"
 #include "app/drawing/scenes.h"
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
@@ -28,8 +30,12 @@ Json benchOf(const BenchOptions& options, const InputOptions& input) {
     const auto start = Clock::now();
     const Molecule molecule = loadMolecule(input, downloadProgress(progress));
     const double load = millisecondsSince(start);
+    PictureDescription picture = options.picture;
+    picture.input = input;
+    loadMaps(picture);
     progress.begin("building the scene");
-    const Representation scene = sceneOf(molecule, input.path, options.picture.drawn, options.picture.look);
+    Representation scene = sceneOf(molecule, input.path, picture.drawn, picture.look);
+    scene = withMaps(std::move(scene), mapLayersOf(molecule, picture, scene.center));
     Json report{{"input", input.path},
                 {"atoms", {{"read", molecule.atoms.size()}, {"drawn", scene.drawnAtoms}}},
                 {"size", {options.picture.size.width, options.picture.size.height}},

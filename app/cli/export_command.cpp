@@ -1,11 +1,14 @@
 // `nacre export`: what is drawn, as triangles in a file that other programs read.
 
 #include <filesystem>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
+#include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
+#include "app/drawing/map_layers.h"
 #include "app/drawing/scenes.h"
 #include "app/export/scene_files.h"
 #include "app/files/json_text.h"
@@ -48,6 +51,15 @@ BakedOcclusion bakedOcclusion(const ExportCommandOptions& options, Representatio
     return renderer.bakedOcclusion(settings);
 }
 
+/// Files hold triangles: whatever the style of a map, its surface is written.
+void addMapSurfaces(const Molecule& molecule, PictureDescription picture, Representation& scene) {
+    if (picture.maps.files.empty()) return;
+    picture.maps.styles.assign(picture.maps.files.size(), MapStyle::surface);
+    MapLayers maps = mapLayersOf(molecule, picture, scene.center);
+    scene = withMaps(std::move(scene), maps);
+    std::move(maps.warnings.begin(), maps.warnings.end(), std::back_inserter(scene.warnings));
+}
+
 }  // namespace
 
 void exportCommand(const ExportCommandOptions& options) {
@@ -58,8 +70,11 @@ void exportCommand(const ExportCommandOptions& options) {
     progress.begin("reading");
     const Molecule molecule =
         loadMolecule(options.picture.input, downloadProgress(progress), [&](double share) { progress.advance(share); });
+    loadMaps(options.picture, downloadProgress(progress));
     progress.begin("building the scene");
-    Representation scene = sceneOf(molecule, options.picture.input.path, options.picture.drawn, options.picture.look);
+    Representation scene = sceneOf(molecule, options.picture.input.path, options.picture.drawn, options.picture.look,
+                                   {}, !options.picture.maps.files.empty());
+    addMapSurfaces(molecule, options.picture, scene);
     for (const std::string& warning : scene.warnings) sayWarning(warning);
     const BakedOcclusion baked = bakedOcclusion(options, scene, progress);
     ExportOptions how = options.scene;

@@ -11,12 +11,15 @@
 #include "app/cli/commands.h"
 #include "app/cli/info_frequencies.h"
 #include "app/cli/info_interactions.h"
+#include "app/cli/info_map.h"
 #include "app/cli/progress.h"
 #include "app/download/load_molecule.h"
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
+#include "app/input/read_input.h"
 #include "app/picture/input_names.h"
 #include "engine/error.h"
+#include "engine/volume/read_map.h"
 
 namespace nacre::app {
 
@@ -173,6 +176,7 @@ namespace {
 struct InfoOfInput {
     Json json;
     std::string text;
+    bool isMap = false;
 };
 
 void addInteractionsOf(const Molecule& molecule, const InputOptions& input, const InfoOptions& options,
@@ -197,12 +201,25 @@ void addInteractionsOf(const Molecule& molecule, const InputOptions& input, cons
     if (!options.csv && !options.json) info.text += interactionText(molecule, interactions);
 }
 
+void putBytes(const std::string& path, Json& json) {
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(path, error);
+    if (!error) json["bytes"] = bytes;
+}
+
+InfoOfInput infoOfMap(const std::string& path) {
+    InfoOfInput info{mapInfoJson(readMapFile(path, mapLimits())), {}, true};
+    putBytes(path, info.json);
+    return info;
+}
+
 InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
+    if (!input.format && isMapFile(input.path)) return infoOfMap(input.path);
     Progress progress;
     progress.begin("reading");
     const Molecule molecule = loadMolecule(input, downloadProgress(progress));
     progress.begin("summarising");
-    InfoOfInput info{infoJson(molecule), {}};
+    InfoOfInput info{infoJson(molecule), {}, false};
     if (options.residues) {
         info.json["residues"] = residueList(molecule);
         info.text = residueText(info.json["residues"]);
@@ -211,9 +228,7 @@ InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
         progress.begin("finding interactions");
         addInteractionsOf(molecule, input, options, info);
     }
-    std::error_code error;
-    const auto bytes = std::filesystem::file_size(input.path, error);
-    if (!error) info.json["bytes"] = bytes;
+    putBytes(input.path, info.json);
     return info;
 }
 
@@ -249,7 +264,8 @@ void infoCommand(const InfoOptions& options, std::ostream& out) {
             Json json = several ? Json{{"file", path}} : Json::object();
             InfoOfInput info = infoOf(input, options);
             json.update(std::move(info.json));
-            if (!options.json && !options.csv) out << (list.empty() ? "" : "\n") << infoText(path, json);
+            if (!options.json && !options.csv)
+                out << (list.empty() ? "" : "\n") << (info.isMap ? mapInfoText(path, json) : infoText(path, json));
             if (!options.json) out << info.text;
             list.push_back(std::move(json));
         } catch (const Error& error) {

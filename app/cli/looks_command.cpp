@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
+#include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
 #include "app/drawing/drawing.h"
 #include "app/files/json_text.h"
@@ -51,6 +52,7 @@ void drawSheet(const LooksOptions& options) {
     progress.begin("reading");
     const Molecule molecule =
         loadMolecule(options.picture.input, downloadProgress(progress), [&](double share) { progress.advance(share); });
+    loadMaps(options.picture, downloadProgress(progress));
     progress.begin("drawing");
     Canvas canvas(options.picture.device);
     Drawing drawing;

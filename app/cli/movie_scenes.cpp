@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
 #include "app/drawing/complete.h"
 #include "app/drawing/scenes.h"
@@ -22,7 +23,7 @@ namespace {
 bool sameLook(const PictureDescription& a, PictureDescription b) {
     b.effects.clip.near = a.effects.clip.near;
     b.effects.clip.far = a.effects.clip.far;
-    constexpr Facets kSeen = Facet::scene | Facet::shading | Facet::occlusion | Facet::annotation;
+    constexpr Facets kSeen = Facet::scene | Facet::map | Facet::shading | Facet::occlusion | Facet::annotation;
     return (difference(a, b) & kSeen) == 0;
 }
 
@@ -106,6 +107,7 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
             models_ = motion_->frames();
         }
     }
+    loadMaps(options.picture, downloadProgress(progress_));
     frames_ = framesOf(options, models_);
     if (frames_ > kMostMovieFrames)
         throw Error("movie too long", input.path, "more than " + std::to_string(kMostMovieFrames) + " frames");

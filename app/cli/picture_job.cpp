@@ -7,6 +7,7 @@
 
 #include "app/annotation/painter.h"
 #include "app/cli/banded_picture.h"
+#include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
 #include "app/files/capture_file.h"
 #include "app/files/messages.h"
@@ -60,6 +61,7 @@ void PictureJob::prepare() {
     progress_.begin("reading");
     const Molecule molecule =
         loadMolecule(options_.input, downloadProgress(progress_), [&](double share) { progress_.advance(share); });
+    loadMaps(options_, downloadProgress(progress_));
     const double loadMs = millisecondsSince(start_);
     progress_.begin("building the scene");
     drawing_.prepare(molecule, options_);

@@ -5,7 +5,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
+#include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
+#include "app/drawing/map_layers.h"
 #include "app/drawing/scenes.h"
 #include "engine/device_plan.h"
 #include "engine/error.h"
@@ -53,7 +55,9 @@ void chooseByDevice(const PlanOptions& options, PlanReport& report) {
 /// What the frame submits of the scene that was given.
 SceneCounts countsOfInput(const PlanOptions& options) {
     const Molecule molecule = loadMolecule(options.picture.input);
+    loadMaps(options.picture);
     Representation scene = sceneOf(molecule, options.picture.input.path, options.picture.drawn, options.picture.look);
+    scene = withMaps(std::move(scene), mapLayersOf(molecule, options.picture, scene.center));
     const View view =
         viewOf(options.picture.camera, scene.radius, options.picture.size.width, options.picture.size.height);
     const double pixels = options.picture.meshError * (options.edges ? 0.25 : 1.0);

@@ -21,6 +21,7 @@ constexpr ReferenceGroup kReferenceGroups[] = {
     {"Selections", static_cast<Topics>(Topic::rules)},
     {"Interactions", static_cast<Topics>(Topic::interactions)},
     {"Cartoons and surfaces", static_cast<Topics>(Topic::mesh)},
+    {"Density maps", static_cast<Topics>(Topic::map)},
     {"Camera", Topic::camera | Topic::aim},
     {"Looks and saved views", Topic::look | Topic::view | Topic::thumbnail},
     {"Light and effects", Topic::lighting | Topic::effects},

@@ -126,6 +126,7 @@ void WindowSession::saveView() {
         for (FurtherInput& further : view.input.further) further.hash = fileHash(further.path);
         view.input.path = pathInView(path, view.input.path);
         view.input.trajectory.path = pathInView(path, view.input.trajectory.path);
+        for (std::string& map : view.maps.files) map = pathInView(path, map);
         for (FurtherInput& further : view.input.further) further.path = pathInView(path, further.path);
         writeText(file, savedViewJson(view));
         viewer().noteSaved();

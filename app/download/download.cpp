@@ -175,16 +175,54 @@ HttpLimits httpLimits(const Environment& environment) {
     return limits;
 }
 
-Molecule downloadMolecule(const DatabaseId& id, const ReadOptions& options, const DownloadSettings& settings) {
-    const DiskCache cache(settings.cacheFolder, kDownloadCacheBytes, {"pdb-", "pubchem-", "afdb-"});
-    const std::vector<Source> sources = sourcesOf(id, settings.environment);
-    for (const Source& source : sources)
-        if (auto molecule = readKept(cache, source, options, settings)) return std::move(*molecule);
+namespace {
+
+DiskCache downloadCache(const DownloadSettings& settings) {
+    return {settings.cacheFolder, kDownloadCacheBytes, {"pdb-", "pubchem-", "afdb-", "emdb-"}};
+}
+
+void requireOnline(const std::string& input, const DiskCache& cache, const DownloadSettings& settings) {
     if (settings.offline)
-        throw Error("cannot download", id.input,
+        throw Error("cannot download", input,
                     !cache.on()        ? "--offline, and there is no cache"
                     : settings.verbose ? "--offline, and it is not in the cache, " + cache.folder()
                                        : "--offline, and it is not in the cache");
+}
+
+}  // namespace
+
+void downloadFile(const std::string& input, const std::string& cacheName, const std::string& url,
+                  const DownloadSettings& settings, const std::function<void(const std::string&, std::string)>& read) {
+    const DiskCache cache = downloadCache(settings);
+    if (std::optional<std::string> kept = cache.read(cacheName)) try {
+            return read(cache.pathOf(cacheName), std::move(*kept));
+        } catch (const Error&) {
+            cache.remove(cacheName);
+        }
+    requireOnline(input, cache, settings);
+    MemoryBody memory;
+    std::optional<PartialFile> file;
+    if (cache.on() && cache.makeFolder()) file.emplace(cache, cacheName, url);
+    try {
+        get(url, settings.limits, file ? static_cast<HttpBody&>(*file) : memory, settings);
+    } catch (const FailureAt& failure) {
+        throw Error("cannot download", input, failure.address + ": " + failure.what());
+    }
+    try {
+        read(url, file ? file->content() : std::move(memory.bytes()));
+    } catch (const Error&) {
+        if (file) file->discard();
+        throw;
+    }
+    if (file) file->commit();
+}
+
+Molecule downloadMolecule(const DatabaseId& id, const ReadOptions& options, const DownloadSettings& settings) {
+    const DiskCache cache = downloadCache(settings);
+    const std::vector<Source> sources = sourcesOf(id, settings.environment);
+    for (const Source& source : sources)
+        if (auto molecule = readKept(cache, source, options, settings)) return std::move(*molecule);
+    requireOnline(id.input, cache, settings);
     Causes causes;
     for (const Source& source : sources) try {
             return fetch(cache, source, addressOf(source, id.id, settings), options, settings);

@@ -31,4 +31,10 @@ HttpLimits httpLimits(const Environment& environment = environmentVariable);
 /// @throws Error  with what each place said, in one line
 Molecule downloadMolecule(const DatabaseId& id, const ReadOptions& options, const DownloadSettings& settings);
 
+/// A file of another kind, kept likewise. @param input  as the user wrote it, for messages
+/// @param read  gets where it comes from, and its bytes; what it throws is why they are not kept
+void downloadFile(const std::string& input, const std::string& cacheName, const std::string& url,
+                  const DownloadSettings& settings,
+                  const std::function<void(const std::string&, std::string)>& read);
+
 }  // namespace nacre::app

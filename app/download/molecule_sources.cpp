@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/download/database_id.h"
+#include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
 #include "app/drawing/scenes.h"
 #include "app/files/printable.h"
@@ -62,6 +63,12 @@ Sources windowSources(const InputOptions& first) {
         }
     };
     all.build = sceneOfView;
+    all.maps = [first, allowed](const PictureDescription& view) {
+        PictureDescription asked = view;
+        asked.input = inputOf(view, first);
+        asked.input.allowDownload = *allowed;
+        loadMaps(asked);
+    };
     all.motion = [](const std::shared_ptr<const Molecule>& molecule,
                     const PictureDescription& view) -> std::unique_ptr<Motion> {
         if (!view.input.trajectory.path.empty()) return openMotion(view.input.trajectory, *molecule);
@@ -80,6 +87,7 @@ Sources phoneSources(const InputOptions& first, const std::function<std::string(
     all.read = [local = all.read, fetched = downloads.read](const PictureDescription& view) {
         return parseDatabaseId(view.input.path) ? fetched(view) : local(view);
     };
+    all.maps = downloads.maps;
     all.progress = downloads.progress;
     all.cancel = downloads.cancel;
     return all;

@@ -5,6 +5,7 @@
 #include "app/annotation/painter.h"
 #include "app/drawing/aim.h"
 #include "app/drawing/idle_options.h"
+#include "app/drawing/map_layers.h"
 #include "app/drawing/scenes.h"
 #include "app/files/cache_folder.h"
 #include "app/files/messages.h"
@@ -28,7 +29,7 @@ double buildScene(const ResidueFacts& facts, const PictureDescription& options, 
     const Molecule& molecule = facts.molecule();
     if (frames.path.empty() || frames.frame == 1 || options.look.ownFrame || !options.look.assembly.empty() ||
         !input.further.empty()) {
-        scene = sceneOf(facts, input.path, options.drawn, options.look, frame);
+        scene = sceneOf(facts, input.path, options.drawn, options.look, frame, !options.maps.files.empty());
         return scene.radius;
     }
     Molecule first = molecule;
@@ -108,8 +109,9 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
     const Molecule& molecule = facts.molecule();
     const Facets parts = difference(description_, description);
     if (scene_ && parts == 0) return;
-    // What is left out since it hides something depends on the view, too.
+    // What is left out since it hides something depends on the view, too; whether every atom may be hidden on maps.
     const bool another = !scene_ || (parts & (Facet::input | Facet::frame | Facet::scene)) != 0 ||
+                         description.maps.files.empty() != description_.maps.files.empty() ||
                          uncoveredBy(description.aim) || uncoveredBy(description_.aim);
     description_ = description;
     if (another) {
@@ -119,19 +121,26 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
         number_ = ++scenes;
         ++counts_.scenes;
     }
+    if (another || has(parts, Facet::map)) {
+        maps_ = mapLayersOf(molecule, description_, scene_->center);
+        number_ = ++scenes;
+    }
+    const double framed = std::max(radius_, maps_.frame);
     run = {};
     const Aimed aim =
         aimed(description_.camera, aimOf(molecule, description_, frame), facts, *scene_, description_.size);
-    settings = settingsOf(description_, aim.camera, radius_);
+    settings = settingsOf(description_, aim.camera, framed);
     const View& view = settings.view;
     const auto depthFrom = [&] { return view.projection == Projection::perspective ? view.eyeDistance : view.radius; };
     const double depthOfFirst = depthFrom();
-    if (scene_->radius > radius_) reachTo(settings.view, scene_->radius);
+    const double reach = std::max(scene_->radius, maps_.shown.radius);
+    if (reach > framed) reachTo(settings.view, reach);
     depthShift_ = depthFrom() - depthOfFirst;
     run.zoom = aim.camera.zoom;
     uncoverTarget(aim, description_.aim, facts, *scene_, settings, run);
     run.clip = clipText(settings.effects.clip);
     warnings = scene_->warnings;
+    warnings.insert(warnings.end(), maps_.warnings.begin(), maps_.warnings.end());
     if (description_.debug == DebugView::none) putWords(facts);
     for (std::string& idle : idleOptions(description_, *scene_, settings.effects, scene_->radius))
         warnings.push_back(std::move(idle));
@@ -170,14 +179,14 @@ void Drawing::makeRoom() {
 void Drawing::show(Canvas& canvas) {
     if (canvas.scene == number_) return;
     canvas.scene = 0;
-    canvas.renderer.setScene(*scene_);
+    maps_.empty() ? canvas.renderer.setScene(*scene_) : canvas.renderer.setScene(withMaps(*scene_, maps_));
     canvas.scene = number_;
     ++counts_.uploads;
 }
 
 void Drawing::handOver(Canvas& canvas) {
     canvas.scene = 0;
-    canvas.renderer.setScene(std::move(*scene_));
+    canvas.renderer.setScene(withMaps(std::move(*scene_), maps_));
     scene_.reset();
     ++counts_.uploads;
 }

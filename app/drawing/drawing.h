@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/annotation/layout.h"
+#include "app/drawing/map_layers.h"
 #include "app/drawing/run_stats.h"
 #include "app/picture/description.h"
 #include "engine/molecule/residue_facts.h"
@@ -52,7 +53,7 @@ public:
 
     /// Colours a scene anew once it is built, before its legend is laid out. Who changes it calls forget().
     std::function<void(Representation&)> recolor;
-    /// Not after handOver().
+    /// Without maps. Not after handOver().
     const Representation& scene() const { return *scene_; }
     const PictureDescription& description() const { return description_; }
     RenderSettings settings;
@@ -76,7 +77,8 @@ private:
     PictureDescription description_;
     std::optional<ResidueFacts> facts_;  ///< of the molecule
     std::optional<Representation> scene_;
-    std::uint64_t number_ = 0;  ///< of scene_
+    MapLayers maps_;
+    std::uint64_t number_ = 0;  ///< of scene_ with maps_
     double radius_ = 0;         ///< that the camera goes by, Å
     /// How far the plane or the eye that depths count from stands behind that of the trajectory's first frame, Å.
     double depthShift_ = 0;

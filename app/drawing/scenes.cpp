@@ -1,6 +1,7 @@
 #include "app/drawing/scenes.h"
 
 #include "engine/error.h"
+#include "engine/molecule/element.h"
 #include "engine/scene/shared_frame.h"
 #include "engine/scene/uncover.h"
 
@@ -17,6 +18,18 @@ std::vector<std::uint32_t> someDrawnAtoms(const Molecule& molecule, const std::s
     return drawn;
 }
 
+/// A scene without atoms, where they would be.
+Representation nothingOf(const Molecule& molecule, const std::vector<std::uint32_t>& drawn) {
+    std::vector<glm::dvec4> balls;
+    for (const std::uint32_t atom : drawn)
+        balls.emplace_back(glm::dvec3(molecule.atoms[atom].position), vanDerWaalsRadius(molecule.atoms[atom].element));
+    const Bounds bounds = boundsOf(balls);
+    Representation scene;
+    scene.center = bounds.center;
+    scene.radius = bounds.radius;
+    return scene;
+}
+
 }  // namespace
 
 MovingScene movingSceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,
@@ -25,9 +38,10 @@ MovingScene movingSceneOf(const ResidueFacts& facts, const std::string& name, co
 }
 
 Representation sceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawnOptions,
-                       const RepresentationOptions& look, const std::optional<Bounds>& frame) {
+                       const RepresentationOptions& look, const std::optional<Bounds>& frame, bool orNothing) {
     const Molecule& molecule = facts.molecule();
     const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, name, drawnOptions);
+    if (orNothing && appearanceOf(facts, drawn, look).seen == 0) return nothingOf(molecule, drawn);
     Representation scene = represent(facts, drawn, look, frame ? frame : sharedFrame(facts, drawnOptions, look));
     if (!look.ownFrame && !molecule.othersMissing.empty())
         scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);
@@ -53,7 +67,7 @@ void uncoverIn(Representation& scene, const ResidueFacts& facts, const PictureDe
 }
 
 Representation sceneOfView(const ResidueFacts& facts, const PictureDescription& view) {
-    Representation scene = sceneOf(facts, view.input.path, view.drawn, view.look);
+    Representation scene = sceneOf(facts, view.input.path, view.drawn, view.look, {}, !view.maps.files.empty());
     uncoverIn(scene, facts, view);
     return scene;
 }

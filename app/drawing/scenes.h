@@ -15,8 +15,10 @@ namespace nacre::app {
 
 /// What is drawn of a molecule, in its style and colours. @throws Error if that is nothing
 /// @param frame  that all models of its file share (shared_frame.h), if that is known; else it is found, if it can be
+/// @param orNothing  rules may hide every atom, since density maps are drawn about them
 Representation sceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,
-                       const RepresentationOptions& look, const std::optional<Bounds>& frame = {});
+                       const RepresentationOptions& look, const std::optional<Bounds>& frame = {},
+                       bool orNothing = false);
 
 /// The same of one whose atoms move; seen as all models of its file are, if it has others. @throws Error
 MovingScene movingSceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,

@@ -30,6 +30,8 @@ Molecule completed(const InputOptions& input, Molecule molecule) {
     return withMissingHydrogens(molecule);
 }
 
+MapLimits mapLimits() { return {static_cast<std::size_t>(memoryShare(4))}; }
+
 Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
                      const std::function<std::string(const std::string&)>& readFile,
                      const std::function<void(double)>& onModel) {
@@ -39,6 +41,8 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
             throw Error("cannot read molecule", input.path, "a sample has one model");
         return completed(input, sampleMolecule(std::string_view(input.path).substr(kSample.size())));
     }
+    if (!input.format && !readFile && isMapFile(input.path))
+        throw Error("cannot read molecule", input.path, "it is a density map: name a molecule, and this with --map");
     ReadOptions options = readWithin(bytes);
     options.format = input.format;
     options.model = input.model;

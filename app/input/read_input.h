@@ -7,6 +7,7 @@
 
 #include "app/picture/input_options.h"
 #include "engine/molecule/molecule.h"
+#include "engine/volume/read_map.h"
 
 namespace nacre::app {
 
@@ -16,6 +17,9 @@ std::uint64_t memoryShare(unsigned parts);
 /// A molecule as it was read, with the hydrogens that it is asked to have. @throws Error if they would not move with a
 /// trajectory
 Molecule completed(const InputOptions& input, Molecule molecule);
+
+/// Those of a density map: a quarter of the machine's memory.
+MapLimits mapLimits();
 
 /// Reads a sample, a file or standard input, whatever else `input.path` looks like.
 /// @param bytes     what the molecule may take

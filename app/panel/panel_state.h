@@ -165,6 +165,7 @@ void drawPanel(PanelFrame& f);
 // Pages
 void drawLookPage(PanelFrame& f);
 void drawEffects(PanelFrame& f);
+void drawMaps(PanelFrame& f);
 void drawPartsPage(PanelFrame& f);
 void drawSequence(PanelFrame& f, const Part& part);
 void drawSelectPage(PanelFrame& f);

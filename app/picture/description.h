@@ -10,6 +10,7 @@
 
 #include "app/picture/aim.h"
 #include "app/picture/input_options.h"
+#include "app/picture/map_options.h"
 #include "app/picture/option_values.h"
 #include "app/picture/words.h"
 #include "engine/debug_view.h"
@@ -36,6 +37,7 @@ struct PictureDescription {
     InputOptions input;
     DrawnAtomsOptions drawn;
     RepresentationOptions look;
+    MapOptions maps;
     Camera camera;
     Aim aim = Aim::standard();
     Words words;

@@ -13,7 +13,7 @@
 namespace nacre::app {
 
 /// The subject of an option. A command takes the topics that concern it; `nacre help` explains some of them.
-enum class Topic : std::uint32_t {
+enum class Topic : std::uint64_t {
     view = 1 << 0,        ///< saved views
     look = 1 << 1,        ///< several options by one name
     thumbnail = 1 << 2,   ///< likewise
@@ -45,15 +45,16 @@ enum class Topic : std::uint32_t {
     frame = 1 << 28,  ///< likewise, without effect on the picture
     validation = 1 << 29,
     interactions = 1 << 30,
-    saved = 1u << 31,  ///< in saved views only
+    map = std::uint64_t{1} << 32,  ///< density maps
+    saved = 1u << 31,              ///< in saved views only
 };
-using Topics = std::uint32_t;
+using Topics = std::uint64_t;
 constexpr Topics operator|(Topic a, Topic b) { return static_cast<Topics>(a) | static_cast<Topics>(b); }
 constexpr Topics operator|(Topics a, Topic b) { return a | static_cast<Topics>(b); }
 constexpr bool has(Topics topics, Topic topic) { return (topics & static_cast<Topics>(topic)) != 0; }
 constexpr Topics kReading = Topic::input | Topic::reading | Topic::trajectory | Topic::fit;
 constexpr Topics kAppearance =
-    Topic::style | Topic::color | Topic::rules | Topic::mesh | Topic::atoms | Topic::interactions;
+    Topic::style | Topic::color | Topic::rules | Topic::mesh | Topic::atoms | Topic::interactions | Topic::map;
 constexpr Topics kEveryTopic = ~static_cast<Topics>(Topic::saved);
 
 /// The part of the work that is done again when an option changes.
@@ -66,7 +67,8 @@ enum class Facet : unsigned {
     occlusion = 1 << 8,   ///< baked ambient occlusion
     annotation = 1 << 4,  ///< text in the picture
     file = 1 << 5,        ///< output files
-    device = 1 << 6       ///< the device
+    device = 1 << 6,      ///< the device
+    map = 1 << 9          ///< contours of density maps
 };
 using Facets = unsigned;
 constexpr Facets operator|(Facet a, Facet b) { return static_cast<Facets>(a) | static_cast<Facets>(b); }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <utility>
 
@@ -214,6 +215,13 @@ void readView(const std::string& json, const std::string& name, PictureDescripti
     view.aim.uncovers = true;  // a plane that was saved asks for nothing
 }
 
+/// A file that a view names stands beside it; an absolute path, or the name of a download, stays.
+std::string besideView(const std::string& view, const std::string& file) {
+    const std::filesystem::path there = std::filesystem::path(view).parent_path() / file;
+    std::error_code error;
+    return std::filesystem::exists(there, error) ? there.string() : file;
+}
+
 /// Those of a view go before those that were there.
 template <typename Value>
 void append(std::vector<Value>& list, const std::vector<Value>& before) {
@@ -252,11 +260,17 @@ void applySavedView(const std::string& path, PictureDescription& description) {
     view.words.labels.clear();
     view.words.measures.clear();
     view.input.fits.clear();
+    for (auto clear : {"map", "map-level", "map-style", "map-color"}) option(clear).parse("", view);
     readView(readViewText(path), path, view);
+    for (std::string& map : view.maps.files) map = besideView(path, map);
     append(view.look.rules, description.look.rules);
     append(view.words.labels, description.words.labels);
     append(view.words.measures, description.words.measures);
     append(view.input.fits, description.input.fits);
+    append(view.maps.files, description.maps.files);
+    append(view.maps.levels, description.maps.levels);
+    append(view.maps.styles, description.maps.styles);
+    append(view.maps.colors, description.maps.colors);
     view.view = path;
     view.aim.placed = view.camera.zoom != 1 || view.camera.pan != glm::dvec2(0);
     if (description.input.path.empty()) {

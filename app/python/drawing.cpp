@@ -8,6 +8,7 @@
 #include <optional>
 #include <tuple>
 
+#include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
 #include "app/drawing/complete.h"
 #include "app/files/messages.h"
@@ -64,6 +65,7 @@ public:
             if (!colors.atoms.empty())
                 drawing.recolor = [kept = structure.kept.get()](Representation& scene) { paint(kept->colors, scene); };
         }
+        app::loadMaps(request);
         drawing.prepare(*structure.molecule, request);  // beside others that draw
         const std::lock_guard lock(turn_);
         const auto key = deviceKey(request.device);
@@ -126,8 +128,8 @@ void withScene(const Structure& structure, const PictureDescription& request, co
 
 void checkName(const char* who, const std::string& path, bool good, std::span<const std::string> endings) {
     if (!good || app::isStandardOutput(path))
-        throw app::UsageError(std::string(who) + " takes a name that ends in " + app::anyOf(endings) +
-                              ", not '" + path + "'");
+        throw app::UsageError(std::string(who) + " takes a name that ends in " + app::anyOf(endings) + ", not '" +
+                              path + "'");
 }
 
 Structure openInputs(const std::vector<std::string>& inputs, const std::string& options) {

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "app/download/load_molecule.h"
+#include "app/input/map_input.h"
 #include "app/input/molecule_info.h"
 #include "app/picture/srgb.h"
 #include "app/picture/usage_error.h"
@@ -187,6 +188,24 @@ Structure fromArrays(const Floats& positions, const std::vector<std::string>& el
     return {std::make_shared<const Molecule>(std::move(m)), {name}};
 }
 
+/// An array as a map that pictures name. Its last axis is the fastest; a map's is the first.
+void keepDensity(const std::string& name, const Floats& values, const std::vector<double>& cell,
+                 const std::vector<double>& origin, bool crystal) {
+    if (values.ndim() != 3) throw app::UsageError("density_map(): the values are an array of three axes");
+    if (cell.size() != 6 || origin.size() != 3)
+        throw app::UsageError("density_map(): a cell is six numbers, an origin three");
+    const glm::ivec3 size(static_cast<int>(values.shape(0)), static_cast<int>(values.shape(1)),
+                          static_cast<int>(values.shape(2)));
+    std::vector<float> turned(static_cast<std::size_t>(values.size()));
+    const float* value = values.data();
+    for (int x = 0; x < size.x; ++x)
+        for (int y = 0; y < size.y; ++y)
+            for (int z = 0; z < size.z; ++z) turned[(static_cast<std::size_t>(z) * size.y + y) * size.x + x] = *value++;
+    const UnitCell edges{{cell[0], cell[1], cell[2]}, {cell[3], cell[4], cell[5]}};
+    app::keepMap(name, std::make_shared<const DensityMap>(mapOfValues(
+                           name, size, edges, {origin[0], origin[1], origin[2]}, crystal, std::move(turned))));
+}
+
 /// Rows of sRGB code values with straight alpha, as a PNG has them.
 template <typename Code>
 py::array_t<Code> codesOf(const Picture& picture) {
@@ -280,6 +299,7 @@ void addDrawing(py::module_& m) {
         }))
         .def(py::init())
         .def_static("of_values", &colorsOfValues);
+    m.def("density_map", &keepDensity);
     m.def("render", [](const Structure& s, const std::string& options, const Colors& colors) {
         const Drawn drawn = freely([&] { return draw(s, options, colors); });
         const py::array picture = drawn.format.bits == 16 ? py::array(codesOf<std::uint16_t>(drawn.picture))

@@ -63,7 +63,8 @@ RenderSettings Frames::pictureSettings(PixelSize size) const {
     const PictureDescription& view = stage_.view();
     RenderSettings s = shadingOf(view);
     s.view = viewOf(view.camera, stage_.radius(), size.width, size.height);
-    if (stage_.document.moves()) reachTo(s.view, stage_.document.scene.radius);
+    const double reach = std::max(stage_.document.scene.radius, stage_.document.maps.shown.radius);
+    if (reach > s.view.radius) reachTo(s.view, reach);
     s.occlusion.bytes = options_.occlusionBytes;
     s.occlusion.cache = options_.occlusionCache;
     s.tuning = options_.tuning;
@@ -112,9 +113,9 @@ std::uint32_t Frames::refinedSamples() const {
 
 // --- the scene
 
-bool Frames::put(const Representation& scene, void (Screen::*how)(const Representation&)) {
+bool Frames::put(const Representation& scene, const MapLayers& maps, void (Screen::*how)(const Representation&)) {
     try {
-        (screen_.*how)(scene);
+        maps.empty() ? (screen_.*how)(scene) : (screen_.*how)(withMaps(scene, maps));
         sceneThere_ = true;
     } catch (const Error&) {
         if (!noticeLoss()) throw;
@@ -128,7 +129,9 @@ void Frames::putScene(double now) {
     restartOcclusion();
     if (sceneThere_) return;
     try {
-        screen_.setScene(stage_.document.scene);
+        const Representation& scene = stage_.document.scene;
+        const MapLayers& maps = stage_.document.maps;
+        maps.empty() ? screen_.setScene(scene) : screen_.setScene(withMaps(scene, maps));
         sceneThere_ = true;
         sceneRetry_.succeeded();
     } catch (const Error& error) {

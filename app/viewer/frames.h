@@ -67,9 +67,11 @@ public:
 
     // The scene
     /// @returns whether it is on the screen: not, if the device is lost, whose successor gets it. @throws Error
-    bool setScene(const Representation& scene) { return put(scene, &Screen::setScene); }
+    bool setScene(const Representation& scene, const MapLayers& maps) { return put(scene, maps, &Screen::setScene); }
     /// The same of one whose atoms have moved.
-    bool moveScene(const Representation& scene) { return !sceneThere_ || put(scene, &Screen::moveScene); }
+    bool moveScene(const Representation& scene) {
+        return !sceneThere_ || put(scene, stage_.document.maps, &Screen::moveScene);
+    }
     /// Has made what the first frame of what is being read is going to want.
     void expectScene(const PictureDescription& coming);
     /// Share of the ambient occlusion that is done.
@@ -96,7 +98,7 @@ public:
     void replaced(double now);
 
 private:
-    bool put(const Representation& scene, void (Screen::*how)(const Representation&));
+    bool put(const Representation& scene, const MapLayers& maps, void (Screen::*how)(const Representation&));
     void putScene(double now);
     void advanceOcclusion(double now, bool moving);
     void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);

@@ -1,9 +1,11 @@
 #include "app/viewer/loader.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/drawing/scenes.h"
 #include "app/input/trajectory_input.h"
+#include "app/picture/options.h"
 #include "app/viewer/presets.h"
 #include "engine/error.h"
 
@@ -48,8 +50,22 @@ Document Loader::load(const Job& job) const {
             movePositions(*molecule, document.motion->positions(0));
     }
     if (job.first) firstLook(*document.molecule, document.view);
-    build(document, job.moves || document.motion);
+    if (job.shown) {
+        document.scene = job.shown->scene;
+        document.radius = document.scene.radius;
+    } else {
+        build(document, job.moves || document.motion);
+    }
+    if (sources_.maps) sources_.maps(document.view);
+    document.maps = mapLayersOf(*document.molecule, document.view, document.scene.center);
+    document.radius = std::max(document.radius, document.maps.frame);
     return document;
+}
+
+/// A slider that moves a level must not wait for what stays. Of what moves the scene is made anew.
+std::shared_ptr<const Document> Loader::mapsAlone(const PictureDescription& view, const Document& shown) {
+    if (shown.moves() || difference(shown.view, view) != static_cast<Facets>(Facet::map)) return nullptr;
+    return std::make_shared<const Document>(shown);
 }
 
 /// Copies of an assembly stand still.

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "app/drawing/map_layers.h"
 #include "app/picture/saved_view.h"
 #include "engine/molecule/molecule.h"
 #include "engine/molecule/trajectory/motion.h"
@@ -34,6 +35,8 @@ private:
 struct Sources {
     std::function<Molecule(const PictureDescription&)> read;
     std::function<Representation(const Molecule&, const PictureDescription&)> build;
+    /// Fetches what maps of a view are no files; empty: nothing does.
+    std::function<void(const PictureDescription&)> maps = {};
     /// Share of a download that is there, 0..1; below 0: nothing is downloaded, or how much is not known. Any thread.
     std::function<double()> progress = {};
     /// Makes read() throw soon, where it can. Any thread.
@@ -54,6 +57,7 @@ struct Document {
     double radius = 0;                         ///< that the camera goes by: the scene's before it moved, Å
     std::shared_ptr<Motion> motion = {};       ///< of a molecule that was just read, if its atoms move
     std::shared_ptr<MovingScene> moving = {};  ///< of one whose atoms move
+    MapLayers maps = {};                       ///< drawn with the scene
     bool moves() const { return moving != nullptr; }
 };
 
@@ -71,7 +75,7 @@ public:
     void open(const PictureDescription& view) { start({view, nullptr, true}); }
     /// Starts with what is shown, seen in another way.
     void build(const PictureDescription& view, const Document& shown) {
-        start({view, shown.molecule, false, shown.placed, shown.moves()});
+        start({view, shown.molecule, false, shown.placed, shown.moves(), mapsAlone(view, shown)});
     }
     bool busy() const { return running_.valid() && !cancelled_; }
     /// What is under way, and what waits, is not wanted any more: take() gives nothing of it.
@@ -93,7 +97,9 @@ private:
         bool first = false;                           ///< is seen for the first time
         std::shared_ptr<const Molecule> placed = {};  ///< where it stands
         bool moves = false;
+        std::shared_ptr<const Document> shown = {};  ///< which differs in its maps alone
     };
+    static std::shared_ptr<const Document> mapsAlone(const PictureDescription& view, const Document& shown);
     void start(Job job);
     void launch(Job job);
     Document load(const Job& job) const;

@@ -1,8 +1,10 @@
 #include "app/viewer/reading.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/picture/input_names.h"
+#include "engine/volume/read_map.h"
 
 namespace nacre::app {
 namespace {
@@ -11,6 +13,7 @@ namespace {
 void takeInput(const PictureDescription& from, PictureDescription& to) {
     to.input = from.input;
     to.look.assembly = from.look.assembly;
+    to.maps = from.maps;
 }
 
 }  // namespace
@@ -22,11 +25,34 @@ Reading::Reading(Stage& stage, Sources sources, std::function<void()> wake)
     if (!view.input.path.empty()) view.input.hash.empty() ? loader_.open(view) : loader_.read(view);
 }
 
-void Reading::open(const std::vector<std::string>& paths, double now) {
-    if (paths.empty()) return;
+/// Density maps among some files: they are drawn with what is shown, or with what is read.
+std::vector<std::string> Reading::divideMaps(std::vector<std::string>& paths) {
+    const auto maps =
+        std::stable_partition(paths.begin(), paths.end(), [](const std::string& path) { return !isMapFile(path); });
+    std::vector<std::string> taken(maps, paths.end());
+    paths.erase(maps, paths.end());
+    return taken;
+}
+
+/// Maps beside the molecule that is shown.
+void Reading::addMaps(const std::vector<std::string>& maps, double now) {
+    if (!stage_.shown()) return stage_.messages.fail("open a molecule first, and then its density map", now);
+    std::vector<std::string>& files = stage_.wanted().maps.files;
+    if (files.size() + maps.size() > kMostMaps)
+        return stage_.messages.fail("more than " + std::to_string(kMostMaps) + " maps are not shown together", now);
+    stage_.remember();
+    files.insert(files.end(), maps.begin(), maps.end());
+    build();
+}
+
+void Reading::open(const std::vector<std::string>& all, double now) {
+    std::vector<std::string> paths = all;
+    const std::vector<std::string> maps = divideMaps(paths);
+    if (paths.empty()) return maps.empty() ? void() : addMaps(maps, now);
     PictureDescription fresh = stage_.view();
     PictureDescription first;
     first.input.path = paths.front();
+    first.maps.files = maps;
     takeInput(first, fresh);
     fresh.look.rules.clear();
     fresh.words.labels.clear();
@@ -37,8 +63,12 @@ void Reading::open(const std::vector<std::string>& paths, double now) {
     if (beginWith(fresh, {paths.begin() + 1, paths.end()}, now)) loader_.open(fresh);
 }
 
-void Reading::add(const std::vector<std::string>& paths, double now) {
-    if (!stage_.shown()) return open(paths, now);
+void Reading::add(const std::vector<std::string>& all, double now) {
+    if (!stage_.shown()) return open(all, now);
+    std::vector<std::string> paths = all;
+    const std::vector<std::string> maps = divideMaps(paths);
+    if (!maps.empty()) addMaps(maps, now);
+    if (paths.empty()) return;
     PictureDescription more = stage_.view();
     more.input.model = 1;  // models of one are nothing to the others
     more.input.trajectory = {};

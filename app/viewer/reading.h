@@ -53,6 +53,8 @@ public:
     Arrival arrive(Document document);
 
 private:
+    static std::vector<std::string> divideMaps(std::vector<std::string>& paths);
+    void addMaps(const std::vector<std::string>& maps, double now);
     bool beginWith(PictureDescription& view, const std::vector<std::string>& paths, double now);
 
     Stage& stage_;

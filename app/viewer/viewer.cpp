@@ -103,7 +103,7 @@ void Viewer::setLook(const PictureDescription& look, double now, bool continues)
     // What cannot be said of this molecule is not kept.
     if (has(parts, Facet::annotation) && !words_.place(now)) wanted.words = before.words;
     // What is being read is seen in this look once it is there.
-    if (has(parts, Facet::scene) && stage_.shown() && !reading_.another()) reading_.build();
+    if ((parts & (Facet::scene | Facet::map)) != 0 && stage_.shown() && !reading_.another()) reading_.build();
     if (has(parts, Facet::occlusion)) frames_.restartOcclusion();
 }
 
@@ -144,7 +144,7 @@ void Viewer::restore(const PictureDescription& to, double now, double seconds) {
     playback_.stop();
     camera_.forgetClip();
     stage_.messages.dismissFailure();
-    if (another || scene || reading_.loader().busy()) reading_.restore(to, another);
+    if (another || scene || has(seen, Facet::map) || reading_.loader().busy()) reading_.restore(to, another);
     if (!another) words_.place(now);
     if (frame) playback_.restore(to);
     if (has(seen, Facet::occlusion)) frames_.restartOcclusion();
@@ -155,7 +155,7 @@ void Viewer::takeDocument(double now) {
     std::optional<Document> document = reading_.take(now);
     if (!document) return;
     try {
-        frames_.setScene(document->scene);
+        frames_.setScene(document->scene, document->maps);
     } catch (const Error& error) {
         return stage_.messages.fail(error.what(), now);  // the document before stays
     }

@@ -55,7 +55,7 @@ bool numbers(const graph::Graph& graph, const graph::PassDecl& pass) {
 SceneCounts countsOf(Representation r, const View& view, double meshError) {
     orderInSpace(r);
     const Chunks chunks = chunksOf(r);
-    const passes::PlacedCopies placed = passes::placeCopies(r, view, &chunks, 0, errorInSpace(view, meshError));
+    const passes::PlacedCopies placed = passes::placeCopies(r, view, &chunks, 0, errorInSpace(view, meshError), true);
     passes::PlacedCopies translucent;
     translucent.triangles = placed.triangles;
     passes::choose(translucent.triangles, translucentRuns(r), passes::Triangles::translucent);

@@ -114,6 +114,8 @@ void completeScene(const gpu::Device& device, Scene& scene) {
         smallest(s.radius);
     }
     for (const Cylinder& c : scene.representation.cylinders) smallest(c.radius);
+    for (const Cylinder& wire : scene.representation.wires)
+        scene.thinnestWire = std::min(scene.thinnestWire, -static_cast<double>(wire.radius));
     scene.meanRadius = sum / static_cast<double>(std::max<std::size_t>(scene.representation.spheres.size(), 1));
 }
 
@@ -161,11 +163,12 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const Sc
     c.perHaloDepth = static_cast<float>(1.0 / e.halos.depth);
     c.lineWidth = rims.line;
     c.lineDepth = static_cast<float>(e.contours.depth);
+    c.bakedCylinders = static_cast<std::uint32_t>(scene.representation.cylinders.size());
     return c;
 }
 
 Scene makeScene(const gpu::Device& device, Representation representation) {
-    Scene scene{std::move(representation), {}, 0, 1e9, {}, {}, {}};
+    Scene scene{std::move(representation), {}, 0, 1e9, 1e9, {}, {}, {}};
     scene.order = orderInSpace(scene.representation);
     completeScene(device, scene);
     return scene;
@@ -175,12 +178,12 @@ bool isMoved(const Scene& scene, const Representation& r) {
     const Representation& before = scene.representation;
     return r.copies.transforms.empty() && before.copies.transforms.empty() &&
            r.spheres.size() == before.spheres.size() && r.cylinders.size() == before.cylinders.size() &&
-           r.triangles.size() == before.triangles.size() && r.meshVertices.size() == before.meshVertices.size() &&
-           r.sphereModels.size() == before.sphereModels.size();
+           r.wires.size() == before.wires.size() && r.triangles.size() == before.triangles.size() &&
+           r.meshVertices.size() == before.meshVertices.size() && r.sphereModels.size() == before.sphereModels.size();
 }
 
 Scene makeMovedScene(const gpu::Device& device, Representation representation, const Scene& before) {
-    Scene scene{std::move(representation), {}, 0, 1e9, {}, {}, before.order};
+    Scene scene{std::move(representation), {}, 0, 1e9, 1e9, {}, {}, before.order};
     putInOrder(scene.representation, scene.order);
     completeScene(device, scene);
     return scene;
@@ -217,10 +220,12 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     seen->copyColors = static_cast<int>(scene.representation.copies.colors.size());
     if (shadowPixels(settings) > 0) seen->light = lightScene(device, scene, settings, view, views);
     seen->buffers = &scene.buffers;
+    constexpr double kWidestWire = 10;  // pixels
+    const double wires = scene.representation.wires.empty() ? 0 : kWidestWire;
     passes::placeCopies(seen->copies, scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
-                        std::max(settings.effects.contours.width, settings.effects.halos.width) *
-                            view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom,
-                        meshErrorOf(settings, view));
+                        wires + std::max(settings.effects.contours.width, settings.effects.halos.width) *
+                                    view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom,
+                        meshErrorOf(settings, view), true);
     seen->perspective = view.projection == Projection::perspective;
     seen->quarterTurns = view.quarterTurns;
     seen->plates = settings.tuning.plates;
@@ -228,6 +233,10 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     seen->radiusPixels = scene.meanRadius * view.pixelsPerAngstrom;
     const double farthest = seen->perspective ? view.eyeDistance / (view.eyeDistance + view.radius) : 1;
     seen->smallestPixels = scene.smallestRadius * view.pixelsPerAngstrom * farthest;
+    seen->wireScale = static_cast<float>(view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom);
+    if (!scene.representation.wires.empty())
+        seen->smallestPixels =
+            std::min(seen->smallestPixels, scene.thinnestWire * static_cast<double>(seen->wireScale));
     const Contours& contours = settings.effects.contours;
     if (contours.width > 0) seen->smallestPixels = std::min(seen->smallestPixels, 0.75 * contours.width);
     return seen;

@@ -17,6 +17,7 @@ struct Scene {
     passes::SceneBuffers buffers;
     double meanRadius = 0;      ///< of the spheres, Å
     double smallestRadius = 0;  ///< of spheres and cylinders, Å
+    double thinnestWire = 1e9;  ///< half of its width, pixels
     Chunks chunks;
     TranslucentRuns translucent;  ///< of its triangles
     StreamOrder order;            ///< from how they were handed in

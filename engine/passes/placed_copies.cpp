@@ -109,14 +109,15 @@ std::vector<MeshLevelCount> PlacedCopies::triangleLevels(const Representation& r
     return levelsOf(r, calls);
 }
 
-PlacedCopies placeCopies(const Representation& r, const View& view, const Chunks* chunks, double room, double error) {
+PlacedCopies placeCopies(const Representation& r, const View& view, const Chunks* chunks, double room, double error,
+                         bool wires) {
     PlacedCopies placed;
-    placeCopies(placed, r, view, chunks, room, error);
+    placeCopies(placed, r, view, chunks, room, error, wires);
     return placed;
 }
 
 void placeCopies(PlacedCopies& placed, const Representation& r, const View& view, const Chunks* chunks, double room,
-                 double error) {
+                 double error, bool wires) {
     placed.clear();
     // Impostors reach a little beyond their spheres.
     const Edges edges = edgesOf(view, 2.0 + room);
@@ -137,7 +138,7 @@ void placeCopies(PlacedCopies& placed, const Representation& r, const View& view
                 calls.push_back(all);
         };
         add(0, r.spheres.size(), spheres, placed.spheres);
-        add(0, r.cylinders.size(), cylinders, placed.cylinders);
+        add(0, r.cylinders.size() + (wires ? r.wires.size() : 0), cylinders, placed.cylinders);
         for (const PrimitiveRun& run : meshes) add(run.first, run.count, triangles, placed.triangles);
         return;
     }
@@ -146,6 +147,11 @@ void placeCopies(PlacedCopies& placed, const Representation& r, const View& view
     addCalls(r.copies, r.copies.spheres, view, edges, spheres, placed.spheres);
     addCalls(r.copies, r.copies.cylinders, view, edges, cylinders, placed.cylinders);
     addCalls(r.copies, meshes, view, edges, triangles, placed.triangles);
+    if (!wires || r.wires.empty()) return;
+    const auto still = static_cast<std::uint32_t>(placed.rows.size() / 3);
+    addRows(view, glm::dmat4x3(1.0), placed.rows);
+    placed.cylinders.push_back(
+        {still, static_cast<std::uint32_t>(r.cylinders.size()), static_cast<std::uint32_t>(r.wires.size())});
 }
 
 }  // namespace nacre::passes

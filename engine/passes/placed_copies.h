@@ -35,10 +35,11 @@ struct PlacedCopies {
 /// @param chunks  of the representation; null: there are only whole runs
 /// @param room    pixels beside a primitive that show it, too
 /// @param error   Å that meshes may be off by (drawnRuns())
+/// @param wires   they are drawn, too, behind the cylinders, once whatever the copies
 PlacedCopies placeCopies(const Representation& representation, const View& view, const Chunks* chunks = nullptr,
-                         double room = 0, double error = 0);
+                         double room = 0, double error = 0, bool wires = false);
 /// The same, where an earlier view's have their room.
 void placeCopies(PlacedCopies& placed, const Representation& representation, const View& view, const Chunks* chunks,
-                 double room, double error);
+                 double room, double error, bool wires = false);
 
 }  // namespace nacre::passes

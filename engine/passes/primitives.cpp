@@ -246,6 +246,7 @@ vk::DescriptorImageInfo shadowOf(gpu::PassContext& context, const SceneView& vie
 
 void setGeometryConstants(gpu::Specialization& constants, const SceneView& view, float rim) {
     constants.set(layout::kPerspectiveId, view.perspective);
+    constants.set(layout::kWireScaleId, view.wireScale);
     constants.set(layout::kQuarterTurnsId, view.quarterTurns);
     constants.set(layout::kWholeImageId, view.wholeImage);
     constants.set(layout::kCutId, view.cut);

@@ -38,9 +38,13 @@ void checkFits(const gpu::Device& device, const Representation& r) {
                     " MB at most (draw fewer atoms, or a surface with a coarser --surface-resolution)");
 }
 
-/// Cylinders as the device has them: it is told one over their length, Å, which each pixel would find out anew.
+std::size_t cylindersOf(const Representation& r) { return r.cylinders.size() + r.wires.size(); }
+
+/// Cylinders as the device has them, wires behind them: it is told one over their length, Å, which each pixel would
+/// find out anew.
 std::vector<Cylinder> placedCylinders(const Representation& r) {
     std::vector<Cylinder> cylinders = r.cylinders;
+    cylinders.insert(cylinders.end(), r.wires.begin(), r.wires.end());
     for (Cylinder& c : cylinders) c.perLength = 1.0f / std::max(glm::distance(c.a, c.b), 1e-12f);
     return cylinders;
 }
@@ -49,12 +53,12 @@ std::vector<Cylinder> placedCylinders(const Representation& r) {
 std::vector<Triangle> placedTriangles(const Representation& r) {
     std::vector<Triangle> triangles = r.triangles;
     triangles.insert(triangles.end(), r.coarseTriangles.begin(), r.coarseTriangles.end());
-    const auto first = static_cast<std::uint32_t>(r.spheres.size() + 2 * r.cylinders.size() + triangles.size());
+    const auto first = static_cast<std::uint32_t>(r.spheres.size() + 2 * cylindersOf(r) + triangles.size());
     for (Triangle& t : triangles) t.a += first, t.b += first, t.c += first;
     return triangles;
 }
 std::vector<MeshVertex> placedVertices(const Representation& r) {
-    const auto first = static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * r.cylinders.size());
+    const auto first = static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * cylindersOf(r));
     std::vector<MeshVertex> vertices = r.meshVertices;
     for (MeshVertex& v : vertices) v.look = first + 2 * v.look;
     return vertices;
@@ -63,12 +67,13 @@ std::vector<MeshVertex> placedVertices(const Representation& r) {
 /// Groups of the atoms that looks name, in the order of the looks.
 std::vector<std::uint32_t> groupsOf(const Representation& r) {
     std::vector<std::uint32_t> groups;
-    groups.reserve(r.spheres.size() + 2 * r.cylinders.size() + r.meshLooks.size());
+    groups.reserve(r.spheres.size() + 2 * cylindersOf(r) + r.meshLooks.size());
     const auto add = [&](std::uint32_t atom) {
         groups.push_back(atom > 0 && atom <= r.atomGroups.size() ? r.atomGroups[atom - 1] : 0);
     };
     for (const SphereLook& look : r.sphereLooks) add(look.atom);
-    for (const CylinderLook& look : r.cylinderLooks) add(look.atomA), add(look.atomB);
+    for (const auto* looks : {&r.cylinderLooks, &r.wireLooks})
+        for (const CylinderLook& look : *looks) add(look.atomA), add(look.atomB);
     for (const SphereLook& look : r.meshLooks) add(look.atom);
     return groups;
 }
@@ -83,7 +88,7 @@ std::uint64_t mostShapeBytes(const gpu::Caps& caps) {
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r) {
     SceneBuffers scene;
     scene.sphereCount = static_cast<std::uint32_t>(r.spheres.size());
-    scene.cylinderCount = static_cast<std::uint32_t>(r.cylinders.size());
+    scene.cylinderCount = static_cast<std::uint32_t>(cylindersOf(r));
     scene.triangleCount = static_cast<std::uint32_t>(r.triangles.size() + r.coarseTriangles.size());
     if (scene.empty()) return scene;
     checkFits(device, r);
@@ -91,9 +96,9 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     scene.cylinderLookOffset = r.spheres.size() * sizeof(SphereLook);
     scene.shapes =
         joined(device, "stream A: shapes", r.spheres, placedCylinders(r), placedTriangles(r), placedVertices(r));
-    scene.looks = joined(device, "stream B: looks", r.sphereLooks, r.cylinderLooks, r.meshLooks, groupsOf(r));
-    scene.firstGroup =
-        static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * r.cylinders.size() + 2 * r.meshLooks.size());
+    scene.looks =
+        joined(device, "stream B: looks", r.sphereLooks, r.cylinderLooks, r.wireLooks, r.meshLooks, groupsOf(r));
+    scene.firstGroup = static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * cylindersOf(r) + 2 * r.meshLooks.size());
     const auto corners = cornerStream();
     scene.corners =
         gpu::makeBuffer(device, std::span<const glm::vec3>(corners), vk::BufferUsageFlagBits::eVertexBuffer, "corners");

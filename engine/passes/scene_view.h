@@ -43,6 +43,7 @@ struct SceneView {
     bool powers = false;                          ///< the device raises to powers in a few instructions
     bool perspective = false;
     int quarterTurns = 0;    ///< as in View
+    float wireScale = 1;     ///< this picture's pixels across one of the picture that is asked for
     bool wholeImage = true;  ///< the viewport is the whole image; else it has the view axis in its middle
     bool lighting = true, occlusion = false;
     vk::BufferView occlusionCells;           ///< Atlas::cells

@@ -87,6 +87,7 @@ TileView tileView(const SceneView& seen, const View& view, graph::Extent image, 
     v.range = 1.0f / c.perRange;
     if (seen.effects.clip.on()) v.clipNear = c.clipNear, v.clipFar = c.clipFar;
     v.contour = c.contourWidth;
+    v.wireScale = seen.wireScale;
     v.centers = centers;
     return v;
 }
@@ -103,7 +104,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     listCalls(seen, seen.copies.spheres, 0, spheres_);
     listCalls(seen, seen.copies.cylinders, seen.constants.spheres, cylinders_);
     listCalls(seen, seen.copies.triangles, firstTriangle, triangles_);
-    const TileScenery scenery{r.spheres,      spheres_,   r.cylinders,       cylinders_, r.triangles,
+    const TileScenery scenery{r.spheres,      spheres_,   r.cylinders,       cylinders_, r.wires,   r.triangles,
                               r.meshVertices, triangles_, r.coarseTriangles, r.meshes,   work.boxes};
     const auto build = [&] {
         TileView asked = tileView(seen, view, image, !work.edges);

@@ -117,7 +117,10 @@ Chunks chunksOf(const Representation& r) {
     const BallOfTriangle ballOfTriangle(r);
     return {
         chunksOfStream(r.spheres.size(), [&](std::size_t i) { return ballOf(r.spheres[i]); }),
-        chunksOfStream(r.cylinders.size(), [&](std::size_t i) { return ballOf(r.cylinders[i]); }),
+        chunksOfStream(r.cylinders.size() + r.wires.size(),
+                       [&](std::size_t i) {
+                           return ballOf(i < r.cylinders.size() ? r.cylinders[i] : r.wires[i - r.cylinders.size()]);
+                       }),
         chunksOfStream(r.triangles.size() + r.coarseTriangles.size(),
                        [&](std::size_t i) { return ballOfTriangle(drawnTriangle(r, i)); }),
         sphereBoxesOf(r.spheres),

@@ -18,8 +18,8 @@ struct Chunk {
 };
 
 struct Chunks {
-    std::vector<Chunk> spheres, cylinders;
-    std::vector<Chunk> triangles;  ///< coarse ones numbered on
+    std::vector<Chunk> spheres, cylinders;  ///< wires behind the cylinders
+    std::vector<Chunk> triangles;           ///< coarse ones numbered on
     SphereBoxes sphereBoxes;
 };
 

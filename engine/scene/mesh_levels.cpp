@@ -146,7 +146,7 @@ std::vector<PrimitiveRun> drawnRuns(const Representation& r, double error) {
 }
 
 std::uint64_t shapeBytes(const Representation& r) {
-    return r.spheres.size() * sizeof(Sphere) + r.cylinders.size() * sizeof(Cylinder) +
+    return r.spheres.size() * sizeof(Sphere) + (r.cylinders.size() + r.wires.size()) * sizeof(Cylinder) +
            (r.triangles.size() + r.coarseTriangles.size()) * sizeof(Triangle) +
            r.meshVertices.size() * sizeof(MeshVertex);
 }

@@ -53,7 +53,11 @@ struct Representation {
     std::vector<SphereLook> sphereLooks;  ///< same length as spheres
     std::vector<Cylinder> cylinders;
     std::vector<CylinderLook> cylinderLooks;  ///< same length as cylinders
-    std::vector<Triangle> triangles;          ///< of cartoons and surfaces
+    /// Lines of constant width in the picture, whose `radius` is minus half of that in pixels: of density maps. They do
+    /// not occlude, nothing occludes them, and they throw no shadow. On the device they stand behind the cylinders.
+    std::vector<Cylinder> wires;
+    std::vector<CylinderLook> wireLooks;  ///< same length as wires
+    std::vector<Triangle> triangles;      ///< of cartoons and surfaces
     std::vector<MeshVertex> meshVertices;
     std::vector<MeshRun> meshes;            ///< all triangles together, in their order
     std::vector<Triangle> coarseTriangles;  ///< of the meshes' levels: numbered on from the others where both are drawn

@@ -82,6 +82,13 @@ bool holdsCenter(glm::vec2 low, glm::vec2 high) {
     return along(low.x, high.x) && along(low.y, high.y);
 }
 
+/// A wire's, as shaders/common/hit.glsl has it, and a hair more.
+float radiusOf(const TileView& view, float stored, float z) {
+    if (stored >= 0) return stored;
+    const float atOrigin = -stored * view.wireScale / view.pixels * 1.001f;
+    return view.perspective ? atOrigin * (view.origin - z) / view.origin : atOrigin;
+}
+
 }  // namespace
 
 void TileLists::add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near,
@@ -113,16 +120,16 @@ void TileLists::addSpheres(const TileView& view, std::span<const Sphere> spheres
     }
 }
 
-void TileLists::addCylinders(const TileView& view, std::span<const Cylinder> cylinders, const TileCall& call) {
+void TileLists::addCylinders(const TileView& view, const TileScenery& s, const TileCall& call) {
     for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
-        const Cylinder& c = cylinders[i];
+        const Cylinder& c = i < s.cylinders.size() ? s.cylinders[i] : s.wires[i - s.cylinders.size()];
         const glm::vec3 a = placed(call.rows, c.a), b = placed(call.rows, c.b);
-        const Disc da = discOf(view, a, reachOf(view, a.z, c.radius)),
-                   db = discOf(view, b, reachOf(view, b.z, c.radius));
+        const float radius = radiusOf(view, c.radius, 0.5f * (a.z + b.z));
+        const Disc da = discOf(view, a, reachOf(view, a.z, radius)), db = discOf(view, b, reachOf(view, b.z, radius));
         const glm::vec2 pa = pixelOf(view, da.center), pb = pixelOf(view, db.center);
         const float ra = da.radius * view.pixels, rb = db.radius * view.pixels;
         add(view, call.number + i, glm::min(pa - ra, pb - rb), glm::max(pa + ra, pb + rb),
-            view.origin - std::max(a.z, b.z) - c.radius, kept_);
+            view.origin - std::max(a.z, b.z) - radius, kept_);
     }
 }
 
@@ -287,7 +294,7 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
     for (const TileCall& call : drawsSpheres_ ? frontSpheres_.doubts() : s.sphereCalls)
         addSpheres(view, s.spheres, call);
     keptSpheres_ = kept_.size();
-    for (const TileCall& call : s.cylinderCalls) addCylinders(view, s.cylinders, call);
+    for (const TileCall& call : s.cylinderCalls) addCylinders(view, s, call);
     const bool drawsTriangles = view.centers && view.layers == 1 && view.contour == 0 && !s.triangleCalls.empty();
     if (drawsTriangles)
         addFrontTriangles(view, s);

@@ -22,6 +22,7 @@ struct TileScenery {
     std::span<const TileCall> sphereCalls;
     std::span<const Cylinder> cylinders;
     std::span<const TileCall> cylinderCalls;
+    std::span<const Cylinder> wires = {};  ///< numbered on from the cylinders
     std::span<const Triangle> triangles = {};
     std::span<const MeshVertex> vertices = {};
     std::span<const TileCall> triangleCalls = {};
@@ -117,7 +118,7 @@ private:
     void add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near,
              std::vector<Kept>& kept) const;
     void addSpheres(const TileView& view, std::span<const Sphere> spheres, const TileCall& call);
-    void addCylinders(const TileView& view, std::span<const Cylinder> cylinders, const TileCall& call);
+    void addCylinders(const TileView& view, const TileScenery& scenery, const TileCall& call);
     void placeCorners(const TileView& view, const TileScenery& scenery, const MeshPart& part);
     void addTriangle(const TileView& view, std::uint32_t number, const glm::vec3& a, const glm::vec3& b,
                      const glm::vec3& c, std::vector<Kept>& kept) const;

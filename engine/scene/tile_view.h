@@ -27,6 +27,7 @@ struct TileView {
     /// Pixels are asked at their centres alone: triangles that lie between them are left out, and, where one layer is
     /// asked for, such as lie behind others at all of them; pixels begin with the nearest.
     bool centers = false;
+    float wireScale = 1;       ///< pixels across one of the picture, by which wires are wide
     std::uint32_t layers = 1;  ///< how many of the nearest primitives a pixel shows
 
     bool clips() const { return clipNear > -kNoPlane || clipFar < kNoPlane; }

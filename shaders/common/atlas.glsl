@@ -30,10 +30,10 @@ vec2 patchPlace(uint address) {
     return kCells ? corner : coordinate;
 }
 
-/// Where a vertex's texel stands. @param side  0 the outer one, 1 the inner one
-ivec2 vertexPlace(uint vertex, uint side) {
+/// Where a vertex's texel stands. @param side  0 the outer one, 1 the inner one @param cylinders  that have patches
+ivec2 vertexPlace(uint vertex, uint side, uint cylinders) {
     uint top = rowsOf(view.spheres, view.patchesInRow & 0xffffu) * sphereEdge() +
-               rowsOf(view.cylinders, view.patchesInRow >> 16) * cylinderTexels().y;
+               rowsOf(cylinders, view.patchesInRow >> 16) * cylinderTexels().y;
     uvec2 at = dividedSmall(2u * vertex + side, uint(1.0 / view.atlasTexel.x + 0.5));
     return ivec2(at.y, at.x + top);
 }

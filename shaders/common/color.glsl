@@ -54,7 +54,7 @@ float patchTexel(vec2 place, vec2 uv, vec2 texels) {
 /// Lanes that show no triangle fetch, too, on some drivers: none of them beside the atlas.
 float vertexTexelOfAtlas(uint vertex, uint side) {
     ivec2 last = textureSize(occlusionAtlas, 0) - 1;
-    return texelFetch(occlusionAtlas, clamp(vertexPlace(vertex, side), ivec2(0), last), 0).r;
+    return texelFetch(occlusionAtlas, clamp(vertexPlace(vertex, side, effects.bakedCylinders), ivec2(0), last), 0).r;
 }
 #ifdef CELLS
 /// Texels in words of four: software devices gather a word in the time of a texel. A row's last texel in a word is the first
@@ -86,7 +86,7 @@ float cylinderTexel(uint index, vec2 uv) {
 /// Vertices stand behind the patches, four texels a word.
 float vertexTexel(uint vertex, uint side) {
     if (!kCells) return vertexTexelOfAtlas(vertex, side);
-    uint at = 2u * vertex + side, first = view.spheres * sphereWords() + view.cylinders * cylinderWords();
+    uint at = 2u * vertex + side, first = view.spheres * sphereWords() + effects.bakedCylinders * cylinderWords();
     uint four = texelFetch(cellTexels, clamp(int(first + at / 4u), 0, textureSize(cellTexels) - 1)).x;
     return float(four >> 8u * (at & 3u) & 0xffu) * (1.0 / 255.0);
 }

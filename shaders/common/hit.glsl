@@ -136,6 +136,13 @@ Stick stickOf(vec3 a, vec4 b, float radius) {
     return Stick(a, radius, axis, len, ahead, sine, perSine, perFall, b.w);
 }
 
+/// @param a, b  as they are stored
+Stick stickAt(vec4 a, vec4 b) {
+    precise vec3 from = toView(a.xyz);
+    precise vec4 to = endToView(b);
+    return stickOf(from, to, stickRadius(a.w, from.z, to.z));
+}
+
 /// A cylinder's hit where it is not cut, and what cuts and contour lines need to know.
 struct StickHit {
     Hit hit;
@@ -172,6 +179,7 @@ StickHit parallelStickHit(Stick c, vec2 q) {
     // The axis' picture, turned to the left, and what leans towards the viewer from the axis.
     precise vec3 outwards = vec3(vec2(-c.ahead.y, c.ahead.x) * beside - c.ahead * (c.axis.z * root), c.sine * root) * (1.0 / r);
     hit.normal = side ? outwards : c.axis.z < 0.0 ? -c.axis : c.axis;
+    if (r < 0.0) hit.normal = vec3(0.0, 0.0, 1.0);  // wires look the same from all sides
     found.hit = hit;
     found.on = side ? s : capAt;
     found.away2 = beside * beside;
@@ -215,6 +223,7 @@ StickHit pointStickHit(Stick c, vec2 q) {
     hit.inside = side || cap;
     hit.Z = tHit * view.origin;
     hit.normal = side ? (fromSide + raySide * t) / r : (rayAxis > 0.0 ? -c.axis : c.axis);
+    if (r < 0.0) hit.normal = vec3(0.0, 0.0, 1.0);
     found.hit = hit;
     found.on = side ? s : capAt;
     found.away2 = away2;
@@ -246,7 +255,7 @@ Hit stickHitThrough(Stick c, vec2 q) {
         float Z = found.silhouette.x, along = found.silhouette.y;
         bool kept = along >= 0.0 && along <= c.len && (!kClip || (Z >= view.clipNear && Z <= view.clipFar));
         // Inside of the silhouette nothing was hit but what was cut away.
-        precise float outside = kept && found.inside <= 0.0 ? sqrt(found.away2) - c.radius : 1e9;
+        precise float outside = kept && found.inside <= 0.0 ? sqrt(found.away2) - abs(c.radius) : 1e9;
         drawContour(hit, outside, view.contourWidth * (kPerspective ? Z / view.origin : 1.0), Z);
         if (hit.contour) on = along;
     }

@@ -26,6 +26,7 @@ const int kCopiesId = 6;        // bool: primitives stand at the places of copie
 const int kSpheresId = 7;       // bool: the scene has spheres
 const int kCylindersId = 8;     // bool: and cylinders
 const int kTrianglesId = 9;     // bool: and triangles
+const int kWireScaleId = 14;    // float: pixels across one of the picture, by which wires are wide
 // Polygons, and depth.
 const int kCornersId = 10;        // of the polygon that a primitive is drawn in
 const int kRimId = 11;            // float: of a plate, in radii of its sphere
@@ -166,6 +167,8 @@ struct EffectConstants {
     float perHaloDepth;                // 1 / (Å behind a primitive at which its halo is densest)
     float lineWidth;                   // at z = 0, of lines by groups; 0: there are none
     float lineDepth;                   // Å by which depth jumps at the thinnest of them
+    uint bakedCylinders;               // that the occlusion atlas has patches of: wires stand behind them
+    uint unused0, unused1, unused2;
     vec4 copyColors[kMostCopyColors];  // linear
 };
 
@@ -230,7 +233,7 @@ static_assert(offsetof(ViewConstants, extent) == 48 && offsetof(ViewConstants, a
               offsetof(ViewConstants, clipNear) == 112);
 static_assert(sizeof(TileConstants) == 128 && offsetof(TileConstants, axisPixel) == 56 &&
               offsetof(TileConstants, atlasTexel) == 96);
-static_assert(sizeof(EffectConstants) == 144 + 16 * kMostCopyColors && offsetof(EffectConstants, fogStart) == 32 &&
+static_assert(sizeof(EffectConstants) == 160 + 16 * kMostCopyColors && offsetof(EffectConstants, fogStart) == 32 &&
               offsetof(EffectConstants, shadowSpread) == 96 && offsetof(EffectConstants, halo) == 112);
 static_assert(sizeof(OcclusionConstants) == 68 && sizeof(MapConstants) == 56);
 static_assert(sizeof(Direction) == 48 && sizeof(NarrowDirections) == 36 * kMostDirections);

@@ -31,11 +31,12 @@ Seen seenStick(uint index, vec2 q) {
     vec4 shapeB = shapeAt(view.spheres + 2u * index + 1u);
     precise vec3 a = toView(shapeA.xyz);
     precise vec4 b = endToView(shapeB);
-    seen.hit = cylinderHitThrough(a, b, shapeA.w, q);
+    seen.hit = cylinderHitThrough(a, b, stickRadius(shapeA.w, a.z, b.z), q);
     seen.look = 2u * view.spheres + 4u * index + (seen.hit.along < 0.5 ? 0u : 1u);
     seen.atom = seen.look + 2u;
     vec3 axis = (shapeB.xyz - shapeA.xyz) * shapeB.w;
-    seen.occlusion = shadesOcclusion(seen.hit) ? cylinderTexel(index, cylinderCoordinate(seen.hit, axis)) : 1.0;
+    bool shaded = shapeA.w >= 0.0 && shadesOcclusion(seen.hit);  // a wire has no patch
+    seen.occlusion = shaded ? cylinderTexel(index, cylinderCoordinate(seen.hit, axis)) : 1.0;
     return seen;
 }
 #endif

@@ -81,16 +81,20 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
 #endif
     vec4 shape = shapeAt(index);
     e.a = vec4(toView(shape.xyz), shape.w);
+#ifdef CYLINDERS
+    vec4 end = endToView(shapeAt(e.cylinder ? index + 1u : index));
+    float radius = stickRadius(shape.w, e.a.z, end.z);
+    e.a.w = abs(radius);
+#endif
     vec3 disc = discOf(e.a.xyz, reachOf(e.a.z, e.a.w));
     float front = e.a.z;
     vec2 away = middle - disc.xy;
     vec2 outside = max(abs(away) - reach, 0.0);
     e.meets = dot(outside, outside) <= disc.z * disc.z;
 #ifdef CYLINDERS
-    vec4 end = endToView(shapeAt(e.cylinder ? index + 1u : index));
     vec3 other = discOf(end.xyz, reachOf(end.z, e.a.w));
     e.meets = e.cylinder ? spanMeets(disc.xy, other.xy, max(disc.z, other.z), middle, reach) : e.meets;
-    e.stick = stickOf(e.a.xyz, end, e.a.w);
+    e.stick = stickOf(e.a.xyz, end, radius);
     front = e.cylinder ? max(e.a.z, end.z) : front;
 #endif
     float begins = view.origin - front - e.a.w * 1.001;

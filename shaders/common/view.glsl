@@ -49,6 +49,15 @@ float encodedDepth(float Z) {
     precise float d = fma(Z, view.perRange, -start);
     return d;
 }
+/// A wire is as wide in the picture wherever it stands. What is stored of it is minus half of its width, in pixels of the
+/// picture that is asked for; what comes out is a radius in Å, still below 0.
+layout(constant_id = kWireScaleId) const float kWireScale = 1.0;
+float stickRadius(float stored, float az, float bz) {
+    precise float middle = 0.5 * (az + bz);
+    precise float atOrigin = stored * view.pixel * kWireScale;
+    precise float there = kPerspective ? atOrigin * ((view.origin - middle) / view.origin) : atOrigin;
+    return stored < 0.0 ? there : stored;
+}
 #ifndef TILES
 /// Whether a light's view leaves a primitive out: beyond the viewer's clipping plane.
 bool isCutOff(vec3 center) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/input/map_input.h"
 #include "app/picture/options.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"
@@ -102,6 +103,57 @@ TEST_F(DrawingTest, TwoShareACanvas) {
     EXPECT_EQ(drawing.draw(canvas).rgba, first.rgba);
     EXPECT_EQ(drawing.counts().scenes, 1);
     EXPECT_EQ(drawing.counts().uploads, 2);
+}
+
+/// A ball of density about the origin, under a name.
+void keepBall(const std::string& name) {
+    constexpr int kNodes = 33;
+    std::vector<float> values;
+    for (int i = 0; i < kNodes * kNodes * kNodes; ++i) {
+        const glm::vec3 at(i % kNodes - 16, i / kNodes % kNodes - 16, i / kNodes / kNodes - 16);
+        values.push_back(16 - std::sqrt(glm::dot(at, at)));
+    }
+    keepMap(name, std::make_shared<const DensityMap>(mapOfValues(name, glm::ivec3(kNodes),
+                                                                 {glm::dvec3(kNodes), glm::dvec3(90)}, glm::dvec3(-16),
+                                                                 false, std::move(values))));
+}
+
+TEST_F(DrawingTest, ALevelMakesContoursAndNoScene) {
+    keepBall("ball");
+    set("map", "ball");
+    set("map-style", "mesh");
+    set("map-level", "6");
+    const Picture first = drawn();
+    ASSERT_EQ(drawing.counts().scenes, 1);
+    for (const auto& [key, value] : {std::pair{"map-level", "12"},
+                                     {"map-style", "dots"},
+                                     {"map-color", "red"},
+                                     {"map-around", "resi 1,9"},
+                                     {"map-width", "3"}}) {
+        if (option(key).kind == Option::Kind::list) set(key, "");
+        set(key, value);
+        const int uploads = drawing.counts().uploads;
+        const Picture again = drawn();
+        EXPECT_EQ(drawing.counts().scenes, 1) << key;
+        EXPECT_EQ(drawing.counts().uploads, uploads + 1) << key;
+        EXPECT_NE(again.rgba, first.rgba) << key;
+        EXPECT_EQ(again.rgba, anew().rgba) << key;
+    }
+}
+
+TEST_F(DrawingTest, MapsAreDrawnWhereEveryAtomIsHidden) {
+    keepBall("ball");
+    set("map", "ball");
+    set("hide", "all");
+    const Picture surface = drawn();
+    const auto covered = [](const Picture& p) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < p.rgba.size(); i += 4) count += p.rgba[i] < 0.99f;
+        return count;
+    };
+    EXPECT_GT(covered(surface), 30u);
+    set("map", "");
+    EXPECT_THROW(drawn(), Error);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ from . import _nacre
 from ._nacre import Error, UsageError
 
 __version__ = _nacre.__version__
-__all__ = ["Error", "FileMissing", "Movie", "Structure", "UsageError", "__version__", "from_arrays", "from_biopython",
+__all__ = ["Error", "FileMissing", "Movie", "Structure", "UsageError", "__version__", "density_map", "from_arrays", "from_biopython",
            "from_gemmi", "open", "options"]
 
 _NOTEBOOK = {"size": (512, 512), "supersample": 2}
@@ -359,6 +359,19 @@ _SYMBOLS = (
     "Mo Tc Ru Rh Pd Ag Cd In Sn Sb Te I Xe Cs Ba La Ce Pr Nd Pm Sm Eu Gd Tb Dy Ho Er Tm Yb Lu Hf Ta W Re Os Ir Pt Au "
     "Hg Tl Pb Bi Po At Rn Fr Ra Ac Th Pa U Np Pu Am Cm Bk Cf Es Fm Md No Lr Rf Db Sg Bh Hs Mt Ds Rg Cn Nh Fl Mc Lv Ts "
     "Og").split()
+
+
+def density_map(name, values, cell, *, origin=(0, 0, 0), crystal=False):
+    """A density map of an array, under a name that pictures take: render(map=[name]).
+
+    values: (a, b, c) nodes. cell: the edges in Å, and the angles in degrees if they are not 90; a numpy array's box, or
+    the unit cell if the map is a crystal's. origin: place of the first node in Å.
+    """
+    cell = [float(value) for value in cell]
+    _nacre.density_map(str(name), _numpy.asarray(values, dtype=_numpy.float32),
+                       cell + [90.0] * (6 - len(cell)) if len(cell) == 3 else cell, [float(v) for v in origin],
+                       bool(crystal))
+    return str(name)
 
 
 def from_gemmi(structure, **options):

@@ -53,6 +53,13 @@ class Options(TypedDict, total=False):
     color_by: str | Sequence[str]
     water: str
     hydrogens: str
+    map: str | Sequence[str]
+    map_level: str | Sequence[str]
+    map_style: str | Sequence[str]
+    map_color: str | Sequence[str]
+    map_opacity: str | float
+    map_width: str | float
+    map_around: str
     projection: str
     fov: str | float
     zoom: str | float
@@ -153,6 +160,8 @@ def open(source: str | PathLike[str] | Sequence[str | PathLike[str]] | bytes | b
 def from_arrays(positions: ArrayLike, elements: ArrayLike, bonds: ArrayLike | None = ..., *, names: ArrayLike = ...,
                 residue_names: ArrayLike = ..., residue_numbers: ArrayLike = ..., chains: ArrayLike = ...,
                 b_factors: ArrayLike = ..., occupancies: ArrayLike = ..., name: str = ...) -> Structure: ...
+def density_map(name: str, values: ArrayLike, cell: Sequence[float], *, origin: Sequence[float] = ...,
+                crystal: bool = ...) -> str: ...
 def from_gemmi(structure: Any, **options: Any) -> Structure: ...
 def from_biopython(entity: Any, **options: Any) -> Structure: ...
 def options() -> dict[str, str]: ...

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "app/download/database_id.h"
+#include "app/picture/description.h"
+
+namespace nacre::app {
+
+/// Where `emdb:3001`, `pdb-map:3nzd` (2Fo-Fc) and `pdb-diff:3nzd` (Fo-Fc) are. NACRE_EMDB_URL and NACRE_PDB_MAP_URL
+/// replace the addresses' beginnings.
+struct MapSource {
+    std::string cacheName, url;
+};
+/// Empty if the text names no such database: a file, then. @throws Error if the identifier is none
+std::optional<MapSource> mapSourceOf(const std::string& name, const Environment& environment = environmentVariable);
+
+/// Reads the maps that a picture names from databases, as loadMolecule() does its molecule: then they are at hand
+/// (map_input.h). Files are read when they are drawn. @throws Error
+void loadMaps(const PictureDescription& picture, const std::function<void(double)>& onDownload = {});
+
+}  // namespace nacre::app

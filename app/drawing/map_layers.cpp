@@ -1,0 +1,163 @@
+#include "app/drawing/map_layers.h"
+
+#include <cmath>
+#include <list>
+#include <mutex>
+
+#include "app/input/map_input.h"
+#include "app/picture/option_text.h"
+#include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/scene/colors.h"
+#include "engine/scene/map_scene.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr double kSigma = 1.5, kDifferenceSigma = 3, kTopPercent = 1;  // of levels that nobody names
+constexpr double kOpacityBesideMolecule = 0.5;
+constexpr std::array<float, 4> kCrystalBlue{0.2f, 0.36f, 0.8f, 1}, kPositiveGreen{0.1f, 0.6f, 0.2f, 1},
+    kNegativeRed{0.82f, 0.15f, 0.15f, 1}, kCryoGrey{0.66f, 0.7f, 0.75f, 1};
+
+/// What is made of a map about some places: kept, since only levels and colours change most of the time.
+struct KeptRegion {
+    std::shared_ptr<const DensityMap> map;
+    std::vector<glm::dvec3> places;
+    double reach = 0;
+    std::shared_ptr<const MapRegion> region;
+};
+
+std::shared_ptr<const MapRegion> regionOf(const std::shared_ptr<const DensityMap>& map,
+                                          const std::vector<glm::dvec3>& places, double reach) {
+    constexpr std::size_t kMostKept = 4;
+    static std::mutex mutex;
+    static std::list<KeptRegion> kept;
+    {
+        const std::lock_guard lock(mutex);
+        for (auto at = kept.begin(); at != kept.end(); ++at)
+            if (at->map == map && at->reach == reach && at->places == places) {
+                kept.splice(kept.begin(), kept, at);
+                return at->region;
+            }
+    }
+    const auto region = places.empty() ? std::make_shared<const MapRegion>(*map, glm::ivec3(0), map->size - 1)
+                                       : std::make_shared<const MapRegion>(*map, places, reach);
+    const std::lock_guard lock(mutex);
+    kept.push_front({map, places, reach, region});
+    if (kept.size() > kMostKept) kept.pop_back();
+    return region;
+}
+
+/// The one of a map; the standard where the list is shorter.
+template <typename Value>
+Value ofMap(const std::vector<Value>& list, std::size_t i) {
+    return i < list.size() ? list[i] : Value{};
+}
+
+std::uint32_t bitsOf(const std::array<float, 4>& color) {
+    const auto channel = [&](std::size_t i) {
+        return static_cast<std::uint32_t>(std::lround(static_cast<double>(color[i]) * 255)) << 8 * i;
+    };
+    return channel(0) | channel(1) | channel(2);
+}
+
+std::vector<glm::dvec3> placesOf(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+    std::vector<glm::dvec3> places;
+    places.reserve(atoms.size());
+    for (const std::uint32_t atom : atoms) {
+        const glm::dvec3 at(molecule.atoms[atom].position);
+        if (std::isfinite(at.x + at.y + at.z)) places.push_back(at);
+    }
+    return places;
+}
+
+/// Where maps are drawn, and how far from there; no places: everywhere.
+struct Around {
+    std::vector<glm::dvec3> places;
+    double reach = 0;
+};
+
+Around aroundOf(const Molecule& molecule, const PictureDescription& d, const DensityMap& map) {
+    const MapOptions& maps = d.maps;
+    if (!maps.around) {
+        if (!map.periodic) return {};
+        return {placesOf(molecule, drawnAtoms(molecule, d.drawn)), kMapReachOfAll};
+    }
+    const std::vector<bool> chosen = selectAtoms(molecule, *maps.around);
+    std::vector<std::uint32_t> atoms;
+    for (std::uint32_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i]) atoms.push_back(i);
+    Around around{placesOf(molecule, atoms), maps.reach.value_or(kMapReach)};
+    if (around.places.empty())
+        throw Error("cannot draw map", map.name, "--map-around '" + maps.around->text + "' matches no atoms");
+    return around;
+}
+
+MapContour contourOf(const DensityMap& map, const MapOptions& maps, std::size_t i) {
+    MapContour contour;
+    contour.style = ofMap(maps.styles, i);
+    if (contour.style == MapStyle::automatic) contour.style = map.periodic ? MapStyle::mesh : MapStyle::surface;
+    contour.opacity = maps.opacity.value_or(kOpacityBesideMolecule);
+    contour.width = maps.width;
+    contour.level = levelOf(map, ofMap(maps.levels, i));
+    return contour;
+}
+
+}  // namespace
+
+double levelOf(const DensityMap& map, const MapLevel& level) {
+    const MapStatistics& s = map.statistics;
+    switch (level.unit) {
+        case MapLevel::Unit::value:
+            return level.value;
+        case MapLevel::Unit::sigma:
+            return s.mean + level.value * s.rms;
+        case MapLevel::Unit::top:
+            return levelOfTopShare(map, level.value / 100);
+        case MapLevel::Unit::automatic:
+            break;
+    }
+    if (!map.periodic) return levelOfTopShare(map, kTopPercent / 100);
+    return s.mean + (map.difference ? kDifferenceSigma : kSigma) * s.rms;
+}
+
+Representation withMaps(Representation scene, const MapLayers& maps) {
+    joinMaps(scene, maps.shown);
+    return scene;
+}
+
+MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, const glm::dvec3& center) {
+    MapLayers layers;
+    Representation& shown = layers.shown;
+    shown.center = center;
+    for (std::size_t i = 0; i < d.maps.files.size(); ++i) {
+        const std::shared_ptr<const DensityMap> map = mapOf(d.maps.files[i]);
+        const Around around = aroundOf(molecule, d, *map);
+        const std::shared_ptr<const MapRegion> region = regionOf(map, around.places, around.reach);
+        const MapColors colors = ofMap(d.maps.colors, i);
+        const std::size_t before = shown.wires.size() + shown.triangles.size();
+        MapContour contour = contourOf(*map, d.maps, i);
+        const auto usual = map->difference ? kPositiveGreen : map->periodic ? kCrystalBlue : kCryoGrey;
+        contour.color = bitsOf(colors.automatic ? usual : colors.high);
+        // A level below the mean of a crystal encloses what is lower; the mean of a cryo-EM map says little.
+        contour.above = contour.level >= map->statistics.mean || !map->periodic;
+        const MapStatistics& statistics = map->statistics;
+        layers.sigmas.push_back(statistics.rms > 0 ? (contour.level - statistics.mean) / statistics.rms : 0);
+        addContour(*region, contour, shown);
+        if (map->difference) {
+            MapContour other = contour;
+            other.level = 2 * map->statistics.mean - contour.level;
+            other.above = !contour.above;
+            other.color = bitsOf(colors.automatic ? kNegativeRed : colors.low);
+            addContour(*region, other, shown);
+        }
+        if (around.places.empty()) layers.frame = shown.radius;
+        if (shown.wires.size() + shown.triangles.size() == before)
+            layers.warnings.push_back(map->name + ": nothing to show at level " + numberText(contour.level) +
+                                      (around.places.empty() ? "" : " near these atoms"));
+        for (const std::string& warning : map->warnings) layers.warnings.push_back(map->name + ": " + warning);
+    }
+    return layers;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,95 @@
+#include "app/input/map_input.h"
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+
+#include "app/input/read_input.h"
+
+namespace nacre::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What tells whether a file is as it was.
+struct FileState {
+    std::uintmax_t size = 0;
+    fs::file_time_type time{};
+    friend bool operator==(const FileState&, const FileState&) = default;
+};
+std::optional<FileState> stateOf(const std::string& path) {
+    std::error_code error;
+    FileState state;
+    state.size = fs::file_size(path, error);
+    if (error) return {};
+    state.time = fs::last_write_time(path, error);
+    return error ? std::nullopt : std::optional(state);
+}
+
+struct KeptMap {
+    std::optional<FileState> state;  ///< empty: no file
+    std::shared_ptr<const DensityMap> map;
+    std::uint64_t used = 0;
+};
+
+/// Maps by their names, the latest of them; all together no more than one may take.
+class KeptMaps {
+public:
+    std::shared_ptr<const DensityMap> find(const std::string& name, const std::optional<FileState>& state) {
+        const std::lock_guard lock(mutex_);
+        const auto found = maps_.find(name);
+        if (found == maps_.end() || found->second.state != state) return nullptr;
+        found->second.used = ++uses_;
+        return found->second.map;
+    }
+    std::shared_ptr<const DensityMap> find(const std::string& name) {
+        const std::lock_guard lock(mutex_);
+        const auto found = maps_.find(name);
+        return found == maps_.end() ? nullptr : found->second.map;
+    }
+    void keep(const std::string& name, const std::optional<FileState>& state, std::shared_ptr<const DensityMap> map) {
+        const std::lock_guard lock(mutex_);
+        maps_[name] = {state, std::move(map), ++uses_};
+        const std::size_t most = mapLimits().maxBytes;
+        while (maps_.size() > 1 && bytes() > most) {
+            auto oldest = maps_.begin();
+            for (auto at = maps_.begin(); at != maps_.end(); ++at)
+                if (at->second.used < oldest->second.used) oldest = at;
+            maps_.erase(oldest);
+        }
+    }
+
+private:
+    std::size_t bytes() const {
+        std::size_t sum = 0;
+        for (const auto& [name, kept] : maps_) sum += kept.map->values.size() * sizeof(float);
+        return sum;
+    }
+
+    std::mutex mutex_;
+    std::map<std::string, KeptMap> maps_;
+    std::uint64_t uses_ = 0;
+};
+
+KeptMaps& keptMaps() {
+    static KeptMaps maps;
+    return maps;
+}
+
+}  // namespace
+
+std::shared_ptr<const DensityMap> mapOf(const std::string& path) {
+    const std::optional<FileState> state = stateOf(path);
+    if (auto kept = keptMaps().find(path, state)) return kept;
+    auto map = std::make_shared<const DensityMap>(readMapFile(path, mapLimits()));
+    keptMaps().keep(path, state, map);
+    return map;
+}
+
+void keepMap(const std::string& name, std::shared_ptr<const DensityMap> map) {
+    keptMaps().keep(name, {}, std::move(map));
+}
+std::shared_ptr<const DensityMap> keptMap(const std::string& name) { return keptMaps().find(name); }
+
+}  // namespace nacre::app

@@ -1,0 +1,75 @@
+// Density maps beside the molecule: level, style, colour, and where they are drawn.
+
+#include <cmath>
+
+#include "app/panel/panel_state.h"
+#include "app/picture/map_options.h"
+#include "app/picture/option_values.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr float kHighestSigma = 6;
+constexpr double kFarthest = 10;  // Å, of the slider
+
+/// The i-th of a list that may be shorter.
+template <typename Value>
+Value& entry(std::vector<Value>& list, std::size_t i) {
+    if (list.size() <= i) list.resize(i + 1);
+    return list[i];
+}
+
+void drawMap(PanelFrame& f, std::size_t i) {
+    MapOptions& maps = f.look.maps;
+    const std::string file = maps.files[i], name = shortName(file);
+    ImGui::PushID(static_cast<int>(i));
+    const float side = f.ui.rowHeight(), room = ImGui::GetContentRegionAvail().x, x = ImGui::GetCursorPosX();
+    f.ui.name(name, room - 2 * side - f.ui.px(8));
+    ImGui::SameLine(x + room - 2 * side - f.ui.px(4));
+    const bool own = i < maps.colors.size() && !maps.colors[i].automatic;
+    std::array<float, 3> color{0.2f, 0.36f, 0.8f};
+    if (own) color = {maps.colors[i].high[0], maps.colors[i].high[1], maps.colors[i].high[2]};
+    if (f.ui.chooseColor(("Colour of " + name).c_str(), color, side, !own)) {
+        MapColors& colors = entry(maps.colors, i);
+        colors = {{color[0], color[1], color[2], 1}, own ? colors.low : colors.high, false};
+        if (!own) colors.low = colors.high;
+    }
+    ImGui::SameLine(x + room - side);
+    const bool removed = f.ui.sign(Icon::close, ("Remove " + name).c_str());
+    // What was slid is not built yet: it stands where the hand has it.
+    const bool slid = i < maps.levels.size() && maps.levels[i].unit == MapLevel::Unit::sigma;
+    const std::vector<double> built = f.viewer.document() ? f.viewer.document()->maps.sigmas : std::vector<double>();
+    if (slid || i < built.size()) {
+        auto sigma = static_cast<float>(slid ? maps.levels[i].value : built[i]);
+        if (f.ui.slide(("Level of " + name).c_str(), sigma, -kHighestSigma, kHighestSigma, "Level: %.1f σ"))
+            entry(maps.levels, i) = {MapLevel::Unit::sigma, std::round(sigma * 10) / 10};
+    }
+    constexpr const char* kStyles[] = {"Style: default", "Mesh", "Surface", "Dots"};
+    MapStyle style = i < maps.styles.size() ? maps.styles[i] : MapStyle::automatic;
+    if (f.ui.choose(("Style of " + name).c_str(), kStyles, style)) entry(maps.styles, i) = style;
+    ImGui::PopID();
+    if (!removed) return;
+    const auto drop = [i](auto& list) {
+        if (i < list.size()) list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
+    };
+    drop(maps.files), drop(maps.levels), drop(maps.styles), drop(maps.colors);
+}
+
+}  // namespace
+
+void drawMaps(PanelFrame& f) {
+    MapOptions& maps = f.look.maps;
+    if (maps.files.empty()) return;
+    f.ui.heading("Density maps");
+    for (std::size_t i = 0; i < maps.files.size(); ++i) drawMap(f, i);
+    auto reach = static_cast<float>(maps.reach.value_or(maps.around ? kMapReach : kMapReachOfAll));
+    if (maps.around && f.ui.slide("Radius of maps", reach, 0.5f, static_cast<float>(kFarthest), "Radius: %.1f Å"))
+        maps.reach = std::round(reach * 10) / 10;
+    bool around = maps.around.has_value();
+    if (f.ui.toggle("Around ligands only", around)) {
+        maps.around = around ? std::optional(parseSelection("ligand")) : std::nullopt;
+        maps.reach.reset();
+    }
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,74 @@
+// Density maps: which, at which levels, and how they look.
+
+#include "app/picture/rows.h"
+
+namespace nacre::app {
+namespace {
+
+using P = PictureDescription;
+using M = MapOptions;
+using T = std::string_view;
+using enum Option::Kind;
+using enum Option::Save;
+
+std::string mapFile(T text) { return fileName(text); }
+
+}  // namespace
+
+std::vector<Option> mapRows() {
+    const auto row = [](T key, const char* syntax, const char* standard, const char* help, auto parse, auto print,
+                        Option::Kind kind = value) {
+        return Option{.key = key,
+                      .syntax = syntax,
+                      .standard = standard,
+                      .help = help,
+                      .topic = Topic::map,
+                      .facet = Facet::map,
+                      .parse = parse,
+                      .print = print,
+                      .kind = kind,
+                      .save = differing};
+    };
+    std::vector<Option> rows{
+        row(
+            "map", "FILE", "",
+            "Density map: CCP4 or MRC, OpenDX, Gaussian cube, DSN6, BRIX or BinaryCIF of a density server; repeatable",
+            [](T text, P& d) { addTo(d.maps.files, text, kMostMaps, mapFile); },
+            [](const P& d) { return lines(d.maps.files, [](const std::string& file) { return file; }); }, list),
+        row(
+            "map-level", "LEVEL", "1.5sigma for crystals, 3sigma for difference maps, else top1%",
+            "Contour level: 1.5sigma (above the mean, RMS over the unit cell), 0.03 or top1%;\nrepeatable: the first "
+            "is "
+            "that of the first --map",
+            [](T text, P& d) { addTo(d.maps.levels, text, kMostMaps, parseMapLevel); },
+            [](const P& d) { return lines(d.maps.levels, mapLevelText); }, list),
+        row(
+            "map-style", "STYLE", "mesh for crystals, else surface",
+            "mesh, surface or dots; repeatable: the first is that of the first --map",
+            [](T text, P& d) { addTo(d.maps.styles, text, kMostMaps, parseMapStyle); },
+            [](const P& d) { return lines(d.maps.styles, mapStyleText); }, list),
+        row(
+            "map-color", "COLOR[,COLOR]", "blue; green and red for difference maps; grey for cryo-EM maps",
+            "Colour, the second one of a difference map's negative contour;\nrepeatable: the first is that of the "
+            "first "
+            "--map",
+            [](T text, P& d) { addTo(d.maps.colors, text, kMostMaps, parseMapColors); },
+            [](const P& d) { return lines(d.maps.colors, mapColorsText); }, list),
+        row(
+            "map-opacity", "SHARE", "0.5 beside a molecule", "Opacity of map surfaces, 0.01 to 1",
+            [](T text, P& d) { d.maps.opacity = parseNumber(text, kLeastOpacity, 1); },
+            [](const P& d) { return d.maps.opacity ? numberText(*d.maps.opacity) : ""; }),
+        row(
+            "map-width", "PIXELS", "=", "Width of map lines and dots in pixels, 0.5 to 10",
+            [](T text, P& d) { d.maps.width = parseNumber(text, 0.5, kWidestWire); }, printNumber<&P::maps, &M::width>),
+        row(
+            "map-around", "SEL[,RADIUS]", "all drawn atoms, 4 Å, for crystals; else the whole map",
+            "Draw maps within RADIUS (2 Å) of the atoms of a selection only",
+            [](T text, P& d) { parseMapAround(text, d.maps); }, [](const P& d) { return mapAroundText(d.maps); }),
+    };
+    for (Option& option : rows)
+        if (option.key != "map") option.needs = "map";
+    return rows;
+}
+
+}  // namespace nacre::app

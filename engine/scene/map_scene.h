@@ -1,0 +1,31 @@
+#pragma once
+// Density maps in a scene: isosurfaces as wires, surfaces or dots.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+
+#include "engine/mesh/isosurface.h"
+#include "engine/scene/map_style.h"
+#include "engine/scene/representation.h"
+
+namespace nacre {
+
+struct MapContour {
+    double level = 0;
+    bool above = true;  ///< higher values are enclosed; else lower ones
+    MapStyle style = MapStyle::mesh;
+    std::uint32_t color = 0;  ///< as SphereLook has it
+    double opacity = 1;       ///< of surfaces
+    double width = 1.5;       ///< of lines and dots, pixels
+};
+
+/// Adds what a contour of a map shows to a scene of maps alone, about its centre. Its pixels name no atom. Its radius
+/// grows by what is added. @throws Error if it is too large
+void addContour(const MapRegion& region, const MapContour& contour, Representation& maps);
+
+/// Draws maps beside what a scene shows, about the same centre; the camera's radius stays. What of a scene is asked for
+/// by its atoms must have been done by then.
+void joinMaps(Representation& scene, const Representation& maps);
+
+}  // namespace nacre

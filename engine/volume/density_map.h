@@ -1,0 +1,60 @@
+#pragma once
+// A density map: values on the nodes of a grid. Plain data.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "engine/volume/unit_cell.h"
+
+namespace nacre {
+
+/// Of the values that are known.
+struct MapStatistics {
+    double min = 0, max = 0, mean = 0;
+    double rms = 0;  ///< root of the mean square deviation from the mean: 1 sigma
+    std::size_t known = 0;
+};
+
+struct DensityMap {
+    std::string name;                  ///< for messages
+    std::string format;                ///< "ccp4", "dx", "cube", "dsn6" or "density-server"
+    UnitCell cell;                     ///< of a crystal; else the box
+    int spaceGroup = 0;                ///< number in the International Tables; 0: none
+    bool periodic = false;             ///< a crystal: the nodes are those of one cell, which repeats
+    glm::ivec3 size{};                 ///< nodes along a, b and c
+    glm::dvec3 origin{};               ///< place of node (0, 0, 0), Å
+    glm::dmat3 step{1};                ///< columns: from a node to the next along a, b and c, Å
+    std::vector<float> values;         ///< a fastest, c slowest; not a number where nothing is known
+    MapStatistics statistics;          ///< of the cell of a crystal, else of the box
+    std::array<int, 3> axes{1, 2, 3};  ///< in the file: which of a, b, c columns, rows and sections are
+    glm::ivec3 boxSize{},
+        boxStart{};           ///< nodes that the file holds along a, b, c, and the first one's place in the cell
+    bool difference = false;  ///< positive and negative density are shown: of names like "diff", "fo-fc"
+    std::vector<std::string> warnings;  ///< one sentence each
+
+    std::size_t index(const glm::ivec3& node) const {
+        return (static_cast<std::size_t>(node.z) * size.y + node.y) * size.x + node.x;
+    }
+    glm::dvec3 place(const glm::dvec3& node) const { return origin + step * node; }
+    /// Of a place in Å: where it is in nodes.
+    glm::dvec3 nodeAt(const glm::dvec3& position) const { return glm::inverse(step) * (position - origin); }
+};
+
+constexpr float kUnknownDensity = std::numeric_limits<float>::quiet_NaN();
+
+/// Trilinear between nodes; not a number outside of a box, or beside nodes that nothing is known of.
+double valueAt(const DensityMap& map, const glm::dvec3& position);
+
+/// The level that a share of the known values lies above. By a histogram of 2^20 bins.
+/// @param share  0..1
+double levelOfTopShare(const DensityMap& map, double share);
+
+MapStatistics statisticsOf(const std::vector<float>& values);
+
+}  // namespace nacre

@@ -1,0 +1,181 @@
+#include "engine/volume/map_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nacre {
+namespace {
+
+int wrapped(long at, int count) {
+    const long rest = at % count;
+    return static_cast<int>(rest < 0 ? rest + count : rest);
+}
+
+/// What is no number must not pass for one.
+void forgetNonNumbers(std::vector<float>& values, DensityMap& map) {
+    std::size_t count = 0;
+    for (float& value : values)
+        if (!std::isfinite(value)) value = kUnknownDensity, ++count;
+    if (count == values.size()) cannotReadMap(map.name, "none of its values is a number");
+    if (count > 0)
+        map.warnings.push_back(std::to_string(count) + " of the " + std::to_string(values.size()) +
+                               " values of the map are not numbers: nothing is drawn there");
+}
+
+/// Values of a box at their nodes in the cell. What is there twice stays as it was first.
+std::vector<float> wrappedIntoCell(const MapBox& box) {
+    const glm::ivec3 n = box.intervals;
+    std::vector<float> cell(static_cast<std::size_t>(n.x) * n.y * n.z, kUnknownDensity);
+    const float* value = box.values.data();
+    std::vector<int> xs(static_cast<std::size_t>(box.size.x));
+    for (int x = 0; x < box.size.x; ++x) xs[static_cast<std::size_t>(x)] = wrapped(long{box.start.x} + x, n.x);
+    for (int z = 0; z < box.size.z; ++z)
+        for (int y = 0; y < box.size.y; ++y) {
+            float* row = cell.data() + (static_cast<std::size_t>(wrapped(long{box.start.z} + z, n.z)) * n.y +
+                                        wrapped(long{box.start.y} + y, n.y)) *
+                                           n.x;
+            for (const int x : xs) {
+                if (std::isnan(row[x])) row[x] = *value;
+                ++value;
+            }
+        }
+    return cell;
+}
+
+/// Fills what is unknown of a cell with what is known at the places that operations take it to.
+/// @returns whether every operation takes nodes to nodes
+bool spread(std::vector<float>& cell, const glm::ivec3& n, const std::vector<SymmetryOperation>& operations) {
+    std::vector<std::size_t> unknown;
+    for (std::size_t i = 0; i < cell.size(); ++i)
+        if (std::isnan(cell[i])) unknown.push_back(i);
+    if (unknown.empty()) return true;
+    std::vector<std::pair<std::size_t, float>> found;
+    for (const SymmetryOperation& operation : operations) {
+        if (operation.isIdentity()) continue;
+        const std::optional<NodeOperation> op = onNodes(operation, n);
+        if (!op) return false;
+        std::erase_if(unknown, [&](std::size_t at) {
+            const long node[3] = {static_cast<long>(at % static_cast<std::size_t>(n.x)),
+                                  static_cast<long>(at / static_cast<std::size_t>(n.x) % static_cast<std::size_t>(n.y)),
+                                  static_cast<long>(at / (static_cast<std::size_t>(n.x) * n.y))};
+            std::size_t there = 0;
+            for (int i = 2; i >= 0; --i) {
+                const auto& row = op->rows[static_cast<std::size_t>(i)];
+                const long to =
+                    row[0] * node[0] + row[1] * node[1] + row[2] * node[2] + op->shift[static_cast<std::size_t>(i)];
+                there = there * n[i] + static_cast<std::size_t>(wrapped(to, n[i]));
+            }
+            if (std::isnan(cell[there])) return false;
+            found.emplace_back(at, cell[there]);
+            return true;
+        });
+    }
+    for (const auto& [at, value] : found) cell[at] = value;
+    return true;
+}
+
+bool contains(const std::string& text, std::initializer_list<const char*> words) {
+    return std::any_of(words.begin(), words.end(),
+                       [&](const char* word) { return text.find(word) != std::string::npos; });
+}
+
+/// By the names that refinement programs and archives give them.
+bool isDifference(const std::string& path) {
+    const std::string name = lowerCase(path.substr(path.find_last_of('/') + 1));
+    return contains(name, {"diff", "fofc", "fo-fc", "fo_fc"}) && !contains(name, {"2fofc", "2fo-fc", "2fo_fc"});
+}
+
+DensityMap mapOf(const std::string& name, const char* format) {
+    DensityMap map;
+    map.name = name;
+    map.format = format;
+    map.difference = isDifference(name);
+    return map;
+}
+
+}  // namespace
+
+std::size_t checkedNodes(const std::string& name, const glm::ivec3& size, const MapLimits& limits) {
+    const auto text = [&] {
+        return std::to_string(size.x) + " x " + std::to_string(size.y) + " x " + std::to_string(size.z);
+    };
+    if (size.x <= 0 || size.y <= 0 || size.z <= 0) cannotReadMap(name, "a grid of " + text() + " nodes");
+    const double bytes = 4.0 * size.x * size.y * size.z;
+    if (bytes > static_cast<double>(limits.maxBytes))
+        cannotReadMap(name, "a grid of " + text() + " nodes takes " + std::to_string(std::llround(bytes / 1048576)) +
+                                " MB, more than the limit of " + std::to_string(limits.maxBytes >> 20) + " MB");
+    return static_cast<std::size_t>(size.x) * size.y * size.z;
+}
+
+DensityMap completed(const std::string& name, const char* format, MapBox box, const MapLimits& limits,
+                     const glm::dvec3* shift) {
+    DensityMap map = mapOf(name, format);
+    if (!box.cell.isValid()) cannotReadMap(name, "its cell has no volume");
+    map.cell = box.cell;
+    map.spaceGroup = box.spaceGroup;
+    map.axes = box.axes;
+    map.boxSize = box.size;
+    map.boxStart = box.start;
+    const glm::dmat3 edges = box.cell.edges();
+    for (int i = 0; i < 3; ++i) map.step[i] = edges[i] / static_cast<double>(box.intervals[i]);
+    map.periodic = box.crystal;
+    if (box.crystal) {
+        checkedNodes(name, box.intervals, limits);
+        map.size = box.intervals;
+        forgetNonNumbers(box.values, map);
+        map.values = wrappedIntoCell(box);
+        std::vector<float>().swap(box.values);
+        const auto& operations = box.operations.empty() ? operationsOf(box.spaceGroup, box.cell) : box.operations;
+        if (!spread(map.values, map.size, operations))
+            map.warnings.push_back("the grid does not fit space group " + std::to_string(box.spaceGroup) +
+                                   ": what the file holds is drawn without symmetry copies");
+        map.statistics = statisticsOf(map.values);
+        return map;
+    }
+    map.size = box.size;
+    map.values = std::move(box.values);
+    map.origin = shift ? *shift : map.step * glm::dvec3(box.start);
+    forgetNonNumbers(map.values, map);
+    map.statistics = statisticsOf(map.values);
+    return map;
+}
+
+DensityMap completed(const std::string& name, const char* format, const glm::ivec3& size, const glm::dvec3& origin,
+                     const glm::dmat3& step, std::vector<float> values) {
+    DensityMap map = mapOf(name, format);
+    for (int i = 0; i < 3; ++i) {
+        const double length = glm::length(step[i]);
+        if (!(length > 0 && length < 1e6) || !std::isfinite(origin[i]))
+            cannotReadMap(name, "the steps of its grid are not finite lengths");
+        map.cell.lengths[i] = length * size[i];
+        const glm::dvec3 &u = step[(i + 1) % 3], &v = step[(i + 2) % 3];
+        const double cosine = glm::dot(u, v) / (glm::length(u) * glm::length(v));
+        map.cell.angles[i] =
+            std::abs(cosine) < 1e-9 ? 90 : std::acos(std::clamp(cosine, -1.0, 1.0)) * 57.29577951308232;
+    }
+    if (!map.cell.isValid()) cannotReadMap(name, "its grid has no volume");
+    map.size = map.boxSize = size;
+    map.origin = origin;
+    map.step = step;
+    map.values = std::move(values);
+    forgetNonNumbers(map.values, map);
+    map.statistics = statisticsOf(map.values);
+    return map;
+}
+
+DensityMap mapOfValues(const std::string& name, const glm::ivec3& size, const UnitCell& cell, const glm::dvec3& origin,
+                       bool periodic, std::vector<float> values) {
+    if (checkedNodes(name, size, {SIZE_MAX}) != values.size())
+        cannotReadMap(name, "it has " + std::to_string(values.size()) + " values");
+    MapBox box;
+    box.cell = cell;
+    box.intervals = box.size = size;
+    box.crystal = periodic;
+    box.spaceGroup = periodic ? 1 : 0;
+    box.values = std::move(values);
+    DensityMap map = completed(name, "values", std::move(box), {SIZE_MAX}, &origin);
+    map.origin = origin;
+    return map;
+}
+
+}  // namespace nacre

@@ -1,0 +1,176 @@
+#include "engine/volume/read_map.h"
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+
+#include "engine/molecule/byte_file.h"
+#include "engine/molecule/formats/decompress.h"
+#include "engine/volume/ccp4_reader.h"
+
+namespace nacre {
+namespace {
+
+constexpr std::size_t kStart = 4096;  // bytes that tell a format
+constexpr std::size_t kPiece = 1 << 20;
+// A compressed file is refused that announces more: decompress.h.
+constexpr std::uint64_t kMostRatio = 100, kAnyRatio = std::uint64_t{64} << 20;
+
+enum class MapFormat { none, ccp4, dx, cube, dsn6, densityServer };
+
+/// Ends in one of these, before the ending of a compression.
+bool endsIn(std::string_view name, std::initializer_list<std::string_view> endings) {
+    std::string lower = lowerCase(name);
+    for (const char* packed : {".gz", ".bz2", ".xz", ".zst"})
+        if (lower.ends_with(packed)) lower.erase(lower.size() - std::string_view(packed).size());
+    return std::any_of(endings.begin(), endings.end(),
+                       [&](std::string_view ending) { return lower.ends_with(ending); });
+}
+
+bool isDx(std::string_view start) {
+    LineReader lines(start);
+    while (lines.next()) {
+        const std::string_view line = trim(lines.line());
+        if (line.empty() || line.front() == '#') continue;
+        const Words words = splitWords(line);
+        return words[0] == "object" && words[2] == "class" && words[3] == "gridpositions";
+    }
+    return false;
+}
+
+/// Two lines of words, then the number of atoms with the origin, then three numbers of nodes with their steps.
+bool isCube(std::string_view start) {
+    LineReader lines(start);
+    for (int i = 0; i < 2; ++i)
+        if (!lines.next()) return false;
+    for (int i = 0; i < 4; ++i) {
+        if (!lines.next()) return false;
+        const Words words = splitWords(lines.line());
+        if (words.count < 4 || words.count > 5 || !parseInteger(words[0])) return false;
+        for (std::size_t j = 1; j < 4; ++j)
+            if (!parseNumber(words[j])) return false;
+    }
+    return true;
+}
+
+bool isBinaryCif(std::string_view start) {
+    return start.substr(0, 512).find("dataBlocks") != std::string_view::npos ||
+           start.substr(0, 512).find("encoder") != std::string_view::npos;
+}
+
+MapFormat formatOf(std::string_view name, std::string_view start) {
+    if (Ccp4Reader::recognises(start)) return MapFormat::ccp4;
+    if (isDx(start)) return MapFormat::dx;
+    if (startsWith(start, ":-)")) return MapFormat::dsn6;
+    const bool binary = start.substr(0, 512).find('\0') != std::string_view::npos;
+    if (!binary && isCube(start)) return MapFormat::cube;
+    if (isBinaryCif(start) &&
+        (start.find("volume_data_3d") != std::string_view::npos ||
+         start.find("DensityServer") != std::string_view::npos || start.find("VolumeServer") != std::string_view::npos))
+        return MapFormat::densityServer;
+    // Old files of these have no mark.
+    if (binary && endsIn(name, {".ccp4", ".map", ".mrc", ".mrcs"})) return MapFormat::ccp4;
+    if (binary && endsIn(name, {".dsn6", ".omap", ".brix"})) return MapFormat::dsn6;
+    return MapFormat::none;
+}
+
+DensityMap readText(const std::string& name, MapFormat format, std::string_view text, const MapLimits& limits) {
+    switch (format) {
+        case MapFormat::dx:
+            return readDx(name, text, limits);
+        case MapFormat::cube:
+            return readCube(name, text, limits);
+        case MapFormat::dsn6:
+            return readDsn6(name, text, limits);
+        case MapFormat::densityServer:
+            return readDensityServer(name, text, limits);
+        case MapFormat::ccp4: {
+            Ccp4Reader reader(name, limits, text.size());
+            reader.take(text);
+            return reader.finish();
+        }
+        case MapFormat::none:
+            break;
+    }
+    cannotReadMap(name,
+                  "not a density map: read are CCP4 and MRC, OpenDX, Gaussian cube, DSN6, BRIX and the BinaryCIF "
+                  "of density servers");
+}
+
+/// Inflates no more than it takes to tell what it is.
+std::string inflatedStart(const std::string& name, std::string_view packed) {
+    struct Enough {};
+    std::string start;
+    try {
+        decompress(name, packed, std::size_t{1} << 40, [&](std::string_view piece) {
+            start.append(piece.substr(0, kStart - std::min(kStart, start.size())));
+            if (start.size() >= kStart) throw Enough{};
+        });
+    } catch (const Enough&) {
+    }
+    return start;
+}
+
+DensityMap readPacked(const std::string& name, std::string_view packed, const MapLimits& limits) {
+    const MapFormat format = formatOf(name, inflatedStart(name, packed));
+    if (format != MapFormat::ccp4) return readText(name, format, decompress(name, packed, limits.maxBytes), limits);
+    Ccp4Reader reader(name, limits, std::max(kAnyRatio, kMostRatio * packed.size()));
+    decompress(name, packed, limits.maxBytes + kPiece, [&](std::string_view piece) { reader.take(piece); });
+    return reader.finish();
+}
+
+std::string bytesOf(const ByteFile& file, std::uint64_t first, std::uint64_t count) {
+    std::string bytes(static_cast<std::size_t>(count), '\0');
+    file.read(first, bytes.data(), bytes.size());
+    return bytes;
+}
+
+}  // namespace
+
+bool looksLikeMap(std::string_view name, std::string_view start) { return formatOf(name, start) != MapFormat::none; }
+
+bool isMapFile(const std::string& path) try {
+    const auto file = ByteFile::open(path);
+    if (!file) return false;
+    const std::string start = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
+    if (compressionOf(start).empty()) return looksLikeMap(path, start);
+    // A piece of a compressed file tells; that it is cut is no matter.
+    const std::string part = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), 64 * kStart));
+    std::string inflated;
+    struct Enough {};
+    try {
+        decompress(path, part, std::size_t{1} << 30, [&](std::string_view piece) {
+            inflated.append(piece.substr(0, kStart - std::min(kStart, inflated.size())));
+            if (inflated.size() >= kStart) throw Enough{};
+        });
+    } catch (const Enough&) {
+    } catch (const Error&) {
+    }
+    return looksLikeMap(path, inflated);
+} catch (const Error&) {
+    return false;
+}
+
+DensityMap readMap(const std::string& name, std::string bytes, const MapLimits& limits) {
+    if (!compressionOf(bytes).empty()) return readPacked(name, bytes, limits);
+    return readText(name, formatOf(name, std::string_view(bytes).substr(0, kStart)), bytes, limits);
+}
+
+DensityMap readMapFile(const std::string& path, const MapLimits& limits) {
+    const auto file = ByteFile::open(path);
+    if (!file) cannotReadMap(path, "no such file, or not a plain one");
+    const std::string start = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
+    const bool packed = !compressionOf(start).empty();
+    if (packed || formatOf(path, start) != MapFormat::ccp4) {
+        if (file->size() > limits.maxBytes)
+            cannotReadMap(path, "the file has " + std::to_string(file->size() >> 20) + " MB, more than the limit of " +
+                                    std::to_string(limits.maxBytes >> 20) + " MB");
+        return readMap(path, bytesOf(*file, 0, file->size()), limits);
+    }
+    Ccp4Reader reader(path, limits, file->size());
+    for (std::uint64_t at = 0; at < file->size(); at += kPiece)
+        reader.take(bytesOf(*file, at, std::min<std::uint64_t>(kPiece, file->size() - at)));
+    return reader.finish();
+}
+
+}  // namespace nacre
