@@ -23,8 +23,8 @@ struct ListedScene {
     TileView view;
 
     TileScenery scenery() const {
-        return {spheres,       sphereCalls,          cylinders,  cylinderCalls, mesh.triangles, mesh.meshVertices,
-                triangleCalls, mesh.coarseTriangles, mesh.meshes};
+        return {spheres,        sphereCalls,       cylinders,     cylinderCalls,        {},
+                mesh.triangles, mesh.meshVertices, triangleCalls, mesh.coarseTriangles, mesh.meshes};
     }
 };
 

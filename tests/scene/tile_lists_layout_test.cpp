@@ -62,7 +62,7 @@ TEST(TileListsLayout, TheWordBeforeAListIsTheNumberOfAPrimitive) {
     for (const bool balls : {false, true}) {
         const std::span<const TileCall> calls(&ball, balls ? 1 : 0);
         TileLists lists;
-        lists.build(view, {spheres, calls, {}, {}, sheet.triangles, sheet.meshVertices, {&triangle, 1}});
+        lists.build(view, {spheres, calls, {}, {}, {}, sheet.triangles, sheet.meshVertices, {&triangle, 1}});
         ASSERT_EQ(lists.tiles().size(), 64u);
         std::vector<std::uint32_t> words(lists.words(), 0xdeadbeefu);
         lists.write(words.data());

@@ -141,7 +141,7 @@ TEST(TileLists, LeaveOutTrianglesBehindOthersAtAllCenters) {
     const TileCall call{kUnturned, 0, 4, 1};
     const auto listed = [&] {
         TileLists lists;
-        lists.build(v, {{}, {}, {}, {}, r.triangles, r.meshVertices, {&call, 1}});
+        lists.build(v, {{}, {}, {}, {}, {}, r.triangles, r.meshVertices, {&call, 1}});
         return namedBy(lists, v);
     };
     EXPECT_EQ(listed(), (std::set<std::uint32_t>{1, 2, 3, 4}));
@@ -169,7 +169,7 @@ TEST(TileLists, LeaveOutTrianglesBetweenTheCentersOfPixels) {
         const TileCall call{kUnturned, 0, 1, 1};
         v.centers = centers;
         TileLists lists;
-        lists.build(v, {{}, {}, {}, {}, r.triangles, r.meshVertices, {&call, 1}});
+        lists.build(v, {{}, {}, {}, {}, {}, r.triangles, r.meshVertices, {&call, 1}});
         return namedBy(lists, v).size();
     };
     EXPECT_EQ(entries({1.7f, 1.7f}, true), 0u);
