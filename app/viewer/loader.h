@@ -35,8 +35,6 @@ private:
 struct Sources {
     std::function<Molecule(const PictureDescription&)> read;
     std::function<Representation(const Molecule&, const PictureDescription&)> build;
-    /// Fetches what maps of a view are no files; empty: nothing does.
-    std::function<void(const PictureDescription&)> maps = {};
     /// Share of a download that is there, 0..1; below 0: nothing is downloaded, or how much is not known. Any thread.
     std::function<double()> progress = {};
     /// Makes read() throw soon, where it can. Any thread.
@@ -45,6 +43,8 @@ struct Sources {
     /// the failure of the whole. Empty: they always do.
     std::function<std::unique_ptr<Motion>(const std::shared_ptr<const Molecule>&, const PictureDescription&)> motion =
         {};
+    /// Fetches what maps of a view are no files; empty: nothing does.
+    std::function<void(const PictureDescription&)> maps = {};
 };
 
 /// What is shown. The molecule is shared with a build that is under way.

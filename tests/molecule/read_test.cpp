@@ -63,8 +63,8 @@ TEST(Read, TheNameTellsWhatTheContentDoesNot) {
     for (const char* name : {"a.sdf", "A.MOL", "b.sd.gz", "/tmp.x/c.mdl"})
         EXPECT_EQ(detectFormat(name, "nothing known"), Format::sdf) << name;
     EXPECT_EQ(detectFormat("dir/a.ent.gz", "nothing known"), Format::pdb);
-    test::expectError("structure", "nothing known", {"cannot be told"});
-    test::expectError("dir.pdb/structure", "nothing known", {"cannot be told"});
+    test::expectError("structure", "nothing known", {"neither content nor name tell its format"});
+    test::expectError("dir.pdb/structure", "nothing known", {"neither content nor name tell its format"});
 }
 
 TEST(Read, TheFormatThatIsStatedIsTaken) {

@@ -195,7 +195,7 @@ Judged judged(Dice& dice, bool perspective, bool flat) {
         const AimedScene s(dice, perspective, flat);
         const TileCall call{s.rows, 0, static_cast<std::uint32_t>(s.mesh.triangles.size()), 1};
         TileLists lists;
-        lists.build(s.view, {{}, {}, {}, {}, s.mesh.triangles, s.mesh.meshVertices, {&call, 1}});
+        lists.build(s.view, {{}, {}, {}, {}, {}, s.mesh.triangles, s.mesh.meshVertices, {&call, 1}});
         std::vector<std::uint32_t> words(lists.words());
         lists.write(words.data());
         const auto listed = words.end() - static_cast<std::ptrdiff_t>(lists.entries());

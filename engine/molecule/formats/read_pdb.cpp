@@ -85,8 +85,8 @@ private:
                 molecule_.file.resolution = *stated;
         } else if (startsWith(line, "REMARK 350")) {
             remark350_.add(line);
-        } else {
-            header_.add(line);
+        } else if (!sawModelRecord_ && atomsInModel_ == 0 && molecule_.atoms.empty()) {
+            header_.add(line);  // of the whole: what stands in a model tells of that alone
         }
     }
 
