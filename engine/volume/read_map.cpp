@@ -38,11 +38,13 @@ bool isDx(std::string_view start) {
     return false;
 }
 
-/// Two lines of words, then the number of atoms with the origin, then three numbers of nodes with their steps.
+/// Two lines of words (in XYZ the first is a number alone), then the number of atoms with the origin, then three numbers of nodes with their steps.
 bool isCube(std::string_view start) {
     LineReader lines(start);
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < 2; ++i) {
         if (!lines.next()) return false;
+        if (i == 0 && parseInteger(trim(lines.line()))) return false;
+    }
     for (int i = 0; i < 4; ++i) {
         if (!lines.next()) return false;
         const Words words = splitWords(lines.line());

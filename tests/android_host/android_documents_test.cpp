@@ -175,7 +175,7 @@ TEST_F(AndroidHost, ShowsWhatADatabaseHas) {
     EXPECT_EQ(kept, 1u) << "it is downloaded once";
     press("button", "Open");
     ask("pdb:2xyz");
-    ASSERT_TRUE(eventually([&] { return !toldOf(host, "This did not work").empty(); }));
+    ASSERT_TRUE(eventually([&] { return !toldOf(host, "An error occurred").empty(); }));
     EXPECT_TRUE(eventually([&] { return host.java().controls().find("no such entry (404)") != std::string::npos; }));
     EXPECT_EQ(host.view().input.path, "pdb:1xyz");
 }
@@ -248,14 +248,14 @@ TEST_F(AndroidHost, SaysWhyADocumentCannotBeOpened) {
     document.refuses = true;
     Host refused(folder_, document);
     refused.open(320, 200);
-    EXPECT_TRUE(eventually([&] { return !toldOf(refused, "This did not work").empty(); }));
+    EXPECT_TRUE(eventually([&] { return !toldOf(refused, "An error occurred").empty(); }));
     EXPECT_FALSE(takeLog().empty());
     refused.destroy();
     document.refuses = false;
     document.bytes = "no molecule at all";
     Host senseless(folder_, document);
     senseless.open(320, 200);
-    EXPECT_TRUE(eventually([&] { return !toldOf(senseless, "This did not work").empty(); }));
+    EXPECT_TRUE(eventually([&] { return !toldOf(senseless, "An error occurred").empty(); }));
 }
 
 TEST_F(AndroidHost, KeepsAFewOfTheOpenedFiles) {

@@ -49,7 +49,7 @@ TEST(Bench, FramesOfEveryPathAndTheFloorOfTheOneInUse) {
 
     const Outcome render = nacreIn(folder,
                                    "render sample:dna --style spacefill --size 96x96 --occlusion 4 --rotate 10,20,30 "
-                                   "--supersample 1 -o a.png --stats -");
+                                   "--supersample 1 --zoom 1 -o a.png --stats -");
     ASSERT_EQ(render.code, 0) << render.err;
     EXPECT_EQ(report["covered_pixels"], nlohmann::json::parse(render.out)["covered_pixels"]);
 }

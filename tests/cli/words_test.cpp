@@ -59,7 +59,7 @@ TEST(WordOptions, EachPutsInkIntoThePictureAndAViewKeepsIt) {
 
 TEST(PictureOptions, TransparentEdgesAreRightOnBlackAndOnWhite) {
     const TemporaryFolder folder;
-    const std::string draw = "render sample:dna --size 160x160 --occlusion off --look default -o ";
+    const std::string draw = "render sample:dna --zoom 1 --size 160x160 --occlusion off --look default -o ";
     ASSERT_EQ(nacreIn(folder, draw + "open.png --transparent").code, 0);
     const std::vector<float> open = pixelsOf(folder / "open.png");
     for (const float ground : {0.0f, 1.0f}) {

@@ -219,7 +219,7 @@ TEST_F(Download, APartThatIsLongerThanTheFileStartsAnew) {
     EXPECT_EQ(kept(), Names{"pdb-1bna.bcif.gz"});
 }
 
-TEST_F(Download, TheWrongRangeIsRefused) { EXPECT_NE(failure("wrong_range").find("another part"), std::string::npos); }
+TEST_F(Download, TheWrongRangeIsRefused) { EXPECT_NE(failure("wrong_range").find("wrong part"), std::string::npos); }
 
 TEST_F(Download, ChunkedAnswersEndWhereTheySay) {
     EXPECT_EQ(get("chunked", "pdb:1bna").atoms.size(), kDnaAtoms);
@@ -250,7 +250,7 @@ INSTANTIATE_TEST_SUITE_P(Download, BadAnswer,
                          testing::Values(Answer{"html", "1bna.cif.gz"}, Answer{"empty", "empty"},
                                          Answer{"busy", "status 503 (it is busy"}, Answer{"untrue", "gzip"},
                                          Answer{"circle", "more than 5 redirections"},
-                                         Answer{"no_http", "no HTTP of our time"},
+                                         Answer{"no_http", "no HTTP status and no headers"},
                                          Answer{"to_file", "another protocol"}, Answer{"to_ftp", "another protocol"},
                                          Answer{"to_https", "another protocol"},
                                          Answer{"ok/nowhere", "no such entry"}));

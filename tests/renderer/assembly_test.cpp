@@ -62,6 +62,7 @@ Molecule moleculeOf(const AssemblyCase& c) {
 Representation sceneOf(const Molecule& m, const AssemblyCase& c, bool instanced) {
     RepresentationOptions options;
     options.style = c.style;
+    options.bondOrders = BondOrders::off;  // dashes of aromatic bonds are spheres, too
     if (instanced) options.assembly = c.assembly;
     return represent(m, drawnAtoms(m), options);
 }

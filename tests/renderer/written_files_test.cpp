@@ -15,7 +15,9 @@ std::vector<std::uint32_t> idsOf(ValidatedRenderer& renderer, Molecule m) {
     for (Bond& bond : m.bonds) bond.order = 1;
     std::sort(m.bonds.begin(), m.bonds.end(),
               [](const Bond& x, const Bond& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
-    const Representation r = represent(m, drawnAtoms(m), {Style::ballAndStick, ColorScheme::element});
+    RepresentationOptions options{Style::ballAndStick, ColorScheme::element};
+    options.bondOrders = BondOrders::off;  // few formats state them
+    const Representation r = represent(m, drawnAtoms(m), options);
     renderer->setScene(r);
     return renderer->layers(settings(r, 128, Projection::orthographic)).id;
 }
