@@ -88,6 +88,7 @@ OptionValue valueOf(const std::string& key, const std::string& text) {
 void takeView(const std::string& text, const std::string& name, PictureDescription& d) {
     PictureDescription view = parseSavedView(text, name);
     if (!view.input.trajectory.path.empty()) throw Problem(422, "a view's trajectory is not drawn here");
+    if (!view.maps.files.empty()) throw Problem(422, "a view's maps are not drawn here");
     view.input.namedBy.clear();
     view.input.hash.clear();
     for (FurtherInput& further : view.input.further) further.hash.clear();
@@ -129,7 +130,8 @@ bool isStyle(const std::string& word) {
 }  // namespace
 
 bool isServed(const Option& option) {
-    return !has(kServers, option.topic) && (option.topic != Topic::saved || isCameraKey(option.key)) &&
+    const bool file = option.syntax.find("FILE") != std::string::npos && option.key != "look";  // its names
+    return !file && !has(kServers, option.topic) && (option.topic != Topic::saved || isCameraKey(option.key)) &&
            std::find(std::begin(kServerKeys), std::end(kServerKeys), option.key) == std::end(kServerKeys);
 }
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __version__: str
-__all__ = ["Error", "FileMissing", "Movie", "Structure", "UsageError", "__version__", "from_arrays", "from_biopython",
+__all__ = ["Error", "FileMissing", "Movie", "Structure", "UsageError", "__version__", "density_map", "from_arrays", "from_biopython",
            "from_gemmi", "open", "options"]
 
 class Error(RuntimeError): ...
