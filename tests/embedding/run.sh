@@ -24,7 +24,7 @@ cmake --build "$folder/build" >>"$folder/log" || { cat "$folder/log"; exit 1; }
 printf '3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n' >"$folder/water.xyz"
 "$folder/build/embedding" "$folder/water.xyz" "$folder/water.ppm"
 # The installed program draws the same: as many pixels are not black, but for the edges, which two by two samples widen.
-"$folder/prefix/bin/nacre" render "$folder/water.xyz" -o "$folder/water.png" --size 400x300 --supersample 1 --cache off \
+"$folder/prefix/bin/nacre" render "$folder/water.xyz" -o "$folder/water.png" --zoom 1 --size 400x300 --supersample 1 --cache off \
     --stats "$folder/water.json"
 pixels=$(python3 - "$folder/water.ppm" "$folder/water.json" <<'END'
 import json, sys
