@@ -233,10 +233,13 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     seen->radiusPixels = scene.meanRadius * view.pixelsPerAngstrom;
     const double farthest = seen->perspective ? view.eyeDistance / (view.eyeDistance + view.radius) : 1;
     seen->smallestPixels = scene.smallestRadius * view.pixelsPerAngstrom * farthest;
-    seen->wireScale = static_cast<float>(view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom);
-    if (!scene.representation.wires.empty())
+    seen->wireScale = 1;
+    // A constant of pipelines: the same in every resolution where there is no wire.
+    if (!scene.representation.wires.empty()) {
+        seen->wireScale = static_cast<float>(view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom);
         seen->smallestPixels =
             std::min(seen->smallestPixels, scene.thinnestWire * static_cast<double>(seen->wireScale));
+    }
     const Contours& contours = settings.effects.contours;
     if (contours.width > 0) seen->smallestPixels = std::min(seen->smallestPixels, 0.75 * contours.width);
     return seen;
