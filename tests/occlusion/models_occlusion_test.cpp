@@ -43,6 +43,7 @@ Molecule ensemble(int models) {
 Representation sceneOf(const Molecule& m, Style style, bool modelsOcclude) {
     RepresentationOptions options;
     options.style = style;
+    options.bondOrders = BondOrders::off;  // dashes of aromatic bonds are spheres, too
     options.modelsOcclude = modelsOcclude;
     return represent(m, drawnAtoms(m), options);
 }
