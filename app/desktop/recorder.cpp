@@ -35,7 +35,7 @@ std::string ownProgram() {
 }
 
 std::string temporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "nacre-film-XXXXXX").string();
+    std::string name = (fs::temp_directory_path() / "nacre-movie-XXXXXX").string();
     if (!mkdtemp(name.data())) throw Error("cannot record", name, std::strerror(errno));
     return name;
 }

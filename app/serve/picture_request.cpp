@@ -96,11 +96,13 @@ void takeView(const std::string& text, const std::string& name, PictureDescripti
     d = view;
 }
 
-std::string printed(const PictureDescription& description) {
+/// Options that decide about the picture. @param reading  those alone that decide about the molecule
+std::string printed(const PictureDescription& description, bool reading) {
     std::ostringstream text;
     for (const Option& row : options())
         if (row.print && row.facet != Facet::device && row.key != "output" && row.key != "input" &&
-            row.key != "further-inputs" && row.key != "cache")
+            row.key != "further-inputs" && row.key != "cache" &&
+            (!reading || row.facet == Facet::input || row.facet == Facet::frame))
             text << row.key << '=' << row.print(description) << '\n';
     return text.str();
 }
@@ -168,10 +170,10 @@ PictureRequest pictureRequest(const Query& query, const std::string& body, const
         d.device = options.picture.device;
         completePicture(d);
         checkSize(d, kMostServedSamples);
-        request.identity = printed(d) + contentOf(d.input.path);
+        request.molecule = printed(d, true) + (d.input.alone ? "alone " : "") + contentOf(d.input.path);
         for (const FurtherInput& further : d.input.further)
-            request.identity += "\n" + further.name + "=" + contentOf(further.path);
-        request.identity += "\n" + d.output;
+            request.molecule += "\n" + further.name + "=" + contentOf(further.path);
+        request.identity = printed(d, false) + request.molecule + "\n" + d.output;
     } catch (const UsageError& error) {
         throw Problem(400, error.what());
     } catch (const Error& error) {

@@ -16,7 +16,8 @@ using Query = std::vector<std::pair<std::string, std::string>>;
 
 struct PictureRequest {
     PictureDescription description;  ///< complete; `output` names no file but the format, "picture.png"
-    std::string identity;            ///< text that is the same for the same picture alone
+    std::string molecule;            ///< text that is the same for the same molecule alone: content, and how it is read
+    std::string identity;            ///< the same of the picture
 };
 
 /// Bounds of one picture.

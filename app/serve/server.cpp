@@ -1,10 +1,11 @@
 #include "app/serve/server.h"
 
 #include <httplib.h>
+#include <unistd.h>
 
-#include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <thread>

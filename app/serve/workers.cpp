@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -48,21 +49,20 @@ public:
     explicit Worker(const DeviceOptions& device) : device_(device) { canvas_.emplace(device); }
 
     /// Whether it has the molecule of a request.
-    bool has(const PictureDescription& description) const {
-        return molecule_ && !app::has(difference(last_, description), Facet::input);
-    }
+    bool has(const PictureRequest& request) const { return molecule_ && held_ == request.molecule; }
 
-    ServedPicture draw(const PictureDescription& description) {
+    ServedPicture draw(const PictureRequest& request) {
+        const PictureDescription& description = request.description;
         HeardMessages heard;
         if (!canvas_ || !canvas_->renderer.deviceLoss().empty()) {
             canvas_.reset();
             canvas_.emplace(device_);
         }
-        if (!has(description)) {
+        if (!has(request)) {
             drawing_.forget();
             molecule_.reset();
             molecule_.emplace(load(description.input));
-            last_ = description;
+            held_ = request.molecule;
         }
         drawing_.prepare(*molecule_, description);
         std::size_t crowded = 0;
@@ -88,7 +88,7 @@ private:
     const DeviceOptions& device_;
     std::optional<Canvas> canvas_;
     std::optional<Molecule> molecule_;
-    PictureDescription last_;  ///< whose molecule it is
+    std::string held_;  ///< PictureRequest::molecule of it
     Drawing drawing_;
 };
 
@@ -149,8 +149,8 @@ std::shared_ptr<Workers::Task> Workers::next(const Worker& worker) {
     if (tasks_.empty()) return nullptr;
     constexpr std::ptrdiff_t kLookAhead = 8;  // farther ones wait their turn, so that none waits for ever
     const auto end = tasks_.begin() + std::min<std::ptrdiff_t>(kLookAhead, std::ssize(tasks_));
-    auto chosen = std::find_if(
-        tasks_.begin(), end, [&](const std::shared_ptr<Task>& task) { return worker.has(task->request.description); });
+    auto chosen =
+        std::find_if(tasks_.begin(), end, [&](const std::shared_ptr<Task>& task) { return worker.has(task->request); });
     if (chosen == end) chosen = tasks_.begin();
     const std::shared_ptr<Task> task = *chosen;
     tasks_.erase(chosen);
@@ -164,7 +164,7 @@ void Workers::work(Worker& worker) {
             if (task->given) continue;
         }
         try {
-            task->promise.set_value(worker.draw(task->request.description));
+            task->promise.set_value(worker.draw(task->request));
         } catch (const Problem&) {
             task->promise.set_exception(std::current_exception());
         } catch (const std::bad_alloc&) {

@@ -91,12 +91,26 @@ class ServeTest(unittest.TestCase):
         # Another order of the same options is the same picture, another option another.
         self.assertEqual(self.server.ask("picture?size=64x64&input=gly.pdb")[1]["ETag"], tag)
         self.assertNotEqual(self.server.ask(path + "&zoom=2")[1]["ETag"], tag)
-        changed = PDB.replace("2.390", "2.490")
+        changed = PDB.replace("2.390", "4.390")
         (self.root / "gly.pdb").write_text(changed)
         try:
-            self.assertNotEqual(self.server.ask(path)[1]["ETag"], tag)
+            _, headers, body = self.server.ask(path)
+            self.assertNotEqual(headers["ETag"], tag)
+            self.assertNotEqual(body, first, "drawn from the file as it was")
         finally:
             (self.root / "gly.pdb").write_text(PDB)
+
+    def test_models(self):
+        """Whoever drew the first model does not take it for the second."""
+        atom = PDB.splitlines(True)[0]
+        (self.root / "two.pdb").write_text("MODEL        1\n" + atom + "ENDMDL\nMODEL        2\n" + PDB[:-4] + "ENDMDL\nEND\n")
+        server = Server(self.folder, "--root", str(self.root), "--jobs", "1")
+        answers = [server.ask(f"picture?input=two.pdb&size=64x64&camera=model&model={model}") for model in (1, 2, 1)]
+        self.assertEqual(server.stop(), 0)
+        self.assertEqual([status for status, _, _ in answers], [200] * 3)
+        bodies = [body for _, _, body in answers]
+        self.assertNotEqual(bodies[0], bodies[1])
+        self.assertEqual(bodies[0], bodies[2])
 
     def test_bodies(self):
         status, headers, body = self.server.ask("picture?size=64x64&format=webp", PDB.encode())
