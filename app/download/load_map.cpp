@@ -1,9 +1,12 @@
 #include "app/download/load_map.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/download/download.h"
 #include "app/files/cache_folder.h"
+#include "app/files/messages.h"
+#include "app/input/input_files.h"
 #include "app/input/map_input.h"
 #include "app/input/read_input.h"
 #include "engine/error.h"
@@ -52,6 +55,12 @@ void loadMaps(const PictureDescription& picture, const std::function<void(double
     const InputOptions& input = picture.input;
     for (const std::string& name : picture.maps.files) {
         const std::optional<MapSource> source = mapSourceOf(name);
+        if (!source && !picture.given.contains("map")) {  // a saved view names it
+            InputOptions named = input;
+            named.path = std::filesystem::absolute(name).string();
+            named.hash.clear();
+            if (const std::string notice = outsideNotice(named); !notice.empty()) sayNotice(notice);
+        }
         if (!source || keptMap(name)) continue;
         const bool forbidden = !input.namedBy.empty() && !input.allowDownload;
         DownloadSettings settings;

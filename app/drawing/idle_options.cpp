@@ -28,7 +28,8 @@ std::vector<std::string> idleOptions(const PictureDescription& options, const Re
     drawn.effects = effects;
     for (const std::string& key : options.given) {
         const std::string needs(option(key).needs);
-        if (!needs.empty() && option(needs).print(drawn) == "off")
+        if (needs.empty()) continue;
+        if (const std::string on = option(needs).print(drawn); on.empty() || on == "off")
             said.push_back("--" + key + " changes nothing without --" + needs);
     }
     if (const Palette palette = options.look.palette; palette != Palette::automatic && !takesPalette(scene, palette))

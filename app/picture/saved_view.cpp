@@ -245,7 +245,11 @@ std::string readViewText(const std::string& path) {
     return text;
 }
 
-PictureDescription readSavedView(const std::string& path) { return parseSavedView(readViewText(path), path); }
+PictureDescription readSavedView(const std::string& path) {
+    PictureDescription view = parseSavedView(readViewText(path), path);
+    for (std::string& map : view.maps.files) map = besideView(path, map);
+    return view;
+}
 
 std::string savedViewJson(const PictureDescription& view) {
     OrderedJson json = OrderedJson::object();

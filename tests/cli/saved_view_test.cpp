@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "app/input/input_files.h"
 #include "app/picture/appearance_values.h"
 #include "tests/support/run_program.h"
@@ -71,6 +73,29 @@ TEST(SavedView, WithoutAnInputOrAReadableFileNothingIsDrawn) {
 }
 
 // A view and its file that were moved together, or sent to someone: the file is found by what it holds.
+TEST(SavedView, NamesMapsFromItsFolderAndTellsOfOthers) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "views");
+    std::string cube = "a map\nof one blob\n1 -3 -3 -3\n4 4 0 0\n4 0 4 0\n4 0 0 4\n6 0 0 0 0\n";
+    for (int i = 0; i < 64; ++i) cube += i == 21 || i == 42 ? "1 " : "0 ";
+    for (const char* place : {"views/inside.cube", "outside.cube"}) std::ofstream(folder / place) << cube << "\n";
+    for (const auto& [map, told] : {std::pair("inside.cube", false), {"../outside.cube", true}}) {
+        std::ofstream(folder / "views/v.json")
+            << R"({"input": "sample:glucose", "map": [")" << map << R"("], "map-level": ["0.5"]})";
+        const test::Outcome outcome =
+            nacreIn(folder, "render --view views/v.json -o a.png --size 32x32 --occlusion off");
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.err.find("not in its folder") != std::string::npos, told) << outcome.err;
+        EXPECT_EQ(app::readSavedView(folder / "views/v.json").maps.files.front(), folder / (std::string("views/") + map));
+    }
+    // Whoever names the map means it.
+    const test::Outcome own = nacreIn(
+        folder, "render sample:glucose --map outside.cube --map-level 0.5 -o a.png --size 32x32 --occlusion off");
+    EXPECT_EQ(own.err, "");
+    EXPECT_NE(nacreIn(folder, "render sample:glucose --map-level 0.5 -o a.png --size 32x32").err.find("without --map"),
+              std::string::npos);
+}
+
 TEST(SavedView, FindsItsFileBesideItByItsHash) {
     const TemporaryFolder folder;
     const auto put = [&](const char* name, const char* element) {
