@@ -91,7 +91,7 @@ void drawSelectPage(PanelFrame& f) {
         f.ui.caption("There are no such atoms.");
     else if (selection.any())
         f.ui.caption(std::to_string(selection.count) +
-                     (selection.count == 1 ? " atom is chosen" : " atoms are chosen"));
+                     (selection.count == 1 ? " atom selected" : " atoms selected"));
     else
         f.ui.caption("Nothing selected.");
     if (selection.any() && selection.count > 0) drawSelectionActions(f, selection.text);

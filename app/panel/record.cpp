@@ -10,7 +10,7 @@ namespace nacre::app {
 namespace {
 
 constexpr float kRecordPoints = 460;
-constexpr std::array kMotions = {"A whole turn", "To and fro", "Models", "Kept views"};
+constexpr std::array kMotions = {"Full turn", "Rock", "Models", "Keyframes"};
 constexpr std::array kFilmSizes = {"Screen size", "Wide, 1920 x 1080", "Wide, 1280 x 720", "Square, 1080"};
 constexpr std::array kFilmFormats = {"MP4", "WebM", "GIF", "Animated PNG"};
 constexpr std::array kFilmExtensions = {".mp4", ".webm", ".gif", ".png"};

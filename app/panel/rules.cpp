@@ -51,7 +51,7 @@ void drawRules(PanelFrame& f) {
     std::vector<Rule>& rules = f.look.look.rules;
     if (f.s.rule >= static_cast<int>(rules.size())) f.s.rule = -1;
     if (rules.empty()) return;
-    f.ui.heading("Rules, the last prevails");
+    f.ui.heading("Rules: the last one applies");
     std::function<void()> then;  // rules are not moved while they are drawn
     for (std::size_t i = 0; i < rules.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));

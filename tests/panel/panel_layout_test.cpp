@@ -91,7 +91,7 @@ TEST(Panel, EveryCardIsReadableEverywhere) {
         EXPECT_TRUE(b.find("Record movie", "text"));
         expectReadable(b, where + ", film");
         b.click("Motion");
-        b.click("Kept views");
+        b.click("Keyframes");
         b.settle();
         expectReadable(b, where + ", film of views");
         b.panel.closeTop();

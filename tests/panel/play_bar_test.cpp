@@ -145,7 +145,7 @@ TEST(Films, AreAskedForAsTheCardSays) {
     b.panel.showRecord();
     b.settle();
     b.click("Motion");
-    b.click("Kept views");
+    b.click("Keyframes");
     b.click("Record");
     EXPECT_EQ(b.films.size(), 2u);
     b.click("Add keyframe");

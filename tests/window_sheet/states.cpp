@@ -249,20 +249,20 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              keep(d);
              record(d);
              d.click("Motion");
-             d.click("Kept views");
+             d.click("Keyframes");
          }},
         {"film, kept views, dark", kUsual, "sample:dna",
          [=](Driver& d) {
              dark(d), keep(d), record(d);
              d.click("Motion");
-             d.click("Kept views");
+             d.click("Keyframes");
          }},
         {"film, preview", kUsual, "sample:dna",
          [=](Driver& d) {
              keep(d);
              record(d);
              d.click("Motion");
-             d.click("Kept views");
+             d.click("Keyframes");
              d.click("Preview");
              d.pause(0.7);
              d.rests = false;
