@@ -208,7 +208,7 @@ void placeMeasure(const Measure& measure, const ResidueFacts& facts, const Drawn
 void placeDistances(const Representation& scene, PlacedWords& placed) {
     if (scene.contacts.size() > kMostLabels)
         throw Error("cannot label", "--interaction-labels",
-                    std::to_string(scene.contacts.size()) + " interactions are more than the bound of " +
+                    std::to_string(scene.contacts.size()) + " interactions are more than the limit of " +
                         std::to_string(kMostLabels) + " labels (select fewer atoms or kinds)");
     const glm::dmat4x3 place = scene.copies.transforms.empty() ? glm::dmat4x3(1.0) : scene.copies.transforms.front();
     for (const DrawnContact& contact : scene.contacts) {

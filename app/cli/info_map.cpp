@@ -10,7 +10,7 @@ namespace {
 
 using MapJson = nlohmann::ordered_json;
 
-/// Six digits, which is what the floats of such files are good for.
+/// Nine digits: all that a float holds.
 double rounded(double value) {
     std::ostringstream text;
     text << std::setprecision(9) << value;

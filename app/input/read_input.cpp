@@ -41,15 +41,18 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
             throw Error("cannot read molecule", input.path, "a sample has one model");
         return completed(input, sampleMolecule(std::string_view(input.path).substr(kSample.size())));
     }
-    if (!input.format && !readFile && isMapFile(input.path))
-        throw Error("cannot read molecule", input.path, "it is a density map: name a molecule, and this with --map");
     ReadOptions options = readWithin(bytes);
     options.format = input.format;
     options.model = input.model;
     options.onModel = onModel;
     options.others = !input.alone;
-    return completed(input, readFile ? readMolecule(input.path, readFile(input.path), options)
-                                     : readMoleculeFile(input.path, options));
+    if (readFile) return completed(input, readMolecule(input.path, readFile(input.path), options));
+    try {
+        return completed(input, readMoleculeFile(input.path, options));
+    } catch (const Error&) {
+        if (input.format || !isMapFile(input.path)) throw;
+        throw Error("cannot read molecule", input.path, "it is a density map: name a molecule, and this with --map");
+    }
 }
 
 }  // namespace nacre::app

@@ -33,7 +33,7 @@ std::string originText(const FileSummary& file) {
 std::string explanationText(const PictureDescription& picture, const Representation& scene) {
     std::string colors = colorMeaning(picture.look.color);
     const auto& rules = picture.look.rules;
-    if (std::any_of(rules.begin(), rules.end(), [](const Rule& rule) { return rule.on; }))
+    if (!colors.empty() && std::any_of(rules.begin(), rules.end(), [](const Rule& rule) { return rule.on; }))
         colors.replace(colors.size() - 1, 1, "; rules change some parts.");
     return meaningOf("style", styleName(scene.style)) + " " + colors;
 }
