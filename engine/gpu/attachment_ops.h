@@ -1,5 +1,5 @@
 #pragma once
-// What happens to an attachment where a render pass begins and ends, in Vulkan's words.
+// Load and store operations of an attachment, as Vulkan's enums.
 
 #include <vulkan/vulkan_raii.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-// RenderDoc's in-application API: one frame becomes a file that RenderDoc opens.
+// RenderDoc's in-application API: captures one frame into a file that RenderDoc opens.
 
 #include <string>
 #include <vulkan/vulkan_raii.hpp>
@@ -10,31 +10,31 @@ class CaptureHook {
 public:
     CaptureHook() = default;
     CaptureHook(const CaptureHook&) = delete;
-    /// Gives up a capture that was begun and not ended.
+    /// Discards a capture that was begun and not ended.
     ~CaptureHook();
 
     /// Whether this program was built with RenderDoc's header.
     static bool built();
 
-    /// Finds RenderDoc: the one that started this program, else, if `wanted`, the installed one. To be called before
-    /// the instance is made, which then gets RenderDoc's layer. @throws Error if it is wanted and not there
+    /// Finds RenderDoc: the one that started this program, else, if `wanted`, the installed one. Call before the
+    /// instance is made, which then gets RenderDoc's layer. @throws Error if it is wanted and not found
     void load(bool wanted);
     /// @throws Error if Vulkan does not know RenderDoc's layer
     static void checkLayer(const vk::raii::Context& context);
 
     bool loaded() const { return api_ != nullptr; }
-    /// RenderDoc started this program, and keeps its captures where it wants them.
+    /// RenderDoc started this program and chooses where captures go.
     bool launched() const { return launched_; }
 
-    /// Everything that the instance's device is given to do from here on belongs to the capture.
-    /// @param stem of the file's name; empty: as RenderDoc likes. @throws Error if RenderDoc is not loaded
+    /// Captures everything that the instance's device executes from here on. @param stem of the file's name; empty:
+    /// RenderDoc's default. @throws Error if RenderDoc is not loaded
     void begin(vk::Instance instance, const std::string& stem);
     /// @returns the file that RenderDoc wrote. @throws Error if it wrote none
     std::string end();
 
 private:
     void* api_ = nullptr;
-    [[maybe_unused]] void* instance_ = nullptr;  ///< as RenderDoc knows it, while a capture goes on
+    [[maybe_unused]] void* instance_ = nullptr;  ///< the instance as RenderDoc knows it, during a capture
     bool launched_ = false;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
-// A command buffer with a pool of its own: what it took is given back by resetting the pool, which drivers answer
-// faster than the reset of one buffer among others (VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT, which Arm's and
-// Khronos' best practices advise against).
+// A command buffer with its own pool. Its memory is freed by resetting the pool, which is faster than resetting single
+// buffers (VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT; Arm's and Khronos' best practices advise against that
+// flag).
 
 #include <span>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace nacre::gpu {
 
-/// Commands that are recorded in one go. They are one buffer, unless split() goes on in another: all of them are
-/// submitted together, in their order.
+/// Commands recorded together. They form one buffer unless split() starts another; all are submitted together, in
+/// order.
 class CommandBuffer {
 public:
     CommandBuffer() = default;
@@ -28,21 +28,21 @@ public:
 
     void begin() { buffers_[at_].begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit}); }
     void end() { buffers_[at_].end(); }
-    /// What follows goes into a buffer of its own.
+    /// Following commands go into a new buffer.
     void split() {
         end();
         if (++at_ == buffers_.size()) add();
         begin();
         draws = false;
     }
-    /// Forgets what was recorded, none of which may be in flight.
+    /// Discards what was recorded. None of it may be in flight.
     void reset() {
         pool_.reset();
         at_ = 0;
         draws = false;
     }
 
-    bool draws = false;  ///< the buffer that is being recorded has draws
+    bool draws = false;  ///< the current buffer contains draws
 
 private:
     void add() {

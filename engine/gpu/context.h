@@ -4,8 +4,8 @@
 
 namespace nacre::gpu {
 
-/// Where Vulkan's functions come from: a library that is looked for at run time; or, with NACRE_LINKED_VULKAN (CMake),
-/// the one that the program is linked with. An iPhone has none to be found.
+/// Vulkan's entry point: from a library loaded at run time, or, with NACRE_LINKED_VULKAN (CMake), from the one that the
+/// program is linked with (iPhones have no loadable one).
 inline vk::raii::Context makeContext() {
 #if VULKAN_HPP_ENABLE_DYNAMIC_LOADER_TOOL
     return {};

@@ -19,10 +19,10 @@
 
 namespace nacre::gpu {
 
-/// Instance, device and its one queue (graphics and compute).
+/// Instance, device and its single queue (graphics and compute).
 class Device {
 public:
-    /// @throws Error if there is no loader, driver or device that meets the floor, or validation is not installed
+    /// @throws Error without a loader, driver or device that meets the requirements, or if validation is not installed
     explicit Device(const DeviceOptions& options);
     Device(const Device&) = delete;
 
@@ -36,7 +36,7 @@ public:
     const Caps& caps() const { return caps_; }
     const LocalReadCalls& localReadCalls() const { return localReadCalls_; }
     CaptureHook& capture() { return capture_; }
-    /// Another path than the caps chose, before anything is drawn.
+    /// Replaces the path that the caps chose. Call before anything is drawn.
     void choose(Visibility visibility, const std::string& why) {
         caps_.visibility = visibility;
         caps_.visibilityReason = why;
@@ -46,47 +46,45 @@ public:
         vk::raii::DeviceMemory memory;
         vk::MemoryPropertyFlags properties;
     };
-    /// Allocates memory for requirements, from the first type that has all properties of the first choice, else of the
-    /// next one.
-    /// @throws Error if no type has the properties of any choice or memory has run out
+    /// Allocates memory from the first memory type that has all properties of the first choice, else of the next one.
+    /// @throws Error if no type has the properties of any choice, or memory runs out
     Allocation allocate(const vk::MemoryRequirements& requirements,
                         std::initializer_list<vk::MemoryPropertyFlags> choices, const std::string& what) const;
-    /// Device memory allocated so far and still held, bytes.
+    /// Device memory currently allocated, bytes.
     std::uint64_t allocatedBytes() const { return *allocated_; }
     std::uint64_t peakAllocatedBytes() const { return *peakAllocated_; }
     void release(std::uint64_t bytes) const { *allocated_ -= bytes; }
 
-    /// Gives an object its name for capture tools and validation messages.
+    /// Names an object for capture tools and validation messages.
     void name(vk::ObjectType type, std::uint64_t handle, std::string_view name) const;
     template <typename Handle>
     void name(const Handle& handle, std::string_view text) const {
         name(Handle::objectType, reinterpret_cast<std::uint64_t>(static_cast<typename Handle::NativeType>(handle)),
              text);
     }
-    /// Whether anybody reads the names of what lives for a frame: the validation layer or RenderDoc.
+    /// Whether per-frame names are used: by the validation layer or RenderDoc.
     bool watched() const { return *messenger_ || capture_.loaded(); }
     void beginLabel(const vk::raii::CommandBuffer& commands, const std::string& name) const;
     void endLabel(const vk::raii::CommandBuffer& commands) const;
 
-    /// Messages of the validation layer so far; empty is what every frame must leave behind.
+    /// Messages of the validation layer so far. Must be empty after every frame.
     std::vector<std::string> validationMessages() const { return messages_->messages(); }
 
-    /// What is submitted, for the account of a loss. Whoever records tells it.
+    /// Log of submissions, to explain a device loss. Filled while commands are recorded.
     SubmissionLog& log() const { return *log_; }
-    /// A failure of Vulkan in words: what ran out, or what is known of a loss. Its line ends with the call.
+    /// A Vulkan failure as an error message: what ran out, or what is known of a loss. Names the call at its end.
     Error errorOf(const vk::SystemError& failure) const;
-    /// Waits until nothing is in flight, or the device is lost, which comes to the same.
+    /// Waits until nothing is in flight, or the device is lost.
     void settle() const noexcept;
 
-    /// Swapchains tell when they are done with what was presented, and take back what was not.
+    /// The swapchain reports when a presented image is free, and takes back images that were not presented.
     bool maintainsSwapchains() const { return maintainsSwapchains_; }
 
-    /// What is over with a submission: nothing, or a frame that is not presented, which tools that record frames are
-    /// told where the device lets them be.
+    /// What a submission ends: nothing, or a frame that is not presented. Frame-capture tools are told of the latter
+    /// where the device can.
     enum class Ends { nothing, frame };
-    /// Records a command buffer by the given function, submits it and waits until it is done. The function takes a
-    /// CommandBuffer where it may split it, else a vk::raii::CommandBuffer.
-    /// If any of that fails, nothing of it is in flight any more.
+    /// Records a command buffer by the given function, submits it and waits for it. The function takes a CommandBuffer
+    /// if it may split it, else a vk::raii::CommandBuffer. After a failure nothing of it is in flight.
     template <typename RecordCommands>
     void submitAndWait(RecordCommands&& record, Ends ends = Ends::nothing) const {
         Single single = begin();
@@ -98,7 +96,7 @@ public:
     }
 
 private:
-    /// Commands that are waited for. One is kept for the next that are.
+    /// Commands that the host waits for. One is kept for reuse.
     struct Single {
         CommandBuffer commands;
         vk::raii::Fence done{nullptr};

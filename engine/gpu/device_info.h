@@ -5,9 +5,9 @@
 
 namespace nacre::gpu {
 
-/// What people are told of a device.
+/// Device information for people.
 DeviceInfo infoOf(const Caps& caps);
-/// The same, and what the device says of itself.
+/// Adds what the device reports about itself.
 DeviceInfo infoOf(const Caps& caps, const vk::raii::PhysicalDevice& device);
 
 }  // namespace nacre::gpu

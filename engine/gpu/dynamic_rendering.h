@@ -1,7 +1,7 @@
 #pragma once
-// The second way to carry out a render pass of a plan: dynamic rendering whose subpasses read what earlier ones wrote
-// at the same pixel (VK_KHR_dynamic_rendering_local_read, core in Vulkan 1.4). All colour attachments of the render
-// pass are there from its beginning to its end; each subpass says which of them it draws to, and which it reads.
+// Carries out a plan's render pass by dynamic rendering whose subpasses read what earlier ones wrote at the same pixel
+// (VK_KHR_dynamic_rendering_local_read, core in Vulkan 1.4). All colour attachments are bound for the whole render
+// pass; each subpass selects those that it draws to and reads.
 
 #include <array>
 #include <span>
@@ -13,24 +13,24 @@
 
 namespace nacre::gpu {
 
-/// What a pipeline must know of the attachments, where there is no VkRenderPass to tell it. No colours and no depth:
-/// there is one.
+/// Attachment formats that a pipeline needs without a VkRenderPass. No colours and no depth: there is a VkRenderPass.
 struct RenderingFormats {
     static constexpr std::uint32_t kMost = 8;
-    std::uint32_t colorCount = 0;  ///< of the whole render pass
+    std::uint32_t colorCount = 0;  ///< in the whole render pass
     std::array<VkFormat, kMost> colors{};
     VkFormat depth = VK_FORMAT_UNDEFINED;
-    std::array<std::uint32_t, kMost> locations{};  ///< a colour attachment's output in this subpass, or none
-    std::array<std::uint32_t, kMost> inputs{};     ///< its number as an input attachment in this subpass, or none
+    std::array<std::uint32_t, kMost> locations{};  ///< output location of each colour attachment in this subpass, or
+                                                   ///< none
+    std::array<std::uint32_t, kMost> inputs{};     ///< input attachment index of each in this subpass, or none
     bool any() const { return colorCount > 0 || depth != VK_FORMAT_UNDEFINED; }
     friend bool operator==(const RenderingFormats&, const RenderingFormats&) = default;
 };
 
-/// Whether a driver can render dynamically with local reads, and is trusted to (engine/graph/known_drivers.cpp).
-/// NACRE_NO_DYNAMIC_RENDERING=1 says no for all: as if the driver had never heard of it.
-/// @param validate  the validation layer is there: one that is older than the extension calls every use of it an error
+/// Whether a driver supports dynamic rendering with local reads and is trusted with it
+/// (engine/graph/known_drivers.cpp). NACRE_NO_DYNAMIC_RENDERING=1 turns it off. @param validate  under validation: a
+/// layer older than the extension reports every use as an error
 bool readsLocally(const vk::raii::PhysicalDevice& device, bool validate);
-/// @param device  made with what readsLocally() asks for
+/// @param device  created with the features that readsLocally() checks
 LocalReadCalls localReadCallsOf(const vk::raii::Device& device);
 
 /// One render pass of a plan while it is recorded.
@@ -39,15 +39,15 @@ public:
     /// @param images  by graph index; all outlive this
     DynamicRendering(const Device& device, const graph::RenderPassPlan& plan, std::span<const ImageRef> images,
                      const vk::raii::CommandBuffer& commands);
-    /// Whether the device carries out such a render pass in this way: one of several subpasses, or with inputs.
+    /// Whether the device uses this for a render pass: it needs several subpasses, or inputs.
     static bool takes(const Device& device, const graph::RenderPassPlan& plan);
 
     RenderingFormats formatsOf(std::uint32_t subpass) const;
     void begin() const;
-    /// What it draws to and reads from here on; orders it behind earlier ones.
+    /// Selects the attachments that the subpass draws to and reads, with a barrier after earlier subpasses.
     RenderingFormats beginSubpass(std::uint32_t subpass) const;
     void end() const;
-    /// Of what a subpass reads as input attachment.
+    /// Layout in which a subpass reads input attachments.
     vk::ImageLayout inputLayout(std::uint32_t subpass) const;
 
 private:
@@ -62,7 +62,7 @@ private:
     std::int32_t depth_ = -1;
 };
 
-/// What tells a pipeline of them. Points into the formats, and into itself.
+/// The structures that pass the formats to a pipeline. Points into the formats, and into itself.
 class RenderingChain {
 public:
     explicit RenderingChain(const RenderingFormats& formats);

@@ -1,7 +1,6 @@
 #pragma once
-// VK_EXT_frame_boundary, for headers that are older than it (1.3.259; bookworm's are of 1.3.239). Names, numbers and
-// members are the specification's. Tools that record what a program submits learn by it where a frame ends that is
-// never presented.
+// VK_EXT_frame_boundary, for headers that are older than it (1.3.259; bookworm has 1.3.239). Names, numbers and members
+// are the specification's. It tells capture tools where a frame ends that is not presented.
 
 #include <vulkan/vulkan_core.h>
 

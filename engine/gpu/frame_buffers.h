@@ -9,13 +9,13 @@
 
 namespace nacre::gpu {
 
-/// What frames upload anew, each into a buffer of its own while it is in flight.
+/// Buffers for data that frames upload anew: one per upload while it is in flight.
 class FrameBuffers {
 public:
     FrameBuffers(const Device& device, vk::BufferUsageFlags usage, std::string name)
         : device_(device), usage_(usage), name_(std::move(name)) {}
 
-    /// A buffer with contents. It is whoever's holds it until nobody does.
+    /// A buffer with these contents. It is free for reuse when its last holder releases it.
     std::shared_ptr<const Buffer> upload(std::span<const std::byte> contents) {
         const std::shared_ptr<Buffer>& buffer = buffers_.free();
         if (buffer->size < contents.size() || !buffer->mapped) {

@@ -1,5 +1,5 @@
 #pragma once
-// Frames that the host records while the device still draws the one before: at most two in flight.
+// Frames that the host records while the device draws the previous one: at most two in flight.
 
 #include <array>
 #include <memory>
@@ -15,16 +15,16 @@ namespace nacre::gpu {
 struct FrameSlot {
     CommandBuffer commands;
     vk::raii::Fence done{nullptr};
-    bool submitted = false;                 ///< and `done` tells when it is done
-    vk::raii::Semaphore acquired{nullptr};  ///< the window's image may be drawn into
+    bool submitted = false;                 ///< `done` is signalled when it completes
+    vk::raii::Semaphore acquired{nullptr};  ///< signalled when the window's image can be drawn into
     DescriptorPool descriptors;
-    Timer timer;                         ///< of the commands, where it was begun
-    bool timed = false;                  ///< it was
-    Buffer vertices, indices;            ///< of what is drawn over the picture
-    std::shared_ptr<const void> held;    ///< what the commands use, until they are done
-    Retired retired;                     ///< what earlier ones used
-    std::optional<std::uint32_t> image;  ///< of the window, acquired for commands that were not submitted since
-    std::optional<std::uint32_t> drawn;  ///< the one that the commands draw into
+    Timer timer;                         ///< of the commands
+    bool timed = false;                  ///< the timer was used
+    Buffer vertices, indices;            ///< of the overlay over the picture
+    std::shared_ptr<const void> held;    ///< resources in use by the commands
+    Retired retired;                     ///< resources of earlier commands
+    std::optional<std::uint32_t> image;  ///< acquired window image, not yet submitted
+    std::optional<std::uint32_t> drawn;  ///< window image that the commands draw into
     explicit FrameSlot(const Device& device) : descriptors(device), timer(device) {}
 };
 
@@ -35,18 +35,18 @@ public:
     explicit FrameRing(const Device& device);
     ~FrameRing();
 
-    /// The slot of the next frame, free of what the frame before last left in it. Waits until that one is done.
+    /// The next frame's slot. Waits until the frame before last, which used it, is done.
     FrameSlot& next();
-    /// What the device took for the last timed frame that is known to be done; 0: nobody knows.
+    /// GPU time of the last timed frame that is done; 0: unknown.
     double milliseconds() const { return milliseconds_; }
-    /// Submits the slot's commands: they wait for `acquired` where colour is written, and signal `drawn`. If that
-    /// fails, the slot is what next() gives again, and may try again with the image that it has.
+    /// Submits the slot's commands: they wait for `acquired` where colour is written, and signal `drawn`. After a
+    /// failure next() returns the same slot with its image, for another try.
     void submit(FrameSlot& slot, vk::Semaphore drawn);
-    /// Gives up the window's image that was acquired and not drawn into, if there is one. Waits for a frame that was
-    /// drawn into it before, and for nothing else. @returns which, for whoever takes it back
+    /// Gives up an acquired window image that was not drawn into. Waits only for an earlier frame that drew into it.
+    /// @returns its index, to be given back to the swapchain
     std::optional<std::uint32_t> skipImage();
-    /// The window's images are about to go: waits for everything, and forgets the one that was acquired and not drawn
-    /// into.
+    /// Call before the window's images are destroyed: waits for everything and drops an acquired image that was not
+    /// drawn into.
     void dropImage() noexcept;
 
 private:

@@ -11,19 +11,20 @@ namespace nacre::gpu {
 
 struct InstanceExtensions {
     bool debugUtils = false, portability = false;
-    bool surfaceMaintenance = false;  ///< if any were wanted: those of a window
+    bool surfaceMaintenance = false;  ///< whether the window extensions asked for include it
 };
 
-/// @param wanted extensions besides those that the engine itself takes
-/// @throws Error if there is no loader or driver, an extension is missing, or validation is asked for and not installed
+/// @param wanted extensions besides the engine's own
+/// @throws Error without a loader or driver, if an extension is missing, or if validation is asked for and not
+/// installed
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
                                 const std::vector<std::string>& wanted = {});
 
-/// Collects validation messages of warning severity and above, for as long as the messenger lives.
+/// Collects validation messages of warning severity and above while the messenger lives.
 vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, ValidationLog& messages);
 
-/// The device that a number or part of a name means; empty: discrete, integrated, virtual, then software.
-/// @throws Error that lists what there is
+/// The device with this number or part of a name; empty: discrete, integrated, virtual, then software. @throws Error
+/// that lists the devices
 vk::raii::PhysicalDevice pickDevice(const vk::raii::Instance& instance, const std::string& wanted);
 
 }  // namespace nacre::gpu

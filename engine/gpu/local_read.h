@@ -1,5 +1,5 @@
 #pragma once
-// VK_KHR_dynamic_rendering_local_read, for headers that are older than it (1.3.272; bookworm's are of 1.3.239). Names,
+// VK_KHR_dynamic_rendering_local_read, for headers that are older than it (1.3.272; bookworm has 1.3.239). Names,
 // numbers and members are the specification's.
 
 #include <vulkan/vulkan_core.h>
@@ -41,7 +41,7 @@ using PFN_vkCmdSetRenderingInputAttachmentIndicesKHR = void(VKAPI_PTR*)(VkComman
 
 namespace nacre::gpu {
 
-/// The extension's calls; null where the device has none.
+/// The extension's functions; null where the device lacks it.
 struct LocalReadCalls {
     PFN_vkCmdSetRenderingAttachmentLocationsKHR setLocations = nullptr;
     PFN_vkCmdSetRenderingInputAttachmentIndicesKHR setInputs = nullptr;

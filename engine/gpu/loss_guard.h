@@ -6,12 +6,12 @@
 
 namespace nacre::gpu {
 
-/// Turns failures of Vulkan into words, and remembers a loss of the device.
+/// Turns Vulkan failures into error messages, and remembers a device loss.
 class LossGuard {
 public:
     explicit LossGuard(const Device& device) : device_(device) {}
 
-    /// @throws Error what the call throws, in words
+    /// @throws Error for the call's failure
     template <typename Call>
     auto operator()(Call&& call) {
         try {
@@ -21,7 +21,7 @@ public:
         }
     }
     bool lost() const { return !loss_.empty(); }
-    /// What is known of the loss, in one line; empty: the device is there.
+    /// What is known of the loss, in one line; empty: the device is not lost.
     const std::string& loss() const { return loss_; }
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// What the driver compiled, kept from one run to the next.
+// The driver's compiled pipelines, kept between runs.
 
 #include <cstddef>
 #include <span>
@@ -8,11 +8,11 @@
 
 namespace nacre::gpu {
 
-/// Whether a cache's data was written by this device and driver: VkPipelineCacheHeaderVersionOne names vendor, device
-/// and the driver's UUID. Nothing but the header is looked at.
+/// Whether a cache's data was written by this device and driver. Reads the header only
+/// (VkPipelineCacheHeaderVersionOne: vendor, device and the driver's UUID).
 bool isPipelineCacheOf(const vk::PhysicalDeviceProperties& properties, std::span<const std::byte> data);
 
-/// A cache that starts from `data`, or empty if that is another device's.
+/// A cache that starts from `data`, or empty if `data` belongs to another device.
 vk::raii::PipelineCache makePipelineCache(const vk::raii::Device& device, const vk::raii::PhysicalDevice& physical,
                                           std::span<const std::byte> data);
 

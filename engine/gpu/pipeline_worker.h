@@ -1,6 +1,6 @@
 #pragma once
-// Pipelines that are made on a thread of their own before a frame asks for them, so that none waits for a driver that
-// compiles: what a zoom is going to want, or the next pass of the same picture.
+// Makes pipelines on a worker thread before a frame asks for them, so that frames do not wait for the driver's
+// compiler: for a coming zoom, or the next pass of the same picture.
 
 #include <condition_variable>
 #include <list>
@@ -18,18 +18,18 @@ using PipelineDescription = std::variant<GraphicsPipeline, ComputePipeline>;
 
 class PipelineWorker {
 public:
-    /// @param device  outlives this, as do layouts and render passes of what is wanted
+    /// @param device  outlives this, as do layouts and render passes of wanted pipelines
     explicit PipelineWorker(const Device& device) : device_(device) {}
-    /// What is being made is finished first.
+    /// Finishes the pipeline that is being made.
     ~PipelineWorker();
     PipelineWorker(const PipelineWorker&) = delete;
 
-    /// To be made, in the order of the calls, unless it is already wanted.
+    /// Queues a pipeline, unless it is already queued.
     void want(const PipelineDescription& description);
-    /// The pipeline if it was wanted and could be made, once. Waits for one that is being made; one that is not yet
-    /// begun is the caller's to make.
+    /// The pipeline, once, if it was queued and could be made. Waits if it is being made. If it is not begun, returns
+    /// nothing and the caller makes it.
     std::optional<vk::raii::Pipeline> take(const PipelineDescription& description);
-    /// Whether any that is wanted is still to be made.
+    /// Whether any queued pipeline is not made yet.
     bool busy() const;
 
 private:

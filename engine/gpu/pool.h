@@ -6,18 +6,18 @@
 
 namespace nacre::gpu {
 
-/// What frames in flight hold, each its own: one that no frame holds any more is used again, so that steady frames make
-/// none. For one thread.
+/// Objects that frames in flight hold. An object that no frame holds is reused, so steady frames allocate none. For one
+/// thread.
 template <typename T>
 class Pool {
 public:
-    /// One that nobody else holds, as it was left.
+    /// An object that nobody else holds, in the state in which it was left.
     const std::shared_ptr<T>& free() {
         auto found = std::find_if(all_.begin(), all_.end(), [](const auto& one) { return one.use_count() == 1; });
         if (found == all_.end()) found = all_.insert(found, std::make_shared<T>());
         return *found;
     }
-    /// @param work  gets each that nobody else holds
+    /// @param work  called with each object that nobody else holds
     template <typename Work>
     void eachFree(const Work& work) {
         for (const auto& one : all_)

@@ -1,5 +1,5 @@
 #pragma once
-// A graph and its plan as they are recorded, frame after frame: what follows from them alone is found out once.
+// A graph and its plan, prepared for recording every frame: what depends on them alone is computed once.
 
 #include <string>
 #include <utility>
@@ -16,7 +16,7 @@ public:
     void bind(graph::Image handle, const ImageRef& image) { images_.emplace_back(handle.index, image); }
     void bind(graph::Buffer handle, const Buffer& buffer) { buffers_.emplace_back(handle.index, *buffer.handle); }
     void clear() { images_.clear(), buffers_.clear(); }
-    /// What was bound last; null if nothing was.
+    /// The last bound image; null: none.
     const ImageRef* image(std::uint32_t index) const { return last(images_, index); }
     const vk::Buffer* buffer(std::uint32_t index) const { return last(buffers_, index); }
 
@@ -33,7 +33,7 @@ private:
 
 struct OwnedRenderPass;  // execute.h
 
-/// Serves one executor. What a frame needs beside it has its room here, so that recording anew allocates nothing.
+/// Serves one executor. Holds a frame's scratch memory, so that recording again allocates nothing.
 class Recording {
 public:
     /// Both outlive this.
@@ -49,10 +49,10 @@ private:
     };
     const graph::Graph& graph_;
     const graph::Plan& plan_;
-    std::string work_;                      // what is carried out, in words: "screen: opaque prepass, impostor colour"
-    std::vector<std::string> owned_;        // by graph index: names of the images that the executor makes
+    std::string work_;                      // for the log: "screen: opaque prepass, impostor colour"
+    std::vector<std::string> owned_;        // by graph index: names of the executor's own images
     std::vector<RenderPass> renderPasses_;  // by step
-    // Of one time:
+    // Valid for one recording:
     std::vector<ImageRef> images_;     // by graph index
     std::vector<vk::Buffer> buffers_;  // by graph index
     std::vector<VkImageView> views_;

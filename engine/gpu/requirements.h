@@ -1,6 +1,6 @@
 #pragma once
-// What the renderer asks of every device: one table, checked when a device is opened, and held in tests against the
-// least phone that it is to run on (tests/phone_layer/floor.h). What only some paths use is a cap (caps.h).
+// Requirements on every device: one table, checked when a device is opened, and tested against the weakest supported
+// phone (tests/phone_layer/floor.h). Requirements of single paths are caps (caps.h).
 
 #include <cstdint>
 #include <span>
@@ -17,17 +17,17 @@ struct RequiredLimit {
 
 struct RequiredFormat {
     VkFormat format;
-    VkFormatFeatureFlags features;  ///< of optimal tiling
+    VkFormatFeatureFlags features;  ///< for optimal tiling
     const char* why;
 };
 
 constexpr std::uint32_t kRequiredVulkan = VK_API_VERSION_1_1;
 std::span<const RequiredLimit> requiredLimits();
 std::span<const RequiredFormat> requiredFormats();
-/// Beside VK_KHR_swapchain, for a window.
+/// For a window, besides VK_KHR_swapchain.
 std::span<const char* const> requiredExtensions();
 
-/// @throws Error that names the first thing the device lacks
+/// @throws Error that names the first missing feature
 void checkRequirements(const vk::raii::PhysicalDevice& device, bool window);
 
 }  // namespace nacre::gpu

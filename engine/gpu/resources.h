@@ -1,5 +1,5 @@
 #pragma once
-// Buffers and images with their memory. One allocation each: the renderer holds a few dozen.
+// Buffers and images with their memory. Each has its own allocation: the renderer holds a few dozen.
 
 #include <cstddef>
 #include <cstring>
@@ -13,7 +13,7 @@
 
 namespace nacre::gpu {
 
-/// Counts device memory from allocation to the end of its life.
+/// Counts a piece of device memory during its life.
 class Memory {
 public:
     Memory() = default;
@@ -39,36 +39,36 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
-/// A buffer that the host can write and read through `mapped`. Device-local too where memory is shared.
+/// A buffer that the host reads and writes through `mapped`. Also device-local where memory is shared.
 struct Buffer {
     Memory memory;
     vk::raii::Buffer handle{nullptr};
     std::byte* mapped = nullptr;
     vk::DeviceSize size = 0;
-    bool coherent = true;  ///< else what one side writes is the other's to see by flush() and invalidate() alone
+    bool coherent = true;  ///< false: flush() and invalidate() are needed
 
-    /// The host is about to read what the device wrote, and is done with. Behind a barrier to the host.
+    /// Call before the host reads what the device wrote. The device must be done, with a barrier to the host.
     void invalidate() const;
-    /// The host wrote what the device is about to read.
+    /// Call after the host wrote, before the device reads.
     void flush() const;
 };
 
-/// Who reads. Memory that the host caches not is slow to read from, on Arm's phones by far; what it only writes is
-/// best kept where caches do not get in the way.
+/// Which side reads. Reading uncached memory is slow for the host, most of all on Arm's phones; memory that the host
+/// only writes is best uncached.
 enum class Access {
     upload,    ///< the device: coherent
-    readback,  ///< the host, too: cached, and coherent where there is such memory
+    readback,  ///< the host as well: cached, and coherent where available
 };
 
-/// @throws Error if no buffer of a device is so large @param name  what it would be
+/// @throws Error if the device allows no buffer this large @param name  of the buffer, for the message
 void checkBuffer(const Caps& caps, vk::DeviceSize size, const std::string& name);
 
-/// @throws Error if it is too large for the device, or there is no memory
-/// @param size bytes; 0 makes a buffer of the smallest size, so that empty streams can be bound
+/// @throws Error if it is too large for the device, or memory runs out
+/// @param size bytes; 0 makes the smallest buffer, so that empty streams can be bound
 Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlags usage, Access access,
                   const std::string& name);
 
-/// A buffer with contents.
+/// A buffer with these contents.
 template <typename T>
 Buffer makeBuffer(const Device& device, std::span<const T> contents, vk::BufferUsageFlags usage,
                   const std::string& name) {
@@ -77,19 +77,19 @@ Buffer makeBuffer(const Device& device, std::span<const T> contents, vk::BufferU
     return buffer;
 }
 
-/// A buffer's contents as texels. @param buffer  outlives it, and has a texel buffer's usage
+/// A buffer's contents as texels. @param buffer  outlives the view, and has a texel buffer's usage
 vk::raii::BufferView makeTexelView(const Device& device, const Buffer& buffer, vk::Format format,
                                    const std::string& name);
 
 struct Image {
     Memory memory;
-    bool lazy = false;  ///< its memory is lazily allocated: bytes of it are there only once something needs them
+    bool lazy = false;  ///< lazily allocated memory: backed only once it is needed
     vk::raii::Image handle{nullptr};
     vk::raii::ImageView view{nullptr};
     graph::ImageDesc desc;
 };
 
-/// What nothing that is recorded from now on uses, and what is in flight still may: lives until that is done.
+/// Keeps objects that new recordings no longer use until everything in flight is done.
 struct Retired {
     std::vector<Image> images;
     std::vector<vk::raii::Framebuffer> framebuffers;

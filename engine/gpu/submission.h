@@ -7,25 +7,25 @@
 
 namespace nacre::gpu {
 
-/// Commands that the host does not wait for: one submission at a time. What they use lives until they are done.
+/// Commands that the host does not wait for: one submission at a time. Keeps its resources until they are done.
 class Submission {
 public:
     Submission(const Device& device, const std::string& name);
     ~Submission();
     Submission(const Submission&) = delete;
 
-    /// Records by the given function and submits. Nothing is pending before, nor if any of that fails.
+    /// Records by the given function and submits. Nothing may be pending. After a failure nothing is.
     template <typename RecordCommands>
     void submit(RecordCommands&& record) {
         begin();
         record(commands_);
         end();
     }
-    /// It was submitted, and nobody has found it done yet.
+    /// Submitted and not yet known to be done.
     bool pending() const { return pending_; }
-    /// Whether nothing is in flight, or no longer.
+    /// Whether nothing is in flight.
     bool done();
-    /// Until nothing is.
+    /// Waits until nothing is in flight.
     void wait();
 
     DescriptorPool& descriptors() { return descriptors_; }

@@ -1,5 +1,5 @@
 #pragma once
-// The images of a window, in the order in which the display takes them (FIFO).
+// The images of a window, presented in order (FIFO).
 
 #include <functional>
 #include <memory>
@@ -9,42 +9,42 @@
 
 namespace nacre::gpu {
 
-/// Quarter turns clockwise that a surface's transform asks of the picture; mirrored ones count as upright.
+/// Clockwise quarter turns that a surface's transform asks for; mirrored transforms count as upright.
 int quarterTurnsOf(vk::SurfaceTransformFlagBitsKHR transform);
 
 class Swapchain {
 public:
-    /// @param create makes the window's surface. @throws Error if this device cannot show pictures there
+    /// @param create makes the window's surface. @throws Error if this device cannot present to it
     Swapchain(const Device& device, std::function<VkSurfaceKHR(VkInstance)> create);
     ~Swapchain();
     Swapchain(const Swapchain&) = delete;
 
-    /// Makes the images anew for the window as it is; none while it has no area. Nothing may be in flight, unless
-    /// the images retire().
-    /// @param wanted pixels of the upright picture, for surfaces that leave their size to the swapchain
+    /// Makes new images for the window's current size; none while it has no area. Nothing may be in flight, unless the
+    /// images retire(). @param wanted pixels of the upright picture, for surfaces that leave their size to the
+    /// swapchain
     void recreate(graph::Extent wanted);
-    /// Images that are replaced live on until the display is done with them (VK_EXT_swapchain_maintenance1).
+    /// Replaced images live until the display is done with them (VK_EXT_swapchain_maintenance1).
     bool retires() const { return device_.maintainsSwapchains() && whole_; }
-    /// Where images retire: whoever still draws into those that there are keeps this.
+    /// If images retire: hold this while drawing into the current ones.
     std::shared_ptr<const void> drawnInto() const { return drawnInto_; }
-    /// Takes back an image that was acquired and never drawn into, before recreate(). Only if they retire.
+    /// Takes back an image that was acquired and never drawn into, before recreate(). Only if images retire.
     void giveBack(std::uint32_t index);
-    /// Lets go of the surface, as an app must when its window goes; recreate() asks for another.
+    /// Releases the surface, as an app must when its window goes; recreate() asks for another.
     void release();
 
     bool ready() const { return static_cast<bool>(*swapchain_); }
-    /// The next image is to be preceded by recreate().
+    /// recreate() must be called before the next image.
     bool stale() const { return stale_; }
 
-    graph::Extent extent() const { return extent_; }    ///< of the images
-    graph::Extent upright() const { return upright_; }  ///< of the picture as it is seen
+    graph::Extent extent() const { return extent_; }    ///< in image pixels
+    graph::Extent upright() const { return upright_; }  ///< of the picture as seen
     int quarterTurns() const { return quarterTurns_; }
     VkFormat format() const { return static_cast<VkFormat>(format_.format); }
 
     /// Index of the next image, or nothing if the swapchain has become stale.
     std::optional<std::uint32_t> acquire(vk::Semaphore signal);
     ImageRef image(std::uint32_t index) const;
-    /// Signalled by the submission that draws an image, awaited by present().
+    /// Signalled by the submission that draws an image; present() waits for it.
     vk::Semaphore drawn(std::uint32_t index) const { return *images_[index].drawn; }
     void present(std::uint32_t index);
 
@@ -53,8 +53,8 @@ private:
         vk::Image handle;
         vk::raii::ImageView view;
         vk::raii::Semaphore drawn;
-        vk::raii::Fence shown{nullptr};  ///< the display is done with what was presented; where it tells
-        bool presented = false;          ///< and `shown` is or will be signalled
+        vk::raii::Fence shown{nullptr};  ///< signalled when the display has released the image, where reported
+        bool presented = false;          ///< `shown` is or will be signalled
     };
     struct Former {
         vk::raii::SwapchainKHR swapchain;
@@ -68,7 +68,7 @@ private:
     void retire();
     void dropFormers(bool wait);
     void awaitShown(WindowImage& image, std::uint64_t nanoseconds) const;
-    /// The display took it, even if it does not show it.
+    /// The image was queued, even if it is never shown.
     void enqueued(WindowImage& image) {
         image.presented = static_cast<bool>(*image.shown);
         whole_ = true;
@@ -82,7 +82,7 @@ private:
     std::vector<WindowImage> images_;
     std::shared_ptr<const void> drawnInto_ = std::make_shared<int>();
     std::vector<Former> formers_;
-    bool whole_ = true;  ///< every image that was drawn into was handed to the display
+    bool whole_ = true;  ///< every image that was drawn into was presented
     graph::Extent extent_, upright_;
     int quarterTurns_ = 0;
     bool stale_ = true;

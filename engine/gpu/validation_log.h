@@ -1,5 +1,5 @@
 #pragma once
-// What the validation layer says. It speaks on whichever thread makes the call; whoever asks may be on another.
+// Messages of the validation layer, which calls from any thread.
 
 #include <mutex>
 #include <string>
@@ -10,13 +10,12 @@ namespace nacre::gpu {
 
 class ValidationLog {
 public:
-    static constexpr std::size_t kMost = 100;  // the first, of which the others mostly follow
+    static constexpr std::size_t kMost = 100;  // keeps the first, which usually cause the rest
 
     void add(std::string_view message) {
         const std::lock_guard lock(turn_);
         if (messages_.size() < kMost) messages_.emplace_back(message);
     }
-    /// What was said so far.
     std::vector<std::string> messages() const {
         const std::lock_guard lock(turn_);
         return messages_;
