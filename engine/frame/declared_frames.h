@@ -1,6 +1,6 @@
 #pragma once
-// Frames that are declared and planned once, and recorded as often as they are wanted: a steady frame differs from the
-// one before in what it shows, not in its passes.
+// Frames that are declared and planned once and recorded many times: steady frames differ in their data, not in their
+// passes.
 
 #include <list>
 #include <memory>
@@ -14,42 +14,42 @@
 
 namespace nacre {
 
-/// What becomes of the picture that a scene's passes make.
+/// Destination of the picture that a scene's passes make.
 enum class FrameEnd : std::uint8_t {
-    left,            ///< on the device
-    readBack,        ///< the host reads it
-    window,          ///< it is the window's image
-    onWindow,        ///< it is brought to the window as it is
-    scaledOnWindow,  ///< or from another size
-    firstSample,     ///< it begins a sum of samples, which is brought to the window
-    nextSample,      ///< or is added to one
-    sumOnWindow,     ///< the sum alone is: no scene is drawn
+    left,            ///< stays on the device
+    readBack,        ///< read by the host
+    window,          ///< drawn into the window's image
+    onWindow,        ///< copied to the window
+    scaledOnWindow,  ///< scaled to the window
+    firstSample,     ///< starts a sum of samples, which is shown in the window
+    nextSample,      ///< adds to such a sum
+    sumOnWindow,     ///< shows the sum only: no scene is drawn
 };
 
-/// All that decides what a frame declares, and how it is planned.
+/// Everything that decides how a frame is declared and planned.
 struct FrameShape {
     ScreenOptions options;
     DebugView debug = DebugView::none;
     FrameEnd end = FrameEnd::left;
-    graph::Extent window;  ///< of ends on it, its image
-    bool overlay = false;  ///< over it
+    graph::Extent window;  ///< its image's size, for ends in a window
+    bool overlay = false;  ///< the window has an overlay
     bool merge = true, transient = true;
 };
 bool operator==(const FrameShape& a, const FrameShape& b);
 
 struct DeclaredFrame {
     FrameShape shape;
-    std::vector<ScreenTarget> targets;  ///< those of the shape
+    std::vector<ScreenTarget> targets;  ///< targets of the shape
     std::shared_ptr<ShownScene> shown = std::make_shared<ShownScene>();
     ScreenFrame frame;
     graph::Plan plan;
     std::unique_ptr<gpu::Recording> recording;
-    gpu::Imports imports;  ///< of the frame to be recorded next
+    gpu::Imports imports;  ///< for the next recording
 };
 
-/// The passes of a shape's scene. Those of its end are for whoever asked for it.
+/// Declares the passes of a shape's scene. The caller declares the end.
 ScreenFrame declare(const FrameShape& shape, const Recorder& recorder);
-/// How the device's caps and the shape want a frame planned.
+/// The device's caps, changed for a shape.
 graph::PlanCaps planCaps(graph::PlanCaps caps, const FrameShape& shape);
 
 class DeclaredFrames {
@@ -58,8 +58,8 @@ public:
 
     explicit DeclaredFrames(const graph::PlanCaps& caps) : caps_(caps) {}
 
-    /// The frame of a shape: the one that is kept, or a new one.
-    /// @param end  declares the shape's end where the frame is new: called with the frame
+    /// The frame of a shape, kept or new.
+    /// @param end  declares the shape's end; called with a new frame only
     template <typename DeclareEnd>
     const std::shared_ptr<DeclaredFrame>& of(const FrameShape& shape, const DeclareEnd& end) {
         if (!find(shape)) {
@@ -72,13 +72,13 @@ public:
     std::size_t size() const { return frames_.size(); }
 
 private:
-    /// Puts it first.
+    /// Moves it to the front.
     bool find(const FrameShape& shape);
     static std::shared_ptr<DeclaredFrame> begin(const FrameShape& shape);
     void keep(std::shared_ptr<DeclaredFrame> frame);
 
     const graph::PlanCaps& caps_;
-    std::list<std::shared_ptr<DeclaredFrame>> frames_;  // latest use first
+    std::list<std::shared_ptr<DeclaredFrame>> frames_;  // most recently used first
 };
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// What the passes of a frame ask of the vertex stage, and of memory on GPUs that store what it hands on. Pure.
+// Vertex work and memory traffic of a frame's passes, on GPUs that store vertex outputs. Makes no Vulkan calls.
 
 #include <cstdint>
 #include <span>
@@ -14,19 +14,19 @@
 
 namespace nacre {
 
-/// What a view of a scene submits: what lies outside of the picture is left out, as frames do.
-/// @param meshError  pixels that meshes may be off by
+/// Primitives that a view of a scene submits, after culling those outside of the picture as frames do.
+/// @param meshError  screen-space error of meshes, pixels
 SceneCounts countsOf(Representation representation, const View& view, double meshError = 0);
 
-/// Of the passes of a screen frame that draw primitives, in their order. @param plates, impostor  as asked for
+/// Geometry of a screen frame's passes that draw primitives, in order. @param plates, impostor  as requested
 std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCounts& counts,
                                      const graph::GeometryCaps& caps, PlateShape plates, ImpostorShape impostor);
 
-/// The same, into what an earlier frame was told in.
+/// As above, into an existing list.
 void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const graph::GeometryCaps& caps,
                   PlateShape plates, ImpostorShape impostor, std::vector<PassGeometry>& list);
 
-/// In all.
+/// The total.
 PassGeometry sumOf(std::span<const PassGeometry> passes);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// What vendors' profilers ask of a pass, as it follows from what the pass does to its images.
+// Facts about a pass that vendors' profilers ask for, derived from its use of images.
 
 #include <cstdint>
 
@@ -7,7 +7,7 @@
 
 namespace nacre {
 
-/// Bytes that a pass fetches for each primitive, or, if `perPixel`, for each pixel that one covers.
+/// Bytes that a pass fetches per primitive, or, if `perPixel`, per covered pixel.
 struct Fetch {
     std::uint32_t sphere = 0, cylinder = 0, triangle = 0;
     bool perPixel = false;
@@ -20,10 +20,10 @@ const char* depthTimingName(DepthTiming timing);
 
 struct PassNotes {
     DepthTiming depth{};
-    const char* why = "";        ///< of `depth`
-    Fetch binning;               ///< positions alone, to find a primitive's tiles
-    Fetch shading;               ///< what visible primitives need after that
-    const char* precision = "";  ///< what may be 16 bits wide, and what must not
+    const char* why = "";        ///< reason for `depth`
+    Fetch binning;               ///< positions only, to find a primitive's tiles
+    Fetch shading;               ///< the rest, for visible primitives
+    const char* precision = "";  ///< what may use 16 bits, and what must not
 };
 
 /// @param pass          of the screen frame

@@ -1,5 +1,5 @@
 #pragma once
-// What the passes of a frame record: the scene as one view sees it, drawn by engine/passes.
+// Records the passes of a frame: the scene as one view sees it, drawn by engine/passes.
 
 #include <cstdint>
 #include <memory>
@@ -16,13 +16,13 @@ struct SceneView;
 
 namespace nacre {
 
-/// The scene that the passes of a frame record at the moment: a frame is declared once, and shows one after another.
+/// The scene that a frame's passes currently record: a frame is declared once and shows many scenes.
 struct ShownScene {
     const passes::SceneView* scene = nullptr;
 };
 
-/// Gives each pass the functions that record it and ask for its pipelines. One that shows nothing gives empty ones: its
-/// frame is only looked at.
+/// Gives each pass the functions that record it and request its pipelines. Without a scene the functions are empty, for
+/// frames that are only planned.
 class Recorder {
 public:
     Recorder() = default;
@@ -32,34 +32,34 @@ public:
     graph::Work shadowMap() const;
     graph::Work encodedDepth(const graph::EncodedFormat& format) const;
     graph::Work encodedDepthInOrder(graph::Image atlas, graph::Image nearest) const;
-    /// @param distance  is written, too
+    /// @param distance  also write it
     graph::Work nearestPrimitive(bool distance) const;
     graph::Work rims(graph::Image atlas, graph::Image numbers) const;
 
-    /// @param nearest  depth itself; none: the depth buffer has it
+    /// @param nearest  depth itself; none: read it from the depth buffer
     graph::Work impostors(passes::Output output, passes::NearestFrom from, graph::Image atlas,
                           std::optional<graph::Image> nearest = {}) const;
-    /// As `format` encodes it, read as an input attachment or, where it left the tile, a texture.
+    /// With depth encoded as `format`, read as an input attachment or, off tile, a texture.
     graph::Work impostorsAtEncodedDepth(passes::Output output, graph::Image atlas, graph::Image nearest,
                                         const graph::EncodedFormat& format) const;
     graph::Work shadedPrimitives(passes::Output output, graph::Image atlas, graph::Image numbers) const;
     graph::Work rimmedPrimitives(graph::Image atlas, graph::Image numbers, graph::Image rims,
                                  const graph::Clear& clear) const;
 
-    /// @param before  depth of the layer before; none: the first
+    /// @param before  depth of the previous layer; none: the first layer
     graph::Work translucentLayer(graph::Image atlas, std::optional<graph::Image> before) const;
-    /// @param nearest  of what is opaque, as `format` encodes it; none: the depth buffer has it
+    /// @param nearest  opaque depth, encoded as `format`; none: read it from the depth buffer
     graph::Work translucentColor(graph::Image atlas, graph::Image numbers, std::optional<graph::Image> nearest,
                                  const graph::EncodedFormat& format) const;
 
     graph::Work layersByTiles() const;
-    /// @param layer  0: the nearest
+    /// @param layer  0: nearest
     graph::Work layerOfTiles(graph::Image atlas, std::uint32_t layer) const;
 
     graph::Work nearestByTiles() const;
-    /// @param depth  goes to the depth buffer, too
+    /// @param depth  also write the depth buffer
     graph::Work shadedTiles(passes::Output output, graph::Image atlas, bool depth = false) const;
-    /// Both in one.
+    /// Finds the nearest primitives and shades them in one pass.
     graph::Work colorsByTiles(graph::Image atlas) const;
     graph::Work edgePixels() const;
     graph::Work edgesByTiles(graph::Image atlas) const;

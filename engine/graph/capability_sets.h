@@ -1,7 +1,7 @@
 #pragma once
-// What is known of well-known GPUs, as data, so that a frame can be judged without owning one. Every vendor quirk that
-// a plan honours stands in capability_sets.cpp, with its source; real devices start from these sets, by the table in
-// known_drivers.cpp.
+// Known facts about common GPUs, as data, so that a frame can be planned for a GPU that is not at hand.
+// capability_sets.cpp lists every vendor quirk that a plan honours, with its source; real devices start from these
+// sets, by the table in known_drivers.cpp.
 
 #include <span>
 #include <string_view>
@@ -20,7 +20,7 @@ struct Fact {
 struct CapabilitySet {
     PlanCaps plan;
     DeviceKind kind{};
-    EncodedFormat encoded;  ///< what `auto` takes
+    EncodedFormat encoded;  ///< the choice of `auto`
     std::span<const Fact> facts;
 };
 

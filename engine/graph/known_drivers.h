@@ -1,5 +1,5 @@
 #pragma once
-// Which capability set a real device is: a table of drivers and devices, as data, each row with its source.
+// Maps real devices to capability sets: a table of drivers and devices, each row with its source.
 
 #include <cstdint>
 #include <span>
@@ -10,24 +10,24 @@
 
 namespace nacre::graph {
 
-/// What a device tells of itself.
+/// Identification that a device reports.
 struct DriverIdentity {
     std::uint32_t vendor = 0;   ///< VkPhysicalDeviceProperties::vendorID
     VkDriverId driver{};        ///< 0 where VK_KHR_driver_properties is missing
     std::string device;         ///< VkPhysicalDeviceProperties::deviceName
     std::uint32_t version = 0;  ///< VkPhysicalDeviceProperties::driverVersion, as the driver packs it
     std::uint32_t vulkan = 0;   ///< VkPhysicalDeviceProperties::apiVersion
-    bool portable = false;      ///< VK_KHR_portability_subset: Vulkan on another interface
+    bool portable = false;      ///< VK_KHR_portability_subset: Vulkan on top of another API
     bool software = false;      ///< VK_PHYSICAL_DEVICE_TYPE_CPU
     bool lazyMemory = false;    ///< has lazily allocated memory
 };
 
-/// Which devices and drivers a row is about.
+/// Devices and drivers that a row matches.
 struct DriverPattern {
     std::uint32_t vendor = 0;                 ///< 0: any
     VkDriverId driver{};                      ///< 0: any
-    std::string_view name{};                  ///< what the device's name has in it, before its number; empty: anything
-    std::uint32_t least = 0, most = 0xffffu;  ///< that number: "Adreno (TM) 540"
+    std::string_view name{};                  ///< text in the device's name, before its number; empty: any
+    std::uint32_t least = 0, most = 0xffffu;  ///< range of that number: "Adreno (TM) 540"
     std::uint32_t before = 0;                 ///< driver versions below this one; 0: any
     std::uint32_t beforeVulkan = 0;           ///< Vulkan versions below this one; 0: any
 };
@@ -38,21 +38,21 @@ struct KnownDriver {
     Fact fact;
 };
 
-/// The first row that fits counts.
+/// The first matching row counts.
 std::span<const KnownDriver> knownDrivers();
 
 struct DeviceClass {
     const CapabilitySet* set = nullptr;
     DeviceKind kind{};
-    const KnownDriver* row = nullptr;  ///< null: no row fits, and what memory the device has decides
+    const KnownDriver* row = nullptr;  ///< null: no row matches; the device's memory types decide
 };
 
 DeviceClass classOf(const DriverIdentity& identity);
 
-/// What a driver does wrong, or badly, beside its capability set.
+/// Driver bugs and weaknesses besides the capability set.
 enum class Quirk : std::uint8_t {
     noLocalRead,      ///< no dynamic rendering with local reads
-    dispatchesApart,  ///< dispatches behind draws crash in the same command buffer
+    dispatchesApart,  ///< dispatches after draws in one command buffer crash
 };
 struct KnownQuirk {
     DriverPattern of;
@@ -60,7 +60,7 @@ struct KnownQuirk {
     Fact fact;
 };
 std::span<const KnownQuirk> knownQuirks();
-/// Whether any row says so.
+/// Whether any matching row lists the quirk.
 bool has(Quirk quirk, const DriverIdentity& identity);
 
 }  // namespace nacre::graph

@@ -1,5 +1,5 @@
 #pragma once
-// The stages of compile(), in the order in which they run. Private to engine/graph.
+// The stages of compile(), in order. Private to engine/graph.
 
 #include "engine/graph/plan.h"
 
@@ -12,23 +12,23 @@ constexpr VkAccessFlags kWriteAccess = VK_ACCESS_SHADER_WRITE_BIT | VK_ACCESS_CO
 /// "pass 'x', image 'y'"
 std::string naming(const Graph& graph, const PassDecl& pass, const Use& use);
 
-/// Refuses graphs that make no sense on any device.
+/// Rejects graphs that are invalid on any device. @throws GraphError
 void validate(const Graph& graph, const PlanCaps& caps);
 /// Marks passes that reach no output.
 std::vector<bool> cullPasses(const Graph& graph);
-/// Groups the passes that are left into steps, and those of a render pass into subpasses. No ops, no layouts yet.
+/// Groups the remaining passes into steps, and those of a render pass into subpasses. No ops or layouts yet.
 void mergePasses(const Graph& graph, const PlanCaps& caps, Plan& plan);
 /// Load and store operations, transience, usage flags, traffic.
 void deriveOperations(const Graph& graph, const PlanCaps& caps, Plan& plan);
 /// Layouts, subpass dependencies and barriers.
 void deriveSynchronization(const Graph& graph, Plan& plan);
 
-/// What an image that is used so must be made for.
+/// Usage flag that an image needs for a verb.
 VkImageUsageFlags usageFlag(Verb verb);
 
-/// The verb with which an attachment is used in a subpass; false if it is not.
+/// The verb with which a subpass uses an attachment; false: it does not use it.
 bool attachmentVerb(const Subpass& subpass, std::uint32_t attachment, Verb& verb);
-/// The verb of a use after inputs that left the tile became texture reads.
+/// The verb of a use, after inputs that left the tile became texture reads.
 Verb effectiveVerb(const Plan& plan, std::uint32_t pass, const Use& use);
 
 }  // namespace nacre::graph
