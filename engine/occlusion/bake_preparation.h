@@ -1,6 +1,5 @@
 #pragma once
-// What is decided before a bake starts, on the processor: how fine the patches are, which of their texels light can
-// reach, and which copies ask together.
+// CPU preparation of a bake: patch sizes, the texels that light can reach, and which copies share their tests.
 
 #include <cstdint>
 #include <stop_token>
@@ -15,28 +14,27 @@ namespace nacre::occlusion {
 
 struct BakeOptions {
     int directions = 128;
-    std::uint64_t budgetBytes = 64ull << 20;  ///< device memory of everything that the bake holds
+    std::uint64_t budgetBytes = 64ull << 20;  ///< device memory of the whole bake
     OcclusionMaps path = OcclusionMaps::encoded;
-    std::uint32_t detail = 32;  ///< texels across a sphere's patch, at most
+    std::uint32_t detail = 32;  ///< maximum width of a sphere's patch, texels
 };
 
-/// What a bake needs to know before it starts, and what takes the host its time.
+/// Results of the preparation.
 struct BakePreparation {
     OcclusionLayout layout;
     OpenTexels open;
     OcclusionCopies copies;
 };
 
-/// For any thread. @param stop  what is prepared is of no use once it is asked for: returns early, with anything
-/// @throws Error if even one value a sphere does not fit the budget
+/// Thread-safe. @param stop  when requested, returns early with an unusable result
+/// @throws Error if even one value per sphere exceeds the budget
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
                             const std::stop_token& stop = {});
 
-/// Of a bake's memory what its depth maps may have: a half, less where vertices of meshes need more than the other.
+/// Share of a bake's memory for its depth maps: half, less where mesh vertices need more than the other half.
 std::uint64_t mapBudget(std::uint64_t bytes, const Representation& representation);
 
-/// Device memory that a bake holds, but for its depth maps.
-/// @param words  of the atlas, that hold texels of the list
+/// Device memory of a bake, without depth maps. @param words  atlas words that hold listed texels
 std::uint64_t bakeBytes(const OcclusionLayout& layout, std::uint64_t openTexels, std::uint64_t words);
 
 }  // namespace nacre::occlusion

@@ -1,5 +1,5 @@
 #pragma once
-// Occlusion of an assembly. All copies share one patch a primitive; whose surroundings it shows is settled here.
+// Occlusion of an assembly. All copies share one patch per primitive; this decides whose surroundings it shows.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace nacre {
 
 struct OcclusionCopies {
-    /// Entries of a list of texels that stand at the places of the same copies.
+    /// List entries of texels that belong to the same copies.
     struct Run {
         enum class Of : std::uint8_t { spheres, cylinders, vertices };
         std::size_t first = 0, count = 0;
@@ -22,14 +22,14 @@ struct OcclusionCopies {
         std::uint32_t model = 0;
         float step = 1;  ///< of vertices
     };
-    /// Places that direction after direction takes in turn, so that a patch shows their mean. Copies that see the same
-    /// as another one are left out, where all primitives have the same copies: of a capsid's sixty one is left.
+    /// Copies that successive directions use in turn, so that a patch shows their mean. Where all primitives have the
+    /// same copies, symmetry-equivalent copies are left out: one of a capsid's sixty remains.
     std::vector<std::vector<glm::dmat4x3>> groups;
-    std::vector<Run> runs;  ///< one model after the other within each list of copies
+    std::vector<Run> runs;  ///< by model within each list of copies
 };
 
-/// @param texels  in linear order, as OpenTexels has them
-/// @throws Error if more than 100 parts of the assembly have copies of their own
+/// @param texels  in linear order, as in OpenTexels
+/// @throws Error if more than 100 parts of the assembly have their own copies
 OcclusionCopies occlusionCopies(const Representation& representation, const OcclusionLayout& layout,
                                 std::span<const std::uint32_t> texels);
 

@@ -18,20 +18,20 @@
 
 namespace nacre::occlusion {
 
-/// How large the maps are, and how many of them are drawn at once. For any thread.
+/// Size of the maps, and how many are drawn at once. Thread-safe.
 struct DepthMapSizes {
     std::uint32_t pixels = 0, perBatch = 1;
-    std::uint64_t bytes = 0, mostPrimitives = 0;  ///< of a batch; that `tiles` draws at a time
+    std::uint64_t bytes = 0, mostPrimitives = 0;  ///< per batch; per draw of the tile path
     DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path,
                   std::uint64_t budgetBytes, std::uint32_t detail);
 };
 
-/// What is drawn of a model on a map: all of it, or some of its instances.
+/// The part of a model that is drawn on a map: all, or some instances.
 struct MapPart {
     std::uint64_t first = 0, end = ~std::uint64_t{0};
 };
 
-/// The maps of a batch in a graph: an image, or heights in a buffer, as `tiles` makes them.
+/// The maps of a batch in a graph: an image, or, for `tiles`, heights in a buffer.
 struct DrawnMaps {
     std::optional<graph::Image> image;
     std::optional<graph::Buffer> heights;
@@ -43,55 +43,55 @@ public:
 
     /// @param path  not `automatic`
     /// @param representation  outlives this
-    /// @param budgetBytes  device memory for the maps of one batch; they get smaller until at least one fits
+    /// @param budgetBytes  device memory for the maps of one batch; maps shrink until at least one fits
     DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
               OcclusionMaps path, std::uint64_t budgetBytes, std::uint32_t detail = 32);
 
-    /// Sizes of a batch that fit the budget: 1, 4 or 16 maps.
+    /// Number of maps per batch that fits the budget: 1, 4 or 16.
     std::uint32_t perBatch() const { return sizes_.perBatch; }
     std::uint32_t pixels() const { return sizes_.pixels; }
     std::uint64_t bytes() const { return sizes_.bytes; }
 
-    /// Models that do not occlude each other, each with maps of its own; 1: all that is drawn is on every map.
+    /// Models that do not occlude each other, each with its own maps; 1: every map shows everything.
     std::uint32_t models() const { return static_cast<std::uint32_t>(runs_.size()); }
 
-    /// Instances of all maps together that are drawn at a time, at most.
+    /// Maximum of instances drawn at a time, over all maps.
     std::uint64_t mostInstances() const {
         return path_ == OcclusionMaps::tiles ? sizes_.mostPrimitives : ~std::uint64_t{0};
     }
-    /// The heights that `tiles` makes in place of images; else null.
+    /// The heights of `tiles`, instead of images; else null.
     const TileMaps* tiles() const { return tiles_.get(); }
-    /// From one map of a batch to the next.
+    /// Number of maps per row of a batch.
     std::uint32_t across(std::uint32_t batch) const { return mapsAcross(tiles_ ? perBatch() : batch); }
 
-    /// Instances of a model's primitives, all copies: what is drawn on each map.
+    /// Instances of a model's primitives, all copies: drawn on each map.
     std::uint64_t instances(std::uint32_t model) const;
 
-    /// Declares the passes that draw a batch of a model, all rotations of `frames`, at most `batch` (1, 4 or 16).
+    /// Declares the passes that draw a batch of a model: one map per rotation in `frames`, at most `batch` (1, 4 or
+    /// 16).
     /// @param frames  kept until the graph has run
     DrawnMaps declare(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frames, std::uint32_t batch,
                       std::uint32_t model);
-    /// The same of one map in parts, each a graph of its own, one after the other from the first instance to the last.
+    /// Draws one map in parts, each in its own graph, from the first instance to the last.
     void declarePart(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frame, std::uint32_t model,
                      std::uint64_t first, std::uint64_t end);
-    /// What all parts have drawn, for the graphs that follow.
+    /// The map after all parts, for the graphs that follow.
     DrawnMaps drawnParts(graph::Graph& g, gpu::Imports& imports) const;
-    /// Has the pipelines that draw them made ahead.
-    /// @param parts  some will be drawn in parts
+    /// Has the pipelines made ahead. @param parts  maps will be drawn in parts
     void wantPipelines(gpu::Executor& executor, bool parts) const;
     /// Whether the maps hold encoded depth, not depth itself.
     bool encoded() const { return path_ == OcclusionMaps::encoded; }
-    /// Drops the memory of the maps.
+    /// Frees the memory of the maps.
     void release() { tiles_.reset(), partMap_ = {}, partDepth_ = {}; }
     /// The view of one map.
     View view(const glm::dmat3& frame) const;
 
 private:
-    /// What is drawn of a model.
+    /// Drawn primitives of a model.
     struct Runs {
         std::vector<ModelRun> spheres, cylinders, triangles;
     };
-    /// What is drawn into. No maps: hardware depth is what they hold.
+    /// Render targets. No maps: they are the hardware depth.
     struct Images {
         graph::Image depth;
         std::optional<graph::Image> maps;
@@ -100,7 +100,7 @@ private:
     Images addPartImages(graph::Graph& g, bool begins) const;
     passes::PlacedCopies placed(const glm::dmat3& frame, std::uint32_t model, MapPart part = {}) const;
     layout::ViewConstants constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const;
-    /// Draws every map of a batch by a pass over the scene.
+    /// Draws each map of a batch by a pass over the scene.
     graph::Work eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model, MapPart part,
                         const passes::GeometryPass& pass) const;
     void beginTiles(std::span<const glm::dmat3> frames, std::uint32_t model);
@@ -114,10 +114,10 @@ private:
     OcclusionMaps path_;
     DepthMapSizes sizes_;
     double radius_, meanRadius_ = 0;
-    TranslucentRuns translucent_;  ///< which maps do not show
+    TranslucentRuns translucent_;  ///< left out of maps
     std::vector<Runs> runs_;       // by model
     std::unique_ptr<TileMaps> tiles_;
-    gpu::Image partMap_, partDepth_;  // of one direction that is drawn in parts
+    gpu::Image partMap_, partDepth_;  // for a direction drawn in parts
 };
 
 }  // namespace nacre::occlusion

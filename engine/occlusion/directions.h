@@ -6,9 +6,9 @@
 namespace nacre {
 
 /// Unit directions of equal area (spherical Fibonacci, González 2010, Math. Geosci. 42), each with a right-handed frame
-/// as rows u, v, w (w: the direction itself), rolled so that no two depth maps share a pixel raster. In an order of
-/// which every prefix is well spread: each one is as far as can be from those before it (Gonzalez 1985, Theor. Comput.
-/// Sci. 38).
+/// as rows u, v, w (w: the direction itself), rolled so that no two depth maps share a pixel raster. Ordered so that
+/// every prefix is well spread: each is as far as possible from those before it (Gonzalez 1985, Theor. Comput. Sci.
+/// 38).
 std::vector<glm::dmat3> occlusionDirections(int count);
 
 }  // namespace nacre

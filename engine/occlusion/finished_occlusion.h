@@ -7,7 +7,7 @@
 
 namespace nacre {
 
-/// All that is left of a finished occlusion bake: enough to draw with, and the same as the bake itself bit for bit.
+/// The stored result of a finished bake. Drawing with it is bit-identical to drawing with the bake.
 struct FinishedOcclusion {
     OcclusionLayout layout;
     std::vector<std::uint8_t> atlas;  ///< layout.width x layout.height texels

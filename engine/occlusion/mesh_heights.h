@@ -1,6 +1,6 @@
 #pragma once
-// Triangles on depth maps that the host draws: where maps are its memory. Those of a cartoon or a surface are smaller
-// than a map's pixel, so to list them for tiles costs more than to draw them.
+// Draws triangles on depth maps by the host, where maps are in its memory. Triangles of a cartoon or surface are
+// smaller than a map's pixel: drawing them costs less than listing them for tiles.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -15,15 +15,15 @@ namespace nacre::occlusion {
 /// One depth map among others: heights, Å, row by row from the top.
 struct HeightMap {
     float* heights = nullptr;  ///< of its first pixel
-    std::uint32_t pitch = 0;   ///< pixels from a row to the next
-    std::uint32_t pixels = 0;  ///< across
+    std::uint32_t pitch = 0;   ///< pixels per row of the buffer
+    std::uint32_t pixels = 0;  ///< width
     float perAngstrom = 1;     ///< pixels
 };
 
 class MeshHeights {
 public:
-    /// Raises a map to what stands higher. A pixel's centre meets a triangle as in shaders/common/hit.glsl, edges and
-    /// both sides counted, and in the same arithmetic but for the unit, which is a pixel.
+    /// Draws triangles: keeps the larger height per pixel. A pixel's centre meets a triangle as in
+    /// shaders/common/hit.glsl, edges and both sides included, with the same arithmetic but in pixels.
     /// @param rows  three: to the map's view
     void draw(const Representation& representation, const glm::vec4* rows, std::uint32_t first, std::uint32_t count,
               const HeightMap& map);

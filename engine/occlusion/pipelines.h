@@ -1,6 +1,5 @@
 #pragma once
-// The compute passes of occlusion bakes. Their pipelines depend on what is baked through its number of directions
-// alone.
+// The compute passes of occlusion bakes. Their pipelines depend on the bake only by its number of directions.
 
 #include <cstdint>
 
@@ -9,21 +8,21 @@
 
 namespace nacre::occlusion {
 
-/// What a list entry of the accumulation is.
+/// Kind of an accumulation list's entry.
 enum class Texels : std::uint8_t {
     spheres,
-    wholeSpheres,  ///< one value a sphere
+    wholeSpheres,  ///< one value per sphere
     cylinders,
     vertices,
 };
 struct Accumulation {
     Texels texels{};
     std::uint32_t batch = 1;   ///< depth maps in the image: 1, 4 or 16
-    bool encoded = false;      ///< these hold encoded depth, not depth itself
-    bool heights = false;      ///< they are a buffer of heights instead
+    bool encoded = false;      ///< maps hold encoded depth, not depth itself
+    bool heights = false;      ///< maps are a buffer of heights
     bool narrow = false;       ///< directions are layout::NarrowDirections
-    std::uint32_t across = 1;  ///< maps in a row
-    float spread = 0;          ///< of the four pixels asked for a texel, pixels; 0: one is asked
+    std::uint32_t across = 1;  ///< maps per row
+    float spread = 0;          ///< distance of the four taps per texel, pixels; 0: one tap
 };
 
 /// Storage buffers of shapes, directions (uniform), texels and sums, and the depth maps: an image, or heights.
@@ -34,11 +33,11 @@ gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const A
 /// Storage buffers of sums, words and bytes.
 const gpu::Layout& finishLayout(gpu::PipelineContext& context);
 gpu::ComputePipeline finishPipeline(gpu::PipelineContext& context);
-/// Texels of shapes, rows of copies, lists and maps, and the maps once more, to be written.
+/// Texels of shapes, rows of copies, lists and maps, and the maps again for writing.
 const gpu::Layout& tileMapsLayout(gpu::PipelineContext& context);
 gpu::ComputePipeline tileMapsPipeline(gpu::PipelineContext& context, bool cylinders);
 
-/// Maps in a row of the image of a batch.
+/// Maps per row of a batch's image.
 constexpr std::uint32_t mapsAcross(std::uint32_t batch) { return batch > 4 ? 4 : batch > 1 ? 2 : 1; }
 
 }  // namespace nacre::occlusion

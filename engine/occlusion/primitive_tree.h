@@ -9,22 +9,21 @@
 
 namespace nacre {
 
-/// Boxes about halves of halves of the spheres (numbered from 0) and cylinders (numbered on from the number of
-/// spheres): which of them come near another one. What has other copies is somewhere else in the assembly, and another
-/// model, where models do not occlude each other, is not there: each has a tree of its own. A grid would do for what
-/// matter looks like, but not where all atoms stand at one point, one of them a billion Å away, or a bond leads there:
-/// its cells fill up.
+/// Bounding volume hierarchy of the spheres (numbered from 0) and cylinders (numbered after the spheres): finds
+/// neighbours. Primitives with other copies are elsewhere in the assembly, and models that do not occlude each other
+/// are invisible to each other: each has its own tree. A grid suits normal molecules, but its cells overflow where all
+/// atoms share one point and one atom or bond end is a billion Å away.
 class PrimitiveTree {
 public:
-    /// n log n in the number of primitives, wherever they are; a coordinate that is no number counts as 0.
+    /// n log n in the number of primitives, for any positions; a NaN coordinate counts as 0.
     explicit PrimitiveTree(const Representation& r);
 
-    /// Calls visit(primitive) for other primitives whose ball meets that of `self`, until it returns false or there are
-    /// no more.
+    /// Calls visit(primitive) for other primitives whose bounding sphere meets that of `self`, until it returns false
+    /// or there are no more.
     template <typename Visit>
     void near(std::uint32_t self, Visit&& visit) const {
         const Ball mine = balls_[self];
-        std::array<std::uint32_t, 64> waiting;  // a tree over 2^32 balls is 30 deep
+        std::array<std::uint32_t, 64> waiting;  // a tree over 2^32 balls is 30 levels deep
         std::size_t count = 0;
         waiting[count++] = roots_.empty() ? 0 : roots_[self];
         while (count > 0) {
@@ -46,15 +45,15 @@ public:
     }
 
 private:
-    /// A ball about a primitive: Å.
+    /// Bounding sphere of a primitive: Å.
     struct Ball {
         glm::vec3 center{};
         float radius = 0;
     };
     struct Node {
-        glm::vec3 low, high;       ///< of the balls in it
-        std::uint32_t begin, end;  ///< of items_
-        std::uint32_t right;       ///< the other half; the first one is the next node. 0: a leaf
+        glm::vec3 low, high;       ///< of the bounding spheres in it
+        std::uint32_t begin, end;  ///< range in items_
+        std::uint32_t right;       ///< the second child; the first is the next node. 0: a leaf
     };
 
     static bool apart(const Node& node, const Ball& ball) {
@@ -65,7 +64,7 @@ private:
     std::uint32_t build(std::uint32_t begin, std::uint32_t end);
 
     std::vector<Ball> balls_;
-    std::vector<std::uint32_t> items_;  ///< primitives in the order of the tree
+    std::vector<std::uint32_t> items_;  ///< primitives in tree order
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> roots_;  ///< by primitive; empty: all are in one tree
 };

@@ -1,6 +1,6 @@
 #pragma once
-// Depth maps of a batch by tiles: what stands in front, tile by tile from lists in the order of depth, in parts that
-// are as small as a frame's time asks. The maps are heights in a buffer, as texels. Triangles, the host draws.
+// Depth maps of a batch by tiles: finds the nearest primitives per tile from lists in depth order, in parts as small as
+// the frame time requires. The maps are heights in a buffer, as texels. The host draws triangles.
 
 #include <glm/mat3x3.hpp>
 #include <memory>
@@ -18,31 +18,31 @@ namespace nacre::occlusion {
 
 class TileMaps {
 public:
-    /// @param pixels  across a map @param radius  of the ball that it shows, Å @param across  maps in a row of a batch
+    /// @param pixels  width of a map @param radius  of the scene's bounding sphere, Å @param across  maps per row of a
+    /// batch
     TileMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
              std::uint32_t pixels, double radius, std::uint32_t across);
 
-    /// Device memory, bytes. Lists differ from part to part: what they take of a primitive is what it does of large
-    /// molecules.
+    /// Device memory, bytes. Lists differ between parts: the estimate per primitive is that of large molecules.
     static std::uint64_t bytesFor(std::uint32_t pixels, std::uint32_t across);
     static constexpr std::uint64_t kBytesPerPrimitive = 9;
 
-    /// Begins a batch: maps of nothing. @param maps  what each shows, at most across x across
+    /// Begins a batch with empty maps. @param maps  contents of each, at most across x across
     void begin(std::span<const passes::PlacedCopies> maps);
-    /// Declares the passes that draw primitives of the batch, counted from map to map, into the maps. What was declared
-    /// before has run.
+    /// Declares the passes that draw these primitives of the batch, counted from map to map. Earlier declared passes
+    /// must have run.
     graph::Buffer declare(graph::Graph& g, gpu::Imports& imports, std::uint64_t first, std::uint64_t end);
-    /// Asks for the pipelines of these passes.
+    /// Requests the pipelines of these passes.
     void wantPipelines(gpu::PipelineContext& context) const;
     /// The maps, for passes that draw or read them.
     graph::Buffer import(graph::Graph& g, gpu::Imports& imports) const;
 
     const gpu::Buffer& buffer() const { return heights_; }
-    /// The same as texels, where the device reads streams as such; else null.
+    /// The maps as texels, where the device reads streams so; else null.
     vk::BufferView texels() const { return *heightTexels_; }
-    /// Pixels from a row of the batch to the next.
+    /// Pixels per row of the batch.
     std::uint32_t pitch() const { return apart_ * across_; }
-    /// From a map to the next.
+    /// Pixels from one map to the next.
     std::uint32_t apart() const { return apart_; }
 
 private:
@@ -52,7 +52,7 @@ private:
         std::uint32_t map = 0;
     };
 
-    /// Primitives whose lists are drawn from at a time.
+    /// Primitives whose lists are drawn at a time.
     struct Part {
         TileLists lists;
         passes::TileBuffer words;
@@ -69,13 +69,13 @@ private:
     std::uint32_t pixels_ = 0, apart_ = 0, across_ = 1;
     double radius_ = 0;
     std::vector<glm::vec4> rows_;    // of all copies of one map, then of the next
-    std::vector<glm::vec4> asides_;  // the same, at the map's place beside the others
-    std::uint32_t copies_ = 1;       // on each map
+    std::vector<glm::vec4> asides_;  // as above, shifted to the map's position in the batch
+    std::uint32_t copies_ = 1;       // per map
     std::vector<Call> calls_;
-    std::vector<TileCall> spheres_, cylinders_;     // of the part that is drawn
-    std::vector<std::vector<TileCall>> triangles_;  // the same, by map
-    std::vector<std::unique_ptr<Part>> parts_;      // their memory is used again
-    std::vector<MeshHeights> meshes_;               // of each thread
+    std::vector<TileCall> spheres_, cylinders_;     // of the part being drawn
+    std::vector<std::vector<TileCall>> triangles_;  // as above, by map
+    std::vector<std::unique_ptr<Part>> parts_;      // reused
+    std::vector<MeshHeights> meshes_;               // per thread
     passes::TileBuffer rowTexels_;
     gpu::Buffer heights_;
     vk::raii::BufferView heightTexels_{nullptr};

@@ -1,5 +1,5 @@
 #pragma once
-// What passes bind, and the stages that read it, by short names.
+// Short names for what passes bind and the stages that read it.
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ constexpr Type kSampled = Type::eCombinedImageSampler, kStorage = Type::eStorage
 constexpr vk::ShaderStageFlags kDraw = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
 
-/// The same where the device reads streams from storage buffers, not as texels.
+/// As above where the device reads streams from storage buffers, not texel buffers.
 template <std::size_t N>
 constexpr std::array<Type, N> asStorage(std::array<Type, N> types) {
     std::replace(types.begin(), types.end(), kTexel, kStorage);

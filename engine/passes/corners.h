@@ -1,6 +1,6 @@
 #pragma once
-// The polygons that spheres are drawn in, as a stream that vertices fetch: what a corner is costs a shader a third of
-// its instructions otherwise.
+// The polygons that spheres are drawn as, in a stream that the vertex stage fetches: computing a corner costs a shader
+// a third of its instructions otherwise.
 
 #include <array>
 #include <cstdint>
@@ -13,9 +13,9 @@ struct CornerRange {
     std::uint32_t first, count;
 };
 
-/// x, y on the plane of the outline, and how far in front of a sphere's centre it stands: all in its radii. Impostors
-/// are circumscribed about the unit circle, and a little nearer than the sphere's nearest point, so that rounding never
-/// lets the fixed-function test cut into it. Plates are inscribed, and z is not used.
+/// x, y on the plane of the outline, and the distance in front of the sphere's centre, in radii. Impostors are
+/// circumscribed about the unit circle and slightly nearer than the sphere's nearest point, so that rounding never lets
+/// the fixed-function depth test clip the sphere. Plates are inscribed; their z is not used.
 constexpr CornerRange kImpostorSquare{0, 4}, kImpostorOctagon{4, 8}, kPyramid{12, 9}, kPlateSquare{21, 4},
     kPlateOctagon{25, 8};
 constexpr std::size_t kCornerCount = 33;

@@ -9,25 +9,24 @@
 namespace nacre::passes {
 
 struct DeferredRims {
-    vk::ImageView image;  ///< as rims() leaves them
+    vk::ImageView image;  ///< output of rims()
     graph::Clear clear;   ///< of the picture
 };
-/// Of a layer of translucent triangles: how it knows whether what is opaque hides it.
+/// For a translucent layer: decides which of its pixels an opaque surface hides.
 struct LayerOver {
     NearestFrom from = NearestFrom::depthBuffer;
-    vk::ImageView nearest{};  ///< unless the depth test tells
+    vk::ImageView nearest{};  ///< null: the depth test decides
     Encoding encoding{};
 };
-/// Shades every covered pixel once: the hit is rebuilt from the pixel and the record of the primitive whose number it
-/// holds.
+/// Shades every covered pixel once: recomputes the hit from the pixel and the primitive whose number it holds.
 struct DeferredPass {
     Output output = Output::color;
     Reads reads;                         ///< `nearest` holds the numbers, as an input attachment or a texture
-    std::optional<DeferredRims> rims{};  ///< lines and halos that are laid over
-    std::optional<LayerOver> over{};     ///< the layer is laid over the picture
+    std::optional<DeferredRims> rims{};  ///< outlines and halos to composite
+    std::optional<LayerOver> over{};     ///< composites the layer over the picture
 };
 void draw(gpu::PassContext& context, const SceneView& view, const DeferredPass& pass);
-/// Asks for the pipeline of that.
+/// Requests the pipeline.
 void want(gpu::PipelineContext& context, const SceneView& view, const DeferredPass& pass);
 
 }  // namespace nacre::passes

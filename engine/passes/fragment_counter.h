@@ -1,6 +1,6 @@
 #pragma once
-// Counts the fragments that each pass shades, exactly, by an atomic in the shader. Passes with early tests count what
-// the tests let through; those that write gl_FragDepth count what is rasterised.
+// Counts the fragments that each pass shades, exactly, by an atomic in the shader. Passes with early depth tests count
+// the fragments that pass; those that write gl_FragDepth count all rasterised fragments.
 
 #include <string_view>
 #include <vector>
@@ -14,11 +14,11 @@ class FragmentCounter {
 public:
     explicit FragmentCounter(const gpu::Device& device);
 
-    /// The counter of a pass. Draws of the same pass add up.
+    /// The counter of a pass. Draws of one pass are summed.
     vk::DescriptorBufferInfo slot(std::string_view pass);
-    /// Call behind the last draw.
+    /// Call after the last draw.
     void finish(const vk::raii::CommandBuffer& commands) const;
-    /// In the order of the frame; call when the commands have run.
+    /// In frame order; call when the commands have run.
     std::vector<PassCount> counts() const;
 
 private:

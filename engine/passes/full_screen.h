@@ -1,5 +1,5 @@
 #pragma once
-// What passes that draw one triangle over the whole screen have in common.
+// Shared by passes that draw one triangle over the whole screen.
 
 #include "engine/gpu/execute.h"
 
@@ -8,17 +8,17 @@ namespace nacre::passes {
 struct FullScreenPass {
     gpu::ShaderWords fragment;
     gpu::Specialization constants;
-    std::string_view detail;  ///< beside the pass's name, for captures
+    std::string_view detail;  ///< added to the pass's name, for captures
     gpu::Blend blend = gpu::Blend::replace;
     gpu::DepthUse depth = gpu::DepthUse::none;
 };
 
-/// The pass's pipeline, bound. @param layout  outlives what is recorded
+/// Binds the pass's pipeline. @param layout  outlives the recording
 void bindFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const gpu::Layout& layout);
-/// The same pipeline, wanted ahead.
+/// Requests the same pipeline ahead.
 void wantFullScreen(gpu::PipelineContext& context, const FullScreenPass& pass, const gpu::Layout& layout);
 
-/// The triangle, with its push constants.
+/// Draws the triangle, with its push constants.
 template <typename Push>
 void drawFullScreen(gpu::PassContext& context, const gpu::Layout& layout, vk::ShaderStageFlags stages,
                     const Push& push) {
@@ -26,7 +26,7 @@ void drawFullScreen(gpu::PassContext& context, const gpu::Layout& layout, vk::Sh
     context.commands.draw(3, 1, 0, 0);
 }
 
-/// Textures of set 0, binding 0 and up, sampled by the same filter, in a set of their own that is bound.
+/// Binds a set with textures at set 0, binding 0 and up, all with the same sampler.
 void bindTextures(gpu::PassContext& context, const gpu::Layout& layout, vk::Filter filter,
                   std::span<const vk::ImageView> textures);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Spheres that lie behind others of the same picture.
+// Culls spheres hidden behind others of the same picture.
 
 #include <cstdint>
 #include <vector>
@@ -9,23 +9,23 @@
 
 namespace nacre::passes {
 
-/// Goes through spheres from near to far, by chunks: one that those before certainly cover shows in no pixel. Pictures
-/// are the same to the bit. Several threads take a part of the picture's rows each. Kept from frame to frame, it
-/// allocates nothing but those threads once it has seen the most.
+/// Visits spheres from near to far, by chunks. A sphere that earlier ones certainly cover is dropped: pictures stay
+/// identical to the bit. Several threads take one band of rows each. Keeps its memory between frames, so that later
+/// frames allocate only the threads.
 class HiddenSpheres {
 public:
-    /// Takes them out of the calls, which get many. @param radiusPixels  mean radius of the spheres in the picture
+    /// Drops hidden spheres; splits the calls into many. @param radiusPixels  mean radius of the spheres in the picture
     void drop(PlacedCopies& placed, const Representation& representation, const Chunks& chunks, const TileView& view,
               double radiusPixels);
 
 private:
-    /// Spheres of one chunk at one place.
+    /// Spheres of one chunk in one copy.
     struct Some {
-        float near = 0;      // Z of the nearest point of a ball about them
-        float x = 0, y = 0;  // pixel in the middle of what the ball covers
-        float reach = 0;     // pixels about that
+        float near = 0;      // Z of the nearest point of their bounding sphere
+        float x = 0, y = 0;  // centre of the bounding sphere's outline, pixels
+        float reach = 0;     // half its width, pixels
         std::uint32_t copy = 0, first = 0, count = 0;
-        std::uint32_t shown = 0;  // a bit each
+        std::uint32_t shown = 0;  // one bit per sphere
     };
     static_assert(Chunk::kPrimitives == 32);
     void list(const PlacedCopies& placed, const Chunks& chunks, const TileView& view);
@@ -35,7 +35,7 @@ private:
         const PlacedCopies& copies;
     };
     struct Shown {
-        std::uint32_t some, spheres;  // its place, and a bit each
+        std::uint32_t some, spheres;  // index of the chunk, and one bit per sphere
     };
     bool hides(const Some& some, RowBand part);
     std::uint32_t shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, RowBand part, bool covers);
@@ -45,7 +45,7 @@ private:
     std::vector<Some> all_;
     std::vector<std::uint32_t> begins_, order_, inRow_;
     std::vector<RowBand> parts_;
-    std::vector<std::vector<Shown>> shown_;  // of each
+    std::vector<std::vector<Shown>> shown_;  // per thread
 };
 
 }  // namespace nacre::passes

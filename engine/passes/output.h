@@ -4,19 +4,19 @@
 
 namespace nacre::passes {
 
-/// What a shading pass writes of a pixel's nearest surface.
+/// Values that a shading pass writes for a pixel's nearest surface.
 enum class Output : std::uint8_t {
     color,     ///< linear, opaque
     surface,   ///< view-space normal and Z, 4 floats
-    identity,  ///< atom and the bits of its occlusion, 2 unsigned numbers
+    identity,  ///< atom, and the bits of its occlusion, 2 unsigned integers
 };
 
-/// Where a pass finds the nearest depth of a pixel.
+/// Source of a pixel's nearest depth.
 enum class NearestFrom : std::uint8_t {
-    depthBuffer,      ///< by the depth test alone
-    inputAttachment,  ///< what an earlier subpass left
-    texture,          ///< the same, where it left the tile
-    ownAttachment,    ///< which the pass itself keeps, in raster order
+    depthBuffer,      ///< the depth test alone
+    inputAttachment,  ///< output of an earlier subpass
+    texture,          ///< the same output as a texture, off tile
+    ownAttachment,    ///< the pass's own attachment, in raster order
 };
 
 }  // namespace nacre::passes

@@ -11,16 +11,15 @@ class OverlayPass {
 public:
     OverlayPass(const gpu::Device& device, gpu::Executor& executor);
 
-    /// Replaces the glyph texture; nothing may be in flight. @throws Error if the texture is larger than the device
-    /// takes
+    /// Replaces the glyph texture. Nothing may be in flight. @throws Error if the texture exceeds the device's limit
     void setGlyphs(gpu::Executor& executor, const OverlayGlyphs& glyphs);
-    /// Puts the triangles where the device reads them.
+    /// Uploads the triangles.
     void upload(gpu::FrameSlot& slot, const Overlay& overlay) const;
-    /// @param upright pixels of the picture as it is seen
+    /// @param upright size of the picture as seen, pixels
     /// @param coded   the target takes sRGB-coded colour
     void draw(gpu::PassContext& context, const gpu::FrameSlot& slot, const Overlay& overlay, graph::Extent upright,
               int quarterTurns, bool coded) const;
-    /// Asks for the pipeline of that.
+    /// Requests the pipeline.
     static void want(gpu::PipelineContext& context, int quarterTurns, bool coded);
 
 private:

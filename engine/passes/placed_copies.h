@@ -1,5 +1,5 @@
 #pragma once
-// The copies of a scene as one view sees them: what the geometry passes draw, one call a copy.
+// The copies of a scene as one view sees them. Geometry passes draw them, one call per copy.
 
 #include <cstdint>
 #include <glm/vec4.hpp>
@@ -13,32 +13,32 @@
 namespace nacre::passes {
 
 struct PlacedCopies {
-    /// Instances of a stream, drawn at one copy's place.
+    /// Instances of a stream, drawn for one copy.
     struct Call {
-        std::uint32_t copy = 0;  ///< index of three rows
+        std::uint32_t copy = 0;  ///< index of its three rows
         std::uint32_t first = 0, count = 0;
     };
-    std::vector<glm::vec4> rows;  ///< three a transform: into view space, as ViewConstants has them
+    std::vector<glm::vec4> rows;  ///< three per transform: into view space, as in ViewConstants
     std::vector<Call> spheres, cylinders, triangles;
 
     void clear() { rows.clear(), spheres.clear(), cylinders.clear(), triangles.clear(); }
-    /// Of all calls together.
+    /// Total over all calls.
     std::uint64_t sphereCount() const;
     std::uint64_t cylinderCount() const;
     std::uint64_t triangleCount() const;
-    /// By the meshes' levels of detail.
+    /// Per level of detail of the meshes.
     std::vector<MeshLevelCount> triangleLevels(const Representation& representation) const;
 };
 
-/// Rotations and shifts are composed in double precision. Runs of copies whose bounding sphere lies outside the picture
-/// are left out, and so are chunks; what is left stays in the order of the streams.
-/// @param chunks  of the representation; null: there are only whole runs
-/// @param room    pixels beside a primitive that show it, too
-/// @param error   Å that meshes may be off by (drawnRuns())
-/// @param wires   they are drawn, too, behind the cylinders, once whatever the copies
+/// Composes rotations and shifts in double precision. Culls runs of copies whose bounding sphere lies outside the
+/// picture, and chunks likewise; the rest keeps the order of the streams.
+/// @param chunks  of the representation; null: whole runs only
+/// @param room    margin around a primitive in which it still shows, pixels
+/// @param error   allowed error of meshes, Å (drawnRuns())
+/// @param wires   add them after the cylinders, once, whatever the copies
 PlacedCopies placeCopies(const Representation& representation, const View& view, const Chunks* chunks = nullptr,
                          double room = 0, double error = 0, bool wires = false);
-/// The same, where an earlier view's have their room.
+/// As above, reusing the memory of an earlier view.
 void placeCopies(PlacedCopies& placed, const Representation& representation, const View& view, const Chunks* chunks,
                  double room, double error, bool wires = false);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the passes over the scene's primitives have in common: streams, copies, sets and the draws.
+// Shared by the passes over the scene's primitives: streams, copies, sets and draws.
 
 #include <optional>
 
@@ -11,23 +11,23 @@
 
 namespace nacre::passes {
 
-/// A fragment stage as it is, and counting what it shades.
+/// A fragment stage, and its variant that counts fragments.
 struct Stage {
     gpu::ShaderWords plain, counting;
     gpu::ShaderWords of(const SceneView& view) const { return view.fragments ? counting : plain; }
 };
-/// By the name of the first (shaders/shaders.cmake).
+/// Both from the first one's name (shaders/shaders.cmake).
 #define NACRE_STAGE(name) \
     nacre::passes::Stage { shaders::name, shaders::name##Counting }
 
-/// How depth is encoded there.
+/// Encoding of depth in an attachment.
 struct Encoding {
     int channels = 1, steps = 0;
     Encoding() = default;  ///< one float channel: depth itself
     explicit Encoding(const graph::EncodedFormat& format) : channels(format.channels), steps(format.steps) {}
 };
 
-/// What a pass reads beside its streams.
+/// Inputs of a pass besides its streams.
 struct Reads {
     NearestFrom from = NearestFrom::depthBuffer;
     vk::ImageView atlas, nearest;
@@ -39,7 +39,7 @@ struct Shaders {
     Stage fragment;
 };
 
-/// Those of a pass; none for what it leaves out.
+/// The shaders of a pass per kind; none for kinds that it skips.
 struct PrimitiveShaders {
     Shaders sphere, cylinder, triangle;
 };
@@ -47,33 +47,33 @@ struct PrimitiveShaders {
 /// A pass over the scene's primitives.
 struct GeometryPass {
     PrimitiveShaders shaders;
-    bool looks = false;  ///< stream B is fetched, too
+    bool looks = false;  ///< also fetch stream B
     std::optional<Reads> reads{};
     Encoding encoding{};
     gpu::DepthUse depth = gpu::DepthUse::test;
     gpu::Blend blend = gpu::Blend::replace;
     std::uint32_t colorsWritten = 1;
-    bool plates = false;   ///< of spheres, instead of impostors
-    bool streams = false;  ///< the fragment stage reads the streams, too
-    float rim = 0;         ///< width of what is drawn about a primitive, Å at z = 0; 0: its contour line's
+    bool plates = false;   ///< draw spheres as plates, not impostors
+    bool streams = false;  ///< the fragment stage also reads the streams
+    float rim = 0;         ///< width of the rim around a primitive, Å at z = 0; 0: that of its outline
 };
 
 enum class Primitive : std::uint8_t { sphere, cylinder, triangle };
 
 /// Draws the scene's primitives, all copies.
 void draw(gpu::PassContext& context, const SceneView& view, const GeometryPass& pass);
-/// Asks for the pipelines of that, and for those that a zoom goes over to.
+/// Requests the pipelines, and those that a zoom changes to.
 void want(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass);
 
-/// Instances of one call: more make Mali-G71 and some PowerVR lose the device (measured by others: 2^14 to 2^16).
+/// Maximum of instances per call: more can cause device loss on Mali-G71 and some PowerVR (others measured 2^14 to
+/// 2^16).
 constexpr std::uint32_t kMostInstances = 512;
 
-/// What every stage that knows the view must know of it, and, if it shades, of light.
-/// @param rim  of GeometryPass
+/// Sets the constants of the view and, for stages that shade, of light. @param rim  GeometryPass::rim
 void setGeometryConstants(gpu::Specialization& constants, const SceneView& view, float rim = 0);
 void setShadingConstants(gpu::Specialization& constants, const SceneView& view);
 
-/// The shadow map, or what stands for it where there is none.
+/// The shadow map, or a placeholder without shadows.
 vk::DescriptorImageInfo shadowOf(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas);
 
 /// Binds the counter of this pass as set 1, if the view counts.

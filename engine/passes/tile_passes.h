@@ -1,5 +1,5 @@
 #pragma once
-// What the `tiles` path finds and shades by compute and by tiles.
+// The `tiles` path's visibility and shading, by compute, tile by tile.
 
 #include <optional>
 
@@ -8,29 +8,29 @@
 
 namespace nacre::passes {
 
-/// Compute: writes TileFrame::numbers of the view's tiles that are not empty, one workgroup each.
+/// Compute: writes TileFrame::numbers of the view's non-empty tiles, one workgroup each.
 struct NearestByTiles {
-    /// Where it shades, too: what it writes then are colours, row by row of the bins, 0 where nothing is seen.
+    /// If it also shades: then it writes colours, row by row of the bins, 0 where nothing is seen.
     std::optional<vk::ImageView> atlas{};
 };
 void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles& pass);
-/// Asks for the pipelines of that.
+/// Requests the pipelines.
 void want(gpu::PipelineContext& context, const SceneView& view, const NearestByTiles& pass);
 
-/// Shades every pixel that has a number there, once.
+/// Shades every pixel with a number, once.
 struct TileShading {
     vk::ImageView atlas;
     Output output = Output::color;
-    bool depth = false;  ///< goes to the depth buffer, too
-    /// One of a view's translucent layers instead, laid over the picture where the depth test lets it; 0: the nearest.
+    bool depth = false;  ///< also writes the depth buffer
+    /// Instead composites one translucent layer of a view where the depth test passes; 0: nearest.
     std::optional<std::uint32_t> layer{};
 };
 void draw(gpu::PassContext& context, const SceneView& view, const TileShading& pass);
-/// Asks for the pipeline of that.
+/// Requests the pipeline.
 void want(gpu::PipelineContext& context, const SceneView& view, const TileShading& pass);
 
-/// Compute: writes, of each pixel of the view's tiles, the numbers of the nearest triangle and of the next one behind.
-/// @param view  of translucent triangles alone
+/// Compute: writes for each pixel of the view's tiles the numbers of the nearest triangle and the next one behind.
+/// @param view  of translucent triangles only
 void findLayersByTiles(gpu::PassContext& context, const SceneView& view);
 
 }  // namespace nacre::passes

@@ -1,22 +1,22 @@
 #pragma once
-// What of a scene's triangles is opaque, and what is drawn in layers over that.
+// Separates a scene's opaque triangles from those drawn in translucent layers.
 
 #include "engine/passes/scene_view.h"
 #include "engine/scene/translucency.h"
 
 namespace nacre::passes {
 
-/// What of a scene's triangles is drawn.
+/// Selects a scene's triangles.
 enum class Triangles : std::uint8_t {
     opaque,
     translucent,
-    solid,  ///< all but what is faint: what a pixel is said to show
+    solid,  ///< all but faint ones: those that picking reports
 };
-/// Leaves those of some calls, in their order.
+/// Keeps the selected triangles of some calls, in order.
 void choose(std::vector<PlacedCopies::Call>& calls, const TranslucentRuns& runs, Triangles which);
 
-/// The translucent triangles of a scene, as a view that shows nothing else, and no lines.
-/// @param all  a view whose copies are those of the whole scene
+/// A view of a scene's translucent triangles only, without lines.
+/// @param all  a view of the whole scene's copies
 void seeTranslucent(SceneView& view, const SceneView& all, const TranslucentRuns& runs);
 
 }  // namespace nacre::passes

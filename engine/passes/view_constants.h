@@ -7,13 +7,13 @@
 
 namespace nacre::passes {
 
-/// The push constants of a view: projection and depth range. Copy, atlas and shading are left 0.
-/// @param snapPixels how far the rasteriser may move a vertex
-/// @param centerX, centerY pixel of the picture's middle in the framebuffer
+/// The push constants of a view: projection and depth range. Copy, atlas and shading stay 0.
+/// @param snapPixels the rasteriser moves a vertex by at most this much
+/// @param centerX, centerY the picture's centre in the framebuffer, pixels
 inline layout::ViewConstants viewConstants(const View& view, float snapPixels, double centerX, double centerY) {
     const bool perspective = view.projection == Projection::perspective;
     const double origin = perspective ? view.eyeDistance : view.radius;
-    // Å of room on both ends: bonds may stand out of the bounding sphere of the atoms by a little.
+    // Margin at both ends, Å: bonds may extend slightly beyond the atoms' bounding sphere.
     constexpr double kRoom = 1.0;
     const double range = 2.0 * (view.radius + kRoom);
     layout::ViewConstants c{};
@@ -22,7 +22,7 @@ inline layout::ViewConstants viewConstants(const View& view, float snapPixels, d
     const double right = view.pan.x * view.pixelsPerAngstrom, down = -view.pan.y * view.pixelsPerAngstrom;
     constexpr double kTurned[4][4] = {{1, 0, 0, 1}, {0, -1, 1, 0}, {-1, 0, 0, -1}, {0, 1, -1, 0}};
     const double* turn = kTurned[view.quarterTurns & 3];
-    // Whole 256ths, which floats hold exactly up to 65,536: a part of a picture meets the very rays of the whole.
+    // Multiples of 1/256, exact in floats up to 65,536: a part of a picture has exactly the rays of the whole.
     const auto pixel = [](double place) { return static_cast<float>(std::round(place * 256) / 256); };
     c.axisPixel =
         glm::vec2(pixel(centerX + turn[0] * right + turn[1] * down), pixel(centerY + turn[2] * right + turn[3] * down));
