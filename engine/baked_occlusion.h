@@ -10,8 +10,8 @@ namespace nacre {
 /// Texels as on the device (engine/occlusion/atlas_layout.h): patches of spheres and cylinders, and vertices.
 /// Values are openness: 0 closed, 1 open.
 struct BakedOcclusion {
-    std::uint32_t sphereEdge = 0, around = 0, along = 0;  ///< texels across patches
-    std::uint32_t width = 0;                              ///< of a row
+    std::uint32_t sphereEdge = 0, around = 0, along = 0;  ///< width of patches, texels
+    std::uint32_t width = 0;                              ///< texels per row
     std::uint32_t sphereRows = 0, cylinderRows = 0;
     std::vector<std::uint8_t> texels;  ///< row by row; empty: nothing was baked, everything is open
 
@@ -21,7 +21,7 @@ struct BakedOcclusion {
     float ofSphere(std::uint32_t sphere, const glm::vec3& normal) const;
     /// @param axis, normal  unit vectors, perpendicular @param share  position along the axis, 0 to 1
     float ofCylinder(std::uint32_t cylinder, const glm::vec3& axis, const glm::vec3& normal, float share) const;
-    /// On the outer side of a mesh.
+    /// For the outer side of a mesh.
     float ofVertex(std::uint32_t vertex) const;
 
 private:
@@ -29,7 +29,7 @@ private:
     float patch(std::uint64_t left, std::uint64_t top, float u, float v, std::uint32_t w, std::uint32_t h) const;
 };
 
-/// Share of the ambient light that reaches a place, as pictures have it (shaders/common/shading.glsl).
+/// Share of the ambient light that reaches a point, as in pictures (shaders/common/shading.glsl).
 /// @param base  linear base colour @param open  0 closed to 1
 float reachingLight(const glm::vec3& base, float open);
 

@@ -40,20 +40,20 @@ public:
     /// Bakes occlusion for about `milliseconds`, at least one direction. Frames show the finished directions; pictures
     /// and layers finish all of them first. @returns the finished share, 0..1
     double advanceOcclusion(const RenderSettings& settings, double milliseconds = 4.0);
-    /// The same beside a window's frames, without waiting for the device or for preparation on the host. Call it for
+    /// As above beside a window's frames, without waiting for the device or for preparation on the host. Call it for
     /// every frame, and about every millisecond while there is none: each call submits the next part if the last is
     /// finished.
     double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace);
     /// For each sphere, whether the bake saw it from any direction; empty before the bake is finished.
     std::vector<bool> seenSpheres() const;
 
-    /// Compiles the pipelines that later passes of a picture need on a thread of its own, from now on. Errors are
-    /// reported when a pass needs the pipeline.
+    /// Compiles the pipelines of later passes of a picture on a worker thread from now on. Errors are reported when a
+    /// pass needs the pipeline.
     void makePipelinesAhead();
 
-    /// @throws Error if the picture is larger than the device draws, or memory runs out
+    /// @throws Error if the picture exceeds the device's limits, or memory runs out
     Picture render(const RenderSettings& settings);
-    /// A rectangle of render()'s picture, equal to the byte. The whole picture may be larger than the device draws.
+    /// A rectangle of render()'s picture, equal to the byte. The whole picture may exceed the device's limits.
     /// @param part  its x and y are multiples of PictureRect::kStep; View::quarterTurns is 0 @throws Error
     Picture renderPart(const RenderSettings& settings, const PictureRect& part);
     /// One sample per pixel, without anti-aliasing; `supersample` is ignored.
@@ -71,8 +71,8 @@ public:
     /// display. Waits for the device only if two frames are in flight.
     /// @param settings its view has the window's size; `supersample` and `countFragments` are ignored
     FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame);
-    /// Announces a scene, for example while its file is read: the pipelines of a window's frame are compiled on a
-    /// thread of their own. Nothing is drawn, and errors are reported when the scene is drawn.
+    /// Announces a scene, for example while its file is read: a worker thread compiles the pipelines of a window's
+    /// frame. Nothing is drawn, and errors are reported when the scene is drawn.
     /// @param like  has primitives of the same kinds; their number and size do not matter
     void expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame);
     PixelSize windowSize() const;

@@ -93,7 +93,7 @@ struct DriverFeedback {
 struct OcclusionStats {
     int directions = 0, done = 0;
     std::uint32_t patchTexels = 0;  ///< across a sphere's patch; 1: one value per atom
-    std::uint64_t texels = 0;       ///< number that light can reach
+    std::uint64_t texels = 0;       ///< that light can reach
     const char* maps = "";          ///< "encoded", "fragdepth", "tiles"
     std::uint32_t mapPixels = 0;    ///< across one depth map
     std::uint32_t mapsPerBatch = 0;

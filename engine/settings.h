@@ -19,11 +19,11 @@ struct OcclusionSettings {
     static constexpr std::uint64_t kUsualBytes = 64ull << 20;
     int directions = 128;  ///< 0: no occlusion
     /// Device memory limit of the bake, atlas and depth maps included. The default grows for meshes of more than a
-    /// million vertices, since each has a value of its own.
+    /// million vertices, since each vertex has its own value.
     std::uint64_t bytes = kUsualBytes;
     OcclusionMaps maps = OcclusionMaps::automatic;
-    /// Most texels across a sphere's patch, 4 to 32. Small pictures show no more than 12. The time of a bake grows with
-    /// the square, as does the size of depth maps.
+    /// Maximum width of a sphere's patch, 4 to 32 texels. Small pictures show no more than 12. Bake time and the size
+    /// of depth maps grow with the square.
     std::uint32_t detail = 32;
     std::string cache;         ///< folder for finished bakes; empty: none are kept
     double worthKeeping = 50;  ///< milliseconds; shorter bakes are not kept
@@ -74,7 +74,7 @@ struct RenderSettings {
     OcclusionSettings occlusion;
     FrameTuning tuning;
 
-    /// The settings of a frame: all but the strings and callbacks of the bake.
+    /// The settings of a frame: all except the strings and callbacks of the bake.
     RenderSettings ofFrame() const {
         RenderSettings frame{view, supersample, background, fine, lighting, effects, meshError, debug, {}, tuning};
         frame.occlusion.directions = occlusion.directions;

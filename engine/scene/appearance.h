@@ -1,5 +1,5 @@
 #pragma once
-// Which atoms are seen, in what style, and in what colour: a style and a colour for all, then rules in their order.
+// Which atoms are drawn, in what style and colour: one style and colour for all, then rules in order.
 
 #include <cstdint>
 #include <glm/vec4.hpp>
@@ -17,33 +17,33 @@
 
 namespace nacre {
 
-/// The first three are of atoms. A cartoon stands in place of its residues' atoms. What it does not draw (ligands,
-/// ions) is then licorice, or a small ball where nothing is bonded to it. A surface goes over what is there, but takes
-/// the place of space-filling atoms, which reach as far.
+/// The first three draw atoms. A cartoon replaces its residues' atoms; atoms that it does not draw (ligands, ions)
+/// become licorice, or small balls without bonds. A surface is added to the rest, but replaces space-filling atoms,
+/// which are as large.
 enum class Style { spacefill, ballAndStick, licorice, cartoon, surface };
 
-/// Of which bonds the order is seen: none, those of all but polymers, all.
+/// Bonds whose order is drawn: none, those outside polymers, all.
 enum class BondOrders : std::uint8_t { off, ligands, on };
 /// The inner line of an aromatic ring: dashes along each bond, or a circle.
 enum class AromaticForm : std::uint8_t { dashes, ring };
 
-constexpr double kLeastOpacity = 0.01;  ///< of a cartoon or surface; less would not be seen
+constexpr double kLeastOpacity = 0.01;  ///< of a cartoon or surface; less would be invisible
 
-/// One of `--show`, `--hide`, `--color-by`. A later rule prevails over an earlier one.
+/// One of `--show`, `--hide`, `--color-by`. A later rule overrides an earlier one.
 struct Rule {
     enum class Action {
-        /// Give a style, and bring back what an earlier rule hid. Atoms that get a style of atoms keep their cartoon
-        /// and surface, which go only with what is hidden.
+        /// Sets a style, and shows again what an earlier rule hid. Atoms with an atom style keep their cartoon and
+        /// surface until these are hidden.
         show,
         hide,
         color
     };
     Action action = Action::show;
     Selection selection;
-    Style style = Style::spacefill;      ///< of show
-    Coloring coloring;                   ///< of color
-    bool on = true;                      ///< or it is kept, and says nothing
-    std::optional<double> opacity = {};  ///< of a cartoon or surface that is shown; empty: that of all
+    Style style = Style::spacefill;      ///< for show
+    Coloring coloring;                   ///< for color
+    bool on = true;                      ///< false: the rule has no effect
+    std::optional<double> opacity = {};  ///< of the shown cartoon or surface; empty: the default
     friend bool operator==(const Rule&, const Rule&) = default;
 };
 
@@ -51,67 +51,67 @@ struct RepresentationOptions {
     std::optional<Style> style;  ///< empty: defaultStyle() of the atoms that the rules leave
     Coloring color = ColorScheme::element;
     std::vector<Rule> rules = {};
-    std::string assembly = {};             ///< identifier of one that the file states; empty: its atoms as they are
-    Palette palette = Palette::automatic;  ///< of the schemes that have one and name none, where it is of their kind
-    bool ownFrame = false;                 ///< the camera is this model's own, not one for all models of its file
+    std::string assembly = {};             ///< identifier from the file; empty: no assembly
+    Palette palette = Palette::automatic;  ///< for schemes without one of their own, if it is of their kind
+    bool ownFrame = false;                 ///< the camera frames this model alone, not all models of its file
     CartoonOptions cartoon = {};
     SurfaceOptions surface = {};
-    double cartoonOpacity = 1, surfaceOpacity = 1;  ///< kLeastOpacity to 1, of what no rule gives one
-    bool modelsOcclude = false;                     ///< models that are drawn together darken each other
+    double cartoonOpacity = 1, surfaceOpacity = 1;  ///< kLeastOpacity to 1, where no rule sets one
+    bool modelsOcclude = false;                     ///< models drawn together occlude each other
     ContactOptions contacts = {};
     BondOrders bondOrders = BondOrders::ligands;
     AromaticForm aromatic = AromaticForm::dashes;
     friend bool operator==(const RepresentationOptions&, const RepresentationOptions&) = default;
 };
 
-/// What the colours of some atoms mean.
+/// Legend of a colour scheme for some atoms.
 struct Legend {
     std::string selection;  ///< "all", or the text of the rule's selection
     std::string scheme;     ///< coloringText()
     std::vector<LegendEntry> entries;
-    Palette ramp = Palette::automatic;  ///< along which the first `stops` entries stand, evenly
-    std::size_t stops = 0;              ///< the other entries are kinds
+    Palette ramp = Palette::automatic;  ///< palette of the first `stops` entries, which are evenly spaced
+    std::size_t stops = 0;              ///< the other entries are classes
 };
 
-/// Atoms that are drawn as one kind of mesh.
+/// Atoms drawn as one kind of mesh.
 struct MeshAtoms {
     std::vector<std::uint32_t> atoms;  ///< ascending
     std::vector<std::uint32_t> colors;
-    std::vector<std::uint32_t> tints;  ///< as Appearance has them
-    std::vector<double> opacity;       ///< 1: it hides what is behind it
+    std::vector<std::uint32_t> tints;  ///< as in Appearance
+    std::vector<double> opacity;       ///< 1: opaque
 };
 
 struct Appearance {
-    std::vector<std::uint32_t> atoms;  ///< those that are seen as atoms, ascending
-    Style style = Style::spacefill;    ///< of those that no rule gives one
-    std::vector<Style> styles;         ///< same length as atoms; of atoms all
+    std::vector<std::uint32_t> atoms;  ///< atoms drawn as atoms, ascending
+    Style style = Style::spacefill;    ///< where no rule sets one
+    std::vector<Style> styles;         ///< same length as atoms; atom styles only
     std::vector<std::uint32_t> colors;
-    std::vector<std::uint32_t> tints;  ///< same length as atoms: of the colour of its copy (colors.h); 0: it is none
+    std::vector<std::uint32_t> tints;  ///< same length as atoms: tint of the copy's colour (colors.h); 0: none
     MeshAtoms cartoon, surface;
     bool anyByCopy() const;
-    std::size_t seen = 0;               ///< atoms that are seen in whatever style
-    std::vector<Legend> legends;        ///< of every colouring that is seen somewhere
-    std::vector<std::string> warnings;  ///< rules that match nothing, schemes that the file has no data for
+    std::size_t seen = 0;               ///< atoms drawn in any style
+    std::vector<Legend> legends;        ///< of every scheme that is visible somewhere
+    std::vector<std::string> warnings;  ///< rules that match nothing, schemes without data in the file
 };
 
-/// Rules choose among the drawn atoms only: waters that are not drawn, or other conformers, stay away.
+/// Rules select among the drawn atoms only: hidden waters or other conformers stay hidden.
 /// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending
 Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                         const RepresentationOptions& options);
 
-/// All that is seen as balls: atoms in their styles' radii, then those of meshes, which reach about as far.
+/// Everything drawn, as spheres: atoms with their style's radius, then atoms of meshes with a similar reach.
 struct SeenBalls {
     std::vector<std::uint32_t> atoms;
     std::vector<glm::dvec4> balls;  ///< of each: centre (Å, in the file's frame) and radius
 };
 SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance);
 
-constexpr float kLicoriceRadius = 0.25f;  ///< Å, of atoms and bonds
-constexpr float kCartoonReach = 2.5f;     ///< Å, that a cartoon may stand off an atom
-/// Of an atom's sphere, Å; of a cartoon kCartoonReach.
+constexpr float kLicoriceRadius = 0.25f;  ///< of atoms and bonds, Å
+constexpr float kCartoonReach = 2.5f;     ///< largest distance of a cartoon from an atom, Å
+/// Of an atom's sphere, Å; for cartoons kCartoonReach.
 float drawnRadius(Element element, Style style);
 
-/// The style where none is asked for: ball-and-stick under 100 drawn atoms with bonds, else spacefill.
+/// The default style: ball-and-stick for fewer than 100 drawn atoms with bonds, else spacefill.
 Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn);
 
 }  // namespace nacre

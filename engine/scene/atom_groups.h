@@ -1,5 +1,5 @@
 #pragma once
-// Which atoms belong together where lines are drawn between groups: chain by chain, and along a chain.
+// Groups of atoms between which outlines are drawn: by chain, and along a chain.
 
 #include <cstdint>
 #include <vector>
@@ -8,13 +8,12 @@
 
 namespace nacre {
 
-/// As shaders have them (shaders/common/layout.h): bits of a residue in an atom's word, and how many residues apart in
-/// its chain another group begins.
+/// As in shaders (shaders/common/layout.h): bits for a residue in an atom's word, and the distance in residues along a
+/// chain at which another group begins.
 constexpr int kResidueBits = 12, kGroupResidues = 6;
 
-/// A word for each atom: in the lowest bits where its residue stands in its
-/// chain, above them its chain. A ligand, an ion or a water is far from every residue of the chain that it is listed
-/// in.
+/// One word per atom: the residue's index in its chain in the low bits, the chain above. A ligand, ion or water is far
+/// from every residue of the chain that lists it.
 std::vector<std::uint32_t> atomGroups(const ResidueFacts& facts);
 
 }  // namespace nacre

@@ -1,6 +1,6 @@
 #pragma once
-// Which bonds are drawn as double, triple, aromatic or delocalised, and on which side their further strands lie. Used
-// by representation.cpp.
+// Decides which bonds are drawn as double, triple, aromatic or delocalised, and on which side their further strands
+// lie. Used by representation.cpp.
 
 #include <cstdint>
 #include <map>
@@ -12,25 +12,25 @@
 
 namespace nacre {
 
-/// Bond::order of bonds that are drawn as one and a half, beside 4, which is aromatic: carboxylate and the like.
+/// Bond::order of bonds of order one and a half that are not aromatic (4): carboxylate and the like.
 constexpr std::uint8_t kDelocalised = 5;
 
-/// Orders of a molecule's bonds as they are drawn. What does not move is found once.
+/// Drawn orders of a molecule's bonds. Everything independent of positions is computed once.
 class DrawnOrders {
 public:
-    /// Nothing is perceived unless something is drawn as sticks. Of ligands and small molecules orders, rings and
-    /// delocalised groups are perceived (chemistry.h), of polymers too with BondOrders::on; else those of polymers are
-    /// as the file or the residues' templates have them, in ball-and-stick alone.
+    /// Perceives nothing unless something is drawn as sticks. Perceives orders, rings and delocalised groups
+    /// (chemistry.h) of ligands and small molecules, and with BondOrders::on of polymers. Other polymer orders come
+    /// from the file or the residues' templates, in ball-and-stick only.
     DrawnOrders(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options);
 
     /// @param bond   index into Molecule::bonds @param style  of its sticks
     std::uint8_t orderOf(std::size_t bond, Style style) const;
 
-    /// Atoms of the ring that a bond's inner line lies in: the smallest aromatic one, else the smallest. Empty if it is
-    /// in none. @param a, b  its atoms
+    /// Atoms of the ring with a bond's inner line: the smallest aromatic one, else the smallest. Empty outside rings.
+    /// @param a, b  the bond's atoms
     std::span<const std::uint32_t> ringOf(std::uint32_t a, std::uint32_t b) const;
     struct DrawnRing {
-        std::vector<std::uint32_t> atoms;  ///< in its order
+        std::vector<std::uint32_t> atoms;  ///< in ring order
         bool aromatic = false;
     };
     const std::vector<DrawnRing>& rings() const { return rings_; }

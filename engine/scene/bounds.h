@@ -11,7 +11,7 @@
 namespace nacre {
 
 struct Bounds {
-    glm::dvec3 center{};  ///< middle of the axis-aligned box of the balls' centres
+    glm::dvec3 center{};  ///< centre of the axis-aligned box of the balls' centres
     double radius = 0;    ///< max(|p - center| + r)
 };
 
@@ -25,7 +25,7 @@ struct Box {
     glm::dvec3 center() const { return (low + high) / 2.0; }
 };
 
-/// @param balls  centre and radius each, Å; at least one
+/// @param balls  centre and radius of each, Å; at least one
 inline Bounds boundsOf(std::span<const glm::dvec4> balls) {
     Box box;
     for (const glm::dvec4& ball : balls) box.add(ball);

@@ -14,16 +14,16 @@ enum class Projection { orthographic, perspective };
 struct Camera {
     Projection projection = Projection::orthographic;
     glm::dvec3 rotationDegrees{0.0};     ///< right-handed, about the view axes, x first: v = Rz Ry Rx Q (p - C)
-    glm::dquat orientation{1, 0, 0, 0};  ///< Q, a unit quaternion; used where three angles are not at hand
-    glm::dvec2 pan{0.0};                 ///< position of C on the image plane, Å from the picture's middle
+    glm::dquat orientation{1, 0, 0, 0};  ///< Q, a unit quaternion; where the three angles are not available
+    glm::dvec2 pan{0.0};                 ///< position of C on the image plane, Å from the picture's centre
     double zoom = 1.0;                   ///< scales the image plane
-    double fovDegrees = 30.0;            ///< perspective: across the shorter side
+    double fovDegrees = 30.0;            ///< perspective: field of view across the shorter side
 };
 
-/// The view of one picture. View space: origin at the molecule's centre, +x right, +y up, +z to the viewer, Å.
-/// Pixel (i, j), row 0 on top, looks through x = (i + 0.5 - width / 2) / pixelsPerAngstrom - pan.x,
-/// y = (height / 2 - j - 0.5) / pixelsPerAngstrom - pan.y on the plane z = 0; in perspective from the eye
-/// (0, 0, eyeDistance), so that panning shifts the picture as a shift lens does.
+/// The view of one picture. View space: origin at the molecule's centre, +x right, +y up, +z to the viewer, Å. Pixel
+/// (i, j), row 0 on top, sees x = (i + 0.5 - width / 2) / pixelsPerAngstrom - pan.x, y = (height / 2 - j - 0.5) /
+/// pixelsPerAngstrom - pan.y on the plane z = 0; in perspective from the eye (0, 0, eyeDistance), so that panning acts
+/// like a shift lens.
 struct View {
     std::uint32_t width = 0, height = 0;  ///< of the upright picture
     Projection projection = Projection::orthographic;
@@ -32,13 +32,13 @@ struct View {
     double eyeDistance = 0.0;        ///< Å; 0 if orthographic
     double pixelsPerAngstrom = 1.0;  ///< at z = 0
     glm::dvec2 pan{0.0};             ///< Å
-    int quarterTurns = 0;            ///< 0..3: how often the image is the picture turned clockwise (pre-rotation)
+    int quarterTurns = 0;            ///< 0..3: clockwise quarter turns of the picture in the image (pre-rotation)
 };
 
 glm::dmat3 rotationMatrix(const glm::dvec3& degrees);
 
-/// Orthographic: the sphere (C, R) fills 95 % of the shorter side at zoom 1. Perspective: the eye stands at
-/// R / (0.95 sin(fov / 2)) and zoom scales the image plane.
+/// Orthographic: the sphere (C, R) fills 95 % of the shorter side at zoom 1. Perspective: the eye is at R / (0.95
+/// sin(fov / 2)) and zoom scales the image plane.
 View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint32_t height);
 
 /// The same picture with `factor` times the pixels per side, at least one.
@@ -47,7 +47,7 @@ View scaled(View view, double factor);
 /// The view of a rectangle of the picture. @param x, y  its top left corner, pixels
 View partOf(View view, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height);
 
-/// The point on the image plane (Å, before pan) behind a point of the picture. @param x, y pixels from the top left
+/// The point on the image plane (Å, before pan) at a point of the picture. @param x, y pixels from the top left
 glm::dvec2 planePointAt(const View& view, double x, double y);
 
 }  // namespace nacre

@@ -8,14 +8,14 @@
 
 namespace nacre {
 
-/// Molecules that are the same chemically count as one entity.
+/// Chemically identical molecules form one entity.
 struct ResidueEntities {
-    std::vector<std::string> labels;       ///< "1" as the file names it; else "chains A, C", "HEM", "water"
+    std::vector<std::string> labels;       ///< "1" from the file; else "chains A, C", "HEM", "water"
     std::vector<std::uint32_t> ofResidue;  ///< index into labels
 };
 
-/// Entities as the file states them; where it does not, chains whose polymers have the same sequence of residues
-/// (as far as it has coordinates), and other residues by name.
+/// The file's entities. Without them: chains whose polymers have the same residue sequence (as far as modelled), and
+/// other residues by name.
 ResidueEntities residueEntities(const ResidueFacts& facts);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// Parts of the streams that lie together in space: what a view draws or leaves out at a time.
+// Spatially compact parts of the streams: units of culling.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -10,32 +10,32 @@
 
 namespace nacre {
 
-/// Primitives 32 i to 32 i + 31 of a stream, in a ball about them as they are stored, Å.
+/// Primitives 32 i to 32 i + 31 of a stream, with their bounding sphere as stored, Å.
 struct Chunk {
     static constexpr std::uint32_t kPrimitives = 32;
     glm::vec3 center{};
-    float radius = 0;  ///< the largest float, if a coordinate is no number
+    float radius = 0;  ///< the largest float, if a coordinate is NaN
 };
 
 struct Chunks {
-    std::vector<Chunk> spheres, cylinders;  ///< wires behind the cylinders
-    std::vector<Chunk> triangles;           ///< coarse ones numbered on
+    std::vector<Chunk> spheres, cylinders;  ///< wires after the cylinders
+    std::vector<Chunk> triangles;           ///< numbering continues with the coarse ones
     SphereBoxes sphereBoxes;
 };
 
 Chunks chunksOf(const Representation& representation);
 
-/// For each primitive of a stream the number that it had.
+/// For each primitive of a stream its previous number.
 struct StreamOrder {
     std::vector<std::uint32_t> spheres, cylinders;
 };
 
-/// Puts spheres, and cylinders, in Morton order of where they stand (G. M. Morton, 1966: the bits of the coordinates
-/// alternate), so that neighbours in a stream are neighbours in space. Those of other runs of copies or models stay
-/// apart, and what stands at one place keeps its order.
+/// Sorts spheres and cylinders in Morton order (G. M. Morton, 1966: interleaves the bits of the coordinates), so that
+/// neighbours in a stream are neighbours in space. Runs of copies or models stay separate, and primitives at one
+/// position keep their order.
 StreamOrder orderInSpace(Representation& representation);
 
-/// Puts them in an order that was found before. @param order  of as many spheres and cylinders
+/// Applies an order found before. @param order  for as many spheres and cylinders
 void putInOrder(Representation& representation, const StreamOrder& order);
 
 }  // namespace nacre

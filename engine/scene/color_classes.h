@@ -1,11 +1,11 @@
 #pragma once
-// The colour schemes that sort atoms into kinds. Internal to color_schemes.cpp.
+// Colour schemes that sort atoms into classes. Internal to color_schemes.cpp.
 
 #include "engine/scene/color_schemes.h"
 
 namespace nacre {
 
-/// Of each chain, as legends have it. @param before  of its name
+/// Legend labels of the chains. @param before  prefix of each name
 std::vector<std::string> chainLabels(const ResidueFacts& facts, const std::string& before);
 
 /// colorAtoms() for element, chain, input, residue, hydrophobicity, charge, secondaryStructure, plddt and entity.

@@ -1,5 +1,5 @@
 #pragma once
-// Colour schemes: a colour for every atom, and the legend that explains them.
+// Colour schemes: a colour per atom, and the legend.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,15 +17,15 @@ namespace nacre {
 enum class ColorScheme {
     element,
     chain,
-    chainCarbons,        ///< carbons by chain, all else by element
-    input,               ///< of several molecules in one picture
+    chainCarbons,        ///< carbons by chain, the rest by element
+    input,               ///< by molecule, if a picture has several
     copy,                ///< of an assembly
-    copyChain,           ///< likewise, its chains in tints of it
-    copyEntity,          ///< likewise, its entities
+    copyChain,           ///< of an assembly, chains as tints
+    copyEntity,          ///< of an assembly, entities as tints
     residue,             ///< residueColor() of colors.h
     hydrophobicity,      ///< of amino acids, J. Kyte and R. F. Doolittle, J. Mol. Biol. 157 (1982) 105
     charge,              ///< of residues at pH 7, formal charges elsewhere
-    secondaryStructure,  ///< as the file states it, else by hydrogen bonds
+    secondaryStructure,  ///< from the file, else from hydrogen bonds
     bFactor,             ///< from the 2nd to the 98th percentile of the coloured atoms
     plddt,               ///< B factor as AlphaFold's confidence, in its four bands and colours
     rainbow,             ///< along each chain, from N to C or 5' to 3'
@@ -34,18 +34,18 @@ enum class ColorScheme {
     uniform,             ///< one colour
 };
 
-/// What the palette of a scheme is of.
+/// Kind of palette that a scheme uses.
 enum class PaletteUse : std::uint8_t { none, kinds, ramp };
 PaletteUse paletteUse(ColorScheme scheme);
-/// Whether the ends of its ramp can be given.
+/// Whether the ends of its ramp can be set.
 bool takesRange(ColorScheme scheme);
 
-/// The name that `--color` takes ("b-factor"); empty for uniform.
+/// The scheme's name for `--color` ("b-factor"); empty for uniform.
 std::string_view colorSchemeName(ColorScheme scheme);
-/// The scheme of such a name; also knows "ss", "bfactor", "b", "residue-type" and "secondary-structure".
+/// The scheme of a name; also knows "ss", "bfactor", "b", "residue-type" and "secondary-structure".
 std::optional<ColorScheme> colorSchemeFromName(std::string_view name);
 
-/// Values at the ends of a ramp; the first may be the larger one.
+/// Values at the ends of a ramp; the first may be larger.
 struct ColorRange {
     double first = 0, last = 1;
     friend bool operator==(const ColorRange&, const ColorRange&) = default;
@@ -54,9 +54,9 @@ struct ColorRange {
 /// A scheme, or one colour.
 struct Coloring {
     ColorScheme scheme = ColorScheme::element;
-    std::uint32_t color = 0;  ///< packed as in colors.h; of uniform, or of element's carbons: 0 is their usual one
+    std::uint32_t color = 0;  ///< packed as in colors.h; for uniform, and for element's carbons (0: the usual one)
     Palette palette = Palette::automatic;
-    std::optional<ColorRange> range = {};  ///< of a ramp; empty: what the scheme finds
+    std::optional<ColorRange> range = {};  ///< of a ramp; empty: automatic
 
     Coloring() = default;
     Coloring(ColorScheme wanted) : scheme(wanted) {}
@@ -65,7 +65,7 @@ struct Coloring {
         coloring.color = color;
         return coloring;
     }
-    /// Carbons in one colour and all else by element, so that ligands are told apart.
+    /// Carbons in one colour and the rest by element, to tell ligands apart.
     static Coloring elementWithCarbons(std::uint32_t color) {
         Coloring coloring(ColorScheme::element);
         coloring.color = color;
@@ -74,7 +74,7 @@ struct Coloring {
     friend bool operator==(const Coloring&, const Coloring&) = default;
 };
 
-/// As `--color` takes it: "chain", "#rrggbb", "element:#rrggbb", "b-factor:10..60:viridis".
+/// The text for `--color`: "chain", "#rrggbb", "element:#rrggbb", "b-factor:10..60:viridis".
 std::string coloringText(const Coloring& coloring);
 
 struct LegendEntry {
@@ -84,14 +84,14 @@ struct LegendEntry {
 
 struct ColoredAtoms {
     std::vector<std::uint32_t> colors;  ///< same length as the atoms
-    std::vector<LegendEntry> legend;    ///< of kinds, those that occur; of numbers, five along the palette
-    Palette ramp = Palette::automatic;  ///< along which the first `stops` entries stand
-    std::size_t stops = 0;              ///< entries from end to end of the ramp; what follows are kinds
-    std::vector<std::uint32_t> tints;   ///< of the colour of its copy, for each atom; empty: colours are no copy's
-    std::string warning;                ///< why the colours say little here; empty if they do
+    std::vector<LegendEntry> legend;    ///< classes that occur, or five values along the palette
+    Palette ramp = Palette::automatic;  ///< palette of the first `stops` entries
+    std::size_t stops = 0;              ///< entries along the ramp, end to end; classes follow
+    std::vector<std::uint32_t> tints;   ///< tint of the copy's colour, per atom; empty: not coloured by copy
+    std::string warning;                ///< why the colours mean little here; empty: they do not
 };
 
-/// @param atoms  indices of the atoms to colour; of all others only what a scheme needs as context is looked at
+/// @param atoms  indices of the atoms to colour; the others serve only as context
 ColoredAtoms colorAtoms(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const Coloring& coloring);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// From which depth on parts of a picture are certainly covered: what lies wholly behind does not show.
+// Depths behind which parts of a picture are certainly covered, for occlusion culling.
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -9,25 +9,25 @@
 
 namespace nacre {
 
-/// Square cells of pixels, each with a depth. One sphere must cover all of a cell, so cells are smaller than spheres.
-/// Kept from frame to frame, it allocates nothing once it has seen the largest. Threads may cover and ask bands of its
-/// rows at the same time.
+/// Square cells of pixels, each with a depth. A cell counts only if one sphere covers all of it, so cells are smaller
+/// than spheres. Keeps its memory between frames. Threads may work on separate bands of rows at the same time.
 class Coverage {
 public:
-    /// Nothing is covered. @param radiusPixels  of a typical sphere
+    /// Clears all cells. @param radiusPixels  of a typical sphere
     void begin(const TileView& view, double radiusPixels);
-    /// Covers what a sphere does. In perspective, too, its picture holds that of the disc about its centre which
-    /// faces along z, and rays meet the sphere before they meet that.
+    /// Adds a sphere. Also in perspective its image contains that of the disc through its centre that faces along z,
+    /// and rays meet the sphere before the disc.
     /// @param center  in view space, Å
     void cover(const TileView& view, const glm::vec3& center, float radius, RowBand rows);
-    /// Whether each cell of some rows that a disc touches is covered before a depth. What is outside of the picture is
-    /// no matter.
-    /// @param at, reach  of the disc, pixels @param near  Z, Å
+    /// Whether every cell in these rows that a disc touches is covered before a depth. Ignores cells outside of the
+    /// picture.
+    /// @param at, reach  of the disc, pixels
+    /// @param near  Z, Å
     bool hides(glm::vec2 at, float reach, float near, RowBand rows) {
         const CellDisc disc = discOf(at, reach);
         return disc.radius < 0.5f ? hidesSmall(disc, near, rows) : hidesLarge(disc, near, rows);
     }
-    std::uint32_t rows() const { return down_; }  ///< of cells
+    std::uint32_t rows() const { return down_; }  ///< in cells
     float side() const { return side_; }          ///< of a cell, pixels
 
 private:
@@ -41,8 +41,8 @@ private:
         const float radius = (reach + outset_) * perSide_;
         return {at * perSide_, radius, radius * radius};
     }
-    /// Of a disc that holds the middle of no cell but the one it stands in: of a million spheres that are smaller than
-    /// pixels nearly all are asked so.
+    /// For a disc that contains no cell centre except its own cell's: the case of nearly all of a million sub-pixel
+    /// spheres.
     bool hidesSmall(const CellDisc& disc, float near, RowBand rows) const {
         if (!(disc.at.x >= 0) || !(disc.at.x < static_cast<float>(across_)) ||
             !(disc.at.y >= static_cast<float>(rows.first)) || !(disc.at.y < static_cast<float>(rows.end)))
@@ -54,9 +54,9 @@ private:
     bool hidesLarge(const CellDisc& disc, float near, RowBand rows);
 
     std::uint32_t across_ = 0, down_ = 0;  // cells
-    float side_ = 1, perSide_ = 1;         // pixels; one over that
-    float inset_ = 0;                      // by which a disc is smaller that holds the middles of the cells it covers
-    float outset_ = 0;                     // by which one is larger that holds the middles of those it touches
+    float side_ = 1, perSide_ = 1;         // pixels; reciprocal
+    float inset_ = 0;                      // a disc shrunk by this contains the centres of the cells it covers
+    float outset_ = 0;                     // a disc enlarged by this contains the centres of the cells it touches
     std::vector<float> depths_;            // Z; row by row
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which spheres may be the nearest at the centre of a pixel: of millions as small as pixels, few.
+// Finds the few of millions of sub-pixel spheres that may be nearest at a pixel's centre.
 
 #include <cstdint>
 #include <glm/vec4.hpp>
@@ -12,35 +12,33 @@
 
 namespace nacre {
 
-/// Draws spheres on the host from near to far, by groups and boxes of a few: those that lie behind what is drawn are
-/// left out together. Several threads take a part of the picture's rows each. Kept from frame to frame, it allocates
-/// nothing but those threads once it has seen the most.
+/// Draws spheres on the host from near to far, in groups and boxes that are culled as a whole. Several threads take one
+/// band of rows each. Keeps its memory between frames, so that later frames allocate only the threads.
 class FrontSpheres {
 public:
-    /// Whether it can tell of a view: along parallel rays, at the centres of pixels, of what no plane cuts and no line
-    /// goes about.
+    /// Whether it supports a view: orthographic, sampled at pixel centres, without clipping planes or outlines.
     static bool tells(const TileView& view);
 
-    /// Finds for each pixel a sphere that may be the nearest, and which others may be, whatever a shader rounds.
+    /// Finds per pixel a sphere that may be nearest, and all others that may be, whatever a shader's rounding.
     void draw(const TileView& view, std::span<const Sphere> spheres, const SphereBoxes& boxes,
               std::span<const TileCall> calls);
 
-    /// Spheres that may be seen at some pixel for which another one stands, in the order of the calls.
+    /// Further spheres that may be visible at some pixel, in the order of the calls.
     std::span<const TileCall> doubts() const { return doubtCalls_; }
-    std::size_t shown() const { return shown_; }  ///< spheres that stand for a pixel or are in doubt
+    std::size_t shown() const { return shown_; }  ///< number of spheres found, including doubtful ones
 
-    /// Whether a rectangle of pixels, to one past its end, shows any.
+    /// Whether a rectangle of pixels shows any sphere. Ends are exclusive.
     bool isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, std::uint32_t endY) const;
-    /// Numbers of those that stand for some pixels of a row, 0 where there is none; beyond the picture, too.
+    /// Numbers of the spheres found for some pixels of a row, 0: none; 0 beyond the picture as well.
     void write(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const;
 
 private:
-    /// Into pixels and Z.
+    /// Transform into pixels and Z.
     struct Place {
         glm::vec4 x, y, z;
-        glm::vec3 spanX, spanY, spanZ;  // of a box half as large as 1 Å
+        glm::vec3 spanX, spanY, spanZ;  // of a box with half sides of 1 Å
     };
-    /// Boxes together at one place.
+    /// Consecutive boxes with one transform.
     struct Group {
         float near = 0;  // Z
         float left = 0, top = 0, right = 0, bottom = 0;
@@ -70,19 +68,19 @@ private:
     void listDoubts(const Scenery& s);
 
     std::uint32_t width_ = 0, height_ = 0;
-    std::size_t pitch_ = 0;  // of a row of pixels, which ends in some that hide all
+    std::size_t pitch_ = 0;  // pixels per row, including sentinels at its end that hide everything
     float pixels_ = 1, perPixel_ = 1;
     float room_ = 0;    // pixels that rounding may move a sphere by
-    float margin_ = 0;  // Å likewise, where a sphere's Z is certain
-    float edge_ = 0;    // share of a radius squared: nearer to its edge nothing is
+    float margin_ = 0;  // as above in Z, Å
+    float edge_ = 0;    // as a fraction of the squared radius: hits nearer to the edge do not count
     std::vector<Place> places_;
     std::vector<Group> groups_;
     std::vector<std::uint32_t> order_, inRow_;
     std::vector<RowBand> bands_;
-    std::vector<std::vector<std::uint32_t>> doubts_;  // of each band
+    std::vector<std::vector<std::uint32_t>> doubts_;  // per band
     std::vector<float> z_;                            // of each pixel's sphere
-    std::vector<std::uint32_t> number_;               // its number, where there is one
-    std::vector<std::uint64_t> marks_;                // a bit a number
+    std::vector<std::uint32_t> number_;               // its number, if any
+    std::vector<std::uint64_t> marks_;                // one bit per number
     std::vector<TileCall> doubtCalls_;
     std::size_t shown_ = 0;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Which triangles may be the nearest at the centre of a pixel: of a mesh whose triangles are as small as pixels, few.
+// Finds the few triangles of a fine mesh that may be nearest at a pixel's centre.
 
 #include <cstdint>
 #include <glm/vec4.hpp>
@@ -12,10 +12,10 @@
 
 namespace nacre {
 
-/// Kept from frame to frame, it allocates nothing once it has seen the largest.
+/// Keeps its memory between frames.
 class FrontTriangles {
 public:
-    /// Triangles that stand together in a stream, at one place.
+    /// Consecutive triangles of a stream with one transform.
     struct Run {
         std::span<const Triangle> triangles;
         const glm::vec4* rows = nullptr;  ///< three: into view space
@@ -25,28 +25,27 @@ public:
     FrontTriangles();
     ~FrontTriangles();
 
-    /// Forgets what was drawn. Pixels are asked at their centres alone, and triangles have no lines about them.
+    /// Clears. Pixels are sampled at their centres only, and triangles have no outlines.
     void begin(const TileView& view);
-    /// Draws triangles by several threads if they are many.
-    /// @param corners  of all vertices at the place of the runs: pixel and Z
+    /// Draws triangles, by several threads if there are many.
+    /// @param corners  of all vertices, transformed for the runs: pixel and Z
     void draw(std::span<const Run> runs, std::span<const glm::vec4> corners);
-    /// Finds for each pixel the triangle that certainly is the nearest of all that were drawn, whatever a shader
-    /// rounds, but for doubtful ones.
+    /// Finds per pixel the triangle that is certainly nearest, whatever a shader's rounding; doubtful ones are listed.
     void end();
 
-    /// Those that may be seen at some pixel for which they are not the certain ones.
+    /// Number of further triangles that may be visible at some pixel.
     std::size_t doubts() const { return doubts_.size(); }
-    /// @param number  becomes the triangle's
+    /// @param number  receives the triangle's number
     const Triangle& doubt(std::size_t index, const glm::vec4*& rows, std::uint32_t& number) const;
 
-    /// Whether a rectangle of pixels, to one past its end, has any that are certain.
+    /// Whether a rectangle of pixels has any certain triangle. Ends are exclusive.
     bool isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, std::uint32_t endY) const;
-    /// Numbers of the certain ones of some pixels of a row, 0 where there is none; beyond the picture, too.
+    /// Numbers of the certain triangles for some pixels of a row, 0: none; 0 beyond the picture as well.
     void write(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const;
 
 private:
     class Layer;
-    /// What is looked at together. Triangles are counted by groups, as if all were full.
+    /// Triangles processed together. Counted by groups, as if all were full.
     struct Group {
         const Triangle* triangles = nullptr;
         std::uint32_t count = 0;
@@ -57,8 +56,8 @@ private:
     std::uint32_t numberOf(std::uint32_t index) const;
 
     TriangleLens lens_;
-    std::vector<std::unique_ptr<Layer>> layers_;  // a thread's each
-    std::size_t used_ = 0;                        // of them
+    std::vector<std::unique_ptr<Layer>> layers_;  // one per thread
+    std::size_t used_ = 0;                        // of layers_
     std::vector<Group> groups_;
     std::vector<std::uint32_t> doubts_;
     std::vector<std::vector<std::uint32_t>> doubtsOfSlices_;

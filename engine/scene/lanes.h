@@ -1,6 +1,6 @@
 #pragma once
-// Four numbers at once, as every processor takes them: the vectors of GCC and Clang. What is written in loops over
-// plain numbers, they leave in single steps where comparisons choose.
+// SIMD: four floats at once, by the vector extensions of GCC and Clang. Compilers do not vectorise plain loops with
+// selections by comparison.
 
 #include <cstdint>
 #include <cstring>
@@ -9,7 +9,7 @@ namespace nacre {
 
 constexpr std::uint32_t kLanes = 4;
 using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
-using Mask = std::int32_t __attribute__((vector_size(kLanes * sizeof(float))));  ///< -1 where it holds, else 0
+using Mask = std::int32_t __attribute__((vector_size(kLanes * sizeof(float))));  ///< -1 where true, else 0
 
 inline Lanes loadLanes(const float* from) {
     Lanes lanes;
@@ -43,7 +43,7 @@ inline Mask bitsOf(Lanes lanes) {
     std::memcpy(&bits, &lanes, sizeof bits);
     return bits;
 }
-/// The sign bits of four numbers, the first one's lowest.
+/// The sign bits of four numbers, the first in the lowest bit.
 inline std::uint32_t signsOf(Mask bits) {
 #if defined(__SSE__)
     Lanes lanes;
@@ -56,7 +56,7 @@ inline std::uint32_t signsOf(Mask bits) {
 #endif
 }
 
-/// Of four points the first three coordinates, each by itself.
+/// x, y and z of four points, as separate vectors.
 struct LanePoints {
     Lanes x, y, z;
     LanePoints(Lanes a, Lanes b, Lanes c, Lanes d) {

@@ -4,8 +4,8 @@
 
 namespace nacre {
 
-/// How a density map's isosurface is drawn: the lines in which it crosses the planes of the grid ("chicken wire"), the
-/// surface itself, or its vertices.
+/// Style of a density map's isosurface: the lines where it crosses the planes of the grid ("chicken wire"), the
+/// surface, or its vertices.
 enum class MapStyle : std::uint8_t { automatic, mesh, surface, dots };
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// Which of its meshes' levels a view draws.
+// Chooses the level of detail of meshes for a view.
 
 #include <cstdint>
 #include <span>
@@ -11,27 +11,26 @@
 
 namespace nacre {
 
-/// Å that a level may be off by for its picture to be off by so many pixels, wherever it stands in the view's ball.
+/// World-space error (Å) that corresponds to a screen-space error in pixels, anywhere in the view's bounding sphere.
 double errorInSpace(const View& view, double pixels);
 
-/// What is drawn of the meshes where they may be off by an error, Å: of each its coarsest level within it. Runs of
-/// triangles as drawnTriangle() numbers them, by lists of copies as Copies::triangles; without copies of list 0, and
-/// their bounds are not filled in.
+/// Runs of triangles to draw with an allowed error, Å: of each mesh the coarsest level within it. Numbered as by
+/// drawnTriangle(), by lists of copies as in Copies::triangles; without copies list 0 and no bounds.
 std::vector<PrimitiveRun> drawnRuns(const Representation& representation, double error);
 
-/// Bytes of the shapes that a device reads: spheres, sticks, triangles of all levels, and vertices.
+/// Size of a device's shape buffer, bytes: spheres, sticks, triangles of all levels, and vertices.
 std::uint64_t shapeBytes(const Representation& representation);
 
-/// Leaves levels out, the finest first, as long as all shapes together are more than a device's buffer holds. Where
-/// meshes are more than that by themselves, they become their finest level that is not, if they have one.
+/// Drops levels, finest first, until all shapes fit a device's buffer. If meshes alone do not fit, they become their
+/// finest level that does, if there is one.
 void fitBuffer(Representation& representation, std::uint64_t bytes);
 
-/// Triangles of a frame, as drawnTriangle() numbers them.
+/// Triangles of a frame, numbered as by drawnTriangle().
 struct TriangleCall {
     std::uint32_t first = 0, count = 0;
 };
 
-/// Of each level that some mesh has, the finest first.
+/// For each level that any mesh has, finest first.
 std::vector<MeshLevelCount> levelsOf(const Representation& representation, std::span<const TriangleCall> calls);
 
 }  // namespace nacre

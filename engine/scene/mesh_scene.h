@@ -11,13 +11,13 @@
 
 namespace nacre {
 
-/// Adds the meshes that an appearance asks for, relative to the representation's centre: of each group of atoms one by
-/// itself, groups in their order.
-/// @param groupOf    what an atom moves with: of an assembly the list of its copies, else its model
+/// Adds an appearance's meshes, relative to the representation's centre: one per group of atoms, in the order of
+/// groups.
+/// @param groupOf    atoms that move together: of an assembly the list of copies, else the model
 void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options,
                const std::function<std::uint32_t(std::uint32_t)>& groupOf, Representation& representation);
 
-/// The farthest that a vertex is from the centre, Å; 0 without meshes.
+/// Largest distance of a vertex from the centre, Å; 0 without meshes.
 double meshReach(const Representation& representation);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// How the host draws many things by several threads: from near to far, each thread a part of the picture's rows.
+// Helpers for drawing on the host by several threads: from near to far, each thread a band of rows.
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace nacre {
 
-/// Numbers of some things from near to far, of which so many depths are told apart. What stands at one depth keeps its
-/// order. @tparam T  has `near`, Z
+/// Indices of things from near to far, bucketed into this many depths. Equal depths keep their order.
+/// @tparam T  has `near`, Z
 template <std::uint32_t kDepths, typename T>
 void orderNearFirst(const TileView& view, const std::vector<T>& things, std::vector<std::uint32_t>& order) {
     const auto depthOf = [&](const T& thing) {
@@ -25,12 +25,12 @@ void orderNearFirst(const TileView& view, const std::vector<T>& things, std::vec
     for (std::uint32_t i = 0; i < things.size(); ++i) order[at[depthOf(things[i])]++] = i;
 }
 
-/// Rows of a picture, to one past the last.
+/// Rows of a picture; end exclusive.
 struct RowBand {
     std::uint32_t first = 0, end = 0;
 };
 
-/// Rows for each of some threads, with as many things each. @param rowOf  of a thing, below `rows`
+/// Bands of rows for threads, with equally many things each. @param rowOf  row of a thing, below `rows`
 template <typename T, typename RowOf>
 void partRows(std::uint32_t rows, std::size_t parts, const std::vector<T>& things, const RowOf& rowOf,
               std::vector<std::uint32_t>& inRow, std::vector<RowBand>& bands) {

@@ -1,5 +1,5 @@
 #pragma once
-// A small picture of a part of a scene by itself, drawn on the host, and what covers it.
+// A small picture of a part of a scene, drawn on the host, and the spheres in front of it.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace nacre {
 
-/// A small picture of the part alone: how near to the viewer it is in each cell of the plane z = 0.
+/// A small picture of the part alone: its depth in each cell of the plane z = 0.
 class PartPicture {
 public:
     static constexpr double kEmpty = -std::numeric_limits<double>::infinity();
@@ -31,9 +31,9 @@ public:
             high_ = glm::max(high_, (glm::dvec2(center) + radius) * larger);
         }
     }
-    /// After all has been reached.
+    /// Call after everything was added to the bounds.
     void begin() {
-        constexpr double kMost = 256, kLeast = 0.05;  // cells a side; Å
+        constexpr double kMost = 256, kLeast = 0.05;  // cells per side; Å
         const glm::dvec2 size = high_ - low_;
         cell_ = std::max(std::max(size.x, size.y) / kMost, kLeast);
         width_ = static_cast<int>(std::ceil(size.x / cell_)) + 1;
@@ -41,24 +41,24 @@ public:
         front_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), kEmpty);
     }
 
-    /// Calls visit(cell, nearest z, farthest z) for all cells that look at a ball.
+    /// Calls visit(cell, nearest z, farthest z) for all cells whose ray meets a ball.
     template <typename Visit>
     void eachOfBall(const glm::dvec3& center, double radius, const Visit& visit) const {
         const double nearer = magnified(center.z + radius), farther = magnified(center.z - radius);
         const glm::dvec2 least = glm::dvec2(center) - radius, most = glm::dvec2(center) + radius;
         eachIn(glm::min(least * nearer, least * farther), glm::max(most * nearer, most * farther),
                [&](std::size_t cell, const glm::dvec2& u) {
-                   // The way to z of the ray through u is u (1 - z / eye): one equation for both projections.
+                   // The ray through u reaches z at u (1 - z / eye): one equation for both projections.
                    const glm::dvec2 off = u - glm::dvec2(center);
                    const double a = perEye_ * perEye_ * glm::dot(u, u) + 1, b = perEye_ * glm::dot(u, off) + center.z;
                    const double root = b * b - a * (glm::dot(off, off) + center.z * center.z - radius * radius);
                    if (root >= 0) visit(cell, (b + std::sqrt(root)) / a, (b - std::sqrt(root)) / a);
                });
     }
-    /// The same, of one place.
+    /// Calls visit(cell, z, z) for all cells whose ray meets a triangle.
     template <typename Visit>
     void eachOfTriangle(const std::array<glm::dvec3, 3>& corners, const Visit& visit) const {
-        std::array<glm::dvec3, 3> at;  // on the plane, and what is linear there
+        std::array<glm::dvec3, 3> at;  // on the plane, where depth is linear
         for (std::size_t i = 0; i < 3; ++i) {
             const double larger = magnified(corners[i].z);
             at[i] = {glm::dvec2(corners[i]) * larger, perEye_ > 0 ? larger : corners[i].z};
@@ -86,7 +86,7 @@ public:
     std::size_t cells() const {
         return front_.size() - static_cast<std::size_t>(std::count(front_.begin(), front_.end(), kEmpty));
     }
-    /// Of all that was drawn, Å towards the viewer.
+    /// Largest z of everything drawn, Å towards the viewer.
     double nearest() const { return *std::max_element(front_.begin(), front_.end()); }
     std::size_t size() const { return front_.size(); }
 

@@ -1,5 +1,5 @@
 #pragma once
-// One camera for all models of a file: a trajectory or an ensemble does not wobble from one model to the next.
+// One camera for all models of a file, so that a trajectory or ensemble does not wobble.
 
 #include <optional>
 
@@ -10,9 +10,9 @@
 
 namespace nacre {
 
-/// The bounds of what is drawn of a molecule and of the other models of its file (Molecule::others), as represent()
-/// takes them; the same whichever model it is. Empty if there are no others, or the camera shall be the model's own.
-/// @throws Error as represent() does
+/// The bounds of the drawn atoms of a molecule and of its file's other models (Molecule::others), as represent() takes
+/// them; the same for every model. Empty if there are no others, or the camera frames the model alone. @throws Error as
+/// represent()
 std::optional<Bounds> sharedFrame(const ResidueFacts& facts, const DrawnAtomsOptions& drawn,
                                   const RepresentationOptions& options);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Boxes about neighbouring spheres of a stream: tighter than balls where many of them are to be hidden.
+// Boxes of consecutive spheres of a stream: tighter than balls, for culling many hidden spheres.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -10,22 +10,22 @@
 
 namespace nacre {
 
-/// About the centres of some spheres, as they are stored, Å.
+/// Bounds of some spheres' centres as stored, Å.
 struct SphereBox {
     glm::vec3 middle{};
-    float radius = 0;  ///< of the largest
+    float radius = 0;  ///< largest radius of a sphere
     glm::vec3 half{};
-    float ball = 0;  ///< no centre is farther from the middle
+    float ball = 0;  ///< largest distance of a centre from the box's centre
 };
 
-/// Of a stream of spheres in the order of space.
+/// For a stream of spheres in spatial order.
 struct SphereBoxes {
-    static constexpr std::uint32_t kSpheres = 32;  ///< of a box
-    static constexpr std::uint32_t kBoxes = 16;    ///< of a group
+    static constexpr std::uint32_t kSpheres = 32;  ///< per box
+    static constexpr std::uint32_t kBoxes = 16;    ///< per group
 
-    std::vector<SphereBox> boxes;   ///< filled up with empty ones to a whole group
+    std::vector<SphereBox> boxes;   ///< padded with empty ones to whole groups
     std::vector<SphereBox> groups;  ///< about kBoxes of them each
-    float reach = 0;                ///< no coordinate is larger, nor a radius; infinite, if one is no number
+    float reach = 0;                ///< bound of all coordinates and radii; infinite if any is NaN
 };
 
 SphereBoxes sphereBoxesOf(std::span<const Sphere> spheres);

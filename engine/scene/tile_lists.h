@@ -1,6 +1,6 @@
 #pragma once
-// Which primitives may show in which part of the picture, in the order of their nearest depth: what the `tiles` path
-// draws from. Conservative: a list may name a primitive that does not show, and never lacks one that does.
+// Lists of the primitives that may be visible in each part of a picture, by nearest depth: input of the `tiles` path.
+// Conservative: a list may contain an invisible primitive, but never lacks a visible one.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -16,49 +16,48 @@
 
 namespace nacre {
 
-/// All that a view is asked about.
+/// Everything that may be in view.
 struct TileScenery {
     std::span<const Sphere> spheres;
     std::span<const TileCall> sphereCalls;
     std::span<const Cylinder> cylinders;
     std::span<const TileCall> cylinderCalls;
-    std::span<const Cylinder> wires = {};  ///< numbered on from the cylinders
+    std::span<const Cylinder> wires = {};  ///< numbered after the cylinders
     std::span<const Triangle> triangles = {};
     std::span<const MeshVertex> vertices = {};
     std::span<const TileCall> triangleCalls = {};
-    std::span<const Triangle> coarseTriangles = {};  ///< numbered on from the others; no call has some of both
-    std::span<const MeshRun> meshes = {};            ///< may be left out
-    /// About the spheres, if the host draws them, so that few stand in lists: of views that FrontSpheres can tell of,
-    /// without triangles. Null: all do.
+    std::span<const Triangle> coarseTriangles = {};  ///< numbered after the others; no call mixes both
+    std::span<const MeshRun> meshes = {};            ///< optional
+    /// Boxes of the spheres, if the host draws them, so that few enter lists: for views that FrontSpheres supports,
+    /// without triangles. Null: all spheres enter lists.
     const SphereBoxes* boxes = nullptr;
 
-    /// Those of a call.
+    /// The triangles of a call.
     std::span<const Triangle> trianglesOf(const TileCall& call) const {
         if (call.first < triangles.size()) return triangles.subspan(call.first, call.count);
         return coarseTriangles.subspan(call.first - triangles.size(), call.count);
     }
 };
 
-/// Where pixels are asked at their centres alone, most triangles stand in no list: the host knows for nearly each pixel
-/// which of them is the nearest. So it is with spheres, where they have boxes.
+/// Where pixels are sampled at their centres only, most triangles enter no list: the host knows the nearest one for
+/// nearly every pixel. Likewise for spheres with boxes.
 ///
-/// Bins of `kBinPixels` a side, row by row from the top left, each with its list, and the tiles of those bins whose
-/// list is not empty or that begin with triangles. Kept from frame to frame, it allocates nothing once it has seen the
-/// largest.
+/// Bins of `kBinPixels` per side, row by row from the top left, each with its list, and the tiles of the bins whose
+/// list is not empty or that begin with triangles. Keeps its memory between frames.
 class TileLists {
 public:
     static constexpr std::uint32_t kTilePixels = 8;
     static constexpr std::uint32_t kTilesInBin = 2;
     static constexpr std::uint32_t kBinPixels = kTilePixels * kTilesInBin;
-    static constexpr std::uint32_t kDepthSteps = 2048;  ///< that the order of a list tells apart
+    static constexpr std::uint32_t kDepthSteps = 2048;  ///< resolution of the order in a list
 
-    /// Pixels of a picture's bins together, whatever they show.
+    /// Total pixels of a picture's bins, empty or not.
     static constexpr std::uint64_t pixelsOfBins(std::uint32_t width, std::uint32_t height) {
         const auto bins = [](std::uint32_t pixels) { return (std::uint64_t{pixels} + kBinPixels - 1) / kBinPixels; };
         return bins(width) * bins(height) * kBinPixels * kBinPixels;
     }
 
-    /// Neighbouring bins of a row that are not empty; `end` is one past.
+    /// Consecutive non-empty bins of a row; end exclusive.
     struct Span {
         std::uint16_t x, y, endX, endY;
     };
@@ -66,27 +65,27 @@ public:
         std::uint16_t x, y;
     };
 
-    /// Sorts and counts; offsets(), tiles() and spans() are good until the next call.
+    /// Builds the lists; offsets(), tiles() and spans() are valid until the next call.
     void build(const TileView& view, const TileScenery& scenery);
 
     std::uint32_t across() const { return across_; }
     std::uint32_t down() const { return down_; }
-    /// Where each bin's list begins, and where the last one ends.
+    /// Begin of each bin's list, and the end of the last.
     std::span<const std::uint32_t> offsets() const { return offsets_; }
-    std::span<const Tile> tiles() const { return tiles_; }  ///< in the order to draw them, a bin's one after another
+    std::span<const Tile> tiles() const { return tiles_; }  ///< in drawing order, grouped by bin
     std::span<const Span> spans() const { return spans_; }
-    /// Whether anything may show in a bin, counted row by row.
+    /// Whether anything may be visible in a bin, counted row by row.
     bool holds(std::size_t bin) const { return offsets_[bin] != offsets_[bin + 1] || (seeded_ && seeds_[bin]); }
-    /// Whether pixels may begin with a primitive: then with the one that writeSeeds() says.
+    /// Whether pixels begin with a primitive from writeSeeds().
     bool seeded() const { return seeded_; }
-    /// Numbers of the nearest triangles, or spheres, of some pixels of a row, 0: none that is certain.
+    /// Numbers of the nearest triangles or spheres of some pixels of a row, 0: none that is certain.
     void writeSeeds(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const {
         if (drawsSpheres_)
             frontSpheres_.write(x, y, count, to);
         else
             front_.write(x, y, count, to);
     }
-    /// Of spheres that the host has drawn how many may show. None: all that it was given.
+    /// Number of spheres drawn by the host that may be visible. Empty: all spheres passed in.
     std::optional<std::size_t> shownSpheres() const {
         return drawsSpheres_ ? std::optional(frontSpheres_.shown()) : std::nullopt;
     }
@@ -94,14 +93,14 @@ public:
     std::size_t keptSpheres() const { return keptSpheres_; }
     std::size_t entries() const { return offsets_.empty() ? 0 : offsets_.back(); }
     std::uint32_t longest() const { return longest_; }  ///< entries of a list
-    /// What a device needs of it, in words: tiles (x | y << 16); where the bins' lists begin, and where the last ends;
-    /// a primitive's number, 1; the lists. So the word before a list is a number of a primitive, and who goes through
-    /// one that is empty may read that in place of its first.
+    /// Size of the device's data in words: tiles (x | y << 16); begin of each bin's list and end of the last; a
+    /// primitive's number, 1; the lists. So the word before a list is a valid number, which readers of an empty list
+    /// may load.
     std::size_t words() const { return tiles_.size() + offsets_.size() + 1 + entries(); }
     void write(std::uint32_t* to);
 
 private:
-    /// Triangles of one mesh at one place: those of neighbouring calls together, since they share vertices.
+    /// Triangles of one mesh with one transform: consecutive calls combined, since they share vertices.
     struct MeshPart {
         const glm::vec4* rows = nullptr;
         float step = 1;
@@ -137,9 +136,9 @@ private:
     std::vector<std::uint32_t> order_, offsets_, cursors_;
     std::vector<Tile> tiles_, bins_;
     std::vector<Span> spans_;
-    std::vector<glm::vec4> corners_;  // pixel and Z of each vertex, at the place of a call
+    std::vector<glm::vec4> corners_;  // pixel and Z of each vertex, transformed for a call
     bool seeded_ = false, drawsSpheres_ = false;
-    std::vector<std::uint8_t> seeds_;  // of each bin: some pixel has one
+    std::vector<std::uint8_t> seeds_;  // per bin: some pixel has a seed
     std::vector<FrontTriangles::Run> runs_;
     FrontTriangles front_;
     FrontSpheres frontSpheres_;

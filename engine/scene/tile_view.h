@@ -1,6 +1,5 @@
 #pragma once
-// How a picture is looked at where the host finds out what its parts may show: the arithmetic of the shaders, rounded
-// differently.
+// The camera for visibility tests on the host: the arithmetic of the shaders, rounded differently.
 
 #include <cmath>
 #include <cstdint>
@@ -11,29 +10,30 @@
 
 namespace nacre {
 
-/// How a picture is looked at, in the numbers that shaders get (ViewConstants in shaders/common/layout.h): Å, pixels.
+/// The camera in the numbers that shaders get (ViewConstants in shaders/common/layout.h): Å, pixels.
 struct TileView {
-    std::uint32_t width = 0, height = 0;  ///< pixels of the image
+    std::uint32_t width = 0, height = 0;  ///< of the image, pixels
     bool perspective = false;
     int quarterTurns = 0;                            ///< as in View
-    glm::vec2 axis{};                                ///< pixel of the view axis
+    glm::vec2 axis{};                                ///< position of the view axis, pixels
     float pixels = 1;                                ///< per Å at z = 0
-    float origin = 0;                                ///< Z is origin - z; in perspective the eye stands there
+    float origin = 0;                                ///< Z is origin - z; in perspective the eye is there
     float nearest = 0;                               ///< Z of the nearest depth
-    float range = 1;                                 ///< from there to the farthest, Å
-    static constexpr float kNoPlane = 1e30f;         ///< Z of a far plane that cuts nothing; a near one's is -kNoPlane
-    float clipNear = -kNoPlane, clipFar = kNoPlane;  ///< Z that planes cut at
-    float contour = 0;                               ///< width of the line about a primitive, Å at z = 0
-    /// Pixels are asked at their centres alone: triangles that lie between them are left out, and, where one layer is
-    /// asked for, such as lie behind others at all of them; pixels begin with the nearest.
+    float range = 1;                                 ///< from nearest to farthest, Å
+    static constexpr float kNoPlane = 1e30f;         ///< Z of a far plane that clips nothing; for a near plane
+                                                     ///< -kNoPlane
+    float clipNear = -kNoPlane, clipFar = kNoPlane;  ///< Z of clipping planes
+    float contour = 0;                               ///< outline width of primitives, Å at z = 0
+    /// Pixels are sampled at their centres only: triangles between centres are dropped and, with one layer, those
+    /// hidden at every centre; pixels begin with the nearest.
     bool centers = false;
-    float wireScale = 1;       ///< pixels across one of the picture, by which wires are wide
-    std::uint32_t layers = 1;  ///< how many of the nearest primitives a pixel shows
+    float wireScale = 1;       ///< pixels per pixel of the picture, for the width of wires
+    std::uint32_t layers = 1;  ///< number of nearest primitives per pixel
 
     bool clips() const { return clipNear > -kNoPlane || clipFar < kNoPlane; }
 };
 
-/// Primitives of a stream at one place.
+/// Primitives of a stream with one transform.
 struct TileCall {
     const glm::vec4* rows = nullptr;  ///< three: into view space
     std::uint32_t first = 0, count = 0;
@@ -61,13 +61,13 @@ inline glm::vec2 pixelOf(const TileView& view, glm::vec2 q) {
     }
 }
 
-/// Of a ball that holds a sphere with its contour line (shaders/common/view.glsl).
+/// Radius of a ball that holds a sphere with its outline (shaders/common/view.glsl).
 inline float reachOf(const TileView& view, float z, float radius) {
     if (!view.perspective) return radius + view.contour;
     return radius + view.contour * (view.origin - z + radius) / (view.origin - view.contour);
 }
 
-/// A disc on the plane z = 0 that holds a sphere's picture. In perspective about the ellipse that is its image
+/// A disc on the plane z = 0 that holds a sphere's picture. In perspective that picture is an ellipse
 /// (shaders/common/outline.glsl).
 struct Disc {
     glm::vec2 center;

@@ -1,5 +1,5 @@
 #pragma once
-// Triangles that one looks through: those with a vertex whose colour is not opaque (colors.h).
+// Translucent triangles: those with a vertex whose colour is not opaque (colors.h).
 
 #include <cstdint>
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace nacre {
 
-/// How much a triangle hides, by its most opaque vertex.
+/// Opacity class of a triangle, by its most opaque vertex.
 enum class Translucency : std::uint8_t {
-    opaque,  ///< all of it is
-    dense,   ///< over a half: it is what a pointer meets
-    faint,   ///< a pointer, and what layers tell of a pixel, go through it
+    opaque,  ///< fully opaque
+    dense,   ///< above one half: picking hits it
+    faint,   ///< picking and layers ignore it
 };
 Translucency translucencyOf(const Representation& representation, const Triangle& triangle);
 
-/// Neighbouring triangles that are not opaque.
+/// Consecutive translucent triangles.
 struct TranslucentRun {
     std::uint32_t first = 0, count = 0;
     Translucency kind = Translucency::dense;
@@ -25,7 +25,7 @@ using TranslucentRuns = std::vector<TranslucentRun>;  ///< ascending
 
 TranslucentRuns translucentRuns(const Representation& representation);
 
-/// Puts the triangles of a mesh in the order of their kinds, so that there are few runs.
+/// Sorts the triangles of a mesh by class, so that there are few runs.
 void orderByTranslucency(const Representation& representation, std::vector<Triangle>::iterator first,
                          std::vector<Triangle>::iterator end);
 
