@@ -1,5 +1,5 @@
 #pragma once
-// Which balls are near.
+// Finds neighbouring balls.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -10,18 +10,18 @@
 
 namespace nacre {
 
-/// Balls in cells of space, and the neighbours of each.
+/// Balls in grid cells, with the neighbours of each.
 class BallGrid {
 public:
     /// @param margin  Å, added to every radius
     BallGrid(const std::vector<SurfaceBall>& balls, double margin);
 
-    /// Those that overlap a ball, the nearest first.
+    /// Balls that overlap this one, nearest first.
     std::span<const std::uint32_t> neighbours(std::uint32_t ball) const {
         return {neighbours_.data() + offsets_[ball], neighbours_.data() + offsets_[ball + 1]};
     }
 
-    /// Visits the numbers of all balls whose centres may be within `distance` of a place, in a fixed order.
+    /// Visits all balls whose centres may be within `distance` of a position, in a fixed order.
     template <typename Visit>
     void near(const glm::dvec3& place, double distance, const Visit& visit) const {
         const glm::ivec3 low = cellAt(place - distance), high = cellAt(place + distance);
@@ -44,13 +44,13 @@ private:
     std::vector<std::size_t> offsets_;
 };
 
-/// Where a line leaves the balls that it begins in, followed from one to the next.
+/// Where a line leaves the union of balls that it starts in, followed from ball to ball.
 struct BallExit {
-    double share = 0;                ///< of the way; 0 if it begins outside
-    std::uint32_t ball = kNoSource;  ///< the last one; none if it begins outside
+    double share = 0;                ///< fraction of the line; 0 if it starts outside
+    std::uint32_t ball = kNoSource;  ///< the last ball; none if it starts outside
 };
-/// @param widest  largest radius of a ball, Å  @param way  looked at up to its end, and as far behind it as a ball
-/// reaches
+/// @param widest  largest radius of a ball, Å
+/// @param way  searched to its end, plus the reach of a ball
 BallExit exitOf(const std::vector<SurfaceBall>& balls, const BallGrid& grid, double widest, const glm::dvec3& from,
                 const glm::dvec3& way);
 

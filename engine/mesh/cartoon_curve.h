@@ -1,5 +1,5 @@
 #pragma once
-// The curve that a cartoon's cross-sections are carried along, and which way they lie.
+// The curve along which a cartoon's cross-sections are swept, and their orientation.
 
 #include <glm/vec3.hpp>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-/// Where a cross-section stands.
+/// Position and orientation of a cross-section.
 struct Frame {
     glm::dvec3 center{};
     glm::dvec3 tangent{};  ///< unit, towards the C terminus or 3' end
@@ -16,16 +16,14 @@ struct Frame {
     glm::dvec3 normal{};   ///< tangent x side: a ribbon's face
 };
 
-/// Parts helices whose axis turns by over 46 degrees from one residue to the next: they are two, though nothing stands
-/// between them.
+/// Splits helices whose axis turns by over 46 degrees from one residue to the next.
 std::vector<FoldRun> splitAtKinks(const Trace& trace, std::vector<FoldRun> runs);
 
-/// Frames at u = k / segments, for every k from 0 to (points - 1) * segments. Cubic from point to point.
-/// In helices the curve is round (the alpha carbons' radius all the way), and the width lies along the axis; strands
-/// are smoothed to be without their zigzag, with the width along the carbonyls (or, without those, across the zigzag),
-/// turned so that it never flips. In between, frames turn as little as they can. Helices that are no ribbons follow
-/// their axis.
-/// @param runs  foldRuns(); ignored where `plain`, as a putty has it
+/// Frames at u = k / segments, for every k from 0 to (points - 1) * segments, cubic between points. In helices the
+/// curve is round (always at the alpha carbons' radius), with the width along the axis; strands are smoothed to remove
+/// their zigzag, with the width along the carbonyls (or else across the zigzag), oriented so that it never flips. In
+/// between, frames rotate as little as possible. Helices not drawn as ribbons follow their axis.
+/// @param runs  foldRuns(); ignored if `plain`, for putty
 std::vector<Frame> cartoonFrames(const Trace& trace, const std::vector<FoldRun>& runs, HelixForm helices, bool plain,
                                  int segments);
 

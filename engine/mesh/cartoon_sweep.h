@@ -1,5 +1,5 @@
 #pragma once
-// Cross-sections carried along a curve: closed pieces of a cartoon.
+// Cross-sections swept along a curve: closed pieces of a cartoon.
 
 #include <cstddef>
 #include <cstdint>
@@ -23,14 +23,13 @@ enum class SectionShape { oval, rectangle };
 struct SweepPiece {
     std::size_t first = 0, last = 0;
     SectionShape shape = SectionShape::oval;
-    bool roundBegin = false, roundEnd = false;  ///< of ovals: ends like a ball's, else flat
-    std::vector<Section> sections;              ///< of each frame from first to last
+    bool roundBegin = false, roundEnd = false;  ///< for ovals: hemispherical ends, else flat
+    std::vector<Section> sections;              ///< per frame, from first to last
 };
 
-/// Adds a closed piece, which is one in each of the mesh's levels, too: those leave out sides, and rings within a
-/// residue.
-/// @param owners  atom of the stretch from each frame to the next: where it changes, vertices are stored twice
-/// @param origin  what the mesh's positions are relative to
+/// Adds a closed piece, also closed in each of the mesh's levels, which omit sides, and rings within a residue.
+/// @param owners  atom of the stretch from each frame to the next: vertices are duplicated where it changes
+/// @param origin  of the mesh's positions
 /// @param sides  vertices around an oval
 void sweep(Mesh& mesh, std::span<const Frame> frames, const SweepPiece& piece, std::span<const std::uint32_t> owners,
            const glm::dvec3& origin, int sides);

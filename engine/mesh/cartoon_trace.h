@@ -1,5 +1,5 @@
 #pragma once
-// What a cartoon follows: the residues of each unbroken stretch of a chain, and the points that guide the curve.
+// Input of a cartoon: the residues of each unbroken stretch of a chain, and the points that guide the curve.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -22,11 +22,11 @@ struct FoldRun {
 /// An unbroken stretch of a chain. Parameter u of its curve is i at point i.
 struct Trace {
     bool nucleic = false;
-    /// Residue i owns the curve from i - shift to i + 1 - shift: half of the way to its neighbours, or, where points
-    /// are phosphates, the way to the next.
+    /// Residue i owns the curve from i - shift to i + 1 - shift: half of the way to both neighbours, or, if points are
+    /// phosphates, the way to the next.
     double shift = 0.5;
-    std::vector<glm::dvec3> points;       ///< Å, in the file's frame; of a nucleic acid one more, at its 3' end
-    std::vector<std::uint32_t> atoms;     ///< of each residue: whose colour and number it has, CA or C4'
+    std::vector<glm::dvec3> points;       ///< Å, in the file's frame; for a nucleic acid one more, at its 3' end
+    std::vector<std::uint32_t> atoms;     ///< per residue: CA or C4', for colour and number
     std::vector<std::uint32_t> residues;  ///< index into the molecule's residues, of the first at the position
     std::vector<SecondaryStructure> kinds;
     std::vector<bool> shown;
@@ -34,7 +34,7 @@ struct Trace {
     std::vector<glm::dvec3> carbonyls;  ///< from C to O; 0 where these are missing
 };
 
-/// @param atoms, secondary  as cartoon() takes them
+/// @param atoms, secondary  as for cartoon()
 std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
                                  std::span<const SecondaryStructure> secondary);
 

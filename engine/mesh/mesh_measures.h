@@ -1,5 +1,5 @@
 #pragma once
-// What a mesh encloses, and of how many parts it is.
+// Area, volume and number of parts of a mesh.
 
 #include <cstdint>
 #include <vector>
@@ -10,15 +10,15 @@ namespace nacre {
 
 struct MeshMeasures {
     double area = 0;    ///< Å^2
-    double volume = 0;  ///< Å^3, enclosed; cavities count against it, what overlaps counts twice
+    double volume = 0;  ///< Å^3, enclosed; cavities are subtracted, overlaps count twice
 };
 MeshMeasures measure(const Mesh& mesh);
 
-/// The number, from 0, of the connected part that each vertex belongs to: vertices are joined by triangles, not by
-/// standing at the same place. Parts are numbered by their first vertex.
+/// For each vertex the index, from 0, of its connected part: vertices connect by triangles, not by equal positions.
+/// Parts are numbered by their first vertex.
 std::vector<std::uint32_t> meshParts(const Mesh& mesh);
 
-/// Removes the parts that enclose a negative volume: cavities, seen from within a body. @return how many there were
+/// Removes parts with a negative volume: cavities, seen from inside a body. @return their number
 std::size_t dropCavities(Mesh& mesh);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// The boundary of the places where the centre of a probe that touches balls can be: that of a union of larger balls.
+// The boundary of the possible centres of a probe that touches balls: that of a union of larger balls.
 
 #include <cmath>
 #include <cstdint>
@@ -13,12 +13,12 @@
 
 namespace nacre {
 
-/// Angles of a circle that no other ball covers, from 0 to 2 pi; `begin` may be below 0.
+/// Arc of a circle that no other ball covers, from 0 to 2 pi; `begin` may be below 0.
 struct OpenArc {
     double begin = 0, end = 0;
 };
 
-/// Where two spheres meet, or what of it is open.
+/// The circle where two spheres meet, or its open arcs.
 struct ProbeCircle {
     std::uint32_t a = 0, b = 0;  ///< balls
     glm::dvec3 center{}, axis{}, x{}, y{};
@@ -34,7 +34,7 @@ struct ProbePoint {
     glm::dvec3 place{};
 };
 
-/// Spheres about the balls, as much larger than they as the probe is wide, and where those of several meet.
+/// Spheres around the balls, larger by the probe's radius, and their intersections.
 class ProbePlaces {
 public:
     /// @param balls  outlive this
@@ -42,15 +42,15 @@ public:
 
     const std::vector<ProbeCircle>& circles() const { return circles_; }
     const std::vector<ProbePoint>& points() const { return points_; }
-    /// Whether the probe can be anywhere about a ball.
+    /// Whether the probe can touch a ball anywhere.
     bool isOpen(std::uint32_t ball) const { return open_[ball] != 0; }
     std::span<const std::uint32_t> neighbours(std::uint32_t ball) const { return grid_.neighbours(ball); }
 
     const BallGrid& grid() const { return grid_; }
 
-    /// Of the sphere about a ball. Å
+    /// Radius of the sphere around a ball. Å
     double reachOf(std::uint32_t ball) const { return balls_[ball].radius + probe_; }
-    /// Whether a place is inside of that.
+    /// Whether a position is inside that sphere.
     bool covers(std::uint32_t ball, const glm::dvec3& place) const {
         const glm::dvec3 way = place - balls_[ball].center;
         const double reach = reachOf(ball) - kTouch;
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    static constexpr double kTouch = 1e-9;        ///< Å: what touches a sphere is not inside it
+    static constexpr double kTouch = 1e-9;        ///< Å: touching a sphere is not inside
     static constexpr std::size_t kTogether = 64;  ///< balls
 
     bool isAlone(std::uint32_t ball) const;

@@ -1,6 +1,6 @@
 #pragma once
-// Closed solids of triangles: rods, balls and prisms. All positions in one frame, relative to one origin. They are part
-// of every level that a mesh has.
+// Closed solids of triangles: rods, balls and prisms. All positions are in one frame, relative to one origin. They
+// belong to every level of a mesh.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -11,15 +11,15 @@
 
 namespace nacre {
 
-/// A vertex of a mesh. @return its index
+/// Adds a vertex. @return its index
 std::uint32_t addVertex(Mesh& mesh, const glm::dvec3& position, const glm::dvec3& normal, std::uint32_t atom);
 
-/// A rod with round ends; the half next to a belongs to atomA. A ball if both ends are at the same place.
+/// A rod with round ends; the half next to a belongs to atomA. A ball if both ends coincide.
 /// @param sides  vertices around it, at least 4, even
 void addRod(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b, double radius, std::uint32_t atomA,
             std::uint32_t atomB, int sides);
 
-/// A cylinder with flat ends; the half next to a belongs to atomA. Nothing if both ends are at the same place.
+/// A cylinder with flat ends; the half next to a belongs to atomA. Nothing if both ends coincide.
 /// @param sides  vertices around it, at least 3
 void addCylinder(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b, double radius, std::uint32_t atomA,
                  std::uint32_t atomB, int sides);
@@ -27,7 +27,7 @@ void addCylinder(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b, double ra
 /// A ball of rings of latitude. @param sides  vertices around it, at least 4, even
 void addBall(Mesh& mesh, const glm::dvec3& center, double radius, std::uint32_t atom, int sides);
 
-/// A plate: an outline of points, thickened to both sides along a unit normal, about which it runs counter-clockwise.
+/// A plate: an outline thickened to both sides along a unit normal, counter-clockwise around it.
 /// @param fans  the outline as convex polygons: indices of its points, counter-clockwise
 void addPlate(Mesh& mesh, std::span<const glm::dvec3> outline, const glm::dvec3& normal, double halfThickness,
               std::span<const std::vector<std::uint32_t>> fans, std::uint32_t atom);

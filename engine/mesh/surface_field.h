@@ -1,5 +1,5 @@
 #pragma once
-// What a surface is the boundary of, as a function on the nodes of a grid.
+// A function on the nodes of a grid whose zero level is a surface.
 
 #include <array>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace nacre {
 
-/// A ball that a surface is made of.
+/// A ball that contributes to a surface.
 struct SurfaceBall {
     glm::dvec3 center{};  ///< Å
     double radius = 0;    ///< Å, van der Waals
@@ -18,7 +18,7 @@ struct SurfaceBall {
 
 constexpr std::uint32_t kNoSource = 0xffffffffu;
 
-/// Nodes first to last (both included) of a grid: node i stands at i * step.
+/// Nodes first to last (inclusive) of a grid: node i is at i * step.
 struct GridBlock {
     glm::ivec3 first{}, last{};
     double step = 1;
@@ -30,7 +30,7 @@ struct GridBlock {
     glm::dvec3 place(const glm::ivec3& node) const { return glm::dvec3(node) * step; }
 };
 
-/// Nodes of a block within a box (Å); `last` is before `first` where there is none.
+/// Nodes of a block within a box (Å); empty: `last` is before `first`.
 struct NodeRange {
     glm::ivec3 first{}, last{};
     NodeRange(const GridBlock& block, const glm::dvec3& low, const glm::dvec3& high);
@@ -41,16 +41,16 @@ struct SurfacePoint {
     std::uint32_t atom = 0;
 };
 
-/// Positive inside, and to be found at each node the same whichever block it is asked for in.
+/// Positive inside. Its value at a node does not depend on the block.
 class SurfaceField {
 public:
     virtual ~SurfaceField() = default;
 
-    /// Boxes (low, high) outside of which a node is outside, whatever is known of sources; in their order. A block is
-    /// filled from those that reach into it.
+    /// Boxes (low, high) of the sources, in order; nodes outside all of them are outside the surface. A block is filled
+    /// from the boxes that reach into it.
     virtual std::vector<std::array<glm::dvec3, 2>> reaches() const = 0;
-    /// @param sources  numbers of reaches, ascending
-    /// @param values, origins  of each node of the block: the value, and by what it is so
+    /// @param sources  indices of reaches, ascending
+    /// @param values, origins  per node of the block: the value, and the source that decides it
     virtual void fill(const GridBlock& block, std::span<const std::uint32_t> sources, std::vector<float>& values,
                       std::vector<std::uint32_t>& origins) const = 0;
     /// Where the surface crosses the line between two neighbouring nodes.

@@ -1,5 +1,5 @@
 #pragma once
-// Directions that exist whatever the coordinates are.
+// Direction vectors that are defined for any coordinates.
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -7,16 +7,16 @@
 
 namespace nacre {
 
-/// v at length 1; if it has no direction, `otherwise`.
+/// v normalised; `otherwise` if it has no direction.
 inline glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double length = glm::length(v);
     return length > 1e-9 && std::isfinite(length) ? v / length : otherwise;
 }
 
-/// What of v is perpendicular to a unit vector.
+/// The component of v perpendicular to a unit vector.
 inline glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& unit) { return v - unit * glm::dot(v, unit); }
 
-/// Some unit vector perpendicular to one.
+/// A unit vector perpendicular to another.
 inline glm::dvec3 anyAcross(const glm::dvec3& unit) {
     const glm::dvec3 other = std::abs(unit.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     return glm::normalize(across(other, unit));

@@ -1,5 +1,5 @@
 #pragma once
-// What the readers of assemblies share: transforms, operator expressions, and bounds that hostile files meet.
+// Shared by the readers of assemblies: transforms, operator expressions, and limits against hostile files.
 
 #include <array>
 #include <cstddef>
@@ -21,19 +21,19 @@ struct AssemblyFault : std::runtime_error {
 /// Three rows of four numbers: rotation and shift (Å).
 using TransformRows = std::array<double, 12>;
 
-/// First `second`, then `first`.
+/// The product: `second` is applied first, then `first`.
 TransformRows multiply(const TransformRows& first, const TransformRows& second);
 /// @throws AssemblyFault if a number is not finite or beyond ±1e9
 glm::mat4x3 toMatrix(const TransformRows& rows);
 
-/// What all assemblies of a file may take together. The largest real ones have some thousand transforms.
+/// Limits for all assemblies of a file together. The largest real ones have some thousand transforms.
 class AssemblyLimits {
 public:
     static constexpr std::size_t kMaxAssemblies = 10'000;
     static constexpr std::size_t kMaxTransforms = std::size_t{1} << 16;  ///< 3 MB of matrices
     static constexpr std::size_t kMaxSubchains = std::size_t{1} << 22;   ///< mentions of subchains, 17 MB
 
-    /// @throws AssemblyFault if that is more than is left
+    /// @throws AssemblyFault if more is asked for than is left
     void spend(std::size_t transforms, std::size_t subchains);
 
 private:
@@ -42,17 +42,17 @@ private:
 
 using TransformsById = std::map<std::string, TransformRows, std::less<>>;
 
-/// The transforms of an mmCIF operator expression: "1", "1,2,5-8", "P", "(1-60)(61-88)", "(X0)(1-60)". Of a product
-/// the last factor is applied first and varies fastest.
-/// @throws AssemblyFault if it is malformed, names an operator that is not there, or exceeds the limits
+/// The transforms of an mmCIF operator expression: "1", "1,2,5-8", "P", "(1-60)(61-88)", "(X0)(1-60)". In a product the
+/// last factor is applied first and varies fastest.
+/// @throws AssemblyFault if it is malformed, names a missing operator, or exceeds the limits
 std::vector<glm::mat4x3> expandOperators(std::string_view expression, const TransformsById& operators,
                                          AssemblyLimits& limits);
 
-/// Adds transforms of some subchains (in any order, repeated or not) to an assembly; joins the part before if it has
-/// the same subchains. Without transforms or subchains nothing is added.
+/// Adds transforms of some subchains (any order, repeats allowed) to an assembly; extends the previous part if it has
+/// the same subchains. Adds nothing without transforms or subchains.
 void addPart(Assembly& assembly, const std::vector<glm::mat4x3>& transforms, std::vector<std::uint32_t> subchains);
 
-/// Assemblies of one molecule for another, whose subchains have other numbers.
+/// One molecule's assemblies for another molecule, whose subchains are numbered differently.
 std::vector<Assembly> assembliesFor(const Molecule& to, const Molecule& from);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// Bytes that are read, and written, as they are needed instead of being held. Must also compile as C++17.
+// Bytes read and written on demand instead of held in memory. Must also compile as C++17.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,22 +8,22 @@
 
 namespace nacre {
 
-/// A plain file; or a temporary one without a name, which goes when this does, however the program ends. Several
-/// threads may read at once.
+/// A regular file, or an unnamed temporary one, which the system removes however the program ends. Several threads may
+/// read at once.
 class ByteFile {
 public:
-    /// @returns null if it is not there, or no plain file
+    /// @returns null if it does not exist or is not a regular file
     static std::shared_ptr<ByteFile> open(const std::string& path);
-    /// In TMPDIR, else /var/tmp, else /tmp. @returns null if there is no room for files
+    /// In TMPDIR, else /var/tmp, else /tmp. @returns null if no file can be made
     static std::shared_ptr<ByteFile> temporary();
     ~ByteFile();
     ByteFile(const ByteFile&) = delete;
     ByteFile& operator=(const ByteFile&) = delete;
 
     std::uint64_t size() const { return size_; }
-    /// @throws Error if the file does not hold that, or not any more
+    /// @throws Error if the file does not hold these bytes (any more)
     void read(std::uint64_t at, void* to, std::size_t count) const;
-    /// @returns whether there was room for it
+    /// @returns false if there is no space left
     bool append(const void* bytes, std::size_t count);
 
 private:

@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-/// What one molecule holds, counted over all its atom records.
+/// Contents of one molecule, counted over all its atom records.
 struct MoleculeCounts {
     std::size_t atoms = 0;
     std::size_t hetatm = 0;

@@ -16,9 +16,9 @@ struct DrawnAtomsOptions {
 /// Whether a residue of this name is water: HOH WAT H2O DOD SOL TIP TIP3 TIP4 SPC.
 bool isWater(const Name& residueName);
 
-/// Indices of the atoms that are drawn, ascending. Waters and hydrogens by option; at
-/// each residue position (chain, number, insertion code) one conformer: atoms without alternate location and those of
-/// the location with the highest mean occupancy, the first in the file if equal.
+/// Indices of the drawn atoms, ascending. Waters and hydrogens by option; at each residue position (chain, number,
+/// insertion code) one conformer: atoms without alternate location, and those of the location with the highest mean
+/// occupancy (first in the file if equal).
 std::vector<std::uint32_t> drawnAtoms(const Molecule& molecule, const DrawnAtomsOptions& options = {});
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// All models of a file as one molecule.
+// Joins all models of a file into one molecule.
 
 #include <string>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace nacre {
 
-/// Atoms, residues and bonds of one model after the other. Chains stay apart, each with its model, so that nothing is
-/// bonded or chosen across models; subchains and entities of the same name are joined. Title and assemblies are those
+/// Atoms, residues and bonds of the models in order. Chains stay separate and keep their model, so that bonds and
+/// selections do not cross models; subchains and entities with the same name are merged. Title and assemblies are those
 /// of the first model.
 /// @param name    file name for messages
-/// @param models  at least one; their bonds are complete
+/// @param models  at least one, with complete bonds
 /// @throws Error if they have more than maxAtoms together
 Molecule joinModels(const std::string& name, std::vector<Molecule> models, std::size_t maxAtoms);
 

@@ -1,5 +1,5 @@
 #pragma once
-// How much memory a molecule takes at most, from reading to the scene on the device; and how large a molecule fits.
+// Upper bound of the memory for a molecule, from reading to the scene on the device; and the largest that fits.
 
 #include <cstdint>
 
@@ -7,21 +7,21 @@
 
 namespace nacre {
 
-/// Host and device together, per atom that is read, with its bonds and sticks; the peak while it is read, too. Beyond
-/// what programs and drivers take for any molecule, lavapipe some 100 MB for large scenes. A test holds it.
+/// Host and device together, per atom read, with its bonds and sticks, including the peak while reading. Excludes fixed
+/// costs of programs and drivers (lavapipe: some 100 MB for large scenes). Verified by a test.
 constexpr std::uint64_t kBytesPerAtom = 700;
-/// The file's text is held while it is read, once inflated and, for a moment, twice.
+/// The file's text is in memory while it is read, once inflated and briefly twice.
 constexpr std::uint64_t kBytesPerTextByte = 2;
-/// Occlusion has a bound of its own: RenderSettings::occlusionBytes.
+/// Occlusion has its own limit: RenderSettings::occlusionBytes.
 
-// A window's frame takes 28 bytes of device memory a pixel by its formats: depth 4, encoded depth 8 at most, colour 4,
-// three images of the display 12. While the picture that stays is refined, up to ViewerOptions::refinedPixels samples
-// more, of 16 bytes; of 4 where depth never leaves the tile.
+// A window's frame takes 28 bytes of device memory per pixel by its formats: depth 4, encoded depth 8 at most, colour
+// 4, three swapchain images 12. Refinement of a still picture adds up to ViewerOptions::refinedPixels samples of 16
+// bytes each; of 4 where depth never leaves the tile.
 
-/// Host and device together, per pixel of a picture for a file, supersampled ones counted.
+/// Host and device together, per pixel of a picture for a file, supersamples counted.
 constexpr std::uint64_t kBytesPerPicturePixel = 64;
 
-/// Limits of reading, so that the molecule fits. What is too large is refused at the first atom or byte too many.
+/// Limits for reading, so that the molecule fits. Reading stops at the first atom or byte too many.
 /// @param bytes  memory for the molecule alone
 inline ReadOptions readWithin(std::uint64_t bytes, ReadOptions options = {}) {
     const std::uint64_t text = bytes / 2 / kBytesPerTextByte, atoms = bytes / 2 / kBytesPerAtom;

@@ -1,5 +1,5 @@
 #pragma once
-// A file of several models that is kept at hand: each is read as it is needed.
+// A file of several models, each read on demand.
 
 #include <memory>
 #include <string>
@@ -9,24 +9,24 @@
 
 namespace nacre {
 
-/// Text (PDB, mmCIF, PDBQT, PQR, SDF, MOL2, XYZ, GRO) is scanned once for where its models are, and of each its own
-/// part is read: from the file, from a temporary one if that is compressed, or from memory while it is short. Models of
-/// BinaryCIF, mmJSON and MMTF stand in common tables: the packed file is held, and as many models as ModelReader reads
-/// in one pass. Of what cannot be told apart all are held, if it is short.
+/// Text formats (PDB, mmCIF, PDBQT, PQR, SDF, MOL2, XYZ, GRO) are scanned once for the positions of models; each model
+/// is then read from its own part: of the file, of a temporary file if the input is compressed, or of memory while it
+/// is short. Models of BinaryCIF, mmJSON and MMTF share tables: the packed file is held, with as many models as
+/// ModelReader reads in one pass. If models cannot be separated, all are held if the file is short.
 class ModelFile {
 public:
-    /// @param options  `model` and `others` do not matter @throws Error
+    /// @param options  `model` and `others` are ignored @throws Error
     ModelFile(const std::string& path, const ReadOptions& options);
-    /// @param bytes  as they are in a file
+    /// @param bytes  contents of the file
     ModelFile(const std::string& name, std::string bytes, const ReadOptions& options);
     ~ModelFile();
     ModelFile(const ModelFile&) = delete;
     ModelFile& operator=(const ModelFile&) = delete;
 
     int count() const;  ///< models, frames or records
-    /// The first model, with the places of the others.
+    /// The first model, with the positions of the others.
     const Molecule& first() const;
-    /// With all its bonds, as readMolecule() has it, less the others' places. @param model  from 1 @throws Error
+    /// With all bonds, as from readMolecule(), but without the others' positions. @param model  from 1 @throws Error
     Molecule read(int model);
 
 private:

@@ -6,11 +6,11 @@
 
 namespace nacre {
 
-/// The word that was probably meant: the nearest within two edits (a letter more, less, other, or two swapped), one for
-/// words of three or four letters. Case does not count. Empty if none is near.
+/// The word that was probably meant: the nearest within two edits (a letter inserted, deleted, replaced, or two
+/// swapped), within one for words of three or four letters. Ignores case. Empty if none is near.
 std::string nearestWord(std::string_view word, std::span<const std::string> words);
 
-/// " (did you mean 'WORD'?)", or nothing.
+/// " (did you mean 'WORD'?)", or empty.
 std::string suggestion(std::string_view word, std::span<const std::string> words);
 
 }  // namespace nacre

@@ -1,6 +1,5 @@
 #pragma once
-// The other models of a molecule's file, as far as a camera that all of them share wants them. Must also compile as
-// C++17.
+// The other models of a molecule's file, as far as a shared camera needs them. Must also compile as C++17.
 
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -11,14 +10,14 @@ namespace nacre {
 
 struct Molecule;
 
-/// Another model of a molecule's file. place() makes a molecule of it.
+/// Another model of a molecule's file. place() turns it into a molecule.
 struct OtherModel {
-    std::vector<glm::vec3> positions;       ///< of the molecule's own atoms, Å, if it has the same; else none
-    std::shared_ptr<const Molecule> whole;  ///< if it has other atoms
+    std::vector<glm::vec3> positions;       ///< of the molecule's atoms, Å, if it has the same; else empty
+    std::shared_ptr<const Molecule> whole;  ///< if it has different atoms
 };
 
-/// Other models, in the file's order. Positions beyond kMostHeld bytes stand in a temporary file and are read as they
-/// are needed. Copies share them.
+/// Other models, in file order. Positions beyond kMostHeld bytes are in a temporary file and read on demand. Copies
+/// share them.
 class OtherModels {
 public:
     static constexpr std::size_t kMostHeld = std::size_t{16} << 20;
@@ -27,10 +26,10 @@ public:
     bool empty() const { return size() == 0; }
     /// @throws Error if the temporary file cannot be read
     OtherModel operator[](std::size_t i) const;
-    /// Whether all are positions of so many atoms.
+    /// Whether all are positions of this many atoms.
     bool allMove(std::size_t atoms) const;
 
-    /// @param mostHeld  bytes of positions that are held @returns the bytes that it takes in memory
+    /// @param mostHeld  bytes of positions in memory @returns the bytes that it takes in memory
     std::size_t add(OtherModel other, std::size_t mostHeld = kMostHeld);
     void clear() { store_.reset(); }
 
@@ -39,14 +38,14 @@ private:
     std::shared_ptr<Store> store_;
 };
 
-/// Gathers them. Of models that have the molecule's own atoms the positions alone are kept, of others all but their
-/// bonds.
+/// Collects other models. Keeps only the positions of models with the molecule's own atoms, and everything but the
+/// bonds of others.
 class OtherModelCollector {
 public:
-    /// @param own       gets them
-    /// @param maxAtoms  of the molecule; the others together take no more than a part of what that many take
+    /// @param own       receives them
+    /// @param maxAtoms  of the molecule; the others together take no more than a part of that many
     OtherModelCollector(Molecule& own, std::size_t maxAtoms);
-    /// Whether any more are wanted.
+    /// Whether it takes further models.
     bool wanted() const { return wanted_; }
     void add(Molecule model);
 
@@ -56,7 +55,7 @@ private:
     bool wanted_ = true;
 };
 
-/// Makes `placed` what another model of a molecule's file is; without bonds.
+/// Turns `placed` into another model of a molecule's file; without bonds.
 void place(const Molecule& molecule, const OtherModel& other, Molecule& placed);
 
 }  // namespace nacre

@@ -1,6 +1,5 @@
 #pragma once
-// Reads molecules from files. One reader per format; this header is the only one a caller needs.
-// Must also compile as C++17.
+// Reads molecules from files. One reader per format; callers need this header only. Must also compile as C++17.
 
 #include <cstddef>
 #include <functional>
@@ -15,35 +14,35 @@ namespace nacre {
 
 enum class Format { pdb, mmcif, mmjson, bcif, mmtf, sdf, xyz, mol2, pqr, gro, pdbqt, cml };
 
-/// Larger molecules are always refused: an atom may take as few as six bytes of text.
+/// Larger molecules are always refused: an atom may take only six bytes of text.
 constexpr std::size_t kMaxAtoms = 50'000'000;
 
-/// Of ReadOptions: every model, one over the other.
+/// For ReadOptions: all models, superimposed.
 constexpr int kAllModels = 0;
 
 struct ReadOptions {
-    std::optional<Format> format;                 ///< empty: from the content first, the name second
+    std::optional<Format> format;                 ///< empty: detected, from the content first, the name second
     int model = 1;                                ///< 1-based model, frame or record, or kAllModels
     std::size_t maxBytes = std::size_t{1} << 31;  ///< largest text accepted, after inflation
-    std::size_t maxAtoms = kMaxAtoms;             ///< of the model that is read; reading ends at one more
+    std::size_t maxAtoms = kMaxAtoms;             ///< of the model that is read; reading stops at one more
     std::size_t heldText = std::size_t{32}
-                           << 20;              ///< that a file is held whole with; of more, models are read one by one
-    bool others = false;                       ///< with the places of the file's other models: Molecule::others
-    std::function<void(double)> onModel = {};  ///< of kAllModels: called after each with the share read, 0..1
+                           << 20;              ///< largest file held whole; models of larger files are read one by one
+    bool others = false;                       ///< also read the positions of the file's other models: Molecule::others
+    std::function<void(double)> onModel = {};  ///< for kAllModels: called after each model with the share read, 0..1
 };
 
-/// Name of a format as `--format` takes it, one of formatNames(); empty if there is none such.
+/// Format of a name for `--format`, one of formatNames(); empty if unknown.
 std::optional<Format> formatFromName(std::string_view name);
 
 std::string_view formatName(Format format);
-/// The format that the end of a file's name says, compressed or not.
+/// The format of a file name's extension, compressed or not.
 std::optional<Format> formatOfFileName(const std::string& name);
 
-/// The names of all formats that are read: "pdb", "mmcif", ...
+/// The names of all formats: "pdb", "mmcif", ...
 std::vector<std::string> allFormatNames();
-/// The same for messages: "pdb, mmcif, ...".
+/// As text for messages: "pdb, mmcif, ...".
 std::string formatNames();
-/// The same as people call them: "PDB, mmCIF, ...".
+/// As text with usual spelling: "PDB, mmCIF, ...".
 std::string formatTitles();
 
 /// Reads a molecule and completes its bonds (bonds.h). gzip, xz, bzip2 and zstd are recognised by
@@ -52,10 +51,10 @@ std::string formatTitles();
 /// @throws Error what, where (line), why
 Molecule readMolecule(const std::string& name, std::string bytes, const ReadOptions& options = {});
 
-/// The same from a file, or from standard input if the path is "-".
+/// As above from a file, or from standard input if the path is "-".
 Molecule readMoleculeFile(const std::string& path, const ReadOptions& options = {});
 
-/// Built-in molecules: "dna", "glucose", "buckyball", with bonds. @throws Error if there is none of that name.
+/// Built-in molecules: "dna", "glucose", "buckyball", with bonds. @throws Error for any other name
 Molecule sampleMolecule(std::string_view name);
 std::vector<std::string> sampleNames();
 

@@ -1,5 +1,5 @@
 #pragma once
-// What residues are, where they stand and how they fold: computed once per molecule and handed on.
+// Kinds, positions and secondary structure of residues: computed once per molecule and passed on.
 
 #include <cstdint>
 #include <memory>
@@ -11,14 +11,13 @@
 
 namespace nacre {
 
-/// Each fact is computed when it is first asked for. Copies share them. A function that takes this also takes a
-/// molecule, and then computes them for itself. The molecule outlives it and stays as it is, but for moved(). One
-/// thread at a time.
+/// Each fact is computed on first use. Copies share facts. Functions that take this also take a molecule, and then
+/// compute the facts themselves. The molecule outlives it and does not change, except by moved(). One thread at a time.
 class ResidueFacts {
 public:
     ResidueFacts(const Molecule& molecule) : molecule_(&molecule), known_(std::make_shared<Known>()) {}
 
-    /// The same facts of the same atoms at other positions.
+    /// The same facts for the same atoms at other positions.
     ResidueFacts moved(const Molecule& molecule) const {
         ResidueFacts facts = *this;
         facts.molecule_ = &molecule;
@@ -28,12 +27,12 @@ public:
     const Molecule& molecule() const { return *molecule_; }
     /// residueKinds()
     const std::vector<ResidueKind>& kinds() const;
-    /// The first residue record of the position (chain, number, insertion code) of each: where residues alternate,
-    /// several stand in a row.
+    /// For each residue the first residue record at its position (chain, number, insertion code): alternative residues
+    /// follow each other.
     const std::vector<std::uint32_t>& positions() const;
     /// secondaryStructure(), one value per residue.
     const std::vector<SecondaryStructure>& folds() const;
-    /// Atoms of the conformer that is drawn: drawnAtoms() by default.
+    /// Atoms of the drawn conformer: drawnAtoms() by default.
     const std::vector<std::uint32_t>& conformer() const;
 
     bool isPolymer(std::uint32_t residue) const {

@@ -1,5 +1,5 @@
 #pragma once
-// Helices and strands as files list them: from one residue to another.
+// Helices and strands as files list them: ranges of residues.
 
 #include <cstddef>
 #include <optional>
@@ -18,12 +18,11 @@ struct SecondaryRange {
     char firstCode = '\0', lastCode = '\0';
 };
 
-/// The range of a HELIX or SHEET line of a PDB file (wwPDB format 3.3); empty for any other line or one that cannot be
-/// read.
+/// The range of a HELIX or SHEET line of a PDB file (wwPDB format 3.3); empty for other lines and unreadable ones.
 std::optional<SecondaryRange> secondaryOfPdbLine(std::string_view line);
 
-/// Marks the residues of each range, in the file's order within the chain. Of two kinds for one residue the helix
-/// stays. Ranges whose ends are not there are passed over, with one warning. Linear time, however the ranges overlap.
+/// Marks the residues of each range, in file order within the chain. Helices take precedence. Ranges with missing ends
+/// are skipped, with one warning. Linear time, also for overlapping ranges.
 void applySecondaryStructure(Molecule& molecule, const std::vector<SecondaryRange>& ranges);
 
 }  // namespace nacre

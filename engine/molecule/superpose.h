@@ -6,16 +6,16 @@
 
 namespace nacre {
 
-/// The rigid motion p -> rotation * p + shift that brings points onto others with the least sum of squared distances.
+/// The rigid motion p -> rotation * p + shift that superposes points with the least sum of squared distances.
 struct Superposition {
     glm::dmat3 rotation{1.0};
     glm::dvec3 shift{};
-    double rmsd = 0;  ///< root of the mean squared distance that is left
+    double rmsd = 0;  ///< root mean square of the remaining distances
     glm::dvec3 operator()(const glm::dvec3& p) const { return rotation * p + shift; }
 };
 
-/// By quaternion characteristic polynomial (Theobald 2005), gemmi's. Mirror images are not taken.
-/// @param fixed, moving  of one length, at least one
+/// By quaternion characteristic polynomial (Theobald 2005), gemmi's. Never mirrors.
+/// @param fixed, moving  same length, at least one
 Superposition superpose(std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// What the readers share. Must also compile as C++17.
+// Shared by the readers. Must also compile as C++17.
 
 #include <array>
 #include <cstddef>
@@ -12,11 +12,11 @@
 
 namespace nacre {
 
-/// Letters and capitals of ASCII, whatever the locale.
+/// ASCII letters and capitals, for any locale.
 inline bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
 inline char upperCase(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-/// Whether isspace() of the C locale holds.
+/// isspace() of the C locale.
 inline bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 /// Without blanks at both ends.
 std::string_view trim(std::string_view text);
@@ -24,27 +24,26 @@ std::string lowerCase(std::string_view text);
 std::string upperCase(std::string_view text);
 bool startsWith(std::string_view text, std::string_view start);
 
-/// The whole of `text` as a number, blanks around it allowed; empty if it is none. parseNumber also takes Fortran's
-/// exponents ("1.0D+02") and what C calls "nan" and "inf": the caller judges.
+/// All of `text` as a number, surrounding blanks allowed; empty if it is not a number. parseNumber also accepts Fortran
+/// exponents ("1.0D+02") and C's "nan" and "inf", which callers must check.
 std::optional<std::int64_t> parseInteger(std::string_view text);
 std::optional<double> parseNumber(std::string_view text);
 
-/// Throws the error of every reader. @param name  of the file @param line  1-based; 0 if there is none
+/// Throws a reader's error. @param name  of the file @param line  1-based; 0: none
 [[noreturn]] void cannotRead(const std::string& name, const std::string& why, std::uint64_t line = 0);
 
-/// What a reader throws at the atom after the last that there is room for.
+/// The error for an atom beyond the limit.
 Error tooManyAtoms(const std::string& name, std::size_t maxAtoms);
 
-/// What an atom may stand from the origin along an axis, Å: every reader refuses more.
+/// Largest coordinate, Å: every reader refuses larger ones.
 constexpr double kFarthestCoordinate = 1e9;
 
-/// A coordinate in Å. @throws Error with the line unless it is a number within ±kFarthestCoordinate.
-/// @param axis  'x', 'y' or 'z', for the message
-/// @param line  0 if there is none
-/// @param scale Å in the file's unit
+/// A coordinate in Å.
+/// @throws Error with the line unless it is a number within ±kFarthestCoordinate.
+/// @param axis  'x', 'y' or 'z', for the message @param line  0: none @param scale Å per unit of the file
 float parseCoordinate(std::string_view text, char axis, const std::string& name, std::uint64_t line, double scale = 1);
 
-/// Text that is safe in a message: control characters and what is not UTF-8 as \xNN, cut to about `limit` bytes.
+/// Text that is safe in a message: control characters and invalid UTF-8 as \xNN, cut to about `limit` bytes.
 std::string printable(std::string_view text, std::size_t limit = 48);
 
 /// The first words of a line.
@@ -55,7 +54,7 @@ struct Words {
 };
 Words splitWords(std::string_view line);
 
-/// Walks through lines that end in '\n'.
+/// Iterates over lines that end in '\n'.
 class LineReader {
 public:
     explicit LineReader(std::string_view text, std::uint64_t firstLine = 1) : rest_(text), number_(firstLine - 1) {}
@@ -64,7 +63,7 @@ public:
     bool next();
     std::string_view line() const { return line_; }
     std::uint64_t number() const { return number_; }  ///< 1-based number of the current line
-    std::string_view rest() const { return rest_; }   ///< what follows the current line
+    std::string_view rest() const { return rest_; }   ///< the text after the current line
 
 private:
     std::string_view rest_, line_;

@@ -1,6 +1,6 @@
 #pragma once
-// Helices and strands of chains of which only alpha carbons are known: Y. Zhang and J. Skolnik, Nucleic Acids Research
-// 33, 2302 (2005).
+// Helices and strands of chains with alpha carbons only: Y. Zhang and J. Skolnik, Nucleic Acids Research 33, 2302
+// (2005).
 
 #include <vector>
 
@@ -8,9 +8,9 @@
 
 namespace nacre {
 
-/// Helices and strands by the distances between five alpha carbons in a row, of each residue; whatever the file states
-/// is left out of account. Those of four residues and more are kept of helices, of three of strands. Only chains in
-/// which no residue has both N and O beside CA are looked at: of others kabschSander() knows more. Linear time.
+/// Helices and strands from the distances between five consecutive alpha carbons, per residue; ignores the file's own.
+/// Keeps helices of four or more residues and strands of three or more. Skips chains in which any residue has both N
+/// and O besides CA: kabschSander() is better there. Linear time.
 std::vector<SecondaryStructure> zhangSkolnik(const ResidueFacts& facts);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// A folder of files that can be made again: limited in size, safe among processes. Knows no Vulkan.
+// A folder of files that can be recreated: limited in size, safe among processes. Makes no Vulkan calls.
 
 #include <cstdint>
 #include <optional>
@@ -10,20 +10,19 @@
 
 namespace nacre {
 
-/// An entry is a file that appears whole, by rename. When the folder outgrows its limit, the entries that were used
-/// longest ago go. Nothing here throws: a cache that cannot be read or written is one that holds nothing.
-/// Names are the caller's to make safe: letters, digits, '-', '_' and '.', not at the start.
+/// An entry is a file that appears complete, by rename. When the folder exceeds its limit, the least recently used
+/// entries are removed. Never throws: a cache that cannot be read or written behaves as empty. Callers choose safe
+/// names: letters, digits, '-', '_' and '.', not at the start.
 ///
-/// Someone may have put other things in the folder, or taken a folder of his own for it. So a cache writes and removes
-/// only where it made the folder itself, or found it empty or full of what it could have made (then there is a
-/// CACHEDIR.TAG, which backups know, too); and of that only plain files with names as it gives them. No link is
-/// followed.
+/// The folder may hold other people's files. So a cache writes and removes only in a folder that it made itself, or
+/// found empty or with nothing but its own kind of files (marked by CACHEDIR.TAG, which backup programs know); and only
+/// regular files with its own names. It follows no links.
 class DiskCache {
 public:
-    /// A cache that holds nothing and keeps nothing.
+    /// A cache that is always empty.
     DiskCache() = default;
-    /// @param folder    made when first written to; empty: as without arguments
-    /// @param prefixes  what names of entries begin with
+    /// @param folder    created on the first write; empty: as without arguments
+    /// @param prefixes  beginnings of entries' names
     DiskCache(std::string folder, std::uint64_t maxBytes, std::vector<std::string> prefixes)
         : folder_(std::move(folder)), maxBytes_(maxBytes), prefixes_(std::move(prefixes)) {}
 
@@ -31,18 +30,18 @@ public:
     const std::string& folder() const { return folder_; }
     std::string pathOf(std::string_view name) const;
 
-    /// The whole entry, which counts as used now; empty if there is none, or none of at most `maxBytes`.
+    /// The whole entry, which counts as used now; empty if there is none, or it exceeds `maxBytes`.
     std::optional<std::string> read(std::string_view name) const;
-    /// Makes or replaces an entry from its parts, one after the other. False if it could not be kept.
+    /// Makes or replaces an entry from consecutive parts. False if it could not be stored.
     bool write(std::string_view name, std::span<const std::string_view> parts) const;
     void remove(std::string_view name) const;
 
-    /// Makes the folder, for whoever writes an entry by other means. False if that fails, or it is not the cache's.
+    /// Makes the folder, for callers that write an entry themselves. False if that fails, or it is not the cache's.
     bool makeFolder() const;
-    /// A name for a file that is to become an entry.
+    /// A name for a file that will become an entry.
     static std::string temporaryName();
-    /// Removes what was used longest ago until the limit holds. What is still being written (temporary names, and those
-    /// that end in ".part", changed within the last day) stays, but counts.
+    /// Removes the least recently used entries until the limit holds. Files still being written (temporary names, and
+    /// names ending in ".part", changed within the last day) stay, but count.
     void trim() const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// Opening files where others may have put something else in their place.
+// Opens regular files safely, where others could have replaced them.
 
 #include <sys/types.h>
 
@@ -8,15 +8,15 @@
 
 namespace nacre {
 
-/// Opens a plain file. No link is followed, and nothing is waited for, as for the other end of a pipe.
-/// @param flags of open(); what may truncate only does so if it is a plain file
-/// @returns the file, or -1 and errno: ELOOP for a link, EISDIR for a folder, EINVAL for another thing that is no file
+/// Opens a regular file. Follows no link, and does not block, for example on a pipe.
+/// @param flags of open(); truncates only if it is a regular file
+/// @returns the file, or -1 and errno: ELOOP for a link, EISDIR for a folder, EINVAL for anything else
 int openPlain(const std::string& path, int flags, mode_t mode = 0);
 
-/// All of a plain file of at most `mostBytes`. Empty if there is none.
+/// All of a regular file of at most `mostBytes`. Empty if there is none.
 std::optional<std::string> readPlain(const std::string& path, std::uint64_t mostBytes);
 
-/// 16 hexadecimal digits that nobody foresees.
+/// 16 unpredictable hexadecimal digits.
 std::string unforeseenDigits();
 
 }  // namespace nacre

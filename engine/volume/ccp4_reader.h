@@ -1,6 +1,6 @@
 #pragma once
-// CCP4/MRC maps, taken in pieces as they come from a file or out of a decompressor.
-// Format: A. Cheng et al. (2015), MRC2014: Extensions to the MRC format header, J. Struct. Biol. 192, 146-150.
+// CCP4/MRC maps, parsed in pieces from a file or decompressor. Format: A. Cheng et al. (2015), MRC2014: Extensions to
+// the MRC format header, J. Struct. Biol. 192, 146-150.
 
 #include <cstdint>
 #include <string>
@@ -14,16 +14,16 @@ class Ccp4Reader {
 public:
     static constexpr std::size_t kHeader = 1024;
 
-    /// @param mostBytes  that the file can hold, inflated: what announces more is refused before there is room for it
+    /// @param mostBytes  size of the inflated file: a header that announces more is refused before memory is allocated
     Ccp4Reader(std::string name, const MapLimits& limits, std::uint64_t mostBytes)
         : name_(std::move(name)), limits_(limits), mostBytes_(mostBytes) {}
 
-    /// The next bytes of the file. @throws Error
+    /// Takes the next bytes of the file. @throws Error
     void take(std::string_view bytes);
-    /// After the last. @throws Error if some are missing, or none of the values is a number
+    /// Call after the last bytes. @throws Error if some are missing, or no value is a number
     DensityMap finish();
 
-    /// Whether the first bytes may be those of such a map: their word MAP, or a header that makes sense.
+    /// Whether the first bytes may be such a map: they have the word MAP, or a plausible header.
     static bool recognises(std::string_view start);
 
 private:
@@ -40,15 +40,15 @@ private:
     std::string name_;
     MapLimits limits_;
     std::uint64_t mostBytes_;
-    std::string header_;  ///< and the extended header after it
-    bool known_ = false;  ///< the header is read
+    std::string header_;  ///< and the extended header
+    bool known_ = false;  ///< the header is complete
     bool swapped_ = false, unsignedBytes_ = false;
     int mode_ = 0;
     std::size_t extended_ = 0, valueBytes_ = 0;
     MapBox box_;
     bool placed_ = false;  ///< by ORIGIN instead of NSTART
     glm::dvec3 place_{};
-    std::string rest_;         ///< the beginning of a value whose end is in the next piece
+    std::string rest_;         ///< first bytes of a value split between pieces
     std::uint64_t taken_ = 0;  ///< values
     glm::ivec3 files_{};       ///< columns, rows, sections
     glm::ivec3 at_{};          ///< of the next value, likewise

@@ -1,5 +1,5 @@
 #pragma once
-// Values of a grid as text: numbers between blanks, the last axis fastest. Used by read_dx.cpp and read_cube.cpp.
+// Grid values in text: numbers between blanks, the last axis fastest. Used by read_dx.cpp and read_cube.cpp.
 
 #include <string>
 #include <string_view>
@@ -11,9 +11,9 @@ namespace nacre {
 
 class GridValues {
 public:
-    /// @param perNode  numbers that stand at each node: the first is taken
+    /// @param perNode  numbers per node: only the first is used
     GridValues(const std::string& name, const glm::ivec3& size, const MapLimits& limits, std::size_t perNode = 1);
-    /// Reads as many numbers as there are to be. @param line  of the text's first @throws Error if some are missing
+    /// Reads the expected number of values. @param line  of the text's first @throws Error if some are missing
     void read(std::string_view text, std::uint64_t line);
     /// With the first axis fastest.
     std::vector<float> done() { return std::move(values_); }

@@ -1,5 +1,5 @@
 #pragma once
-// What the readers of maps share: values as a file holds them, and what becomes of these. Used by read_*.cpp.
+// Shared by the readers of maps: values as stored in a file, and their conversion. Used by read_*.cpp.
 
 #include <cstdint>
 #include <string>
@@ -25,25 +25,25 @@ struct MapBox {
     int spaceGroup = 0;
     std::vector<SymmetryOperation> operations;  ///< of a crystal; empty: those of the space group
     bool crystal = false;
-    glm::ivec3 intervals{};  ///< that the cell's edges are divided into
-    glm::ivec3 start{};      ///< of the first node
+    glm::ivec3 intervals{};  ///< grid intervals along the cell's edges
+    glm::ivec3 start{};      ///< index of the first node
     glm::ivec3 size{};       ///< nodes
     std::array<int, 3> axes{1, 2, 3};
     std::vector<float> values;  ///< a fastest
 };
 
-/// Nodes of a grid, before there is room for them. @throws Error if one is none, or they are too many
+/// Number of nodes of a grid, checked before allocation. @throws Error if it is zero or too large
 std::size_t checkedNodes(const std::string& name, const glm::ivec3& size, const MapLimits& limits);
 
-/// The box as it is, or of a crystal the whole cell: by its operations, as far as that tells. What is no finite number
-/// becomes unknown. @param shift  of a box: place of its first node, Å @throws Error if nothing is known
+/// The box itself or, for a crystal, the whole cell, completed by symmetry as far as possible. Values that are not
+/// finite become unknown. @param shift  of a box: position of its first node, Å @throws Error if no value is known
 DensityMap completed(const std::string& name, const char* format, MapBox box, const MapLimits& limits,
                      const glm::dvec3* shift = nullptr);
-/// The same of a grid without a cell: `step` are its edges.
+/// As above for a grid without a cell: `step` are its edges.
 DensityMap completed(const std::string& name, const char* format, const glm::ivec3& size, const glm::dvec3& origin,
                      const glm::dmat3& step, std::vector<float> values);
 
-/// Readers: of whole texts, inflated.
+/// Readers of whole inflated texts.
 DensityMap readDx(const std::string& name, std::string_view text, const MapLimits& limits);
 DensityMap readCube(const std::string& name, std::string_view text, const MapLimits& limits);
 DensityMap readDsn6(const std::string& name, std::string_view bytes, const MapLimits& limits);

@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-/// x' = rotation x + shift / 24, of fractions of a cell.
+/// x' = rotation x + shift / 24, in fractional coordinates.
 struct SymmetryOperation {
     static constexpr int kShift = 24;
     std::array<std::array<int, 3>, 3> rotation{};
@@ -19,17 +19,17 @@ struct SymmetryOperation {
     bool isIdentity() const;
 };
 
-/// Of a space group's number, in the setting that fits the cell; empty if there is no such group.
+/// By a space group's number, in the setting that fits the cell; empty if the group is unknown.
 std::vector<SymmetryOperation> operationsOf(int spaceGroup, const UnitCell& cell);
-/// "-X,Y+1/2,-Z"; empty if it is none.
+/// "-X,Y+1/2,-Z"; empty if malformed.
 std::optional<SymmetryOperation> parseOperation(std::string_view text);
 
-/// Where an operation takes the nodes of a cell's grid: node' = rows node + shift, before it is wrapped.
+/// Maps the nodes of a cell's grid: node' = rows node + shift, before wrapping.
 struct NodeOperation {
     std::array<std::array<int, 3>, 3> rows{};
     std::array<int, 3> shift{};
 };
-/// Empty if it takes nodes beside nodes.
+/// Empty if it does not map nodes to nodes.
 std::optional<NodeOperation> onNodes(const SymmetryOperation& operation, const glm::ivec3& intervals);
 
 }  // namespace nacre

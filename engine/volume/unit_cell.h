@@ -1,5 +1,5 @@
 #pragma once
-// A crystal's cell, and how places in it become places in space.
+// A crystal's cell, and its conversion to Cartesian coordinates.
 
 #include <array>
 #include <glm/mat3x3.hpp>
@@ -13,9 +13,9 @@ struct UnitCell {
     friend bool operator==(const UnitCell&, const UnitCell&) = default;
 
     bool isRectangular() const { return angles == glm::dvec3(90, 90, 90); }
-    /// Whether its edges span a space: finite positive lengths below 10^6 Å, and angles that meet.
+    /// Whether the edges span a volume: finite positive lengths below 10^6 Å, and possible angles.
     bool isValid() const;
-    /// Columns are a, b and c in Å: a along x, b in the plane of x and y, as the PDB's format has them.
+    /// Columns are a, b and c in Å: a along x, b in the xy plane, as in the PDB format.
     glm::dmat3 edges() const;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The steps of perceiveBonds() and what they share. Internal to bonds.cpp, template_bonds.cpp, distance_bonds.cpp.
+// The steps of perceiveBonds() and their shared data. Internal to bonds.cpp, template_bonds.cpp, distance_bonds.cpp.
 
 #include <cstdint>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-/// Residues in a row at one position (chain, number, insertion code): more than one where the sequence alternates.
+/// Consecutive residues at one position (chain, number, insertion code): several with microheterogeneity.
 struct PositionGroup {
     std::uint32_t firstResidue = 0;
     std::uint32_t residueCount = 0;
@@ -16,27 +16,27 @@ struct PositionGroup {
     std::uint32_t atomCount = 0;
 };
 
-/// Atoms of different alternate locations never stand in the molecule together.
+/// Whether two atoms can exist together: different alternate locations exclude each other.
 inline bool coexist(char alternateA, char alternateB) {
     return alternateA == '\0' || alternateB == '\0' || alternateA == alternateB;
 }
 
-constexpr float kShortestBond = 0.4f;         ///< Å; what is nearer is a copy, not a neighbour
+constexpr float kShortestBond = 0.4f;         ///< Å; closer atoms are duplicates, not neighbours
 constexpr float kBondTolerance = 0.45f;       ///< Å beyond the sum of the covalent radii
-constexpr float kLongestTemplateBond = 2.5f;  ///< Å; a template does not join what a gap tore apart
+constexpr float kLongestTemplateBond = 2.5f;  ///< Å; templates do not bond across a gap
 
 struct BondWork {
     Molecule& molecule;
     std::vector<PositionGroup> groups;
     std::vector<std::uint32_t> groupOf;   ///< by atom
-    std::vector<std::uint8_t> templated;  ///< by atom: its residue's template names it
-    std::vector<std::uint8_t> settled;    ///< by atom: the file states all of its residue's bonds, its own among them
+    std::vector<std::uint8_t> templated;  ///< by atom: the residue's template has it
+    std::vector<std::uint8_t> settled;    ///< by atom: the file states all bonds of its residue
 };
 
-/// Adds the bonds of residue templates and the links between neighbouring residues; marks `templated`.
+/// Adds the bonds of residue templates and links between consecutive residues; marks `templated`.
 void addTemplateBonds(BondWork& work);
 
-/// Adds pairs by distance. Needs Molecule::bonds sorted with a < b and no pair twice.
+/// Adds bonds by distance. Needs Molecule::bonds sorted, a < b, no pair twice.
 void addDistanceBonds(BondWork& work);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// Bonds of the residues that polymers are made of, by atom name.
+// Bonds of polymer residues, by atom name.
 
 #include <cstdint>
 #include <vector>
@@ -12,7 +12,7 @@ struct ResidueTemplate {
     struct Bond {
         std::uint8_t a;  ///< index into atoms
         std::uint8_t b;
-        std::uint8_t order;  ///< aromatic rings in one Kekulé structure
+        std::uint8_t order;  ///< aromatic rings as one Kekulé structure
     };
     std::vector<Name> atoms;  ///< heavy atoms, wwPDB version 3 names; at most kMaxTemplateAtoms
     std::vector<Bond> bonds;
@@ -20,11 +20,11 @@ struct ResidueTemplate {
 
 constexpr std::size_t kMaxTemplateAtoms = 32;
 
-/// Template of a residue by its name: the 20 amino acids (also under the usual names of their protonation states),
-/// MSE, SEC, PYL, and the nucleotides A C G U I, DA DC DG DT DU DI, T. Null for any other.
+/// Template of a residue: the 20 amino acids (also under common names of their protonation states), MSE, SEC, PYL, and
+/// the nucleotides A C G U I, DA DC DG DT DU DI, T. Null for any other.
 const ResidueTemplate* residueTemplate(const Name& residueName);
 
-/// wwPDB version 3 name of an atom named by an older convention ("O5*", "O1P", "C5M"); others stay as they are.
+/// wwPDB version 3 name of an atom with an older name ("O5*", "O1P", "C5M"); other names stay.
 Name currentAtomName(const Name& name);
 
 }  // namespace nacre

@@ -1,6 +1,6 @@
 #pragma once
-// One column of a BinaryCIF category: its chain of encodings undone, its values handed out row after row.
-// Encodings as github.com/molstar/BinaryCIF, encoding.md, has them.
+// One column of a BinaryCIF category: undoes its chain of encodings and returns its values row by row. Encodings:
+// github.com/molstar/BinaryCIF, encoding.md.
 
 #include <cstdint>
 #include <string_view>
@@ -14,15 +14,15 @@ namespace nacre {
 
 class BcifColumn {
 public:
-    /// @param column the map with "data" and, where values are missing, "mask"; the file's bytes must outlive this
+    /// @param column the map with "data" and, if values are missing, "mask"; the file's bytes must outlive this
     /// @param rows   rows of the category
-    /// @param mostStrings  different strings that it may hold
-    /// @throws PackedFault if it is malformed, as far as that is seen before its values are
+    /// @param mostStrings  maximum of different strings
+    /// @throws PackedFault if it is malformed, as far as that shows before its values are read
     BcifColumn(const MsgpackValue& column, std::size_t rows, std::size_t mostStrings);
 
     /// The next row's value. @throws PackedFault if there is none, or it is malformed
     MmcifCell next();
-    /// To be called after the last row. @throws PackedFault if there are values left
+    /// Call after the last row. @throws PackedFault if there are values left
     void finish();
 
 private:
@@ -35,12 +35,12 @@ private:
 
     Kind kind_ = Kind::integers;
     std::size_t mostStrings_;
-    IntegersPointer integers_;            ///< or, of strings, which one; -1 is none
-    std::string_view floats_;             ///< little-endian, as they lie in the file
-    std::string_view text_;               ///< the different strings, one after the other
-    std::vector<std::uint32_t> offsets_;  ///< where each of them begins, and the end of the last
-    IntegersPointer missing_;             ///< null: no value is; else 1 is '.', 2 is '?'
-    double factor_ = 1, lowest_ = 0;      ///< of fixed point: the divisor; of intervals: the step, and where they begin
+    IntegersPointer integers_;            ///< or, for strings, the string's index; -1: none
+    std::string_view floats_;             ///< little-endian, in the file's bytes
+    std::string_view text_;               ///< the different strings, concatenated
+    std::vector<std::uint32_t> offsets_;  ///< begin of each, and the end of the last
+    IntegersPointer missing_;             ///< null: none missing; else 1 is '.', 2 is '?'
+    double factor_ = 1, lowest_ = 0;      ///< fixed point: the divisor; intervals: step and lowest value
 };
 
 }  // namespace nacre

@@ -1,6 +1,6 @@
 #pragma once
-// What a parse error of PEGTL says, in both shapes that it comes in: Debian's gemmi is built on PEGTL 3, upstream's
-// brings PEGTL 2.8, whose errors have a public list of positions and put them before their words.
+// Message and position of a PEGTL parse error, in both forms: Debian's gemmi is built with PEGTL 3, upstream's includes
+// PEGTL 2.8, whose errors have a public list of positions and begin with them.
 
 #include <cstddef>
 #include <string>
@@ -18,7 +18,7 @@ std::string messageOf(const Fault& fault, long) {
     const std::size_t end = text.find("): ");
     return end == std::string::npos ? text : text.substr(end + 3);
 }
-/// Its words without a place.
+/// The message without a position.
 template <typename Fault>
 std::string messageOf(const Fault& fault) {
     return messageOf(fault, 0);
@@ -32,7 +32,7 @@ template <typename Fault>
 std::size_t lineOf(const Fault& fault, long) {
     return fault.positions.front().line;
 }
-/// Where it is.
+/// The position.
 template <typename Fault>
 std::size_t lineOf(const Fault& fault) {
     return lineOf(fault, 0);

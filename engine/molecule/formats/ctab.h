@@ -15,7 +15,7 @@ struct CtabCounts {
     std::int64_t bonds = 0;
 };
 
-/// The two numbers at the front of a counts line; they may be negative or wrong.
+/// The first two numbers of a counts line; they may be negative or wrong.
 std::optional<CtabCounts> parseCountsV2000(std::string_view line);
 
 /// Read the table that follows the header. @throws Error with the line
@@ -24,11 +24,11 @@ std::optional<CtabCounts> parseCountsV2000(std::string_view line);
 CtabCounts readCtabV2000(MoleculeBuilder& builder, LineReader& lines, std::string_view counts);
 CtabCounts readCtabV3000(MoleculeBuilder& builder, LineReader& lines);
 
-/// Drawn order of a bond type: aromatic 4; queries and coordination are drawn single; 0 for hydrogen bonds, which
-/// are none.
+/// Drawn order of a bond type: aromatic 4; queries and coordination are single; 0 for hydrogen bonds, which are no
+/// bonds.
 int bondOrderOfCtab(std::int64_t type);
 
-/// Adds an atom with the file's own symbol as its name.
+/// Adds an atom named by the file's own symbol.
 void addCtabAtom(MoleculeBuilder& builder, std::string_view symbol, glm::vec3 position, std::int64_t charge,
                  std::uint64_t line);
 

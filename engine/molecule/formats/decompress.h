@@ -7,19 +7,17 @@
 
 namespace nacre {
 
-/// How a file is compressed, by its first bytes: "gzip" (RFC 1952), "xz", "bzip2" or "zstd" (RFC 8878); empty if it is
-/// not.
+/// Compression of a file by its first bytes: "gzip" (RFC 1952), "xz", "bzip2" or "zstd" (RFC 8878); empty if none.
 std::string_view compressionOf(std::string_view bytes);
 
-/// Inflates a compressed file of one or more members, as each program writes them; what follows the last member is
-/// passed over.
-/// Besides maxBytes there is a bound on the ratio: beyond 64 MiB, output of more than 100 times the input is refused,
-/// since no structure file comes near it and zeros reach thousands.
+/// Inflates a compressed file of one or more members; ignores data after the last. Besides maxBytes the ratio is
+/// limited: beyond 64 MiB, output of more than 100 times the input is refused. No structure file comes near that; a
+/// file of zeros reaches thousands.
 /// @param name file name for messages
-/// @param bytes those of which compressionOf() names the compression
-/// @throws Error if the stream is damaged or ends early, if its checksum is wrong, or if a bound is exceeded
+/// @param bytes of the compression that compressionOf() returns
+/// @throws Error if the stream is damaged or ends early, its checksum is wrong, or a limit is exceeded
 std::string decompress(const std::string& name, std::string_view bytes, std::size_t maxBytes);
-/// The same, part by part.
+/// As above, part by part.
 void decompress(const std::string& name, std::string_view bytes, std::size_t maxBytes,
                 const std::function<void(std::string_view)>& take);
 

@@ -8,11 +8,11 @@
 
 namespace nacre {
 
-/// The format of a file's text: by its content first, by its name second (an ending such as .gz is passed over).
-/// @throws Error if it is a format that is known but not supported, no molecule at all, or not to be told
+/// The format of a file's text: by its content first, by its name second (ignoring endings such as .gz).
+/// @throws Error if the format is known but not supported, no molecule format, or ambiguous
 Format detectFormat(const std::string& name, std::string_view text);
 
-/// The format of a file whose content says that it is one of the binary ones; empty otherwise.
+/// The binary format that the content shows; empty otherwise.
 std::optional<Format> detectBinaryFormat(std::string_view bytes);
 
 }  // namespace nacre

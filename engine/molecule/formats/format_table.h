@@ -1,5 +1,5 @@
 #pragma once
-// The formats that are read: a row each, from which names, messages, endings and the call of the reader come.
+// The formats that can be read: one row each with names, file endings and reader.
 
 #include <span>
 #include <string_view>
@@ -13,15 +13,15 @@ namespace nacre {
 
 struct FormatRow {
     Format format;
-    std::string_view name;     ///< as `--format` takes it
-    std::string_view title;    ///< as people call it
-    std::string_view endings;  ///< of file names, with blanks between them
+    std::string_view name;     ///< for `--format`
+    std::string_view title;    ///< for people
+    std::string_view endings;  ///< of file names, separated by blanks
     bool binary = false;
-    /// The reader: of one model, or where models stand in common tables of those up to the last one.
+    /// Reads one model, or, where models share tables, the models up to `lastModel`.
     Molecule (*read)(const std::string& name, std::string_view text, const ReadOptions&) = nullptr;
     std::vector<Molecule> (*readTables)(const std::string& name, std::string_view bytes, const ReadOptions&,
                                         int lastModel) = nullptr;
-    ModelSpans (*spans)(const TextSource& text) = nullptr;  ///< null: a text of this format is not cut
+    ModelSpans (*spans)(const TextSource& text) = nullptr;  ///< null: models of this format are not separated
 };
 
 std::span<const FormatRow> formatRows();

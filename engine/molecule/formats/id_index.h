@@ -1,5 +1,5 @@
 #pragma once
-// Atoms by the numbers that a file gives them.
+// Finds atoms by their numbers in a file.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace nacre {
 
-/// A table where files number their atoms one after the other, as they do; where one does not, and its table would be
-/// mostly holes, a tree. No hash, for which a file could choose numbers that collide.
+/// A table for consecutive numbers, the usual case; for sparse ones a tree. No hash: a file could choose numbers that
+/// collide.
 class IdIndex {
 public:
     enum class Found : std::uint8_t { none, one, several };
@@ -17,14 +17,14 @@ public:
     /// @param ids  of the atoms, in order; negative ones are never found
     explicit IdIndex(const std::vector<std::int64_t>& ids);
 
-    /// @param atom  set to the index of the atom of that number, if it is one alone
+    /// @param atom  set to the atom's index, if the number is unique
     Found find(std::int64_t id, std::uint32_t& atom) const;
-    /// Whether any number stands twice.
+    /// Whether any number repeats.
     bool repeats() const { return repeats_; }
 
 private:
     std::vector<std::uint32_t> table_;
-    std::map<std::int64_t, std::uint32_t> tree_;  ///< without a table
+    std::map<std::int64_t, std::uint32_t> tree_;  ///< instead of the table
     bool repeats_ = false;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Walks through JSON (RFC 8259) where it lies, without a tree: mmJSON is a few large arrays, of which a tree would take
-// a multiple of the text.
+// Reads JSON (RFC 8259) in place, without a tree: mmJSON is a few large arrays, whose tree would take several times the
+// text.
 
 #include <cstddef>
 #include <cstdint>
@@ -9,28 +9,28 @@
 
 namespace nacre {
 
-/// Stands at a place of a text; a plain value, so that a copy remembers the place. Every step throws Error, with the
-/// line, where the text is no JSON.
+/// A position in a text; a plain value, so a copy is a bookmark. Every step throws Error, with the line, where the text
+/// is not JSON.
 class JsonWalk {
 public:
     /// @param name file name for messages; it and the text outlive this
     JsonWalk(const std::string& name, std::string_view text) : name_(&name), text_(text) {}
 
-    /// The next character that is no blank; '\0' at the end.
+    /// The next non-blank character; '\0' at the end.
     char peek();
     bool accept(char wanted);
     void expect(char wanted);
 
-    /// Passes a string; what it says, in `buffer` if it has escapes, else where it lies.
+    /// Reads a string; the result is in `buffer` if it has escapes, else in the text.
     std::string_view string(std::string& buffer);
-    /// Passes a number as it is written.
+    /// Reads a number as written.
     std::string_view number();
-    /// Passes "null", "true" or "false".
+    /// Reads "null", "true" or "false".
     std::string_view word();
-    /// Passes a whole value, whatever it is.
+    /// Skips a whole value.
     void skip();
 
-    /// Calls with each key of an object that begins here; `visit` passes the value.
+    /// Calls `visit` with each key of the object here; `visit` reads the value.
     template <typename Visit>
     void object(Visit visit) {
         expect('{');

@@ -12,7 +12,7 @@
 
 namespace nacre {
 
-/// An encoded array of integers, value after value. Errors name file and field.
+/// An encoded array of integers as a stream. Errors name file and field.
 class MmtfIntegers {
 public:
     /// @throws Error if there is none left
@@ -23,7 +23,7 @@ private:
     friend class MmtfFloats;
     const class MmtfFields* fields_ = nullptr;
     const char* field_ = "";
-    IntegersPointer values_;  ///< null: all are the same
+    IntegersPointer values_;  ///< null: all are equal
     std::int32_t otherwise_ = 0;
 };
 
@@ -39,13 +39,13 @@ private:
     bool bits_ = false;  ///< the integers are the bits of floats
 };
 
-/// The top level of an MMTF document. Arrays are streams, so that memory does not follow the sizes that it announces.
-/// Errors name file and field.
+/// The top level of an MMTF document. Arrays are streams, so that announced sizes take no memory. Errors name file and
+/// field.
 class MmtfFields {
 public:
     MmtfFields(const std::string& name, std::string_view document);
 
-    /// A count such as numAtoms. @throws Error if it is missing, or exceeds `limit` or the bytes of the file
+    /// A count such as numAtoms. @throws Error if it is missing, or exceeds `limit` or the file's size
     std::size_t count(const char* field, std::size_t limit) const;
     std::size_t bytes() const { return bytes_; }
     /// "" if it is missing
@@ -53,14 +53,14 @@ public:
     MsgpackValue list(const char* field) const { return root_.find(field).value_or(MsgpackValue{}); }
     bool has(const char* field) const;
 
-    /// An array of exactly `size` values. @throws Error if it is missing or says that it is not that; its stream does
-    /// if it is not
+    /// An array of exactly `size` values. @throws Error if it is missing or states another size; the stream throws if
+    /// its size differs
     MmtfFloats floats(const char* field, std::size_t size) const;
     MmtfIntegers integers(const char* field, std::size_t size) const;
-    /// The same; `otherwise` for each value if the file has no such array.
+    /// As above; `otherwise` for each value if the file has no such array.
     MmtfFloats floats(const char* field, std::size_t size, std::int32_t otherwise) const;
     MmtfIntegers integers(const char* field, std::size_t size, std::int32_t otherwise) const;
-    /// Names where they lie in the document.
+    /// Names, pointing into the document.
     std::vector<std::string_view> names(const char* field, std::size_t size) const;
 
     [[noreturn]] void fail(const std::string& why) const;

@@ -1,5 +1,5 @@
 #pragma once
-// The residue types of an MMTF file: each is stated once and referred to by every residue of that kind.
+// The residue types of an MMTF file: each is stored once and referred to by its residues.
 
 #include <cstdint>
 #include <vector>
@@ -19,10 +19,10 @@ struct MmtfGroup {
     std::vector<Bond> bonds;  ///< no pair twice
 };
 
-/// Order as Molecule has it. MMTF also knows quadruple bonds, and -1 for a bond of unknown order.
+/// Order for Molecule. MMTF also has quadruple bonds, and -1 for unknown orders.
 std::uint8_t mmtfBondOrder(std::int64_t order);
 
-/// @param mostAtoms  that the groups may have together, a few always; a group of more is none that a model could show
+/// @param mostAtoms  of all groups together; a few are always allowed
 /// @throws Error if a group is malformed
 std::vector<MmtfGroup> readMmtfGroups(const MmtfFields& fields, MoleculeBuilder& builder, std::size_t mostAtoms);
 

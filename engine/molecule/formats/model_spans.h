@@ -1,5 +1,5 @@
 #pragma once
-// Which part of a text is which model's, so that each can be read alone.
+// Splits a text into its models, so that each can be read alone.
 
 #include <vector>
 
@@ -8,21 +8,21 @@
 
 namespace nacre {
 
-/// `before`, one of the models, and `after` are a text of that model alone. No models: the text is not cut.
+/// `before`, one of the models, and `after` form a text of that model alone. No models: the text is not split.
 struct ModelSpans {
     TextSpan before, after;
     std::vector<TextSpan> models;
-    bool complete = true;  ///< nothing else that a reader might take for a model stands in the text
+    bool complete = true;  ///< the text has nothing else that a reader could take for a model
 
-    std::uint64_t around() const { return before.size() + after.size(); }  ///< bytes that every model is read with
+    std::uint64_t around() const { return before.size() + after.size(); }  ///< bytes read with every model
 };
 
-/// Cuts what is written as programs write it, and looks at no other syntax: whoever reads a part has to check that it
-/// holds one model, and that there are as many as a reader finds. One pass, by pieces of the text.
+/// Splits the layout that programs write, without parsing other syntax. Callers must check that a part holds one model,
+/// and that the number of models is right. One pass, by pieces of the text.
 ModelSpans modelSpans(Format format, const TextSource& text);
 
-/// Of each format: MODEL and ENDMDL, or END between whole frames (PDB, PDBQT, PQR); rows of _atom_site by their
-/// pdbx_PDB_model_num, a line each (mmCIF); records (SDF, MOL2); frames (XYZ, GRO).
+/// By format: MODEL and ENDMDL, or END between whole frames (PDB, PDBQT, PQR); rows of _atom_site by their
+/// pdbx_PDB_model_num, one per line (mmCIF); records (SDF, MOL2); frames (XYZ, GRO).
 ModelSpans pdbSpans(const TextSource& text);
 ModelSpans mmcifSpans(const TextSource& text);
 ModelSpans sdfSpans(const TextSource& text);

@@ -1,5 +1,5 @@
 #pragma once
-// Puts a Molecule together while a reader walks through its file. Must also compile as C++17.
+// Builds a Molecule while a reader parses its file. Must also compile as C++17.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,30 +18,29 @@ public:
     /// @param name file name for messages
     MoleculeBuilder(std::string name, std::size_t maxAtoms) : name_(std::move(name)), maxAtoms_(maxAtoms) {}
 
-    /// Adds an atom to the residue of the atom before it, or begins another if any of these differ.
+    /// Adds an atom to the previous atom's residue, or begins a new residue if any of these differ.
     /// @param subchain null: the chain
-    /// @throws Error if there are more than maxAtoms, or the name of a chain is too long for one
+    /// @throws Error if there are more than maxAtoms, or the chain's name is too long
     void addAtom(Atom atom, std::string_view chain, std::int32_t number, char insertionCode, std::string_view residue,
                  std::string_view subchain = {});
 
-    /// Index of a subchain by name, if atoms are in it.
+    /// Index of a subchain by name, if it has atoms.
     std::optional<std::uint32_t> subchain(std::string_view name) const;
 
-    /// Adds a bond that the file states; a pair that is there already is passed over.
-    /// @throws Error, with the line, if an index is out of range or both are the same, or there are more bonds than
-    /// maxAtoms could form
+    /// Adds a bond from the file; ignores repeated pairs.
+    /// @throws Error, with the line, if an index is out of range, both are equal, or there are more bonds than maxAtoms
+    /// could form
     /// @param a, b 0-based
-    /// @param line  0 if there is none
+    /// @param line  0: none
     void addBond(std::int64_t a, std::int64_t b, int order, std::uint64_t line);
 
-    /// Element of a symbol as files write it: "C", "fe", "T", "Fe3+", "C12", "26". Unknown ones are counted for a
-    /// warning.
-    /// @param line 0 if there is none
+    /// Element of a symbol in a file: "C", "fe", "T", "Fe3+", "C12", "26". Unknown symbols are counted for a warning.
+    /// @param line 0: none
     Element element(std::string_view symbol, std::uint64_t line);
 
     void warn(const std::string& sentence);
 
-    /// Bonds that a reader may put aside until it knows all atoms.
+    /// Maximum of bonds that a reader may keep until it knows all atoms.
     std::size_t mostBonds() const { return kMostBondsPerAtom * maxAtoms_; }
 
     Molecule& molecule() { return molecule_; }
@@ -52,7 +51,8 @@ public:
 
 private:
     static constexpr std::size_t kMostBondsPerAtom = 8;
-    using Indices = std::map<std::string, std::uint32_t, std::less<>>;  // no hash that a file could aim at
+    using Indices = std::map<std::string, std::uint32_t, std::less<>>;  // no hash: a file could choose names that
+                                                                        // collide
     std::uint32_t chainIndex(std::string_view chain);
     std::uint32_t subchainIndex(std::string_view subchain);
 

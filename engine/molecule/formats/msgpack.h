@@ -1,6 +1,6 @@
 #pragma once
-// A view of MessagePack (msgpack.org's specification) where it lies: nothing is copied, nothing is allocated, and a
-// length that the document announces is only ever compared with the bytes that are there.
+// A view of MessagePack (msgpack.org's specification) in place: copies and allocates nothing. Announced lengths are
+// only compared with the bytes that exist.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,22 +17,22 @@ struct MsgpackValue {
     std::uint32_t count = 0;  ///< elements of an array, pairs of a map
     std::int64_t integer = 0;
     double number = 0;
-    std::string_view bytes;  ///< text, binary; of a container what follows its header, to the document's end
+    std::string_view bytes;  ///< text, binary; for a container the bytes after its header, to the document's end
 
     bool is(Kind other) const { return kind == other; }
-    /// The value of a key of a map, the first if there are several; empty if there is none, or this is no map.
+    /// The value of a map's key, the first if repeated; empty if there is none, or this is no map.
     std::optional<MsgpackValue> find(std::string_view key) const;
-    /// An integer, or a number that is one.
+    /// An integer, or a floating-point number with an integral value.
     std::optional<std::int64_t> asInteger() const;
     std::optional<double> asNumber() const;
     std::optional<std::string_view> asText() const;
 };
 
-/// Walks through the elements of an array, or through the keys and values of a map in turn.
+/// Iterates over the elements of an array, or over keys and values of a map in turn.
 class MsgpackElements {
 public:
     explicit MsgpackElements(const MsgpackValue& container);
-    /// Steps to the next element; false after the last. Anything but a container has none.
+    /// Moves to the next element; false after the last. Other values have none.
     bool next(MsgpackValue& element);
 
 private:
@@ -40,9 +40,9 @@ private:
     std::uint64_t left_ = 0;
 };
 
-/// The value that a document holds, found well formed all through; what follows it is passed over.
+/// The value of a document, fully validated; ignores data after it.
 /// @param name file name for messages
-/// @throws Error if it is cut short or no MessagePack
+/// @throws Error if it is truncated or not MessagePack
 MsgpackValue parseMsgpack(const std::string& name, std::string_view document);
 
 }  // namespace nacre

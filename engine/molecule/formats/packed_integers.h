@@ -1,6 +1,6 @@
 #pragma once
-// The integer codecs that BinaryCIF (github.com/molstar/BinaryCIF) and MMTF (mmtf.rcsb.org's specification) share, as
-// streams: values come out a block at a time, so that a few bytes that stand for millions of values take no memory.
+// The integer codecs shared by BinaryCIF (github.com/molstar/BinaryCIF) and MMTF (mmtf.rcsb.org's specification), as
+// streams: values are decoded in blocks, so that a few bytes for millions of values take no memory.
 
 #include <array>
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace nacre {
 
-/// What is wrong with packed data; the reader turns it into an Error that names the file and the field.
+/// An error in packed data; the reader turns it into an Error that names the file and the field.
 struct PackedFault : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -24,14 +24,14 @@ struct IntegerType {
     bool isSigned = true;
 };
 
-/// Values one after the other.
+/// A stream of values.
 class Integers {
 public:
     virtual ~Integers() = default;
     Integers(const Integers&) = delete;
     Integers& operator=(const Integers&) = delete;
 
-    /// Steps to the next value; false after the last. @throws PackedFault where the data is malformed
+    /// Moves to the next value; false after the last. @throws PackedFault if the data is malformed
     bool next(std::int32_t& value) {
         if (at_ == size_) {
             at_ = 0;
@@ -53,8 +53,8 @@ private:
 };
 using IntegersPointer = std::unique_ptr<Integers>;
 
-/// Array of integers, which must outlive the stream. @throws PackedFault if the size is no whole number of them; the
-/// stream does if one exceeds 2^31 - 1
+/// Array of integers, which must outlive the stream. @throws PackedFault if the size is no multiple of theirs; the
+/// stream throws for values above 2^31 - 1
 IntegersPointer integersFromBytes(std::string_view bytes, IntegerType type, ByteOrder order);
 
 /// Sums runs of the type's extreme values with the value after them ("integer packing", "recursive indexing").
@@ -63,10 +63,10 @@ IntegersPointer unpackExtremes(IntegersPointer packed, IntegerType type);
 /// Pairs of value and count.
 IntegersPointer expandRuns(IntegersPointer runs);
 
-/// Running sums; they wrap at 32 bits, as encoders count on.
+/// Running sums; they wrap at 32 bits, which encoders rely on.
 IntegersPointer sumDeltas(IntegersPointer values, std::int32_t origin);
 
-/// The same values, found to be exactly `size`. The stream throws PackedFault at one more, and at the end if there are
+/// The same values, which must be exactly `size`. The stream throws PackedFault at one more, or at the end if there are
 /// fewer.
 IntegersPointer exactly(IntegersPointer values, std::size_t size);
 

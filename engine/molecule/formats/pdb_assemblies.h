@@ -14,15 +14,14 @@ class Remark350 {
 public:
     /// @param line one that begins with "REMARK 350"
     void add(std::string_view line);
-    /// BIOMT1 lines, as FileSummary has them; 0 if there are none.
+    /// Number of BIOMT1 lines, for FileSummary; 0: none.
     std::int64_t operators() const { return operators_; }
-    /// Adds the assemblies to a molecule whose subchains are its chains. One that cannot be read is left out with a
-    /// warning.
+    /// Adds the assemblies to a molecule whose subchains are its chains. Unreadable ones are skipped with a warning.
     void resolve(Molecule& molecule);
 
 private:
     struct Part {
-        bool named = false;  ///< else all chains are meant, as old files do by "NULL"
+        bool named = false;  ///< false: all chains, as "NULL" means in old files
         std::string chains;  ///< one character each
         std::vector<glm::mat4x3> transforms;
     };
@@ -38,7 +37,7 @@ private:
     AssemblyLimits limits_;
     std::vector<Biomolecule> biomolecules_;
     TransformRows rows_{};
-    int row_ = 0;  ///< rows of the present transform that are there
+    int row_ = 0;  ///< rows read of the current transform
     std::int64_t operators_ = 0;
     std::size_t leftOut_ = 0;
 };

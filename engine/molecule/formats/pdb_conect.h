@@ -1,5 +1,5 @@
 #pragma once
-// CONECT records: gathered while the file is scanned, resolved when all atoms are known.
+// CONECT records: collected during the scan, resolved when all atoms are known.
 
 #include <algorithm>
 #include <cstddef>
@@ -14,23 +14,23 @@ namespace nacre::pdb {
 
 class ConectTable {
 public:
-    /// @param maxAtoms  that the molecule may have, which bounds what is gathered
+    /// @param maxAtoms  of the molecule; limits what is collected
     explicit ConectTable(std::size_t maxAtoms) : mostPairs_(kPairsPerAtom * maxAtoms + kFewPairs) {}
 
     void add(std::string_view line, std::uint64_t lineNumber);
 
-    /// For records that turn out to be of no concern: what was gathered so far, and back to it.
+    /// To drop records that turn out irrelevant: take the size before them and return to it.
     std::size_t size() const { return pairs_.size(); }
     void shrink(std::size_t size) { pairs_.resize(std::min(size, pairs_.size())); }
 
-    /// Adds the stated bonds, sets FileSummary::conectUniquePairs and warns of what was ignored.
-    /// @param serials  of the molecule's atoms, in order; negative where an atom has none that can be read
+    /// Adds the bonds, sets FileSummary::conectUniquePairs and warns about ignored records.
+    /// @param serials  of the molecule's atoms, in order; negative if unreadable
     void resolve(const std::vector<std::int64_t>& serials, Molecule& molecule) const;
 
     bool empty() const { return pairs_.empty() && unreadable_ == 0; }
 
 private:
-    // Each bond is customarily stated from both sides.
+    // Each bond is usually listed from both sides.
     static constexpr std::size_t kPairsPerAtom = 16, kFewPairs = 1000, kMostBondsPerAtom = 8;
 
     struct Pair {

@@ -1,5 +1,5 @@
 #pragma once
-// Fields of a PDB line (wwPDB format 3.3, and what is found in the wild).
+// Fields of a PDB line (wwPDB format 3.3, and common deviations).
 
 #include <cstdint>
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace nacre::pdb {
 
-/// Columns as the format counts them, 1-based and inclusive, as far as the line goes.
+/// Columns in the format's counting, 1-based and inclusive, as far as the line goes.
 inline std::string_view columns(std::string_view line, std::size_t first, std::size_t last) {
     if (line.size() < first) return {};
     return line.substr(first - 1, last - first + 1);
@@ -22,23 +22,23 @@ inline char column(std::string_view line, std::size_t number) {
 /// Without blanks and NUL at both ends.
 std::string_view trim(std::string_view field);
 
-/// A finite decimal number that fills the field but for blanks.
+/// A finite decimal number that fills the field except for blanks.
 std::optional<double> number(std::string_view field);
 
-/// An integer, or a hybrid-36 number of exactly `width` characters (R. W. Grosse-Kunstleve: digits first, then
-/// A000.. in base 36, then a000..). Empty for anything else.
+/// An integer, or a hybrid-36 number of exactly `width` characters (R. W. Grosse-Kunstleve: digits first, then A000..
+/// in base 36, then a000..). Empty for anything else.
 std::optional<std::int64_t> integer(std::string_view field, std::size_t width);
 
-/// Serial number of an atom line; also of the six and more digits that spill into the blanks beside the columns.
+/// Serial number of an atom line, also with six or more digits that overflow into the blanks beside the columns.
 std::optional<std::int64_t> serial(std::string_view line);
 
-/// Element by columns 77-78, or else by the atom's name in columns 13-16; 0 if neither tells.
+/// Element from columns 77-78, or else from the atom's name in columns 13-16; 0 if neither states it.
 Element element(std::string_view line, const Name& residueName);
 
 /// Element by the four columns of an atom's name (13-16) alone, symbol right-justified in the first two.
 Element elementByName(std::string_view field, const Name& residueName);
 
-/// Element by a name that stands in no columns (GRO, PQR), so that an "CA" is carbon unless its residue says calcium.
+/// Element from a name without columns (GRO, PQR), so that "CA" is carbon unless its residue is calcium.
 Element elementByLooseName(std::string_view name, const Name& residueName);
 
 /// Element of an AutoDock 4 atom type ("A", "HD", "OA", "Cl"), or 0. "NA" accepts a hydrogen bond; sodium is "Na".

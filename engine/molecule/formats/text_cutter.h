@@ -1,5 +1,5 @@
 #pragma once
-// Walks through a text by its lines, and cuts it between them.
+// Iterates over the lines of a text, and splits it between them.
 
 #include <algorithm>
 #include <string>
@@ -14,13 +14,13 @@ public:
     explicit TextCutter(const TextSource& text) : text_(text) { findLine(); }
 
     bool atEnd() const { return place() == text_.size; }
-    /// Without its end. Until pass().
+    /// Without its line end. Valid until pass().
     std::string_view line() const { return std::string_view(piece_).substr(from_, length_); }
     void pass() {
         from_ = std::min(from_ + length_ + 1, piece_.size());
         findLine();
     }
-    /// Steps over lines; false if there are fewer.
+    /// Skips lines; false if there are fewer.
     bool pass(std::int64_t lines) {
         for (; lines > 0 && !atEnd(); --lines) pass();
         return lines == 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Text that lies in memory or in a file, and is read in pieces.
+// Text in memory or in a file, read in pieces.
 
 #include <cstdint>
 #include <functional>
@@ -13,7 +13,7 @@ namespace nacre {
 
 struct TextSource {
     std::uint64_t size = 0;
-    /// Reads bytes that there are. @throws Error
+    /// Reads existing bytes. @throws Error
     std::function<void(std::uint64_t at, char* to, std::size_t count)> read;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The built-in molecules, one function each, and what they share. Callers use sampleMolecule() of read.h.
+// The built-in molecules, one function each, and shared helpers. Callers use sampleMolecule() of read.h.
 
 #include <string_view>
 
@@ -17,18 +17,18 @@ public:
     explicit SampleBuilder(std::string_view title);
 
     void chain(std::string_view name) { chain_ = name; }
-    /// A residue of the latest chain; `hetero` marks its atoms.
+    /// Adds a residue to the latest chain; `hetero` marks its atoms.
     void residue(std::string_view name, std::int32_t number, bool hetero) {
         residue_ = name;
         number_ = number;
         hetero_ = hetero;
     }
-    /// An atom of the latest residue; returns its index. The position is in Å.
+    /// Adds an atom to the latest residue and returns its index. The position is in Å.
     std::uint32_t atom(std::string_view name, std::string_view symbol, glm::dvec3 position);
-    /// A bond between two atoms of different index.
+    /// Adds a bond between two different atoms.
     void bond(std::uint32_t a, std::uint32_t b, std::uint8_t order) { builder_.addBond(a, b, order, 0); }
 
-    /// The molecule with its summary filled in and its bonds sorted.
+    /// The molecule with summary and sorted bonds.
     Molecule finish();
 
 private:

@@ -1,26 +1,23 @@
 #pragma once
-// Which atoms of a molecule are meant, in words that users of PyMOL know. The grammar:
+// Selections of atoms, in the words of PyMOL. The grammar:
 //
-//   selection  alternatives, perhaps followed by `within N of T`: those of all that are near T, as in PyMOL
+//   selection     alternatives, optionally followed by `within N of T`: all of their atoms near T, as in PyMOL
 //   alternatives  several `or` several ...  (also |)
 //   several       term `and` term ...       (also &)
-//   term       not T (also !), byres T, within N of T, around N of T, ( selection ), or a test
-//   test       chain A+B   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1
-//              ss helix+strand+loop   sequence GLN?A   b > 50   occupancy < 1   (also <= >= = !=)
-//              id 78+92-95   (positions of atoms among all records of the file's drawn model, from 1, as a click says
-//              them) all none protein nucleic polymer ligand water ion backbone sidechain hydrogens hetatm helix strand
-//              loop /A:10-20@CA, as ChimeraX has it: chains, numbers or names of residues, names of atoms, #1 for a
-//              model
+//   term          not T (also !), byres T, within N of T, around N of T, ( selection ), or a test
+//   test          chain A+B   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1
+//                 ss helix+strand+loop   sequence GLN?A   b > 50   occupancy < 1   (also <= >= = !=)
+//                 id 78+92-95   (1-based positions among the atom records of the file's drawn model)
+//                 all none protein nucleic polymer ligand water ion backbone sidechain hydrogens hetatm helix strand
+//                 loop   /A:10-20@CA   (ChimeraX: chains, numbers or names of residues, names of atoms, #1: model)
 //
-// `not`, `byres` and `within N of` apply to the one term that follows. Where that term stands without parentheses
-// and an operator follows, `byres` and `within` are refused as ambiguous, for PyMOL would read on.
-// Lists take + or commas; values may stand in quotes, '' is the empty one; * in a value stands for any characters.
-// Key words and values are the same in capitals and small letters, except for chain names: as in PyMOL.
-// A number of a residue may be negative (also written \-5), and may end in an insertion code (82A). Alone, it means
-// that code and no other; as the end of a range it means all codes: 80-82 holds 82A.
-// `within` means at most N Å, and includes what it is measured from; `around` leaves that out. `ss` is what the file
-// says of proteins. `sequence` finds residues of a polymer in a row by their one-letter codes, ? for any. PyMOL's short
-// forms (c. r. i. n. e. h. br. w. ...) are known too.
+// `not`, `byres` and `within N of` apply to the next term. If that has no parentheses and an operator follows, `byres`
+// and `within` are refused as ambiguous: PyMOL would include the operator. Lists use + or commas; values may be quoted,
+// '' is the empty one; * matches any characters. Case matters in chain names only, as in PyMOL. A residue number may be
+// negative (also written \-5), and may have an insertion code (82A), which it then must match; as the end of a range it
+// includes all codes: 80-82 includes 82A. `within` means at most N Å and includes its reference; `around` excludes it.
+// `ss` is the protein's secondary structure. `sequence` finds consecutive residues by one-letter codes, ? for any.
+// PyMOL's short forms (c. r. i. n. e. h. br. w. ...) work as well.
 
 #include <cstdint>
 #include <string>
@@ -31,7 +28,7 @@
 
 namespace nacre {
 
-/// A step of a selection: a test pushes a set of atoms, an operation takes one set or two and pushes its result.
+/// A step of a selection: a test pushes a set of atoms, an operation pops one or two sets and pushes its result.
 enum class SelectionTest : std::uint8_t {
     all,
     none,
@@ -65,14 +62,14 @@ enum class SelectionTest : std::uint8_t {
     disjunction
 };
 
-/// Numbers first..last; of the numbers at the ends only the insertion codes from firstCode and up to lastCode.
+/// Numbers first..last. Insertion codes count at the ends only: from firstCode, and up to lastCode.
 struct NumberRange {
     std::int32_t first = 0, last = 0;
     char firstCode = '\0', lastCode = '\0';
     friend bool operator==(const NumberRange&, const NumberRange&) = default;
 };
 
-/// What may hold: 1 less, 2 equal, 4 greater.
+/// A bit mask: 1 less, 2 equal, 4 greater.
 enum class Comparison : std::uint8_t {
     less = 1,
     equal = 2,
@@ -84,23 +81,23 @@ enum class Comparison : std::uint8_t {
 
 struct SelectionStep {
     SelectionTest test = SelectionTest::all;
-    /// Values of chain, residueName, atomName, element, alternate, sequence; of secondary "HELIX", "STRAND", "LOOP".
+    /// Values of chain, residueName, atomName, element, alternate, sequence; for secondary "HELIX", "STRAND", "LOOP".
     std::vector<std::string> words;
-    std::vector<NumberRange> numbers;           ///< of residueNumber, model and atomNumber
-    double distance = 0;                        ///< of within and around, Å
-    Comparison comparison = Comparison::equal;  ///< of temperatureFactor and occupancy, with `value`
+    std::vector<NumberRange> numbers;           ///< for residueNumber, model and atomNumber
+    double distance = 0;                        ///< for within and around, Å
+    Comparison comparison = Comparison::equal;  ///< for temperatureFactor and occupancy, with `value`
     double value = 0;
     friend bool operator==(const SelectionStep&, const SelectionStep&) = default;
 };
 
-/// A plain value: steps in postfix order, in which the depth of the stack is bounded by the parser.
+/// A plain value: steps in postfix order. The parser limits the stack's depth.
 struct Selection {
-    std::string text;  ///< as it was written, for messages and legends
+    std::string text;  ///< as written, for messages and legends
     std::vector<SelectionStep> steps;
     friend bool operator==(const Selection&, const Selection&) = default;
 };
 
-/// @throws Error with the column (counted from 1), what was expected there, and what was found
+/// @throws Error with the column (from 1), what was expected there, and what was found
 Selection parseSelection(std::string_view text);
 
 /// One value per atom. The selection must come from parseSelection().

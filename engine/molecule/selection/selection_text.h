@@ -1,5 +1,5 @@
 #pragma once
-// The text of a selection as the parser goes through it: words, key words, and where it stands when it fails.
+// A selection's text while it is parsed: words, keywords, and the position for errors.
 
 #include <cstddef>
 #include <optional>
@@ -19,19 +19,19 @@ protected:
     bool atEndHere() const { return position_ >= text_.size(); }
     bool atEnd();
     void skipBlanks();
-    /// Where the word ends that begins here.
+    /// End of the word that begins here.
     std::size_t wordEnd() const;
     std::string_view word();
-    /// The next word or operator as it stands; moves on to it, not past it.
+    /// The next word or operator; moves to its beginning.
     std::string_view nextToken();
-    /// What the next token means, if it is a key word: the names of PyMOL, ChimeraX and VMD where they mean one thing.
+    /// Meaning of the next token, if it is a keyword: names of PyMOL, ChimeraX and VMD where they agree.
     std::optional<SelectionTest> keyword();
     bool accept(SelectionTest wanted);
     bool acceptCharacter(char wanted);
 
-    /// @param meant  what may be: the nearest is suggested
+    /// @param meant  valid words: the nearest is suggested
     [[noreturn]] void expected(const std::string& wanted, const std::vector<std::string>& meant = {});
-    /// The same of what stands at a place that was passed.
+    /// As above for an earlier position.
     [[noreturn]] void expectedAt(std::size_t place, const std::string& wanted,
                                  const std::vector<std::string>& meant = {}) {
         position_ = place;
@@ -43,7 +43,7 @@ protected:
 
     std::string_view text_;
     std::size_t position_ = 0;
-    bool chimera_ = false;  ///< in a specifier of ChimeraX, whose marks end a word
+    bool chimera_ = false;  ///< inside a ChimeraX specifier, whose marks end a word
 
     static constexpr std::string_view kMarks = "#/:@";  ///< of such specifiers
 };

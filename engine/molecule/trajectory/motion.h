@@ -1,6 +1,6 @@
 #pragma once
-// A trajectory as it is to be seen: molecules that the periodic box cut are made whole, each frame is laid onto
-// the first, and shaking is smoothed over neighbouring frames.
+// A trajectory as shown: molecules cut by the periodic box are made whole, frames are fitted to the first, and motion
+// is smoothed over neighbouring frames.
 
 #include <deque>
 
@@ -11,14 +11,13 @@
 namespace nacre {
 
 struct MotionOptions {
-    bool whole = false;  ///< bonded atoms stand together, wherever the box's faces lie
-    /// Atoms by which frames are laid onto the first; none: they stay. Molecules with such atoms that are made whole
-    /// stand to each other as in the first frame, there at their nearest images, and all others at the image that is
-    /// nearest to the first of these.
+    bool whole = false;  ///< make molecules whole: bonded atoms lie together across the box's faces
+    /// Atoms by which frames are fitted to the first; empty: no fit. Whole molecules with such atoms keep the
+    /// arrangement of the first frame, there at their nearest images; all others take the image nearest to the first of
+    /// these.
     std::vector<std::uint32_t> fitted;
-    /// Frames that a position is the mean of, odd; fewer at both ends. In a periodic box each molecule that is made
-    /// whole, else each atom, is followed from frame to frame by its nearest image, so that nothing is the mean of two
-    /// sides.
+    /// Number of frames averaged, odd; fewer at both ends. In a periodic box each whole molecule, or else each atom, is
+    /// tracked by its nearest image between frames, so that no average mixes two sides of the box.
     std::size_t smoothed = 1;
 };
 
@@ -26,29 +25,28 @@ class Motion {
 public:
     static constexpr std::size_t kMostSmoothed = 101;
 
-    /// @param molecule  whose atoms these are: its bonds tell what belongs together
+    /// @param molecule  its bonds define molecules
     /// @throws Error if the numbers of atoms differ
     Motion(std::unique_ptr<Trajectory> trajectory, const Molecule& molecule, MotionOptions options);
 
-    /// From the next frame on. @param molecule  as at first
+    /// Applies from the next frame on. @param molecule  the same as before
     void change(MotionOptions options, const Molecule& molecule);
 
     const Trajectory& trajectory() const { return *trajectory_; }
     std::size_t frames() const { return trajectory_->frames(); }
-    /// Å. @param frame from 0. One after the other, each costs one frame read. @throws Error
+    /// Å. @param frame from 0. In sequence each costs one frame read. @throws Error
     std::vector<glm::vec3> positions(std::size_t frame);
-    /// Of the frame asked for last: how far the fitted atoms are from their places in the first frame, Å.
+    /// RMSD of the fitted atoms to the first frame, Å, for the last frame requested.
     double rmsd() const { return rmsd_; }
-    /// Of the same, ps; none if the file has none.
+    /// Time of the last frame requested, ps; none if the file has none.
     std::optional<double> time() const { return time_; }
-    /// A frame that was read, from 0, whose fitted atoms have bonds across the periodic box: what is laid is torn.
+    /// A frame (from 0) whose fitted atoms have bonds across the periodic box, so that the fit tears molecules.
     std::optional<std::size_t> torn() const { return torn_; }
-    /// A frame that was read, from 0, that has no periodic box though molecules are to be made whole: it stays as it
-    /// is.
+    /// A frame (from 0) without a periodic box although molecules should be made whole: it stays unchanged.
     std::optional<std::size_t> boxless() const { return boxless_; }
 
 private:
-    /// A frame as it was read, and whole if that is wanted; where it is to be laid is `onto`.
+    /// A frame as read, made whole if asked for; `onto` is its fit.
     struct Kept {
         std::size_t frame;
         std::vector<glm::vec3> positions;
@@ -56,7 +54,7 @@ private:
         Superposition onto;
         std::optional<double> time;
     };
-    /// An atom that is reached over a bond from one that stands already.
+    /// An atom reached over a bond from one already positioned.
     struct Step {
         std::uint32_t from, to;
     };
@@ -76,10 +74,10 @@ private:
     std::unique_ptr<Trajectory> trajectory_;
     MotionOptions options_;
     std::vector<Step> steps_;
-    std::vector<std::uint32_t> firstOf_;  // of each atom that is made whole: the one that its molecule begins with
-    std::vector<glm::dvec3> first_;       // the fitted atoms in the first frame
-    std::vector<Step> fittedBonds_;       // of fitted atoms, where nothing is made whole
-    std::vector<std::vector<std::uint32_t>> fittedOfMolecules_;  // fitted atoms by the molecule that is made whole
+    std::vector<std::uint32_t> firstOf_;                         // per atom made whole: the first atom of its molecule
+    std::vector<glm::dvec3> first_;                              // the fitted atoms in the first frame
+    std::vector<Step> fittedBonds_;                              // of fitted atoms, if nothing is made whole
+    std::vector<std::vector<std::uint32_t>> fittedOfMolecules_;  // fitted atoms by whole molecule
     std::vector<glm::vec3> ways_;  // from the first of these molecules to each, in the first frame
     std::optional<std::size_t> torn_, boxless_;
     std::deque<Kept> kept_;

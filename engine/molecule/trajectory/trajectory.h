@@ -1,5 +1,5 @@
 #pragma once
-// Trajectories: the positions of a structure's atoms in frame after frame, read from their file as they are needed.
+// Trajectories: positions of a structure's atoms per frame, read from their file on demand.
 
 #include <array>
 #include <cstddef>
@@ -27,10 +27,10 @@ struct TrajectoryFrame {
 class Trajectory {
 public:
     virtual ~Trajectory() = default;
-    std::size_t atoms() const { return atoms_; }    ///< in each frame, at least one
-    std::size_t frames() const { return frames_; }  ///< whole ones, at least one
+    std::size_t atoms() const { return atoms_; }    ///< per frame, at least one
+    std::size_t frames() const { return frames_; }  ///< complete ones, at least one
     const char* format() const { return format_; }  ///< "dcd", "xtc", "trr", "netcdf", "models"
-    bool cutOff() const { return cutOff_; }         ///< the file ends within a frame, which is left out
+    bool cutOff() const { return cutOff_; }         ///< the file ends within a frame, which is ignored
 
     /// @param frame  from 0 @throws Error if there is no such frame, or it is damaged
     TrajectoryFrame read(std::size_t frame);
@@ -44,20 +44,20 @@ protected:
     bool cutOff_ = false;
 };
 
-/// Opens a DCD, XTC, TRR or AMBER NetCDF file, told apart by its content. Scans it for where its frames begin, and
-/// holds no more than that. @throws Error
+/// Opens a DCD, XTC, TRR or AMBER NetCDF file, detected by content. Scans it for the positions of its frames, and holds
+/// only those. @throws Error
 std::unique_ptr<Trajectory> openTrajectory(const std::string& path);
 
-/// The models of a molecule's file one after the other, if each has the molecule's own atoms (Molecule::others); else
-/// null. @param model  that the molecule is, counted from 1 @param placesAlone  models may differ in what else is
-/// stated of the same atoms: B factors, occupancies, folds
+/// The models of a molecule's file in order, if each has the molecule's own atoms (Molecule::others); else null.
+/// @param model  the molecule's own, from 1
+/// @param placesAlone  other data of the atoms may differ: B factors, occupancies, secondary structure
 std::unique_ptr<Trajectory> trajectoryOfModels(std::shared_ptr<const Molecule> molecule, int model,
                                                bool placesAlone = false);
 
-/// Why there is no such trajectory: "model 3 has 12 atoms, the first 14". @param molecule  the first model
+/// Reason why there is none: "model 3 has 12 atoms, the first 14". @param molecule  the first model
 std::string differenceOfModels(const Molecule& molecule);
 
-/// Box vectors from lengths (Å) and angles (degrees) between b and c, a and c, a and b; none if they enclose nothing.
+/// Box vectors from lengths (Å) and angles (degrees) between b and c, a and c, a and b; none if the volume is zero.
 std::optional<PeriodicBox> boxOf(const glm::dvec3& lengths, const glm::dvec3& angles);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// A binary file that is read in pieces, within its bounds; and the readers of the formats.
+// Bounds-checked reading of a binary file in pieces; and the readers of the formats.
 
 #include <bit>
 #include <cstddef>
@@ -23,7 +23,7 @@ public:
     const std::string& name() const { return name_; }
     std::uint64_t size() const { return file_->size(); }
     bool holds(std::uint64_t offset, std::uint64_t count) const { return offset <= size() && count <= size() - offset; }
-    /// @throws Error if the file does not hold that
+    /// @throws Error if the file does not hold these bytes
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
     [[noreturn]] void fail(const std::string& why) const { throw Error("cannot read trajectory", name_, why); }
 
@@ -32,7 +32,7 @@ private:
     std::shared_ptr<ByteFile> file_;
 };
 
-/// A number as it stands in a file. @param swapped  whether the file's byte order is not this machine's
+/// A number from a file. @param swapped  the file's byte order is not this machine's
 template <typename Number>
 Number numberAt(const std::byte* bytes, bool swapped) {
     std::array<std::byte, sizeof(Number)> raw;
@@ -42,7 +42,7 @@ Number numberAt(const std::byte* bytes, bool swapped) {
     return std::bit_cast<Number>(raw);
 }
 
-/// Numbers one after the other from a place of a file.
+/// Consecutive numbers of a file.
 class NumberReader {
 public:
     NumberReader(const TrajectoryFile& file, std::uint64_t offset, bool swapped)
@@ -65,14 +65,14 @@ private:
     bool swapped_;
 };
 
-constexpr bool kBigEndianSwapped = std::endian::native == std::endian::little;  ///< of files in XDR and NetCDF
+constexpr bool kBigEndianSwapped = std::endian::native == std::endian::little;  ///< for files in XDR and NetCDF
 
-/// Numbers of atoms that no frame has are refused: more than kMaxAtoms, or none. @throws Error
+/// Refuses impossible numbers of atoms: zero, or more than kMaxAtoms. @throws Error
 std::size_t checkedAtoms(const TrajectoryFile& file, std::int64_t atoms);
 
 using OwnedFile = std::unique_ptr<TrajectoryFile>;
 
-/// A trajectory in a file, and what the formats share.
+/// Base of trajectories in files.
 class FileTrajectory : public Trajectory {
 protected:
     FileTrajectory(OwnedFile file, const char* format, bool swapped = kBigEndianSwapped);
@@ -80,7 +80,7 @@ protected:
     /// Positions that are not finite are refused afterwards.
     virtual void readWhole(std::size_t frame, TrajectoryFrame& result) = 0;
     NumberReader numbersAt(std::uint64_t offset) const { return {*file_, offset, swapped_}; }
-    /// x, y and z of all atoms, one after the other. @param twice  in double precision @param factor  Å in their unit
+    /// x, y and z of all atoms in turn. @param twice  in double precision @param factor  Å per unit
     void readPositions(std::uint64_t offset, bool twice, float factor, TrajectoryFrame& result);
     [[noreturn]] void damaged(std::size_t frame) const {
         file_->fail("frame " + std::to_string(frame + 1) + " is damaged");
