@@ -1,5 +1,5 @@
 #pragma once
-// From Android's input events to the viewer's.
+// Converts Android's input events to the viewer's.
 
 #include <android/input.h>
 
@@ -10,23 +10,23 @@
 
 namespace nacre::app {
 
-/// What a motion event says of fingers and pens. Places in points.
+/// Touches of a motion event by fingers and pens. Positions in points.
 std::vector<TouchEvent> touchesOf(const AInputEvent* event, double pixelsPerPoint);
 
 struct MouseEvent {
-    MouseButton button;  ///< that went down
+    MouseButton button;  ///< that was pressed
     TouchEvent touch;
     Modifiers with;
 };
 
-/// A mouse with a button down, if it is one.
+/// A mouse with a pressed button; empty for other events.
 std::optional<MouseEvent> mouseOf(const AInputEvent* event, double pixelsPerPoint);
 
 struct HoverEvent {
-    std::optional<glm::dvec2> at;  ///< points; nothing: it left
+    std::optional<glm::dvec2> at;  ///< points; empty: it left
 };
 
-/// A mouse or a pen that points to something and does not touch it.
+/// A mouse or pen that hovers without touching.
 std::optional<HoverEvent> hoverOf(const AInputEvent* event, double pixelsPerPoint);
 
 struct WheelEvent {
@@ -34,13 +34,13 @@ struct WheelEvent {
     glm::dvec2 at;  ///< points
 };
 
-/// A wheel's turn, if it is one.
+/// A wheel's turn; empty for other events.
 std::optional<WheelEvent> wheelOf(const AInputEvent* event, double pixelsPerPoint);
 
-/// A key that went down, as the viewer's bindings name it.
+/// A pressed key, named as in the viewer's bindings.
 std::optional<KeyEvent> keyOf(const AInputEvent* event);
 
-/// Seconds of the steady clock at which the event happened.
+/// Time of the event, seconds of the steady clock.
 double secondsOf(const AInputEvent* motion);
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// The document that the activity was started to show, or one that was picked.
+// The document that the activity was started with, or that the user picked.
 
 #include <android/native_activity.h>
 
@@ -18,27 +18,27 @@ class IntentDocument {
 public:
     using Post = std::function<void(std::function<void(AndroidSession&)>)>;
 
-    /// Call on the main thread, like all the rest.
-    /// @param uri  of the document; null: what the activity was started to show
-    /// @param post  has the session told, on the other thread: of the copy, or why there is none
+    /// Call on the main thread, as all members.
+    /// @param uri  of the document; null: the one that started the activity
+    /// @param post  reports to the session on its thread: the copy, or the error
     IntentDocument(ANativeActivity* activity, jobject uri, OpenedFiles files, Post post);
-    /// What is still being copied is let go of: a provider may take any time.
+    /// Abandons a copy in progress: a provider may take any time.
     ~IntentDocument();
     IntentDocument(const IntentDocument&) = delete;
 
-    /// Whether the intent names a document at all.
+    /// Whether the intent names a document.
     bool present() const { return work_->uri != nullptr; }
-    /// Opens it, on a thread of its own: a provider may fetch it from a network.
+    /// Copies it on a worker thread: a provider may fetch it from a network.
     void open();
 
 private:
-    /// What the copying thread has, which outlives the activity if it has to.
+    /// Data of the copying thread, which may outlive the activity.
     struct Work {
         JavaVM* machine = nullptr;
         jobject activity = nullptr, uri = nullptr;  // global references
         OpenedFiles files{""};
         std::mutex mutex;
-        Post post;  // empty: nobody waits for it any more
+        Post post;  // empty: nobody waits for the result
         void run();
         std::string copy(const Java& java) const;
         void release(JNIEnv* env);

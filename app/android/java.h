@@ -1,5 +1,5 @@
 #pragma once
-// The little Java that the shell speaks, by JNI.
+// Helpers for JNI calls.
 
 #include <jni.h>
 
@@ -8,16 +8,16 @@
 
 namespace nacre::app {
 
-/// What a Java method threw, in its own words.
+/// A Java exception, with its message.
 class JavaError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// A Java string of UTF-8, by way of UTF-16: NewStringUTF takes a UTF-8 of Java's own, in which emoji are otherwise.
+/// A Java string from UTF-8, by way of UTF-16: NewStringUTF takes modified UTF-8 (emoji differ).
 jstring newString(JNIEnv* env, const std::string& text);
 
-/// Calls of one thread. Every local reference made meanwhile goes with this object.
+/// Calls on one thread. Frees its local references at the end of its life.
 class Java {
 public:
     explicit Java(JNIEnv* env);
@@ -53,7 +53,7 @@ public:
     jstring string(const std::string& text) const;
     /// Empty for null.
     std::string text(jobject string) const;
-    /// Throws what is pending as JavaError.
+    /// Throws a pending exception as JavaError.
     void check() const;
 
 private:
@@ -62,7 +62,7 @@ private:
     JNIEnv* env_;
 };
 
-/// This thread as one of the Java machine's, for as long as the object lives.
+/// Attaches this thread to the Java machine while the object lives.
 class AttachedThread {
 public:
     explicit AttachedThread(JavaVM* machine);

@@ -8,7 +8,7 @@
 
 namespace nacre::app {
 
-/// A line in the device's log, which people read in terminals.
+/// Writes a line to the device's log.
 inline void logError(std::string_view text) {
     __android_log_print(ANDROID_LOG_ERROR, "nacre", "%s", printable(text).c_str());
 }

@@ -1,7 +1,6 @@
 #pragma once
-// What Android's newer versions offer to apps that draw much: the display's rate, the heat that is to come, and hints
-// of how long the work of a frame takes. Looked up by name, since minSdk is older: what is not there does nothing. For
-// the render thread.
+// Performance functions of newer Android versions: the display's rate, thermal forecasts, and hints about a frame's
+// duration. Looked up by name, since minSdk is older; missing functions do nothing. For the render thread.
 
 #include <cstdint>
 #include <limits>
@@ -18,13 +17,13 @@ public:
     ~Performance();
     Performance(const Performance&) = delete;
 
-    /// Asks for so many pictures per second of a window's display; 0: as the system likes. Android 11.
+    /// Requests a frame rate for a window's display, per second; 0: the system's choice. Android 11.
     void setFrameRate(ANativeWindow* window, double rate);
-    /// How near the device will be to slowing itself down, ten seconds from now: 1, it does. Asked of the system every
-    /// ten seconds; 0 where it does not tell. Android 12.
+    /// Thermal forecast for ten seconds from now: 1 means that the device will throttle. Queries the system every ten
+    /// seconds; 0 if unknown. Android 12.
     double heatAt(double now);
     double heat() const { return heat_; }
-    /// A frame took the calling thread so many seconds, and may take as long as the display's picture. Android 13.
+    /// Reports a frame's duration on this thread and its target duration, seconds. Android 13.
     void worked(double seconds, double target);
 
 private:

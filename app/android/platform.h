@@ -1,5 +1,5 @@
 #pragma once
-// What the activity's Java does for the native code (NacreActivity.java), and what it is told of.
+// Functions of the activity's Java part for the native code (NacreActivity.java), and its callbacks.
 
 #include <android/native_activity.h>
 #include <jni.h>
@@ -19,33 +19,32 @@ class Platform {
 public:
     using Tell = std::function<void(AndroidSession&)>;
 
-    /// What Java calls, on the main thread.
+    /// Callbacks from Java, on the main thread.
     struct Told {
-        std::function<void(Tell)> post;           ///< what the session hears of, on its own thread
-        std::function<void(jobject uri)> opened;  ///< a document was picked
+        std::function<void(Tell)> post;           ///< runs a report on the session's thread
+        std::function<void(jobject uri)> opened;  ///< the user picked a document
         std::function<std::string()> controls;    ///< controlLines()
     };
 
-    /// On the main thread, like detach(). An activity without that Java is left alone.
+    /// On the main thread, as detach(). Does nothing for an activity without that Java part.
     Platform(ANativeActivity* activity, Told told);
     ~Platform();
     Platform(const Platform&) = delete;
-    /// The activity goes: nothing is asked of it any more, and it tells nothing.
+    /// The activity ends: no more calls or callbacks.
     void detach();
     /// "Android 16, Example Phone"
     std::string system() const;
-    /// Of what the system may delete at any time. Nothing: it is not told.
+    /// A folder that the system may empty at any time; empty: unknown.
     std::optional<std::string> cacheFolder() const;
 
-    // From any thread
-    /// What a session may ask of it.
+    // Adds the functions that a session may call. Thread-safe.
     void lend(PhoneHost& host) const;
     /// As HttpFetch.
     void fetch(const std::string& url, const HttpTake& take) const;
     void controlsChanged() const;
-    /// Back is the app's from now on, to close what lies over the picture, or the system's again.
+    /// Whether the app handles Back, to close what lies over the picture; otherwise the system does.
     void wantsBack(bool wanted) const;
-    /// Frame after frame is drawn: the display's ticks are wanted.
+    /// Whether frames are drawn continuously: requests the display's ticks.
     void animate(bool on) const;
 
 private:
@@ -58,7 +57,7 @@ private:
     std::thread::id main_ = std::this_thread::get_id();
     JNIEnv* env_;  // of the main thread
     JavaVM* machine_;
-    jobject object_;  // the activity, by a reference of our own
+    jobject object_;  // the activity, as a global reference
     Told told_;
     std::atomic<bool> there_{false};
 };

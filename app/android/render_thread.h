@@ -1,6 +1,6 @@
 #pragma once
-// The one thread that viewer, panel and renderer live on. It runs what it is given and then takes a step, sleeps until
-// the step said it is due again, and never otherwise.
+// The one thread of viewer, panel and renderer. It runs posted tasks and then a step, and sleeps until the next task or
+// until the step is due again.
 
 #include <condition_variable>
 #include <cstdint>
@@ -15,17 +15,17 @@ class RenderThread {
 public:
     using Task = std::function<void()>;
 
-    /// @param step   returns when to be called again, in seconds of steadySeconds(); infinity: after the next task
-    /// @param await  called when something is to be done, before it is looked up: input that comes meanwhile is taken
-    /// @param failed called on the thread with what a task or step threw; nothing is run after that
+    /// @param step   returns when to call it again, in steadySeconds(); infinity: after the next task
+    /// @param await  called before pending tasks are fetched, so that input that arrives meanwhile is included
+    /// @param failed called on the thread with the exception of a task or step; nothing runs after that
     RenderThread(std::function<void()> await, std::function<double()> step, std::function<void(const char*)> failed);
-    /// Runs what was posted and ends.
+    /// Runs posted tasks and ends.
     ~RenderThread();
     RenderThread(const RenderThread&) = delete;
 
-    /// From any thread.
+    /// Thread-safe.
     void post(Task task);
-    /// The same, and waits until it ran and the step after it was taken, but no longer than `seconds`.
+    /// As post(), and waits for the task and the step after it, at most `seconds`.
     /// @returns whether it ran
     bool call(Task task, double seconds);
 
@@ -45,8 +45,8 @@ private:
 
 double steadySeconds();
 
-/// Seconds that the main thread waits for the render thread, all waits from a pause to the end together: Android calls
-/// an app dead whose main thread is not back after 5. Tests on busy machines have more.
+/// Total time, seconds, that the main thread waits for the render thread between a pause and the end: Android reports
+/// an app as not responding after 5. Tests on busy machines use more.
 inline double mainThreadPatience = 3;
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// The session of one activity: what a phone's does, on Android's windows. Everything here belongs to the render thread.
+// A phone session for one activity, on Android's windows. Everything here belongs to the render thread.
 
 #include <android/native_window.h>
 #include <android/rect.h>
@@ -17,27 +17,27 @@ namespace nacre::app {
 class AndroidSession : public PhoneSession {
 public:
     /// @param host      without a clock and a surface
-    /// @param viewFile  where the last view is kept
+    /// @param viewFile  for the last view
     AndroidSession(PhoneHost host, const PictureDescription& first, double pixelsPerPoint, std::string viewFile);
 
     void windowCreated(ANativeWindow* window);
-    /// It has another size, or lost what was in it.
+    /// It has another size, or lost its contents.
     void windowChanged();
     void windowDestroyed();
     void contentChanged(const ARect& content);
-    /// Bars, cutouts and gestures of the system lie over so much of the window's edges, pixels.
+    /// Widths of the window's edges under bars, cutouts and gestures, pixels.
     void covered(int left, int top, int right, int bottom);
     void densityChanged(double pixelsPerPoint);
     void started();
     void paused();
     void stopped();
-    /// The display that the window is on shows so many pictures per second, and could show so many.
+    /// The frame rate of the window's display, and its maximum, per second.
     void displayRefreshes(double rate, double most);
-    /// The display begins a picture. @param nanoseconds  of the steady clock
+    /// The display begins a frame. @param nanoseconds  of the steady clock
     void tick(std::int64_t nanoseconds);
-    /// A step, and what the system is told of it. @returns as step()
+    /// Takes a step, and reports it to the system. @returns as step()
     double turn();
-    /// @param animate  called when frame after frame begins to be drawn, and when that ends: tick() is wanted meanwhile
+    /// @param animate  called when continuous drawing begins or ends; tick() is needed in between
     void onMotion(std::function<void(bool)> animate) { animate_ = std::move(animate); }
     /// As Viewer::awaitFrame.
     void awaitFrame();
@@ -56,9 +56,9 @@ private:
     Insets covered_;
     Performance performance_;
     std::function<void(bool)> animate_;
-    double most_ = 0;            // pictures per second of the display at its best; 0: nobody says
-    double ticked_ = -1e9;       // when the display began a picture last
-    double moved_ = -1e9;        // when a frame of a motion was drawn last
+    double most_ = 0;            // maximum frame rate of the display, per second; 0: unknown
+    double ticked_ = -1e9;       // last tick of the display
+    double moved_ = -1e9;        // time of the last frame of a motion
     std::uint64_t motions_ = 0;  // frames of motions so far
     bool moving_ = false;
     bool started_ = false;

@@ -9,18 +9,18 @@ struct ANativeWindow;
 
 namespace nacre::app {
 
-/// The window of the moment. It may go while another thread makes a surface of it; whoever still asks for its size then
-/// asks one that is not shown any more.
+/// The current window. It may end while another thread makes a surface from it, which then belongs to a window that is
+/// no longer shown.
 class NativeWindow {
 public:
     NativeWindow() = default;
     ~NativeWindow() { set(nullptr); }
     NativeWindow(const NativeWindow&) = delete;
 
-    /// @param window  null: there is none. @returns whether a surface was made of the one before
+    /// @param window  null: none. @returns whether a surface was made from the previous one
     bool set(ANativeWindow* window);
     ANativeWindow* get() const { return window_; }
-    /// Makes Vulkan draw into the window of the moment.
+    /// Makes Vulkan draw into the current window.
     static SurfaceSource surfaceOf(std::shared_ptr<NativeWindow> window);
 
 private:

@@ -5,8 +5,8 @@
 
 namespace nacre::app {
 
-/// DejaVu Sans, as a TrueType file: the font of pictures and of the panel. Built in, so that a picture looks the same
-/// on every machine.
+/// DejaVu Sans as a TrueType file: the font of pictures and of the panel. Built in, so that pictures look the same on
+/// every machine.
 std::span<const std::byte> fontFile();
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// Whether what a label names is seen, or lies behind other atoms.
+// Whether a label's atoms are visible or hidden behind others.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -11,20 +11,18 @@
 
 namespace nacre::app {
 
-/// Everything that a scene draws, as something that hides.
+/// Everything that a scene draws, as occluders.
 class LabelSight {
 public:
     explicit LabelSight(const Representation& scene);
 
-    /// Rays from the viewer's side of each of some atoms to the viewer are asked whether anything stands in their way
-    /// but their own residues.
+    /// Casts rays from the viewer's side of sample atoms to the viewer. Their own residues do not occlude.
     struct Named {
-        std::vector<std::uint32_t> atoms;  ///< that do not hide it, as looks number them, ascending
-        std::vector<glm::dvec3> places;    ///< of some of them, Å from the scene's centre
+        std::vector<std::uint32_t> atoms;  ///< that do not occlude it, numbered as in looks, ascending
+        std::vector<glm::dvec3> places;    ///< of sample atoms, Å from the scene's centre
         std::vector<double> radii;         ///< of these
     };
-    /// The share of what each of them shows that nothing hides, 0..1.
-    /// @param clip  what it cuts away hides nothing, judged by its middle
+    /// The visible fraction of each, 0..1. @param clip  atoms whose centre it clips do not occlude
     std::vector<double> openShares(const std::vector<const Named*>& named, const View& view, const Clip& clip) const;
 
 private:
@@ -37,7 +35,7 @@ private:
         glm::vec3 a, b, c;
         std::uint32_t atom;
     };
-    std::vector<Ball> balls_;  ///< atoms; sticks as rows of balls
+    std::vector<Ball> balls_;  ///< atoms, and sticks as rows of balls
     std::vector<Facet> facets_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Draws the marks of word_layout.h into pictures, by FreeType: text from the outlines of its glyphs, and everything
-// else by the same rasteriser, at whatever size.
+// Draws the marks of word_layout.h into pictures with FreeType: glyph outlines and all other shapes by one rasteriser,
+// at any size.
 
 #include <memory>
 
@@ -10,10 +10,10 @@
 
 namespace nacre::app {
 
-/// Not for several threads at once.
+/// Not thread-safe.
 class WordPainter {
 public:
-    /// @param find  a font for characters that the built-in one has not
+    /// @param find  finds a font for characters that the built-in one lacks
     /// @throws Error if the built-in font cannot be read
     explicit WordPainter(FindFont find = systemFontWith);
     ~WordPainter();
@@ -22,8 +22,8 @@ public:
     /// Pixels, with kerning; a character that no font has is as wide as its box.
     double widthOf(const std::string& text, double size) const;
 
-    /// Draws what of the marks lies in some rows of a picture.
-    /// @param rgba   linear light, premultiplied; 4 a pixel; `rows` rows of `width` pixels
+    /// Draws the part of the marks in some rows of a picture.
+    /// @param rgba   linear light, premultiplied; 4 per pixel; `rows` rows of `width` pixels
     /// @param first  row of the picture that `rgba` begins with
     void paint(const Marks& marks, float* rgba, std::uint32_t width, std::uint32_t first, std::uint32_t rows) const;
 
@@ -36,7 +36,7 @@ public:
     View besideWords(const View& view, const PlacedWords& words, double size, const std::vector<glm::dvec4>& balls,
                      double zoom) const;
 
-    /// Lays words out over a whole picture, and draws them. @returns the labels that found no room
+    /// Lays out words over a whole picture, and draws them. @returns the number of labels left out for lack of room
     std::size_t paint(const PlacedWords& words, const View& view, double size,
                       const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
                       Picture& picture, const Clip& clip = {}, WordMemory* memory = nullptr) const;

@@ -4,8 +4,8 @@
 
 namespace nacre::app {
 
-/// A line in the order in which it is drawn from left to right, letters joined as Arabic has it. As it is where
-/// nothing in it runs from right to left, and where the program was built without FriBidi.
+/// A line in visual order, left to right, with Arabic letters joined. Unchanged if it has no right-to-left text, or if
+/// the program was built without FriBidi.
 std::string visualText(const std::string& text);
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// Which files the jobs of a batch read and write, so that none undoes another's work, or takes away what it reads.
+// Files that the jobs of a batch read and write: no job may overwrite another's output or input.
 
 #include <mutex>
 #include <string>
@@ -9,20 +9,20 @@
 
 namespace nacre::app {
 
-/// Files are known by where they are, whatever path or link leads there, in 40 bytes each.
+/// Files are identified by location, whatever path or link leads there, in 40 bytes each.
 class BatchFiles {
 public:
-    /// @param jobs  the file that lists them, which is read, too
+    /// @param jobs  the job list itself, which is also read
     explicit BatchFiles(const std::string& jobs);
 
-    /// Takes note of what a job reads and writes; several threads may. What is to come cannot be known: but pictures
-    /// and layers have names of their own kind, and stats only take the place of stats.
-    /// @throws UsageError if it would write what an earlier job reads or writes
+    /// Records what a job reads and writes; thread-safe. Later jobs are unknown, but pictures and layers have their own
+    /// file endings, and stats only replace stats.
+    /// @throws UsageError if it would write a file that an earlier job reads or writes
     void claim(const PictureDescription& job);
 
 private:
     std::mutex turn_;
-    std::unordered_map<std::size_t, bool> files_;  ///< by their places: whether they are written
+    std::unordered_map<std::size_t, bool> files_;  ///< by location: whether they are written
 };
 
 }  // namespace nacre::app

@@ -14,10 +14,10 @@ struct BatchLine {
     std::string text;
 };
 
-/// The lines of a file or of standard input, one at a time; several threads may ask.
+/// The lines of a file or of standard input, one at a time; thread-safe.
 class BatchLines {
 public:
-    /// @param stopped  asked while a pipe is waited for: then there are no more lines @throws Error
+    /// @param stopped  polled while waiting for a pipe: true ends the lines @throws Error
     BatchLines(const std::string& path, std::function<bool()> stopped);
     ~BatchLines();
     BatchLines(const BatchLines&) = delete;
@@ -25,7 +25,7 @@ public:
 
     /// The next line that is not empty; none at the end. @throws Error
     std::optional<BatchLine> next();
-    /// Whether it can be read once more by another: a file can, a pipe cannot.
+    /// Whether it can be read again: a file can, a pipe cannot.
     bool isFile() const { return isFile_; }
 
 private:
@@ -37,8 +37,8 @@ private:
     const std::function<bool()> stopped_;
     int file_ = 0;
     bool isFile_ = false;
-    std::string buffer_;  ///< what has been read
-    std::size_t at_ = 0;  ///< of it: what comes next
+    std::string buffer_;  ///< bytes read
+    std::size_t at_ = 0;  ///< position of the next line
     std::mutex turn_;
     std::uint64_t number_ = 0;
 };

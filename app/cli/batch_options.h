@@ -1,5 +1,5 @@
 #pragma once
-// `nacre batch`: what its command line says, and what a line of its jobs does.
+// Options of `nacre batch`, and of a line in its job list.
 
 #include <string>
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace nacre::app {
 
-/// @param options  outlives the command, as what its options write to
+/// @param options  receives values; outlives the command
 void addBatch(CommandSpec& command, BatchOptions& options);
 
-/// A picture of a batch: its line, after the options that hold for all. @throws UsageError
+/// The picture of a job's line, after the options common to all. @throws UsageError
 PictureDescription jobOf(const std::string& json, const BatchOptions& batch);
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// What `nacre bench` says about frames: by every path, and of the one in use what it submits and its floor.
+// The part of `nacre bench` about frames: times by path, and submitted geometry and lower bound of the path in use.
 
 #include <iosfwd>
 #include <nlohmann/json.hpp>
@@ -12,11 +12,11 @@ namespace nacre::app {
 
 using Json = nlohmann::ordered_json;
 
-/// Times frames by the paths that were asked for, and adds to a report `paths`, `lacks`, `times`, `floor` and counts.
-/// @throws Error if the device lacks the one path that was asked for
+/// Times frames by the requested paths, and adds to a report `paths`, `lacks`, `times`, `floor` and counts.
+/// @throws Error if the device lacks the only path requested
 void addFrames(const BenchOptions& options, const Representation& scene, Json& report, Progress& progress);
 
-/// What addFrames found, as a table.
+/// The report as a table.
 void printFrames(const Json& report, std::ostream& out);
 
 }  // namespace nacre::app

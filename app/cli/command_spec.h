@@ -1,5 +1,5 @@
 #pragma once
-// Commands and their options as plain data, and what reads a command line by them.
+// Commands and their options as plain data, and the parser for them.
 
 #include <functional>
 #include <span>
@@ -11,18 +11,18 @@
 namespace nacre::app {
 
 struct OptionSpec {
-    std::string names;     ///< "-o,--output"; of what stands without a name: "INPUT"
+    std::string names;     ///< "-o,--output"; for a positional argument: "INPUT"
     std::string type;      ///< of the value, for the help; empty: a flag
-    std::string fallback;  ///< for the help: what holds without it
+    std::string fallback;  ///< the default, for the help
     std::string help;
-    /// Takes the value; of a flag an empty one. @throws std::invalid_argument or Error for what it does not take
+    /// Sets the value; a flag gets an empty one. @throws std::invalid_argument or Error for an invalid value
     std::function<void(const std::string&)> set;
     bool required = false;
-    bool repeatable = false;    ///< each is taken as it is met, before all that is not repeatable
-    std::string bare = {};      ///< value that its name alone stands for; else one of its type follows, "on|off"
-    bool pair = false;          ///< takes two values; set() gets them with a line's end between
+    bool repeatable = false;    ///< applied as it occurs, before all options that are not repeatable
+    std::string bare = {};      ///< value if only the name is given; otherwise a value of its type follows, "on|off"
+    bool pair = false;          ///< takes two values; set() gets them separated by a line end
     std::string excludes = {};  ///< the name of another option
-    std::vector<std::string> choices = {};  ///< words that it takes beside others, for completion
+    std::vector<std::string> choices = {};  ///< words that it accepts among others, for completion
 
     bool positional() const { return names.front() != '-'; }
     bool flag() const { return type.empty() && !positional(); }
@@ -35,7 +35,7 @@ struct CommandSpec {
     std::string footer;  ///< of the help
     std::vector<OptionSpec> options = {};
 
-    /// @returns what holds until the next is added
+    /// @returns a reference that is valid until the next add()
     OptionSpec& add(OptionSpec option) {
         options.push_back(std::move(option));
         return options.back();
@@ -51,12 +51,12 @@ struct CommandSpec {
 };
 
 struct ParsedCommand {
-    std::string name;  ///< of the command; empty: none was given
-    std::string help;  ///< not empty: it was asked for, and this is it
+    std::string name;  ///< of the command; empty: none given
+    std::string help;  ///< not empty: help was requested; its text
 };
 
-/// Reads a command line: options in the order in which they are specified, whatever their order in it.
-/// @param program  what may stand before a command @throws UsageError
+/// Parses a command line. Options are applied in the order of the specification.
+/// @param program  options allowed before the command @throws UsageError
 ParsedCommand parseCommands(const CommandSpec& program, std::span<const CommandSpec> commands, int argc,
                             const char* const* argv);
 

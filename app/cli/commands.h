@@ -1,5 +1,5 @@
 #pragma once
-// One function a command. Each throws nacre::Error where it fails.
+// One function per command. Each throws nacre::Error on failure.
 
 #include <iosfwd>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What --help says below the options.
+// Text of --help below the options.
 
 namespace nacre::app {
 

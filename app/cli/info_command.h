@@ -7,14 +7,14 @@
 
 namespace nacre::app {
 
-/// What `info --residues` adds: each residue in the file's order {chain, model if there are several, number, insertion
-/// ("" = none), name}, and for those of proteins `secondary`: helix, strand or coil, as the file states it or else by
-/// hydrogen bonds (kabsch_sander.h).
+/// Output of `info --residues`: each residue in file order {chain, model if there are several, number, insertion ("" =
+/// none), name}, and for proteins `secondary`: helix, strand or coil, from the file or else from hydrogen bonds
+/// (kabsch_sander.h).
 nlohmann::ordered_json residueList(const Molecule& molecule);
-/// The same for people, a line each.
+/// As text, one line each.
 std::string residueText(const nlohmann::ordered_json& residues);
 
-/// The same for people.
+/// As text.
 std::string infoText(const std::string& name, const nlohmann::ordered_json& json);
 
 }  // namespace nacre::app

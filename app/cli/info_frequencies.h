@@ -1,5 +1,5 @@
 #pragma once
-// How often each interaction is there, over the models of a file or the frames of a trajectory.
+// Frequency of each interaction over the models of a file or the frames of a trajectory.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -11,9 +11,9 @@
 namespace nacre::app {
 
 struct ContactFrequency {
-    Interaction first;                    ///< as it is where it is met first
+    Interaction first;                    ///< at its first occurrence
     std::size_t count = 0;                ///< models or frames that have it
-    double sum = 0, least = 0, most = 0;  ///< distances, Å, where it is there: the shortest of each
+    double sum = 0, least = 0, most = 0;  ///< shortest distance in each of them, Å
 };
 
 struct ContactFrequencies {
@@ -21,17 +21,17 @@ struct ContactFrequencies {
     std::size_t of = 0;                      ///< models or frames
 };
 
-/// Interactions are the same if their kind and their ends are, by chain, residue and atoms; of water bridges whatever
-/// the water. Of a trajectory each frame is searched, else each model of the molecule.
-/// @throws Error if a selection matches no atoms, or the trajectory does not read
+/// Two interactions are equal if they have the same kind and ends, by chain, residue and atoms; for water bridges any
+/// water. Searches each frame of a trajectory, or each model of the molecule.
+/// @throws Error if a selection matches no atoms, or the trajectory cannot be read
 ContactFrequencies contactFrequencies(const Molecule& molecule, const ContactOptions& contacts,
                                       const TrajectoryOptions& trajectory);
 
-/// Each {kind, a, b, count, share, distance {mean, min, max}}; a and b as interactionList() has them.
+/// Each {kind, a, b, count, share, distance {mean, min, max}}; a and b as in interactionList().
 nlohmann::ordered_json frequencyList(const Molecule& molecule, const ContactFrequencies& frequencies);
-/// The same, a line each with a header, for spreadsheets.
+/// As CSV, one line each with a header.
 std::string frequencyCsv(const Molecule& molecule, const ContactFrequencies& frequencies);
-/// The same for people.
+/// As text.
 std::string frequencyText(const Molecule& molecule, const ContactFrequencies& frequencies);
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// What `nacre info --interactions` says.
+// Output of `nacre info --interactions`.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -9,27 +9,27 @@
 
 namespace nacre::app {
 
-/// A cell of a spreadsheet: quoted where it has to be.
+/// A CSV cell: quoted if needed.
 std::string csvCell(const std::string& text);
 std::string decimals(double value, int digits);
 /// Rounded to thousandths.
 double thousandths(double value);
-/// "A/HIS57 NE2": chain, residue and names of the atoms of one side.
+/// "A/HIS57 NE2": chain, residue and atom names of one side.
 std::string endName(const Molecule& molecule, const std::vector<std::uint32_t>& atoms);
 
 /// @throws Error if a selection matches no atoms
 InteractionQuery interactionQuery(const Molecule& molecule, const ContactOptions& contacts);
-/// @param contacts  with what they are of @throws Error if a selection matches no atoms
+/// @param contacts  with selections @throws Error if a selection matches no atoms
 std::vector<Interaction> interactionsOf(const Molecule& molecule, const ContactOptions& contacts);
 
 /// Each {kind, a, b, distance (Å), angles {name: degrees}, offset (Å, of rings), donor ("a" or "b", else absent),
 /// waters}; a, b and each of waters {chain, model if there are several, residue, number, insertion, atoms, ids}.
 nlohmann::ordered_json interactionList(const Molecule& molecule, const std::vector<Interaction>& interactions);
 
-/// The same, a line each with a header, for spreadsheets. Several atoms or waters of a cell are joined by spaces.
+/// As CSV, one line each with a header. Several atoms or waters in a cell are separated by spaces.
 std::string interactionCsv(const Molecule& molecule, const std::vector<Interaction>& interactions);
 
-/// The same for people.
+/// As text.
 std::string interactionText(const Molecule& molecule, const std::vector<Interaction>& interactions);
 
 }  // namespace nacre::app

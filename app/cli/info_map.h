@@ -7,13 +7,13 @@
 
 namespace nacre::app {
 
-/// What `info --json` says of a density map: format, and `map`: grid (nodes along a, b, c: of a crystal's whole cell,
-/// else of the box), cell (a, b, c in Å and three angles in degrees), origin (place of the file's first node, Å), axes
-/// (which of a, b, c columns, rows and sections of the file are), space_group, box {size, start} as the file has it,
-/// and of the grid's known values min, max, mean and rms (deviation from the mean: 1 sigma).
+/// Output of `info --json` for a density map: format, and `map`: grid (nodes along a, b, c: of a crystal's whole cell,
+/// else of the box), cell (a, b, c in Å and three angles in degrees), origin (position of the file's first node, Å),
+/// axes (which of a, b, c are columns, rows and sections of the file), space_group, box {size, start} in the file, and
+/// min, max, mean and rms (deviation from the mean: 1 sigma) of the known values.
 nlohmann::ordered_json mapInfoJson(const DensityMap& map);
 
-/// The same for people.
+/// As text.
 std::string mapInfoText(const std::string& name, const nlohmann::ordered_json& json);
 
 }  // namespace nacre::app

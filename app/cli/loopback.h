@@ -2,11 +2,11 @@
 
 namespace nacre::app {
 
-/// From here on, what this program's libraries listen on is this machine alone: bind() to any address becomes one to
-/// the loopback. RenderDoc, once it is loaded, listens for its user interface on all addresses, without asking for a
-/// word. What was bound before, by a RenderDoc that started this program, stays as it is.
+/// From now on libraries of this program listen on this machine only: bind() to any address becomes the loopback
+/// address. RenderDoc listens for its user interface on all addresses, without asking. Earlier sockets, of a RenderDoc
+/// that started this program, stay as they are.
 void listenOnLoopbackAlone();
-/// Takes that back: what `nacre serve` is asked to listen on is meant.
+/// Ends that: `nacre serve` listens on the address that it is given.
 void listenAnywhere();
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// A movie's progress for a program that waits for it: lines of JSON.
+// A movie's progress for a waiting program: lines of JSON.
 
 #include <cstdint>
 #include <cstdio>
@@ -10,7 +10,7 @@ namespace nacre::app {
 
 class MovieReport {
 public:
-    /// @param path  "-": standard output; empty: nothing is told. @throws Error
+    /// @param path  "-": standard output; empty: no report. @throws Error
     explicit MovieReport(const std::string& path);
     ~MovieReport();
     MovieReport(const MovieReport&) = delete;
@@ -18,7 +18,7 @@ public:
 
     /// {"baked": 0.43} while the first frame's occlusion is baked.
     void baked(double share);
-    /// {"frame": 12, "frames": 180} after each frame. @param model  that it shows, where there are several: "model": 4
+    /// {"frame": 12, "frames": 180} after each frame. @param model  shown, if there are several: "model": 4
     void drawn(std::uint64_t frame, std::uint64_t frames, std::optional<int> model);
 
 private:

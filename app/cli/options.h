@@ -16,63 +16,63 @@
 
 namespace nacre::app {
 
-/// What moves, how long, and how fast.
+/// Motion, duration and frame rate.
 struct MovieOptions : CameraMotion {
     PictureDescription picture;
-    bool models = false;  ///< one after the other
+    bool models = false;  ///< shown in sequence
     std::vector<std::string> views;
-    std::vector<OptionValue> given;  ///< of `picture`: they prevail over each of the views
-    bool loop = false;               ///< the last view is followed by the first
+    std::vector<OptionValue> given;  ///< options of `picture` that were given: they override each view's
+    bool loop = false;               ///< the last view returns to the first
     std::string report;              ///< path, "-" for standard output; empty: none
 };
 
 struct BatchOptions {
     std::string path;                 ///< of the jobs; "-": standard input
-    int parallel = 1;                 ///< jobs in work at once
-    bool resume = false;              ///< jobs whose files are there are done
-    std::vector<OptionValue> common;  ///< of `render`, for every job
-    PictureDescription tried;         ///< what those come to; `device` is the batch's
+    int parallel = 1;                 ///< jobs at a time
+    bool resume = false;              ///< skip jobs whose files exist
+    std::vector<OptionValue> common;  ///< options of `render`, for every job
+    PictureDescription tried;         ///< their result; `device` is the batch's
 };
 
 struct InfoOptions {
     std::vector<std::string> paths;  ///< one or more
     PictureDescription picture;      ///< how each of them is read
-    bool residues = false;           ///< each of them, with its place in the fold
+    bool residues = false;           ///< list each, with its secondary structure
     bool together = false;           ///< the INPUTs are one scene
-    bool frequencies = false;        ///< how often each interaction is there
-    bool json = false, csv = false;  ///< csv: of the interactions alone
+    bool frequencies = false;        ///< frequency of each interaction
+    bool json = false, csv = false;  ///< csv: interactions only
 };
 
 struct BenchOptions {
-    std::vector<std::string> paths;  ///< one or more, each timed by itself
-    PictureDescription picture;      ///< of each of them; the camera is that of the first frame
-    std::optional<int> frames;       ///< per path; empty: 20, or fewer that take long
+    std::vector<std::string> paths;  ///< one or more, timed separately
+    PictureDescription picture;      ///< of each; the camera is that of the first frame
+    std::optional<int> frames;       ///< per path; empty: 20, or fewer slow ones
     bool json = false;
 };
 
 struct LooksOptions {
-    PictureDescription picture;  ///< of a cell of the sheet; without an input there is none
+    PictureDescription picture;  ///< of a cell of the sheet; there may be no input
     int columns = 4;
     bool json = false;
 };
 
 struct DevicesOptions {
-    std::optional<std::string> cache;  ///< where self-tests are kept
-    bool selfTest = false;             ///< is done anew
+    std::optional<std::string> cache;  ///< folder for self-tests
+    bool selfTest = false;             ///< run it again
     bool json = false;
 };
 
 /// `nacre export`.
 struct ExportCommandOptions {
-    PictureDescription picture;  ///< what is written, and where; occlusion that vertices have
+    PictureDescription picture;  ///< content and destination of the file; ambient occlusion per vertex
     ExportOptions scene;
-    double scale = 1;  ///< units of the file per Å
+    double scale = 1;  ///< file units per Å
 };
 
 struct PlanOptions {
-    PictureDescription picture;  ///< that the frame is of; `input`: whose geometry is counted, without a path none is
+    PictureDescription picture;  ///< of the frame; `input`: counts its geometry, empty: none
     std::string caps;            ///< name of a capability set; empty: the real device
-    bool edges = false;          ///< as a picture's are drawn
+    bool edges = false;          ///< draw edges as pictures do
     bool merge = true;
     bool json = false;
 };
@@ -96,7 +96,7 @@ enum class Command {
 
 struct CommandLine {
     Command command = Command::help;
-    std::string help;  ///< what to print for Command::help
+    std::string help;  ///< text to print for Command::help
     PictureDescription render;
     MovieOptions movie;
     BatchOptions batch;
@@ -108,8 +108,8 @@ struct CommandLine {
     DevicesOptions devices;
     LooksOptions looks;
     ExportCommandOptions exported;
-    std::string shell;   ///< whose completion is asked for
-    bool quiet = false;  ///< nothing on standard error but errors
+    std::string shell;   ///< shell of the requested completion
+    bool quiet = false;  ///< only errors on standard error
     bool verbose = false;
 };
 

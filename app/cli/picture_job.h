@@ -1,5 +1,5 @@
 #pragma once
-// One picture as `nacre render` makes it, in steps that others may share, or run beside the steps of other pictures.
+// One picture of `nacre render`, in steps that can run beside those of other pictures.
 
 #include <optional>
 #include <string>
@@ -14,22 +14,21 @@
 
 namespace nacre::app {
 
-/// Makes the files that a picture's options ask for. Its steps are called in this order, each on whatever thread.
+/// Makes the files that a picture's options ask for. Call the steps in this order, each on any thread.
 class PictureJob {
 public:
-    /// Makes the files at once, so that a folder that cannot be written to is refused before any work.
+    /// Creates the files at once, so that an unwritable folder is refused before any work.
     /// @param options, progress  outlive this @throws Error
     PictureJob(const PictureDescription& options, Progress& progress);
 
     /// Reads the molecule and builds its scene. @throws Error
     void prepare();
-    /// Draws all that is asked for: the device's only step. A picture that is not held whole is written meanwhile.
-    /// @throws Error
+    /// Draws everything: the only step on the device. Writes a picture that is not held whole meanwhile. @throws Error
     void draw(Canvas& canvas);
-    /// Puts the files in their places. @throws Error
+    /// Moves the files to their final names. @throws Error
     void write();
 
-    /// Of the scene: what is not as it was asked for. Known once it is prepared.
+    /// Of the scene: differences from the request. Known after prepare().
     const std::vector<std::string>& warnings() const { return drawing_.warnings; }
 
 private:
@@ -45,7 +44,7 @@ private:
     std::optional<OutputFile> layersFile_, statsFile_, captureFile_;
     Drawing drawing_;
     Picture picture_;
-    bool written_ = false;  ///< in parts, while it was drawn
+    bool written_ = false;  ///< in parts, during drawing
     std::optional<LayerPicture> layers_;
     FrameStats frame_;
 };

@@ -11,17 +11,15 @@
 
 namespace nacre::app {
 
-/// A frame's passes. Counted ones have `shaded_fragments`. `ms` is what the device took: of a pass that is alone in its
-/// render pass in its own entry; passes that share one have an entry of their own beside theirs, by their names joined.
-/// What has `ms` adds up to the frame.
+/// A frame's passes. Counted ones have `shaded_fragments`. `ms` is device time: in a pass's own entry if it is alone in
+/// its render pass; passes that share one have an extra entry under their joined names. All `ms` add up to the frame's.
 nlohmann::ordered_json passesJson(const std::vector<PassCount>& counts, const std::vector<PassTime>& times);
 
-/// What the passes hand from vertices to fragments: `varying_bytes`, which go to memory and back (`memory_bytes`) where
-/// a GPU stores them.
+/// Vertex output of the passes: `varying_bytes`, which go through memory (`memory_bytes`) on GPUs that store them.
 nlohmann::ordered_json meshLevelsJson(const std::vector<MeshLevelCount>& levels);
 nlohmann::ordered_json geometryJson(const std::vector<PassGeometry>& passes, bool stored);
 
-/// The most memory that this program has had resident so far.
+/// Peak resident memory of this program so far.
 std::int64_t peakResidentBytes();
 
 /// JSON text; the keys are stable: snake_case, times in milliseconds, bytes as whole numbers.

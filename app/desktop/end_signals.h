@@ -1,20 +1,20 @@
 #pragma once
-// What ends a program from outside: Ctrl C in its terminal, a log-out, a terminal that closes.
+// Signals that end a program: Ctrl C in its terminal, a log-out, a closed terminal.
 
 #include <thread>
 
 namespace nacre::app {
 
-/// While it lives the first SIGINT, SIGTERM or SIGHUP is told and not obeyed, so that a window can keep its state and
-/// go; another one ends the program at once. One of them at a time.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP is reported instead of obeyed, so that a window can save its
+/// state; a second one ends the program at once. One instance at a time.
 class EndSignals {
 public:
-    /// @param wake  called by a thread of its own when one has come
+    /// @param wake  called on a separate thread when a signal arrived
     explicit EndSignals(void (*wake)());
     ~EndSignals();
     EndSignals(const EndSignals&) = delete;
 
-    /// Its number; 0: none has come.
+    /// The signal's number; 0: none arrived.
     static int came();
 
 private:

@@ -9,19 +9,19 @@
 
 namespace nacre::app {
 
-/// The desktop's dialog for a file, on a thread of its own: the portal's where there is one, else kdialog under KDE,
-/// zenity, kdialog.
+/// The desktop's file dialog, on a separate thread: the portal's if there is one, else kdialog under KDE, zenity,
+/// kdialog.
 class FileDialog {
 public:
     using Chosen = std::function<void(const std::vector<std::string>& paths)>;
 
     ~FileDialog();
     static bool available();
-    /// For one file or several.
-    /// @param chosen  told the paths, on the dialog's thread; not if the user cancels. Nothing happens while one is
-    /// open
+    /// For one or several files.
+    /// @param chosen  called with the paths on the dialog's thread; not if the user cancels. Does nothing while a
+    /// dialog is open
     void open(Chosen chosen);
-    /// The same for one file that is to be written. @param suggested  its name, or a path
+    /// As above for a file to be written. @param suggested  its name, or a path
     void save(const std::string& suggested, Chosen chosen);
 
 private:

@@ -1,6 +1,5 @@
 #pragma once
-// The desktop's dialogs by org.freedesktop.portal.FileChooser: what programs in a sandbox have, and what shows the
-// dialog of whichever desktop runs.
+// The desktop's dialogs by org.freedesktop.portal.FileChooser: works in a sandbox and on every desktop.
 
 #include <string>
 #include <vector>
@@ -8,15 +7,15 @@
 namespace nacre::app {
 
 struct PortalAnswer {
-    bool there = false;              ///< a portal answered; otherwise another dialog has to do
-    std::vector<std::string> paths;  ///< what was chosen; empty: nothing
+    bool there = false;              ///< a portal answered; otherwise use another dialog
+    std::vector<std::string> paths;  ///< chosen paths; empty: none
 };
 
-/// Whether the session's bus has a portal, or can start one.
+/// Whether the session bus has a portal, or can start one.
 bool hasPortal();
-/// Shows the dialog for one file or several and waits until it is closed. A thread that may wait calls it.
+/// Shows the dialog for one or several files and blocks until it is closed.
 PortalAnswer openByPortal(const std::string& title);
-/// The same for one file that is to be written. @param suggested  a name, or a path
+/// As above for a file to be written. @param suggested  a name, or a path
 PortalAnswer saveByPortal(const std::string& title, const std::string& suggested);
 
 /// The path of a "file:" URI, empty for any other.

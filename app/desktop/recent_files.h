@@ -1,6 +1,5 @@
 #pragma once
-// What was open before, with a small picture of each. A file of the list that cannot be read counts as empty, one that
-// cannot be written is not missed.
+// Recently opened files, with a small picture each. Ignores a list that cannot be read, and failures to write it.
 
 #include <string>
 #include <vector>
@@ -13,13 +12,13 @@ namespace nacre::app {
 class RecentFiles {
 public:
     static constexpr std::size_t kMost = 8;
-    static constexpr PixelSize kPicture{65, 44};  ///< pixels: a start screen shows twice as many points
+    static constexpr PixelSize kPicture{65, 44};  ///< pixels: the start screen shows it at twice as many points
 
-    /// @param path  of the list; empty: none is kept
+    /// @param path  of the list; empty: keep none
     explicit RecentFiles(std::string path);
 
     const std::vector<RecentFile>& files() const { return files_; }
-    /// Puts a file first. @param picture  of kPicture pixels; may be empty
+    /// Moves a file to the front. @param picture  of kPicture pixels; may be empty
     void add(const std::string& input, const std::string& name, const Picture& picture);
 
 private:

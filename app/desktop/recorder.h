@@ -1,6 +1,6 @@
 #pragma once
-// Films of what the window shows, made by `nacre movie` as a program of its own beside the window: the same code, the
-// same files, and a window that goes on meanwhile.
+// Records movies of the window's contents by running `nacre movie` beside the window: the same code and files, while
+// the window stays responsive.
 
 #include <functional>
 #include <mutex>
@@ -13,25 +13,25 @@
 
 namespace nacre::app {
 
-/// What `nacre movie` is called with. @param view, keys  files of saved views, of which the options name what else they
-/// leave open  @param shown  what the window shows
+/// Arguments for `nacre movie`. @param view, keys  files of saved views; options set what they leave open
+/// @param shown  contents of the window
 std::vector<std::string> movieArguments(const RecordingWish& wish, const PictureDescription& shown,
                                         const std::string& view, const std::vector<std::string>& keys);
 
 class Recorder {
 public:
-    /// @param wake     called on a thread of its own when state() is another
+    /// @param wake     called on another thread when state() changes
     /// @param program  nacre; empty: this one
     explicit Recorder(std::function<void()> wake, std::string program = {})
         : wake_(std::move(wake)), program_(std::move(program)) {}
-    /// Stops what is recorded, and waits for that.
+    /// Stops recording, and waits for its end.
     ~Recorder();
     Recorder(const Recorder&) = delete;
 
-    /// Begins, unless one is being recorded. @param fixed  options of the device and the like @throws Error
+    /// Starts, unless a recording is running. @param fixed  options of the device and the like @throws Error
     void start(const RecordingWish& wish, PictureDescription shown, std::vector<PictureDescription> keys,
                const std::vector<std::string>& fixed);
-    /// The film ends with the frame that is being drawn, and keeps those before.
+    /// Ends the movie after the current frame, and keeps all frames so far.
     void stop();
     RecordingState state() const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Where the desktop keeps the last view and what the driver compiled, and names for what it saves.
+// Locations of the desktop's last view and compiled pipelines, and names for saved files.
 
 #include <cstddef>
 #include <optional>

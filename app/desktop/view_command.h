@@ -4,7 +4,7 @@
 
 namespace nacre::app {
 
-/// Opens a window and stays until it is closed, or a signal ends it: then, too, its state is kept. @throws Error
+/// Opens a window and returns when it is closed, or ended by a signal; saves its state in both cases. @throws Error
 void viewCommand(const ViewOptions& options);
 
 }  // namespace nacre::app

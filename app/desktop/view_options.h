@@ -4,10 +4,10 @@
 
 namespace nacre::app {
 
-/// What a window is asked for.
+/// Options of a window.
 struct ViewOptions {
-    PictureDescription first;  ///< that it shows at first; `size` is the window's
-    bool restore = false;  ///< nothing is named: the start screen, which offers to go on where the last window was left
+    PictureDescription first;  ///< initial contents; `size` is the window's
+    bool restore = false;      ///< no input given: the start screen, which offers to restore the last session
 };
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// The desktop shell: window, panel and renderer about the viewer.
+// The desktop shell: window, panel and renderer around the viewer.
 
 #include <functional>
 #include <memory>
@@ -19,13 +19,13 @@ namespace nacre::app {
 
 class WindowSession {
 public:
-    /// Opens the window. @throws Error, that of the molecule too, if it cannot be read and that is known by then
+    /// Opens the window. @throws Error, also that of a molecule that cannot be read, if known by then
     explicit WindowSession(const ViewOptions& options);
 
-    /// Stays until the window is closed.
+    /// Returns when the window is closed.
     void loop();
     /// One turn of the loop: draws, then waits for events. @param longest  seconds
-    /// @returns seconds until something is due, had nothing happened
+    /// @returns seconds until something is due without further events
     double step(double longest);
 
     Viewer& viewer() { return session_.viewer(); }
@@ -39,9 +39,9 @@ private:
     Renderer& renderer() { return *session_.renderer(); }
     PictureDescription firstView() const;
     ViewerOptions viewerOptions() const;
-    /// Seconds, from some time on.
+    /// Seconds since an arbitrary time.
     static double now();
-    static const double kStarted;  ///< when the program was
+    static const double kStarted;  ///< start of the program
     void input(InputQueue::Kind kind, std::function<void()> handle);
     void command(const KeyEvent& key);
     void rescaled();
@@ -71,21 +71,21 @@ private:
     Session session_;
     FileDialog dialog_;
     Recorder recorder_{Window::wake};
-    std::string told_;  // of the film that is being recorded
+    std::string told_;  // state of the recording as last shown
     bool wasRecording_ = false;
-    struct Chosen;  // by the dialog's thread
+    struct Chosen;  // files chosen in the dialog, from its thread
     std::shared_ptr<Chosen> chosen_;
     std::string clipboard_;
     glm::dvec2 pointer_{};
     double scale_ = 0, lastFrame_ = 0, lastShown_ = 0;
-    double inputAt_ = 0;             // when the first input came that no frame has answered; 0: none did
-    std::vector<double> latencies_;  // of frames that answered some, milliseconds until they were handed to the display
-    std::uint64_t shown_ = 0;        // frames, when lastShown_ was
-    double opening_ = 0, open_ = 0;  // when the device was asked for, and when it was there
-    double sceneShown_ = 0;          // when the first frame with a scene was handed to the display
+    double inputAt_ = 0;             // time of the first input not yet answered by a frame; 0: none
+    std::vector<double> latencies_;  // of frames that answered input: milliseconds until they were presented
+    std::uint64_t shown_ = 0;        // frames, at the time of lastShown_
+    double opening_ = 0, open_ = 0;  // start and end of opening the device
+    double sceneShown_ = 0;          // when the first frame with a scene was presented
     InputQueue inputs_;
     bool panelDrag_ = false;
-    std::string remembered_;  // the input that stands first among the recent files
+    std::string remembered_;  // first of the recent files
 };
 
 }  // namespace nacre::app

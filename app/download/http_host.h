@@ -1,5 +1,5 @@
 #pragma once
-// HTTP by the system that the app runs on, where there is no libcurl: instead of http.cpp.
+// HTTP by the host system of the app, where there is no libcurl: replaces http.cpp.
 
 #include <cstdint>
 #include <functional>
@@ -8,14 +8,14 @@
 
 namespace nacre::app {
 
-/// Is given bytes as they come; how many have come, should some be held back until later; and how many there are in all
-/// (0: not known). What it throws ends the transfer.
+/// Receives bytes; the number received, including any held back; and the total (0: unknown). Its exception ends the
+/// transfer.
 using HttpTake = std::function<void(std::string_view bytes, std::uint64_t come, std::uint64_t all)>;
-/// Gets an address. @throws HttpFailure
+/// Downloads from an address. @throws HttpFailure
 using HttpFetch = std::function<void(const std::string& url, const HttpTake& take)>;
 
-/// Of the whole program: the one that was set last, of the owners that have one. For any thread.
-/// @param fetch  empty: this owner has none any more
+/// Process-wide: of all owners that have one, the last set. Thread-safe.
+/// @param fetch  empty: removes this owner's
 void setHttpFetch(HttpFetch fetch, const void* owner = nullptr);
 
 }  // namespace nacre::app

@@ -10,7 +10,7 @@
 
 namespace nacre::app {
 
-/// What a saved view names would have to be downloaded, and that is not allowed.
+/// A saved view names something that would have to be downloaded, which is not allowed.
 class DownloadForbidden : public Error {
 public:
     using Error::Error;
@@ -27,19 +27,17 @@ private:
     std::string path_;
 };
 
-/// Reads the molecule that INPUT names, downloading it if need be.
-/// Its atoms stand where the frame of its trajectory, if it has one, puts them.
-/// Further inputs are read like it, and all are one molecule then (several_inputs.h).
-/// One that a saved view names is not downloaded unless that is allowed, only taken from the cache; a file outside of
-/// the view's folder is told on standard error before it is opened; and why a file does not read as a molecule is not
-/// said, since that would quote it.
-/// @param onDownload  called as a download's bytes arrive, with the share that is there, 0..1
-/// @param onModel  called after each model of `--model all` with the share that is read, 0..1
-/// @throws Error, DownloadForbidden, InputMissing with what was probably meant
+/// Reads the molecule of INPUT, downloading it if needed. A trajectory's frame sets its atoms' positions. Further
+/// inputs are read likewise and joined into one molecule (several_inputs.h). An input of a saved view is only taken
+/// from the cache, unless downloads are allowed; a file outside of the view's folder is announced on standard error
+/// before it is opened; and errors do not quote a file that is not a molecule.
+/// @param onDownload  called as a download's bytes arrive, with the finished share, 0..1
+/// @param onModel  called after each model of `--model all` with the share read, 0..1
+/// @throws Error, DownloadForbidden, InputMissing with a suggestion
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload = {},
                       const std::function<void(double)>& onModel = {});
 
-/// The models of INPUT, each to be read as it is needed. @throws Error as above, or if it has one alone
+/// The models of INPUT, each read on demand. @throws Error as above, or if there is only one
 std::unique_ptr<ModelFile> openModels(const InputOptions& input, const std::function<void(double)>& onDownload = {});
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// Where the molecules of windows and phones come from.
+// Sources of molecules for windows and phones.
 
 #include <functional>
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace nacre::app {
 
-/// What a saved view names is downloaded if the user says so.
-/// @param first  what the program was started with; what is opened later by hand has none of its further options
+/// An input of a saved view is downloaded if the user agrees.
+/// @param first  from the program's start; its other options do not apply to files opened later
 Sources windowSources(const InputOptions& first);
 
-/// The same on phones, where files may need the system to be read.
-/// @param first  as above: what a view names, which is asked for before it is downloaded
-/// @param readFile  gives a file's bytes, where a path alone does not open it
+/// As above on phones, where the system may have to read files.
+/// @param first  as above; downloads for a view ask first
+/// @param readFile  returns a file's bytes, if a path alone does not open it
 Sources phoneSources(const InputOptions& first, const std::function<std::string(const std::string&)>& readFile = {});
 
-/// An input that means the same from any folder.
+/// The input in a form that is valid from any folder.
 std::string lasting(const std::string& input);
 
 }  // namespace nacre::app

@@ -8,9 +8,9 @@
 
 namespace nacre::app {
 
-/// A download under way, in the cache: NAME.part, and beside it in NAME.tag what version of which address it is. Stays
-/// when the transfer breaks off or the process is killed, so that the next one goes on where it ended. Locked: where
-/// another process is at the same entry, this one writes a file of its own that is gone with it.
+/// A download in progress, in the cache: NAME.part, with NAME.tag for its version and address. Stays if the transfer
+/// breaks off or the process is killed, so that the next one can resume. Locked: if another process downloads the same
+/// entry, this one writes a temporary file instead.
 class PartialFile : public HttpBody {
 public:
     /// @throws Error if no file can be made
@@ -22,11 +22,11 @@ public:
     void restart(const std::string& validator) override;
     void append(std::string_view bytes) override;
 
-    /// All that is there. @throws Error
+    /// All bytes present. @throws Error
     std::string content() const;
-    /// Makes it the entry, on disk before it has its name. @throws Error
+    /// Turns it into the entry, written to disk before it is renamed. @throws Error
     void commit();
-    /// Removes it: it is of no use to a later attempt.
+    /// Removes it: a later attempt cannot use it.
     void discard();
 
 private:

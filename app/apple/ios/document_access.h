@@ -7,16 +7,16 @@
 
 NS_ASSUME_NONNULL_BEGIN
 
-/// Keeps the right to one file that the user chose.
+/// Holds the access right to one file that the user chose.
 @interface DocumentAccess : NSObject
 
 - (instancetype)initWithURL:(NSURL*)url;
-/// nil where the file is gone. @param bookmark of an earlier run
+/// nil if the file is gone. @param bookmark from an earlier run
 + (nullable instancetype)accessWithBookmark:(NSData*)bookmark;
 - (instancetype)init NS_UNAVAILABLE;
 
 @property(nonatomic, readonly) NSURL* url;
-/// Names the file in a later run; nil where the system gives none.
+/// Identifies the file in a later run; nil if the system gives none.
 @property(nonatomic, readonly, nullable) NSData* bookmark;
 
 @end
@@ -27,11 +27,11 @@ namespace nacre::app {
 std::string textOf(NSString* _Nullable string);
 NSString* stringOf(const std::string& text);
 
-/// A file's bytes, waiting until they are downloaded and no one writes them. A file that is not there is looked for
-/// under its name among the app's own documents. @throws Error
+/// A file's bytes. Waits until they are downloaded and nobody writes them. Looks for a missing file by name among the
+/// app's own documents. @throws Error
 std::string readDocument(const std::string& path);
 
-/// The app's folder of a kind, made if it is missing; nil if it cannot be.
+/// A folder of the app, created if missing; nil on failure.
 NSURL* _Nullable folderOf(NSSearchPathDirectory kind);
 
 }  // namespace nacre::app

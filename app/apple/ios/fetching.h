@@ -7,7 +7,7 @@
 
 namespace nacre::app {
 
-/// As HttpFetch: https alone, as the system asks for. Not on the main thread, which it would stop.
+/// As HttpFetch. Allows only https, as the system requires. Not for the main thread, which it would block.
 void fetchBySystem(const std::string& url, const HttpTake& take);
 
 }  // namespace nacre::app

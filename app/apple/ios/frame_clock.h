@@ -1,5 +1,5 @@
 #pragma once
-// Calls a step when the display wants a frame, as long as there is one to draw, and not at all after that.
+// Calls a step for each frame of the display while there is something to draw, and not at all otherwise.
 
 #import <UIKit/UIKit.h>
 
@@ -9,18 +9,18 @@ NS_ASSUME_NONNULL_BEGIN
 
 @interface FrameClock : NSObject
 
-/// @param step given the seconds that the display takes for a picture; returns when it wants to be called again, in
-///             seconds of CACurrentMediaTime(), infinity for never
+/// @param step given the display's frame interval, seconds; returns when to call it again, in seconds of
+/// CACurrentMediaTime(), infinity for never
 - (instancetype)initWithStep:(std::function<double(double interval)>)step;
 - (instancetype)init NS_UNAVAILABLE;
 
-/// The device is hot: pictures come no more often than 60 times per second.
+/// The device is hot: limits the rate to 60 frames per second.
 @property(nonatomic, getter=isHot) BOOL hot;
 /// Something happened: step with the next frame of the display.
 - (void)wake;
-/// Nothing is to be seen: no steps until NO is set.
+/// Nothing is visible: no steps until set to NO.
 @property(nonatomic, getter=isSuspended) BOOL suspended;
-/// For ever. The clock keeps itself alive until then.
+/// Final. The clock keeps itself alive until then.
 - (void)stop;
 
 @end

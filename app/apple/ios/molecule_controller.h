@@ -1,5 +1,5 @@
 #pragma once
-// One scene of the app: the molecule, what stands over it, and the menu.
+// One scene of the app: the molecule, its overlay, and the menu.
 
 #import <UIKit/UIKit.h>
 
@@ -7,14 +7,14 @@ NS_ASSUME_NONNULL_BEGIN
 
 @interface MoleculeController : UIViewController
 
-/// @param state what -state gave in an earlier run; may be nil
+/// @param state from -state of an earlier run; may be nil
 - (instancetype)initWithState:(nullable NSDictionary*)state;
 - (instancetype)initWithNibName:(nullable NSString*)name bundle:(nullable NSBundle*)bundle NS_UNAVAILABLE;
 - (instancetype)initWithCoder:(NSCoder*)coder NS_UNAVAILABLE;
 
-/// A file that was chosen, here or in another app.
+/// Opens a file that the user chose, here or in another app.
 - (void)openDocument:(NSURL*)url;
-/// What restores this scene; property-list values alone.
+/// Restores this scene in a later run; property-list values only.
 @property(nonatomic, readonly) NSDictionary* state;
 
 - (void)enterForeground;

@@ -1,5 +1,5 @@
 #pragma once
-// The view that the molecule is drawn into, and its hands: fingers, pencil, mouse, trackpad, keys.
+// The view that the molecule is drawn into, and its input: fingers, pencil, mouse, trackpad, keys.
 
 #import <QuartzCore/CAMetalLayer.h>
 #import <UIKit/UIKit.h>
@@ -12,14 +12,14 @@ NS_ASSUME_NONNULL_BEGIN
 
 @protocol MoleculeViewDelegate <NSObject>
 - (void)moleculeViewResized:(MoleculeView*)view;
-/// The session was told of something.
+/// The session received input.
 - (void)moleculeViewTouched:(MoleculeView*)view;
 @end
 
 @interface MoleculeView : UIView
 
 @property(nonatomic, weak) id<MoleculeViewDelegate> delegate;
-/// Not owned. Without one every touch is let go.
+/// Not owned. Without one touches are ignored.
 @property(nonatomic, nullable) nacre::app::PhoneSession* session;
 @property(nonatomic, readonly) CAMetalLayer* metalLayer;
 @property(nonatomic, readonly) nacre::PixelSize pixels;

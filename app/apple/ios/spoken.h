@@ -1,6 +1,6 @@
 #pragma once
-// The molecule's view for those who hear it: VoiceOver reads the title and the last pick, swipes zoom, and actions
-// turn. Over it lie the panel's controls, each with its name and its value.
+// Accessibility of the molecule's view: VoiceOver reads the title and the last pick, swipes zoom, and actions rotate.
+// Also lists the panel's controls with their names and values.
 
 #import "app/apple/ios/molecule_view.h"
 

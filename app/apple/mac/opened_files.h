@@ -1,5 +1,5 @@
 #pragma once
-// Files that the Finder opens with the app. GLFW, whose app delegate the app has, does not tell of them.
+// Files that the Finder opens with the app. GLFW, which owns the app delegate, does not report them.
 
 #include <functional>
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace nacre::app {
 
-/// Starts to listen. Call before the app has finished launching, that is before glfwInit(): a file that the app was
-/// started with is told while it launches.
-/// @param opened called on the main thread as files come
+/// Starts to listen. Call before the app has finished launching, that is before glfwInit(): the file that started the
+/// app is reported during launch.
+/// @param opened called on the main thread as files arrive
 void listenForOpenedFiles(std::function<void()> opened);
 
-/// Paths that came since the last call.
+/// Paths that arrived since the last call.
 std::vector<std::string> takeOpenedFiles();
 
 }  // namespace nacre::app
