@@ -1,5 +1,5 @@
 #pragma once
-// The camera that an aim leads to.
+// The camera that an aim results in.
 
 #include <optional>
 
@@ -13,19 +13,19 @@ namespace nacre::app {
 
 struct Aimed {
     Camera camera;
-    /// Å from the centre away from the viewer, where a plane cuts away most of what hides the target.
+    /// Å from the centre away from the viewer: a clipping plane that removes most of what hides the target.
     std::optional<double> clipNear;
 };
 
-/// What is to be seen whole, if anything.
+/// The selection to uncover, if any.
 const std::optional<Selection>& uncoveredBy(const Aim& aim);
 
-/// The camera, aimed. Its rotation in degrees is applied last, its zoom is that of what is zoomed to.
+/// The camera after aiming. Applies its rotation (degrees) last; its zoom is relative to the zoom target.
 /// @throws Error if a selection has no drawn atom
 Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, const Representation& scene,
             const Size& size);
 
-/// Room around what is zoomed to, Å: a ligand with what touches it.
+/// Margin around a zoom target, Å: a ligand with its contacts.
 constexpr double kZoomMargin = 3;
 
 }  // namespace nacre::app

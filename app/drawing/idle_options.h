@@ -1,5 +1,5 @@
 #pragma once
-// What was asked for and cannot be seen.
+// Options without visible effect.
 
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace nacre::app {
 
-/// Options of a picture that change nothing in it, and a cut that leaves nothing: a sentence for a warning each.
-/// @param effects  that it is drawn with: zooming to a part cuts, too
+/// Warnings, one sentence each, for options that change nothing in the picture, and for clipping that leaves nothing.
+/// @param effects  of the picture: zooming to a part also clips
 /// @param reach  of the scene from its centre, Å
 std::vector<std::string> idleOptions(const PictureDescription& options, const Representation& scene,
                                      const Effects& effects, double reach);

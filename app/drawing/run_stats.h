@@ -1,5 +1,5 @@
 #pragma once
-// What is known of a picture's making beside what the renderer measured.
+// Statistics of a picture besides the renderer's.
 
 #include <cstdint>
 #include <string>
@@ -17,16 +17,16 @@ struct RunStats {
     std::size_t triangles = 0, vertices = 0;  ///< of cartoons and surfaces, stored once for all copies
     glm::dvec3 center{};                      ///< of the view, Å
     double zoom = 1;                          ///< of the view
-    std::string clip;                         ///< as --clip takes it
-    std::string uncovers;                     ///< the selection that is to be seen whole; empty: none
+    std::string clip;                         ///< in the format of --clip
+    std::string uncovers;                     ///< the selection to uncover; empty: none
     Uncovered uncovered;
     std::vector<Legend> legends;
     std::vector<std::string> warnings;  ///< of the file and of the rules
     double loadMs = 0;                  ///< reading, inflating, bonds
-    double sceneMs = 0;                 ///< choosing atoms, building the streams
+    double sceneMs = 0;                 ///< selecting atoms, building the streams
     double firstPictureMs = 0;          ///< from the command's start to the first picture in memory
     DriverFeedback driver;              ///< after the picture
-    std::uint64_t parts = 1;            ///< that the picture was drawn in
+    std::uint64_t parts = 1;            ///< number of parts that the picture was drawn in
     double totalMs = 0;                 ///< from the command's start until only this file is left to write
 };
 

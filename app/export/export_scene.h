@@ -1,5 +1,5 @@
 #pragma once
-// A scene as other programs take it: triangles by chain, and, if wanted, balls and sticks as instances of one another.
+// A scene for other programs: triangles by chain and, optionally, balls and sticks as instances.
 
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
@@ -15,15 +15,15 @@
 
 namespace nacre::app {
 
-/// Triangles of one chain. Mesh::atoms holds the colours of the vertices, packed as in engine/scene/colors.h.
+/// Triangles of one chain. Mesh::atoms holds the vertices' colours, packed as in engine/scene/colors.h.
 struct ExportMesh {
     std::string name;
     Mesh mesh;                             ///< Å, relative to ExportScene::center
     std::vector<glm::dmat4x3> transforms;  ///< of its copies; at least one
-    std::vector<float> occlusion;          ///< of the vertices, 0 closed to 1 open; empty: none was asked for
+    std::vector<float> occlusion;          ///< of the vertices, 0 closed to 1 open; empty: not requested
 };
 
-/// Balls of radius 1 about the origin, or sticks of radius 1 along z from 0 to 1, each turned, scaled and shifted.
+/// Balls of radius 1 about the origin, or sticks of radius 1 along z from 0 to 1, each rotated, scaled and shifted.
 struct ExportInstances {
     enum class Shape { ball, stick };
     struct Place {
@@ -34,7 +34,7 @@ struct ExportInstances {
     std::string name;
     Shape shape = Shape::ball;
     std::uint32_t color = 0;
-    std::vector<Place> places;  ///< in the order of the scene
+    std::vector<Place> places;  ///< in scene order
     std::vector<glm::dmat4x3> transforms;
 };
 
@@ -46,22 +46,22 @@ struct ExportScene {
 };
 
 struct ExportOptions {
-    bool instances = false;  ///< balls and sticks as such, else as triangles
-    int sides = 0;           ///< vertices around a ball or stick, even; 0: 24, fewer where they would be too many
-    /// Of the scene, whose spheres and cylinders are in the order of space; null: none. Outlives the call. Not with
-    /// instances: a ball that is drawn many times lies in many shades.
+    bool instances = false;  ///< write balls and sticks as instances, not triangles
+    int sides = 0;           ///< vertices around a ball or stick, even; 0: 24, fewer if there are too many
+    /// Of the scene, with spheres and cylinders in spatial order; may be null. Outlives the call. Not with instances:
+    /// each copy of a ball has its own occlusion.
     const BakedOcclusion* occlusion = nullptr;
 };
 
 constexpr std::size_t kMostExportTriangles = 50'000'000;
 
-/// @throws Error if it would have over kMostExportTriangles, all copies counted
+/// @throws Error if it would have over kMostExportTriangles in all copies
 ExportScene exportScene(const Molecule& molecule, const Representation& scene, const ExportOptions& options);
 
-/// Triangles, copies counted.
+/// Triangles in all copies.
 std::size_t triangleCount(const ExportScene& scene);
 
-/// The ball or stick that instances are of, with no colour.
+/// The uncoloured unit ball or stick for instances.
 Mesh unitShape(ExportInstances::Shape shape, int sides);
 
 }  // namespace nacre::app

@@ -7,30 +7,30 @@
 
 namespace nacre::app {
 
-/// How coordinates are written: (p + center) * scale, and with what title.
+/// Coordinates are written as (p + center) * scale; and the title.
 struct SceneFileOptions {
     std::string title;
-    double scale = 1;  ///< units of the file to the Å
+    double scale = 1;  ///< file units per Å
 };
 
-/// Whether a file's name ends in one of those below.
+/// Whether a file's name has one of the endings below.
 bool isSceneName(const std::string& path);
 std::vector<std::string> sceneEndings();
 
-/// The file of the format that an ending names: ".glb", ".ply", ".stl" or ".obj".
+/// The file for an ending: ".glb", ".ply", ".stl" or ".obj".
 std::string sceneFile(const ExportScene& scene, const std::string& ending, const SceneFileOptions& options);
 
-/// glTF 2.0, binary. Meshes are nodes by chain, with colours of vertices in linear light; instances are nodes with
-/// EXT_mesh_gpu_instancing, one to each chain and colour; copies of an assembly are nodes of the same mesh.
+/// glTF 2.0, binary. Meshes are nodes by chain, with vertex colours in linear light; instances are nodes with
+/// EXT_mesh_gpu_instancing, one per chain and colour; copies of an assembly are nodes with the same mesh.
 std::string glbFile(const ExportScene& scene, const SceneFileOptions& options);
 
-/// PLY, binary: vertices are one where they stand at one place, so that bodies are closed; colours are the faces'.
+/// PLY, binary: vertices at one position are merged, so that bodies are closed; faces have colours.
 std::string plyFile(const ExportScene& scene, const SceneFileOptions& options);
 
-/// STL, binary: triangles alone.
+/// STL, binary: triangles only.
 std::string stlFile(const ExportScene& scene, const SceneFileOptions& options);
 
-/// Wavefront OBJ: vertices as in PLY, with colours behind the coordinates; normals; a group to each chain.
+/// Wavefront OBJ: vertices as in PLY, with colours after the coordinates; normals; one group per chain.
 std::string objFile(const ExportScene& scene, const SceneFileOptions& options);
 
 }  // namespace nacre::app

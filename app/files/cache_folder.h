@@ -5,11 +5,11 @@
 
 namespace nacre::app {
 
-/// A folder of what can be made again. Empty: nothing is kept.
+/// A folder of recreatable files. Empty: no cache.
 /// @param name   of the folder in the cache: "downloads", "occlusion"
-/// @param asked  what the user named ("off": nowhere), or nothing: then NACRE_CACHE (a folder, or "off"), else
-///               $XDG_CACHE_HOME/nacre, else ~/.cache/nacre, and nowhere if that cannot be written to
-/// @throws Error if a folder that was named cannot be written to
+/// @param asked  the user's choice ("off": none); if empty, NACRE_CACHE (a folder, or "off"), else
+/// $XDG_CACHE_HOME/nacre, else ~/.cache/nacre, and none if that is not writable
+/// @throws Error if a folder named by the user is not writable
 std::string cacheFolder(const std::optional<std::string>& asked, const std::string& name);
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// Captures that RenderDoc writes, as files that appear whole or not at all.
+// RenderDoc captures as files that appear complete or not at all.
 
 #include <string>
 
@@ -7,13 +7,13 @@
 
 namespace nacre::app {
 
-/// For Renderer::beginCapture(): RenderDoc writes beside `file`, and what it leaves there goes with `file`.
+/// For Renderer::beginCapture(): RenderDoc writes beside `file`; leftovers are removed with `file`.
 std::string captureStem(OutputFile& file);
 
-/// Puts the capture that RenderDoc wrote in the place of `file`. @throws Error if it is not whole
+/// Moves RenderDoc's capture to `file`. @throws Error if it is incomplete
 void keepCapture(const std::string& written, OutputFile& file);
 
-/// Whether a file has all the sections that its headers announce: RenderDoc does not notice that a disk is full.
+/// Whether a file has all sections that its headers announce: RenderDoc does not detect a full disk.
 bool isWholeCapture(const std::string& path);
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// What a device is, for those who have no such device: one object of JSON, the same from the program and from the apps.
+// Report of a device, as one JSON object; the same from the program and the apps.
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -7,7 +7,7 @@
 
 namespace nacre::app {
 
-/// What it is, the path that it takes and why, its self-test, and what it says of itself.
+/// The device, its path with the reason, its self-test, and its own properties.
 nlohmann::ordered_json deviceJson(const DeviceInfo& device);
 
 }  // namespace nacre::app

@@ -11,16 +11,15 @@
 
 namespace nacre::app {
 
-/// JSON as it is written, to files and terminals: two spaces a level, bytes that are no UTF-8 as U+FFFD.
+/// JSON for files and terminals: two spaces per level, invalid UTF-8 as U+FFFD.
 inline std::string jsonText(const nlohmann::ordered_json& json) {
     return printableJson(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
-/// How deep objects and arrays may stand in one another, in whatever JSON is read: what parses, prints or destroys
-/// values goes down by a call per level.
+/// Maximum nesting depth of any JSON that is read: parsing, printing and destroying values recurse once per level.
 constexpr int kDeepestJson = 64;
 
-/// Whether a text is nested deeper than that. Looks at brackets and strings alone.
+/// Whether a text is nested deeper. Reads only brackets and strings.
 inline bool isTooDeep(std::string_view json) {
     int depth = 0;
     bool inString = false;
@@ -36,19 +35,19 @@ inline bool isTooDeep(std::string_view json) {
     return false;
 }
 
-/// What a text says. @returns a discarded value if it is no JSON, or too deep
+/// Parses a text. @returns a discarded value if it is not JSON, or too deep
 template <typename Json>
 Json parseJson(const std::string& text) {
     return isTooDeep(text) ? Json(Json::value_t::discarded) : Json::parse(text, nullptr, false);
 }
 
-/// The same. @param twice  a key that an object has twice, of which a value would be lost; else untouched
+/// As above. @param twice  receives a key that an object repeats, so that a value would be lost; else unchanged
 /// @throws std::invalid_argument if it is too deep
 template <typename Json>
 Json parseJson(const std::string& text, std::string& twice) {
     if (isTooDeep(text))
         throw std::invalid_argument("it is nested more than " + std::to_string(kDeepestJson) + " levels deep");
-    std::vector<std::set<std::string>> keys;  // of the objects that are open
+    std::vector<std::set<std::string>> keys;  // per open object
     const auto watch = [&](int, typename Json::parse_event_t event, const Json& value) {
         if (event == Json::parse_event_t::object_start) keys.emplace_back();
         if (event == Json::parse_event_t::object_end) keys.pop_back();

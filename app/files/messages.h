@@ -1,32 +1,32 @@
 #pragma once
-// What a program says on standard error besides what it was asked for: each one line, safe to print.
+// Messages on standard error: one line each, safe to print.
 
 #include <string>
 #include <vector>
 
 namespace nacre::app {
 
-/// "nacre: error: ..."; never kept back.
+/// "nacre: error: ..."; never suppressed.
 void sayError(const std::string& text);
-/// "nacre: warning: ...": something is not as it was asked for.
+/// "nacre: warning: ...": the result differs from the request.
 void sayWarning(const std::string& text);
-/// The same; never kept back: what somebody else's file had this program do.
+/// As above, never suppressed: an action caused by somebody else's file.
 void sayNotice(const std::string& text);
-/// "nacre: ...": what may be good to know.
+/// "nacre: ...": useful information.
 void sayNote(const std::string& text);
 
-/// Keeps back warnings, notes and progress from now on.
+/// Suppresses warnings, notes and progress from now on.
 void beQuiet();
 bool isQuiet();
 
-/// Errors tell all that is known of their causes from now on: every address that was asked.
+/// From now on errors include every known cause, such as each address tried.
 void beVerbose();
 bool isVerbose();
 
-/// Whether a line of progress stands on the terminal, which what is said then replaces.
+/// Whether a progress line is on the terminal; the next message replaces it.
 void setLineShown(bool shown);
 
-/// As long as it is there, warnings, notices and notes of the thread that made it come to it and are not printed.
+/// While it lives, collects this thread's warnings, notices and notes instead of printing them.
 class HeardMessages {
 public:
     HeardMessages();

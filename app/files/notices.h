@@ -2,7 +2,7 @@
 
 namespace nacre::app {
 
-/// Nacre's licence and those of the parts that it is made of; plain text, UTF-8, lines of any length.
+/// The licences of Nacre and its components; plain text, UTF-8, lines of any length.
 const char* notices();
 
 }  // namespace nacre::app

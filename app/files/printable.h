@@ -1,20 +1,20 @@
 #pragma once
-// Text for people. Names of files, chains, titles, servers' answers: anything may stand in them, and a terminal obeys.
+// Makes text safe for terminals: file names, chains, titles and servers' answers may contain control sequences.
 
 #include <string>
 #include <string_view>
 
 namespace nacre::app {
 
-/// One line that does to a terminal nothing but show: line ends and tabs become spaces; other control characters (C0,
-/// DEL, C1), marks that turn the direction of writing, line separators, and bytes that are no UTF-8 become visible, as
-/// "\x1b" and "\u202e".
+/// One line without effect on a terminal other than its display: line ends and tabs become spaces; other control
+/// characters (C0, DEL, C1), bidirectional marks, line separators and invalid UTF-8 become visible, as "\x1b" and
+/// "\u202e".
 std::string printable(std::string_view text);
 
-/// The same, but line ends stay.
+/// As above, keeping line ends.
 std::string printableLines(std::string_view text);
 
-/// JSON, with C1 controls, DEL and marks of direction escaped as JSON does it; valid UTF-8 before and after.
+/// JSON, with C1 controls, DEL and bidirectional marks escaped; valid UTF-8 before and after.
 std::string printableJson(std::string_view json);
 
 }  // namespace nacre::app

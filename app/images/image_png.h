@@ -1,12 +1,12 @@
 #pragma once
-// PNG by libpng alone: what nearly every picture is needs none of the libraries that the other formats bring along.
+// PNG with libpng only: most pictures need no library of the other formats.
 
 #include "app/images/image_codec.h"
 
 namespace nacre::app {
 
-/// Writes a picture of bytes or words, and waits for no module. @throws std::runtime_error if it is not all on disk;
-/// whatever `rows` throws
+/// Writes a picture of bytes or words, without the module. @throws std::runtime_error if not all is on disk; exceptions
+/// of `rows`
 void writePng(const ImageRequest& request);
 
 }  // namespace nacre::app

@@ -7,9 +7,9 @@
 
 namespace nacre::app {
 
-/// Writes bytes of three or four channels as WebP without loss, colours under full transparency, too. OpenImageIO's
-/// writer goes by way of YUV and loses a bit or two.
-/// @param sink  takes the file's bytes; false: it could not @throws std::runtime_error
+/// Writes three or four channels of bytes as lossless WebP, including colours under full transparency. OpenImageIO's
+/// writer converts through YUV and loses a bit or two.
+/// @param sink  takes the file's bytes; false: it failed @throws std::runtime_error
 void writeWebp(const ImageRequest& request, const std::function<bool(const void* bytes, std::size_t size)>& sink);
 
 }  // namespace nacre::app

@@ -1,6 +1,6 @@
 #pragma once
-// What a saved view names as its molecule. Someone else may have written the view: it must not fetch, nor have read,
-// what its user does not know of.
+// The molecule that a saved view names. Others may have written the view: it must not download or read anything without
+// its user's knowledge.
 
 #include <string>
 #include <vector>
@@ -9,30 +9,28 @@
 
 namespace nacre::app {
 
-/// The file that INPUT names; "-" and samples and downloads as they are. A path that a view names starts from the
-/// view's folder. If nothing is there, and the view states the file's hash, it is the file beside the view that has
-/// it, by whatever name.
+/// The file of INPUT; "-", samples and downloads unchanged. A view's path is relative to the view's folder. If it does
+/// not exist and the view states its hash, it is the file beside the view with that hash, whatever its name.
 std::string filePathOf(const InputOptions& input);
 
-/// A path as a view of this name states it: from its folder on, if it leads into it, so that both can move together.
+/// A path for a saved view: relative to the view's folder if it is inside, so that both can move together.
 std::string pathInView(const std::string& view, const std::string& path);
 
-/// What a file's content is known by: its length in bytes and its XXH3, "49842-1f0c...". Empty for what is no plain
-/// file or cannot be read.
+/// Identifies a file's content: its length in bytes and its XXH3, "49842-1f0c...". Empty for anything but a readable
+/// regular file.
 std::string fileHash(const std::string& path);
 
-/// The same of a trajectory, of which no more than the first and the last 16 MiB are read.
+/// As above for a trajectory, from its first and last 16 MiB only.
 std::string trajectoryHash(const std::string& path);
 
-/// Where the trajectory is that INPUT moves by, as filePathOf(); where the view states no hash, one of its name beside
-/// the view will do.
+/// The trajectory of INPUT, found as in filePathOf(); without a hash a file of the same name beside the view will do.
 std::string trajectoryPathOf(const InputOptions& input);
 
-/// What to say before a trajectory is opened that a view names: it is not in the view's folder, or has changed.
-/// @param path  as trajectoryPathOf() has it
+/// Notices before a view's trajectory is opened: it is outside the view's folder, or has changed.
+/// @param path  from trajectoryPathOf()
 std::vector<std::string> trajectoryNotices(const TrajectoryOptions& trajectory);
 
-/// What to say before a file that a view names outside of its own folder is opened; otherwise empty.
+/// Notice before a view's file outside its folder is opened; otherwise empty.
 std::string outsideNotice(const InputOptions& input);
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// Several molecules in one picture: read one by one, laid onto each other, joined.
+// Several molecules in one picture: read one by one, superposed, joined.
 
 #include <functional>
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace nacre::app {
 
-/// One molecule of those that were read, in the order of the INPUTs, fitted as the options say.
-/// @param tell  what each fit came to, in a line
-/// @throws Error if a fit has fewer than three pairs of atoms, or moves what it stays on
+/// Joins molecules in the order of the INPUTs, fitted as the options say.
+/// @param tell  receives the result of each fit, one line
+/// @throws Error if a fit has fewer than three pairs of atoms, or moves its reference
 Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
                     const std::function<void(const std::string&)>& tell);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Density maps as they are needed again and again: read once.
+// Cache of density maps in memory.
 
 #include <memory>
 #include <string>
@@ -8,13 +8,12 @@
 
 namespace nacre::app {
 
-/// A map by its file, or by the name that it was kept under. Read once, and read again when the file has changed.
-/// @throws Error
+/// A map by its file, or by a name from keepMap(). Read once, and again when the file has changed. @throws Error
 std::shared_ptr<const DensityMap> mapOf(const std::string& path);
 
 /// Keeps a map under a name that is no file: a download, or values in memory.
 void keepMap(const std::string& name, std::shared_ptr<const DensityMap> map);
-/// The one that was read from a file, or kept under a name, last; null: none is at hand.
+/// The map last read from a file or kept under a name; null: none.
 std::shared_ptr<const DensityMap> keptMap(const std::string& name);
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// A structure whose atoms move.
+// A structure with moving atoms.
 
 #include <memory>
 #include <string>
@@ -10,19 +10,18 @@
 
 namespace nacre::app {
 
-/// How frames are to be laid. @throws Error if too few atoms are selected to fit
+/// Processing of frames. @throws Error if too few atoms are selected to fit
 MotionOptions motionOptions(const TrajectoryOptions& options, const Molecule& molecule);
 
-/// Opens the trajectory of some options; says so if it ends within a frame, and what there is to say of one
-/// that a saved view names.
-/// @throws Error if its atoms are not those of the molecule, or nothing is selected to fit
+/// Opens the trajectory of some options; reports a file that ends within a frame, and notices of a saved view.
+/// @throws Error if its atoms are not the molecule's, or nothing is selected to fit
 std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molecule& molecule);
 
-/// Warns of frames that were read and are fitted by molecules that the periodic box cuts, and notes those without a box
-/// that were to be made whole. @returns whether it did
+/// Warns about frames fitted by molecules that the periodic box cuts, and about frames without the box needed to make
+/// molecules whole. @returns whether it did
 bool sayTorn(const Motion& motion, const std::string& path);
 
-/// Puts the atoms where the frame of the options has them. Without a trajectory nothing happens. @throws Error
+/// Moves the atoms to the options' frame. Does nothing without a trajectory. @throws Error
 void moveToFrame(const TrajectoryOptions& options, Molecule& molecule);
 
 /// @param positions  of the molecule's atoms

@@ -1,5 +1,5 @@
 #pragma once
-// A file that is written from front to end, and whose failures do not go unseen.
+// A file written sequentially, with every failure reported.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,9 +19,9 @@ public:
 
     /// Appends. @throws Error
     void write(const void* bytes, std::size_t count);
-    /// Writes over what is there. @throws Error
+    /// Overwrites existing bytes. @throws Error
     void writeAt(std::uint64_t offset, const void* bytes, std::size_t count);
-    /// Closes it and puts it in its place. @throws Error
+    /// Closes the file and moves it to its place. @throws Error
     void commit();
     const std::string& path() const { return file_.path(); }
 

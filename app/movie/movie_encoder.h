@@ -13,16 +13,16 @@ namespace nacre::app {
 
 class MovieEncoder {
 public:
-    /// @param file  outlives this, and is this one's alone until finish()
+    /// @param file  outlives this; used by this alone until finish()
     explicit MovieEncoder(MovieFile& file);
-    /// Drops what is not written yet.
+    /// Discards frames not written yet.
     ~MovieEncoder();
     MovieEncoder(const MovieEncoder&) = delete;
     MovieEncoder& operator=(const MovieEncoder&) = delete;
 
-    /// Hands over a frame; waits while kMostWaiting are not written yet. @throws Error what writing threw
+    /// Adds a frame; waits while kMostWaiting are unwritten. @throws Error from writing
     void add(Picture picture);
-    /// Waits for the last frame and puts the movie in its place. @throws Error
+    /// Waits for the last frame and moves the movie to its place. @throws Error
     void finish();
 
     static constexpr std::size_t kMostWaiting = 3;

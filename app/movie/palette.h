@@ -1,5 +1,5 @@
 #pragma once
-// At most 255 colours that stand for those of some pictures, and which of them a pixel takes.
+// A palette of at most 255 colours for some pictures, with ordered dithering.
 
 #include <array>
 #include <cstddef>
@@ -11,20 +11,20 @@ namespace nacre::app {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-/// Counts colours, then divides them: the box of colours whose squared error is largest is cut in two where that leaves
-/// least, again and again (Wan, Prusinkiewicz and Wong 1990), and the means settle by k-means. Pictures' commonest
-/// colour, the background, is kept exactly.
+/// Counts colours, then divides them: repeatedly splits the box of colours with the largest squared error where that
+/// leaves least (Wan, Prusinkiewicz and Wong 1990), and refines the means by k-means. The most common colour, the
+/// background, is kept exactly.
 class Palette {
 public:
     static constexpr std::size_t kMost = 255;
 
-    /// Colours of a picture, three bytes a pixel.
+    /// Counts a picture's colours, three bytes per pixel.
     void count(const std::vector<std::uint8_t>& rgb);
-    /// To be called once, before colours() and place().
+    /// Call once, before colours() and place().
     void settle();
     const std::vector<Rgb>& colors() const { return colors_; }
-    /// The nearest of the colours to a pixel at (x, y): of what lies between two, neighbouring pixels take one or the
-    /// other in a fixed pattern, so that shades do not show as bands, and what stands still does not flicker.
+    /// The colour for a pixel at (x, y). Between two colours neighbouring pixels alternate in a fixed pattern, so that
+    /// shades show no bands, and still parts do not flicker.
     std::uint8_t place(const std::uint8_t* rgb, std::uint32_t x, std::uint32_t y);
 
 private:

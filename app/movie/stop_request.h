@@ -1,9 +1,9 @@
 #pragma once
-// SIGINT, SIGTERM and SIGHUP as a wish to stop: work that is worth keeping comes to an end of its own.
+// Turns SIGINT, SIGTERM and SIGHUP into a request to stop, so that finished work can be kept.
 
 namespace nacre::app {
 
-/// As long as it is there, the first of these signals is noted; a second one does what it did before. One at a time.
+/// While it lives, the first of these signals is recorded; a second one acts as before. One instance at a time.
 class StopRequest {
 public:
     StopRequest();
@@ -12,7 +12,7 @@ public:
     StopRequest& operator=(const StopRequest&) = delete;
 
     bool asked() const;
-    /// Back to what the signals did before: from now on nothing looks whether asked().
+    /// Restores the previous handling of signals: asked() is no longer checked.
     void leave();
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The panel's own font, and those of the system for what it lacks: names of files in Chinese, Arabic, Thai.
+// The panel's own font, and system fonts for missing characters: file names in Chinese, Arabic, Thai.
 
 #include <imgui.h>
 
@@ -12,25 +12,25 @@
 
 namespace nacre::app {
 
-/// What texts need that the built-in font has not.
+/// Characters that the built-in font lacks.
 class ForeignGlyphs {
 public:
     explicit ForeignGlyphs(FindFont find) : find_(std::move(find)) {}
 
-    /// Takes note of what a text (UTF-8) needs.
+    /// Collects the missing characters of a text (UTF-8).
     void read(const std::string& text);
-    /// Whether read() met something that it had not met before.
+    /// Whether read() found new ones.
     bool news() const { return news_ && find_; }
-    /// Looks for the fonts of all that was met. A script is looked for again where more of it is met.
+    /// Finds fonts for all of them. Repeats the search for a script that has new characters.
     void find();
 
     struct Font {
         FontFile file;
         std::vector<char> bytes;
-        std::vector<ImWchar> ranges;  ///< as Dear ImGui takes them
+        std::vector<ImWchar> ranges;  ///< in Dear ImGui's format
     };
     const std::vector<Font>& fonts() const { return fonts_; }
-    /// Of what was met, notes what a font with all of them still lacks.
+    /// Records those that a font with all glyphs still lacks.
     void noteMissing(const ImFont& font);
     /// A sentence that names the fonts to install; empty: nothing is missing.
     const std::string& missing() const { return missing_; }
@@ -43,7 +43,7 @@ private:
     bool news_ = false;
 };
 
-/// Adds the fonts to the current context, in the sizes of the scale of text and of sub- and superscripts.
+/// Adds the fonts to the current context, in the sizes of text and of sub- and superscripts.
 void addPanelFont(float pixelsPerPoint, const std::vector<ForeignGlyphs::Font>& foreign = {});
 
 }  // namespace nacre::app

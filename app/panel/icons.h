@@ -1,5 +1,5 @@
 #pragma once
-// Signs of buttons, drawn as lines.
+// Icons of buttons, drawn as lines.
 
 #include <imgui.h>
 
@@ -33,7 +33,7 @@ enum class Icon {
     record
 };
 
-/// @param middle, size  pixels: of the square that it fills
+/// @param middle, size  of its square, pixels
 void drawIcon(ImDrawList& list, Icon icon, ImVec2 middle, float size, ImU32 color);
 
 }  // namespace nacre::app

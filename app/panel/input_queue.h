@@ -1,6 +1,6 @@
 #pragma once
-// Events of mouse and keys in their order. What a click or a key does to the panel is known a frame or two later: what
-// comes behind it waits until then, and is never lost, however short a press was or how slow the frames are.
+// Mouse and key events in order. The panel shows the effect of a click or key only a frame or two later: following
+// events wait until then, and none is lost, however short the press or slow the frames.
 
 #include <deque>
 #include <functional>
@@ -19,7 +19,7 @@ public:
         events_.push_back({kind, std::move(handle)});
         go(panel);
     }
-    /// Handles those that may go on; to be called after each frame.
+    /// Handles events that need not wait any more; call it after each frame.
     void frameDrawn(const PanelInput& panel) { go(panel); }
     bool empty() const { return events_.empty(); }
 

@@ -1,8 +1,8 @@
 #pragma once
-// What a shell shows over the picture: start screen, panel, help, marks and labels. Dear ImGui lays it out; what comes
-// of it is the engine's plain Overlay. Knows no window system. The panel stands beside the molecule, or as a sheet
-// below it where the window is narrow or tall, and folds away. For a mouse everything is small and the panel stands
-// open; for fingers every widget is 48 points high, a button opens the panel, and a drag in it scrolls.
+// The user interface over the picture: start screen, panel, help, marks and labels. Dear ImGui lays it out; the result
+// is the engine's Overlay. Independent of the window system. The panel is beside the molecule, or a sheet below it in
+// narrow or tall windows, and can be folded. With a mouse widgets are small and the panel is open; with touch widgets
+// are 48 points high, a button opens the panel, and dragging scrolls it.
 
 #include <functional>
 #include <memory>
@@ -21,55 +21,55 @@ namespace nacre::app {
 
 enum class PanelHand { mouse, fingers };
 
-/// A file that was open before.
+/// A recently opened file.
 struct RecentFile {
     std::string input, name;
-    std::uint32_t width = 0, height = 0;  ///< of its picture; 0: none is kept
+    std::uint32_t width = 0, height = 0;  ///< of its picture; 0: none
     std::vector<std::uint32_t> pixels;    ///< sRGB-coded, red in the lowest byte
 };
 
-/// A picture for a file.
+/// Options for saving an image.
 struct PictureWish {
     PixelSize size;
     bool transparent = false;
     std::string path;
-    int dpi = 0;  ///< that the file says; 0: none
+    int dpi = 0;  ///< stored in the file; 0: none
 };
 
-/// What a shell lends to its panel. What is empty is not offered.
+/// Functions of the shell for its panel. Empty ones are not offered.
 struct PanelHost {
-    std::function<void(ViewerCommand)> run;                  ///< the commands that the user clicks
-    std::function<void()> openDialog;                        ///< the system's, which then opens what it is told
-    std::function<void(const std::string&)> saveDialog;      ///< the system's, from a path; setSavePath() hears of it
-    bool browses = false;                                    ///< it has no such dialogs: the panel shows its own
-    std::function<void(const std::string&)> open;            ///< a file or another input; empty: the viewer's open()
-    std::function<void(const std::string&)> add;             ///< the same, beside what is open
+    std::function<void(ViewerCommand)> run;                  ///< runs a command that the user clicked
+    std::function<void()> openDialog;                        ///< opens the system's dialog, and then the chosen file
+    std::function<void(const std::string&)> saveDialog;      ///< opens the save dialog at a path; calls setSavePath()
+    bool browses = false;                                    ///< no system dialogs: the panel shows its own
+    std::function<void(const std::string&)> open;            ///< opens an input; empty: the viewer's open()
+    std::function<void(const std::string&)> add;             ///< adds it to what is open
     std::function<const std::vector<RecentFile>&()> recent;  ///< the latest first
-    std::string lastView;                                    ///< what can be gone on with; empty: nothing
-    std::function<void()> goOn;                              ///< with that
+    std::string lastView;                                    ///< last session, for the start screen; empty: none
+    std::function<void()> goOn;                              ///< restores it
     std::function<std::string(const char*)> freeName;        ///< for a picture, by extension
     std::function<void(const PictureWish&)> savePicture;
     std::function<void()> copyPicture;
-    /// A film; of key views, if its motion goes through them.
+    /// Records a movie; through key views, if its motion uses them.
     std::function<void(const RecordingWish&, const std::vector<PictureDescription>&)> record;
     std::function<RecordingState()> recording;
     std::function<void()> stopRecording;
     std::function<void()> quit;  ///< without asking
-    bool videos = false;         ///< what .mp4 and .webm need is there
+    bool videos = false;         ///< the encoder of .mp4 and .webm is available
     std::function<const char*()> clipboard;
     std::function<void(const char*)> setClipboard;
-    /// Shows the system's keyboard for a field; typed() hears of it. For fingers.
+    /// Shows the system's keyboard for a field; typed() gets the result. For touch.
     std::function<void(const std::string& name, const std::string& text)> askText;
-    bool downloads = false;                   ///< "pdb:1BNA" can be had
-    bool captures = false;                    ///< a frame can be captured for RenderDoc
-    bool shakes = false;                      ///< who shakes the device takes something back
+    bool downloads = false;                   ///< "pdb:1BNA" can be downloaded
+    bool captures = false;                    ///< frames can be captured for RenderDoc
+    bool shakes = false;                      ///< shaking the device undoes
     std::function<std::string()> statistics;  ///< for developers, in lines
-    std::function<void()> copyReport;         ///< of the device, to the clipboard
-    bool dark = true;                         ///< what the system asks for
-    FindFont fontWith;                        ///< for characters that the panel's font has not
+    std::function<void()> copyReport;         ///< copies the device report to the clipboard
+    bool dark = true;                         ///< the system's theme
+    FindFont fontWith;                        ///< for characters that the panel's font lacks
 };
 
-/// What the panel's parts share: PanelInput, and the pages (panel_state.h).
+/// Shared state of the panel: PanelInput, and the pages (panel_state.h).
 struct PanelState;
 
 class Panel {
@@ -78,42 +78,42 @@ public:
     ~Panel();
     Panel(const Panel&) = delete;
 
-    /// What pointer, keys and fingers tell it.
+    /// Pointer, keys and touches.
     PanelInput& input() { return *input_; }
     /// Glyphs of the font, for the engine.
     OverlayGlyphs glyphs() const;
-    /// Whether there are other glyphs than those that were taken last: the next frame is drawn with them.
+    /// Whether the glyphs changed since they were last taken: the next frame uses them.
     bool glyphsChanged() const;
     void setInsets(const Insets& insets);
 
-    /// Shows the panel, or puts it away altogether.
+    /// Shows or hides the whole panel.
     void togglePanel();
     void toggleHelp();
     void showStart();
     void showSave();
     void showRecord();
-    /// Where a picture is to be saved, as a dialog was told; its end decides the format.
+    /// Sets the path for a picture from a dialog; its ending decides the format.
     void setSavePath(const std::string& path);
-    /// What a dialog was told to open, or was dropped, stands beside what is open.
+    /// Whether files from a dialog or a drop are added to what is open.
     bool opensTogether() const;
-    /// Keeps what is seen as a key of a film; forgets those of other molecules.
+    /// Adds the current view as a keyframe of a movie; drops keyframes of other molecules.
     void keepView(const Viewer& viewer);
     std::size_t keptViews() const;
-    /// Those that no movie was recorded of.
+    /// Number of keyframes not yet recorded in a movie.
     std::size_t unrecordedViews() const;
-    /// Asks whether to quit. @param unsaved  what is lost by it, as sentences
+    /// Asks whether to quit. @param unsaved  what would be lost, as sentences
     void askToQuit(const std::string& unsaved);
     bool asksToQuit() const;
     bool helpOpen() const;
     bool panelOpen() const;
-    /// Closes what lies over everything: help, save, start, quit. @returns whether something did
+    /// Closes the topmost card: help, save, start, quit. @returns whether there was one
     bool closeTop();
 
-    /// Whether something in the panel still reacts to what the user did.
+    /// Whether the panel still reacts to input.
     bool restless() const;
-    /// Lays everything out. @returns good until the next call
+    /// Lays out everything. @returns valid until the next call
     const Overlay* draw(Viewer& viewer, PixelSize size, double now);
-    /// What the last frame showed.
+    /// Controls of the last frame.
     const std::vector<Control>& controls() const;
 
     enum class Page { look, parts, select, labels, more };

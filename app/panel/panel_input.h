@@ -1,6 +1,6 @@
 #pragma once
-// What pointer, keys and fingers tell the panel. A finger's press is told to Dear ImGui when it leaves again, for
-// before that it may turn out to scroll.
+// Pointer, keys and touches for the panel. Dear ImGui gets a finger's press when it is lifted: before, it may turn into
+// scrolling.
 
 #include <deque>
 #include <glm/vec2.hpp>
@@ -26,21 +26,21 @@ public:
     void wheel(double steps);
     void character(char32_t c);
     void key(SpecialKey key, bool down, Modifiers with = {});
-    /// A letter with Ctrl, for a field that is being typed in. @returns whether such a field knows it
+    /// A letter with Ctrl, for the active text field. @returns whether the field handles it
     bool shortcut(char32_t letter);
-    /// What was typed into the field of a name, where the system's keyboard is asked for it.
+    /// Text typed on the system's keyboard for the field of this name.
     void typed(const std::string& name, const std::string& text);
-    /// Whether the pointer or the keys are the panel's, not the molecule's.
+    /// Whether the pointer or the keys belong to the panel, not the molecule.
     bool ownsPointer() const;
     bool ownsKeys() const;
-    /// Frames have shown what came of the clicks and keys so far. @param focus  and of where the next key goes
+    /// Whether frames show the effect of all clicks and keys. @param focus  also of the keyboard focus
     bool answered(bool focus) const { return frames_ >= (focus && focusMoves_ ? 2 : 1); }
-    /// A finger, in points. @returns whether it is the panel's; who got the beginning gets the rest
+    /// A finger, in points. @returns whether it belongs to the panel; that stays until it is lifted
     bool touch(const TouchEvent& event);
-    /// Forgets the finger, as after a pause.
+    /// Drops the finger, for example after a pause.
     void forgetTouch() { finger_.reset(), down_[0] = false; }
 
-    // For the panel, about each frame
+    // For the panel, around each frame
     void beginFrame(float seconds);
     void endFrame();
 
@@ -49,7 +49,7 @@ private:
         std::int64_t id;
         glm::dvec2 start, at;  // points
         bool scrolls;
-        bool holds;  ///< what it touched follows it, as a mouse that is held
+        bool holds;  ///< the widget follows it, like a held mouse button
     };
     void await(bool focusMoves);
     void hold(SpecialKey key, bool down);
@@ -63,10 +63,10 @@ private:
     std::deque<glm::dvec2> taps_;    // pixels: not yet pressed
     std::optional<glm::dvec2> tap_;  // pressed in the last frame
     std::set<SpecialKey> held_;
-    std::optional<SpecialKey> again_;  // goes down once more in the next frame
+    std::optional<SpecialKey> again_;  // pressed again in the next frame
     int frames_ = 2;                   // drawn since the last click or key
-    bool focusMoves_ = false;          // by that
-    float dragged_ = 0, gliding_ = 0;  // pixels a second: of the finger, and that the list goes on with
+    bool focusMoves_ = false;          // by that click or key
+    float dragged_ = 0, gliding_ = 0;  // pixels per second: of the finger, and of the scrolling list
 };
 
 }  // namespace nacre::app

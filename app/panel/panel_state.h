@@ -1,6 +1,6 @@
 #pragma once
-// What the panel's parts share: what is open, where it stands, and what pages keep from frame to frame; and the pages,
-// which are functions of one frame.
+// Shared state of the panel: what is open, its layout, and data that pages keep between frames; and the pages,
+// functions that draw one frame.
 
 #include <mutex>
 
@@ -12,7 +12,7 @@
 
 namespace nacre::app {
 
-/// Dear ImGui works on one context, named by a global variable: panels on other threads wait for their turn.
+/// Dear ImGui works on one global context: panels on other threads wait for their turn.
 class Turn {
 public:
     explicit Turn(ImGuiContext* context) : lock_(turns) { ImGui::SetCurrentContext(context); }
@@ -31,7 +31,7 @@ struct Rectangle {
     bool holds(glm::dvec2 p) const { return p.x >= left && p.x < right && p.y >= top && p.y < bottom; }
 };
 
-/// The panel's own dialog for files (browse.cpp).
+/// The panel's own file dialog (browse.cpp).
 struct Browser {
     struct Entry {
         std::string name;
@@ -39,9 +39,9 @@ struct Browser {
     };
     bool open = false, saving = false;
     std::string folder, typed;
-    bool listed = false;  ///< the entries are those of the folder
+    bool listed = false;  ///< the entries are up to date
     std::vector<Entry> entries;
-    std::size_t more = 0;  ///< that are not listed
+    std::size_t more = 0;  ///< entries not listed
     std::string error;
 };
 
@@ -60,11 +60,11 @@ struct PanelState {
     Widgets ui;
     ForeignGlyphs foreign;
     bool glyphsChanged = false;
-    int restless = 2;       ///< frames that Dear ImGui needs until nothing reacts any more
+    int restless = 2;       ///< frames that Dear ImGui still needs
     float scroll = 0;       ///< pixels that the finger dragged since the last frame
-    bool keyboard = false;  ///< keys go about in the panel
+    bool keyboard = false;  ///< keys move between controls
 
-    // What is open
+    // Which parts are open
     enum class Shown { open, folded, hidden } shown;
     Panel::Page page = Panel::Page::look;
     Panel::Brightness brightness = Panel::Brightness::system;
@@ -73,28 +73,28 @@ struct PanelState {
     Browser browser;
     bool over() const { return help || saving || recording || start || quitting || browser.open; }
     /// @param suggested  a file, whose folder is shown; empty: the current folder
-    /// @param toSave  an image is to be written there; else one is opened
+    /// @param toSave  to save an image there; else to open a file
     void browse(const std::string& suggested, bool toSave);
     void setSavePath(const std::string& path);
     bool closeTop();
     void toggle();
     void setBrightness(Panel::Brightness to);
 
-    // Where it stands
+    // Layout
     Insets insets;
-    Rectangle window{}, panel{};  ///< all, and the panel where it is open
-    bool sheet = false;           ///< it stands below the molecule
+    Rectangle window{}, panel{};  ///< whole window, and the open panel
+    bool sheet = false;           ///< the panel is below the molecule
     Rectangle playBar{};
-    float bar = 0;         ///< pixels that the bar for playing takes, with its margins
-    float legendRoom = 0;  ///< pixels at the right that the molecule leaves to the legend
+    float bar = 0;         ///< height of the play bar with its margins, pixels
+    float legendRoom = 0;  ///< width at the right reserved for the legend, pixels
     std::vector<Rectangle> occupied;
     bool occupies(glm::dvec2 pixel) const;
-    /// What the panel leaves of the window.
+    /// The window without the panel.
     Rectangle freeRoom() const;
 
-    bool editing = false;   ///< a control that is held changed the look
-    std::string ruleError;  ///< why what was typed was not taken
-    /// Takes what was typed: while it cannot be read, what was there stays. @param take  @throws std::exception
+    bool editing = false;   ///< a control being dragged changed the look
+    std::string ruleError;  ///< why the typed text was refused
+    /// Applies typed text: while it is invalid, the previous value stays. @param take  @throws std::exception
     template <typename Take>
     void take(Take&& take) {
         try {
@@ -104,61 +104,61 @@ struct PanelState {
             ruleError = error.what();
         }
     }
-    std::optional<Aim> aim;                    ///< that a button asked for in this frame
-    std::optional<PictureDescription> wanted;  ///< the same, of which the molecules are read anew
-    std::string input;                         ///< of the start screen
-    bool together = false;                     ///< what is opened next stands beside what is open
-    std::string selection;                     ///< as it is typed
-    std::string selected;                      ///< what the viewer had when the field was filled last
+    std::optional<Aim> aim;                    ///< requested by a button in this frame
+    std::optional<PictureDescription> wanted;  ///< as above, with molecules to read again
+    std::string input;                         ///< on the start screen
+    bool together = false;                     ///< add the next file to what is open
+    std::string selection;                     ///< text in the field
+    std::string selected;                      ///< the viewer's selection when the field was last filled
     std::string title;
     bool typingTitle = false;
     WordMemory wordMemory;
-    // Parts of the molecule that is shown
+    // Parts of the molecule
     std::shared_ptr<const Molecule> molecule;
-    std::optional<ResidueFacts> facts;  ///< of the molecule, once there is one
+    std::optional<ResidueFacts> facts;  ///< once there is a molecule
     std::vector<Part> parts;
     std::string unfolded;                            ///< the part whose sequence is shown
-    std::vector<std::uint32_t> sequence;             ///< of it
+    std::vector<std::uint32_t> sequence;             ///< its residues
     std::string sequenceInput;                       ///< as Part::input
-    int dragFrom = -1, dragTo = -1;                  ///< of residues of the sequence
-    bool alongSequence = false;                      ///< arrow keys go along it
-    int sequenceStep = 0;                            ///< that one of them asks for
-    bool sequenceExtends = false;                    ///< to what is selected
-    std::vector<std::uint32_t> residueColors;        ///< of the same
-    std::pair<RepresentationOptions, bool> colored;  ///< what they are the colours of
-    int rule = -1;                                   ///< that is being edited
-    std::string ruleAtoms;                           ///< of it, as they are typed
-    bool playOptions = false;                        ///< of the bar for playing are unfolded
-    // The picture that is to be saved
+    int dragFrom = -1, dragTo = -1;                  ///< of residues in the sequence
+    bool alongSequence = false;                      ///< arrow keys move along it
+    int sequenceStep = 0;                            ///< of the arrow key
+    bool sequenceExtends = false;                    ///< extends the selection
+    std::vector<std::uint32_t> residueColors;        ///< of the sequence
+    std::pair<RepresentationOptions, bool> colored;  ///< settings of these colours
+    int rule = -1;                                   ///< rule being edited
+    std::string ruleAtoms;                           ///< its fields as typed
+    bool playOptions = false;                        ///< options of the play bar are open
+    // Image to save
     int preset = 0, format = 0;
     int widthMm = 160, heightMm = 120, dpi = 300;
     bool transparent = false;
     std::string path;
-    // The film that is to be recorded
+    // Movie to record
     int motion = 0, filmSize = 0, filmFormat = 0;
-    float filmSeconds = 0;  ///< 0: what the motion takes
+    float filmSeconds = 0;  ///< 0: the motion's duration
     bool filmLoop = false, filmTransparent = false;
     std::string film;
-    std::vector<PictureDescription> keys;  ///< views that it goes through
+    std::vector<PictureDescription> keys;  ///< its keyframes
     bool keysRecorded = true;
-    std::string unsaved;  ///< what is lost by quitting
+    std::string unsaved;  ///< what quitting would lose
     std::string helpSearch;
-    std::size_t previewed = 0;  ///< of them while they are shown in turn, counted from 1; 0: they are not
-    double previewDue = 0;      ///< when the next one is flown to
+    std::size_t previewed = 0;  ///< keyframe shown in the preview, from 1; 0: no preview
+    double previewDue = 0;      ///< time of the next one
 };
 
-/// A frame of the panel, of which its pages are drawn.
+/// One frame of the panel, drawn by its pages.
 struct PanelFrame {
     PanelState& s;
     Widgets& ui;
     const PanelHost& host;
     Viewer& viewer;
     double now;
-    PictureDescription look{};  ///< the viewer's, which pages change
+    PictureDescription look{};  ///< the viewer's, modified by pages
 };
 
-// The panel about its pages (chrome.cpp)
-/// Of an input, as it is shown: a file's without its folder.
+// Layout around the pages (chrome.cpp)
+// The displayed name of an input: a file's without its folder.
 std::string shortName(const std::string& input);
 void drawMenuButton(PanelFrame& f);
 void drawPanel(PanelFrame& f);
@@ -170,59 +170,59 @@ void drawPartsPage(PanelFrame& f);
 void drawSequence(PanelFrame& f, const Part& part);
 void drawSelectPage(PanelFrame& f);
 void drawRules(PanelFrame& f);
-/// What interactions and pockets are to be shown of a selection, and those that are drawn, to fly to (contacts.cpp).
+/// Actions for interactions and pockets of a selection, and the interactions found (contacts.cpp).
 void drawContactActions(PanelFrame& f, const std::string& selection);
 void drawContactList(PanelFrame& f);
 void drawLabelsPage(PanelFrame& f);
 void drawMorePage(PanelFrame& f);
-// Under the picture, and upon it
+// Below and over the picture
 void drawPlayBar(PanelFrame& f);
 void drawWords(PanelFrame& f);
 void drawAnnotations(PanelFrame& f);
-// Cards, which lie over everything
+// Cards over everything else
 void drawStart(PanelFrame& f);
 void drawBrowse(PanelFrame& f);
-/// What was chosen on the start screen, instead of what is open or beside it.
+/// Opens or adds the input chosen on the start screen.
 void openInput(PanelFrame& f, const std::string& input);
 void drawSave(PanelFrame& f);
 void drawRecord(PanelFrame& f);
 void drawHelp(PanelFrame& f);
 void drawQuit(PanelFrame& f);
 void drawRecording(PanelFrame& f);
-/// Flies from one kept view to the next, as long as the film takes, and comes back to the film.
+/// Flies through the keyframes with the movie's timing, then returns to the movie page.
 void previewFilm(PanelFrame& f);
 void keepView(PanelState& s, const Viewer& viewer);
 void drawReading(PanelFrame& f);
 void drawFailure(PanelFrame& f);
-/// What went wrong, and what to do.
+/// Shows an error, and what to do.
 void tellFailure(PanelFrame& f);
 void drawQuestion(PanelFrame& f);
 
 // Windows (windows.cpp)
 void beginWindow(PanelFrame& f, const char* name, int moreFlags);
-/// As high as what stands in it, at most as its room. @param pivot  0 to 1: where of the window `at` is
+/// Height fits its contents, limited by its room. @param pivot  0 to 1: the point of the window at `at`
 void beginGrown(PanelFrame& f, const char* name, ImVec2 at, ImVec2 pivot, float width, float height);
-/// Ends such a window, which shows a frame late how high it is: that frame is asked for.
+/// Ends such a window. Its height is known a frame later, which is requested.
 void endGrown(PanelFrame& f);
-/// A window in the middle, over everything else, with a name and a sign that closes it.
+/// A centred window over everything else, with a title and a close button.
 /// @returns whether it was closed
 bool beginCard(PanelFrame& f, const char* name, const char* title, float points, bool closable = true);
-/// At the top of what the panel leaves free: something that goes on, and can be stopped.
+/// At the top of the free area: an operation in progress that can be stopped.
 void beginProgress(PanelFrame& f, const char* name);
-/// The window that is being laid out scrolls with the finger.
+/// Scrolls the current window with the finger.
 void followFinger(PanelFrame& f);
 
 // Controls of options (option_controls.cpp)
-/// So that a saved view reads well.
+// Rounded, so that saved views are readable.
 double inHundredths(float value);
-/// Of one that is a number, or "off" at its lower end. @returns whether it is on
+/// For a number that is "off" at its lower end. @returns whether it is on
 bool slideOption(PanelFrame& f, std::string_view key, bool byRatio = false);
-/// Of one of two choices. @returns whether it is on
+/// For an option with two choices. @returns whether it is on
 bool toggleOption(PanelFrame& f, std::string_view key);
 void chooseOption(PanelFrame& f, std::string_view key);
-/// The same of a value by itself. @returns whether it is another one
+/// For a value on its own. @returns whether it changed
 bool chooseValue(Widgets& ui, const char* name, std::string_view key, std::string& value);
-/// One of the styles, or `none`, if that is offered. @returns whether it is another one
+/// One of the styles, or `none`, if offered. @returns whether it changed
 bool chooseStyle(Widgets& ui, const char* name, const char* none, std::optional<Style>& style, float width = -1);
 
 }  // namespace nacre::app

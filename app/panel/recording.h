@@ -1,5 +1,5 @@
 #pragma once
-// Films of what the window shows: what the panel asks of its shell, and what it is told.
+// Movies of the window's contents: requests of the panel to its shell, and progress.
 
 #include <cstdint>
 #include <string>
@@ -13,7 +13,7 @@ struct RecordingWish {
     Motion motion = Motion::spin;
     double seconds = 6, framesPerSecond = 30;
     PixelSize size;
-    bool loop = false;  ///< of views: the last leads on to the first
+    bool loop = false;  ///< for keyframes: the last leads back to the first
     bool transparent = false;
     std::string path;
 };
@@ -21,10 +21,10 @@ struct RecordingWish {
 struct RecordingState {
     bool running = false, stopping = false;
     double share = 0;                     ///< of the frames, 0..1
-    std::uint64_t frame = 0, frames = 0;  ///< done, and in all; 0: not known yet
-    double left = -1;                     ///< seconds, probably; below 0: not known
+    std::uint64_t frame = 0, frames = 0;  ///< finished, and total; 0: not known yet
+    double left = -1;                     ///< remaining seconds, estimated; negative: not known
     std::string path;
-    std::string message;  ///< how the last one ended
+    std::string message;  ///< result of the last recording
     bool failed = false;
 };
 

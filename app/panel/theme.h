@@ -1,5 +1,5 @@
 #pragma once
-// Colours, sizes and the font of the panel: one theme for dark surroundings and one for light, one scale of text.
+// Colours, sizes and fonts of the panel: a dark and a light theme, one scale of text sizes.
 
 #include <imgui.h>
 
@@ -7,20 +7,20 @@
 
 namespace nacre::app {
 
-/// Straight alpha, sRGB-coded. What stands upon what is kept at 4.5:1 or more (WCAG 2.1, 1.4.3), lines and marks at 3:1
-/// where they alone say something (1.4.11); tests/panel reads it off this table.
+/// Straight alpha, sRGB-coded. Text has a contrast of 4.5:1 or more (WCAG 2.1, 1.4.3), lines and marks that carry
+/// meaning alone 3:1 (1.4.11); tests/panel checks this table.
 struct Theme {
     bool dark;
     ImVec4 ground;    ///< of the panel
-    ImVec4 raised;    ///< of cards upon it
+    ImVec4 raised;    ///< of cards
     ImVec4 field;     ///< of buttons and fields
-    ImVec4 hovered;   ///< the same under the pointer
-    ImVec4 line;      ///< between parts
-    ImVec4 text;      ///< upon all of these
+    ImVec4 hovered;   ///< fields under the pointer
+    ImVec4 line;      ///< separators
+    ImVec4 text;      ///< on all of these
     ImVec4 faint;     ///< explanations
-    ImVec4 accent;    ///< of what is chosen
-    ImVec4 onAccent;  ///< text upon it
-    ImVec4 mark;      ///< of switches and sliders, and of the focus
+    ImVec4 accent;    ///< of selected items
+    ImVec4 onAccent;  ///< text on it
+    ImVec4 mark;      ///< of switches, sliders and focus
     ImVec4 warning;   ///< text
 };
 const Theme& darkTheme();
@@ -30,16 +30,16 @@ inline constexpr ImU32 kMark = IM_COL32(255, 190, 30, 255), kMarkEdge = IM_COL32
                        kSelected = IM_COL32(255, 90, 200, 255);
 
 inline constexpr float kTextPoints = 15;
-/// Height of a widget that a finger hits, in points.
+/// Minimum height of a widget for touch, points.
 inline constexpr float kFingerPoints = 48;
 
-/// The scale of text: captions, text, headings.
+/// Text sizes.
 enum class TextSize { caption, body, heading };
 
-/// Of those sizes the one that is nearest to some pixels of ImFont::FontSize.
+/// The font whose size is nearest to some pixels of ImFont::FontSize.
 ImFont* fontOf(float size);
 ImFont* fontOf(TextSize size);
-/// FontSize of an em: Dear ImGui counts from the highest to the lowest of DejaVu Sans.
+/// FontSize per em: Dear ImGui measures from the highest to the lowest point of DejaVu Sans.
 inline constexpr float kFontSizeOfEm = 1.164f;
 
 /// Sets sizes and colours of the current context.

@@ -1,5 +1,5 @@
 #pragma once
-// Controls of the panel, each with a name: what is drawn is also told, for screen readers and for tests.
+// Controls of the panel. Each has a name and is described for screen readers and tests.
 
 #include <imgui.h>
 
@@ -32,27 +32,27 @@ public:
     /// Height of a row of controls, pixels.
     float rowHeight() const { return ImGui::GetFrameHeight(); }
 
-    /// A sign with a word. @param width  pixels; 0: as wide as it has to be; below 0: up to the right edge
+    /// An icon with a word. @param width  pixels; 0: fits its content; negative: up to the right edge
     bool button(Icon icon, const char* label, float width = 0, bool primary = false, bool enabled = true);
-    /// One of a word in a row of them, which goes on in the next line where it has no room. @param more  not the first
+    /// A button in a row of words, which wraps. @param more  not the first
     bool word(const char* label, bool more = true, Icon icon = Icon::none) {
         if (more) wrapLine(buttonWidth(label) + (icon == Icon::none ? 0 : px(23)));
         return button(icon, label);
     }
-    /// One line of a list: a sign and words from the left, shortened where they have no room. @param width  as button()
+    /// One line of a list: icon and text from the left, truncated if needed. @param width  as for button()
     bool row(Icon icon, const std::string& label, float width, bool faint = false);
-    /// A sign above a word, in a toolbar or as a tab. @param value  told of it: "on", "selected"
+    /// An icon above a word, in a toolbar or as a tab. @param value  its state: "on", "selected"
     bool tool(Icon icon, const char* label, ImVec2 size, bool on = false, bool enabled = true,
               const char* role = "button");
-    /// A sign alone, whose name is shown when the pointer rests on it.
+    /// An icon whose name shows as a tooltip.
     bool sign(Icon icon, const char* name, bool enabled = true);
-    /// A heading that unfolds what follows. @returns whether it is open
+    /// A heading that expands the following part. @returns whether it is open
     bool unfold(const char* label);
     bool toggle(const char* label, bool& on);
-    /// One of several choices: a drop-down list for a mouse, one that unfolds in place for fingers.
-    /// @returns whether another one was taken
+    /// One of several choices: a drop-down list for a mouse, an expanding list for touch.
+    /// @returns whether the choice changed
     bool choose(const char* name, std::span<const char* const> choices, std::string& current, float width = -1);
-    /// The same by its place: a number, or a value of an enumeration.
+    /// As above by position: a number, or a value of an enumeration.
     template <typename Place>
     requires(!std::is_class_v<Place>) bool choose(const char* name, std::span<const char* const> choices,
                                                   Place& current, float width = -1) {
@@ -62,69 +62,69 @@ public:
             if (word == choices[i]) current = static_cast<Place>(i);
         return true;
     }
-    /// A number (sliders.cpp). @param format  says it in words: "Fog %.2f", or, of a whole one, has no number
+    /// A number (sliders.cpp). @param format  its text: "Fog %.2f", or, for an integer, text without a number
     bool slide(const char* name, float& value, float low, float high, const char* format, bool byRatio = false);
     bool slideWhole(const char* name, int& value, int low, int high, const char* format);
-    /// A number that counts by its ratio. Its width is what ImGui::SetNextItemWidth() said.
+    /// A number on a logarithmic scale. Its width is that of ImGui::SetNextItemWidth().
     bool slideRate(const char* name, float& value, float low, float high, const char* format);
-    /// A line of text, kMostTyped bytes at most. @returns as Dear ImGui's; edited() tells whether it was changed
+    /// A line of text, kMostTyped bytes at most. @returns as Dear ImGui; edited() tells whether it changed
     bool field(const char* name, const char* hint, std::string& text, float width = -1, int flags = 0);
     bool edited() const { return edited_; }
-    /// There is something to type on.
+    /// A keyboard is available.
     bool typable() const { return !fingers_ || askText; }
-    /// Colours that are told apart, as fields in rows. @returns what was clicked
+    /// Distinguishable colours as swatches in rows. @returns the one clicked
     std::optional<ImU32> swatches(std::optional<ImU32> chosen, std::size_t perLine);
-    /// The same, and below them a field for any colour. @param name  of that
+    /// As above, with a field for any colour below. @param name  of the field
     std::optional<ImU32> pickColor(const char* name, std::optional<ImU32> chosen);
-    /// A field of a colour that opens them. @param color  sRGB-coded  @param many  it shows that there are many
-    /// @returns whether it is another one
+    /// A swatch that opens them. @param color  sRGB-coded  @param many  shows that there are several colours
+    /// @returns whether the colour changed
     bool chooseColor(const char* name, std::array<float, 3>& color, float side = 0, bool many = false);
-    /// Four squares of colours, over a swatch. @param corner  of it, upper left
+    /// Four squares of colours over a swatch. @param corner  upper left
     void showManyColors(ImVec2 corner, float side = 0) const;
-    /// A field of colour. @returns whether it was clicked
+    /// A swatch. @returns whether it was clicked
     bool swatch(const char* name, ImU32 color, bool chosen, float side = 0);
 
     void heading(const char* words);
-    /// @param right  where its lines end, from the window's left; 0: with the window
+    /// @param right  right end of its lines, from the window's left; 0: the window's
     void title(const std::string& words, float right = 0) { text(words, TextSize::heading, theme_->text, right); }
     void caption(const std::string& words) { text(words, TextSize::caption, theme_->faint); }
     void paragraph(const std::string& words) { text(words, TextSize::body, theme_->text); }
     void warning(const std::string& words) { text(words, TextSize::body, theme_->warning); }
-    /// The folder that a file goes to, on desktops. @param path  of the file, as it was typed
+    /// The folder of a file, on desktops. @param path  as typed
     void folderOf(const char* path);
-    /// A bar, and below it what it tells. @param share  0 to 1
+    /// A progress bar with text below. @param share  0 to 1
     void progress(double share, const std::string& words);
-    /// One line of text, shortened in its middle if it has no room.
+    /// One line of text, shortened in its middle if needed.
     void name(const std::string& text, float width = 0);
-    /// Goes on in the same line if something of a width has room there.
+    /// Continues on the same line if this width fits there.
     void wrapLine(float width);
     float buttonWidth(const char* label) const;
 
-    /// Tells of the item that was drawn last.
+    /// Describes the last item.
     void note(const char* role, const std::string& name, const std::string& value = {}, bool enabled = true);
 
     std::vector<Control> controls;  ///< of this frame so far
-    std::string window;             ///< whose controls follow
-    /// Who gets the keyboard's focus when it comes: its place in `controls`, and its name.
+    std::string window;             ///< window of the following controls
+    /// Receives the keyboard focus when drawn: its index in `controls`, and its name.
     std::optional<std::pair<std::size_t, std::string>> focusNext;
-    /// For fingers: shows the system's keyboard for a field of a name and a text; `typed` is what came of it.
+    /// For touch: shows the system's keyboard for a field's name and text; `typed` is the result.
     std::function<void(const std::string& name, const std::string& text)> askText;
     std::optional<std::pair<std::string, std::string>> typed;
 
-    /// About the item that was drawn last, where it is drawn by hand and keys have led to it.
+    /// Focus ring around the last item, if it is custom-drawn and focused by keys.
     void ringFocus() const;
-    /// What is shown when the pointer rests on that item.
+    /// Tooltip of that item.
     void explain(const std::string& text) const;
 
-    /// A button that is drawn by hand.
+    /// A custom-drawn button.
     struct Pressed {
         bool pressed;
         ImVec2 low;  ///< its corner
-        ImU32 ink;   ///< of what is drawn upon it
+        ImU32 ink;   ///< of its contents
     };
     enum class Face { field, clear, accent };
     Pressed press(const char* id, const char* name, ImVec2 size, Face face = Face::field, bool enabled = true);
-    /// Text on whole pixels.
+    /// Text aligned to whole pixels.
     void write(ImVec2 at, ImU32 color, const std::string& text) const;
 
 private:
@@ -135,8 +135,8 @@ private:
     bool drawSlider(float share, const std::string& format, double value) const;
     bool askedField(const char* name, const char* hint, std::string& text, float width);
 
-    bool edited_ = false;   // the field that was drawn last
-    std::string unfolded_;  // the one list that is open, for fingers
+    bool edited_ = false;   // the last field
+    std::string unfolded_;  // the one open list, for touch
     const Theme* theme_;
     float scale_;
     bool fingers_;

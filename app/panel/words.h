@@ -1,5 +1,5 @@
 #pragma once
-// What options' values are called where people choose them.
+// Displayed names of options' values.
 
 #include <span>
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace nacre::app {
 
-/// A value of an option as its control calls it; itself where it is none of the control's choices.
+/// A value of an option as its control shows it; unchanged if the control has no such choice.
 std::string wordOf(std::string_view key, std::string_view value);
-/// The same of a coloring: "By chain"; colours that swatches have by their names.
+/// As above for a colouring: "By chain"; swatch colours by name.
 std::string colorWord(const Coloring& coloring);
 struct NamedColor {
     const char* name;
@@ -19,7 +19,7 @@ struct NamedColor {
     /// Opaque, red in the lowest byte.
     std::uint32_t packed() const { return 0xff000000 | (rgb & 0xff) << 16 | (rgb & 0xff00) | (rgb >> 16 & 0xff); }
 };
-/// Colours that are told apart by most people: M. Okabe and K. Ito's, and some more.
+/// Colours that most people can distinguish: M. Okabe and K. Ito's, and some more.
 std::span<const NamedColor> swatches();
 
 }  // namespace nacre::app
