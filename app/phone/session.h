@@ -1,6 +1,6 @@
 #pragma once
-// What the apps of phones share: viewer, panel and renderer of one window, from touches to the pixels that are shared.
-// Plain C++, so that it is tested where there is no phone. For one thread.
+// Shared by the phone apps: viewer, panel and renderer of one window, from touches to shared pixels. Plain C++, so that
+// it can be tested without a phone. For one thread.
 
 #include <functional>
 #include <memory>
@@ -19,34 +19,34 @@ struct PictureBytes {
     std::vector<std::uint8_t> rgba;
 };
 
-/// What the system lends to a session. An empty function is not offered to the user.
+/// Functions of the system for a session. Empty ones are not offered to the user.
 struct PhoneHost {
-    std::function<double()> clock;  ///< seconds, as the times of touches are counted
+    std::function<double()> clock;  ///< seconds, on the time base of touches
     SurfaceSource surface;
-    /// A file's bytes, where a path alone does not open it. Called on the loader's thread. @throws Error
+    /// A file's bytes, if a path alone does not open it. Called on the loader's thread. @throws Error
     std::function<std::string(const std::string& path)> readFile = {};
-    /// Something is ready: call step(). Called on any thread.
+    /// Something is ready: call step(). Called from any thread.
     std::function<void()> wake;
     std::function<void(const std::string&)> log = {};
-    std::string cache;  ///< folder of downloads, bakes, pipelines, self-tests; empty: none is kept
-    std::function<void()> pickDocument = {};                                              ///< shows the system's picker
+    std::string cache;                        ///< folder of downloads, bakes, pipelines, self-tests; empty: no cache
+    std::function<void()> pickDocument = {};  ///< shows the system's file picker
     std::function<void(const PictureBytes&, const std::string& name)> sharePicture = {};  ///< with another app
     std::function<void(const std::string& text, const std::string& name)> shareText = {};
     std::function<void(const std::string& text)> copyText = {};  ///< to the clipboard
-    /// Shows the keyboard for a field of the panel; PhoneSession::typed() hears of it.
+    /// Shows the keyboard for a field of the panel; PhoneSession::typed() gets the result.
     std::function<void(const std::string& name, const std::string& text)> askText = {};
     std::string system;      ///< "Android 16, Example Phone", for the report
     bool downloads = false;  ///< setHttpFetch() was called
-    bool shakes = false;     ///< a shake takes the last step back
-    bool dark = true;        ///< what the system asks for
+    bool shakes = false;     ///< shaking the device undoes
+    bool dark = true;        ///< the system's theme
     bool validate = false;   ///< Khronos validation layer
-    /// As Android has it: the window may go before anyone is told, and the device works for apps that are not seen.
+    /// As on Android: the window may vanish before anyone is told, and the device keeps working for invisible apps.
     bool windowMayGo = false;
 };
 
 class PhoneSession {
 public:
-    /// Not seen, and without a device, until setSeen().
+    /// Invisible, and without a device, until setSeen().
     PhoneSession(PhoneHost host, const PictureDescription& first, double pixelsPerPoint = 1);
     PhoneSession(const PhoneSession&) = delete;
 
@@ -56,63 +56,63 @@ public:
 
     // The window
     void resize(PixelSize pixels, double pixelsPerPoint);
-    /// How much larger than usual the user wants to read, by the system's settings: words and widgets of the panel are.
+    /// Text scale from the system's settings; applies to words and widgets of the panel.
     void setTextScale(double scale);
-    /// What the system covers of it, pixels.
+    /// Areas covered by the system, pixels.
     void setInsets(const Insets& insets);
-    /// Nothing is drawn while it is not seen. @throws Error if there is no suitable device; where the window may go,
-    /// the device is made on a thread of its own, and step() throws that
+    /// Nothing is drawn while invisible. @throws Error if there is no suitable device; where the window may vanish, the
+    /// device is made on another thread, and step() throws that
     void setSeen(bool seen);
     bool seen() const { return seen_; }
-    /// The window goes, or is another one from now on.
+    /// The window vanishes, or is replaced from now on.
     void releaseWindow();
-    /// Gives up what can be made again; while the window is not seen, that is the device and all that it holds.
+    /// Frees memory that can be recreated; while the window is invisible, that is the device and everything on it.
     void lowMemory();
 
-    // What the user does; the panel has it, or else the picture. Places in points.
+    // User input: for the panel, or else the picture. Positions in points.
     void touch(const TouchEvent& event, double when);
-    /// One button of a mouse, as a finger that is not down between its phases.
-    /// @param button  at the beginning; who got that has the rest
+    /// One button of a mouse, as a finger that is up between its phases.
+    /// @param button  when pressed; whoever receives that gets the rest
     void mouse(MouseButton button, const TouchEvent& event, Modifiers with, double when);
-    /// Where a mouse or a pen points to and touches nothing; nothing: it left.
+    /// Position of a hovering mouse or pen; empty: it left.
     void hover(std::optional<glm::dvec2> at);
     void wheel(double steps, glm::dvec2 at) { viewer().wheel(steps, at, host_.clock()); }
     void run(ViewerCommand command);
-    /// Closes what lies over the picture. @returns whether something did
+    /// Closes the topmost card over the picture. @returns whether there was one
     bool back();
     bool wantsBack() const { return panel_->helpOpen() || panel_->panelOpen(); }
-    /// The fingers that were down are not heard of again.
+    /// The pressed fingers will not be reported again.
     void forgetTouch() { panel_->input().forgetTouch(); }
     /// As PanelInput::typed().
     void typed(const std::string& name, const std::string& text);
     void open(const std::string& path) { viewer().reading().open(path, host_.clock()); }
-    /// What could not be done, until it is read.
+    /// Shows an error until it is dismissed.
     void fail(const std::string& text);
 
-    // For those who do not see the window
-    /// The picture first, then the panel's controls. Pixels.
+    // Accessibility
+    // The picture first, then the panel's controls. Pixels.
     std::vector<Control> spoken() const;
-    /// Presses a control that is seen.
+    /// Presses a visible control.
     void press(const std::string& role, const std::string& name);
-    /// Moves a slider that is seen by a tenth of its way.
+    /// Moves a visible slider by a tenth of its range.
     void adjust(const std::string& name, bool up);
 
-    /// Draws, if there is something to draw. @returns when to call again, if nothing happens before; never: infinity.
+    /// Draws, if there is something to draw. @returns when to call again without further events; never: infinity.
     /// @throws Error
     double step();
 
-    /// The picture as it is seen, for a file. Only with a device and a document. @throws Error
-    /// @param samples  a side of a pixel, or RenderSettings::kEdges
+    /// The current picture, for a file. Only with a device and a document. @throws Error
+    /// @param samples  per pixel side, or RenderSettings::kEdges
     PictureBytes picture(std::uint32_t samples = RenderSettings::kEdges);
-    /// "1bna", for the names of files that are shared.
+    /// "1bna", for the names of shared files.
     std::string shareName() const;
-    /// What restores this session, as `nacre render --view` takes it.
+    /// Restores this session; in the format of `nacre render --view`.
     std::string state() const { return savedViewJson(viewer().view()); }
 
 protected:
     double now() const { return host_.clock(); }
     double scale() const { return scale_; }
-    /// Waits for a device that is being made.
+    /// Waits for a device in the making.
     void awaitDevice();
 
 private:
@@ -132,14 +132,13 @@ private:
     MouseButton held_ = MouseButton::left;
     Insets insets_;
     bool seen_ = false, panelDrag_ = false;
-    int windows_ = 0, openedFor_ = 0;  // that went, in all and when a device began to be made
+    int windows_ = 0, openedFor_ = 0;  // windows that vanished: so far, and when the device was requested
 };
 
-/// The view of state(); nothing if it is none.
+/// The view of state(); empty if it is invalid.
 std::optional<PictureDescription> viewOfState(const std::string& json);
 
-/// What a screen reader says of the picture besides title(): what went wrong, the last pick, its measurement, the
-/// message.
+/// Screen reader text for the picture besides title(): the error, the last pick, its measurement, the message.
 std::string spokenValue(const Annotations& annotations);
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// Where a picture looks from, beside its camera: what --orient, --look-at, --zoom-to and --uncover ask.
+// Options that derive a picture's view from the molecule: --orient, --look-at, --zoom-to and --uncover.
 
 #include <optional>
 
@@ -9,19 +9,19 @@ namespace nacre::app {
 
 struct Aim {
     bool principal = false;           ///< principal axes; else the camera's orientation
-    std::optional<Selection> lookAt;  ///< what faces the viewer
-    std::optional<Selection> zoomTo;  ///< what fills the picture
+    std::optional<Selection> lookAt;  ///< faces the viewer
+    std::optional<Selection> zoomTo;  ///< fills the picture
 
-    /// What hides is left out; empty: what hides zoomTo, if `uncovers`.
+    /// Atoms to uncover; empty: zoomTo, if `uncovers`.
     std::optional<Selection> uncover;
     bool uncovers = true;
-    /// Nothing is said of the scale: what is drawn fills the picture, as it is seen from there.
+    /// No scale is given: the visible scene fills the picture.
     bool fits = false;
-    bool placed = false;  ///< a saved view says where the molecule stands in the picture
-    bool turns = false;   ///< pictures from other sides follow: there is to be room for all of them
+    bool placed = false;  ///< a saved view sets the molecule's position in the picture
+    bool turns = false;   ///< pictures from other sides follow, and all of them must fit
 
     bool any() const { return principal || lookAt || zoomTo || uncover; }
-    /// Where nothing else is asked for.
+    /// The default.
     static Aim standard() {
         Aim aim;
         aim.fits = true;

@@ -1,6 +1,6 @@
 #pragma once
-// Values of the options about interactions. Every function throws std::invalid_argument with the reason, in words that
-// continue "--option: "; those that take a selection also nacre::Error.
+// Values of options about interactions. Every function throws std::invalid_argument with the reason, as text that
+// continues "--option: "; functions for selections also nacre::Error.
 
 #include <string>
 #include <string_view>
@@ -9,17 +9,17 @@
 
 namespace nacre::app {
 
-/// "off", "SEL" or "SEL,SEL". A comma that is part of a selection's list stays one: `chain A,B` is one selection.
+/// "off", "SEL" or "SEL,SEL". A comma inside a selection's list does not split: `chain A,B` is one selection.
 void parseInteractions(std::string_view text, ContactOptions& contacts);
 std::string interactionsText(const ContactOptions& contacts);
 
 /// "molstar", "plip", "baker-hubbard" or "wernet-nilsson".
 InteractionRules parseInteractionRules(std::string_view name);
 
-/// "all", or names with commas between them: "hydrogen-bond,metal".
+/// "all", or names separated by commas: "hydrogen-bond,metal".
 std::array<bool, kInteractionKinds> parseInteractionKinds(std::string_view text);
 std::string interactionKindsText(const std::array<bool, kInteractionKinds>& kinds);
-/// Their names, with commas.
+/// Their names, separated by commas.
 std::string interactionKindNames();
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// The fields of a label's text, {residue} and their like.
+// The fields of a label's text, such as {residue}.
 
 #include <algorithm>
 #include <iterator>
@@ -37,7 +37,7 @@ void eachPiece(std::string_view text, const Plain& plain, const OnField& field) 
             continue;
         }
         if (text[i] != '{') continue;
-        const bool group = i > 0 && (text[i - 1] == '_' || text[i - 1] == '^');  // of markup, if it is no field
+        const bool group = i > 0 && (text[i - 1] == '_' || text[i - 1] == '^');  // of markup, unless a field
         const std::size_t close = text.find('}', i);
         if (close == std::string_view::npos)
             throw std::invalid_argument("a brace is not closed in '" + std::string(text) + "'");
@@ -55,7 +55,7 @@ void eachPiece(std::string_view text, const Plain& plain, const OnField& field) 
             throw std::invalid_argument("expected one of " + list + ", not '{" + std::string(name) + "}'" +
                                         suggestion(name, words));
         }
-        // A field that is raised or lowered stays in its braces.
+        // A raised or lowered field keeps its braces.
         pass(group ? i + 1 : i);
         field(*known);
         from = group ? close : close + 1;

@@ -1,5 +1,5 @@
 #pragma once
-// Values as the options that take them write them: what option_values.h reads.
+// Converts values to option text, which option_values.h reads.
 
 #include <array>
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace nacre::app {
 
-/// A number as people read it: 0.0001, 16384.
+/// A number in short form: 0.0001, 16384.
 std::string numberText(double value);
-/// With all digits that it takes to read the same number again.
+/// With all digits needed to read the same number again.
 std::string exactText(double value);
 /// "spacefill", "ball-and-stick", "licorice"
 const char* styleName(Style style);
-/// A name where there is one that people use, else "#rrggbb", or "#rrggbbaa" if it is not opaque.
+/// A common name if there is one, else "#rrggbb", or "#rrggbbaa" if not opaque.
 /// @param color  sRGB-coded 0..1, straight alpha
 std::string backgroundText(const std::array<float, 4>& color);
-/// Planes as --clip takes them.
+/// Planes in the format of --clip.
 std::string clipText(const Clip& clip);
-/// The option without its dashes, and its value: {"show", "ligand=licorice"}.
+/// The option without dashes, and its value: {"show", "ligand=licorice"}.
 std::pair<std::string, std::string> ruleText(const Rule& rule);
 
 }  // namespace nacre::app

@@ -1,6 +1,6 @@
 #pragma once
-// What the values of options mean. Every function throws std::invalid_argument with the reason, in words that
-// continue "--option: "; those that take a selection also nacre::Error.
+// Parses the values of options. Every function throws std::invalid_argument with the reason, as text that continues
+// "--option: "; functions for selections also nacre::Error.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -14,14 +14,14 @@ namespace nacre::app {
 
 constexpr std::uint32_t kLargestSide = 32768;                       ///< pixels
 constexpr double kLargestMeshError = 4;                             ///< as RenderSettings::meshError
-constexpr std::uint32_t kMostSupersample = 8;                       ///< samples a side of a pixel
+constexpr std::uint32_t kMostSupersample = 8;                       ///< samples per pixel side
 constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 32;      ///< width x height x supersample^2
-constexpr std::uint64_t kMostSamplesHeld = std::uint64_t{1} << 27;  ///< of a picture that is held whole
+constexpr std::uint64_t kMostSamplesHeld = std::uint64_t{1} << 27;  ///< for a picture held in memory as a whole
 constexpr int kMostDirections = 4096;                               ///< occlusion
 constexpr double kSmallestZoom = 1e-4, kLargestZoom = 1e4;
 constexpr double kSmallestFov = 1, kLargestFov = 120;  ///< degrees
 
-/// The reason why `text` is no value. @param words  of which the nearest is suggested
+/// Throws the reason why `text` is invalid. @param words  the nearest is suggested
 [[noreturn]] void refuse(std::string_view text, const std::string& wanted, std::span<const std::string> words = {});
 
 /// "a, b, c"
@@ -29,18 +29,18 @@ std::string listOf(std::span<const std::string> words);
 /// "a, b or c"
 std::string anyOf(std::span<const std::string> words);
 
-/// The same of a name whose ending is none of these. @param also  what else it may be: ", or a folder"
+/// As above for a name with another ending. @param also  other valid forms: ", or a folder"
 [[noreturn]] void refuseEnding(std::string_view name, std::span<const std::string> endings,
                                const std::string& also = {});
 
-/// A file's name as it is; not empty.
+/// A non-empty file name, unchanged.
 std::string fileName(std::string_view text);
 
-/// Of a side of a picture: pixels, or paper.
+/// Side of a picture: pixels, or print size.
 struct Length {
     double value = 0;
     bool inches = false;
-    /// @param dpi  dots an inch
+    /// @param dpi  dots per inch
     double pixels(double dpi) const { return inches ? value * dpi : value; }
 };
 
@@ -57,10 +57,10 @@ Size parseSize(std::string_view text);
 /// "X,Y,Z" in degrees, finite.
 glm::dvec3 parseRotation(std::string_view text);
 
-/// A finite number of the whole text within [low, high].
+/// All of the text as a finite number within [low, high].
 double parseNumber(std::string_view text, double low, double high);
 
-/// A whole number of the whole text within [low, high].
+/// All of the text as an integer within [low, high].
 std::int64_t parseInteger(std::string_view text, std::int64_t low, std::int64_t high);
 
 /// "all" is kAllModels; otherwise a number from 1.
@@ -68,25 +68,25 @@ int parseModel(std::string_view text);
 
 /// A frame's number, from 1. @throws std::invalid_argument
 std::int64_t parseFrame(std::string_view text);
-/// How many frames a position is the mean of: odd, to Motion::kMostSmoothed. @throws std::invalid_argument
+/// Number of frames averaged: odd, up to Motion::kMostSmoothed. @throws std::invalid_argument
 std::int64_t parseSmoothing(std::string_view text);
 
 /// "off" is 0; otherwise 1 to kMostDirections.
 int parseOcclusion(std::string_view text);
 
-/// The position of text among choices; the reason lists them.
+/// The index of text among choices; the error lists them.
 std::size_t parseChoice(std::string_view text, std::span<const char* const> choices);
 std::size_t parseChoice(std::string_view text, std::initializer_list<const char*> choices);
 
 /// "auto" is RenderSettings::kEdges; otherwise 1 to kMostSupersample.
 std::uint32_t parseSupersample(std::string_view text);
 
-/// Refuses more than `most`. @param supersample  as parseSupersample() gives it
+/// Refuses more than `most`. @param supersample  from parseSupersample()
 void checkSamples(const Size& size, std::uint32_t supersample, std::uint64_t most = kMostSamples);
 
-/// The points of "1.5pt"; none where it is another unit.
+/// The points of "1.5pt"; empty for other units.
 std::optional<double> pointsOf(std::string_view text);
-/// "2", "2px"; "1.5pt" at 96 dots an inch.
+/// "2", "2px"; "1.5pt" at 96 dots per inch.
 double parsePixels(std::string_view text, double least, double most);
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// Between linear light and the sRGB code values of files (IEC 61966-2-1).
+// Converts between linear light and the sRGB code values of files (IEC 61966-2-1).
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +31,9 @@ inline std::uint16_t toWord(float value) {
     return value >= 1.0f ? std::uint16_t{65535} : static_cast<std::uint16_t>(value * 65535.0f + 0.5f);
 }
 
-/// One premultiplied linear pixel as sRGB code values: three over white, or four with straight alpha. Whoever lays a
-/// picture over something mixes code values, and light adds up otherwise: alpha and colour are those that, mixed so,
-/// come nearest to what the pixel is over black and over white, where a gray pixel is exact.
+/// One premultiplied linear pixel as sRGB code values: three over white, or four with straight alpha. Programs
+/// composite code values, not light: alpha and colour are chosen so that this comes nearest to the pixel over black and
+/// over white. Exact for grey pixels.
 template <typename Code>
 void codePixel(const float* pixel, bool alpha, Code* out) {
     constexpr bool kWords = sizeof(Code) == 2;

@@ -4,7 +4,7 @@
 
 namespace nacre::app {
 
-/// Options were used wrongly; what() says how, in one line.
+/// Options were used wrongly; what() explains it in one line.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

@@ -10,20 +10,20 @@
 
 namespace nacre::python {
 
-/// Colours of one's own, instead of a scheme's.
+/// User-defined colours that replace a scheme's.
 struct Colors {
-    std::vector<std::uint32_t> atoms;  ///< packed as in engine/scene/colors.h, one for each atom; empty: the scheme's
+    std::vector<std::uint32_t> atoms;  ///< packed as in engine/scene/colors.h, one per atom; empty: the scheme's
     std::vector<LegendEntry> legend;   ///< along the ramp, if they show numbers
     Palette ramp = Palette::automatic;
     bool operator==(const Colors& other) const { return atoms == other.atoms && ramp == other.ramp; }
 };
-/// Numbers along a ramp; what is no finite number is grey. @param limits  values at its ends; empty: the least and the
-/// largest @throws app::UsageError if the palette is no ramp
+/// Maps numbers to a ramp; non-finite ones are grey. @param limits  values at its ends; empty: minimum and maximum
+/// @throws app::UsageError if the palette is no ramp
 Colors colorsOfValues(const std::vector<double>& values, const std::string& palette,
                       const std::optional<std::pair<double, double>>& limits);
-/// @throws app::UsageError unless there is a colour for each of so many atoms
+/// @throws app::UsageError unless there is one colour per atom
 void checkCount(const Colors& colors, std::size_t atoms);
-/// Puts them into a scene, instead of its own.
+/// Applies them to a scene.
 void paint(const Colors& colors, Representation& scene);
 
 }  // namespace nacre::python

@@ -1,5 +1,5 @@
 #pragma once
-// A molecule as bytes, for Python's pickle: to be read by the very version of Nacre that wrote them.
+// A molecule as bytes, for Python's pickle. Only the same version of Nacre can read them.
 
 #include <string>
 #include <string_view>
@@ -8,10 +8,10 @@
 
 namespace nacre::python {
 
-/// Everything that a molecule holds, its file's other models too.
+/// All data of a molecule, with its file's other models.
 std::string pickled(const Molecule& molecule);
 
-/// @throws Error for bytes of another version, or that are no molecule
+/// @throws Error for bytes of another version, or invalid ones
 Molecule unpickled(std::string_view bytes);
 
 }  // namespace nacre::python

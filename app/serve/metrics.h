@@ -1,5 +1,5 @@
 #pragma once
-// Counts of a server, as Prometheus reads them.
+// A server's counters, in the format of Prometheus.
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@ public:
     void answered(int status, std::uint64_t bytes);
     void took(double seconds);
     void hit();
-    /// Text format 0.0.4. @param waiting  requests that wait now
+    /// Text format 0.0.4. @param waiting  number of waiting requests
     std::string text(std::size_t waiting) const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures that were sent once, on disk, within a bound.
+// Cache of sent pictures on disk, limited in size.
 
 #include <cstdint>
 #include <mutex>
@@ -8,16 +8,16 @@
 
 namespace nacre::app {
 
-/// What bytes are known by: 32 hexadecimal digits of their XXH3.
+/// Key of some bytes: 32 hexadecimal digits of their XXH3.
 std::string contentKey(const std::string& bytes);
 
 class PictureStore {
 public:
-    /// @param folder  empty: nothing is kept  @param bytes  that it holds at most
+    /// @param folder  empty: no cache  @param bytes  maximum size
     PictureStore(std::string folder, std::uint64_t bytes);
 
     std::optional<std::string> find(const std::string& name) const;
-    /// What cannot be kept is not kept. Those that were asked for least recently make room.
+    /// Stores a picture, if possible. The least recently used ones are removed to make room.
     void keep(const std::string& name, const std::string& picture);
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// What a request is answered with if it gets no picture: application/problem+json (RFC 9457).
+// Error responses: application/problem+json (RFC 9457).
 
 #include <stdexcept>
 #include <string>

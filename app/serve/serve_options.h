@@ -10,13 +10,13 @@ namespace nacre::app {
 /// `nacre serve`.
 struct ServeOptions {
     std::string address = "127.0.0.1";
-    int port = 8080;              ///< 0: one that is free
-    std::string root;             ///< folder whose files are inputs; empty: none
+    int port = 8080;              ///< 0: any free port
+    std::string root;             ///< folder of input files; empty: none
     int workers = 1;              ///< pictures drawn at the same time
-    int queue = 64;               ///< requests that wait for a worker, at most
-    double seconds = 60;          ///< that a request waits for its picture
-    std::int64_t cacheMiB = 256;  ///< pictures kept on disk
-    PictureDescription picture;   ///< device, cache folder, memory, offline and allow-download of all requests
+    int queue = 64;               ///< maximum of requests waiting for a worker
+    double seconds = 60;          ///< maximum time of a request
+    std::int64_t cacheMiB = 256;  ///< size of the picture cache on disk
+    PictureDescription picture;   ///< device, cache folder, memory, offline and allow-download for all requests
 };
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures over HTTP/1.1: docs/serve.md describes what it answers.
+// Pictures over HTTP/1.1; docs/serve.md describes the interface.
 
 #include <memory>
 
@@ -14,9 +14,9 @@ public:
     ~Server();
 
     int port() const;
-    /// Answers requests until stop(). Requests that are being drawn are finished.
+    /// Answers requests until stop(). Finishes pictures in progress.
     void run();
-    /// From any thread.
+    /// Thread-safe.
     void stop();
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// Structures that pages sent: files of this process, of which the oldest make room.
+// Uploaded structures: files of this process; the oldest are removed to make room.
 
 #include <deque>
 #include <mutex>
@@ -14,7 +14,7 @@ public:
     Uploads(const Uploads&) = delete;
 
     const std::string& folder() const { return folder_; }
-    /// @returns the input that it is from now on, "upload:9f0c..." @throws Problem
+    /// @returns its input name, "upload:9f0c..." @throws Problem
     std::string keep(const std::string& body);
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
-// The camera as the user commands it: gestures, keys, and aims at parts of the molecule, which may cut away what stands
-// before them.
+// The camera under user control: gestures, keys, and aims at parts of the molecule, which may clip what is in front of
+// them.
 
 #include "app/picture/aim.h"
 #include "app/viewer/commands.h"
@@ -14,19 +14,19 @@ class CameraControl {
 public:
     CameraControl(Stage& stage, Frames& frames, Reading& reading) : stage_(stage), frames_(frames), reading_(reading) {}
 
-    /// @returns whether it was one that moves the camera, or stops it
+    /// @returns whether the gesture moves or stops the camera
     bool apply(const Gesture& gesture, double now);
-    /// @returns whether it was a command of the camera
+    /// @returns whether it is a camera command
     bool run(ViewerCommand command, double now);
-    /// Flies to where a molecule is seen from as asked; while one is read, that one, once it is there.
+    /// Flies to the view of an aim; while a molecule is being read, waits for it.
     void aim(const Aim& aim, double now);
-    /// The same, of what is shown. @param fly  not at once
+    /// As above for the current document. @param fly  animate
     void take(Aim aim, bool fly, double now);
     /// Flies to the whole molecule.
     void fit(double now);
-    /// Another molecule or scene is there: an aim that waited for it is taken. @param fly  from where the camera is
+    /// A new document or scene is there: applies an aim that waited for it. @param fly  animate
     void arrived(bool fly, double now);
-    /// The view is another one, with its own clipping planes.
+    /// The view was replaced, and has its own clipping planes.
     void forgetClip() { clipped_ = false; }
 
 private:
@@ -37,7 +37,7 @@ private:
     Frames& frames_;
     Reading& reading_;
     bool clipped_ = false;  // by a close-up
-    Aim aim_;               // of the molecule that is being read
+    Aim aim_;               // waits for the molecule being read
 };
 
 }  // namespace nacre::app

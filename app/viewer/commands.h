@@ -1,6 +1,5 @@
 #pragma once
-// What keys, panel and menus can ask of the viewer. One table gives every command its keys and its words, so that the
-// help cannot miss one.
+// Commands for keys, panel and menus. One table has each command's keys and text, so that the help is always complete.
 
 #include <optional>
 #include <span>
@@ -73,17 +72,17 @@ enum class ViewerCommand {
 struct Binding {
     ViewerCommand command;
     KeyEvent key;
-    const char* keys;  ///< as the help names them
+    const char* keys;  ///< as shown in the help
     const char* what;
-    bool listed = true;  ///< in the help; what developers use is not
+    bool listed = true;  ///< shown in the help; developers' commands are not
 };
 
 std::span<const Binding> keyBindings();
 std::optional<ViewerCommand> commandOf(const KeyEvent& event);
 
-/// What the pointer and fingers do; for the help.
+/// Actions of pointer and fingers, for the help.
 struct PointerBinding {
-    const char* mouse;  ///< null: it has none
+    const char* mouse;  ///< null: none
     const char* touch;
     const char* what;
 };

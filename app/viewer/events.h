@@ -1,6 +1,6 @@
 #pragma once
-// What shells tell the viewer. Places are in points, the size-independent unit of touch screens (1/160 inch or so) and
-// of desktops, from the window's top left corner. Times are seconds of any steady clock.
+// Input events from shells. Positions are in points, the size-independent unit of touch screens (about 1/160 inch) and
+// desktops, from the window's top left corner. Times are seconds of any steady clock.
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -21,7 +21,7 @@ struct Modifiers {
     bool shift = false, control = false;
 };
 
-/// Keys that are no characters.
+/// Keys that are not characters.
 enum class SpecialKey : char32_t {
     left = 0x110000,
     right,
@@ -39,13 +39,13 @@ enum class SpecialKey : char32_t {
     end
 };
 
-/// Parts of the window's edges, in pixels.
+/// Widths of areas at the window's edges, pixels.
 struct Insets {
     float left = 0, top = 0, right = 0, bottom = 0;
     friend bool operator==(const Insets&, const Insets&) = default;
 };
 
-/// A key as the layout has it: the character it types without modifiers, or a SpecialKey.
+/// A key in the keyboard layout: the character that it types without modifiers, or a SpecialKey.
 struct KeyEvent {
     char32_t key = 0;
     Modifiers with;

@@ -1,5 +1,5 @@
 #pragma once
-// What a picture is of, and what its style and colours mean, in words.
+// Explains a picture in words: its molecule, style and colours.
 
 #include <string>
 
@@ -8,10 +8,10 @@
 
 namespace nacre::app {
 
-/// "Homo sapiens. X-ray diffraction, 1.9 Å": what the file states of it; empty: nothing.
+/// "Homo sapiens. X-ray diffraction, 1.9 Å", from the file; empty: not stated.
 std::string originText(const FileSummary& file);
 
-/// What is seen, in two sentences: the style and the colours. @param scene  that is drawn of it
+/// Two sentences about style and colours. @param scene  drawn for the picture
 std::string explanationText(const PictureDescription& picture, const Representation& scene);
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// From fingers to what they mean: rotate, pan, zoom, roll, tap. Knows no molecule and no clock.
+// Recognises gestures of fingers: rotate, pan, zoom, roll, tap. Independent of the molecule and of a clock.
 
 #include <glm/vec2.hpp>
 #include <map>
@@ -12,15 +12,15 @@ namespace nacre::app {
 
 struct Gesture {
     enum class Kind {
-        touched,    ///< something came down: whatever moves by itself stops
+        touched,    ///< a finger came down: automatic motion stops
         rotate,     ///< by `by`
         transform,  ///< pan by `by`, zoom by `scale` and roll by `turn` about `at`
-        tap,        ///< at `at`; a double tap's first one is told too
+        tap,        ///< at `at`; also the first tap of a double tap
         doubleTap,
         longPress,
-        released,  ///< the last finger of a rotation or transformation went
-        undo,      ///< three fingers went to the left together
-        redo,      ///< and to the right
+        released,  ///< the last finger of a rotation or transformation was lifted
+        undo,      ///< three fingers swiped left
+        redo,      ///< three fingers swiped right
     };
     Kind kind{};
     glm::dvec2 at{};     ///< points
@@ -31,19 +31,19 @@ struct Gesture {
 
 class TouchGestures {
 public:
-    static constexpr double kSlop = 8;          ///< points that a tap may wander
-    static constexpr double kSwipe = 50;        ///< points that three fingers go, at least
-    static constexpr double kTapSeconds = 0.3;  ///< the longest tap
+    static constexpr double kSlop = 8;          ///< maximum movement of a tap, points
+    static constexpr double kSwipe = 50;        ///< minimum movement of three fingers, points
+    static constexpr double kTapSeconds = 0.3;  ///< maximum duration of a tap
     static constexpr double kLongPressSeconds = 0.5;
-    static constexpr double kDoubleTapSeconds = 0.35;  ///< from one tap to the next
+    static constexpr double kDoubleTapSeconds = 0.35;  ///< between two taps
     static constexpr double kDoubleTapReach = 40;      ///< points between the two
 
     std::vector<Gesture> handle(const TouchEvent& event, double now);
-    /// What follows from time alone. Call at or after wake().
+    /// Gestures due by time alone. Call at or after wake().
     std::vector<Gesture> tick(double now);
-    /// When tick() will have something to say, if it will.
+    /// When tick() may return a gesture.
     std::optional<double> wake() const;
-    /// Forgets every finger, as after a pause.
+    /// Drops all fingers, for example after a pause.
     void clear();
 
 private:
@@ -60,11 +60,11 @@ private:
     void lift(const TouchEvent& event, double now, std::vector<Gesture>& out);
 
     std::map<std::int64_t, Finger> fingers_;
-    bool wandered_ = false;  // no tap any more: a finger moved, or there were two
-    bool dragging_ = false;  // something has been rotated or transformed
-    bool pressed_ = false;   // the long press has been told
-    bool three_ = false;     // there were so many: what they do is a swipe or nothing
-    bool pinching_ = false;  // two fingers have gone far enough apart from where they came down
+    bool wandered_ = false;  // no tap: a finger moved, or there were two
+    bool dragging_ = false;  // something was rotated or transformed
+    bool pressed_ = false;   // the long press was reported
+    bool three_ = false;     // three fingers: only a swipe is possible
+    bool pinching_ = false;  // two fingers moved far enough from where they came down
     std::optional<Tap> last_;
 };
 

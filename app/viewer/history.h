@@ -1,5 +1,5 @@
 #pragma once
-// What was seen before, and what was taken back: each act of the user is a step, a drag from its beginning to its end.
+// Undo history of views: each user action is a step, a drag counts once.
 
 #include <vector>
 
@@ -11,18 +11,17 @@ class History {
 public:
     static constexpr std::size_t kMost = 200;  ///< views
 
-    /// Forgets everything but a view.
+    /// Clears the history except for one view.
     void begin(const PictureDescription& view);
-    /// Before an act: what is seen until then becomes a step, unless it is the last one; what was taken back is
-    /// forgotten then.
+    /// Call before an action: the current view becomes a step, unless it is the last one; clears the redo steps.
     void remember(const PictureDescription& now);
-    /// What is seen may be none of the steps: it is one before anything is taken back.
+    /// The current view may not be a step yet: it becomes one before the next undo.
     void acted() { acted_ = true; }
     bool empty() const { return views_.empty(); }
-    // Of the view that is seen now
+    // For the current view
     bool canUndo(const PictureDescription& now) const { return at_ > 0 || isAnother(now); }
     bool canRedo(const PictureDescription& now) const { return at_ + 1 < views_.size() && !isAnother(now); }
-    /// The view before, or after; null: there is none. Good until the next call.
+    /// The previous or next view; null: none. Valid until the next call.
     const PictureDescription* undo(const PictureDescription& now) { return go(now, -1); }
     const PictureDescription* redo(const PictureDescription& now) { return go(now, 1); }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What a shell keeps from one run to the next: the last view and what the driver compiled. A file that cannot be read,
-// or is not whole, counts as absent; one that cannot be written is not missed. An empty path names no file.
+// Files that a shell keeps between runs: the last view and compiled pipelines. Unreadable or incomplete files count as
+// absent; write failures are ignored. An empty path means no file.
 
 #include <cstddef>
 #include <optional>
@@ -12,7 +12,7 @@
 namespace nacre::app {
 
 std::optional<PictureDescription> loadView(const std::string& path);
-/// Makes the folder where it is missing.
+/// Creates the folder if missing.
 void keepView(const std::string& path, const PictureDescription& view);
 
 /// Any other text.

@@ -1,5 +1,5 @@
 #pragma once
-// What the user is told: a message for a while, and what went wrong until it is dismissed.
+// Messages to the user: shown for a while; errors until they are dismissed.
 
 #include <limits>
 #include <string>
@@ -10,9 +10,9 @@ namespace nacre::app {
 
 class Messages {
 public:
-    static constexpr double kSeconds = 4;  ///< that a message stands
+    static constexpr double kSeconds = 4;  ///< duration of a message
 
-    /// @param errorsStay  until they are dismissed: the shell shows failure()
+    /// @param errorsStay  errors stay until dismissed: the shell shows failure()
     Messages(FrameSchedule& schedule, bool errorsStay) : schedule_(schedule), errorsStay_(errorsStay) {}
 
     void say(const std::string& message, double now) {
@@ -20,7 +20,7 @@ public:
         until_ = now + kSeconds;
         schedule_.overlayChanged();
     }
-    /// Tells what went wrong.
+    /// Reports an error.
     void fail(const std::string& what, double now) {
         if (!errorsStay_) return say(what, now);
         failure_ = what;

@@ -1,5 +1,5 @@
 #pragma once
-// From a mouse or trackpad to the same gestures that fingers make.
+// Converts mouse and trackpad input to the gestures of fingers.
 
 #include <optional>
 
@@ -9,12 +9,12 @@ namespace nacre::app {
 
 class MouseGestures {
 public:
-    static constexpr double kSlop = 3;  ///< points that a click may wander
+    static constexpr double kSlop = 3;  ///< maximum movement of a click, points
     static constexpr double kDoubleClickSeconds = 0.35;
     static constexpr double kZoomPerStep = 1.15;  ///< of the wheel
 
     std::vector<Gesture> button(MouseButton button, bool down, glm::dvec2 at, Modifiers with, double now);
-    /// @param middle of the window, about which Ctrl drag rolls
+    /// @param middle of the window: centre of a Ctrl drag's roll
     std::vector<Gesture> move(glm::dvec2 at, glm::dvec2 middle);
     std::vector<Gesture> wheel(double steps, glm::dvec2 at) const;
     void clear() { held_.reset(); }

@@ -1,6 +1,5 @@
 #pragma once
-// What the pointer and fingers point at: picked atoms and what they measure, the selection, the atom under a pointer
-// that rests.
+// Picked atoms and their measurements, the selection, and the atom under a resting pointer.
 
 #include <limits>
 #include <optional>
@@ -11,27 +10,27 @@
 
 namespace nacre::app {
 
-/// What a shell draws over the picture, in points from the window's top left.
+/// Overlay data for a shell, in points from the window's top left.
 struct Annotations {
-    std::vector<glm::dvec2> atoms;     ///< picked, in their order; a line joins each to the next
-    std::string atom;                  ///< what the last one is
-    std::string measurement;           ///< what they measure, and how many atoms more that takes
-    std::string message;               ///< of the last command, or of what went wrong
-    std::string error;                 ///< what went wrong, until it is dismissed (ViewerOptions::errorsStay)
-    std::vector<glm::dvec2> selected;  ///< atoms of the selection; of many, some
-    std::string hover;                 ///< what the pointer rests on
-    std::string coarse;                ///< that a moving picture is not as sharp as one at rest
+    std::vector<glm::dvec2> atoms;     ///< picked, in order; lines connect them
+    std::string atom;                  ///< description of the last one
+    std::string measurement;           ///< their measurement, or how many more atoms it needs
+    std::string message;               ///< of the last command, or an error
+    std::string error;                 ///< an error, until it is dismissed (ViewerOptions::errorsStay)
+    std::vector<glm::dvec2> selected;  ///< selected atoms; at most some of many
+    std::string hover;                 ///< under the pointer
+    std::string coarse;                ///< notice of reduced resolution during motion
 };
 
-/// What is selected: a text that is being typed, or what was clicked.
+/// The selection: typed text, or clicked atoms.
 struct SelectedAtoms {
     std::string text;
-    std::string error;      ///< why the text is no selection
-    std::size_t count = 0;  ///< atoms of the molecule
+    std::string error;      ///< why the text is invalid
+    std::size_t count = 0;  ///< selected atoms
     bool any() const { return !text.empty() && error.empty(); }
 };
 
-/// What clicks on atoms measure. One more atom than it takes starts anew.
+/// Measurement by clicks. One atom more than needed starts again.
 enum class Measuring { off, distance, angle, torsion };
 constexpr const char* kMeasurings[] = {"off", "distance", "angle", "torsion"};
 
@@ -39,40 +38,40 @@ class Picking {
 public:
     Picking(Stage& stage, Frames& frames) : stage_(stage), frames_(frames) {}
 
-    // Places in points
+    // Positions in points
     void tap(glm::dvec2 at, double now);
-    /// Its first tap was no pick. @returns the residue that it means; nothing: all of the molecule
+    /// Its first tap was no pick. @returns the residue to aim at; empty: the whole molecule
     std::optional<Selection> doubleTap(glm::dvec2 at, double now);
     void pointerMoved(glm::dvec2 at, double now) { pointer_ = Pointer{at, now}; }
-    /// The pointer has left the picture.
+    /// The pointer left the picture.
     void pointerLeft();
 
     void measure(Measuring what);
     Measuring measuring() const { return measuring_; }
-    /// Atoms that are picked at most: one where nothing is measured.
+    /// Maximum of picked atoms: one without measuring.
     std::size_t mostPicks() const { return static_cast<std::size_t>(measuring_) + 1; }
 
-    /// Picked atoms, from 0, in their order.
+    /// Picked atoms, from 0, in order.
     const std::vector<std::uint32_t>& picks() const { return picks_; }
-    /// Selects by text; an empty one selects nothing.
+    /// Selects by text; an empty text clears the selection.
     void select(const std::string& text);
     const SelectedAtoms& selection() const { return selected_; }
-    /// Nothing is picked.
+    /// Clears the picked atoms.
     void drop() { picks_.clear(); }
-    /// The same atoms are elsewhere, or are seen in another way.
+    /// The same atoms moved, or the style changed.
     void placeSelection();
 
     /// @returns when something is due; infinity: never
     double advance(double now);
     Annotations annotations() const;
-    /// The view as it is saved: what the picked atoms measure stays.
+    /// The view for saving: with the current measurement.
     PictureDescription savedView() const;
 
 private:
     struct Pointer {
         glm::dvec2 at;
         double since;
-        bool asked = false;  ///< what it rests on was looked for
+        bool asked = false;  ///< the atom under it was looked up
     };
     std::vector<std::uint32_t> markedAtoms(const std::vector<bool>& chosen) const;
     bool hovers() const { return hovered_ > 0 && seen_ == stage_.changes(); }
@@ -87,7 +86,7 @@ private:
     std::vector<glm::dvec3> selectedPlaces_;  // from the scene's centre
     std::optional<Pointer> pointer_;          // over the molecule
     std::uint32_t hovered_ = 0;               // atom, from 1
-    std::uint64_t seen_ = 0;                  // Stage::changes() that it is of
+    std::uint64_t seen_ = 0;                  // Stage::changes() at that time
 };
 
 }  // namespace nacre::app

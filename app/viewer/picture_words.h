@@ -1,12 +1,12 @@
 #pragma once
-// Labels, measurements, legend and the like: where they stand in the document, and pictures that have them.
+// Labels, measurements, legend and the like: their positions in the document, and pictures with them.
 
 #include "app/annotation/placed_words.h"
 #include "app/viewer/frames.h"
 
 namespace nacre::app {
 
-/// Points of the words in a window, and of an em of the panel's font of 15 points.
+/// Em size of words in a window, points: as the panel's font of 15 points.
 constexpr double kWordPoints = 15 / 1.164;
 
 class PictureWords {
@@ -14,20 +14,20 @@ public:
     PictureWords(Stage& stage, const Frames& frames) : stage_(stage), frames_(frames) {}
 
     const PlacedWords& placed() const { return placed_; }
-    /// Finds the places of the view's words. @returns whether all of them have one; what has none is said
+    /// Finds the positions of the view's words. @returns whether all have one; reports the others
     bool place(double now);
-    /// The same where atoms have moved.
+    /// As above after atoms moved.
     void follow(double now) {
         const Words& words = stage_.view().words;
         if (!words.labels.empty() || !words.measures.empty()) place(now);
     }
-    /// Pixels of an em of them in the window.
+    /// Em size in the window, pixels.
     double size() const;
-    /// What a picture that they are painted on is drawn with: the molecule stands beside them, as `nacre render --view`
-    /// has it, where it is seen whole. @param textSize  pixels of an em
+    /// Settings for a picture with these words: the molecule is placed beside them, as `nacre render --view` does, if
+    /// it is visible as a whole. @param textSize  em size, pixels
     RenderSettings settingsBeside(PixelSize size, double textSize) const;
-    /// Onto a picture that was drawn so. Only if Stage::shown().
-    /// @param saved  whose words  @param size  pixels of an em  @param transparent  the picture has no background
+    /// Draws words into such a picture. Only if Stage::shown().
+    /// @param saved  whose words  @param size  em size, pixels  @param transparent  the picture has no background
     void paint(const PictureDescription& saved, const View& view, double size, bool transparent,
                Picture& picture) const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which frame of a molecule that moves, or which model of its file, is due when. Pure arithmetic; it has no clock.
+// Timing of trajectory frames and models. Pure arithmetic, without a clock.
 
 #include <cstddef>
 #include <optional>
@@ -8,38 +8,38 @@
 namespace nacre::app {
 
 enum class PlayOrder {
-    round,     ///< after the last comes the first
-    toAndFro,  ///< after the last comes the one before it
-    once,      ///< the last stays
+    round,     ///< the first follows the last
+    toAndFro,  ///< backwards after the last
+    once,      ///< stops at the last
 };
 
 class PlayClock {
 public:
-    static constexpr double kModelRate = 10, kTrajectoryRate = 30;  ///< frames a second, at first
+    static constexpr double kModelRate = 10, kTrajectoryRate = 30;  ///< initial frames per second
     static constexpr double kSlowest = 0.5, kFastest = 120;
 
-    /// Of another molecule: at rest. @param frames  0: none is there  @param frame  from 0
+    /// For another molecule: stopped. @param frames  0: none  @param frame  from 0
     void begin(std::size_t frames, std::size_t frame, double rate);
-    /// The same molecule has another number of frames, as if its copies stand still.
+    /// The same molecule has another number of frames, for example none while it has copies.
     void setFrames(std::size_t frames);
     std::size_t frames() const { return frames_; }
-    /// The one that is asked for, from 0.
+    /// The current frame, from 0.
     std::size_t frame() const { return frame_; }
     void goTo(std::size_t frame) { frame_ = frame; }
 
     bool playing() const { return playing_; }
-    /// Plays on from where it is; from the first, if it stands at the end of what is played once.
+    /// Plays from the current frame; from the first after a finished single play.
     void play(double now);
     void stop() { playing_ = false; }
-    /// The frame after this one, as it is played; none: it has ended.
+    /// The next frame to play; empty: finished.
     std::optional<std::size_t> next() const;
-    /// When that is due.
+    /// When it is due.
     double due() const { return due_; }
-    /// A frame is shown that was due.
+    /// Reports that a due frame is shown.
     void shown(std::size_t frame, double now);
 
     double rate() const { return rate_; }
-    /// @param rate  frames a second
+    /// @param rate  frames per second
     void setRate(double rate);
     /// The next of some usual rates. @param way  1: faster, -1: slower
     void stepRate(int way);
@@ -53,7 +53,7 @@ private:
     bool playing_ = false, back_ = false;
 };
 
-/// "30 frames a second"
+/// "30 frames per second"
 std::string rateText(double rate);
 
 }  // namespace nacre::app

@@ -1,6 +1,6 @@
 #pragma once
-// Molecules that move: frames of a trajectory and models of a file, one after the other. Where a player makes them (all
-// have the same atoms), they come as fast as they are drawn; other models are read from their file one by one.
+// Plays trajectory frames or models. If all have the same atoms, a player makes them as fast as they are drawn; other
+// models are read from their file one by one.
 
 #include <functional>
 #include <memory>
@@ -15,20 +15,20 @@ namespace nacre::app {
 
 class Playback {
 public:
-    /// @param moved  called when the atoms of what is shown have other places  @param wake  as Player's
+    /// @param moved  called when the document's atoms moved  @param wake  as in Player
     Playback(Stage& stage, Frames& frames, Reading& reading, std::function<void(double now)> moved,
              std::function<void()> wake);
 
-    /// What is played, and how fast; frames are counted from 0.
+    /// State and rate; frames are counted from 0.
     const PlayClock& clock() const { return clock_; }
     bool playing() const { return clock_.playing(); }
-    /// Models of the file; 0 while there is none.
+    /// Models of the file; 0 without a file.
     std::size_t models() const;
-    /// The frames are those of a trajectory, not models of the file.
+    /// The frames are a trajectory's, not models of the file.
     bool hasTrajectory() const;
-    /// Frames can be laid: fitted, smoothed, made whole.
+    /// Frames can be fitted, smoothed and made whole.
     bool canLay() const { return player_ && stage_.document.moves(); }
-    /// Of the frame that is shown: ps, if its file says so; and how far fitted atoms are from the first frame's, Å.
+    /// For the frame shown: time in ps, if stated; RMSD of fitted atoms to the first frame, Å.
     std::optional<double> frameTime() const { return frameTime_; }
     double frameRmsd() const { return frameRmsd_; }
 
@@ -40,16 +40,16 @@ public:
     /// The next of some usual rates. @param way  1: faster, -1: slower
     void stepRate(int way, double now);
     void setOrder(PlayOrder order);
-    /// How frames are laid; file and frame of the options are not looked at.
+    /// Sets the processing of frames; ignores file and frame of the options.
     void setMotion(const TrajectoryOptions& options, double now);
 
-    /// The document was read, or built anew: what plays it goes with it.
+    /// The document was read or rebuilt, with its player.
     void arrived(const Reading::Arrival& arrival);
-    /// The frame of a view of the same molecules, laid as it says. @throws Error if too few atoms are fitted
+    /// Goes to the frame of a view of the same molecules. @throws Error if too few atoms are fitted
     void restore(const PictureDescription& view);
-    /// Shows what is due of what is played. @returns when to look again; infinity: something wakes
+    /// Shows the frame that is due. @returns when to call again; infinity: a wake-up will come
     double advance(double now);
-    /// Until the frame that was asked for last is ready, if one was.
+    /// Waits for the frame last requested, if any.
     void wait() const {
         if (player_) player_->wait();
     }

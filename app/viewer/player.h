@@ -1,6 +1,6 @@
 #pragma once
-// Makes the frames of a molecule whose atoms move, on a thread of its own: positions are read, laid and turned into
-// streams while the window draws the frame before.
+// Makes frames of moving atoms on a worker thread: reads positions, fits them and builds streams while the window draws
+// the previous frame.
 
 #include <condition_variable>
 #include <exception>
@@ -16,7 +16,7 @@
 
 namespace nacre::app {
 
-/// A frame, ready to be shown.
+/// A frame ready to be shown.
 struct PlayedFrame {
     std::size_t frame = 0;  ///< from 0
     std::shared_ptr<const Molecule> molecule;
@@ -27,21 +27,21 @@ struct PlayedFrame {
 
 class Player {
 public:
-    /// @param wake  called on the player's thread when a frame is ready, or could not be made
+    /// @param wake  called on the player's thread when a frame is ready or failed
     Player(std::shared_ptr<const Molecule> molecule, std::shared_ptr<Motion> motion, std::function<void()> wake);
     ~Player();
     Player(const Player&) = delete;
 
     std::size_t frames() const { return frames_; }
-    /// How the molecule is seen, from the next frame on. @param scene  for this alone from here on; null: not at all
+    /// Sets the scene for the next frames. @param scene  exclusively owned from now on; null: none
     void setScene(std::shared_ptr<MovingScene> scene);
-    /// How frames are laid, from the next one on.
+    /// Sets the processing of the next frames.
     void setMotion(MotionOptions options);
-    /// Begins with a frame; whatever was wanted before and is not ready is forgotten.
+    /// Requests a frame; drops an earlier unfinished request.
     void want(std::size_t frame);
-    /// The frame that was wanted, once it is ready. @throws Error why it could not be made
+    /// The requested frame when it is ready. @throws Error if it could not be made
     std::optional<PlayedFrame> take();
-    /// Waits until take() has something, if anything is wanted.
+    /// Waits until take() has something, if a frame was requested.
     void wait();
 
 private:
@@ -49,7 +49,7 @@ private:
     PlayedFrame make(std::size_t frame, MovingScene& scene);
     std::shared_ptr<Molecule> freeMolecule();
 
-    /// Copies of the molecule that nobody holds any more. Whoever lets go of one, on whatever thread, puts it here.
+    /// Unused copies of the molecule. Holders return theirs here, from any thread.
     struct FreeMolecules {
         std::mutex mutex;
         std::vector<std::unique_ptr<Molecule>> molecules;
@@ -60,12 +60,12 @@ private:
     std::size_t frames_;
     std::function<void()> wake_;
     std::shared_ptr<FreeMolecules> free_;
-    std::mutex mutex_;  // of all below
+    std::mutex mutex_;  // guards the following
     std::condition_variable changed_;
     std::shared_ptr<MovingScene> scene_;
     std::optional<MotionOptions> newMotion_;
     std::optional<std::size_t> wanted_;
-    std::uint64_t order_ = 0;  // counts what is wanted: what was made for an older one is dropped
+    std::uint64_t order_ = 0;  // number of the request: results of older ones are dropped
     bool working_ = false, ending_ = false;
     std::optional<PlayedFrame> ready_;
     std::exception_ptr failure_;

@@ -1,5 +1,5 @@
 #pragma once
-// Looks that are one key away.
+// Presets that can be chosen by key.
 
 #include <span>
 
@@ -14,12 +14,12 @@ struct Preset {
 };
 
 std::span<const Preset> presets();
-/// Changes what is drawn and its colours; camera and file stay.
+/// Changes styles and colours; camera and file stay.
 void applyPreset(const Preset& preset, PictureDescription& view);
 
-/// How a molecule looks at first where nothing was asked for: proteins, from kFewestOfCartoon amino acids on, as
-/// cartoons with their ligands as sticks; a prediction that states its confidence as a cartoon coloured by it. Anything
-/// else, and any view that says something of styles, colours or selections, stays as it is.
+/// The default style of a molecule: proteins from kFewestOfCartoon amino acids on as cartoons with their ligands as
+/// sticks; predictions with confidence as a cartoon coloured by it. Everything else, and any view that sets styles,
+/// colours or selections, stays unchanged.
 constexpr std::size_t kFewestOfCartoon = 10;  // shorter peptides show their atoms
 void firstLook(const Molecule& molecule, PictureDescription& view);
 

@@ -1,6 +1,5 @@
 #pragma once
-// How a document comes to be shown: what is opened, added and read, in which look it is built, and what the user has
-// to answer before.
+// Opening of documents: what is opened, added and read, the look in which it is built, and questions to the user.
 
 #include <functional>
 #include <optional>
@@ -15,41 +14,41 @@ class Reading {
 public:
     Reading(Stage& stage, Sources sources, std::function<void()> wake);
 
-    /// Instead of what is shown; several stand together.
+    /// Replaces the document; several files form one.
     void open(const std::vector<std::string>& paths, double now);
     void open(const std::string& path, double now) { open(std::vector{path}, now); }
-    /// Beside what is shown.
+    /// Adds to the document.
     void add(const std::vector<std::string>& paths, double now);
     void add(const std::string& path, double now) { add(std::vector{path}, now); }
-    /// What a view says, which is the wanted one already. @param another  it is of other molecules
+    /// Restores a view that is already the wanted one. @param another  it has other molecules
     void restore(const PictureDescription& view, bool another);
     /// Another model of the same file.
     void readModel(int model);
-    /// What is shown, as it is wanted.
+    /// Rebuilds the document for the wanted view.
     void build() { loader_.build(stage_.view(), stage_.document); }
-    /// What is being read is not wanted any more.
+    /// Cancels reading.
     void cancel(double now);
 
-    /// What the user has to answer before the molecule is read; null: nothing.
+    /// A question for the user before the molecule is read; null: none.
     const Question* question() const { return question_ ? &*question_ : nullptr; }
     void answer(bool yes, double now);
 
-    /// Of what was asked for at first. @throws what reading it threw, if that is known by now
+    /// For the initial file. @throws its error, if known by now
     void throwEarlyFailure() { loader_.throwFailure(); }
-    /// What is under way.
+    /// Running work.
     const Loader& loader() const { return loader_; }
-    /// Another molecule than the one that is shown is under way.
+    /// Another molecule is being read.
     bool another() const;
 
-    /// How a document differs from the one before.
+    /// Differences of a new document from the previous one.
     struct Arrival {
         bool another = false;   ///< other molecules were read
-        bool step = false;      ///< of them: another model of the same file
-        bool restored = false;  ///< it belongs to the view as it is
+        bool step = false;      ///< these are another model of the same file
+        bool restored = false;  ///< it belongs to the current view
     };
-    /// The document when it is ready: it is to be put on the screen.
+    /// The document when it is ready, to be shown.
     std::optional<Document> take(double now);
-    /// It is the stage's from here on, and the wanted view goes with it.
+    /// Moves the document to the stage, with its wanted view.
     Arrival arrive(Document document);
 
 private:
@@ -60,8 +59,8 @@ private:
     Stage& stage_;
     Loader loader_;
     std::optional<Question> question_;
-    PictureDescription asked_;  // what question_ is about
-    bool restoring_ = false;    // what is being read belongs to the view as it is
+    PictureDescription asked_;  // the view of question_
+    bool restoring_ = false;    // the document being read belongs to the current view
     bool first_ = true;         // nothing was shown yet
 };
 

@@ -5,7 +5,7 @@
 
 namespace nacre::app {
 
-/// When to try again what failed: later after each failure in a row.
+/// Delays retries: longer after each consecutive failure.
 class Retry {
 public:
     static constexpr double kFirstSeconds = 0.5, kLastSeconds = 8;

@@ -1,6 +1,6 @@
 #pragma once
-// What the viewer's parts share: the view as it is wanted, with the camera in the user's hand, the document that is
-// shown, and who is told that either changed.
+// State shared by the viewer's parts: the wanted view with the interactive camera, the document shown, and
+// notifications of changes to both.
 
 #include "app/viewer/camera_motion.h"
 #include "app/viewer/frame_schedule.h"
@@ -12,7 +12,7 @@ namespace nacre::app {
 
 class Stage {
 public:
-    static constexpr double kHandSeconds = 0.1;  ///< a hand that rests this long no longer moves the picture
+    static constexpr double kHandSeconds = 0.1;  ///< a drag that rests this long counts as finished
 
     Stage(const PictureDescription& view, bool errorsStay) : messages(schedule, errorsStay), view_(view) {
         motion.set(view.camera);
@@ -25,31 +25,31 @@ public:
     History history;
     Document document;
 
-    /// As it is wanted, seen from where `motion` has the camera.
+    /// The wanted view, with the camera of `motion`.
     const PictureDescription& view() const {
         view_.camera = motion.camera();
-        view_.aim.fits = false;  // that says how large
+        view_.aim.fits = false;  // the camera sets the scale
         return view_;
     }
-    /// The same, to be changed; its camera is not looked at.
+    /// As above for changes; its camera is ignored.
     PictureDescription& wanted() { return view_; }
-    /// The same where a flight has arrived.
+    /// The wanted view at the end of a flight.
     PictureDescription destination() const {
         PictureDescription view = view_;
         view.camera = motion.destination();
         view.aim.fits = false;
         return view;
     }
-    /// A document is there.
+    /// Whether there is a document.
     bool shown() const { return document.molecule != nullptr; }
-    /// Radius of what is shown, Å.
+    /// Radius of the document, Å.
     double radius() const { return shown() ? document.radius : 1.0; }
 
-    /// Called before whatever changes what is seen: what stood until now becomes a step.
+    /// Call before every visible change: makes the previous state an undo step.
     void remember() {
         if (shown()) history.remember(destination());
     }
-    /// The picture is another one.
+    /// Reports a visible change.
     void changed(double now) {
         ++changes_;
         changedAt_ = now;
@@ -62,9 +62,9 @@ public:
         handMoved_ = now;
         changed(now);
     }
-    /// When a hand that moved the picture last counts as at rest.
+    /// When the last drag counts as finished.
     double handRests() const { return handMoved_ + kHandSeconds; }
-    /// The picture moves by itself, or under a hand.
+    /// The picture moves by itself or is dragged.
     bool moving(double now) const { return motion.moving() || now < handRests(); }
 
 private:
