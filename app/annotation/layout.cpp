@@ -155,6 +155,15 @@ std::vector<glm::dvec2> besideNamed(const Room& room, const LabelSight::Named& n
     return offsets;
 }
 
+/// A label of a size of its own has its middle at its point, whatever else is there.
+void putInSpace(Room& room, const PlacedLabel& label, const Room::Seen& seen) {
+    constexpr double kLeast = 3, kMost = 2000;  // pixels
+    const double em = std::min(label.size * seen.scale, kMost);
+    if (em < kLeast) return;
+    const double wide = room.widthOfRuns(label.text, em);
+    room.put(label.text, seen.at + glm::dvec2(-wide / 2, (kRise - kDrop) / 2 * em), em);
+}
+
 /// @param held  of each, before and after
 void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vector<Held>& held) {
     const std::vector<PlacedLabel>& labels = words.labels;
@@ -170,6 +179,11 @@ void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vect
     for (const std::size_t i : choosingOrder(anchors, held)) {
         if (!anchors[i].inPicture || !held[i].shown) {
             held[i].placed = false;
+            continue;
+        }
+        room.ink = labels[i].color;
+        if (labels[i].size > 0) {
+            putInSpace(room, labels[i], anchors[i]);
             continue;
         }
         std::vector<glm::dvec2> wishes{{0, 0}};
@@ -193,6 +207,7 @@ void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vect
         held[i].rank = rank++;
         if (!room.place(labels[i].text, anchors[i].at, wishes, others, held[i])) ++room.marks.crowded;
     }
+    room.ink = 0;
 }
 
 double luminance(const std::array<float, 3>& c) {

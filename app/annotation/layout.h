@@ -26,6 +26,7 @@ struct TextMark {
     glm::dvec2 at{};  ///< left end of the baseline
     double size = 0;  ///< of an em
     std::string text;
+    std::uint32_t color = 0;  ///< packed; 0: that of the words
 };
 struct LineMark {
     std::vector<glm::dvec2> points;

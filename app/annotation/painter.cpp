@@ -278,8 +278,13 @@ void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, st
             coverage.pour(ramp.colors[i], 1, rgba);
         }
     for (const TextMark& text : marks.texts)
-        if (nearRows(text.at.y, 2 * text.size)) face_->addText(text, 0, coverage);
+        if (text.color == 0 && nearRows(text.at.y, 2 * text.size)) face_->addText(text, 0, coverage);
     coverage.pour(marks.color, 1, rgba);
+    for (const TextMark& text : marks.texts) {
+        if (text.color == 0 || !nearRows(text.at.y, 2 * text.size)) continue;
+        face_->addText(text, 0, coverage);
+        coverage.pour(text.color, 1, rgba);
+    }
 }
 
 Marks WordPainter::layOut(const PlacedWords& words, const View& view, double size,

@@ -239,4 +239,19 @@ PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Repr
     return placed;
 }
 
+void addLabels(const std::vector<Primitives::Label>& labels, const glm::dvec3& center, PlacedWords& words) {
+    if (words.labels.size() + labels.size() > kMostPlacedLabels)
+        throw Error("cannot label", "--primitives",
+                    std::to_string(words.labels.size() + labels.size()) + " labels are more than the limit of " +
+                        std::to_string(kMostPlacedLabels));
+    for (const Primitives::Label& label : labels) {
+        PlacedLabel& one = words.labels.emplace_back();
+        one.at = label.at - center;
+        one.text = label.text;
+        one.size = label.size;
+        one.color = label.color.value_or(0);
+        one.named = {{}, {one.at}, {0.0}};
+    }
+}
+
 }  // namespace nacre::app

@@ -9,6 +9,7 @@
 #include "app/annotation/label_sight.h"
 #include "app/picture/words.h"
 #include "engine/molecule/molecule.h"
+#include "engine/scene/primitives.h"
 #include "engine/scene/representation.h"
 
 namespace nacre::app {
@@ -20,6 +21,8 @@ struct PlacedLabel {
     bool ofAtom = false;        ///< stands beside an atom, not upon what it names
     double radius = 0;          ///< of that atom, Å
     LabelSight::Named named{};  ///< its atoms; those that do not hide it where labels may be hidden
+    double size = 0;            ///< Å of an em, seen in space: it stands right there, over others; 0: as all labels
+    std::uint32_t color = 0;    ///< packed; 0: as all labels
 };
 struct PlacedMeasure {
     std::vector<glm::dvec3> points;
@@ -50,5 +53,8 @@ enum class WordsOfHidden { refused, leftOut };
 /// @throws Error if a label's selection has no drawn atom, a measurement's not just one, or the labels are too many
 PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Representation& scene,
                        WordsOfHidden hidden = WordsOfHidden::refused);
+
+/// Adds labels at points. @param center  of the scene, Å in the file's frame
+void addLabels(const std::vector<Primitives::Label>& labels, const glm::dvec3& center, PlacedWords& words);
 
 }  // namespace nacre::app

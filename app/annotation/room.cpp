@@ -62,7 +62,7 @@ void Room::put(const std::string& text, glm::dvec2 at, double em) {
     for (const TextRun& run : runsOf(text)) {
         const double own = run.level == 0 ? em : kSmall * em;
         const double shift = run.level > 0 ? -kRaised * em : run.level < 0 ? kLowered * em : 0;
-        marks.texts.push_back({at + glm::dvec2(0, shift), own, run.text});
+        marks.texts.push_back({at + glm::dvec2(0, shift), own, run.text, ink});
         at.x += widthOf(run.text, own);
     }
     const Area area{begin - glm::dvec2(0, kRise * em), glm::dvec2(at.x, begin.y + kDrop * em)};

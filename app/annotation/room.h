@@ -58,6 +58,7 @@ struct Room {
 
     const View& view;
     double size, margin, titleDepth = 0;
+    std::uint32_t ink = 0;  ///< of what is put, as TextMark has it
     const TextWidth& widthOf;
     Area frame;
     std::vector<Area> taken;

@@ -51,9 +51,9 @@ BakedOcclusion bakedOcclusion(const ExportCommandOptions& options, Representatio
     return renderer.bakedOcclusion(settings);
 }
 
-/// Files hold triangles: whatever the style of a map, its surface is written.
-void addMapSurfaces(const Molecule& molecule, PictureDescription picture, Representation& scene) {
-    if (picture.maps.files.empty()) return;
+/// Files hold triangles: whatever the style of a map, its surface is written. Lines of constant width are left out.
+void addBeside(const Molecule& molecule, PictureDescription picture, Representation& scene) {
+    if (!picture.drawsBeside()) return;
     picture.maps.styles.assign(picture.maps.files.size(), MapStyle::surface);
     MapLayers maps = mapLayersOf(molecule, picture, scene.center);
     scene = withMaps(std::move(scene), maps);
@@ -73,8 +73,8 @@ void exportCommand(const ExportCommandOptions& options) {
     loadMaps(options.picture, downloadProgress(progress));
     progress.begin("building the scene");
     Representation scene = sceneOf(molecule, options.picture.input.path, options.picture.drawn, options.picture.look,
-                                   {}, !options.picture.maps.files.empty());
-    addMapSurfaces(molecule, options.picture, scene);
+                                   frameOfPrimitives(molecule, options.picture), options.picture.drawsBeside());
+    addBeside(molecule, options.picture, scene);
     for (const std::string& warning : scene.warnings) sayWarning(warning);
     const BakedOcclusion baked = bakedOcclusion(options, scene, progress);
     ExportOptions how = options.scene;

@@ -216,8 +216,8 @@ void MovieScenes::moveTo(Look& look, int frame) {
     if (!saidTorn_) saidTorn_ = sayTorn(*motion_, look.options.input.trajectory.path);
     look.moving->move(molecule_);
     look.model = frame;
-    look.canvas->renderer.setScene(look.moving->scene());
-    look.drawing.words = placeWords(look.options.words, molecule_, look.moving->scene());
+    look.canvas->renderer.setScene(look.drawing.withBeside(look.moving->scene()));
+    look.drawing.placeWordsIn(look.moving->scene(), molecule_);
     reachTo(look.drawing.settings.view, look.moving->scene().radius);
 }
 

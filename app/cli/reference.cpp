@@ -22,6 +22,7 @@ constexpr ReferenceGroup kReferenceGroups[] = {
     {"Interactions", static_cast<Topics>(Topic::interactions)},
     {"Cartoons and surfaces", static_cast<Topics>(Topic::mesh)},
     {"Density maps", static_cast<Topics>(Topic::map)},
+    {"Geometry beside the molecule", static_cast<Topics>(Topic::geometry)},
     {"Camera", Topic::camera | Topic::aim},
     {"Looks and saved views", Topic::look | Topic::view | Topic::thumbnail},
     {"Light and effects", Topic::lighting | Topic::effects},

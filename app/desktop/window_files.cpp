@@ -127,6 +127,8 @@ void WindowSession::saveView() {
         view.input.path = pathInView(path, view.input.path);
         view.input.trajectory.path = pathInView(path, view.input.trajectory.path);
         for (std::string& map : view.maps.files) map = pathInView(path, map);
+        for (PrimitiveSource& source : view.primitives)
+            if (!source.made && !isJsonText(source.text)) source.text = pathInView(path, source.text);
         for (FurtherInput& further : view.input.further) further.path = pathInView(path, further.path);
         writeText(file, savedViewJson(view));
         viewer().noteSaved();

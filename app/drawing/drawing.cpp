@@ -29,7 +29,8 @@ double buildScene(const ResidueFacts& facts, const PictureDescription& options, 
     const Molecule& molecule = facts.molecule();
     if (frames.path.empty() || frames.frame == 1 || options.look.ownFrame || !options.look.assembly.empty() ||
         !input.further.empty()) {
-        scene = sceneOf(facts, input.path, options.drawn, options.look, frame, !options.maps.files.empty());
+        scene = sceneOf(facts, input.path, options.drawn, options.look,
+                        frame ? frame : frameOfPrimitives(molecule, options), options.drawsBeside());
         return scene.radius;
     }
     Molecule first = molecule;
@@ -109,9 +110,9 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
     const Molecule& molecule = facts.molecule();
     const Facets parts = difference(description_, description);
     if (scene_ && parts == 0) return;
-    // What is left out since it hides something depends on the view, too; whether every atom may be hidden on maps.
+    // What is left out since it hides something depends on the view, too; whether every atom may be hidden.
     const bool another = !scene_ || (parts & (Facet::input | Facet::frame | Facet::scene)) != 0 ||
-                         description.maps.files.empty() != description_.maps.files.empty() ||
+                         description.drawsBeside() != description_.drawsBeside() || (molecule.atoms.empty() && parts) ||
                          uncoveredBy(description.aim) || uncoveredBy(description_.aim);
     description_ = description;
     if (another) {
@@ -151,10 +152,15 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
     run.sceneMs = millisecondsSince(start);
 }
 
+void Drawing::placeWordsIn(const Representation& scene, const ResidueFacts& facts, WordsOfHidden hidden) {
+    words = placeWords(description_.words, facts, scene, hidden);
+    addLabels(maps_.labels, scene.center, words);
+}
+
 /// Words of what is left out since it hides something go with it.
 void Drawing::putWords(const ResidueFacts& facts) {
     const bool some = !run.uncovers.empty();
-    words = placeWords(description_.words, facts, *scene_, some ? WordsOfHidden::leftOut : WordsOfHidden::refused);
+    placeWordsIn(*scene_, facts, some ? WordsOfHidden::leftOut : WordsOfHidden::refused);
     if (words.leftOut.empty()) return;
     const std::size_t others = words.leftOut.size() - 1;
     warnings.push_back("no words at " + words.leftOut.front() +

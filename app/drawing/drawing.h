@@ -51,9 +51,14 @@ public:
     /// @param settings  that it was drawn with  @param memory  of pictures that follow each other
     std::size_t addWords(const RenderSettings& settings, Picture& picture, WordMemory* memory = nullptr) const;
 
+    /// Of the molecule elsewhere, in a scene about the same centre: the words, and the scene with what is beside it.
+    void placeWordsIn(const Representation& scene, const ResidueFacts& facts,
+                      WordsOfHidden hidden = WordsOfHidden::refused);
+    Representation withBeside(Representation scene) const { return withMaps(std::move(scene), maps_); }
+
     /// Colours a scene anew once it is built, before its legend is laid out. Who changes it calls forget().
     std::function<void(Representation&)> recolor;
-    /// Without maps. Not after handOver().
+    /// Without what is beside the molecule. Not after handOver().
     const Representation& scene() const { return *scene_; }
     const PictureDescription& description() const { return description_; }
     RenderSettings settings;

@@ -1,10 +1,12 @@
 #include "app/drawing/map_layers.h"
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <list>
 #include <mutex>
 
 #include "app/input/map_input.h"
+#include "app/input/primitives_file.h"
 #include "app/picture/option_text.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
@@ -93,6 +95,19 @@ Around aroundOf(const Molecule& molecule, const PictureDescription& d, const Den
     return around;
 }
 
+void addGeometry(Primitives primitives, MapLayers& layers) {
+    Representation& shown = layers.shown;
+    const double maps = shown.radius;
+    shown.radius = 0;
+    addPrimitives(primitives, shown);
+    layers.frame = std::max(layers.frame, shown.radius);
+    for (const Primitives::Label& label : primitives.labels)
+        layers.frame = std::max(layers.frame, glm::length(label.at - shown.center));
+    shown.radius = std::max(shown.radius, maps);
+    layers.notes = std::move(primitives.notes);
+    layers.labels = std::move(primitives.labels);
+}
+
 MapContour contourOf(const DensityMap& map, const MapOptions& maps, std::size_t i) {
     MapContour contour;
     contour.style = ofMap(maps.styles, i);
@@ -122,8 +137,13 @@ double levelOf(const DensityMap& map, const MapLevel& level) {
 }
 
 Representation withMaps(Representation scene, const MapLayers& maps) {
-    joinMaps(scene, maps.shown);
+    joinScenes(scene, maps.shown);
     return scene;
+}
+
+std::optional<Bounds> frameOfPrimitives(const Molecule& molecule, const PictureDescription& d) {
+    if (!molecule.atoms.empty() || d.primitives.empty()) return std::nullopt;
+    return boundsOf(primitivesOf(d.primitives, molecule));
 }
 
 MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, const glm::dvec3& center) {
@@ -157,6 +177,7 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, con
                                       (around.places.empty() ? "" : " near these atoms"));
         for (const std::string& warning : map->warnings) layers.warnings.push_back(map->name + ": " + warning);
     }
+    if (!d.primitives.empty()) addGeometry(primitivesOf(d.primitives, molecule), layers);
     return layers;
 }
 

@@ -1,8 +1,11 @@
 #pragma once
-// The density maps of a picture in its scene.
+// What a picture shows beside its molecule: density maps and primitives.
+
+#include <optional>
 
 #include "app/picture/description.h"
 #include "engine/molecule/molecule.h"
+#include "engine/scene/primitives.h"
 #include "engine/scene/representation.h"
 #include "engine/volume/density_map.h"
 
@@ -11,18 +14,27 @@ namespace nacre::app {
 /// A contour level as a map's file has it. Of a difference map's negative contour it is mirrored about the mean.
 double levelOf(const DensityMap& map, const MapLevel& level);
 
-/// What a picture shows of its maps, about a scene's centre.
+/// Maps and primitives about a scene's centre.
 struct MapLayers {
-    Representation shown;               ///< to be joined to the scene (map_scene.h)
-    double frame = 0;                   ///< Å from the centre that the camera takes in: of maps that are drawn whole
+    Representation shown;  ///< to be joined to the scene (map_scene.h)
+    double frame = 0;  ///< Å from the centre that the camera takes in: of primitives, and of maps that are drawn whole
     std::vector<double> sigmas;         ///< each map's level, in sigma above its mean
     std::vector<std::string> warnings;  ///< what is not as it was asked for
 
-    bool empty() const { return shown.wires.empty() && shown.triangles.empty(); }
+    std::vector<std::string> notes;  ///< of primitives, by Representation::noteOf()
+    std::vector<Primitives::Label> labels;
+
+    bool empty() const {
+        return shown.spheres.empty() && shown.cylinders.empty() && shown.wires.empty() && shown.triangles.empty();
+    }
 };
 
-/// What is drawn of a scene and its maps.
+/// What is drawn of a scene and what is beside it.
 Representation withMaps(Representation scene, const MapLayers& maps);
+
+/// @throws Error
+/// The view of a molecule without atoms, which has a centre by its primitives alone; else nothing. @throws Error
+std::optional<Bounds> frameOfPrimitives(const Molecule& molecule, const PictureDescription& description);
 
 /// @throws Error
 MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& description, const glm::dvec3& center);

@@ -1,7 +1,9 @@
 #include "app/drawing/scenes.h"
 
+#include "app/drawing/map_layers.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"
+#include "engine/scene/atom_groups.h"
 #include "engine/scene/shared_frame.h"
 #include "engine/scene/uncover.h"
 
@@ -19,12 +21,15 @@ std::vector<std::uint32_t> someDrawnAtoms(const Molecule& molecule, const std::s
 }
 
 /// A scene without atoms, where they would be.
-Representation nothingOf(const Molecule& molecule, const std::vector<std::uint32_t>& drawn) {
+Representation nothingOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
+                         const std::optional<Bounds>& frame) {
+    const Molecule& molecule = facts.molecule();
     std::vector<glm::dvec4> balls;
     for (const std::uint32_t atom : drawn)
         balls.emplace_back(glm::dvec3(molecule.atoms[atom].position), vanDerWaalsRadius(molecule.atoms[atom].element));
-    const Bounds bounds = boundsOf(balls);
+    const Bounds bounds = frame ? *frame : balls.empty() ? Bounds{} : boundsOf(balls);
     Representation scene;
+    scene.atomGroups = atomGroups(facts);
     scene.center = bounds.center;
     scene.radius = bounds.radius;
     return scene;
@@ -40,8 +45,9 @@ MovingScene movingSceneOf(const ResidueFacts& facts, const std::string& name, co
 Representation sceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawnOptions,
                        const RepresentationOptions& look, const std::optional<Bounds>& frame, bool orNothing) {
     const Molecule& molecule = facts.molecule();
+    if (orNothing && molecule.atoms.empty()) return nothingOf(facts, {}, frame);
     const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, name, drawnOptions);
-    if (orNothing && appearanceOf(facts, drawn, look).seen == 0) return nothingOf(molecule, drawn);
+    if (orNothing && appearanceOf(facts, drawn, look).seen == 0) return nothingOf(facts, drawn, frame);
     Representation scene = represent(facts, drawn, look, frame ? frame : sharedFrame(facts, drawnOptions, look));
     if (!look.ownFrame && !molecule.othersMissing.empty())
         scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);
@@ -67,7 +73,8 @@ void uncoverIn(Representation& scene, const ResidueFacts& facts, const PictureDe
 }
 
 Representation sceneOfView(const ResidueFacts& facts, const PictureDescription& view) {
-    Representation scene = sceneOf(facts, view.input.path, view.drawn, view.look, {}, !view.maps.files.empty());
+    Representation scene = sceneOf(facts, view.input.path, view.drawn, view.look,
+                                   frameOfPrimitives(facts.molecule(), view), view.drawsBeside());
     uncoverIn(scene, facts, view);
     return scene;
 }

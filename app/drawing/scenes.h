@@ -15,7 +15,7 @@ namespace nacre::app {
 
 /// What is drawn of a molecule, in its style and colours. @throws Error if that is nothing
 /// @param frame  that all models of its file share (shared_frame.h), if that is known; else it is found, if it can be
-/// @param orNothing  rules may hide every atom, since density maps are drawn about them
+/// @param orNothing  there may be no atom, or rules may hide each, since something is drawn beside them
 Representation sceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,
                        const RepresentationOptions& look, const std::optional<Bounds>& frame = {},
                        bool orNothing = false);

@@ -80,7 +80,7 @@ private:
     /// @param atom  counted from 1
     const std::string& chainOf(std::uint32_t atom) const {
         static const std::string kNone;
-        if (atom == 0) return kNone;  // of density maps
+        if (atom == 0 || scene_.noteOf(atom) > 0) return kNone;  // of maps and primitives
         return molecule_.chains[molecule_.residues[molecule_.atoms[scene_.atomOf(atom) - 1].residue].chain].name;
     }
 
@@ -93,7 +93,7 @@ private:
     void addTriangle(std::size_t i, std::uint32_t list) {
         const Triangle& t = scene_.triangles[i];
         const std::uint32_t atom = scene_.meshLooks[scene_.meshVertices[t.a].look].atom;
-        GroupMesh& group = meshOf(list, atom, atom > 0 ? "fold" : "map");
+        GroupMesh& group = meshOf(list, atom, atom == 0 ? "map" : scene_.noteOf(atom) > 0 ? "geometry" : "fold");
         glm::uvec3 corners{};
         int corner = 0;
         for (const std::uint32_t v : {t.a, t.b, t.c}) {

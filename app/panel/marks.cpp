@@ -138,7 +138,8 @@ void drawWords(PanelFrame& f) {
             list.AddRectFilled(placeOf({ramp.low.x, y(i)}), placeOf({ramp.high.x, y(i + 1)}), ramp.colors[i]);
         }
     }
-    for (const TextMark& text : marks.texts) drawText(list, text, corner, marks.color, marks.halo, haloWidth);
+    for (const TextMark& text : marks.texts)
+        drawText(list, text, corner, text.color ? text.color : marks.color, marks.halo, haloWidth);
 }
 
 void drawAnnotations(PanelFrame& f) {

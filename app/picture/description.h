@@ -7,8 +7,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "app/picture/aim.h"
+#include "app/picture/geometry_options.h"
 #include "app/picture/input_options.h"
 #include "app/picture/map_options.h"
 #include "app/picture/option_values.h"
@@ -38,6 +40,11 @@ struct PictureDescription {
     DrawnAtomsOptions drawn;
     RepresentationOptions look;
     MapOptions maps;
+    std::vector<PrimitiveSource> primitives;
+
+    /// Whether something may be drawn where no atom is.
+    bool drawsBeside() const { return !maps.files.empty() || !primitives.empty(); }
+
     Camera camera;
     Aim aim = Aim::standard();
     Words words;

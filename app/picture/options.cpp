@@ -12,7 +12,7 @@ std::span<const Option> options() {
     static const std::vector<Option> kOptions = [] {
         std::vector<Option> all;
         for (std::vector<Option> (*rows)() :
-             {inputRows, sceneRows, mapRows, fileRows, viewRows, shadingRows, wordRows, deviceRows}) {
+             {inputRows, sceneRows, mapRows, geometryRows, fileRows, viewRows, shadingRows, wordRows, deviceRows}) {
             std::vector<Option> some = rows();
             std::move(some.begin(), some.end(), std::back_inserter(all));
         }

@@ -45,16 +45,17 @@ enum class Topic : std::uint64_t {
     frame = 1 << 28,  ///< likewise, without effect on the picture
     validation = 1 << 29,
     interactions = 1 << 30,
-    map = std::uint64_t{1} << 32,  ///< density maps
-    saved = 1u << 31,              ///< in saved views only
+    map = std::uint64_t{1} << 32,       ///< density maps
+    geometry = std::uint64_t{1} << 33,  ///< beside the molecule
+    saved = 1u << 31,                   ///< in saved views only
 };
 using Topics = std::uint64_t;
 constexpr Topics operator|(Topic a, Topic b) { return static_cast<Topics>(a) | static_cast<Topics>(b); }
 constexpr Topics operator|(Topics a, Topic b) { return a | static_cast<Topics>(b); }
 constexpr bool has(Topics topics, Topic topic) { return (topics & static_cast<Topics>(topic)) != 0; }
 constexpr Topics kReading = Topic::input | Topic::reading | Topic::trajectory | Topic::fit;
-constexpr Topics kAppearance =
-    Topic::style | Topic::color | Topic::rules | Topic::mesh | Topic::atoms | Topic::interactions | Topic::map;
+constexpr Topics kAppearance = Topic::style | Topic::color | Topic::rules | Topic::mesh | Topic::atoms |
+                               Topic::interactions | Topic::map | Topic::geometry;
 constexpr Topics kEveryTopic = ~static_cast<Topics>(Topic::saved);
 
 /// The part of the work that is done again when an option changes.
@@ -68,7 +69,7 @@ enum class Facet : unsigned {
     annotation = 1 << 4,  ///< text in the picture
     file = 1 << 5,        ///< output files
     device = 1 << 6,      ///< the device
-    map = 1 << 9          ///< contours of density maps
+    map = 1 << 9          ///< what is drawn beside the molecule: contours of density maps, primitives
 };
 using Facets = unsigned;
 constexpr Facets operator|(Facet a, Facet b) { return static_cast<Facets>(a) | static_cast<Facets>(b); }

@@ -11,6 +11,7 @@ namespace nacre::app {
 std::vector<Option> inputRows();
 std::vector<Option> sceneRows();
 std::vector<Option> mapRows();
+std::vector<Option> geometryRows();
 std::vector<Option> fileRows();
 std::vector<Option> viewRows();
 std::vector<Option> shadingRows();

@@ -222,6 +222,12 @@ std::string besideView(const std::string& view, const std::string& file) {
     return std::filesystem::exists(there, error) ? there.string() : file;
 }
 
+void placeBeside(const std::string& path, PictureDescription& view) {
+    for (std::string& map : view.maps.files) map = besideView(path, map);
+    for (PrimitiveSource& source : view.primitives)
+        if (!source.made && !isJsonText(source.text)) source.text = besideView(path, source.text);
+}
+
 /// Those of a view go before those that were there.
 template <typename Value>
 void append(std::vector<Value>& list, const std::vector<Value>& before) {
@@ -247,7 +253,7 @@ std::string readViewText(const std::string& path) {
 
 PictureDescription readSavedView(const std::string& path) {
     PictureDescription view = parseSavedView(readViewText(path), path);
-    for (std::string& map : view.maps.files) map = besideView(path, map);
+    placeBeside(path, view);
     return view;
 }
 
@@ -264,13 +270,14 @@ void applySavedView(const std::string& path, PictureDescription& description) {
     view.words.labels.clear();
     view.words.measures.clear();
     view.input.fits.clear();
-    for (auto clear : {"map", "map-level", "map-style", "map-color"}) option(clear).parse("", view);
+    for (auto clear : {"primitives", "map", "map-level", "map-style", "map-color"}) option(clear).parse("", view);
     readView(readViewText(path), path, view);
-    for (std::string& map : view.maps.files) map = besideView(path, map);
+    placeBeside(path, view);
     append(view.look.rules, description.look.rules);
     append(view.words.labels, description.words.labels);
     append(view.words.measures, description.words.measures);
     append(view.input.fits, description.input.fits);
+    append(view.primitives, description.primitives);
     append(view.maps.files, description.maps.files);
     append(view.maps.levels, description.maps.levels);
     append(view.maps.styles, description.maps.styles);

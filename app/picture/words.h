@@ -64,6 +64,7 @@ std::array<float, 3> parseInk(std::string_view text);
 std::string labelText(const Label& label);
 
 constexpr std::size_t kMostLabels = 400, kMostWordOptions = 1000;
+constexpr std::size_t kMostPlacedLabels = 10'000;  ///< with those of primitives
 
 /// A piece of a text in one size.
 struct TextRun {

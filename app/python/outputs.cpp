@@ -54,15 +54,15 @@ public:
 
     std::uint64_t count() const { return motion_->frames(); }
     /// Puts one of them on the canvas, with its words. @throws Error
-    void show(std::uint64_t model, const app::PictureDescription& request, app::Drawing& drawing, app::Canvas& canvas) {
+    void show(std::uint64_t model, app::Drawing& drawing, app::Canvas& canvas) {
         app::movePositions(now_, motion_->positions(model));
         moving_->move(now_);
         Representation scene = moving_->scene();
         if (drawing.recolor) drawing.recolor(scene);
-        drawing.words = app::placeWords(request.words, now_, scene);
+        drawing.placeWordsIn(scene, now_);
         app::reachTo(drawing.settings.view, scene.radius);
         canvas.scene = 0;
-        canvas.renderer.setScene(std::move(scene));
+        canvas.renderer.setScene(drawing.withBeside(std::move(scene)));
     }
 
 private:
@@ -98,7 +98,7 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
         if (models) drawing.settings.occlusion.cache.clear();  // of models that come and go
         const auto picture = [&](std::uint64_t frame) {
             if (models)
-                models->show(frame * modelCount / frames, request, drawing, canvas);
+                models->show(frame * modelCount / frames, drawing, canvas);
             else
                 drawing.show(canvas);
             RenderSettings settings = drawing.settings;

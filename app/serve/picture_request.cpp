@@ -66,12 +66,16 @@ constexpr auto kSavedOnly = static_cast<Topics>(Topic::saved);
 /// Of saved views, and of a request: where the page has turned the picture.
 bool isCameraKey(std::string_view key) { return key == "orientation" || key == "pan"; }
 
+/// Whether an option takes a file or its text, of which the server takes the text.
+bool takesText(const Option& option) { return option.syntax.find("FILE|") != std::string::npos; }
+
 OptionValue valueOf(const std::string& key, const std::string& text) {
     std::string name = key;
     std::replace(name.begin(), name.end(), '_', '-');
     const Option* row = findOption(name, isCameraKey(name) ? kSavedOnly : kEveryTopic);
     if (!row) throw Problem(400, "there is no option \"" + key + "\" (GET /options lists them)");
     if (!isServed(*row)) throw Problem(400, "\"" + key + "\" is the server's to say");
+    if (takesText(*row) && !isJsonText(text)) throw Problem(400, "\"" + key + "\" takes JSON here, no file's name");
     if (name == "look" && text.find_first_of("./\\") != std::string::npos)
         throw Problem(400, "\"look\" takes a look's name here");
     OptionValue value{name, text};
@@ -89,6 +93,8 @@ void takeView(const std::string& text, const std::string& name, PictureDescripti
     PictureDescription view = parseSavedView(text, name);
     if (!view.input.trajectory.path.empty()) throw Problem(422, "a view's trajectory is not drawn here");
     if (!view.maps.files.empty()) throw Problem(422, "a view's maps are not drawn here");
+    for (const PrimitiveSource& source : view.primitives)
+        if (!isJsonText(source.text)) throw Problem(422, "a view's files of primitives are not drawn here");
     view.input.namedBy.clear();
     view.input.hash.clear();
     for (FurtherInput& further : view.input.further) further.hash.clear();
@@ -132,7 +138,7 @@ bool isStyle(const std::string& word) {
 }  // namespace
 
 bool isServed(const Option& option) {
-    const bool file = option.syntax.find("FILE") != std::string::npos && option.key != "look";  // its names
+    const bool file = option.syntax.find("FILE") != std::string::npos && !takesText(option) && option.key != "look";
     return !file && !has(kServers, option.topic) && (option.topic != Topic::saved || isCameraKey(option.key)) &&
            std::find(std::begin(kServerKeys), std::end(kServerKeys), option.key) == std::end(kServerKeys);
 }

@@ -58,7 +58,7 @@ void Picking::tap(glm::dvec2 at, double now) {
     stage_.schedule.overlayChanged();
     stage_.messages.clear();
     pointerLeft();
-    if (*atom == 0) {
+    if (*atom == 0 || stage_.document.scene.noteOf(*atom) > 0) {
         picks_.clear();
         select("");
         return;
@@ -86,6 +86,7 @@ std::optional<Selection> Picking::doubleTap(glm::dvec2 at, double now) {
     picks_ = picksBefore_;
     stage_.schedule.overlayChanged();
     std::uint32_t atom = frames_.atomAt(at, kFingerPoints, now).value_or(0);
+    if (stage_.document.scene.noteOf(atom) > 0) atom = 0;
     if (atom > 0) atom = stage_.document.scene.atomOf(atom);
     if (atom == 0 || stage_.document.molecule->residues.size() < 2) return std::nullopt;
     return parseSelection(residueText(stage_.document, atom - 1));
@@ -174,6 +175,8 @@ Annotations Picking::annotations() const {
     for (const glm::dvec3& place : selectedPlaces_) a.selected.push_back(frames_.pointOf(place, view));
     if (const DrawnContact* contact = hovers() ? document.scene.contactOf(hovered_) : nullptr)
         a.hover = contactText(*document.molecule, contact->interaction);
+    else if (const std::uint32_t note = hovers() ? document.scene.noteOf(hovered_) : 0; note > 0)
+        a.hover = note <= document.maps.notes.size() ? document.maps.notes[note - 1] : "";
     else if (hovers() && hovered_ <= document.molecule->atoms.size())
         a.hover = atomText(*document.molecule, hovered_ - 1);
     std::vector<glm::dvec3> places;

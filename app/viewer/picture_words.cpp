@@ -5,13 +5,22 @@
 #include "engine/scene/orientation.h"
 
 namespace nacre::app {
+namespace {
+
+PlacedWords wordsOf(const PictureDescription& view, const Document& document) {
+    PlacedWords words = placeWords(view.words, *document.placed, document.scene, WordsOfHidden::leftOut);
+    addLabels(document.maps.labels, document.scene.center, words);
+    return words;
+}
+
+}  // namespace
 
 bool PictureWords::place(double now) {
     if (!stage_.shown()) return true;
     stage_.schedule.overlayChanged();
     const Document& document = stage_.document;
     try {
-        placed_ = placeWords(stage_.view().words, *document.placed, document.scene, WordsOfHidden::leftOut);
+        placed_ = wordsOf(stage_.view(), document);
     } catch (const Error& error) {
         stage_.messages.say(error.what(), now);
         return false;
@@ -45,8 +54,8 @@ void PictureWords::paint(const PictureDescription& saved, const View& view, doub
     const Document& document = stage_.document;
     std::array<float, 4> background = saved.background;
     if (transparent) background = {0, 0, 0, 0};
-    WordPainter().paint(placeWords(saved.words, *document.placed, document.scene, WordsOfHidden::leftOut), view, size,
-                        saved.words.color, background, picture, saved.effects.clip);
+    WordPainter().paint(wordsOf(saved, document), view, size, saved.words.color, background, picture,
+                        saved.effects.clip);
 }
 
 }  // namespace nacre::app

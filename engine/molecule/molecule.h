@@ -54,10 +54,15 @@ enum class SecondaryStructure : std::uint8_t { none, helix, strand };
 /// What the file says that a residue is part of; `unknown` also where it says nothing.
 enum class EntityKind : std::uint8_t { unknown, protein, nucleic, nonPolymer, water };
 
+constexpr std::int32_t kNoLabelNumber = INT32_MIN;
+
 /// A run of neighbouring atom records with the same chain, number, insertion code and name.
 struct Residue {
-    Name name;                    ///< "ALA"; empty where the format has no residues
-    std::int32_t number = 0;      ///< author's number
+    Name name;                ///< "ALA"; empty where the format has no residues
+    std::int32_t number = 0;  ///< author's number
+    /// mmCIF's label_seq_id, which counts the polymer's sequence; kNoLabelNumber beside polymers. In formats that have
+    /// one number: that.
+    std::int32_t labelNumber = 0;
     char insertionCode = '\0';    ///< '\0' = none
     std::uint32_t chain = 0;      ///< index into Molecule::chains
     std::uint32_t subchain = 0;   ///< index into Molecule::subchains

@@ -45,16 +45,57 @@ std::uint32_t stillList(Copies& copies) {
     return placeIn(copies.lists, std::vector<std::uint32_t>{still});
 }
 
-/// Where a scene keeps apart what moves or occludes together, maps are a part of their own.
-void keepApart(std::uint32_t first, std::uint32_t count, Representation& scene) {
-    if (count == 0) return;
+/// Where a scene keeps apart what moves or occludes together, what is joined to it is a part of its own: what a stream
+/// has from `first` on. @param model  its number among the models; 0: there are none
+void keepApart(Representation& scene, std::size_t first, std::size_t end, std::uint32_t model,
+               std::vector<PrimitiveRun> Copies::*runs, std::vector<ModelRun> Representation::*models) {
+    if (first == end) return;
+    const auto from = static_cast<std::uint32_t>(first), count = static_cast<std::uint32_t>(end - first);
     if (!scene.copies.transforms.empty())
-        scene.copies.triangles.push_back({first, count, stillList(scene.copies), {}, scene.radius});
-    if (scene.triangleModels.empty() && scene.sphereModels.empty()) return;
+        (scene.copies.*runs).push_back({from, count, stillList(scene.copies), {}, scene.radius});
+    if (model > 0) (scene.*models).push_back({from, count, model});
+}
+
+/// Of what is joined to a scene of several models: behind them; 0 where there is one.
+std::uint32_t modelBehind(const Representation& scene) {
     std::uint32_t model = 0;
     for (const auto* runs : {&scene.sphereModels, &scene.cylinderModels, &scene.triangleModels})
         for (const ModelRun& run : *runs) model = std::max(model, run.model + 1);
-    scene.triangleModels.push_back({first, count, model});
+    return model;
+}
+
+template <typename T>
+void append(std::vector<T>& list, const std::vector<T>& others) {
+    list.insert(list.end(), others.begin(), others.end());
+}
+
+void joinMeshes(Representation& scene, const Representation& others, std::uint32_t numbers) {
+    const auto vertices = static_cast<std::uint32_t>(scene.meshVertices.size()),
+               looks = static_cast<std::uint32_t>(scene.meshLooks.size()),
+               triangles = static_cast<std::uint32_t>(scene.triangles.size()),
+               coarse = static_cast<std::uint32_t>(scene.coarseTriangles.size());
+    for (MeshVertex v : others.meshVertices) {
+        v.look += looks;
+        scene.meshVertices.push_back(v);
+    }
+    for (SphereLook look : others.meshLooks) {
+        if (look.atom > 0) look.atom += numbers;
+        scene.meshLooks.push_back(look);
+    }
+    const auto join = [&](std::vector<Triangle>& stream, const std::vector<Triangle>& joined) {
+        for (Triangle t : joined) {
+            t.a += vertices, t.b += vertices, t.c += vertices;
+            stream.push_back(t);
+        }
+    };
+    join(scene.triangles, others.triangles);
+    join(scene.coarseTriangles, others.coarseTriangles);
+    for (MeshRun run : others.meshes) {
+        run.first += triangles;
+        run.firstVertex += vertices, run.endVertex += vertices;
+        for (MeshRun::Level& level : run.levels) level.first += coarse, level.endVertex += vertices;
+        scene.meshes.push_back(std::move(run));
+    }
 }
 
 }  // namespace
@@ -81,29 +122,28 @@ void addContour(const MapRegion& region, const MapContour& contour, Representati
     scene.radius = std::max(scene.radius, meshReach(scene));
 }
 
-void joinMaps(Representation& scene, const Representation& maps) {
-    scene.wires.insert(scene.wires.end(), maps.wires.begin(), maps.wires.end());
-    scene.wireLooks.insert(scene.wireLooks.end(), maps.wireLooks.begin(), maps.wireLooks.end());
-    scene.radius = std::max(scene.radius, maps.radius);
-    if (maps.triangles.empty()) return;
-    const auto vertices = static_cast<std::uint32_t>(scene.meshVertices.size()),
-               looks = static_cast<std::uint32_t>(scene.meshLooks.size()),
-               triangles = static_cast<std::uint32_t>(scene.triangles.size());
-    for (MeshVertex v : maps.meshVertices) {
-        v.look += looks;
-        scene.meshVertices.push_back(v);
-    }
-    scene.meshLooks.insert(scene.meshLooks.end(), maps.meshLooks.begin(), maps.meshLooks.end());
-    for (Triangle t : maps.triangles) {
-        t.a += vertices, t.b += vertices, t.c += vertices;
-        scene.triangles.push_back(t);
-    }
-    for (MeshRun run : maps.meshes) {
-        run.first += triangles;
-        run.firstVertex += vertices, run.endVertex += vertices;
-        scene.meshes.push_back(std::move(run));
-    }
-    keepApart(triangles, static_cast<std::uint32_t>(maps.triangles.size()), scene);
+void joinScenes(Representation& scene, const Representation& others) {
+    const std::size_t spheres = scene.spheres.size(), cylinders = scene.cylinders.size(),
+                      triangles = scene.triangles.size();
+    const auto numbers = static_cast<std::uint32_t>(scene.atomGroups.size());
+    const std::uint32_t model = modelBehind(scene);
+    const auto numbered = [&](std::uint32_t number) { return number > 0 ? number + numbers : 0; };
+    const auto joinSticks = [&](std::vector<CylinderLook>& looks, const std::vector<CylinderLook>& joined) {
+        for (const CylinderLook& look : joined)
+            looks.push_back({look.colorA, look.colorB, numbered(look.atomA), numbered(look.atomB)});
+    };
+    append(scene.spheres, others.spheres);
+    for (const SphereLook& look : others.sphereLooks) scene.sphereLooks.push_back({look.color, numbered(look.atom)});
+    append(scene.cylinders, others.cylinders);
+    joinSticks(scene.cylinderLooks, others.cylinderLooks);
+    append(scene.wires, others.wires);
+    joinSticks(scene.wireLooks, others.wireLooks);
+    joinMeshes(scene, others, numbers);
+    scene.radius = std::max(scene.radius, others.radius);
+    using R = Representation;
+    keepApart(scene, spheres, scene.spheres.size(), model, &Copies::spheres, &R::sphereModels);
+    keepApart(scene, cylinders, scene.cylinders.size(), model, &Copies::cylinders, &R::cylinderModels);
+    keepApart(scene, triangles, scene.triangles.size(), model, &Copies::triangles, &R::triangleModels);
 }
 
 }  // namespace nacre

@@ -24,8 +24,9 @@ struct MapContour {
 /// grows by what is added. @throws Error if it is too large
 void addContour(const MapRegion& region, const MapContour& contour, Representation& maps);
 
-/// Draws maps beside what a scene shows, about the same centre; the camera's radius stays. What of a scene is asked for
-/// by its atoms must have been done by then.
-void joinMaps(Representation& scene, const Representation& maps);
+/// Draws beside what a scene shows what another does about the same centre, as maps and primitives: it stands still,
+/// whatever copies or models the scene has, and the numbers of its looks follow the scene's. The radius holds both.
+/// What of a scene is asked for by its atoms must have been done by then.
+void joinScenes(Representation& scene, const Representation& others);
 
 }  // namespace nacre

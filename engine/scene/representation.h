@@ -27,7 +27,7 @@ struct Sphere {
 /// Stream B, read by shading as well. 8 bytes.
 struct SphereLook {
     std::uint32_t color;  ///< sRGB, 8 bits per channel, red in the lowest byte
-    std::uint32_t atom;   ///< 1-based position of the atom in its file; beyond its atoms, the number of a contact
+    std::uint32_t atom;  ///< 1-based position of the atom in its file; beyond, contacts, then notes of primitives; or 0
 };
 
 /// A cylinder with flat caps from a to b. 32 bytes.
@@ -62,7 +62,7 @@ struct Representation {
     std::vector<MeshRun> meshes;            ///< all triangles together, in their order
     std::vector<Triangle> coarseTriangles;  ///< of the meshes' levels: numbered on from the others where both are drawn
     std::vector<SphereLook> meshLooks;      ///< that vertices share
-    std::vector<std::uint32_t> atomGroups;  ///< of the file's atoms in their order (atom_groups.h)
+    std::vector<std::uint32_t> atomGroups;  ///< of the file's atoms in their order (atom_groups.h), then of contacts
     Copies copies;                          ///< of an assembly; relative to center, too
     /// Models that are drawn together and do not occlude each other, in the order of the primitives; together all of
     /// them. Empty: whatever is drawn occludes.
@@ -81,7 +81,12 @@ struct Representation {
 
     /// The contact that a look's number is of; null if it is an atom's.
     const DrawnContact* contactOf(std::uint32_t number) const {
-        return contacts.empty() || number < firstContact ? nullptr : &contacts[number - firstContact];
+        const bool any = !contacts.empty() && number >= firstContact && number - firstContact < contacts.size();
+        return any ? &contacts[number - firstContact] : nullptr;
+    }
+    /// The note, counted from 1, of a primitive that was joined to this (joinScenes()), by its number; 0: it is none's.
+    std::uint32_t noteOf(std::uint32_t number) const {
+        return number > atomGroups.size() ? number - static_cast<std::uint32_t>(atomGroups.size()) : 0;
     }
     /// An atom that a look's number stands for, counted from 1: of a contact its first.
     std::uint32_t atomOf(std::uint32_t number) const {

@@ -63,6 +63,7 @@ const std::map<std::string_view, std::string>& otherValues() {
                                                                  {"map-opacity", "0.75"},
                                                                  {"map-width", "2"},
                                                                  {"map-around", "ligand,3"},
+                                                                 {"primitives", "a.json"},
                                                                  {"output", "a.png"},
                                                                  {"layers", "a.exr"},
                                                                  {"stats", "a.json"},

@@ -14,6 +14,12 @@ constexpr std::size_t kLongestCell = 64;
 
 char firstCharacter(std::string_view text) { return text.empty() || text.front() == ' ' ? '\0' : text.front(); }
 
+std::optional<std::int32_t> wholeNumber(const MmcifCell& cell) {
+    const auto number = cell.integer();
+    if (!number || *number < INT32_MIN || *number > INT32_MAX) return std::nullopt;
+    return static_cast<std::int32_t>(*number);
+}
+
 std::int8_t formalCharge(const MmcifCell& cell) {
     const auto value = cell.integer();
     return value && std::abs(*value) <= 20 ? static_cast<std::int8_t>(*value) : std::int8_t{0};
@@ -88,13 +94,13 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     atom.charge = formalCharge(cell(cells, charge));
     atom.occupancy = property(cell(cells, occupancy), 1.0f, builder);
     atom.temperatureFactor = property(cell(cells, temperature), 0.0f, builder);
-    const auto number = cell(cells, cell(cells, authSeq).missing() ? labelSeq : authSeq).integer();
-    const bool fits = number && *number >= INT32_MIN && *number <= INT32_MAX;
-    builder.addAtom(atom, text(cells, authAsym, labelAsym), fits ? static_cast<std::int32_t>(*number) : 0,
-                    firstCharacter(text(cells, insertion)), residue, text(cells, labelAsym, authAsym));
-    if (column_[entity] >= 0) {
-        Residue& last = builder.molecule().residues.back();
-        if (last.atomCount == 1) last.entity = entityIndex(cell(cells, entity));
+    const auto number = wholeNumber(cell(cells, cell(cells, authSeq).missing() ? labelSeq : authSeq));
+    builder.addAtom(atom, text(cells, authAsym, labelAsym), number.value_or(0), firstCharacter(text(cells, insertion)),
+                    residue, text(cells, labelAsym, authAsym));
+    Residue& last = builder.molecule().residues.back();
+    if (last.atomCount == 1) {
+        if (column_[entity] >= 0) last.entity = entityIndex(cell(cells, entity));
+        if (column_[labelSeq] >= 0) last.labelNumber = wholeNumber(cell(cells, labelSeq)).value_or(kNoLabelNumber);
     }
     countChains(cells);
 }

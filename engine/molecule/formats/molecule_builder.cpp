@@ -32,7 +32,7 @@ void MoleculeBuilder::addAtom(Atom atom, std::string_view chain, std::int32_t nu
     if (molecule_.residues.empty() || !continues(molecule_.residues.back())) {
         Residue next;
         next.name = residueName;
-        next.number = number;
+        next.number = next.labelNumber = number;
         next.insertionCode = insertionCode;
         next.chain = chainIndex(chain);
         next.subchain = subchainIndex(subchain);

@@ -1,0 +1,24 @@
+#pragma once
+// Primitives as JSON (docs/geometry.md).
+
+#include <functional>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "app/picture/geometry_options.h"
+#include "engine/molecule/molecule.h"
+#include "engine/scene/primitives.h"
+
+namespace nacre::app {
+
+/// Where a point is that a text names, Å. @throws Error
+using PlaceOf = std::function<glm::dvec3(const std::string& selection)>;
+
+/// @param name  of the file, for errors @throws Error naming the primitive and its key
+Primitives readPrimitives(const std::string& json, const std::string& name, const PlaceOf& placeOf);
+
+/// All primitives of a picture. Points that are selections are the mean of their atoms. @throws Error
+Primitives primitivesOf(const std::vector<PrimitiveSource>& sources, const Molecule& molecule);
+
+}  // namespace nacre::app

@@ -1,0 +1,116 @@
+// Primitives as a file or an option has them.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/drawing/drawing.h"
+#include "app/input/primitives_file.h"
+#include "app/picture/options.h"
+#include "engine/error.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+namespace {
+
+Primitives read(const std::string& json) {
+    return readPrimitives(json, "a.json", [](const std::string&) { return glm::dvec3(7, 8, 9); });
+}
+
+TEST(PrimitivesFile, HasEveryKind) {
+    const Primitives p = read(R"([
+        {"kind": "line", "from": [0, 0, 0], "to": "chain A", "width": 2, "dash": 0.5, "color": "red", "note": "a line"},
+        {"kind": "tube", "from": [0, 0, 0], "to": [1, 0, 0], "radius": 0.3, "opacity": 0.5, "dash": [1, 2]},
+        {"kind": "arrow", "from": [0, 0, 0], "direction": [0, 2, 0], "radius": 0.2, "heads": "both"},
+        {"kind": "sphere", "center": [1, 2, 3], "radius": 2, "color": "#102030"},
+        {"kind": "ellipsoid", "center": [1, 2, 3], "radii": [1, 2, 3]},
+        {"kind": "ellipse", "center": [0, 0, 0], "major": [2, 0, 0], "minor": [0, 1, 0], "end": 90},
+        {"kind": "box", "min": [0, 0, 0], "max": [2, 4, 6], "edges": "blue", "edge_radius": 0.1},
+        {"kind": "mesh", "vertices": [0, 0, 0, 1, 0, 0, 0, 1, 0], "triangles": [[0, 1, 2]], "colors": ["red"]},
+        {"kind": "label", "at": [1, 1, 1], "text": "C\\alpha", "size": 2, "color": "green"}])");
+    ASSERT_EQ(p.lines.size(), 2u);
+    EXPECT_EQ(p.lines[0].b, glm::dvec3(7, 8, 9)) << "a selection is a place";
+    EXPECT_EQ(p.lines[0].radius, 0);
+    EXPECT_EQ(p.lines[0].look.color, 0xff0000ffu);
+    EXPECT_EQ(p.notes.at(p.lines[0].look.note - 1), "a line");
+    EXPECT_EQ(p.lines[1].look.opacity, 0.5);
+    EXPECT_EQ(p.lines[1].dashes.gap, 2);
+    ASSERT_EQ(p.arrows.size(), 1u);
+    EXPECT_EQ(p.arrows[0].to, glm::dvec3(0, 2, 0));
+    EXPECT_TRUE(p.arrows[0].headAtFrom && p.arrows[0].headAtTo);
+    EXPECT_EQ(p.balls.at(0).look.color, 0xff302010u);
+    EXPECT_EQ(p.ellipsoids.at(0).axes[2], glm::dvec3(0, 0, 3));
+    EXPECT_NEAR(p.ellipses.at(0).end, 1.5708, 1e-4);
+    EXPECT_EQ(p.boxes.at(0).center, glm::dvec3(1, 2, 3));
+    EXPECT_FALSE(p.boxes.at(0).faces) << "edges alone";
+    EXPECT_EQ(p.meshes.at(0).looks.size(), 1u);
+    EXPECT_EQ(p.labels.at(0).text, "C\\alpha");
+}
+
+TEST(PrimitivesFile, TellsWhatIsWrongAndWhere) {
+    const std::pair<const char*, const char*> wrong[] = {
+        {"[\n{\"kind\": \"sphere\",\n]", "line 3"},
+        {R"([{"kind": "sphere", "center": [0, 0, 0]}, {"kind": "shpere"}])", "primitive 2: \"kind\""},
+        {R"([{"kind": "shpere"}])", "did you mean 'sphere'"},
+        {R"([{"kind": "sphere", "centre": [0, 0, 0]}])", "\"center\" is missing"},
+        {R"([{"kind": "sphere", "center": [0, 0, 0], "radios": 2}])",
+         "there is no \"radios\" (did you mean 'radius'?)"},
+        {R"([{"kind": "sphere", "center": [0, 0]}])", "\"center\": expected three numbers"},
+        {R"([{"kind": "sphere", "center": [0, 0, 0], "radius": -1}])", "\"radius\": expected a number"},
+        {R"([{"kind": "sphere", "center": [0, 0, 0], "color": "rde"}])", "\"color\""},
+        {R"([{"kind": "mesh", "vertices": [0, 0, 0], "triangles": [0, 0, 1]}])", "from 0 to 0"},
+        {R"([{"kind": "mesh", "vertices": [0, 0], "triangles": []}])", "in threes"},
+        {"5", "a list of primitives"},
+        {"", "not valid JSON"}};
+    for (const auto& [json, why] : wrong) {
+        try {
+            read(json);
+            ADD_FAILURE() << json;
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+        }
+    }
+    EXPECT_THROW(read(std::string(1000, '[')), Error);
+}
+
+TEST(PrimitivesOption, TakesAFileOrJsonOnOneLine) {
+    PictureDescription d;
+    setOption(option("primitives"), "scene.json", d);
+    setOption(option("primitives"), "[ {\"kind\":\n \"sphere\"} ]", d);
+    EXPECT_EQ(option("primitives").print(d), "scene.json\n[{\"kind\":\"sphere\"}]");
+    EXPECT_THROW(setOption(option("primitives"), "[oops", d), std::invalid_argument);
+}
+
+TEST(PrimitivesOption, DrawsBesideAMoleculeAndWithoutOne) {
+    Canvas canvas{DeviceOptions{}};
+    PictureDescription d;
+    d.input.path = "sample:dna";
+    d.input.cache = "off";
+    d.size = {64, 64};
+    d.occlusion.directions = 0;
+    const Molecule dna = sampleMolecule("dna");
+    Drawing drawing;
+    drawing.prepare(dna, d);
+    const Picture plain = drawing.draw(canvas);
+    setOption(option("primitives"), R"([{"kind":"box","center":"all","size":[30,30,50],"opacity":0.3},
+                                        {"kind":"label","at":"all","text":"here"}])",
+              d);
+    drawing.prepare(dna, d);
+    EXPECT_EQ(drawing.counts().scenes, 1) << "the molecule stays as it is";
+    EXPECT_NE(drawing.draw(canvas).rgba, plain.rgba);
+    EXPECT_EQ(drawing.words.labels.size(), 1u);
+
+    Drawing alone;
+    PictureDescription empty = d;
+    option("primitives").parse("", empty);
+    setOption(option("primitives"), R"([{"kind":"sphere","center":[100,0,0],"radius":5}])", empty);
+    alone.prepare(Molecule(), empty);
+    EXPECT_NEAR(alone.settings.view.radius, 5, 1e-9);
+    const Picture ball = alone.draw(canvas);
+    const std::size_t middle = 4 * (32 * 64 + 32);
+    EXPECT_NE(ball.rgba[middle], ball.rgba[0]) << "the view is of the ball";
+}
+
+}  // namespace
+}  // namespace nacre::app
