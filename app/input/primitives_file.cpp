@@ -20,7 +20,7 @@
 namespace nacre::app {
 namespace {
 
-using Json = nlohmann::json;
+using PrimitiveJson = nlohmann::json;
 
 constexpr std::size_t kMostFileBytes = std::size_t{256} << 20;
 constexpr double kThickest = 1000;  // Å or pixels, of radii and widths
@@ -33,20 +33,20 @@ std::uint32_t packed(const std::array<float, 4>& color) {
 /// The keys of one primitive, each asked for once; what nobody asked for is unknown.
 class Keys {
 public:
-    Keys(const Json& object, const PlaceOf& placeOf) : object_(object), placeOf_(placeOf) {}
+    Keys(const PrimitiveJson& object, const PlaceOf& placeOf) : object_(object), placeOf_(placeOf) {}
 
     bool has(const char* key) {
         known_.emplace_back(key);
         return object_.contains(key);
     }
-    const Json& need(const char* key) {
+    const PrimitiveJson& need(const char* key) {
         if (!has(key)) throw std::invalid_argument("\"" + std::string(key) + "\" is missing");
         return object_[key];
     }
 
     template <typename Read>
     auto at(const char* key, const Read& read) {
-        const Json& value = need(key);
+        const PrimitiveJson& value = need(key);
         try {
             return read(value);
         } catch (const std::invalid_argument& error) {
@@ -55,17 +55,17 @@ public:
     }
 
     double number(const char* key, double otherwise, double low, double high) {
-        return has(key) ? at(key, [&](const Json& v) { return within(v, low, high); }) : otherwise;
+        return has(key) ? at(key, [&](const PrimitiveJson& v) { return within(v, low, high); }) : otherwise;
     }
     bool flag(const char* key, bool otherwise) {
         if (!has(key)) return otherwise;
-        return at(key, [](const Json& v) {
+        return at(key, [](const PrimitiveJson& v) {
             if (!v.is_boolean()) throw std::invalid_argument("expected true or false");
             return v.get<bool>();
         });
     }
     std::string text(const char* key) {
-        return at(key, [](const Json& v) {
+        return at(key, [](const PrimitiveJson& v) {
             if (!v.is_string()) throw std::invalid_argument("expected a text");
             return v.get<std::string>();
         });
@@ -73,12 +73,14 @@ public:
     glm::dvec3 vector(const char* key) { return at(key, threeNumbers); }
     /// Three numbers, or a selection.
     glm::dvec3 place(const char* key) {
-        return at(key, [&](const Json& v) { return v.is_string() ? placeOf_(v.get<std::string>()) : threeNumbers(v); });
+        return at(key, [&](const PrimitiveJson& v) {
+            return v.is_string() ? placeOf_(v.get<std::string>()) : threeNumbers(v);
+        });
     }
     std::uint32_t color(const char* key) { return at(key, colorOf); }
 
     std::array<glm::dvec3, 3> vectors(const char* key) {
-        return at(key, [](const Json& v) {
+        return at(key, [](const PrimitiveJson& v) {
             if (!v.is_array() || v.size() != 3) throw std::invalid_argument("expected three lists of three numbers");
             return std::array{threeNumbers(v[0]), threeNumbers(v[1]), threeNumbers(v[2])};
         });
@@ -90,19 +92,19 @@ public:
                 throw std::invalid_argument("there is no \"" + key + "\"" + suggestion(key, known_));
     }
 
-    static double within(const Json& value, double low, double high) {
+    static double within(const PrimitiveJson& value, double low, double high) {
         if (!value.is_number() || !(value.get<double>() >= low && value.get<double>() <= high))
             throw std::invalid_argument("expected a number from " + shortText(low) + " to " + shortText(high));
         return value.get<double>();
     }
-    static glm::dvec3 threeNumbers(const Json& v) {
-        if (!v.is_array() || v.size() != 3 || !std::all_of(v.begin(), v.end(), [](const Json& n) {
+    static glm::dvec3 threeNumbers(const PrimitiveJson& v) {
+        if (!v.is_array() || v.size() != 3 || !std::all_of(v.begin(), v.end(), [](const PrimitiveJson& n) {
                 return n.is_number() && std::isfinite(n.get<double>());
             }))
             throw std::invalid_argument("expected three numbers");
         return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};
     }
-    static std::uint32_t colorOf(const Json& v) {
+    static std::uint32_t colorOf(const PrimitiveJson& v) {
         if (!v.is_string()) throw std::invalid_argument("expected a colour's name or #rrggbb");
         const std::array<float, 4> color = parseColor(v.get<std::string>());
         if (color[3] < 1) throw std::invalid_argument("expected an opaque colour (\"opacity\" makes it translucent)");
@@ -117,21 +119,21 @@ private:
         return text;
     }
 
-    const Json& object_;
+    const PrimitiveJson& object_;
     const PlaceOf& placeOf_;
     std::vector<std::string> known_;
 };
 
 /// Lists of numbers, flat or in threes.
-std::vector<double> flatNumbers(const Json& list) {
+std::vector<double> flatNumbers(const PrimitiveJson& list) {
     std::vector<double> numbers;
-    const auto add = [&](const Json& v) {
+    const auto add = [&](const PrimitiveJson& v) {
         if (!v.is_number() || !std::isfinite(v.get<double>()))
             throw std::invalid_argument("expected numbers in threes");
         numbers.push_back(v.get<double>());
     };
     if (!list.is_array()) throw std::invalid_argument("expected a list");
-    for (const Json& v : list) {
+    for (const PrimitiveJson& v : list) {
         if (v.is_array() && v.size() == 3)
             std::for_each(v.begin(), v.end(), add);
         else
@@ -145,7 +147,7 @@ class Reader {
 public:
     Reader(const PlaceOf& placeOf, Primitives& all) : placeOf_(placeOf), all_(all) {}
 
-    void add(const Json& object) {
+    void add(const PrimitiveJson& object) {
         if (!object.is_object()) throw std::invalid_argument("expected an object");
         Keys keys(object, placeOf_);
         const std::string kind = keys.text("kind");
@@ -176,7 +178,7 @@ private:
     }
     PrimitiveDashes dashes(Keys& keys) {
         if (!keys.has("dash")) return {};
-        return keys.at("dash", [](const Json& v) {
+        return keys.at("dash", [](const PrimitiveJson& v) {
             constexpr double kLeast = 0.01;
             if (v.is_number()) return PrimitiveDashes{Keys::within(v, kLeast, kThickest), v.get<double>()};
             if (!v.is_array() || v.size() != 2) throw std::invalid_argument("expected a length, or two: dash and gap");
@@ -206,7 +208,7 @@ private:
         arrow.headRadius = keys.number("head_radius", 2.4 * arrow.radius, 0, kThickest);
         arrow.headLength = keys.number("head_length", 6 * arrow.radius, 0, kThickest);
         if (keys.has("heads")) {
-            const std::size_t heads = keys.at("heads", [](const Json& v) {
+            const std::size_t heads = keys.at("heads", [](const PrimitiveJson& v) {
                 return parseChoice(v.is_string() ? v.get<std::string>() : v.dump(), {"to", "from", "both"});
             });
             arrow.headAtTo = heads != 1, arrow.headAtFrom = heads != 0;
@@ -264,7 +266,7 @@ private:
     static bool part(Keys& keys, const char* key, bool otherwise, std::optional<PrimitiveLook>& look) {
         bool drawn = otherwise;
         if (keys.has(key))
-            keys.at(key, [&](const Json& v) {
+            keys.at(key, [&](const PrimitiveJson& v) {
                 drawn = !v.is_boolean() || v.get<bool>();
                 if (!v.is_boolean()) look->color = Keys::colorOf(v);
                 return 0;
@@ -289,7 +291,8 @@ private:
         }
         const PrimitiveLook one = look(keys);
         mesh.looks = {one};
-        if (keys.has("colors")) mesh.looks = keys.at("colors", [&](const Json& v) { return looksOf(v, one, mesh); });
+        if (keys.has("colors"))
+            mesh.looks = keys.at("colors", [&](const PrimitiveJson& v) { return looksOf(v, one, mesh); });
         mesh.smooth = keys.flag("smooth", false);
         mesh.faces = keys.flag("faces", true);
         mesh.wireWidth = keys.number("wire_width", 1, 0.5, 10);
@@ -302,13 +305,13 @@ private:
         for (std::size_t i = 0; i < count; i += 3) firsts.push_back(i);
         return firsts;
     }
-    static std::vector<PrimitiveLook> looksOf(const Json& list, const PrimitiveLook& one,
+    static std::vector<PrimitiveLook> looksOf(const PrimitiveJson& list, const PrimitiveLook& one,
                                               const Primitives::Mesh& mesh) {
         if (!list.is_array() || (list.size() != mesh.triangles.size() && list.size() != mesh.positions.size()))
             throw std::invalid_argument("expected a colour for each of " + std::to_string(mesh.triangles.size()) +
                                         " triangles or " + std::to_string(mesh.positions.size()) + " vertices");
         std::vector<PrimitiveLook> looks;
-        for (const Json& color : list) {
+        for (const PrimitiveJson& color : list) {
             looks.push_back(one);
             looks.back().color = Keys::colorOf(color);
         }
@@ -340,13 +343,13 @@ std::string textOfFile(const std::string& path) {
 }
 
 /// @throws Error with the line of a fault of syntax
-Json jsonOf(const std::string& text, const std::string& name) {
+PrimitiveJson jsonOf(const std::string& text, const std::string& name) {
     if (isTooDeep(text))
         throw Error("cannot read primitives", name,
                     "it is nested more than " + std::to_string(kDeepestJson) + " levels deep");
     try {
-        return Json::parse(text);
-    } catch (const Json::parse_error& error) {
+        return PrimitiveJson::parse(text);
+    } catch (const PrimitiveJson::parse_error& error) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
         throw Error("cannot read primitives", name,
                     "(line " + std::to_string(1 + std::count(text.begin(), end, '\n')) + "): it is not valid JSON");
@@ -356,15 +359,15 @@ Json jsonOf(const std::string& text, const std::string& name) {
 }  // namespace
 
 Primitives readPrimitives(const std::string& text, const std::string& name, const PlaceOf& placeOf) {
-    const Json json = jsonOf(text, name);
-    const Json* list = &json;
+    const PrimitiveJson json = jsonOf(text, name);
+    const PrimitiveJson* list = &json;
     if (json.is_object() && json.contains("primitives")) {
         if (json.size() > 1) throw Error("cannot read primitives", name, "expected \"primitives\" alone");
         list = &json["primitives"];
     }
     Primitives all;
     Reader reader(placeOf, all);
-    const auto add = [&](const Json& one, std::size_t number) {
+    const auto add = [&](const PrimitiveJson& one, std::size_t number) {
         try {
             reader.add(one);
         } catch (const std::invalid_argument& error) {

@@ -36,6 +36,12 @@ const char* styleName(Style style) {
             return "licorice";
         case Style::cartoon:
             return "cartoon";
+        case Style::line:
+            return "line";
+        case Style::backbone:
+            return "backbone";
+        case Style::carbohydrate:
+            return "carbohydrate";
         case Style::surface:
             return "surface";
     }

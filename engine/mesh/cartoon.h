@@ -55,6 +55,9 @@ struct CartoonOptions {
 Mesh cartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
              std::span<const SecondaryStructure> secondary, const CartoonOptions& options, const glm::dvec3& origin);
 
+/// The guide atoms (CA, P) of each unbroken stretch of a chain, whatever is drawn of it.
+std::vector<std::vector<std::uint32_t>> guideTraces(const ResidueFacts& facts);
+
 /// The atoms among `atoms` whose residues cartoon() draws: all atoms of those residues, with side chains and hydrogens.
 /// Ascending. The rest (ligands, ions, waters) needs another style.
 std::vector<std::uint32_t> atomsOfCartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms);

@@ -174,6 +174,17 @@ std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std:
     return traces;
 }
 
+std::vector<std::vector<std::uint32_t>> guideTraces(const ResidueFacts& facts) {
+    const std::vector<Guided> guided = guidedResidues(facts);
+    const ChainLinks links(facts.molecule());
+    std::vector<std::vector<std::uint32_t>> traces;
+    for (std::size_t i = 0; i < guided.size(); ++i) {
+        if (i == 0 || !links.joined(guided[i - 1], guided[i])) traces.emplace_back();
+        traces.back().push_back(guided[i].guide);
+    }
+    return traces;
+}
+
 std::vector<FoldRun> foldRuns(const Trace& trace) {
     std::vector<FoldRun> runs;
     for (std::uint32_t i = 0; i < trace.kinds.size(); ++i) {

@@ -228,7 +228,7 @@ bool Appearance::anyByCopy() const {
     const auto any = [](const std::vector<std::uint32_t>& list) {
         return std::any_of(list.begin(), list.end(), [](std::uint32_t tint) { return tint != 0; });
     };
-    return any(tints) || any(cartoon.tints) || any(surface.tints);
+    return any(tints) || any(cartoon.tints) || any(surface.tints) || any(lines.tints);
 }
 
 SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance) {
@@ -251,7 +251,12 @@ float drawnRadius(Element element, Style style) {
         case Style::licorice:
             return kLicoriceRadius;
         case Style::cartoon:
+        case Style::carbohydrate:
             return kCartoonReach;
+        case Style::backbone:
+            return kBackboneRadius;
+        case Style::line:
+            return 0.1f;
         case Style::spacefill:
         case Style::surface:
             break;

@@ -20,7 +20,13 @@ namespace nacre {
 /// The first three draw atoms. A cartoon replaces its residues' atoms; atoms that it does not draw (ligands, ions)
 /// become licorice, or small balls without bonds. A surface is added to the rest, but replaces space-filling atoms,
 /// which are as large.
-enum class Style { spacefill, ballAndStick, licorice, cartoon, surface };
+///
+/// Lines are bonds of constant width in the picture. A backbone is a tube through alpha carbons or phosphates;
+/// carbohydrate draws sugars as symbols (carbohydrates.h). Both leave other atoms as a cartoon does.
+enum class Style { spacefill, ballAndStick, licorice, cartoon, surface, line, backbone, carbohydrate };
+
+/// Sugars beside a cartoon: as any ligand, as symbols, or as small symbols within their licorice.
+enum class Carbohydrates : std::uint8_t { off, on, icon };
 
 /// Bonds whose order is drawn: none, those outside polymers, all.
 enum class BondOrders : std::uint8_t { off, ligands, on };
@@ -59,6 +65,9 @@ struct RepresentationOptions {
     double cartoonOpacity = 1, surfaceOpacity = 1;  ///< kLeastOpacity to 1, where no rule sets one
     bool modelsOcclude = false;                     ///< models drawn together occlude each other
     ContactOptions contacts = {};
+    std::vector<Coloring> colorFrom = {};  ///< tables: override `color`; rules override them; the last one wins
+    Carbohydrates carbohydrates = Carbohydrates::off;
+    double lineWidth = 1.5;  ///< of Style::line, pixels
     BondOrders bondOrders = BondOrders::ligands;
     AromaticForm aromatic = AromaticForm::dashes;
     friend bool operator==(const RepresentationOptions&, const RepresentationOptions&) = default;
@@ -84,10 +93,10 @@ struct MeshAtoms {
 struct Appearance {
     std::vector<std::uint32_t> atoms;  ///< atoms drawn as atoms, ascending
     Style style = Style::spacefill;    ///< where no rule sets one
-    std::vector<Style> styles;         ///< same length as atoms; atom styles only
+    std::vector<Style> styles;         ///< same length as atoms; atom styles and backbone only
     std::vector<std::uint32_t> colors;
     std::vector<std::uint32_t> tints;  ///< same length as atoms: tint of the copy's colour (colors.h); 0: none
-    MeshAtoms cartoon, surface;
+    MeshAtoms cartoon, surface, lines, sugars;  ///< lines and sugars have no opacity
     bool anyByCopy() const;
     std::size_t seen = 0;               ///< atoms drawn in any style
     std::vector<Legend> legends;        ///< of every scheme that is visible somewhere
@@ -107,6 +116,7 @@ struct SeenBalls {
 SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance);
 
 constexpr float kLicoriceRadius = 0.25f;  ///< of atoms and bonds, Å
+constexpr float kBackboneRadius = 0.3f;   ///< Å
 constexpr float kCartoonReach = 2.5f;     ///< largest distance of a cartoon from an atom, Å
 /// Of an atom's sphere, Å; for cartoons kCartoonReach.
 float drawnRadius(Element element, Style style);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,6 +33,7 @@ enum class ColorScheme {
     occupancy,           ///< 0 to 1
     entity,              ///< the file's entities; else chains of equal sequence, and residues of equal name
     uniform,             ///< one colour
+    table,               ///< of the atoms that a table names (color_table.h); has no name
 };
 
 /// Kind of palette that a scheme uses.
@@ -51,12 +53,17 @@ struct ColorRange {
     friend bool operator==(const ColorRange&, const ColorRange&) = default;
 };
 
-/// A scheme, or one colour.
+struct ColorTable;
+
+/// A scheme, one colour, or a table.
 struct Coloring {
     ColorScheme scheme = ColorScheme::element;
     std::uint32_t color = 0;  ///< packed as in colors.h; for uniform, and for element's carbons (0: the usual one)
     Palette palette = Palette::automatic;
     std::optional<ColorRange> range = {};  ///< of a ramp; empty: automatic
+    std::shared_ptr<const ColorTable> table = {};  ///< null: no atom
+    std::string source = {};                       ///< what a frontend reads the table from
+    std::string column = {};                       ///< column of its values; empty: the only one
 
     Coloring() = default;
     Coloring(ColorScheme wanted) : scheme(wanted) {}

@@ -54,10 +54,10 @@ private:
 
     /// Dashes may make many of few.
     void checkRoom() const {
-        constexpr std::size_t kMost = 4 * kMostPrimitives;
-        if (scene_.wires.size() + scene_.cylinders.size() >= kMost)
+        constexpr std::size_t kMostPieces = 4 * kMostPrimitives;
+        if (scene_.wires.size() + scene_.cylinders.size() >= kMostPieces)
             throw Error("cannot draw primitives", "",
-                        "they have more than " + std::to_string(kMost) + " dashes or lines");
+                        "they have more than " + std::to_string(kMostPieces) + " dashes or lines");
     }
 
     void wire(const glm::dvec3& a, const glm::dvec3& b, double width, const PrimitiveLook& look) {
