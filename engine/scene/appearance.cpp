@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "engine/molecule/element.h"
+#include "engine/scene/carbohydrates.h"
+#include "engine/scene/color_table.h"
 
 namespace nacre {
 namespace {
@@ -55,19 +57,46 @@ std::string warningOfNothing(const Rule& rule, bool inMolecule) {
     return "'" + rule.selection.text + "' matches no atoms to " + verb + why;
 }
 
+/// The atoms that a colouring by a table names; empty: it is another. A warning tells of rows that name none.
+std::optional<TableMatch> matchOf(const ResidueFacts& facts, const Coloring& coloring,
+                                  std::vector<std::string>& warnings) {
+    if (coloring.scheme != ColorScheme::table || !coloring.table) return std::nullopt;
+    TableMatch match = matchTable(facts, *coloring.table);
+    if (match.idle > 0)
+        warnings.push_back(std::to_string(match.idle) + " of " + std::to_string(coloring.table->rows.size()) +
+                           " rows of " + coloring.source + " match no atoms (the first: " + coloring.table->rowWord +
+                           " " + std::to_string(match.firstIdle) + ")");
+    return match;
+}
+
+/// By AtomLook::color: for all, of a rule, or a table behind those.
+const Coloring& coloringOf(const RepresentationOptions& options, std::size_t number) {
+    if (number == kBase) return options.color;
+    return number <= options.rules.size() ? options.rules[number - 1].coloring
+                                          : options.colorFrom[number - 1 - options.rules.size()];
+}
+
 std::vector<AtomLook> settle(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                              const RepresentationOptions& options, std::vector<std::string>& warnings) {
     std::vector<AtomLook> looks(drawn.size(), AtomLook(options.style));
+    for (std::size_t t = 0; t < options.colorFrom.size(); ++t) {
+        const std::optional<TableMatch> match = matchOf(facts, options.colorFrom[t], warnings);
+        for (std::size_t i = 0; match && i < drawn.size(); ++i)
+            if (match->rows[drawn[i]] != TableMatch::kNone)
+                looks[i].color = static_cast<std::uint32_t>(options.rules.size() + 1 + t);
+    }
     for (std::size_t r = 0; r < options.rules.size(); ++r) {
         const Rule& rule = options.rules[r];
         if (!rule.on) continue;
         const std::vector<bool> selected = selectAtoms(facts, rule.selection);
         const auto number = static_cast<std::uint32_t>(r + 1);
+        const std::optional<TableMatch> match = matchOf(facts, rule.coloring, warnings);
         bool any = false;
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             if (!selected[drawn[i]]) continue;
             any = true;
-            if (rule.action == Rule::Action::color) looks[i].color = number;
+            const bool named = !match || match->rows[drawn[i]] != TableMatch::kNone;
+            if (rule.action == Rule::Action::color && named) looks[i].color = number;
             if (rule.action == Rule::Action::hide) looks[i].hide();
             if (rule.action == Rule::Action::show) looks[i].show(number, rule.style);
         }
@@ -106,6 +135,14 @@ std::vector<bool> bondedAmong(const Molecule& molecule, const std::vector<std::u
     return bonded;
 }
 
+/// Of each atom of the molecule, whether a backbone goes through it.
+std::vector<bool> guideAtoms(const ResidueFacts& facts) {
+    std::vector<bool> guides(facts.molecule().atoms.size());
+    for (const std::vector<std::uint32_t>& trace : guideTraces(facts))
+        for (const std::uint32_t atom : trace) guides[atom] = true;
+    return guides;
+}
+
 /// Gives a surface over a cartoon the cartoon's colours, by the atom of each residue that the cartoon has its from,
 /// where one colouring by chain settles both. @param looks, inCartoon  of the seen atoms @param schemeOf  of a rule
 template <typename SchemeOf>
@@ -141,14 +178,29 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
         for (std::size_t i = 0; i < count; ++i)
             inCartoon[i] = looks[i].cartoon && std::binary_search(drawn.begin(), drawn.end(), appearance.atoms[i]);
     }
+    const auto styleOf = [&](std::size_t i) {
+        return looks[i].style == kBase ? appearance.style : rules[looks[i].style - 1].style;
+    };
+    const bool anyBackbone =
+        std::any_of(rules.begin(), rules.end(), [](const Rule& r) { return r.style == Style::backbone; }) ||
+        appearance.style == Style::backbone;
+    const std::vector<bool> guides = anyBackbone ? guideAtoms(facts) : std::vector<bool>();
     const std::vector<bool> bonded =
-        wanted.empty() ? std::vector<bool>() : bondedAmong(facts.molecule(), appearance.atoms);
+        wanted.empty() && !anyBackbone ? std::vector<bool>() : bondedAmong(facts.molecule(), appearance.atoms);
+    std::vector<bool> inLines(count), inSugars(count);
     Appearance atoms;
     for (std::size_t i = 0; i < count; ++i) {
-        Style style = looks[i].style == kBase ? appearance.style : rules[looks[i].style - 1].style;
+        Style style = styleOf(i);
         const bool left = looks[i].bare && looks[i].cartoon && !inCartoon[i];
-        if (left) style = bonded[i] ? Style::licorice : Style::ballAndStick;
         if (!left && (looks[i].bare || (looks[i].covered && style == Style::spacefill))) continue;
+        const std::uint32_t atom = appearance.atoms[i], residue = facts.molecule().atoms[atom].residue;
+        const bool symbols = left ? options.carbohydrates != Carbohydrates::off : style == Style::carbohydrate;
+        inSugars[i] = symbols && isSugar(facts.molecule(), residue);
+        if (inSugars[i] ? !left || options.carbohydrates == Carbohydrates::on : !left && symbols) continue;
+        if (left || (style == Style::backbone && !facts.isPolymer(residue)))
+            style = bonded[i] ? Style::licorice : Style::ballAndStick;
+        inLines[i] = style == Style::line;
+        if (inLines[i] || (style == Style::backbone && !guides[atom])) continue;
         atoms.atoms.push_back(appearance.atoms[i]);
         atoms.styles.push_back(style);
         atoms.colors.push_back(appearance.colors[i]);
@@ -157,8 +209,7 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
     if (!wanted.empty())
         colorAsCartoon(
             facts.molecule(), looks, inCartoon,
-            [&](std::uint32_t rule) { return rule == kBase ? options.color.scheme : rules[rule - 1].coloring.scheme; },
-            appearance);
+            [&](std::uint32_t number) { return coloringOf(options, number).scheme; }, appearance);
     const auto opacity = [&](std::uint32_t rule, double ofAll) {
         return rule == kBase ? ofAll : rules[rule - 1].opacity.value_or(ofAll);
     };
@@ -166,11 +217,17 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
         appearance, inCartoon, [&](std::size_t i) { return opacity(looks[i].cartoonRule, options.cartoonOpacity); });
     appearance.surface = meshAtomsOf(
         appearance, inSurface, [&](std::size_t i) { return opacity(looks[i].surfaceRule, options.surfaceOpacity); });
+    const auto opaque = [](std::size_t) { return 1.0; };
+    appearance.lines = meshAtomsOf(appearance, inLines, opaque);
+    appearance.sugars = meshAtomsOf(appearance, inSugars, opaque);
     appearance.seen = count;
     appearance.atoms = std::move(atoms.atoms);
     appearance.styles = std::move(atoms.styles);
     appearance.colors = std::move(atoms.colors);
     appearance.tints = std::move(atoms.tints);
+    if (appearance.atoms.empty() && appearance.cartoon.atoms.empty() && appearance.surface.atoms.empty() &&
+        appearance.lines.atoms.empty() && appearance.sugars.atoms.empty())
+        appearance.seen = 0;
 }
 
 /// A colouring in the palette for all, if it takes one of that kind and names none itself.
@@ -204,7 +261,7 @@ Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t
     const std::vector<Rule>& rules = options.rules;
     Appearance appearance;
     std::vector<AtomLook> looks = settle(facts, drawn, options, appearance.warnings);
-    std::vector<std::vector<std::uint32_t>> slotsOfColoring(rules.size() + 1);
+    std::vector<std::vector<std::uint32_t>> slotsOfColoring(rules.size() + options.colorFrom.size() + 1);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         if (looks[i].hidden) continue;
         slotsOfColoring[looks[i].color].push_back(static_cast<std::uint32_t>(appearance.atoms.size()));
@@ -216,8 +273,8 @@ Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t
     appearance.tints.resize(appearance.atoms.size());
     for (std::size_t i = 0; i < slotsOfColoring.size(); ++i) {
         if (slotsOfColoring[i].empty()) continue;
-        const Coloring& coloring = i == kBase ? options.color : rules[i - 1].coloring;
-        color(facts, withPalette(coloring, options.palette), i == kBase ? "all" : rules[i - 1].selection.text,
+        const bool ofRule = i != kBase && i <= rules.size();
+        color(facts, withPalette(coloringOf(options, i), options.palette), ofRule ? rules[i - 1].selection.text : "all",
               slotsOfColoring[i], appearance);
     }
     partByStyle(facts, looks, options, appearance);
@@ -241,6 +298,8 @@ SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance) {
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) add(appearance.atoms[i], appearance.styles[i]);
     for (const std::uint32_t atom : appearance.cartoon.atoms) add(atom, Style::cartoon);
     for (const std::uint32_t atom : appearance.surface.atoms) add(atom, Style::surface);
+    for (const std::uint32_t atom : appearance.lines.atoms) add(atom, Style::line);
+    for (const std::uint32_t atom : appearance.sugars.atoms) add(atom, Style::carbohydrate);
     return seen;
 }
 

@@ -95,7 +95,7 @@ struct Appearance {
     Style style = Style::spacefill;    ///< where no rule sets one
     std::vector<Style> styles;         ///< same length as atoms; atom styles and backbone only
     std::vector<std::uint32_t> colors;
-    std::vector<std::uint32_t> tints;  ///< same length as atoms: tint of the copy's colour (colors.h); 0: none
+    std::vector<std::uint32_t> tints;           ///< same length as atoms: tint of the copy's colour (colors.h); 0: none
     MeshAtoms cartoon, surface, lines, sugars;  ///< lines and sugars have no opacity
     bool anyByCopy() const;
     std::size_t seen = 0;               ///< atoms drawn in any style

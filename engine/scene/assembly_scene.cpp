@@ -173,6 +173,17 @@ void AssemblyScene::keepTogether(std::vector<Interaction>& contacts) {
                      [&](const Interaction& l, const Interaction& r) { return listOf(l) < listOf(r); });
 }
 
+void AssemblyScene::eachCopy(std::uint32_t atomA, std::uint32_t atomB, const glm::dvec3& center,
+                             const std::function<void(const glm::dmat4x3&, std::uint32_t)>& visit) {
+    const std::uint32_t list = commonListOf(atomA, atomB);
+    if (list == Placement::kNowhere) return;
+    for (const std::uint32_t copy : placement_.lists[list]) visit(about(placement_.transforms[copy], center), copy);
+}
+
+std::uint32_t AssemblyScene::colorOf(std::uint32_t tint, std::uint32_t copy) const {
+    return copyColors_.empty() ? tint : tintedColor(copyColors_[copy % copyColors_.size()], tint);
+}
+
 std::size_t AssemblyScene::countCopies(std::span<const std::uint32_t> atoms) const {
     std::size_t count = 0;
     for (const std::uint32_t atom : atoms) count += placement_.lists[listOf(atom)].size();

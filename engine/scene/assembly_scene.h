@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <glm/mat4x3.hpp>
 #include <glm/vec4.hpp>
 #include <map>
 #include <span>
@@ -37,6 +38,11 @@ public:
     Bounds bounds(const SeenBalls& seen) const;
     /// A number of the copies that an atom has, the same for all that have the same.
     std::uint32_t listOf(std::uint32_t atom) const;
+    /// Visits the copies that have both of two atoms: their transforms about a centre, and their numbers.
+    void eachCopy(std::uint32_t atomA, std::uint32_t atomB, const glm::dvec3& center,
+                  const std::function<void(const glm::dmat4x3&, std::uint32_t)>& visit);
+    /// The colour of a tint (copyTint()) in a copy.
+    std::uint32_t colorOf(std::uint32_t tint, std::uint32_t copy) const;
     /// Atoms in all their copies.
     std::size_t countCopies(std::span<const std::uint32_t> atoms) const;
     /// Sets the copies of a representation that has its primitives. @throws Error if they are too many

@@ -13,7 +13,8 @@
 namespace nacre {
 namespace {
 
-constexpr double kShortestBond = 1e-3;  // Å; below it the ends coincide and there is no direction to draw
+constexpr std::uint8_t kTraceBond = 200;  // Bond::order of what is no bond, but a piece of a backbone
+constexpr double kShortestBond = 1e-3;    // Å; below it the ends coincide and there is no direction to draw
 constexpr std::uint32_t kNotDrawn = std::numeric_limits<std::uint32_t>::max();
 
 /// Position of each atom in the list of drawn ones, or kNotDrawn.
@@ -58,9 +59,12 @@ glm::dvec3 middleOf(const Molecule& molecule, std::span<const std::uint32_t> ato
 }
 
 Style stouter(Style a, Style b) {
-    if (a == Style::licorice || b == Style::licorice) return Style::licorice;
-    return a == Style::spacefill ? b : a;
+    for (const Style style : {Style::licorice, Style::ballAndStick})
+        if (a == style || b == style) return style;
+    return a;
 }
+
+bool hasSticks(Style style) { return style == Style::licorice || style == Style::ballAndStick; }
 
 /// Coordination is what binds a metal to anything but metals, whatever order a file gives it.
 bool isCoordination(const Molecule& molecule, const Bond& bond) {
@@ -112,6 +116,13 @@ public:
         }
         if (strands.inner.radius > 0 && !(bond.order == 4 && aromatic_ == AromaticForm::ring && inRing))
             addInner(bond, strands.inner, axis, side);
+    }
+
+    /// A piece of a backbone.
+    void addTrace(const Bond& bond) {
+        const SphereLook &lookA = look(bond.a), &lookB = look(bond.b);
+        result_.cylinders.push_back({glm::vec3(at(bond.a)), kBackboneRadius, glm::vec3(at(bond.b)), 0.0f});
+        result_.cylinderLooks.push_back({lookA.color, lookB.color, lookA.atom, lookB.atom});
     }
 
     /// A circle within a ring, each piece in the look of the nearest atom.
@@ -233,22 +244,38 @@ std::vector<Bond> drawnBonds(const Molecule& molecule, const Appearance& appeara
     return bonds;
 }
 
+/// Adds what joins the neighbours of a backbone.
+void addTraces(const ResidueFacts& facts, const Appearance& appearance, std::span<const std::uint32_t> slots,
+               std::vector<Bond>& bonds) {
+    const auto drawn = [&](std::uint32_t atom) {
+        return slots[atom] != kNotDrawn && appearance.styles[slots[atom]] == Style::backbone;
+    };
+    for (const std::vector<std::uint32_t>& trace : guideTraces(facts))
+        for (std::size_t i = 1; i < trace.size(); ++i)
+            if (drawn(trace[i - 1]) && drawn(trace[i]))
+                bonds.push_back({trace[i - 1], trace[i], kTraceBond, BondSource::distance});
+}
+
 }  // namespace
 
-void addBonds(const Molecule& molecule, const Appearance& appearance, const DrawnOrders& orders,
+void addBonds(const ResidueFacts& facts, const Appearance& appearance, const DrawnOrders& orders,
               std::span<const Interaction> contacts, AssemblyScene* assembly, Representation& result) {
+    const Molecule& molecule = facts.molecule();
     const std::vector<Style>& styles = appearance.styles;
     const auto has = [&](Style style) { return std::find(styles.begin(), styles.end(), style) != styles.end(); };
-    if (!has(Style::ballAndStick) && !has(Style::licorice)) return;
+    if (!has(Style::ballAndStick) && !has(Style::licorice) && !has(Style::backbone)) return;
     const std::vector<std::uint32_t> slots = drawnSlots(molecule, appearance.atoms);
     const auto styleOf = [&](std::uint32_t a, std::uint32_t b) { return stouter(styles[slots[a]], styles[slots[b]]); };
     std::vector<Bond> bonds = drawnBonds(molecule, appearance, orders, contacts, slots);
     BondDrawing drawing(molecule, orders, bonds, slots, orders.form(), result);
-    std::erase_if(bonds, [&](const Bond& bond) { return styleOf(bond.a, bond.b) == Style::spacefill; });
+    std::erase_if(bonds, [&](const Bond& bond) { return !hasSticks(styleOf(bond.a, bond.b)); });
+    if (has(Style::backbone)) addTraces(facts, appearance, slots, bonds);
     if (assembly) assembly->sortByCopies(bonds);
     for (const Bond& bond : bonds) {
         ++result.drawnBonds;
-        if (isCoordination(molecule, bond))
+        if (bond.order == kTraceBond)
+            drawing.addTrace(bond);
+        else if (isCoordination(molecule, bond))
             appendCoordination(result.spheres[slots[bond.a]], result.spheres[slots[bond.b]],
                                result.sphereLooks[slots[bond.a]], result.sphereLooks[slots[bond.b]], result);
         else
@@ -257,7 +284,7 @@ void addBonds(const Molecule& molecule, const Appearance& appearance, const Draw
     if (orders.form() != AromaticForm::ring) return;
     for (const DrawnOrders::DrawnRing& ring : orders.rings()) {
         const auto seen = [&](std::uint32_t atom) {
-            return slots[atom] != kNotDrawn && styles[slots[atom]] != Style::spacefill;
+            return slots[atom] != kNotDrawn && hasSticks(styles[slots[atom]]);
         };
         if (!ring.aromatic || !std::all_of(ring.atoms.begin(), ring.atoms.end(), seen)) continue;
         const Style style = styleOf(ring.atoms[0], ring.atoms[1]);

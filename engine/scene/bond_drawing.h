@@ -15,7 +15,7 @@ namespace nacre {
 /// Adds the bonds of what has a style with bonds.
 /// @param contacts  that are drawn, too: coordination that one of them shows is left to it
 /// @param assembly  null: there is none @param result  has the atoms' spheres, in the order of the appearance
-void addBonds(const Molecule& molecule, const Appearance& appearance, const DrawnOrders& orders,
+void addBonds(const ResidueFacts& facts, const Appearance& appearance, const DrawnOrders& orders,
               std::span<const Interaction> contacts, AssemblyScene* assembly, Representation& result);
 
 }  // namespace nacre

@@ -12,6 +12,7 @@
 #include "engine/molecule/text.h"
 #include "engine/scene/chain_entities.h"
 #include "engine/scene/color_classes.h"
+#include "engine/scene/color_table.h"
 #include "engine/scene/colors.h"
 #include "engine/scene/palettes.h"
 
@@ -21,6 +22,7 @@ namespace {
 using Atoms = std::span<const std::uint32_t>;
 
 constexpr std::uint32_t kOutside = packedColor(0xc4beb4);  // what a scheme says nothing about: warm grey
+constexpr std::size_t kMostLabels = 100;                   // of a table's colours in the legend
 constexpr int kStops = 5;                                  // of a palette in the legend
 
 struct SchemeName {
@@ -139,6 +141,45 @@ ColoredAtoms byBFactor(const Molecule& molecule, Atoms atoms, const Coloring& co
     return result;
 }
 
+/// Colours as a table has them, values along a ramp. What it does not name is grey.
+ColoredAtoms byTable(const ResidueFacts& facts, Atoms atoms, const Coloring& coloring) {
+    static const ColorTable kEmpty;
+    const ColorTable& table = coloring.table ? *coloring.table : kEmpty;
+    const TableMatch match = matchTable(facts, table);
+    const auto rowOf = [&](std::uint32_t atom) {
+        const std::uint32_t row = match.rows[atom];
+        return row == TableMatch::kNone ? nullptr : &table.rows[row];
+    };
+    std::vector<std::uint32_t> valued;
+    std::vector<double> values;
+    for (const std::uint32_t atom : atoms)
+        if (const ColorTable::Row* row = rowOf(atom); row && row->color == 0) {
+            valued.push_back(atom);
+            values.push_back(row->value);
+        }
+    ColoredAtoms result;
+    if (!valued.empty()) {
+        const ColorRange range = coloring.range ? *coloring.range : usualRange(std::move(values));
+        result = byNumber(valued, rampOf(coloring, Palette::sunset), range,
+                          [&](std::uint32_t atom) { return rowOf(atom)->value; });
+        if (range.first == range.last) result.warning = "nearly all values are " + shortNumber(range.first);
+    }
+    std::vector<std::uint32_t> colors;
+    std::size_t next = 0;
+    for (const std::uint32_t atom : atoms) {
+        const ColorTable::Row* row = rowOf(atom);
+        colors.push_back(!row ? kOutside : row->color ? row->color : result.colors[next++]);
+        if (!row || row->label.empty()) continue;
+        const bool known = std::any_of(result.legend.begin(), result.legend.end(), [&](const LegendEntry& entry) {
+            return entry.label == row->label && entry.color == row->color;
+        });
+        if (!known && row->color && result.legend.size() < kMostLabels)
+            result.legend.push_back({row->label, row->color});
+    }
+    result.colors = std::move(colors);
+    return result;
+}
+
 ColoredAtoms byRainbow(const ResidueFacts& facts, Atoms atoms, Palette ramp) {
     const Molecule& molecule = facts.molecule();
     std::vector<std::size_t> lengths(molecule.chains.size()), positions(molecule.residues.size());
@@ -238,6 +279,7 @@ PaletteUse paletteUse(ColorScheme scheme) {
         case ColorScheme::bFactor:
         case ColorScheme::rainbow:
         case ColorScheme::occupancy:
+        case ColorScheme::table:
             return PaletteUse::ramp;
         default:
             return PaletteUse::none;
@@ -247,6 +289,7 @@ PaletteUse paletteUse(ColorScheme scheme) {
 bool takesRange(ColorScheme scheme) { return scheme == ColorScheme::bFactor || scheme == ColorScheme::occupancy; }
 
 std::string coloringText(const Coloring& coloring) {
+    if (coloring.scheme == ColorScheme::table) return coloring.table ? coloring.table->title : coloring.source;
     std::string text(colorSchemeName(coloring.scheme));
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ":") + part; };
     if (coloring.color != 0) add(colorText(coloring.color));
@@ -270,6 +313,8 @@ ColoredAtoms colorAtoms(const ResidueFacts& facts, Atoms atoms, const Coloring& 
         case ColorScheme::copyChain:
         case ColorScheme::copyEntity:
             return byCopy(facts, atoms, coloring);
+        case ColorScheme::table:
+            return byTable(facts, atoms, coloring);
         case ColorScheme::uniform:
             return {std::vector<std::uint32_t>(atoms.size(), coloring.color),
                     {{colorText(coloring.color), coloring.color}},

@@ -60,7 +60,7 @@ struct Coloring {
     ColorScheme scheme = ColorScheme::element;
     std::uint32_t color = 0;  ///< packed as in colors.h; for uniform, and for element's carbons (0: the usual one)
     Palette palette = Palette::automatic;
-    std::optional<ColorRange> range = {};  ///< of a ramp; empty: automatic
+    std::optional<ColorRange> range = {};          ///< of a ramp; empty: automatic
     std::shared_ptr<const ColorTable> table = {};  ///< null: no atom
     std::string source = {};                       ///< what a frontend reads the table from
     std::string column = {};                       ///< column of its values; empty: the only one

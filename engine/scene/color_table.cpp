@@ -30,7 +30,9 @@ private:
 class Matching {
 public:
     Matching(const Molecule& molecule, TableMatch& match)
-        : molecule_(molecule), match_(match), byNumber_(molecule, &Residue::number),
+        : molecule_(molecule),
+          match_(match),
+          byNumber_(molecule, &Residue::number),
           byLabel_(molecule, &Residue::labelNumber) {}
 
     void add(const ColorTable::Row& row, std::uint32_t number) {

@@ -6,6 +6,7 @@
 
 #include "engine/mesh/cartoon.h"
 #include "engine/mesh/surface.h"
+#include "engine/scene/carbohydrates.h"
 #include "engine/scene/colors.h"
 #include "engine/scene/mesh_streams.h"
 
@@ -34,17 +35,24 @@ private:
     const MeshAtoms& seen_;
 };
 
+SphereLook sugarLook(const Molecule& molecule, std::uint32_t atom) {
+    const std::uint32_t index = atom & ~kWhiteHalf;
+    const SugarSymbol* symbol = sugarSymbol(molecule.residues[molecule.atoms[index].residue].name);
+    return {atom == index ? symbol->color : packedColor(0xffffff), index + 1};
+}
+
 }  // namespace
 
 void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options,
                const std::function<std::uint32_t(std::uint32_t)>& groupOf, Representation& representation) {
     const Molecule& molecule = facts.molecule();
     struct Group {
-        std::vector<std::uint32_t> cartoon, surface;
+        std::vector<std::uint32_t> cartoon, surface, sugars;
     };
     std::map<std::uint32_t, Group> groups;
     for (const std::uint32_t atom : appearance.cartoon.atoms) groups[groupOf(atom)].cartoon.push_back(atom);
     for (const std::uint32_t atom : appearance.surface.atoms) groups[groupOf(atom)].surface.push_back(atom);
+    for (const std::uint32_t atom : appearance.sugars.atoms) groups[groupOf(atom)].sugars.push_back(atom);
     const MeshLooks ofCartoon(molecule, appearance.cartoon), ofSurface(molecule, appearance.surface);
     for (const auto& [number, group] : groups) {
         if (!group.cartoon.empty())
@@ -53,6 +61,11 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
         if (!group.surface.empty())
             appendMesh(surface(molecule, group.surface, options.surface, representation.center), {}, ofSurface,
                        representation);
+        if (!group.sugars.empty())
+            appendMesh(
+                sugarSymbols(molecule, group.sugars, {options.carbohydrates == Carbohydrates::icon},
+                             representation.center),
+                {}, [&](std::uint32_t atom) { return sugarLook(molecule, atom); }, representation);
     }
 }
 

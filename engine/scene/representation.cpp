@@ -15,6 +15,7 @@
 #include "engine/scene/bounds.h"
 #include "engine/scene/contact_lines.h"
 #include "engine/scene/crowd.h"
+#include "engine/scene/line_drawing.h"
 #include "engine/scene/mesh_scene.h"
 
 namespace nacre {
@@ -72,6 +73,8 @@ double spheresReach(const Representation& r) {
     double farthest = 0;
     for (const Sphere& sphere : r.spheres)
         farthest = std::max(farthest, glm::length(glm::dvec3(sphere.center)) + static_cast<double>(sphere.radius));
+    for (const Cylinder& wire : r.wires)
+        farthest = std::max<double>({farthest, glm::length(wire.a), glm::length(wire.b)});
     return farthest;
 }
 
@@ -80,7 +83,8 @@ void dropUndrawn(const Representation& r, std::vector<Legend>& legends) {
     std::vector<bool> drawn(std::size_t{1} << 24);
     const auto note = [&](std::uint32_t color) { drawn[color & 0xffffffu] = true; };
     for (const SphereLook& look : r.sphereLooks) note(look.color);
-    for (const CylinderLook& look : r.cylinderLooks) note(look.colorA), note(look.colorB);
+    for (const auto* looks : {&r.cylinderLooks, &r.wireLooks})
+        for (const CylinderLook& look : *looks) note(look.colorA), note(look.colorB);
     for (const SphereLook& look : r.meshLooks) note(look.color);
     for (Legend& legend : legends) {
         const auto first = legend.entries.begin() + static_cast<std::ptrdiff_t>(legend.stops);
@@ -95,7 +99,7 @@ void dropUndrawn(const Representation& r, std::vector<Legend>& legends) {
 std::size_t countAtoms(const Appearance& appearance, const AssemblyScene* assembly) {
     if (!assembly) return appearance.seen;
     std::vector<std::uint32_t> seen = appearance.atoms;
-    for (const MeshAtoms* mesh : {&appearance.cartoon, &appearance.surface})
+    for (const MeshAtoms* mesh : {&appearance.cartoon, &appearance.surface, &appearance.lines, &appearance.sugars})
         seen.insert(seen.end(), mesh->atoms.begin(), mesh->atoms.end());
     std::sort(seen.begin(), seen.end());
     seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
@@ -142,9 +146,10 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     std::vector<Interaction> contacts;
     if (options.contacts.of) contacts = ContactFinder(facts, options.contacts).find(molecule, appearance);
     if (assembly) assembly->keepTogether(contacts);
-    addBonds(molecule, appearance, DrawnOrders(facts, appearance, options), contacts, assembly ? &*assembly : nullptr,
+    addBonds(facts, appearance, DrawnOrders(facts, appearance, options), contacts, assembly ? &*assembly : nullptr,
              result);
     if (options.contacts.of) addContacts(molecule, appearance, std::move(contacts), options.contacts, result);
+    addLines(molecule, appearance, options.lineWidth, assembly ? &*assembly : nullptr, result);
     const auto groupOf = [&](std::uint32_t atom) {
         if (assembly) return assembly->listOf(atom);
         return static_cast<std::uint32_t>(molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model);
@@ -199,8 +204,11 @@ void MovingScene::move(const Molecule& molecule) {
         if (!finder_) finder_.emplace(facts_, options_.contacts);
         contacts = finder_->find(molecule, appearance_);
     }
-    addBonds(molecule, appearance_, *orders_, contacts, nullptr, scene_);
+    addBonds(facts_.moved(molecule), appearance_, *orders_, contacts, nullptr, scene_);
     moveContacts(molecule, std::move(contacts));
+    scene_.wires.clear();
+    scene_.wireLooks.clear();
+    addLines(molecule, appearance_, options_.lineWidth, nullptr, scene_);
     scene_.triangles.clear();
     scene_.meshes.clear();
     scene_.coarseTriangles.clear();

@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-using Kind = MsgpackValue::Kind;
+using ValueKind = MsgpackValue::Kind;
 
 class DensityServerReader {
 public:
@@ -19,7 +19,7 @@ public:
     DensityMap read() {
         const MsgpackValue root = parseMsgpack(name_, bytes_);
         const auto blocks = root.find("dataBlocks");
-        if (!blocks || !blocks->is(Kind::array)) fail("it has no dataBlocks, so it is no BinaryCIF");
+        if (!blocks || !blocks->is(ValueKind::array)) fail("it has no dataBlocks, so it is no BinaryCIF");
         std::vector<MsgpackValue> found;  // blocks with a volume
         MsgpackElements elements(*blocks);
         for (MsgpackValue block; elements.next(block);)
@@ -45,7 +45,7 @@ private:
     /// An element of a list by its name.
     static std::optional<MsgpackValue> named(const MsgpackValue& of, const char* list, std::string_view name) {
         const auto entries = of.find(list);
-        if (!entries || !entries->is(Kind::array)) return {};
+        if (!entries || !entries->is(ValueKind::array)) return {};
         MsgpackElements elements(*entries);
         for (MsgpackValue element; elements.next(element);)
             if (isNamed(element, name)) return element;
