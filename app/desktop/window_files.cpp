@@ -12,6 +12,7 @@
 #include "app/files/json_text.h"
 #include "app/images/image_file.h"
 #include "app/input/input_files.h"
+#include "app/picture/appearance_values.h"
 #include "app/picture/picture_names.h"
 #include "engine/error.h"
 
@@ -129,6 +130,8 @@ void WindowSession::saveView() {
         for (std::string& map : view.maps.files) map = pathInView(path, map);
         for (PrimitiveSource& source : view.primitives)
             if (!source.made && !isJsonText(source.text)) source.text = pathInView(path, source.text);
+        for (Coloring& table : view.look.colorFrom)
+            if (!table.table && !isTableText(table.source)) table.source = pathInView(path, table.source);
         for (FurtherInput& further : view.input.further) further.path = pathInView(path, further.path);
         writeText(file, savedViewJson(view));
         viewer().noteSaved();

@@ -15,7 +15,8 @@ bool takesPalette(const Representation& scene, Palette palette) {
     const PaletteUse use = isRamp(palette) ? PaletteUse::ramp : PaletteUse::kinds;
     return std::ranges::any_of(scene.legends, [&](const Legend& legend) {
         const auto scheme = colorSchemeFromName(legend.scheme.substr(0, legend.scheme.find(':')));
-        return scheme && paletteUse(*scheme) == use;
+        if (!scheme) return legend.ramp != Palette::automatic && use == PaletteUse::ramp;  // of a table
+        return paletteUse(*scheme) == use;
     });
 }
 

@@ -1,6 +1,7 @@
 #include "app/drawing/scenes.h"
 
 #include "app/drawing/map_layers.h"
+#include "app/input/color_file.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/scene/atom_groups.h"
@@ -39,11 +40,12 @@ Representation nothingOf(const ResidueFacts& facts, std::span<const std::uint32_
 
 MovingScene movingSceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,
                           const RepresentationOptions& look) {
-    return {facts, someDrawnAtoms(facts.molecule(), name, drawn), look, sharedFrame(facts, drawn, look)};
+    return {facts, someDrawnAtoms(facts.molecule(), name, drawn), withTables(look), sharedFrame(facts, drawn, look)};
 }
 
 Representation sceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawnOptions,
-                       const RepresentationOptions& look, const std::optional<Bounds>& frame, bool orNothing) {
+                       const RepresentationOptions& asked, const std::optional<Bounds>& frame, bool orNothing) {
+    const RepresentationOptions look = withTables(asked);
     const Molecule& molecule = facts.molecule();
     if (orNothing && molecule.atoms.empty()) return nothingOf(facts, {}, frame);
     const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, name, drawnOptions);

@@ -1,10 +1,13 @@
 #include "app/picture/appearance_values.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
+#include "app/picture/geometry_options.h"
+#include "app/picture/option_text.h"
 #include "app/picture/option_values.h"
 #include "app/picture/srgb.h"
 #include "engine/molecule/floating_point.h"
@@ -35,6 +38,12 @@ constexpr Synonym kStyleSynonyms[] = {{"sticks", "licorice"},
                                       {"ribbon", "cartoon"},
                                       {"ribbons", "cartoon"},
                                       {"newcartoon", "cartoon"},
+                                      {"lines", "line"},
+                                      {"wireframe", "line"},
+                                      {"wire", "line"},
+                                      {"trace", "backbone"},
+                                      {"carbohydrates", "carbohydrate"},
+                                      {"snfg", "carbohydrate"},
                                       {"molecular-surface", "surface"},
                                       {"surf", "surface"},
                                       {"quicksurf", "surface"}};
@@ -127,11 +136,11 @@ std::array<float, 4> parseColor(std::string_view text) {
 Style parseStyle(std::string_view text) {
     if (lowerCase(text) == "putty")
         throw std::invalid_argument("putty is a form of cartoons: --style cartoon --putty on");
-    constexpr std::pair<const char*, Style> kStyles[] = {{"spacefill", Style::spacefill},
-                                                         {"ball-and-stick", Style::ballAndStick},
-                                                         {"licorice", Style::licorice},
-                                                         {"cartoon", Style::cartoon},
-                                                         {"surface", Style::surface}};
+    constexpr std::pair<const char*, Style> kStyles[] = {
+        {"spacefill", Style::spacefill}, {"ball-and-stick", Style::ballAndStick},
+        {"licorice", Style::licorice},   {"cartoon", Style::cartoon},
+        {"surface", Style::surface},     {"line", Style::line},
+        {"backbone", Style::backbone},   {"carbohydrate", Style::carbohydrate}};
     std::vector<std::string> words;
     for (const auto& [name, style] : kStyles) {
         if (ours(text, kStyleSynonyms) == name) return style;
@@ -279,9 +288,54 @@ Coloring parseColoring(std::string_view text) {
     refuseColoring(text);
 }
 
+Coloring parseColorSource(std::string_view text) {
+    Coloring coloring(ColorScheme::table);
+    if (isTableText(text)) {
+        if (text.size() > kLongestGeometryText)
+            throw std::invalid_argument("a table in an option is at most " +
+                                        std::to_string(kLongestGeometryText >> 20) + " MB long (put it in a file)");
+        coloring.source = isJsonText(text) ? parsePrimitiveSource(text).text : text.starts_with("csv:") ? "" : "csv:";
+        if (!isJsonText(text)) coloring.source += text;
+        std::replace(coloring.source.begin(), coloring.source.end(), '\n', ';');
+        std::erase(coloring.source, '\r');
+        return coloring;
+    }
+    constexpr std::string_view kColumn = "value=";
+    for (std::size_t colon; (colon = text.rfind(':')) != std::string_view::npos;) {
+        const std::string_view part = text.substr(colon + 1);
+        const auto palette = paletteFromName(lowerCase(part));
+        if (part.starts_with(kColumn))
+            coloring.column = part.substr(kColumn.size());
+        else if (palette && isRamp(*palette))
+            coloring.palette = *palette;
+        else if (part.find("..") != std::string_view::npos && part.find_first_of("/\\") == std::string_view::npos)
+            coloring.range = parseRange(part);
+        else if (palette)
+            throw std::invalid_argument("values take no palette of kinds: one of " + paletteNames(true));
+        else
+            break;
+        text = text.substr(0, colon);
+    }
+    coloring.source = fileName(text);
+    return coloring;
+}
+
+std::string colorSourceText(const Coloring& coloring) {
+    std::string text = coloring.source;
+    if (!coloring.column.empty()) text += ":value=" + coloring.column;
+    if (coloring.range) text += ":" + exactText(coloring.range->first) + ".." + exactText(coloring.range->last);
+    if (coloring.palette != Palette::automatic) text += ":" + std::string(paletteName(coloring.palette));
+    return text;
+}
+
+bool isTableText(std::string_view text) {
+    return isJsonText(text) || text.starts_with("csv:") || text.find('\n') != std::string_view::npos;
+}
+
 void setStyle(Style style, RepresentationOptions& look) {
     look.style = style;
-    if (style == Style::cartoon && look.color == Coloring()) look.color = ColorScheme::chainCarbons;
+    if ((style == Style::cartoon || style == Style::backbone) && look.color == Coloring())
+        look.color = ColorScheme::chainCarbons;
 }
 
 namespace {

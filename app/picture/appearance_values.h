@@ -14,7 +14,7 @@ namespace nacre::app {
 /// "transparent", a colour's name as CSS has it, #rgb, #rrggbb or #rrggbbaa; sRGB-coded 0..1, straight alpha.
 std::array<float, 4> parseColor(std::string_view text);
 
-/// "spacefill", "ball-and-stick" or "licorice".
+/// "spacefill", "ball-and-stick", "licorice", ...
 Style parseStyle(std::string_view text);
 
 /// The name of a palette.
@@ -32,6 +32,14 @@ Coloring parseColoring(std::string_view text);
 /// A style for all. A cartoon in the colours of elements would be that of its alpha carbons: where no colours were
 /// asked for, its chains have their own.
 void setStyle(Style style, RepresentationOptions& look);
+
+constexpr std::size_t kMostColorTables = 64;
+/// A table of colours (docs/geometry.md): a file's name, behind it `:value=COLUMN`, `:FROM..TO` and `:PALETTE`; or the
+/// table itself, as JSON or as CSV, whose lines may be separated by ';' behind `csv:`. It is read when it is drawn.
+Coloring parseColorSource(std::string_view text);
+std::string colorSourceText(const Coloring& coloring);
+/// Whether a value is a table itself, no file's name.
+bool isTableText(std::string_view text);
 
 constexpr std::size_t kMostRules = 1000;
 /// "SELECTION=STYLE", "SELECTION" and "SELECTION=SCHEME" or "SELECTION=COLOR", divided at the last '='.

@@ -17,6 +17,7 @@ inline constexpr Words2 kModelAll = {"model", "all"}, kAllOwn = {"all", "own"};
 inline constexpr std::array<const char*, 3> kBondOrders{"off", "ligands", "on"};
 inline constexpr std::array<const char*, 2> kAromaticForms{"dashes", "ring"};
 inline constexpr std::array<const char*, 3> kHelixForms{"ribbon", "tube", "cylinder"};
+inline constexpr std::array<const char*, 3> kCarbohydrates{"off", "on", "icon"};
 inline constexpr std::array<const char*, 3> kBaseForms{"plates", "ladder", "none"};
 inline constexpr std::array<const char*, 3> kSurfaceKinds{"excluded", "accessible", "gaussian"};
 
@@ -68,8 +69,8 @@ std::vector<Option> whole() {
         {.key = "style",
          .syntax = "NAME",
          .standard = "spacefill; ball-and-stick under 100 atoms with bonds",
-         .help =
-             "spacefill, ball-and-stick, licorice, cartoon (with ligands as licorice), surface or auto: the default",
+         .help = "spacefill, ball-and-stick, licorice, line, cartoon or backbone (with ligands as licorice),\nsurface, "
+                 "carbohydrate (symbols of sugars) or auto: the default",
          .topic = Topic::style,
          .facet = Facet::scene,
          .parse = parseAnyStyle,
@@ -84,7 +85,10 @@ std::vector<Option> whole() {
                           {"Licorice", "licorice", "Sticks are the bonds between atoms."},
                           {"Cartoon", "cartoon",
                            "Ribbons follow the backbone: coils are helices, arrows are strands; ligands are sticks."},
-                          {"Surface", "surface", "The surface is the one that water meets."}}}},
+                          {"Surface", "surface", "The surface is the one that water meets."},
+                          {"Lines", "line", "Lines are the bonds between atoms."},
+                          {"Backbone", "backbone",
+                           "A tube goes through the alpha carbons or phosphates; ligands are sticks."}}}},
         {.key = "bond-orders",
          .syntax = "ligands|on|off",
          .standard = "=",
@@ -140,6 +144,16 @@ std::vector<Option> whole() {
                    {"By confidence (AlphaFold)", "plddt", "Colours show how sure the prediction is of each residue."},
                    {"By occupancy", "occupancy", "Colours show how often an atom stands at its place."},
                    {"Hydrophobic to polar", "hydrophobicity", "Colours run from hydrophobic to polar residues."}}}},
+        {.key = "color-from",
+         .syntax = "FILE|TEXT",
+         .help = "Colour the residues or atoms of a CSV or JSON table by its colours or values; :value=COLUMN,\n"
+                 ":10..60 and :viridis behind the name choose column, range and palette; repeatable",
+         .topic = Topic::color,
+         .facet = Facet::scene,
+         .parse = [](T text, P& d) { addTo(d.look.colorFrom, text, kMostColorTables, parseColorSource); },
+         .print = [](const P& d) { return lines(d.look.colorFrom, colorSourceText); },
+         .kind = list,
+         .save = differing},
         {.key = "palette",
          .syntax = "NAME",
          .standard = "by the scheme",
@@ -187,6 +201,14 @@ std::vector<Option> meshes() {
         row("putty", "on|off", "Cartoons as tubes that are wider where the B factor is larger",
             parseSwitch<kOnOff, &P::look, &R::cartoon, &C::putty>,
             printSwitch<kOnOff, &P::look, &R::cartoon, &C::putty>),
+        row("carbohydrates", "on|off|icon",
+            "Sugars beside a cartoon as symbols (SNFG): on, small within licorice, or off",
+            parseNamed<kCarbohydrates, &P::look, &R::carbohydrates>,
+            printNamed<kCarbohydrates, &P::look, &R::carbohydrates>),
+        row(
+            "line-width", "PIXELS", "Width of --style line in pixels, 0.5 to 10",
+            [](T text, P& d) { d.look.lineWidth = parseNumber(text, 0.5, kWidestWire); },
+            printNumber<&P::look, &R::lineWidth>),
         row("disulfides", "show|hide", "Disulfide bonds as sticks in cartoons",
             parseSwitch<kShowHide, &P::look, &R::cartoon, &C::disulfides>,
             printSwitch<kShowHide, &P::look, &R::cartoon, &C::disulfides>),
@@ -214,8 +236,8 @@ std::vector<Option> meshes() {
             [](T text, P& d) { d.look.cartoonOpacity = parseNumber(text, kLeastOpacity, 1); },
             printNumber<&P::look, &R::cartoonOpacity>),
     };
-    rows[8].control = {"Surface opacity", 0.1, 1, "Surface opacity: %.2f"};
-    rows[9].control = {"Cartoon opacity", 0.1, 1, "Cartoon opacity: %.2f"};
+    rows[10].control = {"Surface opacity", 0.1, 1, "Surface opacity: %.2f"};
+    rows[11].control = {"Cartoon opacity", 0.1, 1, "Cartoon opacity: %.2f"};
     return rows;
 }
 

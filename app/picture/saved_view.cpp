@@ -226,6 +226,8 @@ void placeBeside(const std::string& path, PictureDescription& view) {
     for (std::string& map : view.maps.files) map = besideView(path, map);
     for (PrimitiveSource& source : view.primitives)
         if (!source.made && !isJsonText(source.text)) source.text = besideView(path, source.text);
+    for (Coloring& table : view.look.colorFrom)
+        if (!table.table && !isTableText(table.source)) table.source = besideView(path, table.source);
 }
 
 /// Those of a view go before those that were there.
@@ -270,13 +272,15 @@ void applySavedView(const std::string& path, PictureDescription& description) {
     view.words.labels.clear();
     view.words.measures.clear();
     view.input.fits.clear();
-    for (auto clear : {"primitives", "map", "map-level", "map-style", "map-color"}) option(clear).parse("", view);
+    for (auto clear : {"primitives", "color-from", "map", "map-level", "map-style", "map-color"})
+        option(clear).parse("", view);
     readView(readViewText(path), path, view);
     placeBeside(path, view);
     append(view.look.rules, description.look.rules);
     append(view.words.labels, description.words.labels);
     append(view.words.measures, description.words.measures);
     append(view.input.fits, description.input.fits);
+    append(view.look.colorFrom, description.look.colorFrom);
     append(view.primitives, description.primitives);
     append(view.maps.files, description.maps.files);
     append(view.maps.levels, description.maps.levels);

@@ -75,7 +75,7 @@ OptionValue valueOf(const std::string& key, const std::string& text) {
     const Option* row = findOption(name, isCameraKey(name) ? kSavedOnly : kEveryTopic);
     if (!row) throw Problem(400, "there is no option \"" + key + "\" (GET /options lists them)");
     if (!isServed(*row)) throw Problem(400, "\"" + key + "\" is the server's to say");
-    if (takesText(*row) && !isJsonText(text)) throw Problem(400, "\"" + key + "\" takes JSON here, no file's name");
+    if (takesText(*row) && !isTableText(text)) throw Problem(400, "\"" + key + "\" takes text here, no file's name");
     if (name == "look" && text.find_first_of("./\\") != std::string::npos)
         throw Problem(400, "\"look\" takes a look's name here");
     OptionValue value{name, text};
@@ -95,6 +95,8 @@ void takeView(const std::string& text, const std::string& name, PictureDescripti
     if (!view.maps.files.empty()) throw Problem(422, "a view's maps are not drawn here");
     for (const PrimitiveSource& source : view.primitives)
         if (!isJsonText(source.text)) throw Problem(422, "a view's files of primitives are not drawn here");
+    for (const Coloring& table : view.look.colorFrom)
+        if (!isTableText(table.source)) throw Problem(422, "a view's files of colours are not drawn here");
     view.input.namedBy.clear();
     view.input.hash.clear();
     for (FurtherInput& further : view.input.further) further.hash.clear();
