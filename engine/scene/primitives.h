@@ -111,7 +111,7 @@ constexpr std::size_t kMostPrimitives = 1'000'000, kMostPrimitiveTriangles = 20'
 constexpr double kFarthestPrimitive = 1e6;  ///< Å along each axis
 
 /// How far an ellipsoid's mesh stands off it at most, in its longest half axis. @param count  that are drawn together:
-/// 1.4e-4 up to 60, then 5.4e-4 (240), 2.2e-3 (970), 8.4e-3 (4000), and 0.032
+/// 2.4e-4 up to 61, then 9.8e-4 (244), 3.9e-3 (976), 0.015 (3906), and 0.057
 double ellipsoidError(std::size_t count);
 
 /// What holds all of it; empty if nothing is drawn. Labels count as points.

@@ -1,21 +1,26 @@
 // libFuzzer target for what people and files say of a picture: any bytes are taken or refused by one of the exceptions
 // that the program shows, and what was taken reads again as it is written.
-// --part=NAME fuzzes selection, view, look or job; --list prints them. tools/fuzz runs them all.
+// --part=NAME fuzzes selection, view, look, job, table or primitives; --list prints them. tools/fuzz runs them all.
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <stdexcept>
 #include <string>
 
 #include "app/drawing/complete.h"
+#include "app/input/color_file.h"
+#include "app/input/primitives_file.h"
 #include "app/picture/looks.h"
 #include "app/picture/option_json.h"
 #include "app/picture/options.h"
 #include "app/picture/saved_view.h"
 #include "app/picture/usage_error.h"
 #include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/molecule/selection/selection.h"
+#include "engine/scene/representation.h"
 
 namespace {
 
@@ -60,13 +65,33 @@ void job(const std::string& text) {
     app::completePicture(description);
 }
 
+/// Colours of residues and atoms, as CSV or JSON, and what is drawn in them.
+void table(const std::string& text) {
+    RepresentationOptions look;
+    look.colorFrom.push_back(Coloring(ColorScheme::table));
+    look.colorFrom[0].table = std::make_shared<const ColorTable>(app::readColorTable(text, "input", ""));
+    const std::vector<std::uint32_t> drawn = drawnAtoms(molecule());
+    require(appearanceOf(molecule(), drawn, look).seen == drawn.size(), "hides atoms", text);
+}
+
+/// Geometry as JSON, and the scene that it makes.
+void primitives(const std::string& text) {
+    const Primitives read = app::readPrimitives(text, "input", [](const std::string&) { return glm::dvec3(0); });
+    Representation scene;
+    addPrimitives(read, scene);
+    require(std::isfinite(scene.radius), "reaches to infinity", text);
+    require(scene.spheres.size() == scene.sphereLooks.size(), "has spheres without looks", text);
+    boundsOf(read);
+}
+
 void (*part)(const std::string&) = nullptr;
 
 }  // namespace
 
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
     constexpr std::pair<const char*, void (*)(const std::string&)> kParts[] = {
-        {"selection", selection}, {"view", view}, {"look", look}, {"job", job}};
+        {"selection", selection},  {"view", view}, {"look", look}, {"job", job}, {"table", table},
+        {"primitives", primitives}};
     for (int i = 1; i < *count; ++i)
         for (const auto& [name, run] : kParts) {
             if ((*arguments)[i] == std::string("--list")) std::cout << name << "\n";

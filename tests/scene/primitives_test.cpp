@@ -101,11 +101,11 @@ TEST(Primitives, EllipsoidsKeepTheirErrorAndTheirNormals) {
             EXPECT_GT(glm::dot(exact, glm::dvec3(normalOf(v))), 0.9999);
         }
     }
-    EXPECT_NEAR(ellipsoidError(60), 1.4e-4, 1e-5);
-    EXPECT_NEAR(ellipsoidError(240), 5.4e-4, 5e-5);
-    EXPECT_NEAR(ellipsoidError(970), 2.2e-3, 1e-4);
-    EXPECT_NEAR(ellipsoidError(3900), 8.4e-3, 5e-4);
-    EXPECT_NEAR(ellipsoidError(10000), 0.032, 2e-3);
+    EXPECT_NEAR(ellipsoidError(61), 2.44e-4, 1e-6);
+    EXPECT_NEAR(ellipsoidError(244), 9.75e-4, 1e-6);
+    EXPECT_NEAR(ellipsoidError(976), 3.88e-3, 1e-5);
+    EXPECT_NEAR(ellipsoidError(3906), 0.0153, 1e-4);
+    EXPECT_NEAR(ellipsoidError(10000), 0.0572, 1e-4);
 }
 
 /// What triangles enclose, with their sense: negative if they face inwards.
