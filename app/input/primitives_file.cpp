@@ -255,8 +255,8 @@ private:
             }
         }
         box.faces = box.edges = look(keys);
-        const bool edges = part(keys, "edges", false, box.edges);
-        part(keys, "faces", !edges, box.faces);
+        part(keys, "edges", false, box.edges);
+        part(keys, "faces", true, box.faces);
         if (box.edges) box.edges->opacity = 1;
         box.edgeRadius = keys.number("edge_radius", 0, 0, kThickest);
         box.edgeWidth = keys.number("edge_width", 1.5, 0.5, 10);

@@ -14,19 +14,19 @@
 namespace nacre::app {
 namespace {
 
-Primitives read(const std::string& json) {
+Primitives primitivesIn(const std::string& json) {
     return readPrimitives(json, "a.json", [](const std::string&) { return glm::dvec3(7, 8, 9); });
 }
 
 TEST(PrimitivesFile, HasEveryKind) {
-    const Primitives p = read(R"([
+    const Primitives p = primitivesIn(R"([
         {"kind": "line", "from": [0, 0, 0], "to": "chain A", "width": 2, "dash": 0.5, "color": "red", "note": "a line"},
         {"kind": "tube", "from": [0, 0, 0], "to": [1, 0, 0], "radius": 0.3, "opacity": 0.5, "dash": [1, 2]},
         {"kind": "arrow", "from": [0, 0, 0], "direction": [0, 2, 0], "radius": 0.2, "heads": "both"},
         {"kind": "sphere", "center": [1, 2, 3], "radius": 2, "color": "#102030"},
         {"kind": "ellipsoid", "center": [1, 2, 3], "radii": [1, 2, 3]},
         {"kind": "ellipse", "center": [0, 0, 0], "major": [2, 0, 0], "minor": [0, 1, 0], "end": 90},
-        {"kind": "box", "min": [0, 0, 0], "max": [2, 4, 6], "edges": "blue", "edge_radius": 0.1},
+        {"kind": "box", "min": [0, 0, 0], "max": [2, 4, 6], "faces": false, "edges": "blue", "edge_radius": 0.1},
         {"kind": "mesh", "vertices": [0, 0, 0, 1, 0, 0, 0, 1, 0], "triangles": [[0, 1, 2]], "colors": ["red"]},
         {"kind": "label", "at": [1, 1, 1], "text": "C\\alpha", "size": 2, "color": "green"}])");
     ASSERT_EQ(p.lines.size(), 2u);
@@ -65,13 +65,13 @@ TEST(PrimitivesFile, TellsWhatIsWrongAndWhere) {
         {"", "not valid JSON"}};
     for (const auto& [json, why] : wrong) {
         try {
-            read(json);
+            primitivesIn(json);
             ADD_FAILURE() << json;
         } catch (const Error& error) {
             EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
         }
     }
-    EXPECT_THROW(read(std::string(1000, '[')), Error);
+    EXPECT_THROW(primitivesIn(std::string(1000, '[')), Error);
 }
 
 TEST(PrimitivesOption, TakesAFileOrJsonOnOneLine) {

@@ -33,10 +33,13 @@ class Options(TypedDict, total=False):
     bond_orders: str
     aromatic_bonds: str
     color: str
+    color_from: str | Sequence[str]
     palette: str
     helices: str
     bases: str
     putty: str | bool
+    carbohydrates: str
+    line_width: str | float
     disulfides: str
     surface: str
     probe: str | float
@@ -60,6 +63,7 @@ class Options(TypedDict, total=False):
     map_opacity: str | float
     map_width: str | float
     map_around: str
+    primitives: str | Sequence[str]
     projection: str
     fov: str | float
     zoom: str | float
