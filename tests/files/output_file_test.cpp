@@ -127,7 +127,7 @@ TEST(OutputFile, IsNotLostToARunThatSweepsMeanwhile) {
             if (runs[i] != 0) continue;
             close(gate[1]);
             char end = 0;
-            if (read(gate[0], &end, 1) != 0) _exit(1);  // all begin when the gate is closed
+            if (::read(gate[0], &end, 1) != 0) _exit(1);  // all begin when the gate is closed
             bool there = true;
             try {
                 OutputFile file(folder / std::to_string(i));

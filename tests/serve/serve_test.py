@@ -119,11 +119,17 @@ class ServeTest(unittest.TestCase):
         status, _, body = self.server.ask("picture?size=64x64", view)
         self.assertEqual(status, 200, body)
         self.assertEqual(body, self.server.ask("picture?input=gly.pdb&style=licorice&zoom=1&size=64x64")[2])
+        ball = urllib.parse.quote('{"kind": "sphere", "center": "all", "radius": 9}')
+        self.assertNotEqual(body, self.server.ask("picture?input=gly.pdb&style=licorice&zoom=1&size=64x64&primitives=" + ball)[2])
+        table = urllib.parse.quote("csv:element,color;C,red;N,red;O,red")
+        self.assertNotEqual(body, self.server.ask("picture?input=gly.pdb&style=licorice&zoom=1&size=64x64&color-from=" + table)[2])
         told = json.loads(self.server.ask("structures", PDB.encode())[2])
         self.assertEqual(self.server.ask("picture?size=64x64&input=" + told["input"])[0], 200)
         self.refused("picture", 400, "empty", b"")
         self.refused("picture", 413, "64 MiB", bytes((64 << 20) + 1))
         self.refused("picture", 422, "maps", json.dumps({"input": "gly.pdb", "map": ["/etc/passwd"]}).encode())
+        for key in ("primitives", "color-from"):
+            self.refused("picture", 422, "not drawn here", json.dumps({"input": "gly.pdb", key: ["/etc/passwd"]}).encode())
         outside = json.dumps({"input": "../secret.pdb", "style": "licorice"}).encode()
         self.refused("picture", 404, "there is no input", outside)
 
@@ -143,6 +149,8 @@ class ServeTest(unittest.TestCase):
         self.refused("nowhere", 404, "/nowhere")
         for key in ("output", "layers", "stats", "capture", "view", "trajectory", "device", "cache", "memory", "map"):
             self.refused(f"picture?input=gly.pdb&{key}=/etc/passwd", 400, "the server's")
+        for key in ("primitives", "color-from"):
+            self.refused(f"picture?input=gly.pdb&{key}=/etc/passwd", 400, "takes text here")
         self.refused("picture?input=gly.pdb&look=/etc/passwd", 400, "look")
 
     def test_options_are_the_tables(self):
