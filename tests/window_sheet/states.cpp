@@ -139,7 +139,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              look.effects.fog.range = Fog::Range::automatic;
              d.viewer().setLook(look, seconds());
              d.click("Light, outlines, fog");
-             d.click("Colour of the halos");
+             d.click("Halo colour");
          }},
         {"parts", kUsual, p, page(Panel::Page::parts)},
         {"parts, sequence", kUsual, p, sequence},
