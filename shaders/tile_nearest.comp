@@ -6,6 +6,7 @@
 //   TEXELS      as in common/streams.glsl
 //   CYLINDERS, TRIANGLES   the scene has some
 //   SHADED      what is written of a pixel is not its number, but its colour, sRGB-coded, and row by row
+//   RIMS        of that, lines and halos are found by a second walk of the list, and laid over
 // A driver that runs a loop's body once before it looks whether to leave (lavapipe 22.3) has the loops that it wants:
 // what a turn too many tests does not win.
 #extension GL_GOOGLE_include_directive : require
@@ -31,6 +32,12 @@
 #include "common/tile_lists.glsl"
 #include "common/sight.glsl"
 #include "common/changes.glsl"
+#ifdef RIMS
+#include "common/samples.glsl"
+#ifndef TRIANGLES
+#define NO_TRIANGLES
+#endif
+#endif
 
 layout(push_constant) uniform Push { TileConstants push; };
 const int kPixels = kTile * kTile / kLanes;  // of a lane: number i x kLanes + lane of the tile, row by row
@@ -49,12 +56,38 @@ vec2 through[kPixels];
 float nearest[kPixels];
 uint number[kPixels];
 
+#ifdef RIMS
+// Pixels are the samples of a picture's, which stand as those of an edge do: 4 x 4 of them are one of its pixels.
+layout(constant_id = kSubsamplesId) const bool kSubsamples = false;
+vec2 sampledAt(vec2 pixel) {
+    if (!kSubsamples) return pixel;
+    uvec2 p = uvec2(pixel), own = p & 3u;
+    return vec2(p - own) + 4.0 * sampleAt(int(4u * own.y + own.x));
+}
+#else
+vec2 sampledAt(vec2 pixel) { return pixel; }
+#endif
+
+/// Whether what follows in a list may come before what some pixel sees. @param next  of the chunk's last lane, as entryAt()
+bool goesOn(uint at, uint end, float next) {
+    float farthest = nearest[0];
+    for (int i = 1; i < kPixels; ++i) farthest = max(farthest, nearest[i]);
+    return at < end && anyLane(farthest >= subgroupShuffle(next, uint(kLanes - 1)));
+}
+
+#ifdef RIMS
+#include "common/tile_rims.glsl"
+#endif
+
 void keep(int i, Hit hit, uint candidate, bool live) {
     float depth = encodedDepth(hit.order);
     // Of equal depths the last wins, as with a depth test that lets them pass.
     bool wins = live && hit.inside && (depth < nearest[i] || (depth == nearest[i] && candidate > number[i]));
     nearest[i] = wins ? depth : nearest[i];
     number[i] = wins ? candidate : number[i];
+#ifdef RIMS
+    behindZ[i] = wins ? hit.Z : behindZ[i];
+#endif
 }
 
 /// A pixel begins with the nearest triangle, or sphere, where the host knows it: no list need name that.
@@ -69,13 +102,6 @@ void begin(int i, uint seed) {
     bool sees = seed != 0u && hit.inside && depth < 1.0;
     nearest[i] = sees ? depth : 1.0;
     number[i] = sees ? seed : 0u;
-}
-
-/// Whether what follows in a list may come before what some pixel sees. @param next  of the chunk's last lane, as entryAt()
-bool goesOn(uint at, uint end, float next) {
-    float farthest = nearest[0];
-    for (int i = 1; i < kPixels; ++i) farthest = max(farthest, nearest[i]);
-    return at < end && anyLane(farthest >= subgroupShuffle(next, uint(kLanes - 1)));
 }
 
 layout(constant_id = kNumberedId) const bool kNumbered = false;
@@ -121,9 +147,17 @@ uint marked(uint sight, vec2 pixel, float width, float depth) {
 layout(set = 0, binding = 8, std430) writeonly buffer PixelNumbers { uint pixelNumbers[]; };
 const uint kBalls = 0u, kSticks = 1u, kFacets = 2u;
 
-/// @param seenNumber  becomes a sight @param kind  that it is of
-uint colorAt(inout uint seenNumber, vec2 pixel, uint kind) {
-    vec2 q = planePoint(pixel);
+#ifdef RIMS
+/// Coded colour under halos and lines. @param seen  linear, premultiplied
+uint rimmed(vec4 seen, uint rimWord) {
+    vec4 shown = underRim(seen, unpackUnorm4x8(rimWord).rgb);
+    return packUnorm4x8(vec4(asTargetTakesIt(shown.rgb), shown.a));
+}
+#endif
+
+/// @param seenNumber  becomes a sight @param kind  that it is of @param rim  of rimWords
+uint colorAt(inout uint seenNumber, vec2 pixel, uint kind, uint rim) {
+    vec2 q = planePoint(sampledAt(pixel));
     uint number = max(seenNumber, 1u), index = place(number);
     Seen seen;
 #ifdef TRIANGLES
@@ -137,9 +171,23 @@ uint colorAt(inout uint seenNumber, vec2 pixel, uint kind) {
     else
 #endif
         seen = seenBall(index, q);
+#ifdef RIMS
+    vec3 lit = lightOf(seen.hit, lookAt(seen.look), seen.occlusion, q);
+    return rimmed(vec4(seenNumber == 0u ? vec3(0.0) : lit, seenNumber == 0u ? 0.0 : 1.0), rim);
+#else
     vec3 color = colorOf(seen.hit, lookAt(seen.look), seen.occlusion, q);
     if (kNumbered) seenNumber = seenNumber == 0u ? 0u : sightOf(seen.hit, number);
     return seenNumber == 0u ? 0u : packUnorm4x8(vec4(color, 1.0));
+#endif
+}
+
+/// What a pixel shows where nothing is seen.
+uint emptyColor(int i) {
+#ifdef RIMS
+    return rimmed(vec4(0.0), rimWords[i]);
+#else
+    return 0u;
+#endif
 }
 
 #ifdef CYLINDERS
@@ -185,16 +233,20 @@ void shadeKind(uint kind, uvec2 corner, uint pitch, uint lane, float width, floa
         bool second = slot >= first;
         uint at = placeOfBit(second ? bits.y : bits.x, slot - (second ? first : 0u)) + (second ? 32u : 0u);
         at &= uint(kTile * kTile - 1);  // lanes that are over
-        uint from = at / uint(kPixels), row = at % uint(kPixels), seen = 0u;
+        uint from = at / uint(kPixels), row = at % uint(kPixels), seen = 0u, rim = 0u;
         for (int i = 0; i < kPixels; ++i) {
             uint there = subgroupShuffle(number[i], from);
             seen = row == uint(i) ? there : seen;
+#ifdef RIMS
+            uint rimThere = subgroupShuffle(rimWords[i], from);
+            rim = row == uint(i) ? rimThere : rim;
+#endif
         }
         seen = slot < count ? seen : 0u;
         uint pixelOfTile = row * uint(kLanes) + from;
         uvec2 on = corner + uvec2(pixelOfTile % uint(kTile), pixelOfTile / uint(kTile));
         vec2 pixel = vec2(on) + 0.5;
-        uint color = colorAt(seen, pixel, kind);
+        uint color = colorAt(seen, pixel, kind, rim);
         uint sight = kNumbered ? marked(seen, pixel, width, depth) : 0u;
         if (slot < count) {
             numbers[on.y * pitch + on.x] = color;
@@ -219,9 +271,12 @@ void main() {
 
     vec2 first = vec2(corner + uvec2(lane % uint(kTile), lane / uint(kTile))) + 0.5;
     for (int i = 0; i < kPixels; ++i) {
-        through[i] = planePoint(first + vec2((i * kLanes) % kTile, (i * kLanes) / kTile));
+        through[i] = planePoint(sampledAt(first + vec2((i * kLanes) % kTile, (i * kLanes) / kTile)));
         nearest[i] = 1.0;
         number[i] = 0u;
+#ifdef RIMS
+        behindZ[i] = 1e30;
+#endif
     }
     // Row by row of all bins.
     uint pitch = view.across * uint(kTile * kTilesInBin);
@@ -231,6 +286,12 @@ void main() {
             begin(i, numbers[here + uint((i * kLanes) / kTile) * pitch + uint((i * kLanes) % kTile)]);
     vec2 middle = planePoint(vec2(corner) + float(kTile / 2));
     vec2 reach = vec2(float(kTile / 2) * view.pixel);
+    float width = view.contourWidth, depth = view.contourDepth;
+#ifdef RIMS
+    uint begin_ = at;
+    // Contour lines that are rims are none of what is nearest; nor are there any without a width.
+    view.contourWidth = effects.lineWidth > 0.0 || width == 0.0 ? -1e30 : width;
+#endif
     bool more = true;  // the word before an empty list is the number of a primitive
     do {
 #ifdef TRIANGLES
@@ -280,7 +341,12 @@ void main() {
 #endif
         more = goesOn(at, end, e.next);
     } while (more);
-    float width = view.contourWidth, depth = view.contourDepth;
+#ifdef RIMS
+    float chosenWidth = view.contourWidth;
+    findRims(begin_, end, lane, middle, reach);
+    view.contourWidth = chosenWidth;
+    if (chosenWidth > 0.0)
+#endif
     view.contourWidth = 1e9;  // what was chosen and is not inside is on the line
     view.contourDepth = 0.0;
 #ifdef SHADED
@@ -288,7 +354,7 @@ void main() {
     for (int i = 0; i < kPixels; ++i) {
         uvec2 on = uvec2(i * kLanes) / uvec2(1u, kTile) % uint(kTile);
         if (number[i] != 0u) continue;
-        numbers[here + on.y * pitch + on.x] = 0u;
+        numbers[here + on.y * pitch + on.x] = emptyColor(i);
         if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = 0u;
     }
     if (kSpheres) shadeKind(kBalls, corner, pitch, lane, width, depth);
@@ -302,6 +368,10 @@ void main() {
     for (int i = 0; i < kPixels; ++i) shown |= number[i] != 0u ? 1u << i : 0u;
     shown = bitsOfAll(shown);
     uint empty = ~shown & ((2u << (kPixels - 1)) - 1u);
+#ifdef RIMS
+    shown = shown | empty;  // a rim may show
+    empty = 0u;
+#endif
     do {
         uvec2 on = uvec2(lowestOf(empty) * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
         if (empty != 0u) {
@@ -311,11 +381,14 @@ void main() {
         empty &= empty - 1u;
     } while (empty != 0u);
     do {
-        uint i = lowestOf(shown), seen = number[0];
+        uint i = lowestOf(shown), seen = number[0], rim = 0u;
         for (int k = 1; k < kPixels; ++k) seen = i == uint(k) ? number[k] : seen;
+#ifdef RIMS
+        for (int k = 0; k < kPixels; ++k) rim = i == uint(k) ? rimWords[k] : rim;
+#endif
         shown &= shown - 1u;
         uvec2 on = uvec2(i * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
-        numbers[here + on.y * pitch + on.x] = colorAt(seen, first + vec2(on), kBalls);
+        numbers[here + on.y * pitch + on.x] = colorAt(seen, first + vec2(on), kBalls, rim);
         if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = marked(seen, first + vec2(on), width, depth);
     } while (shown != 0u);
 #endif

@@ -119,11 +119,13 @@ const std::shared_ptr<DeclaredFrame>& PictureFrames::declare(const SeenFrame& se
 
 PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                                          std::span<const ScreenTarget> targets, bool readBack, const char* name,
-                                         bool edges) {
+                                         Samples samples) {
     std::shared_ptr<passes::FragmentCounter> fragments;
     if (settings.tuning.countFragments) fragments = std::make_shared<passes::FragmentCounter>(device_);
     const FrameEnd end = readBack ? FrameEnd::readBack : FrameEnd::left;
-    SeenFrame seen = frames_.see({settings, atlas, view, targets, name, end, fragments, edges});
+    const bool edges = samples == Samples::edges;
+    SeenFrame seen =
+        frames_.see({settings, atlas, view, targets, name, end, fragments, edges, {}, samples == Samples::block});
     const std::shared_ptr<DeclaredFrame> declared = declare(seen);
     SceneFrames::bind(*declared, seen);
     Drawn drawn;
@@ -203,7 +205,8 @@ Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atl
     stats_.samples = RenderSettings::kEdgeSamples;
     checkSize(wanted.view);
     if (drawsEdges(settings)) {
-        const Drawn drawn = draw(settings, atlas, wanted.view, pictureTargets(settings), true, "screen", true);
+        const Drawn drawn =
+            draw(settings, atlas, wanted.view, pictureTargets(settings), true, "screen", Samples::edges);
         if (drawn.edges) return resolved(drawn, settings, wanted, 1);  // else a list was too long
     }
     return blocksOfSamples(settings, atlas, wanted, true);
@@ -241,7 +244,8 @@ Picture PictureFrames::blocksOfSamples(const RenderSettings& settings, const pas
                 std::tie(block.view, block.inner) = withRim(wanted.view, rect, rimOf(settings));
             const View view = scaled(block.view, RenderSettings::kBlockSamples);
             checkSize(view);
-            const Drawn drawn = draw(settings, atlas, view, pictureTargets(settings), readBack, "screen");
+            const Drawn drawn =
+                draw(settings, atlas, view, pictureTargets(settings), readBack, "screen", Samples::block);
             ++sum.frames;
             sum.frameMilliseconds += stats_.frameMilliseconds;
             addCounts(sum.passes, stats_.passes);
@@ -285,7 +289,8 @@ void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& a
     stats_.samples = edges ? RenderSettings::kEdgeSamples : n * n;
     const bool inFrame = edges && drawsEdges(settings);
     const auto drawn = [&] {
-        return draw(settings, atlas, view, pictureTargets(settings), false, "screen", inFrame).edges;
+        const Samples samples = inFrame ? Samples::edges : Samples::one;
+        return draw(settings, atlas, view, pictureTargets(settings), false, "screen", samples).edges;
     };
     const graph::Extent image = imageExtent(view);
     if (edges && !(inFrame && drawn()))

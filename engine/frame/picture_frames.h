@@ -42,8 +42,14 @@ private:
         std::shared_ptr<const passes::TileFrame> colors;  ///< not null: the picture, which is where the host reads it
         bool edges = false;                               ///< drawn from kEdgeSamples
     };
+    /// Of a frame's pixels.
+    enum class Samples : std::uint8_t {
+        one,
+        edges,  ///< kEdgeSamples where edges run
+        block,  ///< kBlockSamples x kBlockSamples pixels are one of the picture
+    };
     Drawn draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-               std::span<const ScreenTarget> targets, bool readBack, const char* name, bool edges = false);
+               std::span<const ScreenTarget> targets, bool readBack, const char* name, Samples samples = Samples::one);
     bool drawsEdges(const RenderSettings& settings) const;  ///< in the frame itself
     void checkSize(const View& view) const;
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);

@@ -12,6 +12,18 @@
 #include "engine/passes/translucent.h"
 
 namespace nacre {
+namespace {
+
+bool isPicture(const FrameRequest& request) {
+    return request.targets.size() == 1 && request.targets[0].output == passes::Output::color;
+}
+
+/// Whether shaders code its colour as sRGB themselves.
+bool isCoded(const FrameRequest& request) {
+    return isPicture(request) && request.targets[0].format == VK_FORMAT_R8G8B8A8_UNORM;
+}
+
+}  // namespace
 
 SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, const std::shared_ptr<const Scene>& scene)
     : device_(device),
@@ -58,10 +70,16 @@ void SceneFrames::dropHidden(passes::SceneView& seen, const RenderSettings& sett
                  passes::tileView(seen, view, imageExtent(view), !edges), seen.radiusPixels);
 }
 
+/// Whether compute shades by tiles what is asked for, if it is no debug view.
+bool SceneFrames::shadesByTiles(const FrameRequest& request) const {
+    return device_.caps().visibility == Visibility::tiles && device_.caps().tiles.shade && isCoded(request) &&
+           !request.fragments;
+}
+
 /// Leaves out of the settings what such a frame does not draw. @returns the path that it takes
 Visibility SceneFrames::settle(RenderSettings& settings, const FrameRequest& request) const {
     // Layers and picks take several targets or another one.
-    const bool picture = request.targets.size() == 1 && request.targets[0].output == passes::Output::color;
+    const bool picture = isPicture(request);
     if (!picture) settings.debug = DebugView::none;
     const bool debug = settings.debug != DebugView::none;
     // What tells of a pixel's atom tells nothing of lines about it.
@@ -70,7 +88,7 @@ Visibility SceneFrames::settle(RenderSettings& settings, const FrameRequest& req
                                    [](const ScreenTarget& t) { return t.output == passes::Output::color; });
     if (debug || !color) settings.effects.shadow = {};
     const Visibility usual = device_.caps().visibility;
-    if (settings.effects.rims()) return Visibility::deferred;
+    if (settings.effects.rims()) return shadesByTiles(request) ? Visibility::tiles : Visibility::deferred;
     return debug ? debugVisibility(settings.debug, usual) : usual;
 }
 
@@ -83,16 +101,18 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     const bool edges = request.edges && drawsEdges() && !debug;
     const SphereBoxes* boxes = debug ? nullptr : boxesOf(view, settings, request.view, edges);
     if (!debug && !boxes) dropHidden(view, settings, request.view, edges);
-    const bool shaded = view.coded && !debug && !view.fragments && device_.caps().tiles.shade;
-    view.tiles = tiles_.prepare(scene_->representation, view, request.view, options.extent, {shaded, edges, 1, boxes});
+    const bool shaded = !debug && shadesByTiles(request);
+    view.tiles = tiles_.prepare(scene_->representation, view, request.view, options.extent,
+                                {shaded, edges, view.rims.any() && request.subsamples, 1, boxes});
     if (!view.tiles) {
-        options.visibility = Visibility::fragdepth;
+        options.visibility = view.rims.any() ? Visibility::deferred : Visibility::fragdepth;
         if (boxes) dropHidden(view, settings, request.view, edges);
         return;
     }
     if (view.translucent)
-        view.translucent->tiles = layerTiles_.prepare(scene_->representation, *view.translucent, request.view,
-                                                      options.extent, {false, false, kTranslucentLayers, nullptr});
+        view.translucent->tiles =
+            layerTiles_.prepare(scene_->representation, *view.translucent, request.view, options.extent,
+                                {false, false, false, kTranslucentLayers, nullptr});
     options.shadedByTiles = view.tiles->shaded;
     options.edges = view.tiles->edges.drawn;
     options.layersByTiles = view.translucent && view.translucent->tiles;
@@ -122,7 +142,6 @@ SeenFrame SceneFrames::see(const FrameRequest& request) {
     RenderSettings settings = request.settings.ofFrame();
     const passes::Atlas used = settings.occlusion.directions > 0 ? request.atlas : passes::Atlas{};
     const Visibility path = settle(settings, request);
-    const bool picture = request.targets.size() == 1 && request.targets[0].output == passes::Output::color;
     SeenFrame seen;
     seen.atlas = used.image ? used.image : &white_;
     seen.shape.debug = settings.debug;
@@ -133,15 +152,16 @@ SeenFrame SceneFrames::see(const FrameRequest& request) {
     passes::SceneView& view = *seen.view;
     const graph::GeometryCaps& geometry = device_.caps().plan.geometry;
     view.owner = scene_;
-    view.coded = picture && request.targets[0].format == VK_FORMAT_R8G8B8A8_UNORM;
+    view.coded = isCoded(request);
     view.powers = !device_.caps().software;
     view.fragments = request.fragments;
     if (request.radiusBefore)
         view.radiusPixels = passes::steadyRadius(*request.radiusBefore, view.radiusPixels, geometry);
     view.effectConstants = effectsOf(settings);
-    const bool layered = picture && settings.debug == DebugView::none && translucent();
+    const bool layered = isPicture(request) && settings.debug == DebugView::none && translucent();
     if (layered) checkBlending(request.targets[0].format);
-    if (path == Visibility::deferred || layered)
+    const bool rims = settings.effects.rims();
+    if (path == Visibility::deferred || layered || rims)
         view.copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(view.copies.rows))));
     seen.counts.meshLevels = view.copies.triangleLevels(scene_->representation);
     if (layered) {
@@ -160,7 +180,7 @@ SeenFrame SceneFrames::see(const FrameRequest& request) {
                         (options.visibility != Visibility::fragdepth && options.visibility != Visibility::deferred);
     options.prepass = plates && graph::platesReject(options.visibility, device_.caps().plan);
     options.shadowPixels = shadowPixels(settings);
-    options.rims = settings.effects.rims();
+    options.rims = rims;
     options.translucentLayers = layered ? kTranslucentLayers : 0;
     count(seen);
     return seen;

@@ -25,6 +25,7 @@ struct FrameRequest {
     /// Of a window, whose frames follow each other: what SceneCounts::radiusPixels was of the one before, or 0. A zoom
     /// to and fro keeps its pipelines by it.
     std::optional<double> radiusBefore = {};
+    bool subsamples = false;  ///< kBlockSamples x kBlockSamples of its pixels are one of a picture
 };
 
 /// A scene as a frame shows it.
@@ -63,6 +64,7 @@ public:
 private:
     std::shared_ptr<const gpu::Buffer> effectsOf(const RenderSettings& settings);
     Visibility settle(RenderSettings& settings, const FrameRequest& request) const;
+    bool shadesByTiles(const FrameRequest& request) const;
     void addLists(SeenFrame& seen, const RenderSettings& settings, const FrameRequest& request);
     static void count(SeenFrame& seen);
     /// Whether a view has so many spheres that the host looks for those that others hide.

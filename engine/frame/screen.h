@@ -55,7 +55,7 @@ struct ScreenOptions {
     const char* name = "screen";          ///< images are kept by it: frames of several sizes want several names
     bool shadedByTiles = false;           ///< `tiles`: compute shades, too: coded colour, no target
     bool edges = false;                   ///< of `tiles`: they are drawn from more samples than one
-    bool rims = false;                    ///< of `deferred`: halos, or lines by groups
+    bool rims = false;                    ///< of `deferred`, and of `tiles` that shade: halos, or lines by groups
     std::uint32_t shadowPixels = 0;       ///< across the map of what the light sees; 0: there are no shadows
     std::uint32_t translucentLayers = 0;  ///< over the first target, which is colour; 0: all is opaque
     bool layersByTiles = false;           ///< of `tiles`: compute finds them, too

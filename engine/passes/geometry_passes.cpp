@@ -94,7 +94,7 @@ GeometryPass rims(const SceneView& view, const Reads& reads) {
     if (reads.from == NearestFrom::texture) pass.shaders = NACRE_SHADERS(number, Reads, rims, Sampled);
     pass.reads = reads;
     pass.streams = true;
-    pass.rim = std::max(view.rims.line, view.rims.halo);
+    pass.rim = view.rims.widest();
     pass.blend = gpu::Blend::maximum;
     return pass;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The scene as one view sees it: what every pass of a frame draws with.
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -30,6 +31,8 @@ struct TileFrame;
 /// Widths, Å at z = 0; 0: there are none.
 struct Rims {
     float line = 0, halo = 0;
+    float widest() const { return std::max(line, halo); }
+    bool any() const { return widest() > 0; }
 };
 
 struct SceneView {

@@ -81,8 +81,9 @@ void bindTiles(gpu::PassContext& context, const gpu::Layout& layout, const gpu::
     bindTiles(context, layout, vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(pipeline), push, write);
 }
 
-inline void setTileView(gpu::Specialization& constants, const SceneView& view) {
-    setGeometryConstants(constants, view);
+/// @param rim  of GeometryPass
+inline void setTileView(gpu::Specialization& constants, const SceneView& view, float rim = 0) {
+    setGeometryConstants(constants, view, rim);
     constants.set(layout::kCopiesId, view.tiles->copies);
     constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
 }

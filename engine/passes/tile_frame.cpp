@@ -86,7 +86,7 @@ TileView tileView(const SceneView& seen, const View& view, graph::Extent image, 
     v.nearest = c.depthStart;
     v.range = 1.0f / c.perRange;
     if (seen.effects.clip.on()) v.clipNear = c.clipNear, v.clipFar = c.clipFar;
-    v.contour = c.contourWidth;
+    v.contour = std::max(c.contourWidth, seen.rims.widest());
     v.wireScale = seen.wireScale;
     v.centers = centers;
     return v;
@@ -107,16 +107,18 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     const TileScenery scenery{r.spheres,      spheres_,   r.cylinders,       cylinders_, r.wires,   r.triangles,
                               r.meshVertices, triangles_, r.coarseTriangles, r.meshes,   work.boxes};
     const auto build = [&] {
-        TileView asked = tileView(seen, view, image, !work.edges);
+        TileView asked = tileView(seen, view, image, !work.edges && !work.subsamples);
         asked.layers = work.kept;
         frame.lists.build(asked, scenery);
     };
     build();
     if (frame.lists.longest() > kLongestListOfEdges && std::exchange(work.edges, false) && !triangles_.empty()) build();
-    if (frame.lists.longest() > kLongestList) return nullptr;
+    const std::uint32_t walks = seen.rims.any() ? 2 : 1;
+    if (frame.lists.longest() > kLongestList / walks) return nullptr;
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;
+    frame.subsamples = work.subsamples;
     upload(frame, seen.copies, image, work.kept);
     frame.edges.drawn = work.edges;
     frame.edges.everywhere = seen.smallestPixels < kSmallPixels;

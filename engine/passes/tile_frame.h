@@ -49,6 +49,7 @@ struct TileEdges {
 struct TileWork {
     bool shaded = false;                 ///< compute shades, too
     bool edges = false;                  ///< edges are drawn; none are where a list is longer than their loops
+    bool subsamples = false;             ///< pixels are samples of a picture's, and need not be asked at their centres
     std::uint32_t kept = 1;              ///< numbers of a pixel
     const SphereBoxes* boxes = nullptr;  ///< as TileScenery has it
 };
@@ -58,10 +59,11 @@ struct TileFrame {
     layout::TileConstants constants{};
     bool copies = false;  ///< primitives stand at the places of copies
     bool shaded = false;  ///< `numbers` are colours
-    TileBuffer words;     ///< TileLists::write()
-    TileBuffer rows;      ///< PlacedCopies::rows
-    PixelWords numbers;   ///< of the nearest primitives, counted from 1; sights, where edges are drawn
-    TileBuffer spans;     ///< TileLists::spans() as vertices
+    bool subsamples = false;
+    TileBuffer words;    ///< TileLists::write()
+    TileBuffer rows;     ///< PlacedCopies::rows
+    PixelWords numbers;  ///< of the nearest primitives, counted from 1; sights, where edges are drawn
+    TileBuffer spans;    ///< TileLists::spans() as vertices
     TileEdges edges;
 
     std::uint32_t rowPixels() const { return lists.across() * TileLists::kBinPixels; }

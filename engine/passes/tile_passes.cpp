@@ -22,7 +22,8 @@ constexpr vk::VertexInputBindingDescription kSpanBindings[] = {
     {0, sizeof(TileSpanVertex), vk::VertexInputRate::eInstance}};
 constexpr vk::VertexInputAttributeDescription kSpanAttributes[] = {{0, 0, vk::Format::eR32G32B32A32Sfloat, 0}};
 
-gpu::ShaderWords nearestShader(bool texels, TileScene scene, bool shaded) {
+gpu::ShaderWords nearestShader(bool texels, TileScene scene, bool shaded, bool rims) {
+    if (shaded && rims) return NACRE_TILE_SCENE(tileRimmed, );
     if (shaded) return NACRE_TILE_SCENE(tileShaded, );
     return NACRE_TILE_STAGE(tileNearest, );
 }
@@ -56,11 +57,12 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
     const SceneBuffers& scene = *view.buffers;
     const gpu::TileCaps& caps = context.device.caps().tiles;
     gpu::ComputePipeline d{context.pass,
-                           nearestShader(caps.texels, tileScene(scene), shades),
+                           nearestShader(caps.texels, tileScene(scene), shades, view.rims.any()),
                            {},
                            *nearestLayout(context, shades).pipeline};
-    setTileView(d.constants, view);
+    setTileView(d.constants, view, view.rims.widest());
     if (shades) {
+        if (view.rims.any()) d.constants.set(layout::kSubsamplesId, f.subsamples);
         setShadingConstants(d.constants, view);
         d.constants.set(layout::kSpheresId, scene.sphereCount > 0);
         d.constants.set(layout::kCylindersId, scene.cylinderCount > 0);

@@ -60,6 +60,7 @@ const int kEverywhereId = 54;  // bool: every pixel is drawn as an edge
 const int kListedId = 55;      // bool: what an edge's samples see is looked for in lists, not among its neighbours
 const int kRowsId = 56;        // bool: edges are coded words among the other pixels
 const int kLayerId = 57;       // of translucent triangles: 0 the nearest
+const int kSubsamplesId = 58;  // bool: pixels are samples of a picture's, and stand where those of an edge do
 // The occlusion bake.
 const int kBatchId = 60;       // depth maps of a batch
 const int kMapsAcrossId = 61;  // of them in a row of the image

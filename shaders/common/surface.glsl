@@ -23,9 +23,7 @@ vec4 rimHere() { return texelFetch(rims, ivec2(gl_FragCoord.xy), 0); }
 #endif
 /// Writes what is seen under its halos and lines. @param seen  linear, premultiplied
 void writeRimmed(vec4 seen) {
-    vec4 rim = rimHere();  // as rims.frag writes it
-    seen = mix(seen, vec4(effects.halo.rgb, 1.0), rim.b * effects.halo.a);
-    if (rim.g > 0.5) seen = vec4(mix(effects.fog.rgb, effects.contour.rgb, rim.r), 1.0);
+    seen = underRim(seen, rimHere().rgb);
     if (seen.a == 0.0) discard;
     seen += (1.0 - seen.a) * vec4(kRed, kGreen, kBlue, kAlpha);
     color = vec4(asTargetTakesIt(seen.rgb), seen.a);

@@ -4,6 +4,12 @@ vec3 handedCorner(vec3 v, uint from) {
     return vec3(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from));
 }
 
+#ifdef RIMS
+/// Z of its nearest corner.
+float facetFront(vec3 a, vec3 b, vec3 c) {
+    return kPerspective ? 1.0 / max(a.z, max(b.z, c.z)) : min(a.z, min(b.z, c.z));
+}
+#endif
 /// Z before which nothing of it lies.
 float facetBegins(vec3 a, vec3 b, vec3 c) {
     if (!kPerspective) return min(a.z, min(b.z, c.z)) - 1e-3;
@@ -12,7 +18,7 @@ float facetBegins(vec3 a, vec3 b, vec3 c) {
 
 /// Whether it may be seen in a rectangle on the plane z = 0. No, if the rectangle lies beside its box, or beyond an edge.
 bool facetMeets(vec3 a, vec3 b, vec3 c, vec2 middle, vec2 reach) {
-    vec2 room = reach + 0.05 * view.pixel + (kContours ? view.contourWidth : 0.0);
+    vec2 room = reach + 0.05 * view.pixel + (kContours ? contourReach() : 0.0);
     vec2 low = min(a.xy, min(b.xy, c.xy)) - room, high = max(a.xy, max(b.xy, c.xy)) + room;
     bool meets = all(lessThanEqual(low, middle)) && all(greaterThanEqual(high, middle));
     vec2 pa = a.xy - middle, pb = b.xy - middle, pc = c.xy - middle;

@@ -59,6 +59,9 @@ struct Entry {
 #ifdef CYLINDERS
     Stick stick;
 #endif
+#ifdef RIMS
+    float front;  // encoded depth of the polygon that the other paths draw its rim in
+#endif
     float next;  // encoded depth before which nothing of the following chunk begins, as the chunk's last lane has it
 };
 
@@ -98,6 +101,15 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
     front = e.cylinder ? max(e.a.z, end.z) : front;
 #endif
     float begins = view.origin - front - e.a.w * 1.001;
+#ifdef RIMS
+    const float capRoom = kClip ? kCapDepth : 0.0;
+    float frontZ = view.origin - e.a.z - (e.a.w + capRoom);  // as the vertex stages have it
+#ifdef CYLINDERS
+    vec3 ahead = normalize(end.xyz - e.a.xyz);
+    float stickFront = front + e.a.w * sqrt(max(1.0 - ahead.z * ahead.z, 0.0));
+    frontZ = e.cylinder ? view.origin - stickFront - e.a.w * 1e-3 - capRoom : frontZ;
+#endif
+#endif
 #ifdef TRIANGLES
     if (e.facet) {
         e.a = vec4(cornerOf(f.a, f.step), 0.0);
@@ -106,7 +118,13 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
         e.joins = joinsOf(f.a.w, f.b.w, f.c.w);
         e.meets = facetMeets(e.a.xyz, e.b, e.c, middle, reach);
         begins = facetBegins(e.a.xyz, e.b, e.c);
+#ifdef RIMS
+        frontZ = facetFront(e.a.xyz, e.b, e.c) - 1e-4 * (1.0 + abs(view.origin));
+#endif
     }
+#endif
+#ifdef RIMS
+    e.front = clamp(encodedDepth(frontZ), 0.0, 1.0);
 #endif
     // What follows begins behind the chunk's last entry, up to a step of the order.
     e.next = encodedDepth(begins) - view.depthStep;

@@ -65,12 +65,17 @@ bool isCutOff(vec3 center) {
     return kCut && dot(plane.xyz, center) > plane.w;
 }
 #endif
+#ifdef RIMS
+float contourReach() { return max(view.contourWidth, 0.0); }  // below 0: no line is looked for
+#else
+float contourReach() { return view.contourWidth; }
+#endif
 /// Radius of a ball that holds a sphere with its contour line, whatever pixel looks at it. @param z  of the centre
 float reachOf(float z, float radius) {
     if (!kContours) return radius;
-    if (!kPerspective) return radius + view.contourWidth;
+    if (!kPerspective) return radius + contourReach();
     // The line is as wide as at z = 0 in the picture, so wider in space where it is farther away.
-    return radius + view.contourWidth * (view.origin - z + radius) / (view.origin - view.contourWidth);
+    return radius + contourReach() * (view.origin - z + radius) / (view.origin - contourReach());
 }
 #ifndef TILES
 /// Clip position of a point of the plane z = 0 at encoded depth d. w = 1: depth is constant over a polygon.
