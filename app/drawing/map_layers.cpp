@@ -96,14 +96,13 @@ Around aroundOf(const Molecule& molecule, const PictureDescription& d, const Den
 }
 
 void addGeometry(Primitives primitives, MapLayers& layers) {
-    Representation& shown = layers.shown;
-    const double maps = shown.radius;
-    shown.radius = 0;
-    addPrimitives(primitives, shown);
-    layers.frame = std::max(layers.frame, shown.radius);
+    Representation own;
+    own.center = layers.shown.center;
+    addPrimitives(primitives, own);
+    layers.frame = std::max(layers.frame, own.radius);
     for (const Primitives::Label& label : primitives.labels)
-        layers.frame = std::max(layers.frame, glm::length(label.at - shown.center));
-    shown.radius = std::max(shown.radius, maps);
+        layers.frame = std::max(layers.frame, glm::length(label.at - own.center));
+    joinScenes(layers.shown, own);
     layers.notes = std::move(primitives.notes);
     layers.labels = std::move(primitives.labels);
 }
