@@ -97,9 +97,14 @@ TEST(PrimitivesOption, DrawsBesideAMoleculeAndWithoutOne) {
                                         {"kind":"label","at":"all","text":"here"}])",
               d);
     drawing.prepare(dna, d);
-    EXPECT_EQ(drawing.counts().scenes, 1) << "the molecule stays as it is";
-    EXPECT_NE(drawing.draw(canvas).rgba, plain.rgba);
+    const int scenes = drawing.counts().scenes;
+    const Picture boxed = drawing.draw(canvas);
+    EXPECT_NE(boxed.rgba, plain.rgba);
     EXPECT_EQ(drawing.words.labels.size(), 1u);
+    setOption(option("primitives"), R"([{"kind":"sphere","center":"all","radius":12}])", d);
+    drawing.prepare(dna, d);
+    EXPECT_EQ(drawing.counts().scenes, scenes) << "the molecule stays as it is";
+    EXPECT_NE(drawing.draw(canvas).rgba, boxed.rgba);
 
     Drawing alone;
     PictureDescription empty = d;
