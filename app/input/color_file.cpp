@@ -147,7 +147,8 @@ public:
     }
 
     [[noreturn]] void fail(std::uint64_t number, const std::string& why) const {
-        throw Error("cannot read colours", name_, "(" + table_.rowWord + " " + std::to_string(number) + "): " + why);
+        const std::string place = "(" + table_.rowWord + " " + std::to_string(number) + "): ";
+        throw Error("cannot read colours", name_, (number > 0 ? place : "") + why);  // columns of JSON have no row
     }
 
 private:
