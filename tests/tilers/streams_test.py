@@ -142,11 +142,12 @@ class Streams(unittest.TestCase):
                    "depth encoding, spheres, fragment": {"instructions": 39},
                    "depth encoding, blending, fragment": {"instructions": 12},
                    "impostor colour, spheres, fragment": {"instructions": 115}}}, "fragdepth": {"lacks": "all of it"}}}
-        page = "first\n<!-- devices -->\n\nthen\n\n<!-- pages -->\n"
+        page = "first\n<!-- devices -->\n\nthen\n"
         once = tilers_streams.written_into(page, {"A": row})
         self.assertIn("| A | `encoded` | R32F | 1; 0, 4 B | not told, not told | 39 + 12; 115 | 12;  |\n\nthen", once)
-        self.assertIn("| depth encoding, spheres | encoded |  | 39 |", once)
-        self.assertIn("| fragdepth | all of it | | | |", once)
+        devices = tilers_streams.devices_page({"A": row})
+        self.assertIn("| depth encoding, spheres | encoded |  | 39 |", devices)
+        self.assertIn("| fragdepth | all of it | | | |", devices)
         self.assertEqual(tilers_streams.written_into(once, {"A": row}), once)
 
 
