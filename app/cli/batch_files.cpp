@@ -49,13 +49,13 @@ BatchFiles::BatchFiles(const std::string& jobs) {
 void BatchFiles::claim(const PictureDescription& job) {
     const std::pair<const char*, const std::string&> outputs[] = {
         {"output", job.output}, {"layers", job.layers}, {"stats", job.stats}};
-    if (isOther(job.stats)) throw UsageError("\"stats\": what is there is no such file: " + job.stats);
+    if (isOther(job.stats)) throw UsageError("\"stats\": the existing file is not a stats file: " + job.stats);
     const std::lock_guard lock(turn_);
     for (const auto& [name, path] : outputs) {
         const auto known = path.empty() ? files_.end() : files_.find(placeOf(path));
         if (known == files_.end()) continue;
         throw UsageError("\"" + std::string(name) + "\": an earlier job " +
-                         (known->second ? "has the same file: " : "reads this file: ") + path);
+                         (known->second ? "writes the same file: " : "reads this file: ") + path);
     }
     for (const std::string& path : inputsOf(job))
         if (!path.empty()) files_.emplace(placeOf(path), false);

@@ -27,7 +27,7 @@ void addBatch(CommandSpec& command, BatchOptions& options) {
     options.parallel = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, unsigned{kMostJobs}));
     command.value(
         "--jobs", "N", "one per processor",
-        "Pictures in work at the same time, 1 to 64; files are read and written while one is drawn",
+        "Pictures processed at the same time, 1 to 64; files are read and written while one is drawn",
         [&](const std::string& text) { options.parallel = static_cast<int>(parseInteger(text, 1, kMostJobs)); });
     command.flag("--resume", options.resume, "Skip jobs whose files exist");
     // Those that hold for every job are tried now, so that what is wrong is told before any work.

@@ -162,7 +162,7 @@ bool looksLikeInput(const std::string& word) {
     if (!input.empty())
         throw UsageError("a command comes before '" + input + "': `nacre view " + input + "` shows it, `nacre render " +
                          input + " -o picture.png` draws it, `nacre info " + input + "` summarises it");
-    throw UsageError("there is no command '" + word + "'" + (near.empty() ? ": there are " + list : near));
+    throw UsageError("no command '" + word + "'" + (near.empty() ? ": commands are " + list : near));
 }
 
 }  // namespace

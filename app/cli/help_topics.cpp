@@ -34,18 +34,19 @@ constexpr HelpTopic kTopics[] = {
      "or #rrggbb; for backgrounds also #rrggbbaa. element:COLOR colours carbons in COLOR, other atoms by element.\n",
      Topic::color | Topic::background},
     {"formats",
-     "The content of a structure file tells its format, else its ending; it may be compressed (gzip, xz, bzip2, "
+     "The format of a structure file is recognised by its content, else by its ending; it may be compressed (gzip, xz, "
+     "bzip2, "
      "zstd).\n"
-     "INPUT may also be a built-in sample or a download. The ending of a picture file tells its format.\n",
+     "INPUT may also be a built-in sample or a download. The ending of a picture file decides its format.\n",
      Topic::input | Topic::reading | Topic::trajectory | Topic::fit | Topic::files},
     {"views",
      "At zoom 1 the molecule's sphere fills 95 % of the shorter side. Rotations are right-handed, about the view's "
      "axes:\n"
      "x to the right, y up, z towards the viewer. `Shift S` in the window saves a view as JSON, whose keys are the\n"
-     "options' names; `render --view` and `movie --views` draw it. Its molecule may also lie beside it.\n",
+     "options' names; `render --view` and `movie --views` draw it. Its molecule may be in the same folder.\n",
      Topic::view | Topic::camera | Topic::aim | Topic::size},
     {"light",
-     "Ambient occlusion is computed once per molecule and style, and kept on disk if that took 50 ms or more.\n",
+     "Ambient occlusion is computed once per molecule and style, and cached on disk if that took 50 ms or more.\n",
      Topic::look | Topic::lighting | Topic::occlusion | Topic::detail | Topic::effects | Topic::samples},
     {"devices", "Any Vulkan driver works; Mesa's lavapipe needs no GPU. `nacre devices` lists the devices.\n",
      Topic::device | Topic::path | Topic::frame | Topic::validation},

@@ -43,14 +43,13 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
     motion("rock", "DEGREES", "none", "Rotate to either side and back, by up to 180 degrees");
     motion("axis", "AXIS", "y", "Axis of --rock, as for --spin");
     command.flag("--models", options.models,
-                 "One model or record of INPUT after the other, or one frame of --trajectory");
-    command.value(
-        "--views", "A.json,B.json,...", "none",
-        "Along views that `nacre view` saved: the camera moves, other differences fade; options override each view",
-        [&](const std::string& text) { options.views = parseViews(text); });
-    command.flag("--loop", options.loop, "From the last of --views back to the first");
+                 "Show the models or records of INPUT in sequence, or the frames of --trajectory");
+    command.value("--views", "A.json,B.json,...", "none",
+                  "Move along saved views: the camera moves, other differences cross-fade; options override each view",
+                  [&](const std::string& text) { options.views = parseViews(text); });
+    command.flag("--loop", options.loop, "Return from the last of --views to the first");
     motion("easing", "NAME", "smooth for --views that do not loop, else linear",
-           "linear: the same pace throughout; smooth: starts and ends at rest; stops: rests at each view");
+           "linear: constant speed; smooth: starts and ends at rest; stops: rests at each view");
     motion("seconds", "S",
            "6 for --spin, 4 for --rock, 2 per step of --views, 0.1 per model, one frame per frame of --trajectory",
            "Duration, up to 86400");

@@ -34,7 +34,7 @@ void addBench(CommandSpec& command, BenchOptions& options) {
     addPicture(command, picture,
                kAppearance | Topic::trajectory | Topic::camera | Topic::occlusion | Topic::size | Topic::samples |
                    Topic::levels | Topic::device | Topic::path);
-    command.value("--frames", "N", "20, or as many as 3 seconds hold", "Timed frames per path, 1 to 10000",
+    command.value("--frames", "N", "20, or as many as fit into 3 seconds", "Timed frames per path, 1 to 10000",
                   [&](const std::string& text) { options.frames = static_cast<int>(parseInteger(text, 1, 10000)); });
     command.flag("--json", options.json, "As one JSON object");
 }
@@ -91,7 +91,7 @@ void addExport(CommandSpec& command, ExportCommandOptions& options) {
     command.value("--scale", "F", "1", "Units of the file per Å, 0.000001 to 1000000",
                   [&](const std::string& text) { options.scale = parseNumber(text, 1e-6, 1e6); });
     command.value("--occlusion", "K|off", "off",
-                  "Darkens colours by ambient occlusion from K directions, 1 to 4096 (.glb, with attribute _OCCLUSION)",
+                  "Darken colours by ambient occlusion from K directions, 1 to 4096 (.glb, with attribute _OCCLUSION)",
                   [&](const std::string& text) { picture.occlusion.directions = parseOcclusion(text); });
     command.value("--stats", "FILE.json", "none", "Triangles, area and volume as JSON; - for standard output",
                   [&](const std::string& text) { picture.stats = fileName(text); });
@@ -142,8 +142,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     addMovie(movie, line.movie);
     CommandSpec batch{"batch", "Draw many pictures, one per line of a job file", kBatchExamples};
     addBatch(batch, line.batch);
-    CommandSpec serve{"serve", "Answer requests for pictures over HTTP, and show a page that turns molecules",
-                      kServeExamples};
+    CommandSpec serve{"serve", "Serve pictures over HTTP, and a page to rotate molecules", kServeExamples};
     addServe(serve, line.serve);
     CommandSpec looks{"looks", "List the looks, or draw a molecule in each",
                       "Examples:\n  nacre looks\n  nacre looks sample:dna -o sheet.png\n  nacre looks --json"};

@@ -85,7 +85,7 @@ Picture PictureJob::drawPicture(Renderer& renderer) {
 void PictureJob::sayCrowded(std::size_t labels) const {
     if (labels > 0)
         sayWarning(std::to_string(labels) + (labels == 1 ? " label" : " labels") +
-                   " found no room in the picture (smaller --text-size, or fewer)");
+                   " do not fit into the picture (use a smaller --text-size, or fewer labels)");
 }
 
 /// Draws the picture in parts, and writes it meanwhile.

@@ -43,7 +43,7 @@ void addInputs(CommandSpec& command, std::vector<std::string>& paths, PictureDes
     addPicture(command, picture, Topic::input | Topic::reading);
     OptionSpec& input = command.options.front();
     input.help =
-        input.help.substr(0, input.help.find(" Several are one picture")) + " Several are processed one by one";
+        input.help.substr(0, input.help.find(" Several form one picture")) + " Several are processed one by one";
     input.set = [&](const std::string& text) { paths.push_back(text); };
     input.required = true;
 }

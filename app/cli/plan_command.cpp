@@ -32,7 +32,7 @@ void chooseBySet(const PlanOptions& options, PlanReport& report) {
     if (report.visibility == Visibility::rasterOrder && !set.plan.rasterOrder)
         throw Error("cannot draw by raster-order", set.plan.name, "it does not read its own attachments in order");
     if (report.visibility == Visibility::tiles && !set.plan.tiles)
-        throw Error("cannot draw by tiles", set.plan.name, "it is not known whether its subgroups hand values round");
+        throw Error("cannot draw by tiles", set.plan.name, "it is unknown whether its subgroups exchange values");
     report.why = automatic ? choice.why : "asked for";
     report.encoded = set.encoded;
     if (options.picture.device.encoded == EncodedDepth::automatic) return;

@@ -13,8 +13,7 @@ void renderCommand(const PictureDescription& options) {
     DeviceOptions device = options.device;
     device.selfTests = cacheFolder(options.input.cache, "devices");
     device.onSelfTest = [] {
-        sayNote(
-            "this device and driver are tried out, once: which ways of drawing are right on it, and how fast they are");
+        sayNote("testing this device and driver, once: which drawing paths are correct, and how fast they are");
     };
     Canvas canvas(device);
     canvas.renderer.makePipelinesAhead();

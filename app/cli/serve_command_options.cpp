@@ -29,12 +29,12 @@ void addServe(CommandSpec& command, ServeOptions& options) {
     options.workers = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 64u));
     options.picture.input.memoryMegabytes = 2048;
     command.value("--listen", "[ADDRESS:]PORT", "127.0.0.1:8080",
-                  "Where to answer; port 0: one that is free. Only this machine reaches 127.0.0.1",
+                  "Address to listen on; port 0: any free port. Only this machine can reach 127.0.0.1",
                   [&](const std::string& text) { takeAddress(text, options); });
     command.value("--root", "DIR", "none", "Folder whose files are inputs; nothing outside it is read",
                   [&](const std::string& text) {
                       if (!std::filesystem::is_directory(fileName(text)))
-                          throw std::invalid_argument("'" + text + "' is no folder");
+                          throw std::invalid_argument("'" + text + "' is not a folder");
                       options.root = text;
                   });
     command.flag("--allow-download", options.picture.input.allowDownload,
@@ -43,10 +43,10 @@ void addServe(CommandSpec& command, ServeOptions& options) {
                   [&](const std::string& text) { options.workers = static_cast<int>(parseInteger(text, 1, 64)); });
     command.value("--queue", "N", "64", "Requests that wait for a worker, 1 to 10000; more are answered with 429",
                   [&](const std::string& text) { options.queue = static_cast<int>(parseInteger(text, 1, 10000)); });
-    command.value("--timeout", "S", "60", "Seconds that a request waits for its picture, 1 to 3600",
+    command.value("--timeout", "S", "60", "Maximum time of a request in seconds, 1 to 3600",
                   [&](const std::string& text) { options.seconds = parseNumber(text, 1, 3600); });
     command.value(
-        "--pictures", "MB|off", "256", "Pictures kept on disk, up to 1048576 MB; the oldest make room",
+        "--pictures", "MB|off", "256", "Disk cache of pictures, up to 1048576 MB; the least recently used are removed",
         [&](const std::string& text) { options.cacheMiB = text == "off" ? 0 : parseInteger(text, 1, 1 << 20); });
     command.value("--memory", "MB", "2048", "Memory limit for a molecule, 1 to 1048576", [&](const std::string& text) {
         options.picture.input.memoryMegabytes = parseInteger(text, 1, 1 << 20);

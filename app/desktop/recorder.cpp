@@ -30,7 +30,7 @@ using Clock = std::chrono::steady_clock;
 std::string ownProgram() {
     std::error_code error;
     const fs::path path = fs::read_symlink("/proc/self/exe", error);
-    if (error) throw Error("cannot record", "", "this system does not tell where nacre is");
+    if (error) throw Error("cannot record", "", "the program's own path is unknown");
     return path.string();
 }
 

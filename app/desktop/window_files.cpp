@@ -51,7 +51,7 @@ void WindowSession::savePicture(const PictureWish& wish) {
 void WindowSession::writePictureTo(const PictureWish& wish) {
     const auto& [size, transparent, path, dpi] = wish;
     if (!isPictureName(path))
-        throw Error("cannot save the picture", path, "its name ends in none of .png .tif .jpg .webp .exr");
+        throw Error("cannot save the picture", path, "its name must end in .png, .tif, .jpg, .webp or .exr");
     OutputFile file(path);
     const double shorter = std::min(window_.size().width, window_.size().height);
     const bool asShown = size.width == window_.size().width && size.height == window_.size().height;
@@ -87,8 +87,7 @@ void WindowSession::copyPicture() {
 void WindowSession::record(const RecordingWish& wish, const std::vector<PictureDescription>& keys) {
     try {
         const PictureDescription shown = viewer().picking().savedView();
-        if (shown.input.path == "-")
-            throw Error("cannot record", "-", "a movie reads its file again: open one, not standard input");
+        if (shown.input.path == "-") throw Error("cannot record", "-", "movies need a file, not standard input");
         std::vector<std::string> fixed;
         if (!options_.first.device.device.empty())
             fixed.insert(fixed.end(), {"--device", options_.first.device.device});

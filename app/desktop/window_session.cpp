@@ -20,7 +20,7 @@ namespace nacre::app {
 namespace {
 
 constexpr std::uint32_t kSoftwareSamples = 2;  // a side of a pixel, of a refinement that a CPU draws
-// Of a motion that it draws: blocks are worse than 40 pictures a second, large ones than any number.
+// Of a motion that it draws: blocks are worse than 40 pictures per second, large ones than any number.
 constexpr double kSoftwareFrameSeconds = 0.025, kSoftwareScale = 0.7;
 
 }  // namespace

@@ -83,7 +83,7 @@ std::string pubchemId(const std::string& input, const std::string& text) {
         refuse(input, "a compound's name has 1 to " + std::to_string(kLongestName) + " bytes");
     const auto isControl = [](char c) { return (c >= 0 && c < ' ') || c == 127; };
     if (std::any_of(text.begin(), text.end(), isControl) || text.find_first_not_of(". ") == std::string::npos)
-        refuse(input, "that is no name of a compound");
+        refuse(input, "not a compound name");
     return text;
 }
 
@@ -119,7 +119,7 @@ std::string base(const Environment& environment, const char* variable, const cha
     std::string url = environment(variable);
     if (url.empty()) return fallback;
     if (url.rfind("http://", 0) != 0 && url.rfind("https://", 0) != 0)
-        throw Error("cannot download", variable, "'" + url + "' is no http or https address");
+        throw Error("cannot download", variable, "'" + url + "' is not an http or https address");
     while (url.back() == '/') url.pop_back();
     return url;
 }

@@ -86,7 +86,7 @@ std::string addressOf(const Source& source, const std::string& accession, const 
     get(source.url, limits, body, settings);
     const auto list = parseJson<nlohmann::json>(body.bytes());
     const auto fail = [&](const char* why) { throw FailureAt(source.url, why); };
-    if (!list.is_array()) fail("the answer is no list of predictions");
+    if (!list.is_array()) fail("the answer is not a list of predictions");
     if (list.empty()) fail("there is no such entry");
     const nlohmann::json* chosen = &list.front();
     for (const auto& entry : list)  // isoforms and other proteins' complexes may stand beside it

@@ -25,7 +25,7 @@ std::string baseOf(const Environment& environment, const char* variable, const c
     std::string url = environment(variable);
     if (url.empty()) return usual;
     if (!startsWith(url, "http://") && !startsWith(url, "https://"))
-        throw Error("cannot download", variable, "'" + printable(url) + "' is no http or https address");
+        throw Error("cannot download", variable, "'" + printable(url) + "' is not an http or https address");
     while (url.back() == '/') url.pop_back();
     return url;
 }

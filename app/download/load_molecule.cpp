@@ -41,7 +41,7 @@ Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const std
     } catch (const Error&) {
         if (!forbidden || input.offline) throw;
         throw DownloadForbidden("cannot download", input.path,
-                                input.namedBy + " names it, and the cache does not hold it: --allow-download gets it");
+                                input.namedBy + " names it, and it is not in the cache: use --allow-download");
     }
 }
 
@@ -59,18 +59,18 @@ std::string namedPath(const InputOptions& input) {
     const std::string named = (std::filesystem::path(input.namedBy).parent_path() / input.path).string();
     const std::string path = filePathOf(input);
     if (path != named && isPlain(path))
-        sayNote(input.namedBy + " names a file that is gone; this one has its content: " + path);
+        sayNote(input.namedBy + " names a missing file; this one has the same content: " + path);
     else if (!input.hash.empty() && isPlain(path) && fileHash(path) != input.hash)
         sayNotice(path + " has changed since " + input.namedBy + " was saved");
     std::error_code error;
     if (std::filesystem::exists(path, error) && !isPlain(path))
-        throw Error("cannot read molecule", path, input.namedBy + " names it, and it is no plain file");
+        throw Error("cannot read molecule", path, input.namedBy + " names it, and it is not a regular file");
     return path;
 }
 
 Error notNamed(const InputOptions& input) {
     return Error("cannot read molecule", input.path,
-                 "it is missing, or not what " + input.namedBy + " says it is (nacre info tells why)");
+                 "it is missing, or not the one that " + input.namedBy + " names (nacre info tells why)");
 }
 
 /// A file that a view names.
@@ -148,7 +148,7 @@ std::unique_ptr<ModelFile> openModels(const InputOptions& input, const std::func
             throw notNamed(named);
         }
     }
-    if (!file || file->count() < 2) throw Error("cannot show models", input.path, "it has one alone");
+    if (!file || file->count() < 2) throw Error("cannot show models", input.path, "it has only one");
     return file;
 }
 

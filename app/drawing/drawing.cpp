@@ -163,9 +163,9 @@ void Drawing::putWords(const ResidueFacts& facts) {
     placeWordsIn(*scene_, facts, some ? WordsOfHidden::leftOut : WordsOfHidden::refused);
     if (words.leftOut.empty()) return;
     const std::size_t others = words.leftOut.size() - 1;
-    warnings.push_back("no words at " + words.leftOut.front() +
+    warnings.push_back("no label at " + words.leftOut.front() +
                        (others ? " and " + std::to_string(others) + " more" : "") +
-                       ": none of its atoms is drawn beside " + run.uncovers + ", which they hide (--uncover off)");
+                       ": none of its atoms is drawn, since they hide " + run.uncovers + " (--uncover off)");
 }
 
 /// Moves the molecule out of the way of the words that stand beside it, unless a part of it is what is to be seen.

@@ -35,11 +35,11 @@ std::vector<std::string> idleOptions(const PictureDescription& options, const Re
     }
     if (const Palette palette = options.look.palette; palette != Palette::automatic && !takesPalette(scene, palette))
         said.push_back("--palette " + std::string(paletteName(palette)) + " changes nothing: nothing is coloured by " +
-                       (isRamp(palette) ? "numbers" : "kinds"));
+                       (isRamp(palette) ? "numbers" : "categories"));
     if (options.words.seenOnly && options.words.labels.empty())
         said.push_back("--show-labels changes nothing without --label");
     if (effects.clip.near >= reach || effects.clip.far <= -reach)
-        said.push_back("the cut leaves nothing: the molecule reaches " + numberText(std::ceil(reach)) +
+        said.push_back("the clipping planes remove everything: the molecule reaches " + numberText(std::ceil(reach)) +
                        " A from its centre");
     return said;
 }

@@ -49,7 +49,7 @@ WriteImage* load(const std::string& name, std::string& why) {
     const auto* call = static_cast<const char*>(dlsym(library, "nacreImageCall"));
     if (call && std::string_view(call) == NACRE_IMAGE_CALL)
         return reinterpret_cast<WriteImage*>(dlsym(library, "nacreWriteImage"));
-    why = name + " is of another build of nacre";
+    why = name + " belongs to another build of nacre";
     return nullptr;
 }
 

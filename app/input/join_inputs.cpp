@@ -48,7 +48,7 @@ std::string fitInput(Molecule& molecule, const FitOptions& fit) {
     const AtomPairs pairs = matchAtoms(molecule, moving, fixed);
     if (pairs.first.size() < 3)
         throw Error("cannot fit", fit.moving.text,
-                    "fewer than three of its atoms have their like in " + fit.fixed.text);
+                    "fewer than three of its atoms have a counterpart in " + fit.fixed.text);
     std::vector<glm::dvec3> from, to;
     for (const std::uint32_t atom : pairs.first) from.emplace_back(molecule.atoms[atom].position);
     for (const std::uint32_t atom : pairs.second) to.emplace_back(molecule.atoms[atom].position);
@@ -62,7 +62,7 @@ std::string fitInput(Molecule& molecule, const FitOptions& fit) {
     if (onto.rmsd > kFarApart && (unlike || onto.rmsd > kShareOfSpread * spreadOf(to)))
         sayWarning("the fit of " + fit.moving.text + " onto " + fit.fixed.text +
                    " may make no sense: " + std::to_string(pairs.sameResidues) + " of " +
-                   std::to_string(pairs.residues) + " residues have their like, and atoms end far from theirs");
+                   std::to_string(pairs.residues) + " residues have a counterpart, and atoms end far from theirs");
     char rmsd[40];
     std::snprintf(rmsd, sizeof rmsd, "%.3f", onto.rmsd);
     return "fit of " + fit.moving.text + " onto " + fit.fixed.text + ": " + std::to_string(pairs.first.size()) +

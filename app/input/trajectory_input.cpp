@@ -43,10 +43,10 @@ void moveToFrame(const TrajectoryOptions& options, Molecule& molecule) {
 bool sayTorn(const Motion& motion, const std::string& path) {
     if (motion.torn())
         sayWarning("frame " + std::to_string(*motion.torn() + 1) + " of " + path +
-                   " is fitted with molecules that the periodic box cuts: --whole puts them together");
+                   " is fitted with molecules that the periodic box cuts: use --whole");
     if (motion.boxless())
         sayNote("frame " + std::to_string(*motion.boxless() + 1) + " of " + path +
-                " has no periodic box: --whole has nothing to put together there");
+                " has no periodic box: --whole does nothing there");
     return motion.torn() || motion.boxless();
 }
 

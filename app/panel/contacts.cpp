@@ -41,7 +41,7 @@ void drawContactList(PanelFrame& f) {
     bool labels = f.look.words.distances;
     if (f.ui.toggle("Distances", labels)) f.look.words.distances = labels;
     const std::vector<DrawnContact>& contacts = document->scene.contacts;
-    if (contacts.empty()) f.ui.caption("None is found.");
+    if (contacts.empty()) f.ui.caption("None found.");
     std::optional<InteractionKind> kind;
     for (std::size_t i = 0; i < std::min(contacts.size(), kMostListed); ++i) {
         const Interaction& contact = contacts[i].interaction;

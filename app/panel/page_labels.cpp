@@ -50,7 +50,7 @@ void drawLabelsPage(PanelFrame& f) {
     if (f.ui.choose("Measure", kModes, measuring)) picking.measure(measuring);
     if (measuring != Measuring::off)
         f.ui.caption((f.ui.forFingers() ? "Tap " : "Click ") + std::to_string(picking.mostPicks()) +
-                     " atoms. One more starts anew.");
+                     " atoms. One more starts again.");
     if (picking.picks().size() > 1) {
         f.ui.paragraph(picking.annotations().measurement);
         if (f.ui.button(Icon::none, "Pin measurement")) f.host.run(ViewerCommand::keepMeasurement);

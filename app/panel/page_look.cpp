@@ -48,7 +48,7 @@ void drawStyles(PanelFrame& f) {
         f.ui.controls.back().value = chosen(row, f.look) == i ? "on" : "off";
     }
     if (!look.style && f.viewer.document())
-        f.ui.caption("Automatic chose: " + wordOf("style", styleName(f.viewer.document()->scene.style)));
+        f.ui.caption("Automatic: " + wordOf("style", styleName(f.viewer.document()->scene.style)));
     if (shows(Style::cartoon, look)) slideOpacity(f.ui, "cartoon-opacity", look.cartoonOpacity);
     if (shows(Style::surface, look)) slideOpacity(f.ui, "surface-opacity", look.surfaceOpacity);
 }
@@ -86,7 +86,7 @@ void drawLookPage(PanelFrame& f) {
         f.ui.wrapLine(side);
     }
     std::array<float, 3> own{look.background[0], look.background[1], look.background[2]};
-    if (f.ui.chooseColor("Own background", own, side, named)) look.background = {own[0], own[1], own[2], 1};
+    if (f.ui.chooseColor("Custom background", own, side, named)) look.background = {own[0], own[1], own[2], 1};
     f.ui.heading("Light");
     for (const char* key : {"lighting", "occlusion", "projection"}) toggleOption(f, key);
     drawMaps(f);

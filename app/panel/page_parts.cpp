@@ -29,7 +29,7 @@ void drawFit(PanelFrame& f, const std::string& input, const std::string& onto) {
     const PictureDescription& look = f.look;
     std::vector<FitOptions> fits = look.input.fits;
     bool laid = std::any_of(fits.begin(), fits.end(), isIt);
-    if (!f.ui.toggle(("Laid onto " + onto).c_str(), laid)) return;
+    if (!f.ui.toggle(("Superposed on " + onto).c_str(), laid)) return;
     std::erase_if(fits, isIt);
     if (laid) fits.push_back({parseSelection("/" + input), parseSelection("/" + onto)});
     PictureDescription& view = f.s.wanted.emplace(look);
@@ -69,7 +69,7 @@ void drawColorChoice(PanelFrame& f, const Part& part) {
     const std::string name = "Colour of " + part.name;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (f.ui.swatch(name.c_str(), shown, false)) ImGui::OpenPopup("Colour");
-    f.ui.controls.back().value = of.coloring ? coloringText(*of.coloring) : "as all";
+    f.ui.controls.back().value = of.coloring ? coloringText(*of.coloring) : "same as molecule";
     if (!own) f.ui.showManyColors(at);
     if (!ImGui::BeginPopup("Colour")) return;
     const auto take = [&](std::optional<Coloring> coloring) {
@@ -77,7 +77,7 @@ void drawColorChoice(PanelFrame& f, const Part& part) {
         setLookOf(f.look, part, of);
     };
     f.ui.name(name);
-    if (const auto color = f.ui.pickColor("Own colour", own ? std::optional(shown) : std::nullopt))
+    if (const auto color = f.ui.pickColor("Custom colour", own ? std::optional(shown) : std::nullopt))
         take(Coloring::uniform(*color));
     if (f.ui.button(Icon::none, "Default")) take(std::nullopt);
     ImGui::SameLine();
@@ -131,8 +131,7 @@ void drawPartsPage(PanelFrame& f) {
         f.s.molecule = document->molecule;
         f.s.facts = ResidueFacts(*f.s.molecule);
         const bool several = document->molecule->modelsAreInputs;
-        f.s.parts =
-            partsOf(*f.s.facts, several ? inputNames(inputOf(document->view)) : std::vector<std::string>());
+        f.s.parts = partsOf(*f.s.facts, several ? inputNames(inputOf(document->view)) : std::vector<std::string>());
         f.s.unfolded.clear();
         f.s.residueColors.clear();
     }
@@ -160,7 +159,7 @@ void drawPartsPage(PanelFrame& f) {
         drawPart(f, part, number++);
         if (f.s.unfolded == part.selection) drawSequence(f, part);
     }
-    if (f.s.parts.size() >= kMostParts) f.ui.caption("Of more parts, the first 200 are listed.");
+    if (f.s.parts.size() >= kMostParts) f.ui.caption("Only the first 200 parts are listed.");
     toggleOption(f, "hydrogens");
 }
 

@@ -84,14 +84,13 @@ void drawSelectPage(PanelFrame& f) {
     }
     const SelectedAtoms& selection = picking.selection();
     if (!selection.error.empty() && goesOn)
-        f.ui.caption("Not yet a selection: it may go on as above.");
+        f.ui.caption("Not complete: possible continuations are above.");
     else if (!selection.error.empty())
         f.ui.warning(selection.error);
     else if (selection.any() && selection.count == 0)
-        f.ui.caption("There are no such atoms.");
+        f.ui.caption("No atoms match.");
     else if (selection.any())
-        f.ui.caption(std::to_string(selection.count) +
-                     (selection.count == 1 ? " atom selected" : " atoms selected"));
+        f.ui.caption(std::to_string(selection.count) + (selection.count == 1 ? " atom selected" : " atoms selected"));
     else
         f.ui.caption("Nothing selected.");
     if (selection.any() && selection.count > 0) drawSelectionActions(f, selection.text);

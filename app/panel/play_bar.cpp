@@ -18,7 +18,7 @@ constexpr float kTextPointsOfBar = 190;  // of the text beside the slider
 constexpr int kMostSmoothing = 25;       // that the slider offers
 
 constexpr std::array kOrders = {"Loop", "Back and forth", "Once"};
-constexpr std::array kFits = {"Frames as they are", "Lay backbones together", "Lay all atoms together"};
+constexpr std::array kFits = {"Not superposed", "Superpose backbones", "Superpose all atoms"};
 constexpr std::array kFitSelections = {"", "backbone", "all"};
 
 /// "Frame 12 of 200, 24 ps"
@@ -61,7 +61,7 @@ void drawPlayRow(PanelFrame& f) {
         f.ui.name(placeText(playback), f.ui.px(kTextPointsOfBar));
         ImGui::SameLine(x + f.ui.px(kTextPointsOfBar) + gap);
     }
-    if (f.ui.sign(Icon::more, "How it is played")) f.s.playOptions = !f.s.playOptions, f.s.restless = 2;
+    if (f.ui.sign(Icon::more, "Playback options")) f.s.playOptions = !f.s.playOptions, f.s.restless = 2;
 }
 
 void drawPlayOptions(PanelFrame& f) {
@@ -71,7 +71,7 @@ void drawPlayOptions(PanelFrame& f) {
     const bool narrow = half < f.ui.px(210);
     ImGui::SetNextItemWidth(narrow ? -1 : half);
     auto rate = static_cast<float>(clock.rate());
-    if (f.ui.slideRate("Speed", rate, PlayClock::kSlowest, PlayClock::kFastest, "%.3g a second"))
+    if (f.ui.slideRate("Speed", rate, PlayClock::kSlowest, PlayClock::kFastest, "%.3g per second"))
         playback.setRate(rate < 3 ? std::round(2 * rate) / 2 : std::round(rate));
     PlayOrder order = clock.order();
     if (!narrow) ImGui::SameLine();
@@ -82,7 +82,7 @@ void drawPlayOptions(PanelFrame& f) {
     bool changed = false;
     ImGui::SetNextItemWidth(narrow ? -1 : half);
     int smooth = static_cast<int>(laid.smooth / 2);
-    const std::string mean = laid.smooth > 1 ? "Mean of " + std::to_string(laid.smooth) : "Not smoothed";
+    const std::string mean = laid.smooth > 1 ? "Average of " + std::to_string(laid.smooth) : "Not smoothed";
     if (f.ui.slideWhole("Smoothing", smooth, 0, kMostSmoothing / 2, mean.c_str())) {
         laid.smooth = 2 * smooth + 1;
         changed = true;
@@ -92,7 +92,7 @@ void drawPlayOptions(PanelFrame& f) {
     const SelectedAtoms& selection = f.viewer.picking().selection();
     const std::string selected = selection.any() ? selection.text : "";
     std::vector<const char*> choices(kFits.begin(), kFits.end());
-    if (!selected.empty()) choices.push_back("Lay the selection together");
+    if (!selected.empty()) choices.push_back("Superpose the selection");
     std::string fit =
         known == kFitSelections.end() ? "By " + given : kFits[static_cast<std::size_t>(known - kFitSelections.begin())];
     if (!narrow) ImGui::SameLine();

@@ -70,7 +70,7 @@ void drawFilmLength(PanelFrame& f) {
 
 void drawRecord(PanelFrame& f) {
     if (beginCard(f, "Record", "Record movie", kRecordPoints)) f.s.recording = false;
-    f.ui.heading("What moves");
+    f.ui.heading("Type of motion");
     const bool moves = f.viewer.playback().clock().frames() > 1;
     if (f.s.motion == 2 && !moves) f.s.motion = 0;
     std::vector<const char*> motions(kMotions.begin(), kMotions.end());

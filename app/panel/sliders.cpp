@@ -32,7 +32,7 @@ std::string formatted(const char* format, double value) {
 bool Widgets::drawSlider(float share, const std::string& format, double value) const {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     if (ImGui::TempInputIsActive(ImGui::GetItemID())) return false;
-    // A format's words, and what comes of the rest: "Fog %.2f" is "Fog" and "0.50", "%g a second" is one.
+    // A format's words, and what comes of the rest: "Fog %.2f" is "Fog" and "0.50", "%g per second" is one.
     const std::size_t at = std::min(format.find('%'), format.size());
     std::string words = format.substr(0, at), number = formatted(format.c_str() + at, value);
     if (at == 0) words = std::exchange(number, {});

@@ -61,9 +61,7 @@ void drawRecent(PanelFrame& f, const RecentFile& recent, float width) {
 
 /// An identifier or a path is typed.
 void drawInput(PanelFrame& f) {
-    f.ui.heading(f.ui.forFingers()  ? "From a database"
-                 : f.host.downloads ? "From a database, or by its path"
-                                    : "By its path");
+    f.ui.heading(f.ui.forFingers() ? "From a database" : f.host.downloads ? "Database ID or file path" : "File path");
     const float go = f.ui.buttonWidth("Open") + f.ui.px(2);
     const float beside = ImGui::GetContentRegionAvail().x - go - ImGui::GetStyle().ItemSpacing.x;
     const bool narrow = beside < f.ui.px(170);  // the button stands below the field
@@ -71,7 +69,7 @@ void drawInput(PanelFrame& f) {
                        : narrow          ? "pdb:1BNA"
                                          : "pdb:1BNA, pubchem:aspirin, afdb:P69905";
     const bool entered =
-        f.ui.field("Identifier or path", hint, f.s.input, narrow ? -1 : beside, ImGuiInputTextFlags_EnterReturnsTrue);
+        f.ui.field("ID or path", hint, f.s.input, narrow ? -1 : beside, ImGuiInputTextFlags_EnterReturnsTrue);
     if (!narrow) ImGui::SameLine();
     if (f.ui.button(Icon::none, "Open", go) || entered) openInput(f, f.s.input);
     constexpr std::pair<const char*, const char*> kExamples[] = {

@@ -43,12 +43,12 @@ std::string adviceFor(const std::string& error) {
         return "Check the name, or whether the file was moved or renamed.";
     if (says({"not found", "404", "no such entry"}))
         return "Check the identifier: a PDB ID has four characters, such as 1BNA.";
-    if (says({"ermission"})) return "Ask whoever owns the file or folder, or choose another one.";
+    if (says({"ermission"})) return "Ask the owner of the file or folder, or choose another one.";
     if (says({"memory"})) return "Close other programs, or show less of the molecule.";
     if (says({"cannot read molecule", "cannot read"}))
         return "The file may be damaged, or not a structure file: PDB, mmCIF, BinaryCIF, SDF, MOL2, XYZ and others are "
                "read.";
-    return "What was there before is unchanged.";
+    return "Everything else is unchanged.";
 }
 
 }  // namespace

@@ -183,7 +183,7 @@ std::optional<ColorRange> parseRange(std::string_view text) {
     ColorRange range;
     if (!readWhole(text.substr(0, dots), range.first) || !readWhole(text.substr(dots + 2), range.last) ||
         !std::isfinite(range.first) || !std::isfinite(range.last) || range.first == range.last)
-        refuse(text, "FROM..TO, two numbers that differ, as 10..60");
+        refuse(text, "FROM..TO, two different numbers, such as 10..60");
     return range;
 }
 
@@ -206,19 +206,19 @@ void parseColoringPart(std::string_view text, Coloring& coloring) {
         if (use != (isRamp(*palette) ? PaletteUse::ramp : PaletteUse::kinds))
             throw std::invalid_argument("'" + name + "' takes no palette" +
                                         (use == PaletteUse::none   ? std::string()
-                                         : use == PaletteUse::ramp ? " of kinds: one of " + paletteNames(true)
-                                                                   : " of numbers: one of " + paletteNames(false)));
+                                         : use == PaletteUse::ramp ? " for categories: one of " + paletteNames(true)
+                                                                   : " for numbers: one of " + paletteNames(false)));
         coloring.palette = *palette;
     } else if (coloring.scheme == ColorScheme::element) {
         coloring.color = parseAtomColor(text);
     } else if (use != PaletteUse::none) {
         const std::vector<std::string> palettes = palettesOf(use == PaletteUse::ramp);
         refuse(text,
-               (takesRange(coloring.scheme) ? "a range as 10..60 or " : "") + std::string("one of ") +
-                   listOf(palettes) + " behind '" + name + ":'",
+               (takesRange(coloring.scheme) ? "a range such as 10..60, or " : "") + std::string("one of ") +
+                   listOf(palettes) + " after '" + name + ":'",
                palettes);
     } else {
-        throw std::invalid_argument("'" + name + "' takes no value behind it, not '" + std::string(text) +
+        throw std::invalid_argument("'" + name + "' takes no further value, such as '" + std::string(text) +
                                     "' (element:COLOR has a colour for carbons)");
     }
 }
@@ -268,7 +268,7 @@ Palette parsePalette(std::string_view text) {
     if (const auto palette = paletteFromName(lowerCase(text))) return *palette;
     std::vector<std::string> words;
     for (const Palette palette : allPalettes()) words.emplace_back(paletteName(palette));
-    refuse(text, "one of " + paletteNames(false) + " for kinds, or " + paletteNames(true) + " for numbers", words);
+    refuse(text, "one of " + paletteNames(false) + " for categories, or " + paletteNames(true) + " for numbers", words);
 }
 
 Coloring parseColoring(std::string_view text) {

@@ -22,7 +22,8 @@ MapLevel parseMapLevel(std::string_view text) {
         try {
             return app::parseNumber(number, low, high);
         } catch (const std::invalid_argument&) {
-            throw std::invalid_argument("expected a level as 1.5sigma, 0.03 or top1%, not \"" + printable(text) + "\"");
+            throw std::invalid_argument("expected a level such as 1.5sigma, 0.03 or top1%, not \"" + printable(text) +
+                                        "\"");
         }
     };
     if (text.ends_with("sigma")) return {Unit::sigma, value(text.substr(0, text.size() - 5), -kMostSigma, kMostSigma)};

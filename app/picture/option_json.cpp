@@ -71,7 +71,7 @@ void addJobRules(std::vector<OptionValue>& values, const JobJson& rules, const s
     for (const JobJson& rule : rules) {
         if (!rule.is_object() || rule.size() != 1) refuseKey("rules", "expected each rule as {\"option\": \"value\"}");
         const Option& option = wantedOption(rule.begin().key(), who);
-        if (option.kind != Kind::list) refuseKey("rules", "\"" + rule.begin().key() + "\" is no rule");
+        if (option.kind != Kind::list) refuseKey("rules", "\"" + rule.begin().key() + "\" is not a rule");
         values.push_back({rule.begin().key(), jobText(rule.begin().value(), option)});
     }
 }
@@ -79,7 +79,7 @@ void addJobRules(std::vector<OptionValue>& values, const JobJson& rules, const s
 void setJobOption(const Option& option, const std::string& value, PictureDescription& description) {
     const std::string key(option.key);
     // Names of files would end there.
-    if (value.find('\0') != std::string::npos) throw UsageError(key + ": it holds a NUL");
+    if (value.find('\0') != std::string::npos) throw UsageError(key + ": it contains a NUL character");
     try {
         setOption(option, value, description);
     } catch (const std::invalid_argument& error) {
@@ -111,8 +111,8 @@ std::vector<OptionValue> optionValuesOf(const std::string& json, const std::stri
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
-    if (!object.is_object()) throw UsageError("it is no JSON object");
-    if (!twice.empty()) refuseKey(twice, "it is there twice");
+    if (!object.is_object()) throw UsageError("it is not a JSON object");
+    if (!twice.empty()) refuseKey(twice, "it occurs twice");
     std::vector<OptionValue> values;
     for (const auto& [name, value] : object.items()) {
         std::string key = name;

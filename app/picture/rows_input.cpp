@@ -34,7 +34,7 @@ std::vector<Option> severalAtOnce() {
         {.key = "view",
          .syntax = "FILE",
          .standard = "none",
-         .help = "A saved view: camera and everything else that is seen; options override it",
+         .help = "A saved view: camera and all visible settings; options override it",
          .topic = Topic::view,
          .parse = [](T text, P& d) { applySavedView(fileName(text), d); }},
         {.key = "allow-download",
@@ -47,8 +47,8 @@ std::vector<Option> severalAtOnce() {
         {.key = "look",
          .syntax = "NAME|FILE",
          .standard = "default",
-         .help = "Light, outlines, fog and colours that go together, as `nacre looks` lists them, or a JSON file of\n"
-                 "such options; options override it",
+         .help = "A named look (light, outlines, fog, colours), one of `nacre looks`, or a JSON file of such\n"
+                 "options; options override it",
          .topic = Topic::look,
          .parse = [](T text, P& d) { applyLook(lookOf(std::string(text)), d); },
          .choices = lookNames()},
@@ -77,7 +77,7 @@ std::string printInputs(const P& d) {
 
 void parseInputName(T text, P& d) {
     if (!isInputName(std::string(text)))
-        throw std::invalid_argument("'" + std::string(text) + "' is no name: letters, digits, - and _");
+        throw std::invalid_argument("'" + std::string(text) + "' is not a valid name: use letters, digits, - and _");
     d.input.name = text;
 }
 
@@ -97,7 +97,7 @@ std::vector<Option> named() {
         {.key = "input",
          .help = "A structure file (" + formatTitles() +
                  ";\neach also compressed), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a "
-                 "download:\npdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT. Several are one picture: NAME=INPUT names one "
+                 "download:\npdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT. Several form one picture: NAME=INPUT names one "
                  "for\nselections, /NAME; without a name the file's name is used",
          .topic = Topic::input,
          .facet = Facet::input,

@@ -37,25 +37,22 @@ std::vector<Option> mapRows() {
             [](const P& d) { return lines(d.maps.files, [](const std::string& file) { return file; }); }, list),
         row(
             "map-level", "LEVEL", "1.5sigma for crystals, 3sigma for difference maps, else top1%",
-            "Contour level: 1.5sigma (above the mean, RMS over the unit cell), 0.03 or top1%;\nrepeatable: the first "
-            "is "
-            "that of the first --map",
+            "Contour level: 1.5sigma (above the mean, RMS over the unit cell), 0.03 or top1%;\nrepeatable, in the "
+            "order of --map",
             [](T text, P& d) { addTo(d.maps.levels, text, kMostMaps, parseMapLevel); },
             [](const P& d) { return lines(d.maps.levels, mapLevelText); }, list),
         row(
             "map-style", "STYLE", "mesh for crystals, else surface",
-            "mesh, surface or dots; repeatable: the first is that of the first --map",
+            "mesh, surface or dots; repeatable, in the order of --map",
             [](T text, P& d) { addTo(d.maps.styles, text, kMostMaps, parseMapStyle); },
             [](const P& d) { return lines(d.maps.styles, mapStyleText); }, list),
         row(
             "map-color", "COLOR[,COLOR]", "blue; green and red for difference maps; grey for cryo-EM maps",
-            "Colour, the second one of a difference map's negative contour;\nrepeatable: the first is that of the "
-            "first "
-            "--map",
+            "Colour; a second one is for a difference map's negative contour;\nrepeatable, in the order of --map",
             [](T text, P& d) { addTo(d.maps.colors, text, kMostMaps, parseMapColors); },
             [](const P& d) { return lines(d.maps.colors, mapColorsText); }, list),
         row(
-            "map-opacity", "SHARE", "0.5 beside a molecule", "Opacity of map surfaces, 0.01 to 1",
+            "map-opacity", "SHARE", "0.5 with a molecule", "Opacity of map surfaces, 0.01 to 1",
             [](T text, P& d) { d.maps.opacity = parseNumber(text, kLeastOpacity, 1); },
             [](const P& d) { return d.maps.opacity ? numberText(*d.maps.opacity) : ""; }),
         row(

@@ -48,7 +48,7 @@ std::vector<Option> whole() {
         {.key = "occlusion-models",
          .syntax = "own|all",
          .standard = "own",
-         .help = "When models are drawn together: ambient occlusion by each one's own model, or by all of them",
+         .help = "When models are drawn together: ambient occlusion within each model only, or by all models",
          .topic = Topic::style,
          .facet = Facet::scene,
          .parse =
@@ -141,8 +141,9 @@ std::vector<Option> whole() {
                     "Colours show the B factor: how much atoms move, or how uncertain their places are."},
                    {"By helix and strand", "secondary-structure",
                     "Helices, strands and loops have colours of their own."},
-                   {"By confidence (AlphaFold)", "plddt", "Colours show how sure the prediction is of each residue."},
-                   {"By occupancy", "occupancy", "Colours show how often an atom stands at its place."},
+                   {"By confidence (AlphaFold)", "plddt",
+                    "Colours show the confidence of the prediction for each residue."},
+                   {"By occupancy", "occupancy", "Colours show the occupancy of each atom."},
                    {"Hydrophobic to polar", "hydrophobicity", "Colours run from hydrophobic to polar residues."}}}},
         {.key = "color-from",
          .syntax = "FILE|TEXT",
@@ -213,8 +214,8 @@ std::vector<Option> meshes() {
             parseSwitch<kShowHide, &P::look, &R::cartoon, &C::disulfides>,
             printSwitch<kShowHide, &P::look, &R::cartoon, &C::disulfides>),
         row("surface", "KIND",
-            "Kind of --style surface: excluded (what a probe cannot enter), accessible (where its centre goes) or "
-            "gaussian",
+            "Kind of --style surface: excluded (the region that a probe cannot enter), accessible (the surface of "
+            "the probe's centre) or gaussian",
             parseNamed<kSurfaceKinds, &P::look, &R::surface, &S::kind>,
             printNamed<kSurfaceKinds, &P::look, &R::surface, &S::kind>),
         row(
@@ -246,8 +247,9 @@ std::vector<Option> interactions() {
         {.key = "interactions",
          .syntax = "SEL[,SEL]|off",
          .standard = "=",
-         .help = "Hydrogen bonds, salt bridges and the like as dashed lines: of a selection with what is around it, or "
-                 "between\ntwo selections; all: everything with everything",
+         .help =
+             "Hydrogen bonds, salt bridges and the like as dashed lines: between a selection and its surroundings,\n"
+             "or between two selections; all: between all atoms",
          .topic = Topic::interactions,
          .parse = [](T text, P& d) { parseInteractions(text, d.look.contacts); },
          .print = [](const P& d) { return interactionsText(d.look.contacts); }},
@@ -270,7 +272,7 @@ std::vector<Option> interactions() {
         {.key = "interaction-width",
          .syntax = "WIDTH",
          .standard = "=",
-         .help = "Thickness of their dashes in Å, 0.02 to 1",
+         .help = "Thickness of the dashes of interactions in Å, 0.02 to 1",
          .topic = Topic::style,
          .parse = [](T text, P& d) { d.look.contacts.width = parseNumber(text, 0.02, 1); },
          .print = printNumber<&P::look, &R::contacts, &ContactOptions::width>,

@@ -73,8 +73,8 @@ std::vector<Option> lightRows() {
         {.key = "occlusion-memory",
          .syntax = "MB",
          .standard = "64",
-         .help = "Device memory for ambient occlusion, 1 to 65536; more memory gives finer detail (reports the choice\n"
-                 "on standard error). 64 grows with meshes of more than a million vertices",
+         .help = "Device memory for ambient occlusion, 1 to 65536; more memory gives finer detail, which is\n"
+                 "reported on standard error. The default grows for meshes of more than a million vertices",
          .topic = Topic::occlusion,
          .facet = Facet::occlusion,
          .parse = [](T text, P& d) { d.occlusion.megabytes = parseInteger(text, 1, kMostOcclusionMegabytes); },
@@ -109,7 +109,7 @@ std::string offOr(double value) { return value > 0 ? numberText(value) : "off"; 
 
 std::array<float, 3> parseOpaque(T text) {
     const auto [r, g, b, a] = parseColor(text);
-    if (a < 1) throw std::invalid_argument("lines cannot be transparent: '" + std::string(text) + "'");
+    if (a < 1) throw std::invalid_argument("outlines cannot be transparent: '" + std::string(text) + "'");
     return {r, g, b};
 }
 std::string opaqueText(const std::array<float, 3>& color) { return backgroundText({color[0], color[1], color[2], 1}); }
@@ -123,7 +123,7 @@ std::vector<Option> lineRows() {
         effect("contour-depth", "A", "Depth jump in Å from which there is an outline",
                [](T text, P& d) { d.effects.contours.depth = parseNumber(text, 0.01, kDeepest); },
                printNumber<&P::effects, &E::contours, &Contours::depth>, "contours",
-               {"Outline depth", 0.1, 20, "From a depth jump of %.1f Å"}),
+               {"Outline depth", 0.1, 20, "Outline depth: %.1f Å"}),
         effect(
             "contour-weights", "1|3",
             "3: full width around chains, two thirds between residues more than 6 apart in a chain,\n"
@@ -139,15 +139,15 @@ std::vector<Option> lineRows() {
             [](const P& d) { return opaqueText(d.effects.contours.color); }, "contours", {"Outline colour"}),
         effect(
             "halos", "PIXELS|off",
-            "Soft rims around what stands in front, 0.1 to 64 pixels wide, denser the farther back the\n"
-            "background lies. Drawn as --visibility deferred on every path",
+            "Soft rims around foreground shapes, 0.1 to 64 pixels wide, denser the farther the background\n"
+            "lies behind. Drawn as --visibility deferred on every path",
             [](T text, P& d) { parseWidth(text, d.effects.halos.width, d.haloPoints); },
             [](const P& d) { return offOr(d.effects.halos.width); }, {}, {"Halos", 0, 24, "Halos: %.1f px"}),
         effect("halo-depth", "A", "Distance behind in Å at which a halo is densest",
                [](T text, P& d) { d.effects.halos.depth = parseNumber(text, 0.01, kDeepest); },
                printNumber<&P::effects, &E::halos, &Halos::depth>, "halos",
-               {"Halo depth", 0.5, 60, "Densest over %.1f Å"}),
-        effect("halo-strength", "F", "Share of the halo's colour where it is densest, 0 to 1",
+               {"Halo depth", 0.5, 60, "Halo depth: %.1f Å"}),
+        effect("halo-strength", "F", "Largest opacity of halos, 0 to 1",
                [](T text, P& d) { d.effects.halos.strength = parseNumber(text, 0, 1); },
                printNumber<&P::effects, &E::halos, &Halos::strength>, "halos",
                {"Halo strength", 0, 1, "Halo strength: %.2f"}),
@@ -196,15 +196,15 @@ Option light(T key, const char* help, Option::Control control = {}) {
 std::vector<Option> lightEffectRows() {
     return {
         effect("fog", "auto|START,END|off",
-               "Fades into the background (white, if that is transparent) between two distances\nfrom the centre in Å, "
+               "Fade into the background (white, if that is transparent) between two distances\nfrom the centre in Å, "
                "away from the viewer; auto: from the centre to the far end",
                parseFog, printFog, {}, {"Fog", 0, 1, "Fog: %.2f"}),
         effect(
-            "fog-strength", "F", "Share of the background where fog ends, 0 to 1",
+            "fog-strength", "F", "Strength of fog at its far end, 0 to 1",
             [](T text, P& d) { d.effects.fog.strength = parseNumber(text, 0, 1); },
             printNumber<&P::effects, &E::fog, &Fog::strength>, "fog"),
         effect(
-            "shadow", "F|off", "Share of the direct light that cast shadows take away, 0 to 1",
+            "shadow", "F|off", "Cast shadows that remove this fraction of the direct light, 0 to 1",
             [](T text, P& d) { d.effects.shadow.strength = text == "off" ? 0 : parseNumber(text, 0, 1); },
             [](const P& d) { return offOr(d.effects.shadow.strength); }, {}, {"Shadow", 0, 1, "Shadow: %.2f"}),
         light<&Light::ambient>("ambient", "Ambient light, 0 to 10", {"Ambient light", 0, 2, "Ambient light: %.2f"}),
@@ -247,12 +247,12 @@ void parseSlab(T text, P& d) {
 
 std::vector<Option> clipRows() {
     Option clip = effect("clip", "NEAR[,FAR]|off",
-                         "Clipping planes: cut away what is nearer than one, and farther than the other, in Å from\n"
-                         "the centre, away from the viewer: 0 opens a half; ,FAR is the back plane alone",
+                         "Clipping planes: remove everything nearer than NEAR and farther than FAR, in Å from the\n"
+                         "centre, away from the viewer; 0 removes the front half; ,FAR: back plane only",
                          parseClip, [](const P& d) { return clipText(d.effects.clip); });
     clip.look = false;
     return {clip,
-            effect("cap", "plain|dark|hatched", "How atoms and sticks look where the front plane cuts them",
+            effect("cap", "plain|dark|hatched", "Style of atoms and sticks where the front plane cuts them",
                    parseNamed<kCaps, &P::effects, &E::clip, &Clip::cap>,
                    printNamed<kCaps, &P::effects, &E::clip, &Clip::cap>, "clip",
                    {.label = "Cap style",

@@ -93,8 +93,8 @@ std::vector<Option> cameraRows() {
         {.key = "zoom",
          .syntax = "F|fit",
          .standard = "=",
-         .help = "fit: what is drawn fills the picture as seen from this side, except in movies and among models and\n"
-                 "frames, which share a scale; F: 1 has the molecule's sphere fill it from any side, 0.0001 to 10000",
+         .help = "fit: everything drawn fills the picture from this side; movies, models and frames share one scale.\n"
+                 "F, 0.0001 to 10000: at 1 the molecule's sphere fills the picture, from any side",
          .topic = Topic::camera,
          .facet = Facet::view,
          .parse = parseZoom,
@@ -145,7 +145,7 @@ std::vector<Option> aimRows() {
         {.key = "look-at",
          .syntax = "SEL",
          .standard = "none",
-         .help = "Turn to the viewer the side from which most of a selection is seen",
+         .help = "Rotate to the side that shows most of a selection",
          .topic = Topic::aim,
          .facet = Facet::view,
          .parse = parseSelected<&P::aim, &Aim::lookAt>,
@@ -153,8 +153,8 @@ std::vector<Option> aimRows() {
         {.key = "zoom-to",
          .syntax = "SEL",
          .standard = "none: the whole molecule",
-         .help = "Close-up of a selection, with 3 Å around it, without what hides it (unless --clip or --uncover is\n"
-                 "given); --zoom scales it",
+         .help = "Close-up of a selection with a margin of 3 Å; removes what hides it, unless --clip or --uncover is\n"
+                 "given; --zoom scales it",
          .topic = Topic::aim,
          .facet = Facet::view,
          .parse = parseSelected<&P::aim, &Aim::zoomTo>,
@@ -162,7 +162,7 @@ std::vector<Option> aimRows() {
         {.key = "uncover",
          .syntax = "SEL|off",
          .standard = "the selection of --zoom-to",
-         .help = "Leave out what hides a selection in this view",
+         .help = "Remove what hides a selection in this view",
          .topic = Topic::aim,
          .facet = Facet::view,
          .parse = parseUncover,

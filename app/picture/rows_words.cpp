@@ -29,8 +29,9 @@ std::vector<Option> wordRows() {
     std::vector<Option> rows{
         {.key = "label",
          .syntax = "SEL=TEXT",
-         .help = "Label a selection; {residue}, {number}, {letter}, {chain}, {atom}, {element}, ... in the text, one "
-                 "label\nfor each of them; _ lowers, ^ raises, \\alpha is a letter; repeatable",
+         .help =
+             "Label a selection. Fields of TEXT, {residue}, {number}, {letter}, {chain}, {atom}, {element}, ..., give\n"
+             "one label per residue, chain or atom; _ lowers, ^ raises, \\alpha is a letter; repeatable",
          .parse = [](T text, P& d) { addTo(d.words.labels, text, kMostWordOptions, parseLabel); },
          .print = [](const P& d) { return lines(d.words.labels, labelText); },
          .kind = list,
@@ -73,7 +74,7 @@ std::vector<Option> wordRows() {
         {.key = "interaction-labels",
          .syntax = "distance|off",
          .standard = "=",
-         .help = "Distances of interactions that are drawn, in Å",
+         .help = "Distances of the drawn interactions, in Å",
          .parse =
              [](T text, P& d) {
                  d.words.distances = parseChoice(text, {"distance", "off"}) == 0;
@@ -85,7 +86,7 @@ std::vector<Option> wordRows() {
         {.key = "show-labels",
          .syntax = "all|seen",
          .standard = "=",
-         .help = "seen: no labels of what is hidden by other residues (less than a quarter of its near side shows)",
+         .help = "seen: no labels of atoms hidden by other residues (less than a quarter of their near side visible)",
          .parse =
              [](T text, P& d) {
                  d.words.seenOnly = parseChoice(text, {"all", "seen"}) == 1;
@@ -95,7 +96,7 @@ std::vector<Option> wordRows() {
          .control = {.label = "Show hidden labels", .choices = {{"off", "seen"}, {"on", "all"}}}},
         {.key = "text-size",
          .syntax = "PIXELS|POINTSpt",
-         .standard = "a 42nd of the shorter side",
+         .standard = "1/42 of the shorter side",
          .help = "Size of letters (an em), 4 to 2000 pixels, or as 8pt at --dpi",
          .parse = parseTextSize,
          .print = [](const P& d) { return d.words.size > 0 ? exactText(d.words.size) : std::string(); },
@@ -103,7 +104,7 @@ std::vector<Option> wordRows() {
          .number = Option::Number::real},
         {.key = "text-color",
          .syntax = "COLOR",
-         .standard = "dark or light, against the background",
+         .standard = "dark or light, in contrast to the background",
          .help = "An opaque colour as for --background; a halo keeps it readable on atoms",
          .parse = [](T text, P& d) { d.words.color = parseInk(text); },
          .print = printTextColor,

@@ -26,7 +26,7 @@ constexpr std::size_t kMostBytes = 1 << 20;
 std::string textOf(const Json& value) {
     if (value.is_string()) {
         if (value.get_ref<const std::string&>().find('\0') != std::string::npos)
-            throw std::invalid_argument("it holds a NUL");  // where names of files would end
+            throw std::invalid_argument("it contains a NUL character");  // where names of files would end
         return value.get<std::string>();
     }
     if (value.is_number()) return value.dump();
@@ -76,7 +76,7 @@ void readInputs(const Json& list, std::vector<FurtherInput>& inputs) {
         }
         if (input.path.empty()) throw std::invalid_argument("a molecule without \"input\"");
         if (!input.name.empty() && !isInputName(input.name))
-            throw std::invalid_argument("'" + input.name + "' is no name: letters, digits, - and _");
+            throw std::invalid_argument("'" + input.name + "' is not a valid name: use letters, digits, - and _");
     }
 }
 
@@ -208,8 +208,8 @@ void readView(const std::string& json, const std::string& name, PictureDescripti
     } catch (const std::invalid_argument& error) {
         throw Error("cannot read view", name, error.what());
     }
-    if (!object.is_object()) throw Error("cannot read view", name, "it is no JSON object");
-    if (!twice.empty()) throw Error("cannot read view", name, "\"" + twice + "\": it is there twice");
+    if (!object.is_object()) throw Error("cannot read view", name, "it is not a JSON object");
+    if (!twice.empty()) throw Error("cannot read view", name, "\"" + twice + "\": it occurs twice");
     view.aim.fits = false;  // it keeps its scale, also where it does not state it
     readKeys(object, name, view);
     view.aim.uncovers = true;  // a plane that was saved asks for nothing
@@ -249,7 +249,7 @@ std::string readViewText(const std::string& path) {
     std::string text;
     for (char c = 0; text.size() <= kMostBytes && file.get(c);) text.push_back(c);
     if (text.empty()) throw Error("cannot read view", path, "the file is missing, empty or not readable");
-    if (text.size() > kMostBytes) throw Error("cannot read view", path, "it is larger than a view can be");
+    if (text.size() > kMostBytes) throw Error("cannot read view", path, "it is too large for a view");
     return text;
 }
 

@@ -70,7 +70,7 @@ Measure parseMeasure(std::string_view text) {
     add(text.size());
     if (measure.points.size() < 2 || measure.points.size() > 4)
         throw std::invalid_argument(
-            "expected two atoms for a distance, three for an angle or four for a torsion, with commas between, not '" +
+            "expected two atoms for a distance, three for an angle or four for a torsion, separated by commas, not '" +
             std::string(text) + "'");
     return measure;
 }
@@ -91,7 +91,7 @@ std::string parseTitle(std::string_view text) {
 
 std::array<float, 3> parseInk(std::string_view text) {
     const std::array<float, 4> color = parseColor(text);
-    if (color[3] < 1) throw std::invalid_argument("words cannot be transparent: '" + std::string(text) + "'");
+    if (color[3] < 1) throw std::invalid_argument("text cannot be transparent: '" + std::string(text) + "'");
     return {color[0], color[1], color[2]};
 }
 

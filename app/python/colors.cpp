@@ -24,7 +24,8 @@ Colors colorsOfValues(const std::vector<double>& values, const std::string& pale
         throw app::UsageError(std::string("palette: ") + error.what());
     }
     if (!isRamp(colors.ramp))
-        throw app::UsageError("palette: '" + palette + "' is of kinds; numbers take one of " + app::paletteNames(true));
+        throw app::UsageError("palette: '" + palette + "' is for categories; numbers need one of " +
+                              app::paletteNames(true));
     double low = INFINITY, high = -INFINITY;
     for (const double value : values)
         if (std::isfinite(value)) {

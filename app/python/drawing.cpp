@@ -137,7 +137,7 @@ Structure openInputs(const std::vector<std::string>& inputs, const std::string& 
     const app::InputOptions input = readingOf(inputs, options);
     const auto standard = [](const auto& one) { return one.path == "-"; };
     if (standard(input) || std::any_of(input.further.begin(), input.further.end(), standard))
-        throw app::UsageError("open() reads no standard input: hand over its bytes");
+        throw app::UsageError("open() does not read standard input: pass its bytes");
     const app::HeardMessages heard;
     auto molecule = std::make_shared<const Molecule>(app::loadMolecule(input));
     return {std::move(molecule), inputs, heard.warnings, heard.notes, input};
@@ -165,7 +165,7 @@ Drawn drawAs(const std::string& output, const Structure& structure, const std::s
     withScene(structure, request, colors, [&](app::Drawing& drawing, app::Canvas& canvas) {
         std::size_t crowded = 0;
         drawn = {drawing.draw(canvas, &crowded), app::formatOf(request), drawing.warnings};
-        if (crowded) drawn.warnings.push_back(std::to_string(crowded) + " labels found no room in the picture");
+        if (crowded) drawn.warnings.push_back(std::to_string(crowded) + " labels do not fit into the picture");
     });
     return drawn;
 }

@@ -44,7 +44,7 @@ public:
             auto models = trajectoryOfModels(structure.molecule, structure.reading.model);
             if (!models)
                 throw Error("cannot show models", structure.inputs.front(),
-                            structure.molecule->othersMissing.empty() ? "it has one alone, or models of other atoms"
+                            structure.molecule->othersMissing.empty() ? "it has only one, or models of other atoms"
                                                                       : structure.molecule->othersMissing);
             motion_ = std::make_unique<Motion>(std::move(models), now_, app::motionOptions(frames, now_));
         }

@@ -35,7 +35,7 @@ std::string placeOf(const std::string& input, const ServeOptions& options, const
         const std::string path = uploads + "/" + name;
         if (name.find_first_not_of("0123456789abcdef") == std::string::npos && fs::is_regular_file(path, error))
             return path;
-        throw Problem(404, "'" + input + "' is not held any more: send it again");
+        throw Problem(404, "'" + input + "' is no longer stored: upload it again");
     }
     if (input.starts_with("sample:")) return input;
     try {
@@ -45,7 +45,7 @@ std::string placeOf(const std::string& input, const ServeOptions& options, const
     }
     if (options.root.empty())
         throw Problem(404, "'" + input +
-                               "' is no sample and no identifier (pdb:1BNA), and this server has no folder "
+                               "' is neither a sample nor an identifier (pdb:1BNA), and this server has no folder "
                                "of files (--root)");
     const fs::path root = fs::canonical(options.root, error);
     const fs::path file = error ? fs::path() : fs::canonical(root / input, error);

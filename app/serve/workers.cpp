@@ -68,7 +68,7 @@ public:
         std::size_t crowded = 0;
         ServedPicture served{encoded(drawing_.draw(*canvas_, &crowded), description), heard.warnings};
         served.warnings.insert(served.warnings.end(), drawing_.warnings.begin(), drawing_.warnings.end());
-        if (crowded > 0) served.warnings.push_back(std::to_string(crowded) + " labels found no room");
+        if (crowded > 0) served.warnings.push_back(std::to_string(crowded) + " labels do not fit");
         return served;
     }
 
@@ -126,12 +126,12 @@ ServedPicture Workers::draw(const PictureRequest& request, const std::string& ne
             const auto older = std::find_if(tasks_.begin(), tasks_.end(),
                                             [&](const std::shared_ptr<Task>& one) { return one->newest == newest; });
             if (older != tasks_.end()) {
-                (*older)->promise.set_exception(std::make_exception_ptr(Problem(429, "a newer view was asked for")));
+                (*older)->promise.set_exception(std::make_exception_ptr(Problem(429, "a newer request replaced it")));
                 tasks_.erase(older);
             }
         }
         if (tasks_.size() >= static_cast<std::size_t>(options_.queue))
-            throw Problem(429, std::to_string(options_.queue) + " requests wait already");
+            throw Problem(429, std::to_string(options_.queue) + " requests are already waiting");
         tasks_.push_back(task);
     }
     wake_.notify_one();

@@ -79,8 +79,8 @@ constexpr PointerBinding kPointer[] = {
     {"right drag, Shift drag", "two fingers", "Move"},
     {"wheel, scroll", "pinch", "Zoom about the pointer"},
     {"Ctrl drag", "twist", "Roll"},
-    {"click", "tap, long press", "Name an atom and select its residue, or measure"},
-    {"double click", "double tap", "Zoom to a residue; beside the molecule, to all of it"},
+    {"click", "tap, long press", "Identify an atom and select its residue, or measure"},
+    {"double click", "double tap", "Zoom to a residue; off the molecule, to all of it"},
     {nullptr, "three fingers", "To the left: undo; to the right: redo"},
 };
 

@@ -103,7 +103,7 @@ void Frames::keepSharp(double seconds, double leastScale) {
 
 std::string Frames::coarseness() const {
     if (!tellsScale_ || frame_.scale >= 1) return {};
-    return "While it moves: " + std::to_string(std::lround(100 * frame_.scale)) + " % of the sharpness";
+    return "Reduced resolution while moving (" + std::to_string(std::lround(100 * frame_.scale)) + " %)";
 }
 
 std::uint32_t Frames::refinedSamples() const {

@@ -28,7 +28,7 @@ bool PictureWords::place(double now) {
     const std::vector<std::string>& leftOut = placed_.leftOut;
     if (leftOut.empty()) return true;
     const std::string more = leftOut.size() > 1 ? " and " + std::to_string(leftOut.size() - 1) + " more" : "";
-    stage_.messages.say("Not shown while its atoms are not drawn: " + leftOut.front() + more, now);
+    stage_.messages.say("Hidden, because its atoms are not drawn: " + leftOut.front() + more, now);
     return true;
 }
 

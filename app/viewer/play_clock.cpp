@@ -59,7 +59,7 @@ void PlayClock::shown(std::size_t frame, double now) {
 
 std::string rateText(double rate) {
     std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%g frame%s a second", rate, rate == 1 ? "" : "s");
+    std::snprintf(text.data(), text.size(), "%g frame%s per second", rate, rate == 1 ? "" : "s");
     return text.data();
 }
 

@@ -233,10 +233,11 @@ Classes byConfidence(const Molecule& molecule, std::span<const std::uint32_t> at
     });
     if (!molecule.file.confidence)
         classes.warning =
-            "the file does not say that it is a prediction, so its B factors are no confidence (--color b-factor shows "
+            "the file does not say that it is a prediction, so its B factors are not confidence (--color b-factor "
+            "shows "
             "them as what they are)";
-    if (largest > 100) classes.warning = "some B factors are above 100, so they are no pLDDT";
-    if (largest <= 1) classes.warning = "no B factor is above 1, so they are no pLDDT, which goes to 100";
+    if (largest > 100) classes.warning = "some B factors are above 100, so they are not pLDDT";
+    if (largest <= 1) classes.warning = "no B factor is above 1, so they are not pLDDT, which goes to 100";
     return classes;
 }
 

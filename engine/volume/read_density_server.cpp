@@ -59,7 +59,7 @@ private:
         if (!column) fail("volume_data_3d_info has no " + key);
         try {
             const auto value = BcifColumn(*column, 1, 16).next().number();
-            if (!value || !std::isfinite(*value)) fail("volume_data_3d_info." + key + " is no number");
+            if (!value || !std::isfinite(*value)) fail("volume_data_3d_info." + key + " is not a number");
             return *value;
         } catch (const PackedFault& fault) {
             fail("volume_data_3d_info." + key + ": " + printable(fault.what(), 200));
@@ -82,7 +82,7 @@ private:
         }
         std::array<int, 3> sorted = box.axes;
         std::sort(sorted.begin(), sorted.end());
-        if (sorted != std::array<int, 3>{1, 2, 3}) fail("its axis_order is no order of three axes");
+        if (sorted != std::array<int, 3>{1, 2, 3}) fail("its axis_order is not an order of three axes");
         for (int i = 0; i < 3; ++i) {
             const int axis = box.axes[static_cast<std::size_t>(i)] - 1;
             const double share = number(info, at("dimensions", i));

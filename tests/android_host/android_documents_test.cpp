@@ -162,9 +162,9 @@ TEST_F(AndroidHost, ShowsWhatADatabaseHas) {
     press("button", "Menu");
     press("button", "Open");
     const auto ask = [&](const char* what) {
-        press("field", "Identifier or path");
-        ASSERT_TRUE(eventually([&] { return host.java().asked().first == "Identifier or path"; }));
-        host.java().typed("Identifier or path", what);
+        press("field", "ID or path");
+        ASSERT_TRUE(eventually([&] { return host.java().asked().first == "ID or path"; }));
+        host.java().typed("ID or path", what);
     };
     ask("pdb:1xyz");
     ASSERT_TRUE(eventually([&] { return host.view().input.path == "pdb:1xyz"; }));
@@ -313,9 +313,9 @@ TEST_F(AndroidHost, AnActivityThatEndsTakesTheNetworkFromNoOther) {
     };
     press("button", "Menu");
     press("button", "Open");
-    press("field", "Identifier or path");
-    ASSERT_TRUE(eventually([&] { return host.java().asked().first == "Identifier or path"; }));
-    host.java().typed("Identifier or path", "pdb:1xyz");
+    press("field", "ID or path");
+    ASSERT_TRUE(eventually([&] { return host.java().asked().first == "ID or path"; }));
+    host.java().typed("ID or path", "pdb:1xyz");
     EXPECT_TRUE(eventually([&] { return host.view().input.path == "pdb:1xyz"; }));
 }
 

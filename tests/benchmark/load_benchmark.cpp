@@ -60,7 +60,7 @@ Molecule readAlone(const Input& input) {
     }
 }
 
-/// Counters: bytes and atoms a second.
+/// Counters: bytes and atoms per second.
 template <typename Read>
 void measure(const std::string& what, const Input& input, Read read) {
     benchmark::RegisterBenchmark((input.name + "/" + what).c_str(),

@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
         const double count = frames;
         std::printf(
             "%zu atoms, %d frames, %ux%u, %s: %.1f ms a frame on the clock (least %.1f), %.1f of processor time; "
-            "%.0f frames a second\n",
+            "%.0f frames per second\n",
             molecule->atoms.size(), frames, kWidth, kHeight, renderer.stats().device.name.c_str(),
             millisecondsSince(began) / count, least, (processorMs() - processor) / count,
             1000 * count / millisecondsSince(began));

@@ -51,7 +51,7 @@ TEST(Aim, ViewsAreToldSoThatTheyCanBeRepeated) {
     EXPECT_NE(nacreIn(folder,
                       "render sample:dna -o a.png --size 64x48 --occlusion off --orient principal "
                       "--zoom-to 'chain A and resi 3' --label 'chain B and resi 20 and name P=P'")
-                  .err.find("no words at chain B and resi 20 and name P: none"),
+                  .err.find("no label at chain B and resi 20 and name P: none"),
               std::string::npos);
     // The file's frame again, whatever the view says.
     EXPECT_EQ(viewOf(folder, "--view v.json --orient file")["orientation"], file["orientation"]);

@@ -179,7 +179,7 @@ TEST(AppearanceOptions, WhatChangesNothingIsSaid) {
               "nacre: warning: --show-labels changes nothing without --label\n");
     EXPECT_EQ(said("--palette muted --color chain --fog auto --fog-strength 0.5 --slab 1 --cap dark"), "");
     EXPECT_EQ(said("--look illustrative --contour-color navy"), "");  // whose contours these are
-    EXPECT_NE(said("--clip 500").find("the cut leaves nothing"), std::string::npos);
+    EXPECT_NE(said("--clip 500").find("the clipping planes remove everything"), std::string::npos);
 }
 
 TEST(AppearanceOptions, ColoursAndLegendReachPictureAndStats) {

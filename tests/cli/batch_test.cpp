@@ -112,9 +112,9 @@ TEST(Batch, AFailedJobStopsNoOther) {
         {R"({"output": "c.png"})", "INPUT is required"},
         {R"({"input": 5, "output": "c.png"})", R"("input": expected a text, not 5)"},
         {R"({"input": "sample:dna", "output": true})", R"("output": expected a text, not true)"},
-        {R"({"input": "sample:dna", "output": "c.png", "input": "sample:glucose"})", R"("input": it is there twice)"},
-        {job("sample:dna", R"(c\u0000.png)"), "output: it holds a NUL"},
-        {job(R"(no\u0000such)", "c.png"), "input: it holds a NUL"},
+        {R"({"input": "sample:dna", "output": "c.png", "input": "sample:glucose"})", R"("input": it occurs twice)"},
+        {job("sample:dna", R"(c\u0000.png)"), "output: it contains a NUL character"},
+        {job(R"(no\u0000such)", "c.png"), "input: it contains a NUL character"},
         {"[1, 2]", "no JSON object"},
         {R"({"input": "sample:dna", )", "no JSON object"}};
     std::vector<std::string> lines;
@@ -274,7 +274,7 @@ TEST(Batch, NoJobTakesAwayWhatIsRead) {
         EXPECT_NE(report.at(line).value("error", "").find(why), std::string::npos) << report.at(line);
     };
     for (const int line : {3, 4, 6, 7, 8}) refused(line, R"("stats": )");
-    refused(4, "what is there is no such file: late.xyz");
+    refused(4, "the existing file is not a stats file: late.xyz");
     refused(11, R"("output": an earlier job reads this file: odd.png)");
     for (const char* name : names) EXPECT_EQ(contentOf(folder / name), molecule) << name;
     EXPECT_EQ(contentOf(folder / "v.json"), R"({"input": "seen.xyz"})");

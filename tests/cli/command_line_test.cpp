@@ -205,7 +205,8 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
           Case{"render sample:dna -o a.png --sytle licorice", "did you mean '--style'?"},
           Case{"render sample:dna -o a.png --silhouette on", "no option --silhouette (did you mean '--contours'?)"},
           Case{"render sample:dna -o a.png --sel all", "did you mean '--show'?"},
-          Case{"render sample:dna -o a.png --opacity 1", "mean '--surface-opacity', '--cartoon-opacity' or '--map-opacity'?"},
+          Case{"render sample:dna -o a.png --opacity 1",
+               "mean '--surface-opacity', '--cartoon-opacity' or '--map-opacity'?"},
           Case{"render sample:dna -o a.png --cartoon", "did you mean '--style cartoon' or '--cartoon-opacity'?"},
           Case{"info sample:dna --transparent", "nacre info has no option --transparent (see"},
           Case{"render sample:dna -o a.png --nonsense on", "nacre render has no option --nonsense (see"},
@@ -306,7 +307,7 @@ TEST(CommandLine, AModuleOfAnotherBuildIsToldNotCalled) {
     outcome.err = test::contentOf(folder / "err");
     EXPECT_EQ(outcome.code, 1);
     expectOneErrorLine(outcome);
-    EXPECT_NE(outcome.err.find("nacre_images.so is of another build of nacre"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("nacre_images.so belongs to another build of nacre"), std::string::npos) << outcome.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "a.tif"));
 }
 

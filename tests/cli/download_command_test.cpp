@@ -151,7 +151,7 @@ TEST_F(DownloadCommand, AViewDownloadsNothingUnlessItIsAllowed) {
     for (const std::vector<std::string>& command : commands) {
         const MeasuredRun run = test::runMeasured(command, options("ok"));
         EXPECT_EQ(run.code, 1) << run.err;
-        EXPECT_NE(run.err.find("--allow-download gets it"), std::string::npos) << run.err;
+        EXPECT_NE(run.err.find("use --allow-download"), std::string::npos) << run.err;
     }
     EXPECT_TRUE(server_.requests().empty());
     std::vector<std::string> allowed = commands[1];

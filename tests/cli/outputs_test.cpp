@@ -58,7 +58,7 @@ TEST(Outputs, PaperBecomesPixels) {
         return paperOf(outcome.out);
     };
     using Paper = std::array<std::uint32_t, 3>;
-    EXPECT_EQ(drawn("--width 8mm"), (Paper{94, 94, 11811}));  // at 300 dots an inch
+    EXPECT_EQ(drawn("--width 8mm"), (Paper{94, 94, 11811}));  // at 300 dots per inch
     EXPECT_EQ(drawn("--width 8mm --size 40x30 --dpi 127"), (Paper{40, 30, 5000}));
     EXPECT_EQ(drawn("--width 1cm --height 0.5in --dpi 100"), (Paper{39, 50, 3937}));
     EXPECT_EQ(drawn("--height 60 --size 40x30"), (Paper{80, 60, 0}));
@@ -227,7 +227,7 @@ TEST(Outputs, AViewFromSomebodyElseFetchesNothingAndQuotesNothing) {
     put(folder / "view/moves.json", R"({"input": "near.pdb", "trajectory": "pipe"})");
     put(folder / "view/standard.json", R"({"input": "-", "format": "pdb"})");
     const std::pair<const char*, const char*> endless[] = {
-        {"pipe", "error: cannot read molecule: view/pipe: view/pipe.json names it, and it is no plain file\n"},
+        {"pipe", "error: cannot read molecule: view/pipe: view/pipe.json names it, and it is not a regular file\n"},
         {"moves", "error: cannot read trajectory: view/pipe: it is not a plain file\n"},
         {"standard",
          "error: cannot read molecule: view/standard.json: it names standard input: give an INPUT as well\n"}};

@@ -86,7 +86,8 @@ TEST(SavedView, NamesMapsFromItsFolderAndTellsOfOthers) {
             nacreIn(folder, "render --view views/v.json -o a.png --size 32x32 --occlusion off");
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_EQ(outcome.err.find("not in its folder") != std::string::npos, told) << outcome.err;
-        EXPECT_EQ(app::readSavedView(folder / "views/v.json").maps.files.front(), folder / (std::string("views/") + map));
+        EXPECT_EQ(app::readSavedView(folder / "views/v.json").maps.files.front(),
+                  folder / (std::string("views/") + map));
     }
     // Whoever names the map means it.
     const test::Outcome own = nacreIn(
@@ -120,7 +121,7 @@ TEST(SavedView, FindsItsFileBesideItByItsHash) {
     test::Outcome outcome = draw();
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(contentOf(folder / "a.png"), picture);
-    EXPECT_NE(outcome.err.find("this one has its content: carbon.pdb"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("this one has the same content: carbon.pdb"), std::string::npos) << outcome.err;
 
     view("elsewhere/other-name.pdb", carbon);  // by another name, beside one as long
     outcome = draw();

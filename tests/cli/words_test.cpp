@@ -118,10 +118,10 @@ TEST(WordOptions, FaultsAreOneLine) {
     EXPECT_NE(fault("--measure 1").find("two atoms"), std::string::npos);
     EXPECT_NE(fault("--title '\\alpa'").find("'alpha'"), std::string::npos);
     EXPECT_NE(fault("--color b-factor:5").find("10..60"), std::string::npos);
-    EXPECT_NE(fault("--color b-factor:5..5").find("two numbers that differ"), std::string::npos);
+    EXPECT_NE(fault("--color b-factor:5..5").find("two different numbers"), std::string::npos);
     EXPECT_NE(fault("--color chain:1..2").find("takes no range"), std::string::npos);
     EXPECT_NE(fault("--color chain:viridis").find("of numbers"), std::string::npos);
-    EXPECT_NE(fault("--color b-factor:muted").find("of kinds"), std::string::npos);
+    EXPECT_NE(fault("--color b-factor:muted").find("for categories"), std::string::npos);
     EXPECT_NE(fault("--color charge:muted").find("takes no palette"), std::string::npos);
     EXPECT_NE(fault("--palette mutd").find("'muted'?"), std::string::npos);
 }
@@ -202,7 +202,7 @@ TEST(ColorOptions, SchemesPalettesAndRangesReachTheLegend) {
     EXPECT_EQ(legend("--color cbc")["scheme"], "chain-carbons");
     EXPECT_EQ(legend("--color chain --palette okabe-ito")["scheme"], "chain:okabe-ito");
     EXPECT_EQ(legend("--color chain --palette okabe-ito")["entries"][0]["color"], "#56b4e9");
-    EXPECT_EQ(legend("--color chain --palette viridis")["scheme"], "chain");  // a ramp is not for kinds
+    EXPECT_EQ(legend("--color chain --palette viridis")["scheme"], "chain");  // a ramp is not for categories
     EXPECT_EQ(legend("--color chain:light --palette muted")["scheme"], "chain:light");
     EXPECT_EQ(legend("--color b-factor:0..50 --palette plasma")["scheme"], "b-factor:0..50:plasma");
 }

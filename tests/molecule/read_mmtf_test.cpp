@@ -176,7 +176,7 @@ TEST(ReadMmtf, WhatIsWrong) {
     wrong("yCoordList", encoded(1, 4, 0, words({0x7FC00000, 0, 0, 0}, 4)), "y of atom 1 is not a finite number");
     wrong("zCoordList", encoded(9, 4, 1, words({1, 2'000'000'000}, 4)), "not have 4 values");
     wrong("zCoordList", encoded(99, 4, 1, ""), "codec 99 is unknown");
-    wrong("chainIdList", encoded(5, 2, 4, "A"), "chainIdList is no array of 2 names");
+    wrong("chainIdList", encoded(5, 2, 4, "A"), "chainIdList is not an array of 2 names");
     ReadOptions options;
     options.model = 2;
     expectError("a.mmtf", packMap(twoResidues()), {"no model 2; the file has 1"}, options);

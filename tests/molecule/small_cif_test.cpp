@@ -55,7 +55,7 @@ TEST(SmallCif, SymmetryMakesTheUnitCell) {
     EXPECT_EQ(named.assemblies.at(0).parts.at(0).transforms.size(), 1u);
     const Molecule odd = readMolecule("a.cif", file("_symmetry_equiv_pos_as_xyz 'x,y,q'\n"));
     EXPECT_TRUE(odd.assemblies.empty());
-    EXPECT_NE(odd.warnings.back().find("'x,y,q' is no symmetry operation"), std::string::npos);
+    EXPECT_NE(odd.warnings.back().find("'x,y,q' is not a symmetry operation"), std::string::npos);
 }
 
 TEST(SmallCif, WhatIsWrong) {

@@ -244,7 +244,7 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         {"sample:dna -o a.gif --spin y --seconds 80000 --fps 100", 2, "more than 100000 frames"},
         {"sample:dna -o a.gif --spin y --fps 60", 1, "50 frames per second"},
         {"sample:dna -o a.mp4 --spin y --size 65x48", 1, "even numbers of pixels only: --size 66x48"},
-        {"sample:dna -o a.gif --models", 1, "one alone"},
+        {"sample:dna -o a.gif --models", 1, "only one"},
         {"unlike.xyz -o a.gif --models --model 2", 2, "leave out --model"},
         {"unlike.xyz -o a.gif --models --frame 2 --trajectory a.dcd", 2, "leave out --frame"},
         {"-o a.gif --views a.json,a.json --view a.json", 2, "exclude each other"},

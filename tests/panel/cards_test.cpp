@@ -142,7 +142,7 @@ TEST(Browsing, SaysWhatCannotBeRead) {
 
 TEST(Panel, SaysWhatAutomaticChoseAndWhatIsSeen) {
     Bench b("sample:glucose", kUsual);
-    EXPECT_TRUE(told(b, "Automatic chose: Ball and stick"));
+    EXPECT_TRUE(told(b, "Automatic: Ball and stick"));
     b.click("Spacefill");
     EXPECT_FALSE(told(b, "Automatic chose"));
     EXPECT_EQ(b.viewer.explanation().substr(0, 52), "Each atom is a sphere of its van der Waals radius. E");

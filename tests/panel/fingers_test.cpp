@@ -154,8 +154,8 @@ TEST(Fingers, TypeOnTheSystemsKeyboard) {
     EXPECT_EQ(b.viewer.view().words.title, "DNA");
     b.panel.showStart();
     b.settle();
-    tap("Identifier or path");
-    type("Identifier or path", "pdb:1BNA");
+    tap("ID or path");
+    type("ID or path", "pdb:1BNA");
     EXPECT_EQ(asked, std::pair(std::string("opened"), std::string("pdb:1BNA")));
 }
 

@@ -187,12 +187,12 @@ TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
     ASSERT_EQ(b.viewer.document()->molecule->atoms.size(), 2u * 486u);
     b.panel.showPage(Panel::Page::parts);
     b.settle();
-    b.click("Laid onto dna");
+    b.click("Superposed on dna");
     ASSERT_EQ(b.viewer.view().input.fits.size(), 1u);
     EXPECT_EQ(b.viewer.view().input.fits[0].fixed.text, "/dna");
     EXPECT_EQ(b.viewer.document()->view.input.fits, b.viewer.view().input.fits) << b.viewer.messages().failure();
     expectReadable(b, "a fit");
-    b.click("Laid onto dna");
+    b.click("Superposed on dna");
     EXPECT_TRUE(b.viewer.view().input.fits.empty());
     b.click("Undo");
     EXPECT_EQ(b.viewer.view().input.fits.size(), 1u);
@@ -200,18 +200,18 @@ TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
     Sources unlike = sampleSources();
     unlike.read = [read = unlike.read](const PictureDescription& view) {
         if (!view.input.fits.empty())
-            throw Error("cannot fit", "/dna_2", "fewer than three of its atoms have their like");
+            throw Error("cannot fit", "/dna_2", "fewer than three of its atoms have a counterpart");
         return read(view);
     };
     Bench other("sample:dna", {1000, 900}, 1, PanelHand::mouse, unlike);
     other.viewer.reading().add("sample:dna", other.now);
     other.panel.showPage(Panel::Page::parts);
     other.settle();
-    other.click("Laid onto dna");
+    other.click("Superposed on dna");
     EXPECT_NE(other.viewer.messages().failure(), "");
     const PictureDescription& view = other.viewer.view();
     EXPECT_TRUE(view.input.fits.empty());
-    EXPECT_EQ(other.find("Laid onto dna")->value, "off");
+    EXPECT_EQ(other.find("Superposed on dna")->value, "off");
 }
 
 TEST(Panel, ADragAcrossTheSequenceSelectsResidues) {

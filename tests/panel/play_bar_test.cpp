@@ -71,13 +71,13 @@ TEST(PlayBar, StepsPlaysAndScrubs) {
     b.click("Play");
     EXPECT_TRUE(b.viewer.playback().playing());
     EXPECT_TRUE(b.find("Pause"));
-    b.click("How it is played");
+    b.click("Playback options");
     b.click("Order");
     b.click("Back and forth");
     EXPECT_EQ(b.viewer.playback().clock().order(), PlayOrder::toAndFro);
     b.click("Pause");
     b.click("Fit");
-    b.click("Lay all atoms together");
+    b.click("Superpose all atoms");
     EXPECT_EQ(b.viewer.view().input.trajectory.fit->text, "all");
     EXPECT_TRUE(b.says("RMSD"));
 }
@@ -111,7 +111,7 @@ TEST(PlayBar, IsWholeEverywhereAndNextToTheMolecule) {
         const Control* bar = b.find("Frame");
         ASSERT_TRUE(bar) << where;
         EXPECT_LE(view.height / 2.0 + (view.radius - view.pan.y) * view.pixelsPerAngstrom, bar->top) << where;
-        b.click("How it is played");
+        b.click("Playback options");
         expectReadable(b, where + ", unfolded");
         b.panel.showRecord();
         b.settle();
@@ -138,7 +138,7 @@ TEST(Films, AreAskedForAsTheCardSays) {
     b.click("Record");
     ASSERT_EQ(b.films.size(), 2u);
     EXPECT_EQ(b.films[1].motion, RecordingWish::Motion::models);
-    EXPECT_EQ(b.films[1].seconds, 6) << "sixty models, ten a second";
+    EXPECT_EQ(b.films[1].seconds, 6) << "sixty models, ten per second";
     EXPECT_EQ(b.films[1].framesPerSecond, 25);
     EXPECT_EQ(b.films[1].path, "film.gif");
     // Of views it takes two.

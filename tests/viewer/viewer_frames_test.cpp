@@ -109,7 +109,7 @@ TEST(Viewer, ResolutionDropsWhileFramesAreLateAndReturnsAtRest) {
     Bench b;
     b.run(2);
     b.viewer.run(ViewerCommand::autoRotate, b.now);
-    b.run(3, 0.05);  // 20 frames a second
+    b.run(3, 0.05);  // 20 frames per second
     EXPECT_LT(b.screen.frames.back().scale, 0.5);
     b.viewer.run(ViewerCommand::autoRotate, b.now);
     b.run(2);

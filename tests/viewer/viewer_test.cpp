@@ -88,7 +88,7 @@ TEST(Viewer, StepsThroughModelsAndPlaysThem) {
     viewer.run(ViewerCommand::playModels, now);
     const int scenes = screen.scenes;
     run(2);
-    EXPECT_NEAR(screen.scenes - scenes, 18, 4) << "ten a second, or as fast as they are read";
+    EXPECT_NEAR(screen.scenes - scenes, 18, 4) << "ten per second, or as fast as they are read";
     EXPECT_TRUE(viewer.playback().playing());
     viewer.run(ViewerCommand::playModels, now);
     run(0.3);

@@ -282,11 +282,11 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              d.settle();
              d.panel().showPage(Panel::Page::parts);
              d.pause(0.2);
-             d.click("Laid onto dna");
+             d.click("Superposed on dna");
          }},
-        {"playing, options", kUsual, several, [](Driver& d) { d.click("How it is played"); }},
+        {"playing, options", kUsual, several, [](Driver& d) { d.click("Playback options"); }},
         {"playing, options, narrow, light", kNarrow, several,
-         [=](Driver& d) { light(d), d.click("How it is played"); }},
+         [=](Driver& d) { light(d), d.click("Playback options"); }},
         {"view is saved", kUsual, "sample:dna", [](Driver& d) { d.type("S"); }},
         {"start, 420 pixels", {210, 380}, "", [](Driver&) {}},
         {"look, 420 pixels", {210, 380}, p, page(Panel::Page::look)},

@@ -59,7 +59,7 @@ places = numpy.array(places, dtype=numpy.float32)
 waters = mdtraj.Trajectory(numpy.stack([places, places + 0.01 * random.standard_normal(places.shape), -1000 * places]), water)
 waters.save(folder + "/water.xtc")
 dump("water", mdtraj.load(folder + "/water.xtc", top=water))
-# Laid onto the first by the first 20 atoms.
+# Superposed on the first by the first 20 atoms.
 laid = mdtraj.Trajectory(whole.copy(), topology).superpose(mdtraj.Trajectory(whole.copy(), topology), 0, range(20))
 dump("laid", laid)
 far = numpy.square(laid.xyz[:, :20].astype(float) - whole[0, :20]).sum(axis=2)

@@ -135,7 +135,7 @@ void BcifColumn::decode(const MsgpackValue& data, std::size_t rows) {
 
 void BcifColumn::decodeFloats(std::string_view bytes, std::size_t rows) {
     const std::size_t size = kind_ == Kind::float32 ? 4 : 8;
-    if (bytes.size() % size != 0) throw PackedFault("its bytes are no whole number of values");
+    if (bytes.size() % size != 0) throw PackedFault("its size is not a whole number of values");
     if (bytes.size() / size != rows)
         throw PackedFault("it has " + std::to_string(bytes.size() / size) + " values in " + std::to_string(rows) +
                           " rows");

@@ -119,7 +119,7 @@ Assembly unitCell(const MoleculeBuilder& builder, const MmcifTable& symmetry, co
         } catch (const AssemblyFault&) {
             throw;
         } catch (const std::exception&) {  // what gemmi's parser throws
-            throw AssemblyFault("'" + printable(*text) + "' is no symmetry operation");
+            throw AssemblyFault("'" + printable(*text) + "' is not a symmetry operation");
         }
     }
     Assembly assembly{"unit-cell", "content of the unit cell", {}};

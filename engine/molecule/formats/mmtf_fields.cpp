@@ -47,7 +47,7 @@ bool MmtfFields::has(const char* field) const {
 MmtfFields::Encoded MmtfFields::encoded(const char* field, std::size_t size) const {
     const auto value = root_.find(field);
     if (!value || !value->is(MsgpackValue::Kind::binary) || value->bytes.size() < kHeader)
-        fail(std::string(field) + " is missing or is no encoded array");
+        fail(std::string(field) + " is missing or not an encoded array");
     std::int32_t header[3] = {};
     const IntegersPointer words = bigEndian(value->bytes.substr(0, kHeader), kInt32);
     for (std::int32_t& word : header) words->next(word);
@@ -149,7 +149,7 @@ std::vector<std::string_view> MmtfFields::names(const char* field, std::size_t s
     constexpr std::int32_t kLongest = 64;
     if (array.codec != 5 || array.parameter < 1 || array.parameter > kLongest ||
         array.data.size() != size * static_cast<std::size_t>(array.parameter))
-        fail(std::string(field) + " is no array of " + std::to_string(size) + " names");
+        fail(std::string(field) + " is not an array of " + std::to_string(size) + " names");
     std::vector<std::string_view> names(size);
     const auto length = static_cast<std::size_t>(array.parameter);
     for (std::size_t i = 0; i < size; ++i) {

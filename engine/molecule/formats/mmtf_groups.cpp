@@ -37,7 +37,7 @@ private:
     MsgpackValue list(const char* field) const {
         const auto value = map_.find(field);
         if (!value || value->is(Kind::nothing)) return {};
-        if (!value->is(Kind::array)) fail(std::string(field) + " is no array");
+        if (!value->is(Kind::array)) fail(std::string(field) + " is not an array");
         return *value;
     }
 

@@ -121,7 +121,7 @@ private:
 }  // namespace
 
 IntegersPointer integersFromBytes(std::string_view bytes, IntegerType type, ByteOrder order) {
-    if (bytes.size() % type.bytes != 0) throw PackedFault("its bytes are no whole number of values");
+    if (bytes.size() % type.bytes != 0) throw PackedFault("its size is not a whole number of values");
     const auto make = [&](auto wire) -> IntegersPointer {
         return std::make_unique<Bytes<decltype(wire)>>(bytes, order);
     };

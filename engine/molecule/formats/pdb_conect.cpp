@@ -93,7 +93,7 @@ void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& mo
     dangling.report(molecule, "bonds to atoms that are not there");
     ambiguous.report(molecule, "bonds to serial numbers that several atoms bear");
     Ignored{tooMany_, firstTooMany_}.report(molecule, "bonds beyond what its atoms could form");
-    Ignored{unreadable_, firstUnreadable_}.report(molecule, "fields that are no serial numbers");
+    Ignored{unreadable_, firstUnreadable_}.report(molecule, "fields that are not serial numbers");
 }
 
 }  // namespace nacre::pdb

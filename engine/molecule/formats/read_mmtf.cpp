@@ -200,7 +200,7 @@ private:
     /// How many values an encoded array announces: of bonds between groups there is no count elsewhere. No more than
     /// the file has bytes, as everywhere.
     std::size_t encodedLength(const MsgpackValue& list) const {
-        if (!list.is(Kind::binary) || list.bytes.size() < 8) fields_.fail("bondAtomList is no encoded array");
+        if (!list.is(Kind::binary) || list.bytes.size() < 8) fields_.fail("bondAtomList is not an encoded array");
         std::int32_t length = 0;
         integersFromBytes(list.bytes.substr(4, 4), {4, true}, ByteOrder::big)->next(length);
         if (length < 0 || length % 2 != 0 || static_cast<std::size_t>(length) > fields_.bytes())

@@ -231,7 +231,7 @@ private:
         if (remark350_.operators() > 0) file.biomtOperators = remark350_.operators();
         if (unreadableNumbers_ > 0)
             molecule_.warnings.push_back("ignored " + std::to_string(unreadableNumbers_) +
-                                         " occupancies, temperature factors or charges that are no numbers, the first "
+                                         " occupancies, temperature factors or charges that are not numbers, the first "
                                          "on line " +
                                          std::to_string(firstUnreadableNumber_));
         conect_.resolve(serials_, molecule_);

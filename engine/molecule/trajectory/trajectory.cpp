@@ -64,7 +64,7 @@ TrajectoryFrame Trajectory::read(std::size_t frame) {
 std::unique_ptr<Trajectory> openTrajectory(const std::string& path) {
     auto file = std::make_unique<TrajectoryFile>(path);
     std::array<std::byte, 8> start{};
-    if (file->size() < start.size()) file->fail(file->size() ? "it is no trajectory" : "it is empty");
+    if (file->size() < start.size()) file->fail(file->size() ? "it is not a trajectory" : "it is empty");
     file->read(0, start);
     const auto big = numberAt<std::uint32_t>(start.data(), kBigEndianSwapped);
     constexpr std::uint32_t kXtc = 1995, kLargeXtc = 2023, kTrr = 1993, kDcdHeader = 84;
@@ -76,7 +76,7 @@ std::unique_ptr<Trajectory> openTrajectory(const std::string& path) {
     if (text.substr(4) == "CORD")
         for (const bool swapped : {false, true})
             if (numberAt<std::uint32_t>(start.data(), swapped) == kDcdHeader) return openDcd(std::move(file), swapped);
-    file->fail("it is none of DCD, XTC, TRR and AMBER NetCDF");
+    file->fail("it is not DCD, XTC, TRR or AMBER NetCDF");
 }
 
 std::optional<PeriodicBox> boxOf(const glm::dvec3& lengths, const glm::dvec3& angles) {
