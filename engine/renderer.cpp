@@ -1,5 +1,5 @@
-// What a renderer is made of, and what its calls come to. From here a picture goes to frame/picture_frames.cpp, which
-// declares its passes (frame/screen.cpp), plans them (graph/) and has them recorded (passes/).
+// The parts of a renderer, and its calls. A picture continues in frame/picture_frames.cpp, which declares its passes
+// (frame/screen.cpp), plans them (graph/) and has them recorded (passes/).
 
 #include "engine/renderer.h"
 
@@ -44,7 +44,7 @@ struct Renderer::Impl {
     }
     ~Impl() { device.settle(); }
 
-    /// The path that draws right here, if that is to be found out. @returns what was found, in words
+    /// The correct and fastest path, if a self-test decides. @returns the test's result as text
     std::string chooseTested(const DeviceOptions& options) {
         const gpu::Caps& caps = device.caps();
         if (options.selfTests.empty() || options.visibility != Visibility::automatic || caps.software ||
@@ -60,7 +60,7 @@ struct Renderer::Impl {
         return describe(*test);
     }
 
-    // What the parts measured, put together for stats():
+    // Collects the parts' measurements for stats():
     void noteBake() { static_cast<BakeStats&>(stats) = occlusion.stats(); }
     /// @param counts  of the last frame
     void noteFrame(const SceneCounts& counts) {
@@ -88,7 +88,7 @@ struct Renderer::Impl {
         });
     }
 
-    /// Does something, and gives `lost` instead of its outcome if the device is gone.
+    /// Runs a call, and returns `lost` instead of its result if the device is lost.
     template <typename Outcome, typename Call>
     Outcome unlessLost(Outcome lost, Call&& call) {
         if (guarded.lost()) return lost;
@@ -104,7 +104,7 @@ struct Renderer::Impl {
 Renderer::Renderer(const DeviceOptions& options) {
     try {
         impl_ = std::make_unique<Impl>(options);
-    } catch (const vk::SystemError& failure) {  // before there was a device that could tell more
+    } catch (const vk::SystemError& failure) {  // before there was a device that could give details
         throw Error("cannot start Vulkan", "", gpu::inOneLine(failure.what()));
     }
 }
@@ -163,7 +163,7 @@ double Renderer::drawFrame(const RenderSettings& settings) {
 
 double Renderer::advanceOcclusion(const RenderSettings& settings, double milliseconds) {
     if (settings.occlusion.directions == 0) return 1;
-    return impl_->unlessLost(0.0, [&] {  // present() tells of the loss
+    return impl_->unlessLost(0.0, [&] {  // present() reports the loss
         impl_->occlusion.begin(settings.occlusion);
         impl_->occlusion.advance(milliseconds);
         impl_->noteBake();
@@ -187,7 +187,7 @@ void Renderer::awaitFrame() {
             return true;
         });
     } catch (const Error&) {
-        // present() meets the same.
+        // present() reports the same error.
     }
 }
 
@@ -221,7 +221,7 @@ void Renderer::expectScene(Representation like, const RenderSettings& settings, 
     try {
         impl_->unlessLost(false, expect);
     } catch (const Error&) {
-        // The scene itself meets the same.
+        // The scene itself reports the same error.
     }
 }
 

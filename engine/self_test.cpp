@@ -21,7 +21,7 @@ namespace {
 
 constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::rasterOrder,
                                  Visibility::deferred};
-/// Of those that are tried when they are asked for; tiles are for software devices, which nothing is found out about.
+/// Paths tested on request; tiles are for software devices, which are not tested automatically.
 constexpr Visibility kEveryPath[] = {Visibility::encoded, Visibility::fragdepth, Visibility::rasterOrder,
                                      Visibility::deferred, Visibility::tiles};
 constexpr const char* kOutcomes[] = {"right", "wrong", "failed", "unfinished"};
@@ -43,7 +43,7 @@ std::string textOf(const SelfTest& test) {
     return text.str();
 }
 
-/// Empty for anything else than what textOf() writes.
+/// Empty for anything but the output of textOf().
 SelfTest read(const std::string& folder, const std::string& key) {
     const std::optional<std::string> text = cacheOf(folder).read(nameOf(key));
     if (!text) return {};
@@ -90,7 +90,7 @@ Representation testScene(Style style) {
     return r;
 }
 
-/// What is seen at a place of the view, orthographic, by arithmetic of its own.
+/// The expected surface at a point of the view, orthographic, computed independently.
 struct Seen {
     std::uint32_t color = 0;    ///< 0: nothing
     glm::dvec3 at{}, normal{};  ///< of a sphere, view space
@@ -148,14 +148,14 @@ bool shows(const Picture& picture, const Representation& r, const View& view) {
             if ((pixel[3] > 0.5f) != (expected != 0)) return false;
             for (int channel = 0; channel < 3 && expected; ++channel) {
                 const float wanted = linearFromSrgb(static_cast<float>(expected >> 8 * channel & 0xff) / 255.0f);
-                // A level lies at least 0.1 of linear light from the next, but for the lowest two.
+                // Levels differ by at least 0.1 of linear light, except for the lowest two.
                 if (!(std::abs(pixel[channel] - wanted) < 0.02f)) return false;
             }
         }
     return looked > picture.width * picture.height / 2;
 }
 
-/// How much of the light from all around comes to a place of a sphere, of those directions that a bake asks.
+/// Fraction of ambient light at a point of a sphere, from the directions of a bake.
 double opennessAt(const Representation& r, const View& view, const Seen& seen,
                   const std::vector<glm::dmat3>& directions) {
     double open = 0, all = 0;
@@ -187,7 +187,7 @@ bool showsOcclusion(const Picture& picture, const Representation& r, const View&
             error += std::abs(double{green} / base - opennessAt(r, view, seen, directions));
             ++looked;
         }
-    // Texels and edges make 0.05 of it; a bake that is all light or all dark, 0.3 and more.
+    // Texels and edges cause 0.05; a bake that is all light or all dark, 0.3 and more.
     return error < 0.15 * looked;
 }
 
@@ -221,7 +221,7 @@ double timed(Renderer& renderer) {
     return least;
 }
 
-/// What the driver made of the path's frames.
+/// The driver's feedback on the path's frames.
 void addFeedback(PathResult& result, const DriverFeedback& driver) {
     for (const MergedSubpasses& m : driver.merges)
         if (m.name.starts_with("opaque prepass")) {
@@ -332,12 +332,12 @@ TestedPath choosePath(const SelfTest& test, Visibility byCaps, const std::string
     for (const PathResult& r : test) {
         if (r.outcome != PathResult::Outcome::right) continue;
         if (r.visibility == byCaps) chosen = &r;
-        if (r.visibility == Visibility::tiles && r.visibility != byCaps) continue;  // of small scenes it tells nothing
+        if (r.visibility == Visibility::tiles && r.visibility != byCaps) continue;  // in small scenes it is meaningless
         if (!fastest || r.milliseconds < fastest->milliseconds) fastest = &r;
     }
     if (!fastest) return {byCaps, whyByCaps + " (and no path draws right: " + describe(test) + ")"};
-    // Frequencies of phones' GPUs stand a tenth to a seventh apart (Adreno 650: 305 to 587 MHz in six, Mali-G610 of
-    // RK3588: 300 to 1000 MHz in eight). One step between two tests makes a path look 1.2 times as fast as it is.
+    // Frequencies of phones' GPUs differ by a tenth to a seventh between steps (Adreno 650: 305 to 587 MHz in six,
+    // Mali-G610 of RK3588: 300 to 1000 MHz in eight). One step between two tests makes a path look 1.2 times as fast.
     constexpr double kFasterByItself = 0.8;
     if (chosen && fastest->milliseconds >= kFasterByItself * chosen->milliseconds) return {byCaps, whyByCaps};
     const std::string what =

@@ -13,7 +13,7 @@ constexpr ScreenTarget kIdentity{"identity", VK_FORMAT_R32G32_UINT, Output::iden
 constexpr ScreenTarget kShaded{"shaded", VK_FORMAT_R8G8B8A8_SRGB, Output::color, "impostor colour"};
 constexpr ScreenTarget kCodedShaded{"shaded", VK_FORMAT_R8G8B8A8_UNORM, Output::color, "impostor colour"};
 
-/// What the screen frame draws for a view.
+/// Targets of the screen frame that a view needs.
 std::span<const ScreenTarget> drawnFor(DebugView view, bool coded) {
     switch (view) {
         case DebugView::depth:
@@ -29,7 +29,7 @@ std::span<const ScreenTarget> drawnFor(DebugView view, bool coded) {
     }
 }
 
-/// What the view is made of.
+/// Images that the view is made from.
 struct Shown {
     graph::Image source;
     std::optional<graph::Image> under;
@@ -93,7 +93,7 @@ Visibility debugVisibility(DebugView view, Visibility usual) {
         case DebugView::patches:
             return Visibility::fragdepth;  // the prepass alone
         default:
-            // A float picture beside the nearest depth would not fit the tile.
+            // A float picture in addition to the nearest depth would not fit the tile.
             return usual == Visibility::rasterOrder ? Visibility::fragdepth : usual;
     }
 }

@@ -6,7 +6,7 @@
 namespace nacre {
 namespace {
 
-// Three invocations of the vertex stage fetch all of a triangle each; caches serve two of them.
+// Each of three vertex invocations fetches the whole triangle; caches serve two of them.
 constexpr std::uint32_t kTriangle = sizeof(Triangle) + 3 * sizeof(MeshVertex);
 constexpr Fetch kPositions{sizeof(Sphere), sizeof(Cylinder), kTriangle};
 constexpr Fetch kPlates{sizeof(Sphere), 0, kTriangle};

@@ -20,7 +20,7 @@ float linearFromSrgb(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c 
 
 namespace {
 
-/// @param add  adds a pixel of a place to four sums, and tells whether anything is there
+/// @param add  adds a pixel to four sums, and returns whether it is covered
 template <typename Add>
 Picture resolve(const ResolvedPart& part, const std::array<float, 4>& background, std::uint64_t& covered,
                 const Add& add) {
@@ -90,8 +90,8 @@ LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const flo
     covered = 0;
     for (std::size_t i = 0; i < count; ++i) {
         // A density map has a normal, and no atom.
-        const bool hit = identity[2 * i] != 0 ||
-                         std::any_of(surface + 4 * i, surface + 4 * i + 3, [](float n) { return n != 0; });
+        const bool hit =
+            identity[2 * i] != 0 || std::any_of(surface + 4 * i, surface + 4 * i + 3, [](float n) { return n != 0; });
         covered += hit ? 1 : 0;
         const float through = 1.0f - color[4 * i + 3];
         for (std::size_t c = 0; c < 4; ++c) l.rgba[4 * i + c] = color[4 * i + c] + through * behind[c];

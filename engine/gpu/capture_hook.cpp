@@ -19,12 +19,12 @@ namespace {
 
 constexpr const char* kLibrary = "librenderdoc.so";
 constexpr const char* kLayer = "VK_LAYER_RENDERDOC_Capture";
-constexpr const char* kEnable = "ENABLE_VULKAN_RENDERDOC_CAPTURE";  // what the layer's manifest asks for
+constexpr const char* kEnable = "ENABLE_VULKAN_RENDERDOC_CAPTURE";  // required by the layer's manifest
 
 using Api = RENDERDOC_API_1_4_0;
 Api& apiOf(void* api) { return *static_cast<Api*>(api); }
 
-bool loadedHere = false;  // not by whoever started this program
+bool loadedHere = false;  // not by the program that started this one
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void CaptureHook::load(bool wanted) {
     }
     api_ = api;
     if (!std::getenv(kEnable)) setenv(kEnable, "1", 1);
-    // F12 is the viewer's own, and what stands in the window is its picture alone.
+    // F12 belongs to the viewer, and the window shows nothing but its picture.
     apiOf(api_).SetCaptureKeys(nullptr, 0);
     apiOf(api_).SetFocusToggleKeys(nullptr, 0);
     apiOf(api_).MaskOverlayBits(eRENDERDOC_Overlay_None, eRENDERDOC_Overlay_None);

@@ -178,7 +178,7 @@ void Device::finish(Single& single, Ends ends) const {
         settle();
         throw;
     }
-    single.commands.reset();  // they hold on to nothing
+    single.commands.reset();  // releases their resources
     device_.resetFences(*single.done);
     if (!kept_->commands) *kept_ = std::move(single);
 }

@@ -32,7 +32,7 @@ FrameSlot& FrameRing::next() {
 
 void FrameRing::submit(FrameSlot& slot, std::span<const vk::CommandBuffer> commands,
                        std::span<const vk::Semaphore> signals) {
-    // A fence that was reset and not submitted would never be signalled: nobody is to wait for it.
+    // A fence that was reset and not submitted is never signalled: nobody may wait for it.
     slot.submitted = false;
     device_->resetFences(*slot.done);
     const vk::Semaphore acquired = *slot.acquired;
@@ -54,7 +54,7 @@ std::optional<std::uint32_t> FrameRing::skipImage() {
     const std::optional<std::uint32_t> image = slot.image;
     if (!image) return image;
     slot.drawn.reset();
-    submit(slot, {}, {});  // what is signalled must be waited for, before it can be signalled again
+    submit(slot, {}, {});  // a signalled semaphore must be waited for before it is signalled again
     for (const FrameSlot& other : slots_)
         if (other.submitted && other.drawn == image &&
             device_->waitForFences(*other.done, true, UINT64_MAX) != vk::Result::eSuccess)

@@ -21,7 +21,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT, V
     return VK_FALSE;
 }
 
-/// Preference among devices when none is named.
+/// Preference among devices if none is named.
 int rank(vk::PhysicalDeviceType type) {
     switch (type) {
         case vk::PhysicalDeviceType::eDiscreteGpu:

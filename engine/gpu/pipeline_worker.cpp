@@ -70,7 +70,7 @@ void PipelineWorker::run() {
         Wanted& w = *next();
         w.state = State::beingMade;
         lock.unlock();
-        State state = State::failed;  // then the frame that wants it makes it, and tells why it cannot
+        State state = State::failed;  // then the frame that needs it makes it, and reports the error
         try {
             w.pipeline = std::visit([&](const auto& d) { return makePipeline(device_, d); }, w.description);
             state = State::made;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kImages = 3;
 
-/// What the renderer can write; sRGB first, whose hardware codes colour as picture files have it.
+/// Formats that the renderer can write; sRGB first, whose hardware coding equals that of image files.
 constexpr vk::Format kPictureFormats[] = {vk::Format::eB8G8R8A8Srgb, vk::Format::eR8G8B8A8Srgb,
                                           vk::Format::eB8G8R8A8Unorm, vk::Format::eR8G8B8A8Unorm};
 
@@ -57,13 +57,13 @@ void Swapchain::chooseFormat(vk::SurfaceKHR surface) {
     throw Error("cannot open a window", device_.caps().deviceName, "its windows have no 8-bit sRGB format");
 }
 
-/// Waits until the display is done with what was presented of this image.
+/// Waits until the display is done with this image.
 void Swapchain::awaitShown(WindowImage& image, std::uint64_t nanoseconds) const {
     if (!image.presented) return;
     if (device_->waitForFences(*image.shown, true, nanoseconds) == vk::Result::eSuccess) image.presented = false;
 }
 
-/// What stands in the window from now on is not of these images.
+/// From now on the window shows none of these images.
 void Swapchain::retire() {
     if (*swapchain_) formers_.push_back({std::move(swapchain_), std::move(images_), std::move(drawnInto_)});
     images_.clear();
@@ -79,7 +79,7 @@ void Swapchain::dropFormers(bool wait) {
         for (WindowImage& image : former.images) try {
                 awaitShown(image, wait ? kMoment : 0);
             } catch (const vk::SystemError&) {
-                image.presented = false;  // the device is gone, and all that it did is over
+                image.presented = false;  // the device is lost, and its work is over
             }
         return wait ||
                (former.drawnInto.use_count() == 1 && std::ranges::none_of(former.images, &WindowImage::presented));
@@ -121,7 +121,7 @@ void Swapchain::recreate(graph::Extent wanted) {
             release();
             before = nullptr;
         } catch (...) {
-            dropFormers(true);  // a surface has one swapchain at a time, but for those that another replaced
+            dropFormers(true);  // a surface has one swapchain at a time, except for replaced ones
             throw;
         }
     }
@@ -187,7 +187,7 @@ void Swapchain::present(std::uint32_t index) {
         vk::PresentInfoKHR info(*image.drawn, swapchain, index);
         vk::SwapchainPresentFenceInfoEXT shown(*image.shown);
         if (*image.shown) {
-            awaitShown(image, UINT64_MAX);  // it was given anew, so that this is over or about to be
+            awaitShown(image, UINT64_MAX);  // the image was returned, so this is done or will be soon
             device_->resetFences(*image.shown);
             info.pNext = &shown;
         }

@@ -18,7 +18,7 @@ constexpr Fact kPixelLocal{"from BXE on: subpasses map to pixel local storage",
 constexpr VkDriverId kKosmicKrisp = static_cast<VkDriverId>(28);  // headers of 1.3.239 have no name for it
 constexpr const char* kImpeller = "Flutter's Impeller, driver_info_vk.cc: it refuses Vulkan there";
 
-/// Of any vendor.
+/// For any vendor.
 constexpr DriverPattern by(VkDriverId driver) { return {0, driver}; }
 constexpr DriverPattern named(std::uint32_t vendor, std::string_view name, std::uint32_t least = 0,
                               std::uint32_t most = kAnyNumber) {
@@ -26,7 +26,7 @@ constexpr DriverPattern named(std::uint32_t vendor, std::string_view name, std::
 }
 
 constexpr KnownDriver kRows[] = {
-    // Mesa's drivers go first: their devices bear the vendors' names, too.
+    // Mesa's drivers go first: their devices also have the vendors' names.
     {by(VK_DRIVER_ID_MESA_TURNIP),
      "turnip",
      {"Mesa's Turnip keeps the three subpasses in GMEM, whatever memory it reports", kStreams}},
@@ -106,8 +106,8 @@ constexpr KnownQuirk kQuirks[] = {
       "github.com/godotengine/godot pull request 91514"}},
 };
 
-/// Whether a device's name has a row's words in it, and behind them a number in its range ("Mali-G610 MC4" of "Mali-G",
-/// "Adreno (TM) 540" of "Adreno"). A row of all numbers wants none.
+/// Whether a device's name contains a row's text, followed by a number in its range ("Mali-G610 MC4" for "Mali-G",
+/// "Adreno (TM) 540" for "Adreno"). A row with the full range needs no number.
 bool hasName(const DriverPattern& of, std::string_view device) {
     if (of.name.empty()) return true;
     const std::size_t at = device.find(of.name);
@@ -121,7 +121,7 @@ bool hasName(const DriverPattern& of, std::string_view device) {
     return number >= of.least && number <= of.most;
 }
 
-/// A driver that does not tell its name is its vendor's own.
+/// A driver without a name is its vendor's own.
 bool fits(const DriverPattern& of, const DriverIdentity& identity) {
     const bool own = identity.driver == VkDriverId{} && of.vendor != 0;
     return (of.vendor == 0 || of.vendor == identity.vendor) &&
@@ -141,7 +141,7 @@ bool has(Quirk quirk, const DriverIdentity& identity) {
 }
 
 DeviceClass classOf(const DriverIdentity& identity) {
-    // A layer or a processor is what it is, whosever name it bears.
+    // Layered and software drivers are recognised whatever their vendor name.
     if (identity.portable) return {&capabilitySet("apple-moltenvk"), DeviceKind::layered, nullptr};
     const auto row = std::ranges::find_if(kRows, [&](const KnownDriver& r) { return fits(r.of, identity); });
     if (!identity.software && row != std::end(kRows)) {

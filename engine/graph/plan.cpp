@@ -25,7 +25,7 @@ std::vector<bool> cullPasses(const Graph& graph) {
             live = live || (isWrite(use.verb) && (!use.isImage || imageWanted[use.resource]));
         if (!live) continue;
         culled[p] = false;
-        // What a clear overwrites is not wanted from earlier passes; everything else that is used is.
+        // A cleared use needs nothing from earlier passes; every other use does.
         for (const Use& use : pass.uses)
             if (use.isImage) imageWanted[use.resource] = !use.clear;
     }

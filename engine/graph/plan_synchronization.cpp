@@ -5,7 +5,7 @@
 namespace nacre::graph {
 namespace {
 
-/// What has happened to a resource since it was last written, and who may already see that write.
+/// History of a resource since its last write, and the stages that already see that write.
 struct Track {
     VkPipelineStageFlags writeStages = 0, readStages = 0, visibleStages = 0;
     VkAccessFlags writeAccess = 0, visibleAccess = 0;
@@ -39,7 +39,7 @@ Track trackOf(const State& state) {
 struct StepUse {
     bool isImage = true;
     std::uint32_t resource = 0;
-    State entry, whole;  // whole.layout: the layout it is left in
+    State entry, whole;  // whole.layout: its final layout
     Attachment* attachment = nullptr;
     std::uint32_t firstSubpass = 0;  // of an attachment
 };
@@ -51,7 +51,7 @@ public:
     void run() {
         for (Step& step : plan_.steps)
             if (step.kind == PassKind::graphics) subpassDependencies(step.renderPass);
-        // Once to learn in what state everything ends, and once more from there: a graph may follow itself.
+        // Once to find the final states, and again starting from these: a graph may follow itself.
         reset();
         for (Step& step : plan_.steps) walk(step, false);
         const std::vector<Track> images = images_;
@@ -179,7 +179,7 @@ private:
         return stateOf(isDepthFormat(attachment.format) ? Verb::depth : Verb::color, PassKind::graphics);
     }
 
-    /// What a subpass does to an attachment. The last one that uses it also stores it, which is a write.
+    /// How a subpass uses an attachment. The last one that uses it also stores it, which is a write.
     static State stateIn(const RenderPassPlan& pass, std::uint32_t subpass, std::uint32_t a, Verb verb) {
         State state = stateOf(verb, PassKind::graphics);
         Verb later{};
@@ -242,8 +242,8 @@ private:
         return imported.access && ((track.writeStages | track.readStages) & ~imported.stages);
     }
 
-    /// A window's image that the last step draws: its render pass hands it to the display as it ends, which spares
-    /// tilers a pass over memory. The semaphore that the display waits for orders the rest.
+    /// A window image drawn by the last step: its render pass transitions it for presentation, which saves tilers a
+    /// pass over memory. The semaphore of the presentation orders the rest.
     bool endsOnDisplay(std::uint32_t image) {
         if (graph_.images()[image].imported->layout != VK_IMAGE_LAYOUT_PRESENT_SRC_KHR || plan_.steps.empty())
             return false;
@@ -265,7 +265,7 @@ private:
                 plan_.after.push_back({false, i, buffers_[i].before(), decl.imported});
             if (!decl.output) continue;
             State to{VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT, {}};
-            if (leftOtherwise(buffers_[i], decl.imported)) {  // the next graph's, too, if that says so
+            if (leftOtherwise(buffers_[i], decl.imported)) {  // also the next graph's, if that says so
                 to.access |= decl.imported.access;
                 if (decl.imported.access) to.stages |= decl.imported.stages;
             }

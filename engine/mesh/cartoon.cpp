@@ -31,7 +31,7 @@ double smoothStep(double x) {
     return t * t * (3 - 2 * t);
 }
 
-/// How far B factors are from what is usual: mean and standard deviation over all that is drawn.
+/// Distribution of B factors: mean and standard deviation over everything drawn.
 struct PuttyScale {
     double mean = 0, deviation = 0;
 
@@ -98,7 +98,7 @@ private:
     std::size_t step() const { return static_cast<std::size_t>(options_.segments); }
     int sides() const { return options_.sides; }
 
-    /// Of the stretch from frame k to the next.
+    /// Atom of the stretch from frame k to the next.
     std::size_t ownerOf(std::size_t k) const {
         const double u = (static_cast<double>(k) + 0.5) / options_.segments + trace_.shift;
         return std::min(static_cast<std::size_t>(u), trace_.atoms.size() - 1);
@@ -182,7 +182,7 @@ private:
     std::vector<std::uint32_t> owners_;
 };
 
-/// With numbers for all that is left to us.
+/// With numbers for all automatic options.
 CartoonOptions settledOptions(const CartoonOptions& options, std::size_t residues) {
     CartoonOptions settled = options;
     const bool many = residues > 20000, tooMany = residues > 60000;

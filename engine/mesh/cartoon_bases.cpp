@@ -33,7 +33,7 @@ struct Base {
     bool has(BaseAtom name) const { return atoms[name] != kNoAtom; }
 };
 
-/// The index among places of the residue of each atom record's position; places.size() if it is none.
+/// Index in `places` of the residue position of each atom record; places.size() if it has none.
 class PlaceOfAtom {
 public:
     PlaceOfAtom(const ResidueFacts& facts, std::span<const RibbonPlace> places)
@@ -112,7 +112,7 @@ private:
         addRod(mesh_, from, place(base, to), kRungRadius, base.atoms[to], base.atoms[to], sides_);
     }
 
-    /// False if an atom is missing or the ring is none.
+    /// False if an atom is missing or the ring is not flat.
     bool plate(const Base& base, bool purine) {
         static constexpr std::array kPurine{kBaseN1, kBaseC2, kBaseN3, kBaseC4, kBaseN9,
                                             kBaseC8, kBaseN7, kBaseC5, kBaseC6};
@@ -162,7 +162,7 @@ void addDisulfides(Mesh& mesh, const ResidueFacts& facts, std::span<const Ribbon
     const Molecule& molecule = facts.molecule();
     if (places.empty()) return;
     const PlaceOfAtom placeOf(facts, places);
-    std::vector<std::uint32_t> betas;  // CB of each place, found when the first bridge is
+    std::vector<std::uint32_t> betas;  // CB of each place, looked up at the first bridge
     for (const Bond& bond : molecule.bonds) {
         const Atom &a = molecule.atoms[bond.a], &b = molecule.atoms[bond.b];
         if (a.element != kSulfur || b.element != kSulfur || !finitePlace(a.position) || !finitePlace(b.position))

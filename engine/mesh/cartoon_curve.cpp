@@ -14,9 +14,9 @@ using glm::dvec3;
 
 constexpr double kLongestTangent = 1.0;    // of the chord from neighbour to neighbour, where a chain turns back sharply
 constexpr double kSharpTurn = 0.8;         // radians, between two helices' axes
-constexpr double kFarthestFromAxis = 1.5;  // Å, of a helix's own axis from the straight cylinder that stands for it
+constexpr double kFarthestFromAxis = 1.5;  // largest distance of a helix's axis from its straight cylinder, Å
 
-/// What guides the curve, after helices and strands have had their say.
+/// Guides of the curve, after processing helices and strands.
 struct Guides {
     std::vector<dvec3> points, tangents;
     std::vector<dvec3> sides;  ///< of residues in helices and strands; 0 elsewhere
@@ -50,7 +50,7 @@ std::vector<dvec3> helixAxes(const std::vector<dvec3>& points, const FoldRun& ru
     }
     const dvec3 along = unitOr(points[run.last] - points[run.first], dvec3(0, 0, 1));
     for (dvec3& axis : sums) axis = unitOr(axis, along);
-    // A left-handed helix, or a window gone wrong, must not turn the axis against the chain.
+    // A left-handed helix, or a bad window, must not turn the axis against the chain.
     if (glm::dot(sums[length / 2], along) < 0)
         for (dvec3& axis : sums) axis = -axis;
     return sums;
@@ -77,7 +77,7 @@ std::vector<dvec3> axisPoints(const std::vector<dvec3>& points, const FoldRun& r
     };
     for (const std::size_t i : {std::size_t{1}, std::size_t{0}}) extend(i, 2);
     for (const std::size_t i : {length - 2, length - 1}) extend(i, length - 3);
-    // What is left of helices that turn otherwise.
+    // The remaining helices, drawn otherwise.
     std::vector<dvec3> smooth = axis;
     for (std::size_t i = 1; i + 1 < length; ++i) smooth[i] = (axis[i - 1] + 2.0 * axis[i] + axis[i + 1]) / 4.0;
     return smooth;
@@ -102,8 +102,8 @@ void straighten(std::vector<dvec3>& axis, std::size_t first, std::size_t last) {
     for (std::size_t i = first + 1; i < last; ++i) axis[i] = a + along * glm::dot(axis[i] - a, along);
 }
 
-/// Where two helices follow one another without a residue between, as files have them: the largest turn of the axis
-/// from the four residues before a place to the four behind it, if it is a sharp one.
+/// For two consecutive helices without a residue between them: the largest turn of the axis from the four residues
+/// before a position to the four after it, if it is sharp.
 std::uint32_t kinkOf(const std::vector<dvec3>& points, const FoldRun& run) {
     double sharpest = kSharpTurn;
     std::uint32_t kink = run.last;
@@ -161,9 +161,8 @@ void guideStrand(const Trace& trace, const FoldRun& run, Guides& guides) {
     std::copy(sides.begin(), sides.end(), guides.sides.begin() + run.first);
 }
 
-/// Half of the chord from neighbour to neighbour where the chain is straight, more where it turns: the cubic between
-/// two points is then at the radius of the circle through them at its middle, too. With chords that turn by phi,
-/// 2 tan(phi / 4) / sin(phi).
+/// Half of the chord between the neighbours for a straight chain, more where it turns: then the cubic between two
+/// points is at the radius of their circle also in its middle. For chords that turn by phi, 2 tan(phi / 4) / sin(phi).
 double tangentScale(double phi) {
     if (phi < 1e-3) return 0.5;
     phi = std::min(phi, 0.55 * std::numbers::pi);
@@ -185,7 +184,7 @@ void findTangents(const std::vector<bool>& wound, Guides& guides) {
             guides.tangents[i] = tangent * std::min(1.0, longest / std::max(glm::length(tangent), 1e-9));
             continue;
         }
-        // What goes along the axis is straight, what goes around it is a circle.
+        // The component along the axis is straight, the component around it a circle.
         const dvec3 axis = guides.sides[i];
         const double phi = angleBetween(across(a, axis), across(b, axis));
         guides.tangents[i] = axis * (0.5 * glm::dot(chord, axis)) + across(chord, axis) * tangentScale(phi);
@@ -205,8 +204,8 @@ dvec3 transported(const dvec3& side, const Frame& to) {
     return unitOr(across(side, to.tangent), anyAcross(to.tangent));
 }
 
-/// Sides of the frames between two that are settled: carried from the first, and what then is missing to the second is
-/// spread evenly. A band looks the same upside down, so the second is taken as it is nearer; true if that is reversed.
+/// Sides of the frames between two fixed ones: carried from the first, with the remaining angle to the second spread
+/// evenly. A band is symmetric upside down, so the second may be reversed to be nearer; true if it is.
 bool settleBetween(std::vector<Frame>& frames, std::size_t a, std::size_t b) {
     for (std::size_t k = a + 1; k < b; ++k) frames[k].side = transported(frames[k - 1].side, frames[k]);
     const dvec3 arrived = transported(frames[b - 1].side, frames[b]);
@@ -277,12 +276,12 @@ std::vector<Frame> cartoonFrames(const Trace& trace, const std::vector<FoldRun>&
     findTangents(wound, guides);
     for (const FoldRun& run : runs) {
         if (plain || run.kind != SecondaryStructure::helix || helices == HelixForm::ribbon) continue;
-        // A solid's ends stand square to its axis, and the coil leaves them by their middle.
+        // A solid's ends are perpendicular to its axis, and the coil leaves them at their centre.
         guides.tangents[run.first] = guides.points[run.first + 1] - guides.points[run.first];
         guides.tangents[run.last] = guides.points[run.last] - guides.points[run.last - 1];
     }
 
-    std::vector<std::uint32_t> runOf(trace.points.size());  // counted from 1; 0: none
+    std::vector<std::uint32_t> runOf(trace.points.size());  // counted from 1; 0: no run
     for (std::uint32_t r = 0; r < runs.size(); ++r)
         std::fill(runOf.begin() + runs[r].first, runOf.begin() + runs[r].last + 1, r + 1);
     const std::size_t count = (trace.points.size() - 1) * static_cast<std::size_t>(segments) + 1;

@@ -13,7 +13,7 @@
 namespace nacre {
 namespace {
 
-/// How many rings make the round end of a tube, besides its pole.
+/// Number of rings of a tube's round end, besides its pole.
 constexpr int kEndRings = 3;
 
 /// A corner of a cross-section: where it is, from -1 to 1 along side and normal, and which way its outline goes there.
@@ -22,7 +22,7 @@ struct OutlinePoint {
     double alongX = 0, alongY = 0;
 };
 
-/// Counter-clockwise seen from the curve's end. A rectangle's corners stand twice, for each of its faces.
+/// Counter-clockwise seen from the curve's end. A rectangle's corners are duplicated for its faces.
 std::vector<OutlinePoint> outlineOf(SectionShape shape, int sides) {
     if (shape == SectionShape::rectangle)
         return {{1, -1, 0, 1},  {1, 1, 0, 1},    {1, 1, -1, 0},  {-1, 1, -1, 0},
@@ -80,7 +80,7 @@ private:
 
     std::uint32_t nextVertex() const { return static_cast<std::uint32_t>(mesh_.positions.size()); }
 
-    /// How far the points about the piece's rings stand off polygons of some of them.
+    /// Largest distance of the points of the piece's rings from polygons of some of them.
     double sideErrorOf(const Picks& picks) const {
         double most = 0;
         const Section* last = nullptr;
@@ -108,9 +108,8 @@ private:
         return nearest;
     }
 
-    /// Whether what lies between two rings, or they themselves, may stand off what goes straight from one polygon to
-    /// the other by more than an error. All is straight from ring to ring and from point to point, so that it is most
-    /// at some point. Then the fold of a quad whose corners lie in no plane.
+    /// Whether the part between two rings may deviate from straight polygons by more than an error. Everything is
+    /// linear between rings and points, so the maximum is at a point. Adds the fold of a non-planar quad.
     bool bends(std::size_t from, std::size_t to, const std::vector<glm::dvec2>& nearest,
                const std::vector<glm::dvec2>& edges, double error) const {
         const glm::dvec3 turnX = sides_[to] - sides_[from], turnY = normals_[to] - normals_[from];
@@ -141,7 +140,7 @@ private:
         return edges;
     }
 
-    /// A coarser form: which points of each ring it has, which rings, and what error the ends may add.
+    /// A coarser form: its points per ring, its rings, and the error that its ends may add.
     struct Form {
         Picks picks;
         std::vector<std::size_t> rings;  // of rings_

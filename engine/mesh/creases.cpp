@@ -17,7 +17,7 @@ namespace {
 using glm::dvec3;
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr double kTouch = 1e-6;  // Å: what touches a ball is not inside it
+constexpr double kTouch = 1e-6;  // Å: touching a ball is not inside it
 
 class CreaseMaker {
 public:
@@ -48,7 +48,7 @@ private:
         return covered;
     }
 
-    /// Of two spheres that meet: their circle's centre, the unit vector from a to b, and its radius.
+    /// Intersection circle of two spheres: centre, unit vector from a to b, and radius.
     struct Circle {
         dvec3 center{}, axis{};
         double radius = 0;
@@ -65,11 +65,11 @@ private:
         return Circle{one.center + axis * along, axis, std::sqrt(squared)};
     }
 
-    /// A place on a crease, if it is open and near enough to where it was looked for. Where another ball covers it, the
-    /// place towards there on that one.
+    /// A point on a crease, if it is open and near enough to the start. If another ball covers it: the point in that
+    /// direction on that ball.
     struct Place {
         dvec3 at{};
-        std::uint32_t ball = kNone;  ///< the one that covers it; none: it is on the crease
+        std::uint32_t ball = kNone;  ///< the ball that covers it; none: on the crease
     };
     std::optional<Place> openPlace(const dvec3& place, const dvec3& from, const dvec3& normal) const {
         if (!(glm::distance(place, from) <= step_)) return std::nullopt;
@@ -89,8 +89,8 @@ private:
         return static_cast<std::uint32_t>(mesh_.positions.size() - 1);
     }
 
-    /// Vertices on the crease between an edge's ends, for the side of the one with the lower and with the higher
-    /// number; the same for both triangles that share the edge. None where there is no crease.
+    /// Vertices on the crease between an edge's ends, for the side with the lower and with the higher number; shared by
+    /// both triangles of the edge. None without a crease.
     struct Cut {
         std::uint32_t low = kNone, high = kNone;
     };
@@ -158,7 +158,7 @@ private:
                 add(t[i], t[j], on(i, j));
                 return add(t[i], on(i, k), t[k]);
             }
-            if (count == 2 && !isCut(i)) {  // corner i stands alone beyond the crease
+            if (count == 2 && !isCut(i)) {  // corner i is alone on its side of the crease
                 add(t[i], on(k, i), on(j, i));
                 add(on(k, j), t[j], t[k]);
                 return add(on(k, j), t[k], on(j, k));

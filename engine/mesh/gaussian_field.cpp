@@ -10,7 +10,7 @@ namespace nacre {
 namespace {
 
 constexpr double kSmoothness = 1.5;
-constexpr double kGaussianReach = 2.5;  // radii; exp(-1.5 * 6.25) is 1e-4 of what an atom has at its centre
+constexpr double kGaussianReach = 2.5;  // radii; exp(-1.5 * 6.25) is 1e-4 of the value at an atom's centre
 
 class GaussianField : public SurfaceField {
 public:

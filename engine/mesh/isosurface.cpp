@@ -32,8 +32,8 @@ std::array<PlacedEdge, kCellEdges> placedEdges() {
     return edges;
 }
 
-/// Of the 256 cells, what of their triangles' borders lies in the three faces at the lower ends: each face is the lower
-/// one of one cell. Borders are walked once, the diagonals between triangles twice.
+/// For each of the 256 cells the borders of its triangles in the three lower faces: each face is the lower one of one
+/// cell. Visits borders once, diagonals between triangles twice.
 using CellLines = std::array<std::vector<std::array<std::uint8_t, 2>>, 256>;
 CellLines lowerLines() {
     CellLines lines;
@@ -68,8 +68,8 @@ int wrappedNode(int at, int count) {
 
 }  // namespace
 
-/// Cuts one layer of blocks. Vertices on its upper plane are those that the next layer begins with, which come to stand
-/// right behind its own: they are numbered on.
+/// Cuts one layer of blocks. Vertices on its upper plane are those that the next layer begins with, numbered after its
+/// own.
 class IsosurfaceSlab {
 public:
     IsosurfaceSlab(const MapRegion& region, float level, bool above, IsosurfaceParts parts, const glm::dvec3& origin)
@@ -179,7 +179,7 @@ private:
         const double length = glm::length(normal);
         result_.normals.emplace_back(length > 0 ? normal / length : glm::dvec3(0, 0, 1));
     }
-    /// Of the values at nodes, per node. At the end of a box, and of what is known, one-sided.
+    /// Gradient of the values, per node. One-sided at the ends of a box and of known values.
     glm::dvec3 gradientAt(const glm::ivec3& node) const {
         const glm::ivec3 in = region_.first_ + node;
         const double here = static_cast<double>(valueOf(in));
@@ -194,7 +194,7 @@ private:
         }
         return gradient;
     }
-    /// Of the map itself, whatever the region has of it.
+    /// Value of the map itself, inside or outside of the region.
     float valueOf(glm::ivec3 node) const {
         for (int axis = 0; axis < 3; ++axis) {
             if (node[axis] >= 0 && node[axis] < map_.size[axis]) continue;
@@ -268,7 +268,7 @@ MapRegion::MapRegion(const DensityMap& map, glm::ivec3 first, glm::ivec3 last) :
 
 MapRegion::MapRegion(const DensityMap& map, std::span<const glm::dvec3> places, double reach) : map_(map) {
     if (places.empty()) return;
-    // A ball reaches as far along an axis of the grid as its planes are apart.
+    // A ball's extent along an axis of the grid depends on the distance of the grid's planes.
     const glm::dmat3 toNodes = glm::transpose(glm::inverse(map.step));  // columns: the ways across the planes
     const glm::dvec3 ball(glm::length(toNodes[0]) * reach, glm::length(toNodes[1]) * reach,
                           glm::length(toNodes[2]) * reach);

@@ -16,7 +16,7 @@ using glm::dvec3;
 
 constexpr double kSlack = 0.05;  // Å^2, so that nothing is lost between a circle's wedge and its neighbours
 constexpr double kNowhere = 1e9;
-constexpr float kDeepInside = 1e3f;  // of nodes that no place of the probe is near
+constexpr float kDeepInside = 1e3f;  // for nodes far from every probe position
 
 class ProbeField : public SurfaceField {
 public:
@@ -47,7 +47,7 @@ public:
 
     void fill(const GridBlock& block, std::span<const std::uint32_t> sources, std::vector<float>& values,
               std::vector<std::uint32_t>& origins) const override {
-        // First who is inside a ball at all, then how far it is out of them.
+        // First finds nodes inside a ball, then their distance to the outside.
         std::fill(values.begin(), values.end(), static_cast<float>(-probe_ - outside_));
         std::fill(origins.begin(), origins.end(), kNoSource);
         for (const std::uint32_t source : sources)
@@ -90,17 +90,17 @@ private:
     struct Nearest {
         dvec3 place{};
         dvec3 normal{};              ///< of a ball
-        double distance = kNowhere;  ///< Å; of what is outside a ball below 0
+        double distance = kNowhere;  ///< Å; negative outside of the balls
     };
 
-    /// Inside, the nearer of two; what is outside a ball knows nothing of the inside.
+    /// Inside, the nearer of two; sources outside of a ball have no information about the inside.
     static const Nearest& nearer(const Nearest& a, const Nearest& b) {
         if (a.distance == kNowhere || b.distance == kNowhere) return a.distance == kNowhere ? b : a;
         const bool first = a.distance < b.distance;
         return first == (std::min(a.distance, b.distance) >= 0) ? a : b;
     }
 
-    /// The place of the probe next to a point, by one source, however open it is there.
+    /// The probe position nearest to a point, for one source, whether open or not.
     Nearest nearestOf(std::uint32_t source, const dvec3& place) const {
         if (source == kNoSource) return {};
         dvec3 found;
@@ -209,7 +209,7 @@ private:
         });
     }
 
-    /// A node's nearest place is on a circle only if it lies between the ways from there to the two centres.
+    /// A circle has a node's nearest position only if the node is between the directions from there to both centres.
     void nearCircle(const GridBlock& block, std::uint32_t source, std::vector<float>& values,
                     std::vector<std::uint32_t>& origins) const {
         const ProbeCircle& circle = places_.circles()[source - balls_.size()];

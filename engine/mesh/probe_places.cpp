@@ -14,7 +14,7 @@ namespace {
 
 using glm::dvec3;
 
-/// What a ball covers of a circle.
+/// Part of a circle that a ball covers.
 struct CoveredArc {
     double begin = 0, end = 0;
     std::uint32_t by = 0;
@@ -53,7 +53,7 @@ ProbePlaces::ProbePlaces(const std::vector<SurfaceBall>& balls, double probe)
     }
 }
 
-/// Of a ball without open circles: whether all of it is open, not covered.
+/// For a ball without open circles: whether it is fully open, not covered.
 bool ProbePlaces::isAlone(std::uint32_t ball) const {
     const dvec3 place = balls_[ball].center + dvec3(0, 0, reachOf(ball));
     const auto neighbours = grid_.neighbours(ball);
@@ -78,9 +78,8 @@ bool ProbePlaces::circleOf(std::uint32_t a, std::uint32_t b, ProbeCircle& circle
     return true;
 }
 
-/// What no third ball covers. Adds the arcs' ends: each will be found on all three circles, or on as many as can
-/// tell where more than three spheres meet.
-/// @return false if nothing is open
+/// Arcs that no third ball covers. Adds their ends, which are found on all three circles, or on fewer if more than
+/// three spheres meet numerically. @return false if nothing is open
 bool ProbePlaces::openArcs(ProbeCircle& circle, std::vector<ProbePoint>& points) const {
     constexpr double kTurn = 2 * std::numbers::pi;
     std::vector<CoveredArc> covered;

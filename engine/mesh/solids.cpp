@@ -32,7 +32,7 @@ public:
         rings_.push_back(ring);
     }
 
-    /// The same ring for another atom.
+    /// Moves the ring to another atom.
     void change(const glm::dvec3& center, double radius, double latitude, std::uint32_t atom) {
         last_ = addRing(center, radius, latitude, atom);
         rings_.push_back({last_, radius, false});
@@ -82,8 +82,8 @@ private:
             triangles.emplace_back(last_ + picks[i], last_ + picks[(i + 1) % picks.size()], tip);
     }
 
-    /// Where the error allows it, a round end is flat, or a cone from its widest ring; else it has all its rings. What
-    /// is no wider than the error is all a cone, from its first wide ring to its tip, if no atom changes on the way.
+    /// If the error allows it, a round end becomes flat, or a cone from its widest ring; else it keeps all rings. Parts
+    /// narrower than the error become one cone, from the first wide ring to the tip, if no atom changes on the way.
     void addCoarser(MeshLevel& level, std::uint32_t tip) {
         double widest = 0;
         for (const Ring& ring : rings_) widest = std::max(widest, ring.radius);
@@ -186,8 +186,8 @@ Picks thinCorners(const std::vector<std::uint32_t>& fan) {
     return corners;
 }
 
-/// How far a convex plate stands off what addThinPlate() leaves of it, at most: a corner that is left out, from the
-/// side between its neighbours and the same corner on the other side.
+/// Largest distance of a convex plate from the result of addThinPlate(): of a dropped corner, from the side between its
+/// neighbours and from the same corner on the other side.
 double thinError(std::span<const glm::dvec3> outline, const Picks& corners, double thickness) {
     double most = 0;
     const std::size_t n = corners.size();

@@ -45,7 +45,7 @@ struct GridEdgeHash {
     }
 };
 
-/// What a block makes: a mesh, and those of its vertices that other blocks make, too.
+/// Output of a block: a mesh, and its vertices shared with other blocks.
 struct BlockMesh {
     Mesh mesh;
     std::vector<std::pair<std::uint32_t, GridEdge>> shared;
@@ -118,7 +118,7 @@ struct BlockOrder {
     }
 };
 
-/// Blocks that something reaches into, and what.
+/// Non-empty blocks, with the sources that reach into them.
 std::map<glm::ivec3, std::vector<std::uint32_t>, BlockOrder> blocksOf(const SurfaceField& field, double step) {
     std::map<glm::ivec3, std::vector<std::uint32_t>, BlockOrder> blocks;
     const auto boxes = field.reaches();
@@ -181,8 +181,7 @@ glm::dvec3 middleOf(const Molecule& molecule, std::span<const std::uint32_t> ato
     return low.x <= high.x ? (low + high) / 2.0 : glm::dvec3();
 }
 
-/// Refuses what would not fit, before it is made: a protein's surface by its atoms, and no more than those of its atoms
-/// apart.
+/// Refuses a surface that would be too large, before it is made: estimated from its atoms.
 void checkSurfaceSize(const std::vector<SurfaceBall>& balls, double step) {
     double farthest = 0, apart = 0;
     for (const SurfaceBall& ball : balls) {
@@ -234,7 +233,7 @@ Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, con
         meshes[i] = BlockCutter(*field, {first, first + kBlockCells, step}, middle - origin).cut(*list[i].second);
     });
     Mesh mesh = joined(meshes);
-    if (!options.cavities) dropCavities(mesh);  // by what hangs together, which creases part
+    if (!options.cavities) dropCavities(mesh);  // by connectivity, which creases break
     if (options.kind != SurfaceKind::gaussian && (accessible || probe == 0))
         putCreases(mesh, balls, middle - origin, step);
     return mesh;

@@ -10,7 +10,7 @@
 namespace nacre {
 namespace {
 
-/// A residue position. Residues of different name stand at one position where the sequence itself alternates.
+/// A residue position. Alternative residues (microheterogeneity) share one.
 using Position = std::tuple<std::uint32_t, std::int32_t, char>;
 
 Position positionOf(const Residue& residue) { return {residue.chain, residue.number, residue.insertionCode}; }

@@ -8,7 +8,7 @@
 namespace nacre {
 namespace {
 
-/// Joins lists of names; tells where those of a further list went.
+/// Joins lists of names, and maps the indices of a further list.
 class Names {
 public:
     explicit Names(std::vector<std::string>& names) : names_(names) {
@@ -72,7 +72,7 @@ private:
         }
     }
 
-    /// One value an atom, in both or in neither.
+    /// One value per atom, in both or in neither.
     void addValues(std::vector<float>& values, const std::vector<float>& more, std::size_t atoms) {
         if (values.size() == atoms && values.size() + more.size() == whole_.atoms.size())
             values.insert(values.end(), more.begin(), more.end());

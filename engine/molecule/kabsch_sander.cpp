@@ -103,7 +103,7 @@ public:
         std::sort(entries_.begin(), entries_.end());
     }
 
-    /// Those in and beside its cell; false if there are more than kMostNeighbours.
+    /// Peptides in its cell and the neighbouring ones; false if there are more than kMostNeighbours.
     bool near(const Peptide& peptide, std::vector<std::uint32_t>& neighbours) const {
         neighbours.clear();
         const auto [model, x, y, z] = cellOf(peptide);
@@ -191,7 +191,7 @@ private:
 
     std::vector<Ladder> ladders(const Pairs& pairs) const {
         std::vector<Ladder> all;
-        // Where a ladder ends now: it may go on with the next residue alone, so those of older ones are passed over.
+        // Current end of a ladder: only the next residue can extend it, so older ones are skipped.
         std::size_t firstOpen = 0;
         for (const auto& pair : pairs) {
             const auto i = pair.first, j = pair.second;  // a lambda of Clang 14 takes no structured binding
@@ -251,8 +251,8 @@ private:
                 for (std::uint32_t k = side->front(); k <= side->back(); ++k) kinds_[k] = SecondaryStructure::strand;
     }
 
-    /// Turns of n residues that begin at two neighbours make a helix of the n between. Alpha goes before strands, the
-    /// others stand where nothing does, the pi helix in place of alpha, too.
+    /// Two consecutive n-turns make a helix of the n residues between. Alpha takes precedence over strands, the others
+    /// fill gaps, the pi helix also replaces alpha.
     void helices() {
         std::vector<int> turns(kinds_.size());  // of the helix that a residue is in
         for (const std::uint32_t n : {4u, 3u, 5u})

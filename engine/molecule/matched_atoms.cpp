@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostResidues = 20'000;
 
 constexpr std::string_view kLetters = "ARNDCQEGHILKMFPSTWYV";
-/// Of each letter, its scores with those up to itself.
+/// For each letter its scores with the letters up to itself.
 constexpr std::int8_t kBlosum62[] = {4,                                                                          //
                                      -1, 5,                                                                      //
                                      -2, 0,  6,                                                                  //
@@ -124,7 +124,7 @@ std::vector<bool> inDrawnConformer(const ResidueFacts& facts, const std::vector<
     return drawn;
 }
 
-/// Residues with a selected atom, in their order. Waters are none: their order in two files says nothing.
+/// Residues with a selected atom, in order. Excludes waters: their order differs arbitrarily between files.
 std::vector<std::uint32_t> residuesOf(const Molecule& molecule, const std::vector<bool>& selected) {
     std::vector<std::uint32_t> residues;
     for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) {

@@ -12,10 +12,10 @@
 namespace nacre {
 namespace {
 
-// Of the 700 bytes that memory_bound.h allows an atom.
+// Part of the 700 bytes per atom of memory_bound.h.
 constexpr std::size_t kBytesPerAtom = 48;
 
-/// Whether two molecules are the same but for where their atoms are.
+/// Whether two molecules are equal except for atom positions.
 bool sameButForPlaces(const Molecule& a, const Molecule& b) {
     const auto sameAtom = [](const Atom& x, const Atom& y) {
         return x.element == y.element && x.residue == y.residue && x.name == y.name && x.alternate == y.alternate &&
@@ -81,7 +81,7 @@ std::size_t OtherModels::add(OtherModel other, std::size_t mostHeld) {
     if (much && !store.file) store.file = ByteFile::temporary();
     if (much && store.file) place.at = store.file->size();
     place.inFile = much && store.file && store.file->append(other.positions.data(), bytes);
-    store.noFile = much && !place.inFile;  // no room: held after all, as far as its reader lets it
+    store.noFile = much && !place.inFile;  // no disk space: kept in memory, as far as the reader allows
     if (!place.inFile) {
         store.heldBytes += bytes;
         place.held = std::move(other);
@@ -127,7 +127,7 @@ void place(const Molecule& molecule, const OtherModel& other, Molecule& placed) 
         if (!molecule.assemblies.empty()) placed.assemblies = assembliesFor(placed, molecule);
         return;
     }
-    // A copy with everything but the other models, and what takes room and says nothing of places.
+    // Copies everything except the other models and large data that is independent of positions.
     placed.atoms = molecule.atoms;
     placed.residues = molecule.residues;
     placed.chains = molecule.chains;

@@ -1,4 +1,4 @@
-// From a content to what is wanted of it (formats/model_reader.h has the way as a whole).
+// Reads the requested models of a content (overview: formats/model_reader.h).
 
 #include "engine/molecule/read.h"
 
@@ -46,7 +46,7 @@ Molecule readOne(const Content& content, const ReadOptions& options) {
     return molecule;
 }
 
-/// What a file holds altogether, which the text of one model does not tell.
+/// Totals of a file, which the text of one model does not have.
 void addUp(FileSummary& sum, const FileSummary& model) {
     const auto add = [](std::optional<std::int64_t>& to, const std::optional<std::int64_t>& more) {
         if (to && more) *to += *more;
@@ -58,7 +58,7 @@ void addUp(FileSummary& sum, const FileSummary& model) {
     add(sum.totalBondsAllRecords, model.totalBondsAllRecords);
 }
 
-/// The same of a text that is read model by model. Nothing if there is something to say that wants the whole text.
+/// As above for a text read model by model. Empty if a message needs the whole text.
 std::optional<Molecule> readOneOfSpans(const Content& content, const ReadOptions& options) {
     const auto count = static_cast<int>(content.spans.models.size());
     if (options.model < 1 || options.model > count) return std::nullopt;

@@ -14,7 +14,7 @@ using Place = std::tuple<std::uint32_t, std::int32_t, char>;  // chain, number, 
 
 constexpr std::int64_t kNowhere = -1;
 
-/// Position of the first residue at a place that stands at or after `from`.
+/// Index of the first residue at a position at or after `from`.
 std::int64_t firstAt(const std::map<Place, std::vector<std::int64_t>>& places, const Place& place, std::int64_t from) {
     const auto found = places.find(place);
     if (found == places.end()) return kNowhere;
@@ -48,7 +48,7 @@ std::optional<SecondaryRange> secondaryOfPdbLine(std::string_view line) {
 
 void applySecondaryStructure(Molecule& molecule, const std::vector<SecondaryRange>& ranges) {
     if (ranges.empty()) return;
-    // A chain's residues in a row, waters and ligands at the end of the file too.
+    // A chain's residues in a row, including waters and ligands at the end of the file.
     std::vector<std::uint32_t> order(molecule.residues.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {

@@ -43,7 +43,7 @@ glm::dvec3 farthestFrom(const glm::dvec3& middle, std::span<const glm::dvec3> po
     return farthest;
 }
 
-/// On a line, or at one place, within a ten thousandth of their extent.
+/// Collinear or coincident, within 1e-4 of their extent.
 bool onALine(std::span<const glm::dvec3> points) {
     const glm::dvec3 m = middle(points), line = farthestFrom(m, points);
     const double length = glm::length(line);

@@ -22,7 +22,7 @@ std::optional<Number> parseWhole(std::string_view text) {
     return value;
 }
 
-/// Length of the UTF-8 sequence at the front that may stand in a message as it is; 0 if there is none.
+/// Length of the UTF-8 sequence at the front that may appear in a message; 0: none.
 std::size_t printableSequence(std::string_view text) {
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
     const auto follows = [&](std::size_t i) { return (byte(i) & 0xC0u) == 0x80u; };

@@ -14,7 +14,7 @@ constexpr std::uint32_t kNoCarbon = 0xffffffffu;
 constexpr Element kElementOfTrace = 6;
 constexpr std::size_t kWindow = 5;
 
-/// Distances of alpha carbons that stand 2, 3 and 4 residues apart, and by how much each may be off, Å.
+/// Distances of alpha carbons 2, 3 and 4 residues apart, and their tolerance, Å.
 struct Pattern {
     SecondaryStructure kind;
     std::array<double, 3> distances;

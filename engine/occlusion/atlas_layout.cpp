@@ -57,7 +57,7 @@ std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t c
 }
 
 bool holdsItsPatches(const OcclusionLayout& l, std::uint32_t mostSide) {
-    const std::uint32_t most = std::min(mostSide, 1u << 16);  // what an address has bits for
+    const std::uint32_t most = std::min(mostSide, 1u << 16);  // limit of an address's bits
     if (l.width == 0 || l.width > most || l.height > most || l.sphereRows > l.height ||
         l.cylinderRows > l.height - l.sphereRows)
         return false;

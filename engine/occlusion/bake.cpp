@@ -13,7 +13,7 @@ namespace {
 
 using Usage = vk::BufferUsageFlagBits;
 
-/// Whether all places but turn and move, exactly enough that two rows of a rotation tell the third.
+/// Whether all transforms are rigid motions, accurate enough to derive a rotation's third row from the others.
 bool allTurn(const std::vector<std::vector<glm::dmat4x3>>& groups) {
     constexpr double kMost = 1e-5;
     for (const std::vector<glm::dmat4x3>& places : groups)

@@ -1,4 +1,4 @@
-// A scene's bake beside a window's frames: submitted slice by slice, and never waited for.
+// A scene's bake beside a window's frames: submitted in slices, without waiting.
 #include <utility>
 
 #include "engine/occlusion/scene_occlusion.h"
@@ -8,7 +8,7 @@ namespace nacre::occlusion {
 void SceneOcclusion::prepareBeside(const OcclusionSettings& settings, bool hurry) {
     if (isOutdated()) {
         if (const auto* finished = std::get_if<Finished>(&state_)) {
-            // It is shown until the next is done; the one before it went with the end of this one.
+            // Shown until the next bake is done; the previous one was dropped.
             before_ = finished->bake;
             state_.emplace<Idle>();
         } else if (hurry && before_) {
@@ -42,7 +42,7 @@ double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const Oc
     return baking ? baking->shown : 1;
 }
 
-/// Submits what frames are to show, if there is enough of it, and the next part of the bake, if it may.
+/// Submits what frames will show, if there is enough, and the next part of the bake, if allowed.
 void SceneOcclusion::submit(Baking& baking, const OcclusionPace& pace) {
     Bake& bake = *baking.bake;
     const bool showing = bake.betweenSteps() && share() > baking.shown &&
@@ -78,7 +78,7 @@ void SceneOcclusion::submit(Baking& baking, const OcclusionPace& pace) {
     stats_.occlusion.asked = bake.asked();
 }
 
-/// What was submitted is done.
+/// Handles a finished submission.
 void SceneOcclusion::collect(Baking& baking) {
     const double waited = millisecondsSince(baking.submittedAt);
     if (baking.submittedUnits > 0) {
@@ -92,7 +92,7 @@ void SceneOcclusion::collect(Baking& baking) {
     }
 }
 
-/// Waits for what is in flight beside frames.
+/// Waits for submissions beside frames.
 void SceneOcclusion::finishFlight() {
     if (!submission_ || !submission_->pending()) return;
     submission_->wait();

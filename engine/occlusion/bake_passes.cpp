@@ -1,4 +1,4 @@
-// What a bake dispatches: questions to the depth maps, and their sums into the atlas.
+// Dispatches of a bake: depth map tests, and their sums into the atlas.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -71,8 +71,8 @@ float Bake::spreadOfTaps() const {
 float Bake::widestTaps() const { return static_cast<float>(std::min(2.0 * std::sqrt(128.0 / directions()), 2.5)); }
 
 float Bake::spreadOfVertices() const {
-    // Of a cartoon of 4HHB (62,000 vertices) they take the RMS from 0.042 to 0.037. Surfaces have few thin parts, and
-    // many vertices.
+    // For a cartoon of 4HHB (62,000 vertices) they reduce the RMS from 0.042 to 0.037. Surfaces have few thin parts,
+    // and many vertices.
     constexpr std::uint32_t kMost = 200'000;
     return layout_.vertexCount <= kMost ? widestTaps() : spreadOfTaps();
 }
@@ -103,7 +103,7 @@ void Bake::wantPipelines(gpu::Executor& executor, const Allowance& least, const 
                 if (run.count > 0) c.pipelines.want(accumulationPipeline(c, accumulation(run.of, batch)));
         c.pipelines.want(finishPipeline(c));
     });
-    // Last: whoever waits for the bake makes the first of them himself, meanwhile.
+    // Last: a caller that waits for the bake makes the first ones itself, meanwhile.
     maps_.wantPipelines(executor, !drawnAtOnce(first, least));
 }
 
@@ -161,9 +161,9 @@ void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Im
     }
 }
 
-/// The directions of a batch as each group of copies meets them: the copy that a direction asks about is moved to its
-/// place first. Of those that a batch lacks all is zero. Lengths are a map's pixels, its rows run downwards.
-/// @param first  number of the batch's first direction
+/// The directions of a batch for each group of copies: first moves the tested copy to its position. Missing directions
+/// of a batch are zero. Lengths are a map's pixels, rows run downwards.
+/// @param first  index of the batch's first direction
 void Bake::writeDirections(std::span<const glm::dmat3> frames, int first) {
     auto* group = batchDirections_.mapped;
     const double scale = maps_.view(glm::dmat3(1)).pixelsPerAngstrom, middle = maps_.pixels() / 2.0;

@@ -12,11 +12,11 @@ namespace {
 constexpr std::uint64_t kBytesPerTexel = 2;     // of the atlas: the texel, and the byte that is copied into it
 constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
 
-/// Of a vertex: its texel, and two list entries, whose words are said to be a quarter as many.
+/// Per vertex: its texel, and two list entries, whose words are a quarter as many.
 constexpr std::uint64_t kBytesPerVertex = kBytesPerTexel + 2 * kBytesPerOpen + sizeof(AtlasWord) / 2 + 1;
 
-/// Texels that a bake takes on, whatever the memory: its time goes with them. With few directions their noise outweighs
-/// what finer patches bring.
+/// Maximum of texels regardless of memory: time is proportional to them. With few directions noise outweighs the
+/// benefit of finer patches.
 std::uint64_t mostTexels(std::uint64_t primitives, int directions) {
     const double share = std::clamp(directions / 128.0, 0.5, 4.0);
     return static_cast<std::uint64_t>(share * (700'000.0 + 40.0 * static_cast<double>(primitives)));

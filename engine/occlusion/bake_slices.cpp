@@ -7,14 +7,14 @@
 namespace nacre::occlusion {
 namespace {
 
-// A primitive on a map, in units: some forty vertices and as many fragments, against a texture read and its arithmetic.
+// Cost of a primitive on a map, in units: forty vertices and fragments, versus a texture read with arithmetic.
 constexpr double kUnitsOfInstance = 20;
 // Parts of a direction are no smaller: a submission costs time of its own.
 constexpr std::uint64_t kLeastInstances = 256;
 constexpr std::size_t kLeastTexels = 8192;
 // Beside frames the host lists no more for tiles at a time: 20 to 40 ns each, which the device's clock does not see.
 constexpr std::uint64_t kMostListed = 65536;
-// So many directions tell which texels lie so deep that no light will come to matter: they stay dark, unasked.
+// After this many directions texels too deep for light are known: they stay dark without further tests.
 constexpr int kTellsDeepTexels = 32;
 
 }  // namespace
@@ -35,7 +35,7 @@ std::uint64_t Bake::mostInstances(const Allowance& allowance) const {
     return maps_.tiles() && std::isfinite(allowance.units) ? std::min(most, kMostListed) : most;
 }
 
-/// Directions that nobody has begun. None are left: of none.
+/// Directions not begun yet. Zero if all are.
 Bake::Work Bake::nextWork(const Allowance& allowance) const {
     const auto behind = std::min_element(doneOf_.begin(), doneOf_.end());
     Work work;
@@ -50,7 +50,7 @@ Bake::Work Bake::nextWork(const Allowance& allowance) const {
     // The next smaller size of a batch whose maps are drawn at once.
     const std::uint64_t most = mostInstances(allowance);
     while (work.count > 1 && work.count * work.instances > most) work.count = work.count > 4 ? 4 : 1;
-    // However the directions are dealt out: deep texels are dropped after the same one, and the sums come out the same.
+    // For any split of directions: deep texels are dropped after the same one, so the sums are equal.
     if (work.first < kTellsDeepTexels)
         work.count = std::min(work.count, static_cast<std::uint32_t>(kTellsDeepTexels - work.first));
     return work;

@@ -34,7 +34,7 @@ struct VertexRun {
     float step;
 };
 
-/// The vertices of triangles that stand together. Each mesh has vertices of its own.
+/// The vertices of consecutive triangles. Each mesh has its own vertices.
 std::vector<VertexRun> vertexRuns(const Representation& r) {
     std::vector<VertexRun> runs;
     auto copies = r.copies.triangles.begin();

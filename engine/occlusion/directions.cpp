@@ -22,7 +22,7 @@ std::vector<glm::dvec3> fibonacciSphere(int count) {
 
 /// Moves the point that is farthest from all before it to the front of the rest, again and again.
 void spreadPrefixes(std::vector<glm::dvec3>& points) {
-    std::vector<double> nearest(points.size(), 4.0);  // squared distance to those in place
+    std::vector<double> nearest(points.size(), 4.0);  // squared distance to the points placed so far
     for (std::size_t placed = 1; placed < points.size(); ++placed) {
         std::size_t farthest = placed;
         for (std::size_t i = placed; i < points.size(); ++i) {

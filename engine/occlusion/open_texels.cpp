@@ -16,7 +16,7 @@ namespace {
 
 /// Inside by more than rounding, so that surfaces that coincide stay open.
 constexpr float kDeep = 1e-3f;
-/// Of a primitive that are looked at; matter has some forty. A texel inside one beyond them counts as open, which costs
+/// Neighbours examined per primitive; normal matter has about forty. A texel inside a later one counts as open: costs
 /// work but changes no light, since no direction reaches it.
 constexpr std::size_t kMostNeighbours = 512;
 constexpr std::uint16_t kBuried = AtlasWord::kNone;
@@ -61,8 +61,8 @@ void frameAbout(const glm::vec3& w, glm::vec3& u, glm::vec3& v) {
     v = {b, s + w.y * w.y * a, -w.y};
 }
 
-/// Position of a texel, one or two steps beyond an edge of its patch, inside the patch: the texels of an edge are those
-/// of its mirrored half (sphere) or of the opposite edge (cylinder).
+/// Maps a texel one or two steps beyond a patch's edge into the patch: beyond an edge follows its mirrored half
+/// (sphere) or the opposite edge (cylinder).
 glm::ivec2 folded(glm::ivec2 p, const glm::ivec2& size, bool sphere) {
     if (!sphere) {
         if (p.x < 0) p.x += size.x - 1;
@@ -165,7 +165,7 @@ private:
         const int place = p.y * size.x + p.x;
         return entries_[static_cast<std::size_t>(place)];
     }
-    /// The patch with as much about it as nearestOpen() looks at, so that it folds nothing.
+    /// The patch with the margin that nearestOpen() searches, so that no folding is needed.
     void surround(const glm::ivec2& size, bool sphere) {
         row_ = static_cast<std::size_t>(size.x) + 2 * kAround;
         surrounded_.resize(row_ * (static_cast<std::size_t>(size.y) + 2 * kAround));

@@ -44,7 +44,7 @@ const gpu::Layout& tileMapsLayout(gpu::PipelineContext& context) {
                                      kCompute, sizeof(layout::MapConstants)});
 }
 
-/// What the texels ask: an image, or heights as texels or in a storage buffer.
+/// Source of the depth tests: an image, or heights as texels or in a storage buffer.
 #define NACRE_ACCUMULATION(of)                                                       \
     (!heights                             ? shaders::occlusionAccumulate##of         \
      : context.device.caps().tiles.texels ? shaders::occlusionAccumulate##of##Texels \

@@ -7,10 +7,10 @@
 namespace nacre::occlusion {
 namespace {
 
-/// Of one submission while somebody waits for the whole: some phones stop what takes seconds, all of them stutter.
+/// Per submission while a caller waits: some phones stop submissions of seconds, all of them stutter.
 constexpr double kWaitedMilliseconds = 30;
 
-/// Of what is shown while a molecule moves: surfaces that came to light since the bake are dark, not black.
+/// Minimum while a molecule moves: surfaces exposed since the bake are dark, not black.
 constexpr std::uint32_t kLeastOfMoved = 102;
 
 /// The path of the depth maps, if the device is to choose. @param tiles  these can be had
@@ -32,7 +32,7 @@ const char* nameOf(OcclusionMaps maps) {
     }
 }
 
-/// What a bake may take. @param vertices  of meshes
+/// Memory limit of a bake. @param vertices  of meshes
 std::uint64_t budgetOf(std::uint64_t bytes, std::size_t vertices) {
     constexpr std::uint64_t kOfMaps = 16ull << 20, kOfVertex = 48;
     return bytes == OcclusionSettings::kUsualBytes ? std::max(bytes, kOfMaps + kOfVertex * vertices) : bytes;
@@ -42,7 +42,7 @@ std::uint64_t countUnseen(const std::vector<bool>& seen) {
     return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), false));
 }
 
-/// What decides a texel beside the scene's shapes.
+/// Everything that decides a texel besides the scene's shapes.
 std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
     return std::to_string(options.directions) + " directions, " + std::to_string(options.budgetBytes) + " bytes, " +
            std::to_string(options.detail) + " texels, " + nameOf(options.path) + ", " +
@@ -104,7 +104,7 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings) {
     const bool tiles = device_.caps().plan.tiles;
     if (options_.path == OcclusionMaps::automatic || (options_.path == OcclusionMaps::tiles && !tiles))
         options_.path = automaticMaps(device_.caps(), tiles);
-    cache_ = occlusionCache(moved_ ? std::string() : settings.cache);  // a place among thousands is not seen again
+    cache_ = occlusionCache(moved_ ? std::string() : settings.cache);  // positions of moving atoms never recur
     worthKeeping_ = settings.worthKeeping;
     auto& preparing = state_.emplace<Preparing>();
     preparing.result =
@@ -149,12 +149,12 @@ void SceneOcclusion::make(const Allowance& least, const Allowance& most) {
     if (!kept) return;
     stats_.occlusion.cached = true;
     stats_.occlusion.done = bake->directions();
-    stats_.occlusion.mapPixels = stats_.occlusion.mapsPerBatch = 0;  // none were drawn
+    stats_.occlusion.mapPixels = stats_.occlusion.mapsPerBatch = 0;  // no maps were drawn
     stats_.occlusion.bytes = atlasBytes;
     stats_.occlusion.neverSeen = countUnseen(bake->seenSpheres());
 }
 
-/// Drops what only the bake needs, when all of it is shown, and keeps on disk what took long enough.
+/// When everything is shown, drops data only needed for baking, and caches bakes that took long enough.
 void SceneOcclusion::wrapUp() {
     const std::shared_ptr<Bake> bake = there();
     executor_.forget("occlusion");
@@ -170,7 +170,7 @@ void SceneOcclusion::wrapUp() {
     state_.emplace<Finished>(bake);
 }
 
-/// Shows what is done so far.
+/// Shows the finished part.
 void SceneOcclusion::show(Baking& baking, Clock::time_point start) {
     baking.bake->finish(executor_);
     baking.shown = share();
@@ -227,7 +227,7 @@ double SceneOcclusion::share() const {
     return bake ? static_cast<double>(bake->mapsDone()) / static_cast<double>(bake->mapsInAll()) : 1;
 }
 
-/// What the device is done with in so long. A processor has nobody who stops it.
+/// Work that the device finishes in this time. Software devices have no watchdog.
 Allowance SceneOcclusion::allowed(double milliseconds) const {
     return {DepthMaps::kMostPerBatch, milliseconds * unitsPerMillisecond_};
 }
@@ -245,8 +245,8 @@ void SceneOcclusion::runSlice(Bake& bake, const Allowance& allowance) {
     gpu::Imports imports;
     const double units = bake.declareSlice(g, imports, allowance);
     const graph::Plan plan = graph::compile(g, device_.caps().plan);
-    // From outside a first submission takes what the driver's compiler does, too. Software devices finish each pass for
-    // a stamp, and what they are told to do they do as it comes.
+    // From outside, the first submission includes the driver's compilation. Software devices finish each pass for a
+    // timestamp, and execute commands synchronously.
     const bool timed = !device_.caps().software;
     if (timed && !timer_) timer_ = std::make_unique<gpu::Timer>(device_);
     device_.submitAndWait(

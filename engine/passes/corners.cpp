@@ -7,8 +7,8 @@
 namespace nacre::passes {
 namespace {
 
-/// The facets of a pyramid lean against the sphere where it is this many radii from its axis: at radius rho of the
-/// sphere they stand (1 - rho kLean) / sqrt(1 - kLean^2) radii in front of the centre, never behind the surface.
+/// The facets of a pyramid touch the sphere this many radii from its axis: at radius rho they are (1 - rho kLean) /
+/// sqrt(1 - kLean^2) radii in front of the centre, never behind the surface.
 constexpr float kLean = 0.6f;
 constexpr float kSquareInset = 0.70710678f, kOctagonInset = 0.92387953f;  // cosine of half a side's angle
 

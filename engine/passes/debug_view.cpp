@@ -43,7 +43,7 @@ void drawShown(gpu::PassContext& context, const SceneView& view, FullScreenPass 
 
 void drawDebugView(gpu::PassContext& context, const SceneView& view, DebugView what, std::uint32_t tile,
                    vk::ImageView source, vk::ImageView under) {
-    // Never left unwritten, even where the shader reads one image: lavapipe looks at both.
+    // Always written, even if the shader reads one image: lavapipe accesses both.
     const vk::ImageView images[] = {source, under ? under : source};
     drawShown(context, view, {shaderOf(what), {}, debugViewNames()[static_cast<std::size_t>(what)]}, tile, images);
 }

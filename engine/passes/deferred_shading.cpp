@@ -28,7 +28,7 @@ Stage shaderOf(const DeferredPass& pass) {
     return pass.output == Output::identity ? NACRE_NUMBERS(identityDeferred) : NACRE_NUMBERS(colorDeferred);
 }
 
-/// What the last binding holds; null: nothing.
+/// Image of the last binding; null: none.
 vk::ImageView otherOf(const DeferredPass& pass) {
     return pass.rims ? pass.rims->image : pass.over ? pass.over->nearest : vk::ImageView();
 }

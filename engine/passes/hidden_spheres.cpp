@@ -8,7 +8,7 @@
 namespace nacre::passes {
 namespace {
 
-constexpr float kMargin = 0.05f;  // Å that something hidden is farther away, for what shaders round differently
+constexpr float kMargin = 0.05f;  // Å that a hidden sphere must be farther away, to allow for shaders' rounding
 
 const glm::vec4* rowsOf(const PlacedCopies& placed, std::uint32_t copy) {
     return placed.rows.data() + 3 * std::size_t{copy};
@@ -58,7 +58,7 @@ void HiddenSpheres::list(const PlacedCopies& copies, const Chunks& chunks, const
 }
 
 bool HiddenSpheres::hides(const Some& some, RowBand part) {
-    // A ball that is no ball reaches everywhere and hides nowhere.
+    // An invalid ball covers the whole picture and is never hidden.
     if (!std::isfinite(some.x + some.y + some.reach)) return false;
     const float row = some.y / coverage_.side(), rows = some.reach / coverage_.side() + 1;
     if (row + rows < static_cast<float>(part.first) || row - rows > static_cast<float>(part.end)) return true;
@@ -88,7 +88,7 @@ void HiddenSpheres::look(const Scenery& scenery, std::size_t of) {
     const RowBand part = parts_[of];
     std::vector<Shown>& shown = shown_[of];
     shown.clear();
-    constexpr std::size_t kAhead = 16;  // they stand anywhere: the processor is told early
+    constexpr std::size_t kAhead = 16;  // they are scattered in memory: prefetched
     for (std::size_t at = 0; at < order_.size(); ++at) {
         __builtin_prefetch(&all_[order_[std::min(at + kAhead, order_.size() - 1)]]);
         const std::uint32_t i = order_[at];
@@ -96,7 +96,7 @@ void HiddenSpheres::look(const Scenery& scenery, std::size_t of) {
         const std::uint32_t here = shownOf(all_[i], ~0u, scenery, part, true);
         if (here != 0) shown.push_back({i, here});
     }
-    // Again, now that it is known what covers most.
+    // Again, now that the largest occluders are known.
     for (Shown& s : shown) s.spheres = shownOf(all_[s.some], s.spheres, scenery, part, false);
 }
 
@@ -113,10 +113,10 @@ void HiddenSpheres::drop(PlacedCopies& copies, const Representation& r, const Ch
     partRows(rows, threadsFor(all_.size()), all_, rowOf, inRow_, parts_);
     shown_.resize(std::max(shown_.size(), parts_.size()));
     inParallel(parts_.size(), [&](std::size_t p) { look({view, r.spheres, copies}, p); });
-    // What reaches over the border of two parts may show in one.
+    // A sphere across the border of two parts may show in either.
     for (std::size_t p = 0; p < parts_.size(); ++p)
         for (const Shown& s : shown_[p]) all_[s.some].shown |= s.spheres;
-    // What shows, in the order of the stream: neighbours in one call.
+    // Visible spheres in stream order: consecutive ones in one call.
     std::vector<PlacedCopies::Call>& calls = copies.spheres;
     calls.clear();
     for (const Some& some : all_)

@@ -11,7 +11,7 @@
 namespace nacre::passes {
 namespace {
 
-/// What lies farther than `at` along the unit vector `out` is beyond one of the picture's edges.
+/// Points farther than `at` along the unit vector `out` are beyond one of the picture's edges.
 struct Edge {
     glm::dvec3 out;
     double at = 0;
@@ -31,7 +31,7 @@ Edges edgesOf(const View& view, double room) {
             edge({0, 1, 0}, view.height, -view.pan.y), edge({0, -1, 0}, view.height, view.pan.y)};
 }
 
-/// The same edges for what a motion has yet to take to its place.
+/// The same edges before a transform is applied.
 Edges before(const Edges& edges, const glm::dmat3& turn, const glm::dvec3& shift) {
     Edges moved = edges;
     for (Edge& e : moved) e = {glm::transpose(turn) * e.out, e.at - glm::dot(e.out, shift)};
@@ -62,7 +62,7 @@ void addRows(const View& view, const glm::dmat4x3& transform, std::vector<glm::v
     for (int i = 0; i < 3; ++i) rows.emplace_back(turn[0][i], turn[1][i], turn[2][i], shift[i]);
 }
 
-/// Those chunks of primitives at a copy's place that may show; of neighbouring ones one call.
+/// Chunks of a copy that may be visible; one call for consecutive ones.
 void addChunks(const std::vector<Chunk>& chunks, const Edges& edges, const PlacedCopies::Call& all,
                std::vector<PlacedCopies::Call>& calls) {
     const std::uint32_t end = all.first + all.count;

@@ -40,8 +40,7 @@ void checkFits(const gpu::Device& device, const Representation& r) {
 
 std::size_t cylindersOf(const Representation& r) { return r.cylinders.size() + r.wires.size(); }
 
-/// Cylinders as the device has them, wires behind them: it is told one over their length, Å, which each pixel would
-/// find out anew.
+/// Cylinders in device form, followed by wires: with 1 / length, Å, which each pixel would have to compute otherwise.
 std::vector<Cylinder> placedCylinders(const Representation& r) {
     std::vector<Cylinder> cylinders = r.cylinders;
     cylinders.insert(cylinders.end(), r.wires.begin(), r.wires.end());

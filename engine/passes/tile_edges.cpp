@@ -11,7 +11,7 @@ namespace {
 constexpr std::array kSampleTexels{
     kSampled, Type::eUniformBuffer, kTexel, kTexel, kTexel, kTexel, kTexel, kTexel, kStorage, kSampled, kTexel};
 constexpr auto kSampleStorage = asStorage(kSampleTexels);
-// Lists, numbers, colours; edge pixels, and colours of none, which are written.
+// Lists, numbers, colours; and the outputs: edge pixels and colours.
 constexpr std::array kFindTexels{kTexel, kTexel, kTexel, kStorage, kStorage};
 constexpr auto kFindStorage = asStorage(kFindTexels);
 constexpr std::array kColorTexels{kTexel};
@@ -73,7 +73,7 @@ void findEdgesByTiles(gpu::PassContext& context, const SceneView& view) {
         to.read(f.sights().buffer, f.sights().quads);
         to.read(f.numbers.buffer, f.numbers.quads);
         to.store(f.edges.pixels.buffer);
-        to.store(f.shaded ? f.edges.pixels.buffer : f.edges.colors.buffer);  // what is shaded has no use for it
+        to.store(f.shaded ? f.edges.pixels.buffer : f.edges.colors.buffer);  // unused if shaded
     });
     dispatchTiles(context, f.lists.tiles().size() / (TileLists::kTilesInBin * TileLists::kTilesInBin));
 }
@@ -94,7 +94,7 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
         to.read(f.edges.pixels);
         to.store(f.shaded ? f.numbers.buffer : f.edges.colors.buffer);
         to.sample(shadowOf(context, view, atlas));
-        // Never left unwritten, even where the shader reads none: lavapipe looks at it.
+        // Always written, even if the shader reads none: lavapipe accesses it.
         if (context.device.caps().tiles.texels) to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
     });
     bindCounter(context, view, layout, vk::PipelineBindPoint::eCompute);

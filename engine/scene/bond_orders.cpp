@@ -8,7 +8,7 @@
 namespace nacre {
 namespace {
 
-/// Of each residue, whether orders are perceived in it: one of sticks that is no polymer, or any if all are wanted.
+/// For each residue, whether its orders are perceived: non-polymers drawn as sticks, or any if requested.
 std::vector<bool> wantedResidues(const ResidueFacts& facts, const Appearance& appearance, BondOrders mode) {
     const Molecule& molecule = facts.molecule();
     std::vector<bool> wanted(molecule.residues.size());
@@ -35,7 +35,7 @@ DrawnOrders::DrawnOrders(const ResidueFacts& facts, const Appearance& appearance
 
 void DrawnOrders::perceive(const ResidueFacts& facts, const std::vector<bool>& wanted) {
     const Molecule& molecule = facts.molecule();
-    // What a ligand is bonded to counts for its valences.
+    // Atoms bonded to a ligand count for its valences.
     std::vector<bool> looked = wanted;
     for (const Bond& bond : molecule.bonds) {
         const std::uint32_t a = molecule.atoms[bond.a].residue, b = molecule.atoms[bond.b].residue;

@@ -21,7 +21,7 @@ private:
     std::map<std::string, std::uint32_t> known_;
 };
 
-/// Names of the residues of each chain's polymer, in a row.
+/// Residue names of each chain's polymer, in order.
 std::vector<std::string> sequences(const ResidueFacts& facts) {
     const Molecule& molecule = facts.molecule();
     std::vector<std::string> result(molecule.chains.size());
@@ -59,7 +59,7 @@ ResidueEntities residueEntities(const ResidueFacts& facts) {
     std::vector<std::optional<std::uint32_t>> ofChain(molecule.chains.size());  // sequences may be long
     ResidueEntities result;
     result.ofResidue.reserve(molecule.residues.size());
-    // Keys start with what tells the three ways apart, so that no name collides with another's.
+    // Keys start with a mark for one of three cases, so that names do not collide.
     for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) {
         const Residue& residue = molecule.residues[i];
         const std::string name(residue.name.view());

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t kOther = packedColor(0xd3ccc0);
 
-/// The kinds of a scheme and what atom is of which; the legend shows those that occur, in the order of `entries`.
+/// The classes of a scheme and the class of each atom; the legend shows those that occur, in the order of `entries`.
 struct Classes {
     std::vector<LegendEntry> entries;
     std::vector<std::uint32_t> ofAtom;  ///< same length as the atoms
@@ -46,9 +46,9 @@ Classes byElement(const Molecule& molecule, std::span<const std::uint32_t> atoms
     return classes;
 }
 
-/// A chain looks the same in every model. Chains of one model that share a name are
-/// told apart by their order; those of several molecules always are.
-/// @param before  of a chain's name in the legend
+/// A chain looks the same in every model. Chains of one model with equal names are distinguished by order; chains of
+/// different molecules always are.
+/// @param before  prefix of a chain's name in the legend
 Classes byChain(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, Palette palette,
                 const std::string& before = "") {
     const Molecule& molecule = facts.molecule();
@@ -70,7 +70,7 @@ Classes byChain(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
     return classes;
 }
 
-/// Where there are no chains to tell apart, carbons keep a colour of their own all the same.
+/// Without several chains, carbons still have their own colour.
 Classes byChainCarbons(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, Palette palette) {
     constexpr Element kCarbon = 6;
     const Molecule& molecule = facts.molecule();
@@ -99,13 +99,13 @@ Classes byInput(const Molecule& molecule, std::span<const std::uint32_t> atoms, 
     return classes;
 }
 
-/// A kind, and what its place in the legend goes by: the rank, then the label.
+/// A class with its sort key in the legend: the rank, then the label.
 struct RankedEntry {
     LegendEntry entry;
     double rank = 0;
 };
 
-/// One kind per name of a residue; `entryOf` says how it looks.
+/// One class per residue name; `entryOf` gives its look.
 template <typename EntryOf>
 Classes byResidueName(const Molecule& molecule, std::span<const std::uint32_t> atoms, const EntryOf& entryOf) {
     std::map<std::array<char, 8>, std::uint32_t> known;
@@ -163,7 +163,7 @@ Classes byHydrophobicity(const Molecule& molecule, std::span<const std::uint32_t
 
 enum Charge { kNegative, kNeutral, kPositive };
 
-/// @param kind  of the residue that the atom stands in
+/// @param kind  of the atom's residue
 Charge chargeOf(const Atom& atom, const Residue& residue, ResidueKind kind) {
     if (kind == ResidueKind::nucleic) return kNegative;  // its phosphate
     if (kind == ResidueKind::protein) {
@@ -287,7 +287,7 @@ std::vector<std::string> chainLabels(const ResidueFacts& facts, const std::strin
     const Molecule& molecule = facts.molecule();
     std::vector<std::string> labels;
     for (const Chain& chain : molecule.chains) labels.push_back(chain.name.empty() ? "" : before + chain.name);
-    // One without a name by what it is: a polymer, residues of one name beside water, or several.
+    // Names an entity without a name by its kind: a polymer, residues of one name except water, or several.
     constexpr std::string_view kWater = "water";
     std::vector<bool> polymer(labels.size());
     for (std::uint32_t r = 0; r < molecule.residues.size(); ++r) {

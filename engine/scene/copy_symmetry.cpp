@@ -77,7 +77,7 @@ std::vector<std::uint32_t> representativeCopies(const std::vector<glm::dmat4x3>&
     motions.reserve(list.size());
     for (const std::uint32_t i : list) motions.emplace_back(transforms[i]);
     const MotionTable table(motions, reach);
-    // Copies that a symmetry takes to each other are joined; each group's lowest stands for it.
+    // Joins copies related by a symmetry; the lowest index represents a group.
     std::vector<std::uint32_t> group(list.size());
     for (std::uint32_t i = 0; i < group.size(); ++i) group[i] = i;
     const auto root = [&](std::uint32_t i) {

@@ -7,7 +7,7 @@
 namespace nacre {
 namespace {
 
-// For what shaders round differently: pixels at a disc's edge, and a share of its radius.
+// For shaders' rounding: pixels at a disc's edge, and a fraction of its radius.
 constexpr float kRoomPixels = 1.0f / 32, kRoomShare = 1e-3f;
 
 }  // namespace
@@ -19,20 +19,20 @@ void Coverage::begin(const TileView& view, double radiusPixels) {
     perSide_ = 1.0f / side_;
     across_ = (view.width + side - 1) / side;
     down_ = (view.height + side - 1) / side;
-    // Of a pixel its middle must be covered, or, where it has samples, all of it.
+    // A pixel's centre must be covered or, with several samples, the whole pixel.
     const float corner = (view.centers ? side_ - 1 : side_) * 0.5f * std::sqrt(2.0f);
     inset_ = corner + kRoomPixels;
     outset_ = corner + kRoomPixels;
     depths_.assign(std::size_t{across_} * down_, std::numeric_limits<float>::max());
 }
 
-/// Goes through the cells of some rows whose middles a disc holds. @param work  gets neighbours of a row, and tells
-/// whether to go on @returns whether it has gone through all
+/// Visits the cells of some rows whose centres are inside a disc. @param work  called with neighbouring cells of a row;
+/// false stops @returns whether all were visited
 template <typename Work>
 bool Coverage::eachRow(const CellDisc& disc, RowBand rows, const Work& work) {
     const glm::vec2 at = disc.at;
     const float right = static_cast<float>(across_), first = static_cast<float>(rows.first);
-    // The cell in its middle tells most, and is all of a small one.
+    // The cell at its centre is the most decisive, and the only one of a small disc.
     if (at.x >= 0 && at.x < right && at.y >= first && at.y < static_cast<float>(rows.end)) {
         const auto x = static_cast<std::uint32_t>(at.x), y = static_cast<std::uint32_t>(at.y);
         const float aside = at.x - static_cast<float>(x) - 0.5f, above = at.y - static_cast<float>(y) - 0.5f;
@@ -42,7 +42,7 @@ bool Coverage::eachRow(const CellDisc& disc, RowBand rows, const Work& work) {
         }
         if (disc.radius < 0.5f) return true;
     }
-    // Middles are whole numbers and a half; what is cut off of a positive number is less than one.
+    // Centres are at integers plus a half; truncation of a positive number removes less than one.
     const float low = at.y - disc.radius - 0.5f, high = at.y + disc.radius - 0.5f;
     std::uint32_t y =
         low > first ? static_cast<std::uint32_t>(std::min(low, static_cast<float>(rows.end))) : rows.first;

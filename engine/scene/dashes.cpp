@@ -50,7 +50,7 @@ std::size_t appendDashes(const DashedLine& line, Representation& scene) {
             if (gap > 0) {
                 ++count;
                 DashedLine one = line;
-                // As wide as the line, but for dots where that leaves no gap.
+                // As wide as the line, except for dots that would leave no gap.
                 if (dash <= 2 * line.radius) one.radius = std::min(line.radius, (dash + 2 * gap / 3) / 2);
                 one.a = at(from);
                 one.b = at(from + dash);

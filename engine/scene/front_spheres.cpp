@@ -20,7 +20,7 @@ constexpr Lanes kCenters = {0.5f, 1.5f, 2.5f, 3.5f};
 Lanes along(const glm::vec4& row, const LanePoints& p) { return row.x * p.x + row.y * p.y + row.z * p.z + row.w; }
 Lanes along(const glm::vec3& row, const LanePoints& p) { return row.x * p.x + row.y * p.y + row.z * p.z; }
 Lanes toLanes(Mask mask) { return __builtin_convertvector(mask, Lanes); }
-/// Cut off; of what is not negative.
+/// Truncates non-negative numbers.
 Mask whole(Lanes lanes) { return __builtin_convertvector(lanes, Mask); }
 Lanes rootOf(Lanes squares) {
     return Lanes{std::sqrt(squares[0]), std::sqrt(squares[1]), std::sqrt(squares[2]), std::sqrt(squares[3])};
@@ -29,7 +29,7 @@ Lanes rootOf(Lanes squares) {
 /// As pixelAt(), of four.
 Mask pixelsAt(Lanes places, Lanes first, Lanes end) { return whole(lesser(greater(places + 0.5f, first), end)); }
 
-/// The first pixel whose centre does not lie before a place, and one past the last that does not lie behind it.
+/// The first pixel whose centre is not before a coordinate, and one past the last that is not behind it.
 std::uint32_t pixelAt(float place, std::uint32_t first, std::uint32_t end) {
     const float at = place + 0.5f;
     if (!(at > static_cast<float>(first))) return first;
@@ -69,16 +69,16 @@ void FrontSpheres::begin(const TileView& view, const Scenery& s) {
         places_.push_back(p);
         far = std::max({far, std::abs(rows[0].w), std::abs(rows[1].w), std::abs(rows[2].w)});
     }
-    // What adds up to a place: three products with a unit vector, and a shift. Half of the picture, about its axis.
+    // Bound of the terms of a position: three products with a unit vector, and a shift; half the picture.
     far += 1.75f * s.boxes.reach;
     const float wide = (static_cast<float>(std::max(width_, height_)) + std::abs(view.axis.x) + std::abs(view.axis.y)) *
                        0.5f * perPixel_;
-    // Each step is off by no more than a share of what it has. Shaders take three to a place, the host five of half as
-    // much, both two or three to a pixel.
+    // Each step has a relative error. Shaders take three for a position, the host five of half the size, both two or
+    // three for a pixel.
     constexpr float kStep = 0x1p-23f;
     const float room = (6 * far + 5 * wide) * kStep;
     room_ = room * pixels_;
-    // A root is off by the more, the nearer to the sphere's edge it is taken.
+    // A square root's error grows towards the sphere's edge.
     constexpr float kLeast = 1.0f / 6;  // of a radius
     edge_ = kLeast * kLeast;
     margin_ = room / kLeast + (6 * far + 4 * (std::abs(view.origin) + view.range)) * kStep;
@@ -117,7 +117,7 @@ void FrontSpheres::list(const Scenery& s) {
     }
 }
 
-/// Whether what begins at a depth lies behind all that a rectangle shows. What has no pixel's centre shows nowhere.
+/// Whether things from a depth on are behind all that a rectangle shows: nothing without a pixel centre.
 bool FrontSpheres::isHidden(const Band& band, float near, float left, float top, float right, float bottom) const {
     const std::uint32_t x0 = pixelAt(left, 0, width_), x1 = pixelAt(right, 0, width_);
     const std::uint32_t y1 = pixelAt(bottom, band.first, band.end);
@@ -160,7 +160,7 @@ void FrontSpheres::drawGroup(const Band& band, const Scenery& s, const Group& gr
     }
 }
 
-/// A sphere that may be hit at a pixel's centre, and not certainly behind what is there.
+/// Draws a sphere that may be hit at a pixel's centre, and is not certainly hidden.
 void FrontSpheres::meet(const Band& band, std::size_t at, float Z, bool certain, std::uint32_t number) {
     const float there = z_[at];
     if (!certain) {
@@ -197,7 +197,7 @@ void FrontSpheres::drawSpheres(const Band& band, const Scenery& s, const TileCal
         if (!any(reach + room_ >= 0.5f)) {  // no more than one centre each
             const Mask inside =
                 (x >= 0.0f) & (x < across) & (y >= low) & (y < high) & (kLane < static_cast<std::int32_t>(count));
-            // The others ask in the band, too: its rows alone are this thread's.
+            // The other lanes read within the band: only its rows belong to this thread.
             const Mask column = whole(inside ? x : none), row = whole(inside ? y : low);
             const Lanes aside = x - toLanes(column) - 0.5f, above = y - toLanes(row) - 0.5f;
             const Lanes h = squared - aside * aside - above * above;

@@ -17,7 +17,7 @@ constexpr float kBehindAll = -std::numeric_limits<float>::max();
 
 }  // namespace
 
-/// What one thread draws.
+/// Triangles drawn by one thread.
 class FrontTriangles::Layer {
 public:
     void begin(const TriangleLens& lens) {
@@ -40,7 +40,7 @@ public:
             for (std::uint32_t i = first; i < first + kLanes; ++i) drawn_[i] = drawn;
         }
         if (lens.perspective) keepFromEye(group.count, index);
-        // Of a solid what is turned to the viewer lies before what is turned away.
+        // Front faces of a solid are in front of its back faces.
         std::array<std::uint32_t, 2 * kGroup> order;
         std::size_t first = kGroup, end = kGroup;
         for (std::uint32_t i = 0; i < group.count; ++i) {
@@ -52,8 +52,8 @@ public:
         for (std::size_t k = first; k < end; ++k) draw(lens, order[k], index + order[k]);
     }
 
-    /// In a row of pixels as if this one had drawn what the other has.
-    /// @param doubtful  takes triangles about which there is doubt only now
+    /// Merges a row of pixels of another layer into this one. @param doubtful  receives triangles that become doubtful
+    /// now
     template <typename Doubtful>
     void takeRow(const TriangleLens& lens, const Layer& other, std::size_t y, const Doubtful& doubtful) {
         if (!other.rows_[y]) return;
@@ -67,16 +67,16 @@ public:
     }
     void doubt(std::uint32_t index) { doubts_[index / kGroup] |= 1u << index % kGroup; }
 
-    /// What is certain of a pixel; kNone: nothing.
+    /// The certain triangle of a pixel; kNone: none.
     std::uint32_t at(const TriangleLens& lens, std::size_t x, std::size_t y) const {
         return rows_[y] ? index_[y * lens.width + x] : kNone;
     }
     bool anyIn(std::size_t y) const { return rows_[y] != 0; }
-    /// Of each group the triangles that may be nearer than those of the pixels, a bit each.
+    /// For each group the triangles that may be nearer than those of the pixels, one bit each.
     const std::vector<std::uint32_t>& doubts() const { return doubts_; }
 
 private:
-    /// What is not all before the eye is not drawn.
+    /// Skips triangles not fully in front of the eye.
     void keepFromEye(std::uint32_t count, std::uint32_t index) {
         for (std::uint32_t i = 0; i < count; ++i)
             if (!(shapes_.nearest[i] > 0)) {
@@ -85,7 +85,7 @@ private:
             }
     }
 
-    /// Whether the nearest in a box is certainly behind what each of its pixels shows.
+    /// Whether the nearest point of a box is certainly behind each of its pixels.
     bool isHidden(const TriangleLens& lens, const TriangleShapes::Box& box) const {
         if (lens.perspective && !(box.nearest > 0)) return false;
         const float nearest = lens.keyOf(box.nearest);
@@ -110,7 +110,7 @@ private:
         std::fill_n(index_.begin() + static_cast<std::ptrdiff_t>(at), lens.width, kNone);
     }
 
-    /// A triangle that certainly holds the centre, between two keys, and is not certainly behind what is there.
+    /// Draws a triangle that certainly contains the centre, between two keys, and is not certainly hidden.
     template <typename Doubtful>
     void meet(std::size_t at, float behind, float before, std::uint32_t index, const Doubtful& doubtful) {
         if (before < behind_[at]) return;
@@ -143,7 +143,7 @@ private:
 
     TriangleShapes shapes_;
     std::array<bool, kGroup> drawn_{};
-    // Of the nearest triangle that certainly holds the centre: keys that its own lies between.
+    // Bounds of the key of the nearest triangle that certainly contains the centre.
     std::vector<float> behind_, before_;
     std::vector<std::uint32_t> index_;
     std::vector<std::uint8_t> rows_;     // that hold anything

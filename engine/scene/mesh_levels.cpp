@@ -40,7 +40,7 @@ float finestLevel(const Representation& r) {
     return finest;
 }
 
-/// Of all meshes that have it.
+/// For all meshes that have it.
 void dropFinestLevel(Representation& r) {
     const float finest = finestLevel(r);
     std::vector<Triangle> kept;
@@ -83,8 +83,7 @@ void dropVertices(Representation& r) {
 void dropFinestMeshes(Representation& r) {
     const float finest = finestLevel(r);
     std::vector<Triangle> kept;
-    // Where triangles stood before, in the order of meshes, and where they stand now. Runs begin and end with meshes
-    // that have levels.
+    // Maps old to new positions of triangles, in the order of meshes. Runs begin and end with meshes that have levels.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> moved;
     for (MeshRun& mesh : r.meshes) {
         const auto first = static_cast<std::uint32_t>(kept.size());

@@ -31,8 +31,8 @@ glm::dvec3 meanOf(const Balls& balls) {
     return sum / static_cast<double>(balls.size());
 }
 
-/// Turns a symmetric matrix about the axes until what stands beside its diagonal is gone. C. G. J. Jacobi, Journal für
-/// die reine und angewandte Mathematik 30 (1846) 51.
+/// Diagonalises a symmetric matrix by rotations. C. G. J. Jacobi, Journal für die reine und angewandte Mathematik 30
+/// (1846) 51.
 Axes axesOf(glm::dmat3 m) {
     glm::dmat3 turned(1.0);  // its columns become the axes
     for (int sweep = 0; sweep < 50; ++sweep) {
@@ -47,7 +47,7 @@ Axes axesOf(glm::dmat3 m) {
             turn[j][i] = sine;
             turn[i][j] = -sine;
             m = glm::transpose(turn) * m * turn;
-            m[i][j] = m[j][i] = 0;  // but for rounding
+            m[i][j] = m[j][i] = 0;  // up to rounding
             turned = turned * turn;
         }
     }
@@ -88,7 +88,7 @@ glm::dvec3 directed(const glm::dvec3& axis, const Balls& balls, const glm::dvec3
     return axis[largest] < 0 ? -axis : axis;
 }
 
-/// The part of the file's axis `wanted`, else of another one, that stands upright on a unit vector.
+/// The component of the file's axis `wanted`, or else another one, perpendicular to a unit vector.
 glm::dvec3 acrossFrom(const glm::dvec3& unit, int wanted) {
     for (const int i : {wanted, (wanted + 2) % 3, (wanted + 1) % 3}) {
         glm::dvec3 file(0);
@@ -122,7 +122,7 @@ std::vector<double> openShares(const Balls& targets, const Balls& others, const 
             const glm::dvec3 to = glm::dvec3(ball) - glm::dvec3(target);
             const double distance = glm::length(to);
             if (distance < 1e-3 || ball.w == 0) continue;
-            // An atom that touches still leaves open what lies beside it.
+            // A touching atom still leaves the directions beside it open.
             const double angle = std::asin(std::min(ball.w / distance, 1.0));
             const double z = std::clamp(to.z / distance, -1.0, 1.0), polar = std::acos(z);
             const double top = std::cos(std::max(polar - angle, 0.0));
@@ -159,7 +159,7 @@ Balls sampleOf(const Balls& balls, std::size_t most) {
 
 constexpr std::size_t kEveryCopy = std::numeric_limits<std::size_t>::max();
 
-/// Calls add(primitive, place) for what is drawn. @param most  copies of each primitive
+/// Calls add(primitive, transform) for everything drawn. @param most  copies of each primitive
 template <typename Add>
 void forEachCopy(const Copies& copies, const std::vector<PrimitiveRun>& runs, std::size_t count, std::size_t most,
                  Add&& add) {
@@ -172,7 +172,7 @@ void forEachCopy(const Copies& copies, const std::vector<PrimitiveRun>& runs, st
                 add(i, copies.transforms[copy]);
 }
 
-/// Calls add(vertex, step, place) for the vertices that triangles have, one that several of them share once or more.
+/// Calls add(vertex, step, transform) for the vertices of triangles; shared ones once or more.
 template <typename Add>
 void forEachVertex(const Representation& scene, std::size_t mostCopies, Add&& add) {
     const auto addTriangle = [&](std::size_t i, const glm::dmat4x3& place) {
@@ -202,7 +202,7 @@ void eachDrawnBall(const Representation& scene, const Visit& visit) {
     forEachVertex(scene, kEveryCopy, ofVertex);
 }
 
-/// Spheres and, of triangles, vertices that a walk over all copies comes to.
+/// Number of spheres and triangle vertices in all copies.
 double drawnBallCount(const Representation& scene) {
     if (scene.copies.transforms.empty())
         return static_cast<double>(scene.spheres.size()) + 3 * static_cast<double>(scene.triangles.size());
@@ -284,8 +284,8 @@ std::vector<double> breadthsOf(const Balls& target, const std::vector<glm::dvec3
 glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
                              const glm::dmat3& from) {
     constexpr std::size_t kDirections = 400, kMostTargets = 48;
-    constexpr double kOutward = 0.15, kSharpness = 12;  // what the way out counts; a cone of about 20 degrees
-    constexpr double kNarrow = 0.5;                     // what a target counts that is seen from its edge
+    constexpr double kOutward = 0.15, kSharpness = 12;  // weight of the outward direction; a cone of about 20 degrees
+    constexpr double kNarrow = 0.5;                     // weight of a target seen edge-on
     const glm::dvec3 viewer = glm::transpose(from) * glm::dvec3(0, 0, 1);
     const glm::dvec3 middle = meanOf(target), out = middle - meanOf(all);
     const glm::dvec3 outward = glm::length(out) > 0.5 ? glm::normalize(out) : viewer;
@@ -297,7 +297,7 @@ glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::v
     const double broadest = *std::max_element(breadths.begin(), breadths.end());
     for (std::size_t w = 0; w < ways.size(); ++w) {
         const glm::dvec3& way = ways[w];
-        double sum = 0, weights = 0;  // one slit between two atoms is no opening
+        double sum = 0, weights = 0;  // a single slit between two atoms is no opening
         for (std::size_t i = 0; i < ways.size(); ++i) {
             const double near = std::pow(std::max(glm::dot(way, ways[i]), 0.0), kSharpness);
             sum += near * open[i];
@@ -350,7 +350,7 @@ Camera fitted(Camera camera, const Representation& scene, double radius, std::ui
 
 double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
                    const glm::dmat3& rotation) {
-    // Å: those of a surface or cartoon stand so near to each other that none shows between
+    // Å: vertices of a surface or cartoon are so dense that nothing shows between
     constexpr double kVertexReach = 0.6;
     constexpr std::size_t kMostAsked = 1000;
     Balls seen = sampleOf(target, kMostAsked);
@@ -365,7 +365,7 @@ double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm:
     for (const glm::dvec4& other : without(all, target)) {
         const double reach = other.w > 0 ? other.w : kVertexReach;
         const glm::dvec3 at = rotation * glm::dvec3(other);
-        // Most of a large scene is beside it.
+        // Most of a large scene is outside of it.
         if (at.x < low.x - reach || at.y < low.y - reach || at.x > high.x + reach || at.y > high.y + reach) continue;
         std::erase_if(seen, [&](const glm::dvec4& ball) {
             const glm::dvec2 way = glm::dvec2(at) - glm::dvec2(ball);

@@ -14,7 +14,7 @@ namespace {
 
 using VisitBall = std::function<void(const glm::dvec3&, double)>;
 
-/// Visits what is drawn of a model.
+/// Visits everything drawn of a model.
 void eachBall(const ResidueFacts& facts, const DrawnAtomsOptions& drawnOptions, const RepresentationOptions& options,
               const VisitBall& visit) {
     const Molecule& model = facts.molecule();
@@ -32,7 +32,7 @@ void eachBall(const ResidueFacts& facts, const DrawnAtomsOptions& drawnOptions, 
     for (const glm::dvec4& ball : seen.balls) visit(glm::dvec3(ball), ball.w);
 }
 
-/// The balls of the models of a file, as often as they are asked for.
+/// The balls of a file's models, for repeated visits.
 class ModelBalls {
 public:
     ModelBalls(const ResidueFacts& facts, const DrawnAtomsOptions& drawn, const RepresentationOptions& options)
@@ -45,7 +45,7 @@ public:
             placed = assembly->place(placed);
         }
         Appearance own = appearanceOf(facts, placed, options);
-        options_.style = own.style;  // models share that, too
+        options_.style = own.style;  // models also share that
         options_.color = ColorScheme::element;
         std::erase_if(options_.rules, [](const Rule& rule) { return rule.action == Rule::Action::color; });
         simple_ = options_.rules.empty() && options_.assembly.empty();
@@ -66,7 +66,7 @@ public:
             try {
                 nacre::eachBall(placed, drawn_, options_, visit);
             } catch (const Error&) {
-                // Nothing is left of it in the assembly.
+                // The assembly contains nothing of it.
             }
         }
     }

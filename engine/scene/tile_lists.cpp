@@ -11,7 +11,7 @@
 namespace nacre {
 namespace {
 
-/// From the place of a copy to the picture: pixel and Z.
+/// From a copy's coordinates to the picture: pixel and Z.
 class CornerPlace {
 public:
     CornerPlace(const TileView& view, const glm::vec4* rows) : view_(view), z_(rows[2]) {
@@ -41,7 +41,7 @@ struct VertexRange {
     }
 };
 
-/// Where a mesh is drawn whole, or by much of it, it is known what vertices it has.
+/// If most of a mesh is drawn, its vertex range is known.
 VertexRange verticesOf(const TileScenery& s, const TileCall& call) {
     constexpr std::uint32_t kFew = 8;  // of its triangles a share that is looked through
     for (const MeshRun& mesh : s.meshes) {
@@ -59,7 +59,7 @@ VertexRange verticesOf(const TileScenery& s, const TileCall& call) {
     return range;
 }
 
-/// One past the triangles of the mesh, or of its level, that has this one; 0 if it is of none.
+/// End of the triangles of the mesh, or level, that contains this one; 0: none.
 std::uint32_t endOfMesh(const TileScenery& s, std::uint32_t triangle) {
     for (const MeshRun& mesh : s.meshes) {
         const auto has = [&](std::uint32_t first, std::uint32_t count) {
@@ -74,8 +74,7 @@ std::uint32_t endOfMesh(const TileScenery& s, std::uint32_t triangle) {
     return 0;
 }
 
-/// Whether the centre of any pixel lies between two corners of a box. Shaders round differently: some of a pixel is
-/// allowed for.
+/// Whether any pixel centre is inside a box. Allows a part of a pixel for shaders' rounding.
 bool holdsCenter(glm::vec2 low, glm::vec2 high) {
     constexpr float kRoom = 1.0f / 32;
     const auto along = [](float from, float to) { return std::floor(to - 0.5f + kRoom) >= from - 0.5f - kRoom; };
@@ -94,7 +93,7 @@ float radiusOf(const TileView& view, float stored, float z) {
 void TileLists::add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near,
                     std::vector<Kept>& kept) const {
     constexpr float kBin = 1.0f / kBinPixels;
-    // A pixel is met at its centre: that leaves half a pixel of room at the bins' edges for what rounding does.
+    // Pixels are sampled at their centres: half a pixel of margin at the bins' edges covers rounding.
     const float x0 = low.x * kBin, y0 = low.y * kBin, x1 = high.x * kBin, y1 = high.y * kBin;
     if (!(x1 >= 0) || !(y1 >= 0) || !(x0 < static_cast<float>(across_)) || !(y0 < static_cast<float>(down_))) return;
     Kept k;
@@ -173,7 +172,7 @@ void TileLists::placeCorners(const TileView& view, const TileScenery& s, const M
 
 void TileLists::addTriangle(const TileView& view, std::uint32_t number, const glm::vec3& a, const glm::vec3& b,
                             const glm::vec3& c, std::vector<Kept>& kept) const {
-    constexpr float kRoom = 1e-3f;  // Å, for what rounding does to Z
+    constexpr float kRoom = 1e-3f;  // Å, for rounding of Z
     const float outside = view.contour * view.pixels;
     const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
     if (high.z + kRoom < view.clipNear || low.z - kRoom > view.clipFar) return;
@@ -273,8 +272,8 @@ void TileLists::listTiles() {
                 spans_.push_back({left, top, static_cast<std::uint16_t>(x + 1), static_cast<std::uint16_t>(y + 1)});
             bins_.push_back({left, top});
         }
-    // A software device gives each thread a run of neighbouring workgroups: dealt out, all have as much to do.
-    // A few bins beside each other at a time: they show the same primitives, whose occlusion is still at hand.
+    // A software device gives each thread a run of neighbouring workgroups: interleaved, all have equal work. Groups a
+    // few neighbouring bins: they show the same primitives, whose occlusion is still in the cache.
     constexpr std::size_t kHands = 16, kRun = 4;
     tiles_.clear();
     for (std::size_t hand = 0; hand < kHands; ++hand)

@@ -17,11 +17,11 @@ TriangleLens::TriangleLens(const TileView& view)
       clips(view.clips()),
       clipNear(view.clipNear),
       clipFar(view.clipFar) {
-    // A number is rounded by u = 2^-24 of itself, and with P, the range in pixels, no corner is farther than P / 2 from
-    // the axis. To place one there the host rounds each of three coefficients, products and sums once: 2.5 u P; a
-    // shader 2 u P. To count from the picture's corner takes u times the picture's size, the ray of a pixel 4 u times
-    // its way from the axis, perspective 8 u times that: the latter two are in what findPlanes() adds, 16 u. This
-    // is 8.4 u P, or 2.5 u times the picture, of which then no more than 2.4 are needed.
+    // Rounding is relative: u = 2^-24. With the range P in pixels, no corner is farther than P / 2 from the axis. For a
+    // corner's position the host rounds each of three coefficients, products and sums once: 2.5 u P; a shader 2 u P.
+    // Counting from the picture's corner adds u times the picture's size, a pixel's ray 4 u times its distance from the
+    // axis, perspective 8 u times that: the latter two are in the 16 u that findPlanes() adds. This is 8.4 u P, or 2.5
+    // u times the picture, of which at most 2.4 are needed.
     const float picture = std::max({static_cast<float>(std::max(width, height)), std::abs(axisX), std::abs(axisY)});
     error = 5e-7f * std::max(view.range * view.pixels, 0.3f * picture);
     errorOfZ = 1e-6f * std::max(view.range, view.origin);
@@ -46,7 +46,7 @@ Lanes ofLeast(Lanes a, Lanes b, Lanes c) { return lesser(a, lesser(b, c)); }
 Lanes ofMost(Lanes a, Lanes b, Lanes c) { return greater(a, greater(b, c)); }
 Lanes farther(Lanes low, Lanes high, float axis) { return greater(high - axis, axis - low); }
 
-/// Twice the area that an edge makes with a place, which is positive to one side of it.
+/// Twice the area between an edge and a point, positive on one side.
 struct LaneEdge {
     Lanes start, right, down, length;
     LaneEdge(Lanes fromX, Lanes fromY, Lanes toX, Lanes toY)
@@ -130,7 +130,7 @@ void TriangleShapes::findPlanes(const TriangleLens& lens, std::uint32_t first) {
     storeLanes(narrow ? most + errorOfMost : ofA + mean(&LaneEdge::start), &key.start[first]);
     storeLanes(narrow ? none : mean(&LaneEdge::right), &key.right[first]);
     storeLanes(narrow ? none : mean(&LaneEdge::down), &key.down[first]);
-    // A key may be off by as much as it rises on the way that a corner is off, and by what Z is rounded.
+    // A key's error: its slope over a corner's error, plus the rounding of Z.
     storeLanes(narrow ? none : 4 * rounded * rise * around * perArea + errorOfMost, &error[first]);
 }
 

@@ -17,12 +17,12 @@
 namespace nacre {
 namespace {
 
-/// Where the primitives of a scene stand in a view.
+/// Primitives of a scene in view space.
 class Placed {
 public:
     Placed(const Representation& scene, const View& view) : scene_(scene), rotation_(view.rotation) {}
 
-    /// Calls visit(index, place of its copy) for all primitives of a kind, or those in their first copy.
+    /// Calls visit(index, transform) for all primitives of a kind, or those of their first copy.
     template <typename Visit>
     void each(const std::vector<PrimitiveRun>& runs, std::size_t count, bool first, const Visit& visit) const {
         if (scene_.copies.transforms.empty()) {
@@ -72,7 +72,7 @@ private:
     glm::dmat3 rotation_;
 };
 
-/// What belongs to the part, what covers it, and what is to go.
+/// The part's primitives, those that cover it, and those to be removed.
 class Covers {
 public:
     Covers(const Representation& scene, const std::vector<bool>& chosen)
@@ -95,7 +95,7 @@ public:
         return std::size_t{isPart(look.atomA)} + std::size_t{isPart(look.atomB)};
     }
 
-    /// Not where one looks through it.
+    /// Not where it is translucent.
     bool covers(const Triangle& t) const {
         return chosenOf(t) == 0 && (!through_ || translucencyOf(scene_, t) == Translucency::opaque);
     }
@@ -103,7 +103,7 @@ public:
     void count(const Placed& placed, const PartPicture& picture, double nearest);
     /// @param most  cells that may stay covered @returns those that do, at most
     std::size_t choose(std::size_t most);
-    /// What stands nearer than a plane by its middle goes as well.
+    /// Also removes primitives whose centre is nearer than a plane.
     void peel(const Placed& placed, double nearest);
     /// A stick goes with its atoms, an atom with its last stick.
     void settle();
@@ -129,7 +129,7 @@ void Covers::count(const Placed& placed, const PartPicture& picture, double near
     std::vector<bool> covered(picture.size());
     const auto note = [&](std::unordered_map<std::uint32_t, std::size_t>& counts, std::size_t of) {
         return [&, of](std::size_t cell, double front, double back) {
-            // What a plane goes through has its cap there.
+            // Primitives cut by a plane have their cap there.
             if (back > nearest || !picture.isCoveredBy(cell, std::min(front, nearest))) return;
             ++counts[static_cast<std::uint32_t>(of)];
             covered[cell] = true;
@@ -203,7 +203,7 @@ void Covers::settle() {
     }
 }
 
-/// What is left of some runs. @param before  how many primitives stay of those before each
+/// The remainder of some runs. @param before  number of kept primitives before each
 template <typename Run>
 void shorten(std::vector<Run>& runs, const std::vector<std::uint32_t>& before) {
     for (Run& run : runs) {
@@ -229,7 +229,7 @@ void keep(std::vector<T>& items, const std::vector<std::uint32_t>& before) {
     items.resize(before.back());
 }
 
-/// Takes out of the streams what is to go.
+/// Removes the marked primitives from the streams.
 void remove(const Covers& covers, Representation& scene, Uncovered& result) {
     const auto spheres =
         staying(scene.spheres.size(), [&](std::size_t i) { return covers.isGone(scene.sphereLooks[i]); });
@@ -261,7 +261,7 @@ void remove(const Covers& covers, Representation& scene, Uncovered& result) {
 
 /// The part alone. @returns whether there is any
 bool draw(const Placed& placed, const Representation& scene, const Covers& covers, PartPicture& picture) {
-    // Twice: to find how far it reaches, and what of it is in front.
+    // Twice: to find its extent, and its frontmost points.
     const auto eachOfPart = [&](const auto& ball, const auto& triangle) {
         placed.eachSphere(true, [&](std::size_t i, const glm::dvec3& center, double radius) {
             if (covers.isPart(scene.sphereLooks[i].atom)) ball(center, radius);

@@ -9,8 +9,8 @@ namespace nacre {
 namespace {
 
 // Words of the header, counted from 1 as its description does.
-constexpr int kMode = 4, kStartWord = 5, kIntervals = 8, kLengths = 11, kAngles = 14, kAxes = 17, kMax = 21, kGroup = 23,
-              kExtended = 24, kImodStamp = 39, kImodFlags = 40, kOrigin = 50, kStamp = 54;
+constexpr int kMode = 4, kStartWord = 5, kIntervals = 8, kLengths = 11, kAngles = 14, kAxes = 17, kMax = 21,
+              kGroup = 23, kExtended = 24, kImodStamp = 39, kImodFlags = 40, kOrigin = 50, kStamp = 54;
 constexpr std::size_t kMapWord = 208;
 constexpr std::int32_t kImod = 1146047817;  // a program whose bytes are unsigned unless a flag says otherwise
 constexpr std::size_t kRecord = 80;         // of symmetry
@@ -71,7 +71,7 @@ float Ccp4Reader::real(int word) const {
     return std::bit_cast<float>(bitsAt(header_.data() + 4 * (word - 1), swapped_));
 }
 
-/// By what makes sense: the machine stamp is wrong in some files.
+/// By plausibility: the machine stamp is wrong in some files.
 void Ccp4Reader::findByteOrder() {
     constexpr bool kHostIsBig = std::endian::native == std::endian::big;
     const char stamp = header_[4 * (kStamp - 1)];
@@ -118,7 +118,7 @@ void Ccp4Reader::readGeometry() {
     if (box_.spaceGroup < 0 || box_.spaceGroup > kMostGroup) box_.spaceGroup = 0;  // stacks of images and volumes
     bool beyond = false;                                                           // more than a cell
     for (int i = 0; i < 3; ++i) beyond |= box_.size[i] > box_.intervals[i];
-    // A volume in a rectangular box has the number 1, too.
+    // A volume in a rectangular box also has the number 1.
     box_.crystal = box_.spaceGroup > 1 || (box_.spaceGroup == 1 && (beyond || !box_.cell.isRectangular()));
     for (int i = 0; i < 3; ++i) place_[i] = static_cast<double>(real(kOrigin + i));
     const bool finite = std::isfinite(place_.x) && std::isfinite(place_.y) && std::isfinite(place_.z);

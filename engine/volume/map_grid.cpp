@@ -11,7 +11,7 @@ int wrapped(long at, int count) {
     return static_cast<int>(rest < 0 ? rest + count : rest);
 }
 
-/// What is no number must not pass for one.
+/// Replaces infinities by NaN. @throws Error if no value is a number
 void forgetNonNumbers(std::vector<float>& values, DensityMap& map) {
     std::size_t count = 0;
     for (float& value : values)
@@ -42,8 +42,7 @@ std::vector<float> wrappedIntoCell(const MapBox& box) {
     return cell;
 }
 
-/// Fills what is unknown of a cell with what is known at the places that operations take it to.
-/// @returns whether every operation takes nodes to nodes
+/// Fills unknown nodes of a cell from known nodes by symmetry. @returns whether every operation maps nodes to nodes
 bool spread(std::vector<float>& cell, const glm::ivec3& n, const std::vector<SymmetryOperation>& operations) {
     std::vector<std::size_t> unknown;
     for (std::size_t i = 0; i < cell.size(); ++i)

@@ -11,7 +11,7 @@
 namespace nacre {
 namespace {
 
-constexpr std::size_t kStart = 4096;  // bytes that tell a format
+constexpr std::size_t kStart = 4096;  // bytes needed to detect a format
 constexpr std::size_t kPiece = 1 << 20;
 // A compressed file is refused that announces more: decompress.h.
 constexpr std::uint64_t kMostRatio = 100, kAnyRatio = std::uint64_t{64} << 20;
@@ -38,7 +38,8 @@ bool isDx(std::string_view start) {
     return false;
 }
 
-/// Two lines of words (in XYZ the first is a number alone), then the number of atoms with the origin, then three numbers of nodes with their steps.
+/// Two lines of words (in XYZ the first is a number alone), then the number of atoms with the origin, then three
+/// numbers of nodes with their steps.
 bool isCube(std::string_view start) {
     LineReader lines(start);
     for (int i = 0; i < 2; ++i) {
@@ -99,7 +100,7 @@ DensityMap readText(const std::string& name, MapFormat format, std::string_view 
                   "of density servers");
 }
 
-/// Inflates no more than it takes to tell what it is.
+/// Inflates only as much as detection needs.
 std::string inflatedStart(const std::string& name, std::string_view packed) {
     struct Enough {};
     std::string start;
@@ -136,7 +137,7 @@ bool isMapFile(const std::string& path) try {
     if (!file) return false;
     const std::string start = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
     if (compressionOf(start).empty()) return looksLikeMap(path, start);
-    // A piece of a compressed file tells; that it is cut is no matter.
+    // The beginning of a compressed file suffices; it may be cut.
     const std::string part = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), 64 * kStart));
     std::string inflated;
     struct Enough {};

@@ -29,7 +29,7 @@ bool SymmetryOperation::isIdentity() const {
 std::vector<SymmetryOperation> operationsOf(int spaceGroup, const UnitCell& cell) {
     const gemmi::SpaceGroup* group = gemmi::find_spacegroup_by_number(spaceGroup);
     if (group == nullptr) return {};
-    // Of rhombohedral groups the table has the hexagonal axes first.
+    // For rhombohedral groups the table lists the hexagonal axes first.
     if (group->ext == 'H' && std::abs(cell.angles.z - cell.angles.x) < 0.1) {
         std::string name = group->hm;
         const gemmi::SpaceGroup* other = gemmi::find_spacegroup_by_name(name + ":R");

@@ -52,7 +52,7 @@ void mergeBonds(std::vector<Bond>& bonds, std::size_t atoms) {
     const auto fault =
         std::adjacent_find(bonds.begin(), bonds.end(), [&](const Bond& l, const Bond& r) { return !inOrder(l, r); });
     if (fault == bonds.end()) return;  // as most readers have them
-    // Dealt out to the first atoms, of which each has a handful: quicker than sorting all of them.
+    // Counting sort by first atom, then short sorts: faster than one sort of all.
     std::vector<std::uint32_t> ends(atoms + 1, 0);
     for (const Bond& bond : bonds) ++ends[bond.a + 1];
     for (std::size_t i = 1; i <= atoms; ++i) ends[i] += ends[i - 1];

@@ -18,7 +18,7 @@ namespace {
 
 enum Flag : std::uint8_t { kHydrogen = 1, kWater = 2, kMetal = 4, kTemplated = 8, kSettled = 16 };
 
-/// What the inner loop needs of an atom, in the order of the grid.
+/// Data of an atom for the inner loop, in grid order.
 struct Site {
     glm::vec3 position;
     float radius;
@@ -50,8 +50,8 @@ std::uint64_t keyOf(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
 bool isHalogen(Element e) { return e == 9 || e == 17 || e == 35 || e == 53 || e == 85; }
 bool isNobleGas(Element e) { return e == 2 || e == 10 || e == 18; }
 
-/// Atoms that distance alone never bonds: noble gases, ions on their own (coordination is no bond), lone water
-/// oxygens, and hydrogens that have their bond already.
+/// Atoms that are never bonded by distance: noble gases, isolated ions (coordination is not a bond), isolated water
+/// oxygens, and hydrogens that already have a bond.
 bool neverBonds(const BondWork& work, std::uint32_t i, bool hasBond, bool water) {
     const Atom& atom = work.molecule.atoms[i];
     const bool alone = work.groups[work.groupOf[i]].atomCount == 1;
@@ -126,7 +126,7 @@ public:
         for (const Bond& bond : bonds) {
             ++end_[bond.a + 1];
             ++end_[bond.b + 1];
-            // What has as many bonds already gets no more, so that their lists are short where they are searched.
+            // Atoms with this many bonds get no more, which keeps their lists short.
             for (const std::uint32_t end : {bond.a, bond.b})
                 if (bondCount_[end] < kMostBondsPerAtom) ++bondCount_[end];
         }
@@ -205,7 +205,7 @@ private:
         return false;
     }
 
-    /// Across a peptide bond of poor geometry such atoms come near; a ring of three over two residues is none.
+    /// Across a distorted peptide bond such atoms come close; a three-membered ring over two residues is not real.
     bool shareNeighbour(std::uint32_t a, std::uint32_t b) const {
         for (std::size_t i = begin(a); i < end_[a]; ++i)
             if (bonded(neighbours_[i], b)) return true;

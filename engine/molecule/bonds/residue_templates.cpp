@@ -101,7 +101,7 @@ Table makeTable() {
         forEachWord(source.names, [&](std::string_view name) {
             ResidueTemplate& residue = table[name];
             addBonds(residue, kDeoxyribose);
-            // Old files name deoxynucleotides "A" too; an O2' that is not there then goes unused.
+            // Old files also name deoxynucleotides "A"; the O2' bond is then unused.
             if (name.front() != 'D' && name != "T") addBonds(residue, kRiboseHydroxyl);
             addBonds(residue, source.purine ? kPurine : kPyrimidine);
             addBonds(residue, source.bonds);

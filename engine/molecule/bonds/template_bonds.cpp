@@ -16,7 +16,7 @@ float distance(const Atom& a, const Atom& b) { return glm::distance(a.position, 
 /// The atoms of one position that bear a template's names; several per name where conformers alternate.
 class NamedAtoms {
 public:
-    /// False if a name stands twice among atoms that exist together: then the names tell nothing.
+    /// False if a name occurs twice among atoms that exist together: names are then ambiguous.
     bool fill(const Molecule& molecule, const PositionGroup& group, const Name& residueName,
               const ResidueTemplate& residue) {
         for (auto& slot : slots_) slot.clear();

@@ -10,7 +10,7 @@
 namespace nacre {
 namespace {
 
-/// Formats whose bonds say their order. A PDB file does only where it repeats CONECT records.
+/// Formats that state bond orders. PDB files do only if they repeat CONECT records.
 bool statesOrders(const std::string& format) {
     constexpr std::array<std::string_view, 6> kFormats = {"sdf-v2000", "sdf-v3000", "mol2", "cml", "mmtf", "sample"};
     const std::string_view component = "-chem_comp";
@@ -41,8 +41,8 @@ std::vector<OrderSource> orderSources(const Molecule& molecule) {
     return sources;
 }
 
-/// Neighbours of present atoms. Coordination to a metal is no bond of valence: such bonds are left out, and so are
-/// those of atoms that a file gives more neighbours than any atom has.
+/// Neighbours of present atoms. Excludes coordination to metals, and bonds of atoms with impossibly many neighbours in
+/// the file.
 void linkNeighbours(const Molecule& molecule, Chemistry& chemistry) {
     constexpr std::uint32_t kMostNeighbours = 24;
     std::vector<std::uint32_t> degree(molecule.atoms.size());

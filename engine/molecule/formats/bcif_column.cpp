@@ -51,7 +51,7 @@ std::vector<MsgpackValue> encodingsOf(const MsgpackValue& list) {
     return encodings;
 }
 
-/// The values that an encoding says it yields are what has to come out.
+/// Checks the number of values that an encoding states.
 IntegersPointer ofSourceSize(IntegersPointer values, const MsgpackValue& encoding) {
     return exactly(std::move(values), static_cast<std::size_t>(needInteger(encoding, "srcSize", 0, INT32_MAX)));
 }

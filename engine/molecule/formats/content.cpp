@@ -18,7 +18,7 @@
 namespace nacre {
 namespace {
 
-constexpr std::size_t kTellingBytes = std::size_t{64} << 10;  // tells the format
+constexpr std::size_t kTellingBytes = std::size_t{64} << 10;  // enough to detect the format
 
 [[noreturn]] void refuseLarge(const std::string& name, std::size_t maxBytes) {
     cannotRead(name, "it is larger than the limit of " + std::to_string(maxBytes) + " bytes");
@@ -40,7 +40,7 @@ std::optional<Content> plainText(const std::string& name, TextSource text, const
     return content;
 }
 
-/// The same, if its models can be told apart, and each read without much of the rest.
+/// As above, if its models can be separated, so that each is read without much of the rest.
 std::optional<Content> severalModels(const std::string& name, TextSource text, const ReadOptions& options) {
     constexpr std::uint64_t kMostAround = std::uint64_t{32} << 20, kMostBytesOfPasses = std::uint64_t{1} << 32;
     std::optional<Content> content = plainText(name, std::move(text), options);
@@ -50,7 +50,7 @@ std::optional<Content> severalModels(const std::string& name, TextSource text, c
     return content;
 }
 
-/// Takes in what is inflated: in memory, and where that is much and has several models in a temporary file.
+/// Collects inflated data: in memory, or, if it is large and has several models, in a temporary file.
 class Inflated {
 public:
     Inflated(const std::string& name, const ReadOptions& options) : name_(name), options_(options) {}
@@ -98,7 +98,7 @@ struct CloseFile {
     }
 };
 
-/// Grows by what is there, to the limit and no further: a device or a pipe may never end.
+/// Reads to the end, up to the limit: a device or pipe may never end.
 std::string readAll(std::FILE* file, const std::string& name, const ReadOptions& options) {
     constexpr std::size_t kChunk = std::size_t{1} << 20;
     struct stat status {};

@@ -55,7 +55,7 @@ private:
         glm::vec3 position;
         for (int axis = 0; axis < 3; ++axis)
             position[axis] = parseCoordinate(axes[axis], "xyz"[axis], builder_.name(), lines_.number());
-        // Codes 1 to 3 and 5 to 7 stand for +3 to +1 and -1 to -3; 4 is a radical.
+        // Codes 1 to 3 and 5 to 7 mean +3 to +1 and -1 to -3; 4 is a radical.
         const std::int64_t code = parseInteger(charge).value_or(0);
         addCtabAtom(builder_, symbol, position, code >= 1 && code <= 7 ? 4 - code : 0, lines_.number());
     }

@@ -30,7 +30,7 @@ public:
                 const IdIndex index(ids_);
                 read.bonds += block("BOND", [&] { readBond(index); });
             }
-            // What follows the first table (R groups, templates) is not part of the molecule.
+            // Data after the first table (R groups, templates) is not part of the molecule.
             ended = words[0] == "END" && words[1] == "CTAB";
         }
         if (!ended) fail("the record ends before END CTAB");

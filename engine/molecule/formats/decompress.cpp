@@ -22,7 +22,7 @@ constexpr std::size_t kFreeOfRatio = std::size_t{64} << 20;
 constexpr std::size_t kMaxRatio = 100;
 constexpr std::size_t kChunk = std::size_t{256} << 10;
 constexpr std::size_t kMostInput = std::size_t{1} << 30;  // at once; some libraries count in 32 bits
-// What xz and zstd look back on, of which no more is touched than has come out.
+// Dictionary size of xz and zstd; only the part that was decoded is used.
 constexpr std::uint64_t kMostDictionary = std::uint64_t{256} << 20;
 
 constexpr const char* kWrongChecksum = "wrong checksum (CRC): the file is damaged";
@@ -32,7 +32,7 @@ struct Damage : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// What lies before and behind a step of inflating; the step moves both on.
+/// Input and output of a decompression step; the step advances both.
 struct Window {
     const char* in;
     std::size_t inLeft;
@@ -40,7 +40,7 @@ struct Window {
     std::size_t outLeft;
 };
 
-/// A step of a library whose stream has its window as zlib's has. @return what the step does
+/// A step of a library whose stream has zlib's fields. @return the step's result
 template <typename Stream, typename Step>
 auto stepOf(Stream& stream, Window& w, const Step& step) {
     stream.next_in = reinterpret_cast<decltype(stream.next_in)>(const_cast<char*>(w.in));

@@ -11,9 +11,9 @@ namespace nacre {
 
 namespace {
 
-constexpr std::size_t kHead = std::size_t{64} << 10;  // how much of the content is looked at
+constexpr std::size_t kHead = std::size_t{64} << 10;  // number of bytes examined
 
-/// What the content or the name says: a format that is read, or the words for one that is not.
+/// Result from content or name: a readable format, or a description of another one.
 struct Guess {
     std::optional<Format> format;
     std::string_view other;
@@ -49,7 +49,7 @@ bool isInteger(std::string_view text) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// The first lines, where several formats have their mark at a fixed place.
+/// The first lines, where several formats have a mark at a fixed position.
 Guess guessByFirstLines(std::string_view text) {
     std::array<std::string_view, 4> line{};
     LineReader lines(text);
@@ -83,7 +83,7 @@ std::size_t decimals(std::string_view number) {
     return point == std::string_view::npos || !parseNumber(number) ? 0 : number.size() - point - 1;
 }
 
-/// PQR and PDBQT look like PDB: the last columns of an atom line tell.
+/// PQR and PDBQT resemble PDB: the last columns of an atom line decide.
 Guess guessPdbFamily(std::string_view line) {
     if (!startsWith(line, "ATOM  ") && !startsWith(line, "HETATM")) return is(Format::pdb);
     const std::string_view charge = columns(line, 70, 6);
@@ -130,7 +130,7 @@ Guess guessByContent(std::string_view text) {
     return guessByLines(head);
 }
 
-/// Without the ending that says how a file is compressed.
+/// Without the extension of the compression.
 std::string_view uncompressedName(std::string_view name) {
     for (const std::string_view ending : {".gz", ".xz", ".bz2", ".zst"})
         if (name.size() > ending.size() && name.substr(name.size() - ending.size()) == ending)
@@ -181,7 +181,7 @@ std::optional<Format> detectBinaryFormat(std::string_view bytes) {
 
 Format detectFormat(const std::string& name, std::string_view text) {
     const Guess content = guessByContent(text), named = guessByName(name);
-    // A name may narrow down what looks like PDB: PQR files are free in their columns.
+    // A name may narrow down content that resembles PDB: PQR files have free columns.
     const bool narrowed = named.format == Format::pqr || named.format == Format::pdbqt;
     const Guess guess = content && !(content.format == Format::pdb && narrowed) ? content : named;
     if (!guess) cannotRead(name, "neither content nor name tell its format; name it (" + formatNames() + ")");

@@ -8,8 +8,8 @@ namespace nacre {
 // atom and the bonds that the file states; it throws Error with the line, and tooManyAtoms() at the first atom too
 // many.
 Molecule readPdb(const std::string& name, std::string_view text, const ReadOptions&);
-/// Formats whose models stand in common tables: the model of the options, and all after it up to `lastModel`. The
-/// summary of each is that of the file.
+/// Formats whose models share tables: the options' model, and all after it up to `lastModel`. Each has the file's
+/// summary.
 std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, const ReadOptions&, int lastModel);
 std::vector<Molecule> readMmjson(const std::string& name, std::string_view text, const ReadOptions&, int lastModel);
 std::vector<Molecule> readBcif(const std::string& name, std::string_view bytes, const ReadOptions&, int lastModel);

@@ -150,7 +150,7 @@ void JsonWalk::skip() {
         } else {
             word();
         }
-        // A value has ended, and perhaps what it stands in.
+        // A value has ended, and perhaps its containers.
         while (!open.empty() && !accept(',')) {
             expect(open.back());
             open.pop_back();

@@ -17,7 +17,7 @@ TransformsById readOperators(const MmcifTable& table) {
         const auto id = table.get(row, {"id"});
         if (!id) continue;
         TransformRows rows{};
-        for (std::size_t i = 0; i < rows.size(); ++i)  // what is no number is found out when the operator is used
+        for (std::size_t i = 0; i < rows.size(); ++i)  // invalid numbers show when the operator is used
             rows[i] = parseNumber(table.get(row, {kColumns[i]}).value_or("")).value_or(HUGE_VAL);
         operators.emplace(std::string(*id), rows);
     }
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> subchainsOf(std::string_view list, const MoleculeBuil
     for (;;) {
         const std::size_t comma = list.find(',');
         limits.spend(0, 1);
-        // Those without atoms in this model are none that could be drawn.
+        // Subchains without atoms in this model cannot be drawn.
         if (const auto index = builder.subchain(trim(list.substr(0, comma)))) subchains.push_back(*index);
         if (comma == std::string_view::npos) return subchains;
         list.remove_prefix(comma + 1);

@@ -40,7 +40,7 @@ constexpr Partner kPartners[2] = {
 constexpr std::size_t kMaxComparisons = 200'000'000;
 constexpr std::size_t kMaxAlternates = 16;
 
-/// @param comparisons counts the atoms that were looked at
+/// @param comparisons counts the atoms compared
 std::vector<std::uint32_t> findAtoms(const Molecule& molecule, const ResidueIndex& index, const MmcifTable& table,
                                      std::size_t row, const Partner& partner, std::size_t& comparisons) {
     std::vector<std::uint32_t> found;

@@ -29,7 +29,7 @@ Components componentsOf(const MmcifTable& bonds) {
     return components;
 }
 
-// A hostile file may have many residues and as many bonds of a component; real ones are far below this.
+// A hostile file may have many residues and equally many component bonds; real ones are far below this.
 constexpr std::size_t kMostComponentSteps = 200'000'000;
 
 /// The atoms of a residue by name: indices sorted by it.

@@ -31,7 +31,7 @@ std::optional<End> endOf(const MmcifTable& table, std::size_t row, bool first) {
     return end;
 }
 
-/// Predicted models list strands in struct_conf too; turns and bends are no part of the fold that is drawn.
+/// Predicted models also list strands in struct_conf; turns and bends are not drawn.
 SecondaryStructure kindOf(std::string_view type) {
     const std::string lower = lowerCase(type);
     if (startsWith(lower, "helx")) return SecondaryStructure::helix;

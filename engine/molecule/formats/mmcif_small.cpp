@@ -13,7 +13,7 @@ namespace nacre {
 
 namespace {
 
-/// A number without its standard uncertainty; empty if there is none.
+/// A number without its standard uncertainty; empty if missing.
 std::optional<double> number(const MmcifTable& table, std::size_t row, std::initializer_list<const char*> columns) {
     const auto text = table.get(row, columns);
     return text ? MmcifCell(*text).number() : std::nullopt;
@@ -37,7 +37,7 @@ gemmi::UnitCell readCell(const std::string& name, const MmcifTable& table) {
     return cell;
 }
 
-/// "C27" is carbon, "Cu1" and "CL2" what they say; the symbol stands before the label's digits.
+/// "C27" is carbon, "Cu1" and "CL2" are copper and chlorine; the symbol precedes the label's digits.
 std::string_view elementOfLabel(std::string_view label) {
     std::size_t letters = 0;
     while (letters < label.size() && std::isalpha(static_cast<unsigned char>(label[letters]))) ++letters;
@@ -118,7 +118,7 @@ Assembly unitCell(const MoleculeBuilder& builder, const MmcifTable& symmetry, co
             transforms.push_back(toMatrix(transformOf(gemmi::parse_triplet(std::string(*text)), cell, centre)));
         } catch (const AssemblyFault&) {
             throw;
-        } catch (const std::exception&) {  // what gemmi's parser throws
+        } catch (const std::exception&) {  // thrown by gemmi's parser
             throw AssemblyFault("'" + printable(*text) + "' is not a symmetry operation");
         }
     }

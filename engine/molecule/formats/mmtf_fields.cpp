@@ -115,7 +115,7 @@ MmtfFloats MmtfFields::floats(const char* field, std::size_t size) const {
     Encoded array = encoded(field, size);
     MmtfFloats numbers;
     numbers.bits_ = array.codec == 1;
-    if (isDivided(array.codec)) numbers.divisor_ = array.parameter;  // what is not divided counts as it is
+    if (isDivided(array.codec)) numbers.divisor_ = array.parameter;  // without a divisor the value itself
     if (numbers.bits_) array.codec = 4;
     numbers.values_ = decode(field, array, size);
     return numbers;

@@ -73,7 +73,7 @@ ModelReader::ModelReader(Content content, const ReadOptions& options, const Mole
     options_.others = false;
     if (count_ < 2) return;
     const bool tables = formatRow(content_.format).readTables && content_.bytes;
-    // Of tables in text all models are read in fewer passes, and one by its own text.
+    // Tables in text: reads all models in fewer passes, or one from its own text.
     if (content_.bytes && (!tables || order == Order::any)) content_.spans = modelSpans(content_.format, content_.text);
     cut_ = content_.spans.models.size() == static_cast<std::size_t>(count_);
     if (tables && !cut_) {
@@ -91,7 +91,7 @@ ModelReader::ModelReader(Content content, const ReadOptions& options, const Mole
 Molecule ModelReader::read(int model, std::size_t maxAtoms) {
     if (runLength_ > 0) {
         Molecule own = cleaned(ofRun(model), model);
-        // The reader has the assemblies at one of them.
+        // The reader attaches the assemblies to one of them.
         if (own.assemblies.empty()) own.assemblies = assembliesFor(own, subchains_);
         return own;
     }
@@ -99,7 +99,7 @@ Molecule ModelReader::read(int model, std::size_t maxAtoms) {
     if (!cut_) return readWhole(model);
     std::optional<Molecule> alone = readSpan(content_, options_, model);
     if (alone && !content_.bytes) return std::move(*alone);
-    // A warning names a line, which the whole text knows; but not for every model, since each pass takes its time.
+    // Only the whole text has the line for a warning; but not for every model, since each pass takes time.
     if (alone && (alone->warnings.empty() || warned_)) {
         alone->warnings.clear();
         return std::move(*alone);
@@ -107,7 +107,7 @@ Molecule ModelReader::read(int model, std::size_t maxAtoms) {
     if (alone) {
         warned_ = true;
     } else if (order_ == Order::all) {
-        cut_ = false;  // a second time in vain would be twice the work
+        cut_ = false;  // a second failed attempt would double the work
         boundPasses(content_, count_, content_.text.size);
     }
     return readWhole(model);

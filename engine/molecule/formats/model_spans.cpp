@@ -15,11 +15,11 @@ bool isAtom(std::string_view line) { return startsWith(line, "ATOM") || startsWi
 bool isModel(std::string_view line) { return line == "MODEL" || startsWith(line, "MODEL "); }
 bool isEnd(std::string_view line) { return startsWith(line, "END") && trim(line) == "END"; }
 
-/// Frames that END divides. What stands before the first atom is every frame's.
+/// Frames separated by END. Text before the first atom belongs to every frame.
 ModelSpans framesOfPdb(const TextSource& text) {
     ModelSpans spans;
     TextCutter cut(text);
-    // Which structure these speak of is for the reader of the whole to say.
+    // The reader of the whole text decides which structure these belong to.
     const auto speaksOfOne = [&] {
         const std::string_view line = cut.line();
         return startsWith(line, "HELIX ") || startsWith(line, "SHEET ") || startsWith(line, "CONECT") || isModel(line);
@@ -40,7 +40,7 @@ ModelSpans framesOfPdb(const TextSource& text) {
     return spans;
 }
 
-/// Models between MODEL and ENDMDL, one after the other. What stands around them is every model's.
+/// Models between MODEL and ENDMDL in order. Text around them belongs to every model.
 ModelSpans modelsOfPdb(const TextSource& text) {
     ModelSpans spans;
     TextCutter cut(text);
@@ -78,7 +78,7 @@ bool isCount(std::string_view line) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// Whether nothing but blank lines is left.
+/// Whether only blank lines are left.
 bool isBlankFrom(TextCutter cut) {
     while (!cut.atEnd() && trim(cut.line()).empty()) cut.pass();
     return cut.atEnd();
@@ -104,7 +104,7 @@ ModelSpans countedFrames(const TextSource& text, const ToCount& toCount, std::in
     return spans;
 }
 
-/// How many words a row of a CIF loop has, and one of them. 0 where a quote is not closed on the line.
+/// Number of words in a row of a CIF loop, and one of them. 0 if a quote is not closed on the line.
 std::size_t wordsOfRow(std::string_view row, std::size_t wanted, std::string_view& word) {
     std::size_t count = 0, at = 0;
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -124,7 +124,7 @@ std::size_t wordsOfRow(std::string_view row, std::size_t wanted, std::string_vie
     }
 }
 
-/// Whether rows further on are of another model than the one that follows, as far as some of a long text tell.
+/// Whether later rows belong to another model than the next one, judged by samples of a long text.
 bool mayHaveModels(const TextSource& text, const TextCutter& cut, std::size_t columns, std::size_t number) {
     constexpr std::uint64_t kShort = std::uint64_t{4} << 20, kSample = 4096, kSamples = 16;
     std::string_view first, word;

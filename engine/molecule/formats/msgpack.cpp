@@ -83,7 +83,7 @@ bool takeMarked(std::string_view& rest, unsigned mark, MsgpackValue& value) {
     return takeLong(rest, mark <= 0xDD ? Kind::array : Kind::map, mark % 2 == 0 ? 2 : 4, value);
 }
 
-/// Takes a scalar, or the header of a container, off the front. False if it is cut short or none.
+/// Reads a scalar, or the header of a container. False if it is truncated or invalid.
 bool take(std::string_view& rest, MsgpackValue& value) {
     value = {};
     if (rest.empty()) return false;
@@ -105,7 +105,7 @@ std::uint64_t elementsOf(const MsgpackValue& value) {
     return value.is(Kind::map) ? std::uint64_t{2} * value.count : 0;
 }
 
-/// Takes a whole value off the front; counts what is still open, so that depth costs nothing.
+/// Skips a whole value by counting open elements, without recursion.
 bool skip(std::string_view& rest) {
     MsgpackValue value;
     for (std::uint64_t open = 1; open > 0; --open) {

@@ -9,7 +9,7 @@ namespace nacre::pdb {
 
 namespace {
 
-/// What follows a phrase of a line, if the phrase is there.
+/// The text after a phrase in a line, if it has the phrase.
 std::optional<std::string_view> after(std::string_view line, std::string_view phrase) {
     const std::size_t at = line.find(phrase);
     if (at == std::string_view::npos) return std::nullopt;

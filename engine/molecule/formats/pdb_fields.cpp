@@ -68,7 +68,7 @@ std::optional<std::int64_t> hybrid36(std::string_view text, std::size_t width) {
 /// Symbol of one letter, if it is the beginning of an element's name at all.
 Element oneLetter(char c) { return isLetter(c) ? elementFromSymbol(std::string_view(&c, 1)) : Element{0}; }
 
-/// The names of standard residues start with the element whatever column they stand in; only selenium takes two.
+/// Atom names of standard residues start with the element in any column; only selenium takes two letters.
 Element inStandardResidue(std::string_view name) {
     const std::size_t first = name.find_first_not_of("0123456789");
     if (first == std::string_view::npos) return 0;
@@ -77,14 +77,14 @@ Element inStandardResidue(std::string_view name) {
     return oneLetter(name[first]);
 }
 
-/// Whole names that nobody gives to another element, wherever they stand.
+/// Whole names that are unambiguous in any column.
 bool isPlainSymbol(std::string_view name) {
     for (const char* symbol : {"SI", "CL", "BR", "FE", "MG", "ZN", "MN", "LI", "AL"})
         if (name.size() == 2 && upperCase(name[0]) == symbol[0] && upperCase(name[1]) == symbol[1]) return true;
     return false;
 }
 
-/// Element of an atom that is a residue by itself; CHARMM has names of its own for ions.
+/// Element of a single-atom residue; CHARMM has its own names for ions.
 Element ionOf(std::string_view name) {
     struct Ion {
         std::string_view name, symbol;

@@ -62,7 +62,7 @@ private:
         addRows(name, names, values, rows);
     }
 
-    /// A row takes a byte of the file at least: what no real file violates bounds what a hostile one makes us do.
+    /// A row takes at least one byte of the file: true for real files, and a limit for hostile ones.
     std::size_t rowCount(const MsgpackValue& content, const std::string& category) const {
         const auto value = content.find("rowCount");
         const auto rows = value ? value->asInteger() : std::nullopt;

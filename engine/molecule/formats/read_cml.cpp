@@ -1,6 +1,6 @@
 // CML (Chemical Markup Language, schema 2 and 3): <molecule> elements with an atomArray and a bondArray. All molecules
-// of a file stand together; each outermost one is a residue. Expat reads the XML as a stream, so that memory is bounded
-// by the atoms, and entities are refused, so that no text multiplies itself.
+// of a file form one model; each outermost one is a residue. Expat reads the XML as a stream, so that memory is
+// proportional to the atoms; entities are refused, so that text cannot multiply itself.
 #include <expat.h>
 
 #include <exception>
@@ -21,12 +21,12 @@ namespace {
 constexpr int kDeepestElement = 256;
 constexpr std::size_t kLongestTitle = 200;
 
-/// Attributes as expat hands them out: names and values in turn.
+/// Attributes in expat's form: alternating names and values.
 class Attributes {
 public:
     explicit Attributes(const XML_Char** list) : list_(list) {}
 
-    /// Empty if there is none.
+    /// Empty if missing.
     std::string_view operator[](std::string_view name) const {
         for (const XML_Char** at = list_; *at; at += 2)
             if (name == *at) return at[1];
@@ -100,7 +100,7 @@ private:
 #endif
     }
 
-    /// Runs what may throw; an exception must not pass through expat, which is C.
+    /// Runs code that may throw; an exception must not pass through expat, which is C.
     template <typename Work>
     static void guarded(void* user, Work work) {
         CmlReader& reader = *static_cast<CmlReader*>(user);
@@ -212,7 +212,7 @@ private:
     void addBond(const Attributes& attributes) {
         std::string_view pair;
         for (const char* name :
-             {"atomRefs2", "atomsRefs2", "atomRefs"})  // the first is CML's, the others are written, too
+             {"atomRefs2", "atomsRefs2", "atomRefs"})  // the first is CML's; the others occur as well
             if (pair.empty()) pair = attributes[name];
         std::string_view a = nextWord(pair), b = nextWord(pair);
         if (b.empty()) {  // one attribute for each atom
@@ -268,7 +268,7 @@ private:
         return 1;
     }
 
-    /// Bonds may stand before their atoms, so that they wait for the molecule's end.
+    /// Bonds may precede their atoms, so they wait for the molecule's end.
     void finishMolecule() {
         for (const CmlBond& bond : pending_) {
             const std::uint32_t a = atomOfId_[bond.a], b = atomOfId_[bond.b];

@@ -15,7 +15,7 @@ namespace rules = gemmi::cif::rules;
 
 constexpr std::size_t kMaxTags = 1000;  // the largest category of the dictionary has some 120
 
-/// What a value means: quotes off, '?' and '.' null.
+/// The meaning of a value: unquoted, '?' and '.' null.
 MmcifCell meaning(std::string_view raw) {
     if (raw == "?" || raw == ".") return {};
     const char first = raw.empty() ? '\0' : raw.front();
@@ -24,7 +24,7 @@ MmcifCell meaning(std::string_view raw) {
     return raw;
 }
 
-/// Follows the parse, and hands rows to the model.
+/// Follows the parse, and passes rows to the model.
 class Walker {
 public:
     Walker(const std::string& name, MmcifModel& model) : name_(name), model_(model) {}
@@ -103,7 +103,7 @@ private:
         return {lower.substr(0, dot), lower.substr(dot + 1)};
     }
 
-    /// Tags of small-molecule CIF have no dot: _atom_site_fract_x is what mmCIF would call _atom_site.fract_x.
+    /// Tags of small-molecule CIF have no dot: _atom_site_fract_x is mmCIF's _atom_site.fract_x.
     static std::pair<std::string, std::string> splitCore(const std::string& tag) {
         static constexpr std::string_view kCategories[] = {"atom_site_aniso", "atom_site",         "cell",
                                                            "symmetry_equiv",  "space_group_symop", "chemical"};
@@ -124,7 +124,7 @@ private:
     bool open_ = false, wanted_ = false;
 };
 
-/// What a rule matched: PEGTL 2.8 has no string_view() of it.
+/// The text that a rule matched: PEGTL 2.8 has no string_view() for it.
 template <typename Input>
 std::string_view textOf(const Input& in) {
     return {in.begin(), in.size()};
@@ -154,7 +154,7 @@ NACRE_CIF_ACTION(loop, endLoop())
 NACRE_CIF_ACTION(field_sep, textDelimiter(in.iterator().line))
 #undef NACRE_CIF_ACTION
 
-/// @throws pegtl::parse_error where the text is no CIF
+/// @throws pegtl::parse_error if the text is not CIF
 std::vector<Molecule> parseCif(const std::string& name, std::string_view text, const ReadOptions& options,
                                int lastModel) {
     MmcifModel model(name, text, options, lastModel);

@@ -71,7 +71,7 @@ private:
         }
     }
 
-    /// How many values the array has that begins here; empty if there is none.
+    /// Number of values in the array here; empty if there is no array.
     std::optional<std::size_t> passArray() {
         if (!walk_.accept('[')) {
             walk_.skip();
@@ -87,7 +87,7 @@ private:
         return length;
     }
 
-    /// null stands for '?', false for '.'.
+    /// null means '?', false means '.'.
     MmcifCell cell(JsonWalk& walk, std::string& buffer) const {
         const char first = walk.peek();
         if (first == '"') return walk.string(buffer);

@@ -161,7 +161,7 @@ private:
                              " is not a finite number within 1e9");
             atom.position[static_cast<int>(axis)] = value;
         }
-        // Not-a-number fails both comparisons, and leaves what an Atom has by itself.
+        // NaN fails both comparisons, and keeps the Atom's default.
         const float occupancy = occupancy_.next(), temperature = temperature_.next();
         if (std::abs(occupancy) <= 1e9f) atom.occupancy = occupancy;
         if (std::abs(temperature) <= 1e9f) atom.temperatureFactor = temperature;
@@ -190,15 +190,15 @@ private:
         }
     }
 
-    /// Of those that are read, the one that an atom of the file belongs to; their number if it is in none.
+    /// Index among the models read of the one with an atom of the file; their number if none has it.
     std::size_t modelOf(std::size_t atom) const {
         const auto after = std::upper_bound(begins_.begin(), begins_.end(), atom);
         if (after == begins_.begin() || atom >= end_) return builders_.size();
         return static_cast<std::size_t>(after - begins_.begin()) - 1;
     }
 
-    /// How many values an encoded array announces: of bonds between groups there is no count elsewhere. No more than
-    /// the file has bytes, as everywhere.
+    /// Number of values that an encoded array announces: bonds between groups have no other count. Limited by the
+    /// file's size, as everywhere.
     std::size_t encodedLength(const MsgpackValue& list) const {
         if (!list.is(Kind::binary) || list.bytes.size() < 8) fields_.fail("bondAtomList is not an encoded array");
         std::int32_t length = 0;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kMark = "@<TRIPOS>";
 
-/// Steps through the lines of a file and knows the section they stand in; a backslash joins a line to the next.
+/// Iterates over the lines of a file with their section; a backslash joins a line to the next.
 class Mol2Lines {
 public:
     explicit Mol2Lines(std::string_view text, std::uint64_t firstLine = 1) : lines_(text, firstLine) {}
@@ -75,7 +75,7 @@ struct Mol2Record {
     std::int64_t atoms = 0, bonds = 0;
 };
 
-/// What SUBSTRUCTURE says of one residue.
+/// SUBSTRUCTURE data of one residue.
 struct Substructure {
     std::string name, chain;
 };
@@ -193,8 +193,8 @@ private:
                                                                                          : 0.0f);
     }
 
-    /// "C.ar" is carbon; types all in small letters ("ca", "c3", "hn") are the force field GAFF's, which names the
-    /// element by the first letter but for chlorine and bromine.
+    /// "C.ar" is carbon; all lower-case types ("ca", "c3", "hn") are GAFF's, which names the element by the first
+    /// letter except for chlorine and bromine.
     Element elementOf(std::string_view type, std::uint64_t line) {
         const std::string_view symbol = type.substr(0, type.find('.'));
         const bool gaff = !symbol.empty() && symbol[0] >= 'a' && symbol[0] <= 'z';
@@ -236,8 +236,8 @@ private:
             pending_.push_back({*a, *b, static_cast<std::uint32_t>(lines.number()), orderOf(words[3])});
     }
 
-    /// Bonds name atoms by the ids of their lines. PyMOL numbers the lines through all records and the bonds by place,
-    /// so that the place counts wherever ids do not resolve.
+    /// Bonds name atoms by the ids of their lines. PyMOL numbers lines through all records but bonds by position, so
+    /// the position counts if ids do not resolve.
     void resolveBonds() {
         const IdIndex index(ids_);
         const auto atomOf = [&](std::int64_t id) -> std::int64_t {
@@ -250,7 +250,7 @@ private:
                               return atomOf(bond.a) >= 0 && atomOf(bond.b) >= 0;
                           });
         const auto indexOf = [&](std::int64_t id) -> std::int64_t {
-            return byId ? atomOf(id) : id > 0 ? id - 1 : -1;  // addBond() refuses what lies outside
+            return byId ? atomOf(id) : id > 0 ? id - 1 : -1;  // addBond() refuses indices out of range
         };
         for (const Mol2Bond& bond : pending_) builder_.addBond(indexOf(bond.a), indexOf(bond.b), bond.order, bond.line);
     }

@@ -1,5 +1,5 @@
-// PDB files, by columns (wwPDB format 3.3), lenient where old or hand-made files depart from them; and AutoDock's
-// PDBQT, which keeps the columns up to 66, then gives a partial charge (71-76) and an atom type (78-80).
+// PDB files, by columns (wwPDB format 3.3), lenient with old or hand-made files; and AutoDock's PDBQT, which has the
+// same columns up to 66, then a partial charge (71-76) and an atom type (78-80).
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kLongestJoinedTitle = 4096;
 
-/// Text for people: whatever is no printable ASCII becomes a question mark.
+/// Text for people: replaces everything but printable ASCII by question marks.
 std::string asciiOnly(std::string_view text) {
     std::string clean(text);
     for (char& c : clean)
@@ -48,7 +48,7 @@ public:
     Molecule read() {
         if (wanted_ < 1) cannotRead(name_, "models count from 1");
         molecule_.file.format = flavour_ == Flavour::pdb ? "pdb" : "pdbqt";
-        // A bound on what the text can hold, so no header can ask for more.
+        // Limited by the text's size: no header can demand more.
         molecule_.atoms.reserve(std::min(text_.size() / 81 + 1, maxAtoms_));
         while (lines_.next()) record(lines_.line());
         endModel();
@@ -86,7 +86,7 @@ private:
         } else if (startsWith(line, "REMARK 350")) {
             remark350_.add(line);
         } else if (!sawModelRecord_ && atomsInModel_ == 0 && molecule_.atoms.empty()) {
-            header_.add(line);  // of the whole: what stands in a model tells of that alone
+            header_.add(line);  // header of the file; within a model it applies to that model only
         }
     }
 
@@ -98,7 +98,7 @@ private:
         if (program && text.find("prediction") != std::string::npos) molecule_.file.confidence = true;
     }
 
-    /// Files of several structures in a row: what stands between two ENDs is one of them, with its CONECT records.
+    /// Files of consecutive structures: the part between two ENDs is one, with its CONECT records.
     void endStructure() {
         if (atomsInModel_ > 0 && modelInProgress() != wanted_) conect_.shrink(conectOfStructure_);
         if (atomsInModel_ > 0) conectOfStructure_ = conect_.size();
@@ -133,7 +133,7 @@ private:
         cannotRead(name_, why, lines_.number());
     }
 
-    /// A number that may be missing; what is there but unreadable counts as missing, with a warning.
+    /// An optional number; unreadable ones count as missing, with a warning.
     float optionalNumber(std::string_view line, std::size_t first, float missing) {
         const std::string_view field = pdb::trim(pdb::columns(line, first, first + 5));
         if (field.empty()) return missing;

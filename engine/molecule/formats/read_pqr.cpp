@@ -1,5 +1,5 @@
-// PQR (PDB2PQR, APBS): PDB records whose fields stand between blanks, with a charge and a radius at the end. Where
-// numbers run into each other, the PDB columns that most writers keep are taken instead.
+// PQR (PDB2PQR, APBS): PDB records with fields separated by blanks, and charge and radius at the end. If numbers run
+// into each other, uses the PDB columns that most writers keep.
 #include <cmath>
 #include <utility>
 

@@ -41,7 +41,7 @@ Heading readHeader(LineReader& lines) {
     return header;
 }
 
-/// Counts of a record that is not read, for the summary: what it announces, but no more than it has lines for.
+/// Counts of a skipped record, for the summary: as announced, limited by its number of lines.
 CtabCounts announcedCounts(std::string_view record) {
     LineReader lines(record);
     const Heading header = readHeader(lines);
@@ -80,7 +80,7 @@ Molecule readSdf(const std::string& name, std::string_view text, const ReadOptio
     MoleculeBuilder builder(name, options.maxAtoms);
     std::int64_t records = 0, atoms = 0, bonds = 0;
     std::uint64_t line = 1;
-    // A record that holds only blanks is what follows the last "$$$$".
+    // Blank text after the last "$$$$" is not a record.
     for (std::string_view rest = text; !rest.empty();) {
         const std::string_view before = rest;
         const std::string_view record = nextRecord(rest);

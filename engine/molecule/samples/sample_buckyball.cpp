@@ -37,7 +37,7 @@ Molecule sampleBuckyball() {
     builder.chain("A");
     builder.residue("60C", 1, true);
 
-    // Each edge of the icosahedron is cut one pentagon bond from both ends; what is left is the double bond.
+    // Each edge of the icosahedron is cut one pentagon bond from both ends; the rest is the double bond.
     const double edge = kHexagonBond + 2 * kPentagonBond;
     const std::vector<glm::dvec3> corners = icosahedron(edge);
     std::vector<glm::dvec3> positions;

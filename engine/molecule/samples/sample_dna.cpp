@@ -28,7 +28,7 @@ constexpr TableAtom kPhosphate[] = {
     {"OP1", "O", 10.20, 91.1, 1.86},
     {"OP2", "O", 8.82, 103.3, 1.29},
 };
-// O3' stands in the source as O1 of the phosphate group that follows; addNucleotide() moves it.
+// The source lists O3' as O1 of the next phosphate group; addNucleotide() moves it.
 constexpr TableAtom kSugar[] = {
     {"O5'", "O", 7.73, 88.0, 1.83},  {"C5'", "C", 7.70, 79.8, 2.77}, {"C4'", "C", 7.59, 69.9, 2.04},
     {"O4'", "O", 6.22, 66.0, 1.83},  {"C3'", "C", 8.20, 69.9, 0.64}, {"O3'", "O", 8.75, 97.4, 3.63},
@@ -78,13 +78,13 @@ Base baseOf(char letter) {
     }
 }
 
-/// Where one nucleotide stands: `step` base pairs up the axis, on the table's strand or the one the dyad makes of it.
+/// Frame of a nucleotide: `step` base pairs up the axis, on the table's strand or its dyad mate.
 struct Frame {
     double step;
     bool opposite;
 };
 
-/// The helix axis becomes y, so that the helix stands upright in the unrotated view.
+/// The helix axis becomes y, upright in the unrotated view.
 glm::dvec3 place(const TableAtom& atom, const Frame& frame, double extraSteps = 0) {
     const double step = frame.step + extraSteps;
     const double sign = frame.opposite ? -1 : 1;

@@ -13,8 +13,8 @@ namespace {
 
 using Set = std::vector<bool>;
 
-/// Whether a text is that of a pattern, in which * stands for any characters.
-/// @param foldCase  the text's letters count as capitals; the pattern's are capitals
+/// Whether a text matches a pattern with * for any characters.
+/// @param foldCase  ignores the text's case; the pattern is in capitals
 bool matches(std::string_view pattern, std::string_view text, bool foldCase) {
     std::size_t p = 0, t = 0, star = std::string_view::npos, resume = 0;
     while (t < text.size()) {
@@ -187,7 +187,7 @@ private:
         });
     }
 
-    /// Residues of polymers in a row, wherever a pattern fits.
+    /// Runs of polymer residues that match a pattern.
     Set ofSequences(const SelectionStep& step) {
         const std::vector<ResidueKind>& known = facts_.kinds();
         std::vector<std::string> letters(molecule_.chains.size());
@@ -249,7 +249,7 @@ private:
         }
     }
 
-    /// A residue's atoms may stand apart in the file, where conformers of different name alternate.
+    /// A residue's atoms may be separated in the file, where conformers of different names alternate.
     Set wholeResidues(const Set& set) const {
         using Key = std::tuple<std::uint32_t, std::int32_t, char, std::array<char, 8>>;
         const auto key = [&](const Residue& r) { return Key(r.chain, r.number, r.insertionCode, r.name.bytes); };

@@ -85,7 +85,7 @@ private:
         }
     }
 
-    /// What byres or within applies to.
+    /// Operand of byres or within.
     void operand(const char* operation) {
         skipBlanks();
         const bool parentheses = !atEnd() && text_[position_] == '(';
@@ -93,7 +93,7 @@ private:
         if (!parentheses) refuseOperator(operation);
     }
 
-    /// Where PyMOL and the eye may disagree on how far an operation reaches, the writer has to say.
+    /// If PyMOL would extend an operation differently than it reads, the user must add parentheses.
     void refuseOperator(const char* operation) {
         const auto next = keyword();
         if (next && (*next == conjunction || *next == disjunction || *next == within || *next == around))
@@ -137,7 +137,7 @@ private:
         result_.steps.push_back(std::move(step));
     }
 
-    /// What is to follow a test, for messages.
+    /// Description of a test's value, for messages.
     static const char* valueOf(SelectionTest test) {
         if (test == chain) return "a chain name";
         if (test == residueName) return "a residue name";
@@ -148,13 +148,13 @@ private:
         return test == model ? "a model number" : "an atom's number";
     }
 
-    /// "#1/A,B:10-20,HEM@CA": parts that all have to hold. A part means what the word does that stands for it.
+    /// "#1/A,B:10-20,HEM@CA": all parts must hold. Each means the same as its keyword.
     void chimeraSpecifier() {
         std::string marks;
         chimera_ = true;
         while (!atEndHere() && kMarks.find(text_[position_]) != std::string_view::npos) {
             const char mark = text_[position_];
-            // PyMOL's paths look alike, and mean something else by each place.
+            // PyMOL's paths look similar, but each position has another meaning.
             if (marks.find(mark) != std::string::npos)
                 fail("'" + std::string(1, mark) + "' stands twice in a specifier");
             marks += mark;
@@ -176,7 +176,7 @@ private:
         chimera_ = false;
     }
 
-    /// The canonical name of a kind of fold; empty if a word is none.
+    /// The canonical name of a secondary structure; empty if invalid.
     static std::string foldOf(const std::string& word) {
         if (word == "helix" || word == "h") return "HELIX";
         if (word == "strand" || word == "sheet" || word == "s" || word == "e") return "STRAND";
@@ -209,7 +209,7 @@ private:
     }
 
     void comparison(SelectionStep& step) {
-        // What may hold of a value and the number: 1 less, 2 equal, 4 greater.
+        // Bit mask of comparisons: 1 less, 2 equal, 4 greater.
         static constexpr std::pair<std::string_view, std::uint8_t> kSigns[] = {
             {"<=", 3}, {">=", 6}, {"!=", 5}, {"==", 2}, {"<", 1}, {">", 4}, {"=", 2}};
         skipBlanks();

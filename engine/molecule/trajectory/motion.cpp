@@ -186,7 +186,7 @@ const Motion::Kept& Motion::laid(std::size_t frame) {
 
 std::vector<glm::vec3> Motion::positions(std::size_t frame) {
     const std::size_t half = options_.smoothed / 2, count = trajectory_->atoms();
-    std::vector<glm::vec3> middle;  // references to what is kept do not last
+    std::vector<glm::vec3> middle;  // references to kept frames do not last
     std::vector<glm::dvec3> sum(count, glm::dvec3(0));
     {
         const Kept& kept = laid(frame);

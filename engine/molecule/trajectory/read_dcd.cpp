@@ -1,5 +1,5 @@
-// DCD, as CHARMM, NAMD and X-PLOR write it: records of Fortran, each between two copies of its length, in either byte
-// order. Frames have one size, but for the first where some atoms are fixed: that alone has those.
+// DCD of CHARMM, NAMD and X-PLOR: Fortran records, each between two copies of its length, in either byte order. Frames
+// have one size, except that with fixed atoms only the first frame has all atoms.
 
 #include <cmath>
 
@@ -13,7 +13,7 @@ public:
     Dcd(OwnedFile file, bool swapped) : FileTrajectory(std::move(file), "dcd", swapped) { readHeader(); }
 
 private:
-    /// The number at a place of the header's control block, from 0.
+    /// A number of the header's control block, by index from 0.
     std::int32_t control(std::uint64_t i) const { return numbersAt(8 + 4 * i).next<std::int32_t>(); }
 
     void readHeader() {
@@ -22,12 +22,12 @@ private:
         hasCell_ = charmm && control(10) != 0;
         hasFourth_ = charmm && control(11) != 0;
         const std::int32_t fixed = control(8);
-        // X-PLOR's step is a double in the place of two numbers.
+        // X-PLOR's step is a double in place of two numbers.
         const double units = numbersAt(8 + 4 * 9).next(!charmm);
         constexpr double kAkmaPicoseconds = 0.0488882129;  // sqrt(g/mol Å^2 / (kcal/mol)) in ps
         firstStep_ = control(1);
         perFrame_ = control(2);
-        // A step of 1, which is 49 fs, is what programs write that know of none.
+        // Programs that know no step write 1, which would be 49 fs.
         if (units > 0 && units < 1e6 && units != 1 && perFrame_ > 0) stepPicoseconds_ = units * kAkmaPicoseconds;
         std::uint64_t at = kHeader;
         at += record(at);  // the title

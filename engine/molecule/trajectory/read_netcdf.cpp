@@ -99,7 +99,7 @@ private:
             skipAttributes();
             v.type = type();
             v.bytes *= kTypeBytes[v.type];
-            count();  // what the head says of its size is too short for large ones
+            count();  // the header's size field is too small for large ones
             v.begin = version_ == 1 ? numbers_.next<std::uint32_t>() : numbers_.next<std::uint64_t>();
             if (v.recorded) {
                 ++recorded;

@@ -5,7 +5,7 @@
 namespace nacre {
 namespace {
 
-/// TrrHead of a frame: the sizes of what follows, in bytes.
+/// TrrHead of a frame: the sizes of the following parts, in bytes.
 struct TrrHead {
     std::uint64_t begin = 0, size = 0;  ///< of the data
     std::uint64_t box = 0, beforePositions = 0, positions = 0;

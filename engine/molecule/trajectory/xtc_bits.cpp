@@ -116,8 +116,8 @@ private:
         return point;
     }
 
-    /// Points by their differences, each from the one before it. The first of them stands before the point that they
-    /// follow: of a water, its oxygen.
+    /// Points as differences, each from the previous one. The first is stored before the point that it follows: for
+    /// water, the oxygen.
     bool takeRun(const GridPoint& first, int count) {
         const std::uint32_t range = kXtcRanges[static_cast<std::size_t>(index_)];
         const std::array<std::uint32_t, 3> sizes{range, range, range};
