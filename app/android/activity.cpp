@@ -1,5 +1,5 @@
-// The activity's callbacks, which Android calls on the main thread. Each says what happened to the render thread. Some
-// wait for it, a few seconds in all: Android calls an app dead whose main thread is not back after 5.
+// The activity's callbacks, which Android calls on the main thread. Each reports its event to the render thread. Some
+// wait for it, a few seconds in total: Android reports an app as not responding after 5.
 
 #include <android/configuration.h>
 #include <android/keycodes.h>
@@ -42,7 +42,7 @@ double densityOf(const ANativeActivity* activity) {
     return known ? density / kPointsPerInch : 1;
 }
 
-/// What was saved, if what it shows is still there.
+/// The saved view, if its files still exist.
 std::optional<PictureDescription> stillThere(std::optional<PictureDescription> view) {
     std::error_code ignored;
     if (!view || view->input.path.starts_with("sample:") || std::filesystem::exists(view->input.path, ignored))
@@ -71,7 +71,7 @@ public:
           folder_(activity->internalDataPath),
           restored_(stillThere(viewOf(state, size))),
           density_(densityOf(activity)),
-          // A view that is restored shows the copy of what the intent named.
+          // A restored view shows the copy of the intent's document.
           platform_(activity, told()),
           cache_(platform_.cacheFolder().value_or(folder_)),
           document_(restored_ ? nullptr : documentOf(nullptr)),
@@ -82,7 +82,7 @@ public:
               [this] { return step(); }, [this](const char* why) { fail(why); }) {
         const PictureDescription first = firstView();
         {
-            // Until the first step, which waits for the device, this is what there is to keep.
+            // Kept until the first step, which waits for the device.
             const std::lock_guard lock(mutex_);
             if (!first.input.path.empty()) view_ = first;
         }
@@ -127,7 +127,7 @@ public:
     bool call(double seconds, Tell tell) {
         return thread_.call([this, tell = std::move(tell)] { tell(*session_); }, seconds);
     }
-    /// The same out of the patience that is left, all waits together.
+    /// As above within the remaining patience, summed over all waits.
     bool wait(RenderThread::Task task) {
         const double before = steadySeconds();
         const bool done = thread_.call(std::move(task), patience_);
@@ -139,8 +139,7 @@ public:
     }
     void refillPatience() { patience_ = mainThreadPatience; }
 
-    /// JSON; empty before the first step of what nobody named yet. Should the thread be busy for long, the view of its
-    /// last step.
+    /// JSON; empty before the first step without an input. If the thread is busy for long, the view of its last step.
     std::string lastView() {
         wait(Tell([](AndroidSession&) {}));
         const std::lock_guard lock(mutex_);
@@ -286,12 +285,12 @@ private:
     Platform platform_;
     std::string cache_;
     std::unique_ptr<IntentDocument> document_;
-    // What the main thread may ask at any time
+    // Readable by the main thread at any time
     std::atomic<bool> wantsBack_{false};  // the back key is ours, to close the panel or the help
-    std::atomic<bool> read_{false};       // a screen reader wants to know what is there
+    std::atomic<bool> read_{false};       // a screen reader wants the controls
     std::mutex mutex_;
     std::optional<PictureDescription> view_;  // under the mutex: as it was after the last step
-    std::string lines_;                       // likewise: controlLines() of what the reader is told of
+    std::string lines_;                       // likewise: controlLines() as last reported
     RenderThread thread_;
     std::unique_ptr<AndroidSession> session_;  // the thread's
 };

@@ -105,13 +105,13 @@ std::optional<MouseEvent> mouseOf(const AInputEvent* event, double pixelsPerPoin
             phase = TouchPhase::cancelled;
             break;
         default:
-            return std::nullopt;  // of single buttons, of which the above tell, too
+            return std::nullopt;  // single buttons, which the events above also report
     }
     const std::int32_t buttons = AMotionEvent_getButtonState(event);
     const MouseButton button = buttons & AMOTION_EVENT_BUTTON_SECONDARY  ? MouseButton::right
                                : buttons & AMOTION_EVENT_BUTTON_TERTIARY ? MouseButton::middle
                                                                          : MouseButton::left;
-    constexpr std::int64_t kMouse = -1;  // stands for a finger
+    constexpr std::int64_t kMouse = -1;  // id of the mouse in place of a finger
     return MouseEvent{
         button, {kMouse, phase, placeOf(event, pixelsPerPoint)}, modifiersOf(AMotionEvent_getMetaState(event))};
 }

@@ -57,7 +57,7 @@ ReadBytes streamOf(const Java& java, jobject resolver, jobject uri) {
     };
 }
 
-/// A descriptor that is ours; -1 if the provider has none to give.
+/// A duplicated descriptor; -1 if the provider has none.
 int descriptorOf(const Java& java, jobject resolver, jobject uri) {
     try {
         const jobject file = java.object(resolver, "openFileDescriptor",

@@ -26,7 +26,7 @@ std::string tameName(const std::string& name) {
         tame += plain ? c : '_';
     }
     tame.erase(0, std::min(tame.find_first_not_of(". "), tame.size()));
-    // The end tells the format.
+    // The ending decides the format.
     if (tame.size() > kLongestName) tame.erase(0, tame.size() - kLongestName);
     return tame.empty() ? "structure" : tame;
 }

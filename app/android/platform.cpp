@@ -22,7 +22,7 @@ jlong fromJava(JNIEnv*, jlong value) { return value; }
 jstring toJava(const Java& java, const std::string& text) { return java.string(text); }
 jboolean toJava(const Java&, bool value) { return value ? JNI_TRUE : JNI_FALSE; }
 
-/// Has the session told by one of its functions.
+/// Posts a call of one of the session's functions.
 template <auto kCall, typename... Values>
 void tell([[maybe_unused]] JNIEnv* env, jclass, jlong platform, Values... values) {
     toldBy(platform).post([... told = fromJava(env, values)](AndroidSession& session) { (session.*kCall)(told...); });
@@ -37,7 +37,7 @@ jstring controls(JNIEnv* env, jclass, jlong platform) {
 
 struct Transfer {
     const HttpTake& take;
-    std::exception_ptr failed;  // what must not pass through Java
+    std::exception_ptr failed;  // exceptions must not pass through Java
 };
 
 jboolean received(JNIEnv* env, jclass, jlong to, jbyteArray bytes, jint count, jlong all) {

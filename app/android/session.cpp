@@ -44,7 +44,7 @@ void AndroidSession::windowCreated(ANativeWindow* window) {
 void AndroidSession::windowChanged() { densityChanged(scale()); }
 
 void AndroidSession::windowDestroyed() {
-    // A device that is being made may have a surface of it by now; what is left of its making is short.
+    // A device in the making may already have a surface of it; it will be finished soon.
     if (window_->set(nullptr)) awaitDevice();
     releaseWindow();
     settle();
@@ -102,7 +102,7 @@ void AndroidSession::displayRefreshes(double rate, double most) {
 
 void AndroidSession::tick(std::int64_t nanoseconds) { ticked_ = 1e-9 * static_cast<double>(nanoseconds); }
 
-/// The display's best rate is asked for while something moves alone, and not by a phone that gets hot.
+/// Requests the display's best rate only during motion, and not on a hot phone.
 void AndroidSession::setMoving(bool moving) {
     if (std::exchange(moving_, moving) == moving) return;
     constexpr double kHot = 0.95, kHotRate = 60;
@@ -123,7 +123,7 @@ double AndroidSession::turn() {
     constexpr double kPause = 0.25;  // seconds in which a motion may go on
     const bool goesOn = seen() && end < moved_ + kPause;
     setMoving(goesOn);
-    // Frames of a motion begin with the display's pictures, as long as it tells of them.
+    // Frames of a motion start with the display's ticks, while it reports them.
     const bool ticks = end - ticked_ < 4 * interval;
     if (moves && ticks) return std::max(wake, end + 2 * interval);
     return goesOn ? std::min(wake, moved_ + kPause) : wake;

@@ -1,4 +1,4 @@
-// Room for the molecule beside the words that stand in the picture's corners.
+// Moves the molecule clear of the words in the picture's corners.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kHullSides = 32;
 
-/// A polygon about what is drawn, on the image plane, Å, y down: how far it reaches each way from its middle.
+/// Convex polygon around the drawn scene, on the image plane, Å, y down: its extent in several directions.
 struct Hull {
     glm::dvec2 middle{};
     std::array<double, kHullSides> reach{};
@@ -46,7 +46,7 @@ Hull hullOf(const View& view, const std::vector<glm::dvec4>& balls) {
     return hull;
 }
 
-/// Pixels an Å up to which a hull whose middle stands at a place does not come over an area.
+/// Largest scale, pixels per Å, at which a hull with its centre at a position does not overlap an area.
 double scaleBeside(const Hull& hull, const glm::dvec2& at, const Area& area) {
     double most = 0;
     for (std::size_t i = 0; i < kHullSides; ++i) {
@@ -63,7 +63,7 @@ double scaleBeside(const Hull& hull, const glm::dvec2& at, const std::vector<Are
     return most;
 }
 
-/// The same within a picture's frame.
+/// As above for the picture's frame.
 double scaleWithin(const Hull& hull, const glm::dvec2& at, const Area& frame) {
     return std::max(0.0,
                     std::min({(frame.high.x - at.x) / hull.reach[0], (frame.high.y - at.y) / hull.reach[kHullSides / 4],
@@ -76,11 +76,10 @@ struct Standing {
     double scale = 0, worth = -1;
 };
 
-/// The place that shows it largest, up to a scale; of equal ones nearly the one nearest to where it stands.
+/// The position with the largest scale, up to a limit; of nearly equal ones the nearest.
 Standing bestPlace(const Hull& hull, const std::vector<Area>& areas, const Area& frame, const glm::dvec2& from,
                    double most) {
-    // Shares of the scale that are given not to go once across, and once up or down: what is in the middle looks at
-    // rest.
+    // Fractions of the scale given up to avoid a horizontal, and a vertical shift: a centred molecule looks calm.
     constexpr double kAside = 0.7, kAway = 0.1;
     const glm::dvec2 size = frame.high - frame.low;
     Standing best;

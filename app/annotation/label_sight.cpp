@@ -9,7 +9,7 @@
 namespace nacre::app {
 namespace {
 
-/// The scene turned to the viewer. A ray is a place of the plane z = 0.
+/// The scene in view space. A ray is a point of the plane z = 0.
 class Eye {
 public:
     explicit Eye(const View& view)
@@ -28,10 +28,10 @@ private:
     double eye_;
 };
 
-/// A ray that a label is asked about.
+/// A ray of a label.
 struct Ray {
     glm::dvec2 at{};    // on the plane z = 0
-    double before = 0;  // what lies along it up to this hides
+    double before = 0;  // spheres up to this distance occlude
     std::uint32_t owner = 0;
     bool open = true;
 };
@@ -49,7 +49,7 @@ public:
             cells_[index(cellOf(rays_[i].at.x - low_.x), cellOf(rays_[i].at.y - low_.y))].push_back(i);
     }
 
-    /// Calls judge(ray) for those within a reach of a place.
+    /// Calls judge(ray) for the rays within a distance of a point.
     template <typename Judge>
     void eachNear(const glm::dvec2& at, double reach, const Judge& judge) {
         const glm::dvec2 from = at - reach - low_, to = at + reach - low_;

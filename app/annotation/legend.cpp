@@ -1,4 +1,4 @@
-// The legend: what the colours mean.
+// The legend: meaning of the colours.
 
 #include <algorithm>
 #include <span>
@@ -56,7 +56,7 @@ std::vector<LegendRow> rowsOf(const std::vector<Legend>& legends) {
     for (const Legend& legend : legends) {
         const std::string heading = headingOf(legend);
         if (!heading.empty()) rows.push_back({escaped(heading), 0, !rows.empty()});
-        // One colour alone is named by what it colours.
+        // A single colour is named by the atoms that have it.
         const bool named = legend.entries.size() == 1 && heading.empty() && legend.selection != "all";
         for (std::size_t i = 0; i < legend.entries.size(); ++i) {
             // The end of a ramp on top, as on an axis.

@@ -11,7 +11,7 @@ constexpr std::uint64_t kWholeSamples = std::uint64_t{1} << 24;  ///< of a pictu
 
 std::uint32_t samplesAcross(const RenderSettings& settings) { return std::max(settings.supersample, 1u); }
 
-/// The most that `most` holds of what bands and parts are multiples of.
+/// The largest multiple of the step of bands and parts within `most`.
 std::uint32_t steps(std::uint64_t most) {
     constexpr std::uint32_t kStep = kRowsAtOnce;
     static_assert(kStep % PictureRect::kStep == 0);

@@ -1,5 +1,5 @@
-// Many pictures by one process and one device. Each thread takes a job through all its steps: while one draws, the
-// others read and write theirs, or draw, too, where the device is the processor.
+// Many pictures with one process and one device. Each thread takes a job through all its steps: while one draws, the
+// others read and write files, or also draw on a software device.
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -29,18 +29,18 @@ namespace {
 
 using JobJson = nlohmann::ordered_json;
 
-/// There is no device: no other job needs to try.
+/// There is no device: other jobs would fail as well.
 struct NoDevice : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The renderers, made when jobs want them and anew after a loss: one of a GPU; of a device that computes on the
-/// processor one a thread, since most of a small picture is done by the thread that asks for it.
+/// The renderers, made on demand and after a loss: one for a GPU; for a software device one per thread, since the
+/// calling thread does most of a small picture's work.
 class Renderers {
 public:
     Renderers(const DeviceOptions& options, int threads) : options_(options), threads_(threads) {}
 
-    /// @returns whether the device was there to the end; if not, the job is to be prepared again. @throws Error
+    /// @returns whether the device was not lost; otherwise prepare the job again. @throws Error
     bool draw(PictureJob& job) {
         std::unique_ptr<Canvas> canvas = take();
         try {
@@ -104,7 +104,8 @@ private:
     int atWork_ = 0, most_ = 1, losses_ = 0;
 };
 
-/// Whether a job has no such file, or it is done. An empty one is none: it was made by something else, or by a crash.
+/// Whether a job has no such file, or the file exists. An empty file does not count: it comes from a crash or another
+/// program.
 bool isThere(const std::string& path) {
     struct stat status {};
     return path.empty() || (stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0);
@@ -123,7 +124,7 @@ public:
           lines_(options.path, [this] { return stopped(); }),
           renderers_(options.tried.device, options.parallel),
           files_(options.path),
-          progress_(std::in_place, !isatty(STDOUT_FILENO)) {  // where their lines are seen, those tell
+          progress_(std::in_place, !isatty(STDOUT_FILENO)) {  // without progress if the jobs' lines are visible
         progress_->begin("no job done");
     }
 
@@ -145,8 +146,7 @@ public:
     }
 
 private:
-    /// What one thread does: job after job, until there are none, they are to stop, or something fails that concerns
-    /// them all.
+    /// One thread's work: job after job, until there are none, it is stopped, or an error concerns all jobs.
     void work() {
         try {
             while (!stopped()) {
@@ -194,7 +194,7 @@ private:
         return told;
     }
 
-    /// What the line says of its files, whatever else is wrong with it.
+    /// The file names in a line, even if the line has errors.
     static JobJson toldOf(const BatchLine& line) {
         JobJson told = {{"job", line.number}, {"input", nullptr}, {"output", nullptr}};
         const JobJson job = parseJson<JobJson>(line.text);
@@ -233,7 +233,7 @@ private:
     const BatchOptions& options_;
     std::ostream& out_;
     Clock::time_point start_ = Clock::now();
-    StopRequest stop_;  // jobs that are in work end as they should; a second signal ends them at once
+    StopRequest stop_;  // running jobs are finished; a second signal ends them at once
     BatchLines lines_;
     Renderers renderers_;
     BatchFiles files_;
@@ -247,7 +247,7 @@ private:
 }  // namespace
 
 bool batchCommand(const BatchOptions& options, std::ostream& out) {
-    removeUnfinishedOnSignals();  // what a second signal does
+    removeUnfinishedOnSignals();  // for a second signal
     return Batch(options, out).run();
 }
 

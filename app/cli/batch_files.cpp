@@ -29,7 +29,7 @@ std::vector<std::string> inputsOf(const PictureDescription& job) {
     return inputs;
 }
 
-/// Whether a file that is there, and not empty, is anything but what statsJson() writes.
+/// Whether a non-empty file exists that is not the output of statsJson().
 bool isOther(const std::string& path) {
     constexpr std::string_view kBegin = "{\n  \"view\": {\n";
     std::error_code error;

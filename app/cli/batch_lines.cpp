@@ -52,8 +52,8 @@ bool BatchLines::readLine(std::string& text) {
     }
 }
 
-/// Reads on. A pipe whose writer is slow is looked at now and then, since no signal wakes every thread.
-/// @returns whether there is more @throws Error
+/// Reads more. Polls a slow pipe, since a signal does not wake every thread. @returns whether there is more @throws
+/// Error
 bool BatchLines::fill() {
     constexpr int kLook = 100;  // milliseconds
     buffer_.resize(1 << 16);

@@ -30,7 +30,7 @@ void addBatch(CommandSpec& command, BatchOptions& options) {
         "Pictures processed at the same time, 1 to 64; files are read and written while one is drawn",
         [&](const std::string& text) { options.parallel = static_cast<int>(parseInteger(text, 1, kMostJobs)); });
     command.flag("--resume", options.resume, "Skip jobs whose files exist");
-    // Those that hold for every job are tried now, so that what is wrong is told before any work.
+    // Applies the common options now, so that errors show before any work.
     addPicture(command, options.tried, kEveryTopic & ~kOfTheDevice & ~kOfOneJob, &options.common);
     addPicture(command, options.tried, kOfTheDevice);
 }

@@ -20,11 +20,11 @@ namespace {
 constexpr Visibility kTimedPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
                                       Visibility::rasterOrder, Visibility::tiles};
 
-/// When to end the rounds of a part: as many as were asked for, or 20 and no more than some seconds hold.
+/// Decides the number of rounds: as requested, or 20 limited by time.
 class BenchRounds {
 public:
     explicit BenchRounds(const BenchOptions& options) : options_(options) {}
-    /// @param round  counted from 0; what comes before warms up
+    /// @param round  from 0; earlier ones are warm-up
     bool goesOn(int round) const {
         if (options_.frames) return round < *options_.frames;
         return round < kRounds && (round < kLeast || spent_ < kMilliseconds);
@@ -75,7 +75,7 @@ struct Timed {
     Samples samples;
 };
 
-/// Draws a frame, and takes its times down if they are wanted. @returns milliseconds by the clock
+/// Draws a frame, and records pass times if wanted. @returns milliseconds of wall-clock time
 double timeFrame(Renderer& renderer, const RenderSettings& settings, Samples* samples) {
     const std::clock_t before = std::clock();
     const double ms = renderer.drawFrame(settings);
@@ -86,8 +86,8 @@ double timeFrame(Renderer& renderer, const RenderSettings& settings, Samples* sa
     return ms;
 }
 
-/// Renderers that show the scene by the paths that were asked for, baked and drawn once. A path that the device lacks
-/// is told in `lacks`, unless it is the one that was asked for.
+/// Renderers that show the scene by the requested paths, baked and drawn once. `lacks` lists paths that the device
+/// lacks, unless it was the only one requested.
 std::vector<Timed> timedPaths(const BenchOptions& options, const Representation& scene, Json& lacks,
                               Progress& progress) {
     std::vector<Timed> timed;
@@ -113,8 +113,8 @@ std::vector<Timed> timedPaths(const BenchOptions& options, const Representation&
     return timed;
 }
 
-/// Times whole frames, from declaring the graph to the device being done; every path in turn within a round, so that
-/// the machine's moods meet all of them.
+/// Times whole frames, from declaring the graph until the device is done; alternates the paths within a round, so that
+/// disturbances affect all of them.
 void timeFrames(const BenchOptions& options, double radius, std::vector<Timed>& timed, Progress& progress) {
     BenchRounds rounds(options);
     for (int frame = -3; rounds.goesOn(frame); ++frame) {
@@ -125,8 +125,7 @@ void timeFrames(const BenchOptions& options, double radius, std::vector<Timed>& 
     }
 }
 
-/// What the device takes for each pass of the first frame, by its own clock: of some frames more, since the stamps cost
-/// time themselves. None where the device has no clock.
+/// Device time per pass of the first frame, from extra frames, since timestamps cost time. None without timestamps.
 Json passTimesJson(const RenderSettings& settings, Renderer& renderer) {
     constexpr int kTimedFrames = 5;
     RenderSettings timed = settings;
@@ -171,7 +170,7 @@ Json pathsJson(const BenchOptions& options, double radius, const std::vector<Tim
 
 using Seen = std::unordered_set<std::uint32_t>;
 
-/// The scene with only what belongs to atoms that own a pixel.
+/// The scene with only the primitives of atoms that are visible in a pixel.
 Representation visiblePart(const Representation& scene, const Seen& seen) {
     Representation part = scene;
     part.spheres.clear(), part.sphereLooks.clear(), part.cylinders.clear(), part.cylinderLooks.clear();
@@ -201,7 +200,7 @@ Representation visiblePart(const Representation& scene, const Seen& seen) {
     return part;
 }
 
-/// The first frame with only what belongs to atoms that own a pixel in it, in turns with the whole one.
+/// Times the first frame with only visible atoms, alternating with the full one.
 Json floorJson(const BenchOptions& options, const Representation& part, const Timed& timed) {
     const RenderSettings settings = benchFrame(options, part.radius, 0);
     DeviceOptions device = options.picture.device;
@@ -223,8 +222,8 @@ Json floorJson(const BenchOptions& options, const Representation& part, const Ti
             {"processor_ratio", ratio(whole.processor, floor.processor)}};
 }
 
-/// What the first frame shows, and its floor. Copies of an assembly share their atoms: which of them is seen is not
-/// told apart, and they have no floor.
+/// Contents of the first frame, and its lower bound. Copies of an assembly share their atoms, so visible ones are
+/// unknown and there is no bound.
 void tellOfFirstFrame(const BenchOptions& options, const Representation& scene, const Timed& timed, Json& report) {
     const std::vector<std::uint32_t> ids = timed.renderer->layers(benchFrame(options, scene.radius, 0)).id;
     const FrameStats& stats = timed.renderer->stats();

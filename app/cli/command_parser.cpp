@@ -55,7 +55,7 @@ CLI::Option* addOption(CLI::App& app, const OptionSpec& option) {
                 for (const std::string& text : all) take(option, text);
             },
             option.help);
-    if (option.pair)  // exactly two each time, so that these, too, leave the INPUT alone
+    if (option.pair)  // exactly two per use, so that the INPUT is not swallowed
         return app
             .add_option_function<std::vector<std::string>>(
                 option.names,
@@ -94,7 +94,7 @@ bool isOneOf(std::string_view choices, std::string_view word) {
     return false;
 }
 
-/// The words of a command line, with their value behind names that stand for one. Those that change live in `made`.
+/// Adds the implied value after option names that have one. Changed words are stored in `made`.
 void completeBare(const CommandSpec& command, std::vector<const char*>& words, std::list<std::string>& made) {
     for (std::size_t i = 0; i < words.size() && std::string_view(words[i]) != "--"; ++i)
         for (const OptionSpec& option : command.options) {
@@ -104,7 +104,7 @@ void completeBare(const CommandSpec& command, std::vector<const char*>& words, s
         }
 }
 
-/// CLI11 tells of an unknown option together with all else that it could not place, and in reverse order.
+/// CLI11 reports unknown options together with all other unplaced words, in reverse order.
 void refuseUnknown(const std::string& name, const CommandSpec& command, std::span<const char* const> words) {
     std::vector<std::string> known{"--help"};
     for (const OptionSpec& option : command.options)
@@ -133,7 +133,7 @@ std::string example(const CommandSpec& command) {
     return first.empty() ? first : ", for example: " + first;
 }
 
-/// "nacre render INPUT -o FILE [OPTION...]": what a command takes at least.
+/// "nacre render INPUT -o FILE [OPTION...]": the minimal command.
 std::string usageOf(const CommandSpec& command) {
     std::string usage = "nacre " + command.name;
     for (const OptionSpec& option : command.options)
@@ -212,7 +212,7 @@ ParsedCommand parseCommands(const CommandSpec& program, std::span<const CommandS
     } catch (const CLI::ParseError& error) {
         throw UsageError(oneLine(error.what()));
     }
-    // One that stands behind an option of the program.
+    // A command after an option of the program.
     for (const CLI::App* command : app.get_subcommands()) parsed.name = command->get_name();
     if (app.get_subcommands().size() > 1) throw UsageError("more than one command");
     return parsed;

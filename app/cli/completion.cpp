@@ -1,4 +1,4 @@
-// Completions of shells. Each script is whole by itself: nothing is asked of nacre while someone types.
+// Shell completions. Each script is self-contained: it does not run nacre during typing.
 
 #include <algorithm>
 
@@ -28,7 +28,7 @@ std::vector<std::string> commandWords(std::span<const CommandSpec> commands) {
     return names;
 }
 
-/// The first line, without what shells give a meaning.
+/// The first line, without characters that are special in shells.
 std::string plainHelp(const std::string& help) {
     std::string text = help.substr(0, help.find('\n'));
     std::erase_if(text, [](char c) { return std::string_view("'\"`$\\[]{}").find(c) != std::string_view::npos; });

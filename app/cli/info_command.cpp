@@ -172,7 +172,7 @@ std::string infoText(const std::string& name, const Json& json) {
 
 namespace {
 
-/// One INPUT: its summary, and what comes after it where it is for people, or alone as CSV.
+/// One INPUT: its summary, and further output as text or CSV.
 struct InfoOfInput {
     Json json;
     std::string text;
@@ -256,7 +256,7 @@ void infoCommand(const InfoOptions& options, std::ostream& out) {
     if (options.together && options.paths.size() > 1) return infoTogether(options, out);
     const bool several = options.paths.size() > 1;
     Json list = Json::array();
-    std::optional<Error> failure;  // the last one; those before it are said at once
+    std::optional<Error> failure;  // the last one; earlier ones are printed at once
     for (const std::string& path : options.paths) try {
             InputOptions input = options.picture.input;
             input.alone = true;

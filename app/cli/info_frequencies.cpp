@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Counts what single models or frames have.
+/// Counts the interactions of single models or frames.
 class Counter {
 public:
     explicit Counter(const Molecule& molecule) : molecule_(molecule) {}
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    /// The same wherever a ring or a group begins.
+    /// A name independent of a ring's or group's first atom.
     std::string nameOf(const InteractionEnd& end) const {
         std::vector<std::uint32_t> atoms = end.atoms;
         std::sort(atoms.begin(), atoms.end(), [&](std::uint32_t l, std::uint32_t r) {

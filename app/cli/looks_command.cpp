@@ -1,4 +1,4 @@
-// `nacre looks`: what there is, or a sheet of a molecule in every look, each under its name.
+// `nacre looks`: lists the looks, or draws a sheet of a molecule in every look, with captions.
 
 #include <algorithm>
 #include <ostream>

@@ -52,7 +52,7 @@ void run(const CommandLine& line, std::ostream& out) {
             break;
         case Command::serve:
 #ifdef NACRE_LOOPBACK
-            listenAnywhere();  // where its option says
+            listenAnywhere();  // its option gives the address
 #endif
             serveCommand(line.serve);
             break;
@@ -82,7 +82,7 @@ void run(const CommandLine& line, std::ostream& out) {
     }
 }
 
-/// What a command printed is shown even if it failed then.
+/// Prints a command's output, even if it failed afterwards.
 void print(const CommandLine& line) {
     std::ostringstream out;
     std::exception_ptr failure;
@@ -115,8 +115,8 @@ int complete(int argc, char** argv) {
     }
 }
 
-/// Lavapipe takes memory for each tile that it draws, and gives it back. Where glibc has small free pieces in lists of
-/// their own, it goes through those each time that it gets back a large one: a tenth of a frame.
+/// lavapipe allocates and frees memory per tile. glibc's lists of small free pieces are searched at every large free: a
+/// tenth of a frame.
 void keepNoSmallPieces() {
 #ifdef M_MXFAST
     mallopt(M_MXFAST, 0);

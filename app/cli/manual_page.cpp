@@ -32,7 +32,7 @@ std::string roff(const std::string& text) {
     return out;
 }
 
-/// The same in one paragraph: lines are joined.
+/// As above in one paragraph: joins lines.
 std::string roffFlow(std::string text) {
     for (char& c : text)
         if (c == '\n') c = ' ';
@@ -52,7 +52,7 @@ void addRoffOption(std::ostringstream& page, const OptionSpec& option) {
     page << '\n';
 }
 
-/// Examples and environment as they are laid out.
+/// Examples and environment with their layout.
 void addRoffLines(std::ostringstream& page, const std::string& text) {
     if (text.empty()) return;
     page << ".nf\n";

@@ -28,7 +28,7 @@ void movieCommand(const MovieOptions& options) {
     if (options.views.empty()) shape.frames = framesOf(options, 1);
     MovieReport report(options.report);
     const std::unique_ptr<MovieFile> file = makeMovieFile(path, shape);
-    StopRequest stop;  // from here on; a second signal does what it does to any file that is being written
+    StopRequest stop;  // from here on; a second signal removes unfinished files as usual
 
     MovieScenes scenes(options, progress);
     const std::uint64_t frames = scenes.frames();

@@ -236,7 +236,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     }
     const ParsedCommand parsed = parseCommands(program, commands, argc, argv);
     line.help = parsed.help;
-    if (isHelp && isHelpTopic(argv[2])) line.help += "\n" + helpTopic(argv[2], commands);  // a command's name, too
+    if (isHelp && isHelpTopic(argv[2])) line.help += "\n" + helpTopic(argv[2], commands);  // also a command's name
     if (!line.help.empty()) return line;
     if ((parsed.name.empty() ? 0 : 1) + (version ? 1 : 0) + (notices ? 1 : 0) > 1)
         throw UsageError("more than one command");

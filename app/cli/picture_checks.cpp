@@ -1,4 +1,4 @@
-// What no option of a movie, a window or a sheet alone can tell.
+// Checks of movies, windows and sheets that need more than one option.
 
 #include "app/cli/movie_options.h"
 #include "app/cli/picture_options.h"

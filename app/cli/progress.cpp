@@ -14,7 +14,7 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kPatience = std::chrono::seconds(1);
 constexpr auto kBetween = std::chrono::milliseconds(200);
 constexpr int kBarWidth = 24;
-constexpr double kTelling = 0.02;  // share from which on the time that is left can be told
+constexpr double kTelling = 0.02;  // share from which on the remaining time can be estimated
 
 /// "0:07", "1:02:33"
 std::string clockText(std::chrono::seconds time) {

@@ -49,7 +49,7 @@ std::int64_t peakResidentBytes() {
 Json meshLevelsJson(const std::vector<MeshLevelCount>& levels) {
     Json list = Json::array();
     for (const MeshLevelCount& level : levels)
-        // Its float in a double's digits says more than it knows.
+        // Avoids the spurious digits of a float as a double.
         list.push_back(
             {{"error", std::round(level.error * 1e4) / 1e4}, {"triangles", level.triangles}, {"drawn", level.drawn}});
     return list;
@@ -88,7 +88,7 @@ Json passesJson(const std::vector<PassCount>& counts, const std::vector<PassTime
 
 namespace {
 
-/// What the driver says of the frame; empty lists where it says nothing.
+/// The driver's feedback on the frame; empty lists if there is none.
 Json driverJson(const DriverFeedback& driver) {
     Json merges = Json::array(), transients = Json::array();
     for (const MergedSubpasses& m : driver.merges)

@@ -26,7 +26,7 @@ bool preferKdialog() {
     return hasProgram("kdialog") && (onKde || !hasProgram("zenity"));
 }
 
-/// Programs answer with a line a file.
+/// Programs print one file per line.
 std::vector<std::string> linesOf(const std::optional<std::string>& answer) {
     std::vector<std::string> lines;
     std::istringstream text(answer.value_or(""));

@@ -36,7 +36,7 @@ struct Dbus {
     NACRE_DBUS_CALLS(NACRE_DECLARE)
 #undef NACRE_DECLARE
 
-    /// Null where there is no such library.
+    /// Null without the library.
     static const Dbus* get() {
         static const std::unique_ptr<const Dbus> loaded = load();
         return loaded.get();
@@ -208,7 +208,7 @@ PortalAnswer choose(const char* method, const std::string& title, const std::str
     if (!dbus) return {};
     const Bus bus(*dbus);
     if (!bus.there()) return {};
-    // The request's object is named before it is asked for, so that no answer is too quick to be heard.
+    // The request's object path is chosen before the call, so that a fast answer is not missed.
     static std::atomic<int> requests{0};
     const std::string token = "nacre" + std::to_string(getpid()) + "_" + std::to_string(++requests);
     std::string sender = bus.name().substr(1);

@@ -24,7 +24,7 @@ std::string variable(const char* name) {
     return value ? value : "";
 }
 
-/// Of a file of settings in the user's folder.
+/// Contents of a settings file in the user's folder.
 std::string contentOf(const std::string& underHome) {
     const std::string home = variable("HOME");
     if (home.empty()) return {};
@@ -73,7 +73,7 @@ std::optional<std::string> runProgram(const std::vector<std::string>& arguments,
     close(out[1]);
     std::optional<std::string> result;
     if (failed == 0) {
-        // A program that does not read what it is sent must not end us.
+        // A program that does not read its input must not end this one.
         struct sigaction ignore {
         }, before{};
         ignore.sa_handler = SIG_IGN;
@@ -102,7 +102,7 @@ bool copyPng(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream bytes;
     bytes << in.rdbuf();
-    // Both leave a process behind that hands the picture out as long as it is wanted, xclip with its output open.
+    // Both leave a process behind that serves the picture while it is wanted, xclip with its output open.
     const auto hands = [&](const std::vector<std::string>& program) {
         return runProgram(program, bytes.str(), ProgramOutput::dropped).has_value();
     };

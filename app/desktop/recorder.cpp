@@ -59,7 +59,7 @@ struct Pipe {
     int keep(std::size_t i) { return std::exchange(ends[i], -1); }
 };
 
-/// The last line that says what went wrong, without whose it is.
+/// The last error line, without the program's name.
 std::string lastComplaint(const std::string& text) {
     const std::string_view mark = "nacre: error: ";
     const std::size_t at = text.rfind(mark);
@@ -82,7 +82,7 @@ std::vector<std::string> movieArguments(const RecordingWish& wish, const Picture
                                         const std::string& view, const std::vector<std::string>& keys) {
     using M = RecordingWish::Motion;
     std::vector<std::string> words{"movie"};
-    // Several are named by the view alone, which has their colours, too.
+    // Several inputs are named by the view only, which also has their colours.
     if (shown.input.further.empty()) words.push_back(shown.input.path);
     words.insert(words.end(), {"--output", wish.path});
     const auto add = [&](std::initializer_list<std::string> more) {
@@ -171,10 +171,10 @@ RecordingState Recorder::state() const {
     return state_;
 }
 
-/// Reads what the program reports until it ends.
+/// Reads the program's reports until it ends.
 void Recorder::follow(int reports, int complaints) {
     std::string complained;
-    // What it complains of is read beside, so that neither pipe runs full.
+    // Reads its errors on another thread, so that neither pipe fills up.
     std::thread other([&] { complained = readAll(complaints); });
     std::FILE* lines = fdopen(reports, "r");
     const Clock::time_point began = Clock::now();

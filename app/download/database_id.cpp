@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kLongestName = 300;
 constexpr std::size_t kMostCidDigits = 10;
-constexpr std::size_t kMostNeighbours = 1000;  // that are looked at beside a file that is not there
+constexpr std::size_t kMostNeighbours = 1000;  // entries examined next to a missing file
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
@@ -102,8 +102,8 @@ std::string percentEncoded(std::string_view text) {
     return coded;
 }
 
-/// The part of a file name that stands for a PubChem compound. Names of compounds may be longer than those of files,
-/// and hold anything, so a hash stands for them.
+/// File name part for a PubChem compound: a hash, since compound names may be longer than file names and contain any
+/// character.
 std::string pubchemFileName(const std::string& id) {
     if (isNumber(id)) return "pubchem-cid-" + id;
     const std::string name = lowerCase(id);
@@ -114,7 +114,7 @@ std::string pubchemFileName(const std::string& id) {
     return std::string("pubchem-name-") + hex;
 }
 
-/// The value of a variable that holds the beginning of an address, or what stands for it.
+/// The beginning of an address from a variable, or the default.
 std::string base(const Environment& environment, const char* variable, const char* fallback) {
     std::string url = environment(variable);
     if (url.empty()) return fallback;

@@ -35,7 +35,7 @@ struct Transfer {
     std::uint64_t total = 0;  // bytes of the whole file; 0: not known
     bool began = false;
     std::string refusal;            // why we ended it
-    std::exception_ptr bodyFailed;  // what must not pass through C
+    std::exception_ptr bodyFailed;  // exceptions must not pass through C
 };
 
 std::string headerOf(CURL* handle, const char* name) {
@@ -44,7 +44,7 @@ std::string headerOf(CURL* handle, const char* name) {
     return header->value;
 }
 
-/// What a later request may name this version by (RFC 9110, 13.1.5: no weak ETag).
+/// The version for a later request (RFC 9110, 13.1.5: no weak ETag).
 std::string validatorOf(CURL* handle) {
     std::string tag = headerOf(handle, "ETag");
     if (!tag.empty() && tag.rfind("W/", 0) != 0) return tag;
@@ -75,7 +75,7 @@ std::string tooLarge(const Transfer& transfer) {
     return "the file is larger than the limit of " + std::to_string(transfer.limits.maxBytes) + " bytes";
 }
 
-/// The headers are there: decides whether the body goes on or starts anew. False if it is not wanted.
+/// After the headers: decides whether the body continues or restarts. False if it is not wanted.
 bool begin(Transfer& transfer) {
     transfer.began = true;
     const long status = statusOf(transfer.handle);
@@ -103,7 +103,7 @@ std::size_t receive(char* bytes, std::size_t, std::size_t count, void* pointer) 
         if (!transfer.began && !begin(transfer)) return CURL_WRITEFUNC_ERROR;
         const long status = statusOf(transfer.handle);
         if (status != 200 && status != 206) {
-            transfer.refusal = "-";  // its status says it all
+            transfer.refusal = "-";  // the status is sufficient
             return CURL_WRITEFUNC_ERROR;
         }
         if (transfer.body.size() + count > transfer.limits.maxBytes) {
@@ -124,7 +124,7 @@ void startLibrary() {
     if (started != CURLE_OK) throw HttpFailure(curl_easy_strerror(started), false);
 }
 
-/// Goes on from where the body ends, if the version is still the same: otherwise the server sends all of it.
+/// Resumes from the body's end if the version is unchanged: otherwise the server sends everything.
 Headers rangeHeaders(Transfer& transfer) {
     const std::string validator = transfer.body.validator();
     if (transfer.body.size() == 0 || validator.empty()) return {};
@@ -164,7 +164,7 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
         case CURLE_TOO_MANY_REDIRECTS:
             throw HttpFailure("more than " + std::to_string(limits.redirects) + " redirections", false);
         case CURLE_UNSUPPORTED_PROTOCOL:
-            // Also what libcurl calls an answer without a status line.
+            // libcurl also uses it for an answer without a status line.
             if (std::string_view(message).find("HTTP/0.9") != std::string_view::npos)
                 throw HttpFailure("invalid answer: it has no HTTP status and no headers", false);
             throw HttpFailure("the server redirects to another protocol, which is refused", false);
@@ -201,14 +201,14 @@ void httpGet(const std::string& url, const HttpLimits& limits, HttpBody& body,
     char message[CURL_ERROR_SIZE] = "";
     setOptions(handle.get(), url, limits, transfer, message);
     const Headers headers = rangeHeaders(transfer);
-    // What the server announces; what it sends without announcing is counted as it comes.
+    // Limit for announced sizes; unannounced data is counted as it arrives.
     curl_easy_setopt(handle.get(), CURLOPT_MAXFILESIZE_LARGE, static_cast<curl_off_t>(limits.maxBytes));
     if (headers) curl_easy_setopt(handle.get(), CURLOPT_HTTPHEADER, headers.get());
 
     const CURLcode code = curl_easy_perform(handle.get());
     if (transfer.bodyFailed) std::rethrow_exception(transfer.bodyFailed);
     const long status = statusOf(handle.get());
-    if (status == 416 && transfer.asked > 0) {  // nothing lies behind what we have: it was another file's
+    if (status == 416 && transfer.asked > 0) {  // nothing follows the existing bytes: they belong to another file
         body.restart("");
         throw HttpFailure("the file has changed on the server", true);
     }

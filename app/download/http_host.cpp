@@ -21,7 +21,7 @@ void setHttpFetch(HttpFetch fetch, const void* owner) {
     if (fetch) fetches.emplace_back(owner, std::move(fetch));
 }
 
-/// What broke off begins anew: systems do not tell what names a version.
+/// Interrupted transfers start again: systems do not report versions.
 void httpGet(const std::string& url, const HttpLimits& limits, HttpBody& body,
              const std::function<void(std::uint64_t, std::uint64_t)>& onProgress) {
     HttpFetch fetch;

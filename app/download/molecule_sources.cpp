@@ -47,8 +47,8 @@ Sources windowSources(const InputOptions& first) {
     all.read = [first, allowed, progress](const PictureDescription& view) {
         InputOptions input = inputOf(view, first);
         input.alone = input.alone || !input.trajectory.path.empty();
-        input.trajectory = {};                                              // what moves begins at its first frame
-        if (view.input.path != lasting(first.path)) input.namedBy.clear();  // opened by hand
+        input.trajectory = {};                                              // trajectories start at their first frame
+        if (view.input.path != lasting(first.path)) input.namedBy.clear();  // opened by the user
         input.allowDownload = *allowed;
         progress->share = -1;
         progress->cancelled = false;

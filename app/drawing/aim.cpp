@@ -19,7 +19,7 @@ std::vector<glm::dvec4> ballsOf(const Selection& selection, const char* what, co
     throw Error(what, selection.text, any ? "none of its atoms is drawn" : "the molecule has no such atoms");
 }
 
-/// In front of what is zoomed to, if a tenth of it or more is hidden.
+/// A plane in front of the zoom target, if a tenth of it or more is hidden.
 std::optional<double> clipBefore(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
                                  const glm::dmat3& rotation) {
     constexpr double kHidden = 0.1, kRoom = 0.3;  // Å

@@ -94,7 +94,7 @@ private:
         return accessor;
     }
 
-    /// @param color  of all of it; empty: of its vertices @param occlusion  of its vertices, or empty
+    /// @param color  of the whole; empty: per vertex @param occlusion  per vertex, or empty
     std::size_t addGeometry(const std::string& name, const Mesh& mesh, std::optional<std::uint32_t> color,
                             const std::vector<float>& occlusion = {}) {
         Json attributes = {{"POSITION", addPositions(mesh.positions)},

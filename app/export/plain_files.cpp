@@ -1,4 +1,4 @@
-// STL, PLY and OBJ: copies are written out, and vertices at one place are one.
+// STL, PLY and OBJ: with all copies, and vertices merged by position.
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,7 @@ struct PlaceHash {
     }
 };
 
-/// Of a triangle the places of its corners, their normals, and its colour.
+/// Positions of a triangle's corners, their normals, and its colour.
 struct PlainTriangle {
     std::array<glm::vec3, 3> corners, normals;
     std::uint32_t color = 0;
@@ -95,7 +95,7 @@ std::string sceneFile(const ExportScene& scene, const std::string& ending, const
 
 std::string stlFile(const ExportScene& scene, const SceneFileOptions& options) {
     std::string out(80, ' ');
-    // A header that begins with "solid" is taken for text.
+    // Readers take a header that begins with "solid" for text.
     const std::string title = ("nacre: " + options.title).substr(0, 80);
     std::copy(title.begin(), title.end(), out.begin());
     std::uint32_t count = 0;

@@ -28,14 +28,14 @@ namespace {
 
 constexpr std::string_view kPrefix = ".nacre-";
 constexpr std::size_t kDigits = 16, kHostDigits = 4;
-constexpr std::string_view kCapture = "_capture.rdc";  // what RenderDoc adds
+constexpr std::string_view kCapture = "_capture.rdc";  // added by RenderDoc
 constexpr std::time_t kAbandonedSeconds = 600;
 constexpr const char* kDiskFull = "the data could not be written (is the disk full?)";
 
 [[noreturn]] void fail(const std::string& path, const std::string& why) { throw Error("cannot write file", path, why); }
 
-// Temporary names of files that are open, for the signal handler: plain memory, since it may call next to nothing.
-// More than fit are written just the same; only an interrupted run would leave them behind.
+// Temporary names of open files, for the signal handler: plain memory, since it may call next to nothing. Further files
+// work as well; only an interrupted run would leave them behind.
 constexpr std::size_t kMostRemembered = 128;
 std::array<std::array<char, 4096>, kMostRemembered> unfinished{};
 std::mutex unfinishedTurn;  // of those that write to it; the handler only reads
@@ -72,7 +72,7 @@ bool isTemporaryName(std::string_view name) {
            (rest.empty() || rest[0] == '.' || rest == kCapture);
 }
 
-/// Of the machine that a file is written by: the first of its temporary name's digits.
+/// Identifies the machine that writes a file: the first digits of its temporary name.
 std::string hostDigits() {
     char name[256] = {}, digits[kHostDigits + 1];
     gethostname(name, sizeof name - 1);
@@ -80,14 +80,14 @@ std::string hostDigits() {
     return digits;
 }
 
-/// Whether nobody has a file of ours any more that is not locked. On the machine that it is written by the lock tells;
-/// elsewhere it may not be seen, nor is what a library of its own mind writes locked: there age tells.
+/// Whether an unlocked temporary file of ours is abandoned. On the same machine the lock decides; locks of other
+/// machines may be invisible, and libraries write without them: there age decides.
 bool isAbandoned(const std::string& name, const struct stat& status) {
     const bool here = name.compare(kPrefix.size(), kHostDigits, hostDigits()) == 0 && !name.ends_with(kCapture);
     return here || std::time(nullptr) - status.st_mtime > kAbandonedSeconds;
 }
 
-/// Whether a folder is met for the first time. A run that writes many files into one would read it through for each.
+/// Whether a folder is new to this process, so that a run with many files scans it only once.
 bool isNew(const std::string& folder) {
     constexpr std::size_t kMost = 4096;
     static std::mutex turn;
@@ -97,7 +97,7 @@ bool isNew(const std::string& folder) {
     return met.insert(folder).second;
 }
 
-/// Removes what processes that are gone have left in a folder: files of ours, old, that nobody has locked.
+/// Removes leftovers of ended processes from a folder: old, unlocked files of ours.
 void sweep(const std::string& folder) {
     if (!isNew(folder)) return;
     std::error_code error;
@@ -114,15 +114,14 @@ void sweep(const std::string& folder) {
     }
 }
 
-/// What a name stands for, through all links; of what is not there yet, in the folder where it would be.
+/// The target of a name through all links; for a missing file, in the folder where it would be.
 fs::path realPath(const std::string& path) {
     std::error_code error;
     const fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
     return error ? fs::path(path) : real;
 }
 
-/// The file behind a name. Standard streams are asked by their descriptors: not every machine has a /dev/stdin.
-/// @returns whether it is there
+/// The file of a name. Standard streams by descriptor: not every machine has /dev/stdin. @returns whether it exists
 bool find(const NamedFile& file, struct stat& status) {
     if (file.written && isStandardOutput(file.path)) return fstat(STDOUT_FILENO, &status) == 0;
     if (file.path == "-") return fstat(STDIN_FILENO, &status) == 0;
@@ -142,7 +141,7 @@ bool sameFile(const NamedFile& a, const NamedFile& b) {
 
 void removeUnfinishedOnSignals() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        // Ignored it stays, as under nohup; who has a handler sees to the files by ending as usual.
+        // Ignored signals stay ignored, as under nohup; other handlers end the program normally, which removes files.
         if (struct sigaction now{}; sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL)
             std::signal(signal, removeUnfinished);
 }
@@ -160,7 +159,7 @@ OutputFile::OutputFile(const std::string& path, const std::string& extension) : 
     }
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) fail(path, "it is a folder");
-    // A link keeps pointing where it does: what it points to is replaced.
+    // Links stay: their target is replaced.
     if (fs::is_symlink(path, ignored)) {
         const fs::path real = fs::weakly_canonical(path, ignored);
         if (!real.empty()) target_ = real.string();
@@ -182,8 +181,8 @@ void OutputFile::makeTemporary(const std::string& folder, const std::string& ext
                          .string();
         lock_ = openPlain(temporary_, O_WRONLY | O_CREAT | O_EXCL, target_.empty() ? 0600 : 0666);
         if (lock_ < 0) fail(path_, std::strerror(errno));
-        // Another run that sweeps may have it: it is waited for, and then looked whether the file is still there. Where
-        // a file system has no locks, only age tells what was left behind.
+        // Another run that removes leftovers may hold the lock: waits, then checks whether the file still exists.
+        // Without locks only age identifies leftovers.
         while (flock(lock_, LOCK_EX) != 0 && errno == EINTR) {
         }
     }

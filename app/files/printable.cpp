@@ -8,7 +8,7 @@
 namespace nacre::app {
 namespace {
 
-/// What a terminal would obey, or what makes letters stand elsewhere than they are.
+/// Characters that control a terminal, or change the direction of text.
 bool commands(std::uint32_t code) {
     return code < 0x20 || (code >= 0x7f && code <= 0x9f) || code == 0x61c || code == 0x200e || code == 0x200f ||
            (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069) || code == 0xfeff ||

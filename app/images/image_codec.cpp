@@ -72,8 +72,8 @@ OIIO::ImageSpec specOf(const ImageRequest& request, const Format& format) {
     return spec;
 }
 
-/// A file that remembers the first failure. OpenImageIO's writers of PNG and JPEG do not look whether what they wrote
-/// last has come to the disk, and are content with half a picture on a full one.
+/// A file that records the first failure. OpenImageIO's writers of PNG and JPEG do not check their last writes, and
+/// accept half a picture on a full disk.
 class CheckedFile : public OIIO::Filesystem::IOProxy {
 public:
     explicit CheckedFile(const std::string& path)
@@ -82,7 +82,7 @@ public:
     }
     ~CheckedFile() override { finish(); }
 
-    /// Closes the file. @returns errno of the first failure, 0 if there was none
+    /// Closes the file. @returns errno of the first failure, 0: none
     int finish() {
         if (file_ >= 0 && ::close(file_) != 0 && failure_ == 0) failure_ = errno;
         file_ = -1;

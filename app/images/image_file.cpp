@@ -41,9 +41,9 @@ std::vector<std::string> moduleNames() {
     return {(program / NACRE_IMAGE_MODULE).string(), (program / NACRE_MODULE_FOLDER / NACRE_IMAGE_MODULE).string()};
 }
 
-/// The module's call, if it takes what we would hand over. @param why  it cannot be had; unchanged if it can
+/// The module's function, if it has the same interface. @param why  receives the reason of a failure
 WriteImage* load(const std::string& name, std::string& why) {
-    // Never unloaded: what it brings along does not expect that.
+    // Never unloaded: its libraries do not support that.
     void* library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library) return why = std::filesystem::exists(name) ? dlerror() : "there is no " + name, nullptr;
     const auto* call = static_cast<const char*>(dlsym(library, "nacreImageCall"));
@@ -82,7 +82,7 @@ void write(OutputFile& file, ImageRequest request, Convert& convert) {
     if (isPng(file.temporary())) {
         try {
             writePng(request);
-        } catch (const Error&) {  // of what makes the rows
+        } catch (const Error&) {  // from making the rows
             throw;
         } catch (const std::runtime_error& error) {
             fail(file, error.what());

@@ -16,7 +16,7 @@
 namespace nacre::app {
 namespace {
 
-/// A file that is written from its beginning on, and remembers what failed.
+/// A file written sequentially that records failures.
 class PngFile {
 public:
     explicit PngFile(const char* path) : file_(::open(path, O_WRONLY | O_TRUNC | O_NOFOLLOW | O_CLOEXEC)) {
@@ -45,7 +45,7 @@ public:
         if (file_ >= 0 && ::close(file_) != 0 && failure_ == 0) failure_ = errno;
         file_ = -1;
     }
-    int failure() const { return failure_; }  ///< errno of the first; 0: none
+    int failure() const { return failure_; }  ///< errno of the first failure; 0: none
 
 private:
     void flush() {
@@ -64,7 +64,7 @@ private:
     std::array<unsigned char, 1 << 16> waiting_;
 };
 
-/// What libpng says, for whoever comes behind its longjmp.
+/// libpng's message, for the code after its longjmp.
 struct PngState {
     PngFile file;
     std::array<char, 200> why{};
@@ -91,8 +91,8 @@ bool beginPng(png_structp png, png_infop info, const ImageRequest& request) {
     png_set_IHDR(png, info, request.width, request.height, request.samples == Samples::words ? 16 : 8,
                  request.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    // Of pictures of molecules a third of the time, and files a twentieth larger than by the defaults, which try every
-    // filter on each row (docs/measurements.md).
+    // Takes a third of the time for pictures of molecules, with files a twentieth larger than by the defaults, which
+    // try every filter on each row (docs/measurements.md).
     png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
     png_set_compression_level(png, 4);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_PERCEPTUAL);

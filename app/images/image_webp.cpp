@@ -13,7 +13,7 @@
 namespace nacre::app {
 namespace {
 
-/// A picture of libwebp's, which holds all of it.
+/// A picture of libwebp, held as a whole.
 struct Image {
     WebPPicture picture;
     Image() {
@@ -67,7 +67,7 @@ std::vector<std::uint8_t> withProfile(const std::vector<std::uint8_t>& file, con
 
 void writeWebp(const ImageRequest& request, const std::function<bool(const void*, std::size_t)>& sink) {
     WebPConfig config;
-    constexpr int kEffort = 3;  // of 9: half as long as 6, for a hundredth more bytes
+    constexpr int kEffort = 3;  // of 9: half the time of 6, for one percent more bytes
     if (!WebPConfigInit(&config) || !WebPConfigLosslessPreset(&config, kEffort))
         throw std::runtime_error("libwebp is another version than it was built for");
     config.exact = 1;

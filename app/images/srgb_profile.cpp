@@ -11,7 +11,8 @@ namespace {
 class Bytes {
 public:
     void number(std::uint32_t value, int size = 4) {
-        for (int shift = 8 * (size - 1); shift >= 0; shift -= 8) all.push_back(static_cast<std::uint8_t>(value >> shift));
+        for (int shift = 8 * (size - 1); shift >= 0; shift -= 8)
+            all.push_back(static_cast<std::uint8_t>(value >> shift));
     }
     /// s15Fixed16Number
     void fixed(double value) { number(static_cast<std::uint32_t>(std::lround(value * 65536))); }
@@ -63,7 +64,7 @@ std::vector<std::uint8_t> srgbProfile() {
         {"desc", localized("sRGB")},
         {"cprt", localized("CC0")},
         {"wtpt", fixedTag("XYZ ", {0.9642, 1, 0.8249})},
-        // What adapts D65 to D50, and the primaries that it gives.
+        // The adaptation of D65 to D50, and the adapted primaries.
         {"chad", fixedTag("sf32", {1.047882, 0.022919, -0.050201, 0.029587, 0.990479, -0.017059, -0.009232, 0.015076,
                                    0.751678})},
         {"rXYZ", fixedTag("XYZ ", {0.436066, 0.222488, 0.013916})},

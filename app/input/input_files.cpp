@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// "sample:dna" and "pdb:1bna" are none; a name that holds a colon is one if a folder stands before it.
+/// "sample:dna" and "pdb:1bna" are not files; a name with a colon is one after a folder.
 bool isFile(const std::string& path) { return path != "-" && path.find('/') <= path.find(':'); }
 
 fs::path real(const fs::path& path) {
@@ -22,11 +22,11 @@ fs::path real(const fs::path& path) {
     return error ? path : found;
 }
 
-constexpr int kMostNeighbours = 1000;  // that are looked at beside a view
+constexpr int kMostNeighbours = 1000;  // files examined next to a view
 
 using HashOf = std::string (*)(const std::string& path);
 
-/// The file beside a view whose content is the one that the view was saved with; its own name is tried first.
+/// The file next to a view with the content that the view states; tries its own name first.
 fs::path beside(const fs::path& folder, const fs::path& name, const std::string& hash, HashOf hashOf) {
     if (hashOf((folder / name).string()) == hash) return folder / name;
     std::error_code error;

@@ -56,7 +56,7 @@ std::string fitInput(Molecule& molecule, const FitOptions& fit) {
     for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
         if (modelOf(molecule, i) == moved)
             molecule.atoms[i].position = glm::vec3(onto(glm::dvec3(molecule.atoms[i].position)));
-    // Of what belongs together less, were its sequences ever so different.
+    // Less related molecules give worse fits than these.
     constexpr double kFarApart = 3, kShareOfSpread = 0.6;  // Å
     const bool unlike = 10 * pairs.sameResidues < 3 * pairs.residues;
     if (onto.rmsd > kFarApart && (unlike || onto.rmsd > kShareOfSpread * spreadOf(to)))
@@ -78,7 +78,7 @@ Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
     Molecule whole = joinModels(input.path, std::move(molecules), kMaxAtoms);
     whole.modelsAreInputs = true;
     whole.inputs = inputNames(input);
-    whole.assemblies.clear();  // they place one of the molecules, not all
+    whole.assemblies.clear();  // they arrange one molecule, not all
     for (const FitOptions& fit : input.fits) tell(fitInput(whole, fit));
     return whole;
 }

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What tells whether a file is as it was.
+/// Detects changes of a file.
 struct FileState {
     std::uintmax_t size = 0;
     fs::file_time_type time{};
@@ -33,7 +33,7 @@ struct KeptMap {
     std::uint64_t used = 0;
 };
 
-/// Maps by their names, the latest of them; all together no more than one may take.
+/// The latest maps by name; in total no larger than the limit for one.
 class KeptMaps {
 public:
     std::shared_ptr<const DensityMap> find(const std::string& name, const std::optional<FileState>& state) {

@@ -124,7 +124,7 @@ std::vector<std::size_t> subchainSizes(const Molecule& molecule) {
     return sizes;
 }
 
-/// Copies and atoms count what the assembly's parts mention.
+/// Copies and atoms are counted from the assembly's parts.
 Json assemblyList(const Molecule& molecule) {
     const std::vector<std::size_t> sizes = subchainSizes(molecule);
     Json list = Json::array();

@@ -12,7 +12,7 @@ namespace nacre::app {
 namespace {
 
 constexpr std::string_view kSample = "sample:";
-constexpr std::uint64_t kUsualMemory = std::uint64_t{2} << 30;  // where the system does not tell
+constexpr std::uint64_t kUsualMemory = std::uint64_t{2} << 30;  // if the system does not report it
 
 }  // namespace
 

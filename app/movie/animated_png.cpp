@@ -86,7 +86,7 @@ Bytes packed(const Rows& rows) {
     return bytes;
 }
 
-/// What stands in the IDAT chunks of a PNG, together.
+/// The contents of a PNG's IDAT chunks, joined.
 Bytes dataOf(const Bytes& png) {
     Bytes data;
     for (std::size_t at = 8; at + 12 <= png.size();) {
@@ -152,7 +152,7 @@ private:
         return data;
     }
 
-    /// The frame stays, and the next one is laid over it as it is.
+    /// The frame stays, and the next one is drawn over it.
     Bytes frameControl(const PixelBox& box) {
         Bytes data;
         for (const std::uint32_t value : {sequence_++, box.width, box.height, box.x, box.y}) append32(data, value);

@@ -1,4 +1,4 @@
-// GIF by giflib: one palette for the whole movie, and of each frame only what changed.
+// GIF by giflib: one palette for the whole movie, and only the changed part of each frame.
 
 #include <gif_lib.h>
 
@@ -124,7 +124,7 @@ private:
             }
     }
 
-    /// Times are in hundredths of a second: of 30 frames a second, two take 3 and one 4.
+    /// Times are in 1/100 s: at 30 frames per second two take 3 and one 4.
     void putControl() {
         const auto at = [&](std::uint64_t frame) {
             return std::llround(static_cast<double>(frame) * 100 / shape_.framesPerSecond);

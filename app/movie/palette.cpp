@@ -47,7 +47,7 @@ ColorBox boxOf(std::span<Counted> colors) {
     return box;
 }
 
-/// Cuts a box where the two parts' errors together are least. Its colours are left sorted along the cut.
+/// Splits a box where the sum of both errors is least. Its colours stay sorted along the cut.
 std::array<ColorBox, 2> cut(const ColorBox& box) {
     std::size_t bestAxis = 0, bestAt = 1;
     double best = std::numeric_limits<double>::infinity();
@@ -154,7 +154,7 @@ std::uint8_t Palette::nearest(int r, int g, int b) {
 std::uint8_t Palette::place(const std::uint8_t* rgb, std::uint32_t x, std::uint32_t y) {
     const auto exact = exact_.find(keyOf(rgb[0], rgb[1], rgb[2]));
     if (exact != exact_.end()) return exact->second;
-    constexpr double kSpread = 8;  // code values: about what 255 colours of a shaded molecule lie apart
+    constexpr double kSpread = 8;  // code values: typical distance of 255 colours of a shaded molecule
     const int shift = static_cast<int>(threshold(x, y) * kSpread);
     const auto moved = [&](std::uint8_t value) { return std::clamp(value + shift, 0, 255); };
     return nearest(moved(rgb[0]), moved(rgb[1]), moved(rgb[2]));

@@ -1,4 +1,4 @@
-// Folders and their files, where the system has no dialog for them: to open one, or to say where an image goes.
+// File dialog for systems without one: to open a file, or to choose where an image is saved.
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr float kBrowsePoints = 560, kListPoints = 300;
 constexpr std::size_t kMostEntries = 2000;
 
-/// Folders first, then files by name. What cannot be read is said.
+/// Folders first, then files by name. Reports unreadable folders.
 void list(Browser& b) {
     b.entries.clear();
     b.error.clear();
@@ -76,7 +76,7 @@ void drawPlaces(PanelFrame& f) {
         if (f.ui.word(word.c_str(), std::exchange(more, true))) go(f, folder);
 }
 
-/// What is typed leaves the names that hold it. @returns the first file or folder of those
+/// Typed text filters the names. @returns the first matching file or folder
 std::optional<fs::path> drawEntries(PanelFrame& f, const std::string& sought) {
     const Browser& b = f.s.browser;
     std::optional<fs::path> first, clicked;

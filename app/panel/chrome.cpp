@@ -62,7 +62,7 @@ void drawHeader(PanelFrame& f) {
     if (!f.s.foreign.missing().empty()) f.ui.caption(f.s.foreign.missing());
     if (!document) return;
     std::string text = std::to_string(document->scene.drawnAtoms) + " atoms";
-    // Of the few sticks beside ribbons it says nothing.
+    // Ignores the few sticks beside ribbons.
     if (2 * document->scene.drawnBonds > document->scene.drawnAtoms)
         text += ", " + std::to_string(document->scene.drawnBonds) + " bonds";
     if (f.viewer.frames().occlusion() < 1 && !f.viewer.playback().playing())

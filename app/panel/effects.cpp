@@ -30,7 +30,7 @@ void slideHalos(PanelFrame& f) {
     chooseColor(f, "halo-color", f.look.effects.halos.color);
 }
 
-/// A slider of a number that no option has by itself. @returns whether it moved
+/// A slider for a number that is not an option of its own. @returns whether it moved
 bool slideValue(Widgets& ui, const char* name, double& value, double low, double high, const char* format) {
     auto at = static_cast<float>(value);
     if (!ui.slide(name, at, static_cast<float>(low), static_cast<float>(high), format)) return false;
@@ -38,7 +38,7 @@ bool slideValue(Widgets& ui, const char* name, double& value, double low, double
     return true;
 }
 
-/// At its lower end it is off. @param radius  of the scene, Å: by itself fog is from the centre to it
+/// Off at its lower end. @param radius  of the scene, Å: the default fog range is from the centre to it
 void slideFog(PanelFrame& f, double radius) {
     Fog& fog = f.look.effects.fog;
     Widgets& ui = f.ui;

@@ -28,7 +28,7 @@ bool isOwn(char32_t c) {
     return false;
 }
 
-/// What a font has all of or nothing: Han, kana and Hangul together, Arabic with its joined forms, else 128 in a row.
+/// Characters that fonts have together: Han, kana and Hangul, Arabic with its joined forms, else 128 in a row.
 char32_t scriptOf(char32_t c) {
     if ((c >= 0x2e80 && c < 0xa000) || (c >= 0xac00 && c < 0xd7b0) || (c >= 0xf900 && c < 0xfb00) ||
         (c >= 0xff00 && c < 0xfff0))
@@ -46,7 +46,7 @@ std::size_t offsetAt(const std::vector<char>& font, std::size_t at) {
     return static_cast<std::size_t>(wordAt(font, at)) << 16 | static_cast<std::size_t>(wordAt(font, at + 2));
 }
 
-/// From the highest to the lowest of a font, in ems, as its tables head and hhea say; 0 where they do not.
+/// From the highest to the lowest point of a font, in em, from its tables head and hhea; 0 if missing.
 float heightOf(const std::vector<char>& font, int index) {
     const bool collection = font.size() > 4 && std::string_view(font.data(), 4) == "ttcf";
     const std::size_t start = collection ? offsetAt(font, 12 + 4 * static_cast<std::size_t>(index)) : 0;
@@ -121,7 +121,7 @@ void addPanelFont(float pixelsPerPoint, const std::vector<ForeignGlyphs::Font>& 
             merged.FontDataOwnedByAtlas = false;
             merged.MergeMode = true;
             merged.FontNo = font.file.index;
-            // Dear ImGui counts a size from the highest to the lowest: an em is to be as large as the panel's own.
+            // Dear ImGui's size is from the highest to the lowest point: makes the em as large as the panel's own.
             const float height = heightOf(font.bytes, font.file.index);
             const float whole = height > 0 ? std::round(size * height / kFontSizeOfEm) : size;
             fonts.AddFontFromMemoryTTF(const_cast<char*>(font.bytes.data()), static_cast<int>(font.bytes.size()), whole,

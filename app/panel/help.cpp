@@ -1,4 +1,4 @@
-// What is seen, and what mouse, fingers and keys do. Title and search stay where they are while the list scrolls.
+// Help: explains the picture, and lists mouse, touch and keys. Title and search stay in place while the list scrolls.
 
 #include <algorithm>
 #include <vector>
@@ -26,7 +26,7 @@ std::vector<HelpLine> pointerLines(const PanelFrame& f) {
     return lines;
 }
 
-/// Several keys of one command stand in one line.
+/// Keys of one command share a line.
 std::vector<HelpLine> keyLines(const PanelFrame& f) {
     std::vector<HelpLine> lines{{"Tab, Shift Tab", "Move between controls; Enter presses, Esc leaves"}};
     const std::span<const Binding> all = keyBindings();
@@ -39,7 +39,7 @@ std::vector<HelpLine> keyLines(const PanelFrame& f) {
     return lines;
 }
 
-/// The lines that hold what is searched for, below their heading.
+/// The lines that match the search, under their heading.
 void drawLines(PanelFrame& f, const char* heading, std::vector<HelpLine> lines, float keys) {
     const std::string sought = lowerCase(f.s.helpSearch);
     std::erase_if(lines, [&](const HelpLine& line) {
@@ -47,7 +47,7 @@ void drawLines(PanelFrame& f, const char* heading, std::vector<HelpLine> lines, 
     });
     if (lines.empty()) return;
     f.ui.heading(heading);
-    const bool narrow = ImGui::GetContentRegionAvail().x < keys + f.ui.px(150);  // what keys do stands below them
+    const bool narrow = ImGui::GetContentRegionAvail().x < keys + f.ui.px(150);  // the text is below the keys
     for (const HelpLine& line : lines) {
         const float x = ImGui::GetCursorPosX();
         ImGui::PushStyleColor(ImGuiCol_Text, f.ui.theme().faint);
@@ -84,7 +84,7 @@ void drawList(PanelFrame& f) {
 void drawHelp(PanelFrame& f) {
     if (beginCard(f, "Help", "Help", kHelpPoints)) f.s.help = false;
     if (f.ui.typable()) f.ui.field("Search the help", "a key, or what it does", f.s.helpSearch);
-    // As high as what stands in it was in the last frame, at most as the window leaves.
+    // As high as its contents in the last frame, limited by the window.
     float& content = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("##content"), 0);
     const float most = f.s.window.height() - ImGui::GetCursorPosY() - f.ui.px(40);
     const float height = std::clamp(content, f.ui.px(kLowestListPoints), std::max(most, f.ui.px(kLowestListPoints)));

@@ -7,7 +7,7 @@
 namespace nacre::app {
 namespace {
 
-/// What a measurement is of and says; while its atoms are not drawn, what it is of as it was written.
+/// A measurement's atoms and value; while the atoms are not drawn, its text as written.
 std::string rowText(const Measure& measure, const PlacedWords& placed) {
     for (const PlacedMeasure& at : placed.measures)
         if (at.of == measure.text) return at.text + ", " + at.atoms;

@@ -13,7 +13,7 @@
 namespace nacre::app {
 namespace {
 
-constexpr float kTwoColumnPoints = 256;  // that two names of styles take beside each other
+constexpr float kTwoColumnPoints = 256;  // width of two style names side by side
 
 bool shows(Style style, const RepresentationOptions& look) {
     return look.style == style || std::any_of(look.rules.begin(), look.rules.end(), [style](const Rule& rule) {

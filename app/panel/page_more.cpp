@@ -1,4 +1,4 @@
-// Motion, the window itself, and what developers look at.
+// Motion, the window itself, and developer tools.
 
 #include "app/panel/panel_state.h"
 

@@ -1,4 +1,4 @@
-// What the molecule is made of: models, assemblies, and rows of chains, ligands, ions and water.
+// Parts of the molecule: models, assemblies, and rows of chains, ligands, ions and water.
 
 #include <algorithm>
 
@@ -23,7 +23,7 @@ std::string countOf(const Part& part) {
     }
 }
 
-/// A molecule laid onto the first of several.
+/// A molecule superposed on the first of several.
 void drawFit(PanelFrame& f, const std::string& input, const std::string& onto) {
     const auto isIt = [&](const FitOptions& fit) { return fit.moving.text == "/" + input; };
     const PictureDescription& look = f.look;
@@ -85,7 +85,7 @@ void drawColorChoice(PanelFrame& f, const Part& part) {
     ImGui::EndPopup();
 }
 
-/// A row: an eye, the name, a style and a colour. What finds no room, as for fingers, unfolds below.
+/// A row: an eye, the name, a style and a colour. With touch, controls without room go below.
 void drawPart(PanelFrame& f, const Part& part, std::size_t number) {
     ImGui::PushID(static_cast<int>(number));
     PartLook of = lookOf(f.look, part);

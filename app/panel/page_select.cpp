@@ -1,4 +1,4 @@
-// Atoms that are chosen by words or clicks, what to do with them, and the rules that came of it.
+// Selection by text or clicks, actions for it, and the resulting rules.
 
 #include <utility>
 
@@ -52,7 +52,7 @@ void drawSelectPage(PanelFrame& f) {
     const Document* document = f.viewer.document();
     Picking& picking = f.viewer.picking();
     PanelState& s = f.s;
-    // What was clicked is what stands in the field.
+    // The field shows clicked atoms as text.
     if (s.selected != picking.selection().text) s.selection = s.selected = picking.selection().text;
     f.ui.caption(f.ui.forFingers() ? "Tap the molecule, choose below, or type."
                                    : "Click on the molecule, choose below, or type.");

@@ -1,4 +1,4 @@
-// A frame of the panel from end to end. What stands in it is in chrome.cpp, windows.cpp and the pages.
+// Draws a whole frame of the panel. Its contents are in chrome.cpp, windows.cpp and the pages.
 
 #include "app/panel/panel.h"
 
@@ -30,7 +30,7 @@ void placePanel(PanelState& s) {
     }
 }
 
-/// All that is shown is also told: what of it the font lacks comes with the next frame.
+/// Collects all displayed text: characters that the font lacks come with the next frame.
 void readTexts(PanelState& s, const Words& words) {
     for (const Control& control : s.ui.controls)
         for (const std::string* text : {&control.name, &control.value}) s.foreign.read(visualText(*text));
@@ -39,7 +39,7 @@ void readTexts(PanelState& s, const Words& words) {
     if (s.foreign.news()) s.restless = std::max(s.restless, 2);
 }
 
-/// The fonts anew, with those of the system.
+/// Rebuilds the fonts, with those of the system.
 void addFonts(PanelState& s) {
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
     s.foreign.find();
@@ -76,7 +76,7 @@ void collect(Overlay& overlay) {
 
 }  // namespace
 
-// --- what is open
+// --- open parts
 
 void PanelState::toggle() {
     shown = shown != Shown::open ? Shown::open : ui.forFingers() ? Shown::folded : Shown::hidden;
@@ -226,7 +226,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     if (!viewer.messages().failure().empty() && !(empty || s.start)) drawFailure(f);
     if (viewer.reading().question()) drawQuestion(f);
     s.scroll = 0;
-    s.ui.typed.reset();  // its field is gone, if it was not taken
+    s.ui.typed.reset();  // its field vanished before taking it
     drawWords(f);
     drawAnnotations(f);
     ImGui::Render();

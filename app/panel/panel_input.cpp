@@ -11,7 +11,7 @@
 namespace nacre::app {
 namespace {
 
-constexpr float kStillPoints = 20;  // a second: a list that glides slower stands
+constexpr float kStillPoints = 20;  // points per second: a slower list stops gliding
 
 constexpr std::pair<ImGuiKey, SpecialKey> kKeys[] = {{ImGuiKey_LeftArrow, SpecialKey::left},
                                                      {ImGuiKey_RightArrow, SpecialKey::right},
@@ -48,7 +48,7 @@ PanelInput::PanelInput(ImGuiContext* context, PanelState& state) : context_(cont
 #endif
 }
 
-/// Something has come that a frame has to see before what comes next.
+/// An event that a frame must show before the next event is handled.
 void PanelInput::await(bool focusMoves) {
     focusMoves_ = focusMoves || (focusMoves_ && frames_ < 2);
     frames_ = 0;
@@ -69,7 +69,7 @@ void PanelInput::button(MouseButton button, bool down) {
     if (down) pressed_[i] = true;
     const ImVec2 at = ImGui::GetIO().MousePos;
     const bool popup = popupOpen();
-    if (down && !popup && !s_.occupies({at.x, at.y})) s_.closeTop();  // a click beside
+    if (down && !popup && !s_.occupies({at.x, at.y})) s_.closeTop();  // a click outside
     s_.keyboard = false;
     await(true);
 }
@@ -85,7 +85,7 @@ void PanelInput::character(char32_t c) {
     ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput) io.AddInputCharacter(static_cast<unsigned>(c));
 #if IMGUI_VERSION_NUM < 18700
-    if (c == U' ' && !io.WantTextInput) shortcut(U' ');  // presses what has the focus
+    if (c == U' ' && !io.WantTextInput) shortcut(U' ');  // presses the focused control
 #endif
     s_.restless = 3;
 }
@@ -232,7 +232,7 @@ void PanelInput::pressButtons() {
 void PanelInput::beginFrame(float seconds) {
     pressButtons();
     if (s_.restless > 0) --s_.restless;
-    // The finger is gone.
+    // The finger was lifted.
     if (s_.ui.forFingers() && s_.restless == 0 && !finger_) ImGui::GetIO().MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
     glide(seconds);
 }
@@ -250,7 +250,7 @@ void PanelInput::endFrame() {
     await(false);
 }
 
-/// A list that a finger let go while it moved goes on for a while.
+/// A list released while moving glides on.
 void PanelInput::glide(float seconds) {
     if (finger_) {
         dragged_ = 0.6f * dragged_ + 0.4f * s_.scroll / seconds;

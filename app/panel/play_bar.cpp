@@ -1,5 +1,4 @@
-// The bar under the picture of a molecule that moves: play, step, scrub; how fast, in what order, and how frames are
-// laid.
+// The play bar under a moving molecule: play, step, scrub; speed, order, and how frames are fitted.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +13,7 @@ namespace {
 
 constexpr float kBarPoints = 620, kBarMargin = 10;
 constexpr float kNarrowPoints = 460;     // under it the text has a line of its own
-constexpr float kTextPointsOfBar = 190;  // of the text beside the slider
+constexpr float kTextPointsOfBar = 190;  // of the text next to the slider
 constexpr int kMostSmoothing = 25;       // that the slider offers
 
 constexpr std::array kOrders = {"Loop", "Back and forth", "Once"};

@@ -1,4 +1,4 @@
-// A film for a file: what moves, how long, how large, and how far it is.
+// Recording of movies: motion, duration, size, and progress.
 
 #include <algorithm>
 #include <array>
@@ -144,7 +144,7 @@ void previewFilm(PanelFrame& f) {
 
 void keepView(PanelState& s, const Viewer& viewer) {
     if (!viewer.document()) return;
-    // Views of another molecule are of no use beside this one.
+    // Views of another molecule cannot be combined with this one.
     const PictureDescription& view = viewer.view();
     std::erase_if(s.keys, [&](const PictureDescription& key) { return key.input.path != view.input.path; });
     s.keys.push_back(viewer.picking().savedView());
@@ -153,7 +153,7 @@ void keepView(PanelState& s, const Viewer& viewer) {
     s.restless = 2;
 }
 
-/// A film that is being recorded, or how the last one ended if that was badly.
+/// A running recording, or the error of the last one.
 void drawRecording(PanelFrame& f) {
     if (!f.host.recording) return;
     const RecordingState recording = f.host.recording();

@@ -1,4 +1,4 @@
-// What holds of parts of the molecule, the last prevailing: each can be switched off, edited, moved, taken away.
+// Rules for parts of the molecule, last wins: each can be switched off, edited, moved or removed.
 
 #include <functional>
 #include <utility>
@@ -29,7 +29,7 @@ std::string ruleWords(const Rule& rule) {
 void drawRuleEditor(PanelFrame& f, Rule& rule) {
     if (f.ui.typable()) {
         f.ui.field("Atoms of the rule", "chain A and resi 10-20", f.s.ruleAtoms);
-        // Until it is one, the rule is about what it was about.
+        // While the text is invalid, the rule keeps its previous selection.
         if (f.ui.edited()) f.s.take([&] { rule.selection = parseSelection(f.s.ruleAtoms); });
     }
     if (rule.action == Rule::Action::show) {

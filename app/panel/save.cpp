@@ -1,4 +1,4 @@
-// A picture for a file: how large, on what, in which format, and where to.
+// Saving of images: size, resolution, format, and path.
 
 #include <algorithm>
 #include <cmath>

@@ -37,8 +37,7 @@ struct Letters {
     }
 };
 
-/// Of each residue the colour that its first seen atom is drawn in; 0: none is seen, or copies have colours of their
-/// own.
+/// For each residue the colour of its first visible atom; 0: none is visible, or copies have their own colours.
 std::vector<std::uint32_t> residueColors(const ResidueFacts& facts, const PictureDescription& view) {
     const Molecule& molecule = facts.molecule();
     const Appearance seen = appearanceOf(facts, drawnAtoms(molecule, view.drawn), view.look);
@@ -55,7 +54,7 @@ std::vector<std::uint32_t> residueColors(const ResidueFacts& facts, const Pictur
     return colors;
 }
 
-/// A helix as a bar, a strand as a line that ends in an arrow, what is neither as a thin line.
+/// A helix as a bar, a strand as an arrow, everything else as a thin line.
 void drawFold(ImDrawList& list, SecondaryStructure fold, bool last, ImVec2 low, ImVec2 high, ImU32 ink, float unit) {
     const float y = std::round((low.y + high.y) / 2);
     if (fold == SecondaryStructure::helix) return list.AddRectFilled(low, high, ink);
@@ -67,7 +66,7 @@ void drawFold(ImDrawList& list, SecondaryStructure fold, bool last, ImVec2 low, 
         list.AddTriangleFilled(ImVec2(end, low.y - unit), ImVec2(high.x, y), ImVec2(end, high.y + unit), ink);
 }
 
-/// Selects what lies between two residues of the sequence.
+/// Selects the residues between two of the sequence.
 void selectResidues(PanelFrame& f) {
     const std::vector<std::uint32_t>& sequence = f.s.sequence;
     const auto [low, high] = std::minmax(f.s.dragFrom, f.s.dragTo);
@@ -98,7 +97,7 @@ void drawLetter(PanelFrame& f, int i, ImVec2 p, ImVec2 size, bool chosen, bool h
                ImGui::GetColorU32(ink), letter);
 }
 
-/// The number of the first residue of a line, to the left of it.
+/// The number of a line's first residue, at its left.
 void drawResidueNumber(PanelFrame& f, int i, ImVec2 right, float line) {
     const std::string number = std::to_string(f.s.molecule->residues[f.s.sequence[static_cast<std::size_t>(i)]].number);
     ImGui::PushFont(fontOf(TextSize::caption));

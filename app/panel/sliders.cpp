@@ -1,4 +1,4 @@
-// Numbers that are slid: words stand at the left, the number at the right, and below them a track with a knob.
+// Sliders: text at the left, the number at the right, and below them a track with a knob.
 
 #include <imgui.h>
 #include <imgui_internal.h>  // whether somebody types into a slider
@@ -13,7 +13,7 @@
 namespace nacre::app {
 namespace {
 
-/// Where a number stands between two others, 0 to 1. @param byRatio  all are above 0
+/// Position of a number between two others, 0 to 1. @param byRatio  all are above 0
 float shareOf(float value, float low, float high, bool byRatio) {
     const float share = byRatio ? std::log(value / low) / std::log(high / low) : (value - low) / (high - low);
     return std::clamp(share, 0.0f, 1.0f);
@@ -32,7 +32,7 @@ std::string formatted(const char* format, double value) {
 bool Widgets::drawSlider(float share, const std::string& format, double value) const {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     if (ImGui::TempInputIsActive(ImGui::GetItemID())) return false;
-    // A format's words, and what comes of the rest: "Fog %.2f" is "Fog" and "0.50", "%g per second" is one.
+    // Splits a format into text and value: "Fog %.2f" is "Fog" and "0.50"; "%g per second" is one.
     const std::size_t at = std::min(format.find('%'), format.size());
     std::string words = format.substr(0, at), number = formatted(format.c_str() + at, value);
     if (at == 0) words = std::exchange(number, {});
@@ -57,7 +57,7 @@ bool Widgets::drawSlider(float share, const std::string& format, double value) c
     return shown != words;
 }
 
-/// @param slide  draws Dear ImGui's @param told  format of what is told of its value
+/// @param slide  draws Dear ImGui's slider @param told  format of the value for screen readers
 template <typename Number, typename Slide>
 bool Widgets::slider(const char* name, const Number& value, Number low, Number high, const char* format, bool byRatio,
                      const char* told, Slide&& slide) {
@@ -66,7 +66,7 @@ bool Widgets::slider(const char* name, const Number& value, Number low, Number h
     const ImVec4 unseen(0, 0, 0, 0);
     for (const int which : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive}) ImGui::PushStyleColor(which, unseen);
     ImGui::PushStyleColor(ImGuiCol_Text, typing ? theme_->text : unseen);
-    // A double click types a number, too, not Ctrl and a click alone.
+    // A double click also starts typing, not only Ctrl and click.
     ImGuiIO& io = ImGui::GetIO();
     const bool control = io.KeyCtrl;
     io.KeyCtrl = control || io.MouseDoubleClicked[0];

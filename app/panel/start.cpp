@@ -1,4 +1,4 @@
-// What an empty window offers: a file, what was open before, samples, and what databases have.
+// The start screen: open a file, recent files, samples, and databases.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ constexpr float kStartPoints = 640, kRecentPoints = 138, kPicturePoints = 92;
 constexpr std::pair<const char*, const char*> kSamples[] = {
     {"DNA", "sample:dna"}, {"Glucose", "sample:glucose"}, {"Buckyball", "sample:buckyball"}};
 
-/// A picture as a mesh: a vertex a pixel, colours between them.
+/// A picture as a mesh: a vertex per pixel, colours interpolated.
 void drawPicture(ImDrawList& list, const RecentFile& recent, ImVec2 low, ImVec2 high) {
     const std::uint32_t w = recent.width, h = recent.height;
     if (w < 2 || h < 2 || recent.pixels.size() != std::size_t{w} * h) return;
@@ -64,7 +64,7 @@ void drawInput(PanelFrame& f) {
     f.ui.heading(f.ui.forFingers() ? "From a database" : f.host.downloads ? "Database ID or file path" : "File path");
     const float go = f.ui.buttonWidth("Open") + f.ui.px(2);
     const float beside = ImGui::GetContentRegionAvail().x - go - ImGui::GetStyle().ItemSpacing.x;
-    const bool narrow = beside < f.ui.px(170);  // the button stands below the field
+    const bool narrow = beside < f.ui.px(170);  // the button is below the field
     const char* hint = !f.host.downloads ? "/home/me/1bna.pdb"
                        : narrow          ? "pdb:1BNA"
                                          : "pdb:1BNA, pubchem:aspirin, afdb:P69905";

@@ -52,7 +52,7 @@ void setPanelStyle(const Theme& theme, float pixelsPerPoint, bool fingers) {
     style.GrabMinSize = fingers ? 24 : 14;
     style.WindowBorderSize = style.PopupBorderSize = 1;
     style.ScaleAllSizes(pixelsPerPoint);
-    // Not a pixel less than a finger.
+    // At least the size of a finger.
     if (fingers)
         style.FramePadding.y =
             std::ceil((kFingerPoints * pixelsPerPoint - std::round(kTextPoints * pixelsPerPoint)) / 2);
@@ -63,7 +63,7 @@ void setPanelStyle(const Theme& theme, float pixelsPerPoint, bool fingers) {
     colors[ImGuiCol_ChildBg] = ImVec4(0, 0, 0, 0);
     colors[ImGuiCol_Border] = colors[ImGuiCol_Separator] = theme.line;
     colors[ImGuiCol_FrameBg] = colors[ImGuiCol_Button] = colors[ImGuiCol_Header] = theme.field;
-    // A finger that has left hovers nowhere.
+    // A lifted finger does not hover.
     const ImVec4& hovered = fingers ? theme.field : theme.hovered;
     for (const int which : {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered})
         colors[which] = hovered;

@@ -247,7 +247,7 @@ bool Widgets::field(const char* name, const char* hint, std::string& text, float
     return done;
 }
 
-/// What the system's own keyboard is for: a field that is pressed, and shows what was typed there.
+/// A field for the system's own keyboard: opens it when pressed, and shows the typed text.
 bool Widgets::askedField(const char* name, const char* hint, std::string& text, float width) {
     edited_ = typed && typed->first == name;
     if (edited_) text = std::exchange(typed, std::nullopt)->second.substr(0, kMostTyped);

@@ -1,5 +1,4 @@
-// Windows of the panel: how they stand, cards that lie over everything, and what most of them are for: what goes on,
-// what went wrong, what has to be answered.
+// Windows of the panel: their layout, cards over everything else, and their uses: progress, errors and questions.
 
 #include <algorithm>
 #include <cmath>
@@ -14,9 +13,9 @@ namespace {
 constexpr int kWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse;
 constexpr float kTightPoints = 320;  // of width: under it a card has all of it
-constexpr float kErrorPoints = 220;  // of height that what went wrong takes, with what to do
+constexpr float kErrorPoints = 220;  // height reserved for the error with its advice
 
-/// What lies below a card is dimmed, and a click there closes the card.
+/// Dims everything below a card; a click there closes the card.
 void drawScrim(PanelFrame& f, const char* below) {
     ImGui::SetNextWindowPos(ImVec2(0, 0));
     ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
@@ -30,7 +29,7 @@ void drawScrim(PanelFrame& f, const char* below) {
     ImGui::PopStyleVar(2);
 }
 
-/// What may be done about an error, in a sentence: by what its text says.
+/// Advice about an error, one sentence, chosen by its text.
 std::string adviceFor(const std::string& error) {
     const auto says = [&](std::initializer_list<const char*> words) {
         for (const char* word : words)
@@ -106,7 +105,7 @@ void beginProgress(PanelFrame& f, const char* name) {
                std::min(f.ui.px(380), room.width() - f.ui.px(16)), room.height());
 }
 
-/// What is being read, with a way to stop it.
+/// The file being read, with a cancel button.
 void drawReading(PanelFrame& f) {
     if (!f.viewer.reading().another()) return;
     const Loader& loader = f.viewer.reading().loader();
@@ -127,7 +126,7 @@ void tellFailure(PanelFrame& f) {
     if (f.ui.button(Icon::none, "Close")) messages.dismissFailure();
 }
 
-/// The same in a card of its own, until it is read.
+/// As above in a card of its own, until it is dismissed.
 void drawFailure(PanelFrame& f) {
     Rectangle room = f.s.freeRoom();
     if (room.height() < f.ui.px(kErrorPoints)) room = f.s.window;

@@ -89,7 +89,7 @@ void PhoneSession::makePanel() {
     panel_->setInsets(insets_);
 }
 
-/// Text is drawn anew at its size.
+/// Redraws text at its size.
 void PhoneSession::remakePanel() {
     makePanel();
     if (Renderer* held = session_.renderer()) held->setOverlayGlyphs(panel_->glyphs());
@@ -133,7 +133,7 @@ void PhoneSession::setSeen(bool seen) {
     session_.openAside();
 }
 
-/// The device that was made aside, maybe for a window that has gone meanwhile.
+/// The device made on another thread, possibly for a window that vanished meanwhile.
 void PhoneSession::takeDevice() {
     try {
         if (!session_.takeOpened(now())) return;
@@ -240,7 +240,7 @@ void PhoneSession::sharePicture() {
     }
 }
 
-/// As JSON. Another device has the molecule elsewhere: its file's name alone is told.
+/// As JSON. Paths differ on another device: gives only the file's name.
 void PhoneSession::shareView() {
     if (!host_.shareText || !viewer().document()) return;
     PictureDescription view = viewer().picking().savedView();

@@ -28,7 +28,7 @@ bool isInputName(const std::string& text) {
 void addInput(InputOptions& input, const std::string& text) {
     if (input.further.size() + 1 >= kMostInputs)
         throw std::invalid_argument("more than " + std::to_string(kMostInputs) + " of them");
-    if (!input.namedBy.empty()) {  // a view's molecules give way to those that are asked for
+    if (!input.namedBy.empty()) {  // explicit inputs replace a view's molecules
         input.path.clear(), input.name.clear(), input.hash.clear(), input.namedBy.clear();
         input.further.clear(), input.fits.clear();
         if (!input.trajectory.namedBy.empty()) input.trajectory = {};

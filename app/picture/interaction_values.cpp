@@ -28,7 +28,7 @@ void parseInteractions(std::string_view text, ContactOptions& contacts) {
         if (contacts.of && contacts.with) return;
     }
     contacts.with.reset();
-    parseSelection(text.substr(0, text.find(',')));  // says what is wrong with the first of two
+    parseSelection(text.substr(0, text.find(',')));  // throws the error of the first of two
     contacts.of = parseSelection(text);
 }
 

@@ -22,7 +22,7 @@ constexpr Letter kLetters[] = {
 
 bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-/// Bytes of the character that begins at a place.
+/// Length in bytes of the character at a position.
 std::size_t characterBytes(std::string_view text, std::size_t at) {
     std::size_t bytes = 1;
     while (at + bytes < text.size() && (static_cast<unsigned char>(text[at + bytes]) & 0xc0) == 0x80) ++bytes;

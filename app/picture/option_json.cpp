@@ -52,7 +52,7 @@ void addJobValue(std::vector<OptionValue>& values, const JobJson& value, const O
         if (!value.is_boolean()) refuseKey(key, "expected true or false");
         if (value.get<bool>()) values.push_back({key, ""});
     } else if (option.kind == Kind::pair) {
-        // ["SEL", "SEL"], or a list of such.
+        // ["SEL", "SEL"], or a list of these.
         if (value.is_array() && !value.empty() && value[0].is_array()) {
             for (const JobJson& two : value) addJobValue(values, two, option);
             return;

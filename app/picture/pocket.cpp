@@ -10,7 +10,7 @@ void applyPocket(std::string_view text, PictureDescription& d) {
     const std::string it = "(" + std::string(text) + ")";
     const std::string around = "byres (within " + numberText(kPocketReach) + " of " + it + ")";
     d.look.style = Style::cartoon;
-    d.look.color = Coloring::uniform(0xffc8c4be);  // a pale grey, behind what matters
+    d.look.color = Coloring::uniform(0xffc8c4be);  // a pale grey, as background
     d.look.cartoonOpacity = 0.3;
     const Rule rules[] = {parseShow(around + "=licorice"), parseColorBy(around + "=element:#b8b8b0"),
                           parseColorBy(it + "=element:#e8b04b")};
@@ -22,7 +22,7 @@ void applyPocket(std::string_view text, PictureDescription& d) {
     d.words.seenOnly = true;
     d.aim.lookAt = ligand;
     d.aim.zoomTo = ligand;
-    d.aim.uncovers = false;  // residues before the ligand may be what binds it
+    d.aim.uncovers = false;  // residues in front of the ligand may bind it
 }
 
 }  // namespace nacre::app

@@ -100,7 +100,7 @@ Option effect(T key, const char* syntax, const char* help, void (*parse)(T, P&),
             .control = control};
 }
 
-/// A width in pixels, of which 0 is "off". @param points  what it is in points, if it is
+/// A width in pixels, where 0 is "off". @param points  the width in points, if given so
 void parseWidth(T text, double& width, std::optional<double>& points) {
     width = text == "off" ? 0 : parsePixels(text, 0.1, kWidest);
     points = pointsOf(text);

@@ -11,7 +11,7 @@
 namespace nacre::app {
 namespace {
 
-/// The text without its fields, for a look at its markup.
+/// The text without its fields, to check its markup.
 void checkMarkup(std::string_view text) {
     std::string plain;
     eachPiece(

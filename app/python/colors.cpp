@@ -37,7 +37,7 @@ Colors colorsOfValues(const std::vector<double>& values, const std::string& pale
     for (const double value : values)
         colors.atoms.push_back(std::isfinite(value) ? paletteColor(colors.ramp, place(value)) : kNone);
     if (!std::isfinite(low)) return colors;
-    // Three digits of the range, the same number of decimals in all of them.
+    // Three significant digits of the range, with equal numbers of decimals.
     const double range = std::max(std::abs(high - low), 1e-12);
     const int decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(range))), 0, 9);
     for (int stop = 0; stop < kStops; ++stop) {

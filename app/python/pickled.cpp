@@ -9,7 +9,7 @@
 namespace nacre::python {
 namespace {
 
-/// What bytes begin with. Sizes stand for the layout of what is copied as it lies in memory.
+/// Header of the bytes. Sizes identify the layout of structures copied from memory.
 std::string heading() {
     std::string text = "nacre molecule " NACRE_VERSION;
     for (const std::size_t size : {sizeof(Atom), sizeof(Residue), sizeof(Bond), sizeof(Molecule)})
@@ -72,7 +72,7 @@ private:
         rest_.remove_prefix(size);
         return at;
     }
-    /// Of a list, so that what is no molecule asks for no more memory than it has bytes.
+    /// Length of a list, limited by the available bytes, so that invalid data cannot demand more memory.
     std::size_t count(std::size_t each) {
         std::uint64_t n = 0;
         plain(n);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kKeyDegrees = 5, kKeyPoints = 20, kKeyZoom = 1.15;
 
-/// Steps of the keys that move the camera as a hand does.
+/// Steps of the keys that move the camera.
 struct Step {
     ViewerCommand command;
     glm::dvec2 rotate{}, pan{};  // steps
@@ -116,7 +116,7 @@ void CameraControl::fit(double now) {
     unclip();
 }
 
-/// What a close-up cut away, or a view left out, comes back.
+/// Restores what a close-up or view clipped or removed.
 void CameraControl::unclip() {
     PictureDescription& view = stage_.wanted();
     if (std::exchange(clipped_, false)) view.effects.clip.near = -Clip::kNone;

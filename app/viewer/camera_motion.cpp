@@ -43,7 +43,7 @@ void CameraMotion::turn(glm::dvec2 points) {
 
 void CameraMotion::rotate(glm::dvec2 points, double now) {
     turn(points);
-    // A mean over the last moments: a hand's single steps are uneven.
+    // Averages the speed over this time: single steps of a drag are uneven.
     constexpr double kWindow = 0.05;
     const double passed = std::max(now - lastDrag_, 1e-3);
     const double keep = std::exp(-passed / kWindow);
@@ -53,7 +53,7 @@ void CameraMotion::rotate(glm::dvec2 points, double now) {
 
 void CameraMotion::roll(double radians) {
     camera_.orientation = glm::normalize(glm::angleAxis(-radians, glm::dvec3(0, 0, 1)) * camera_.orientation);
-    // The picture turns about its middle: what was panned goes round with it.
+    // The picture rotates about its centre, including its pan.
     const double c = std::cos(radians), s = std::sin(radians);
     camera_.pan = {c * camera_.pan.x + s * camera_.pan.y, c * camera_.pan.y - s * camera_.pan.x};
 }
@@ -82,7 +82,7 @@ void CameraMotion::touch() {
 }
 
 void CameraMotion::release(double now) {
-    constexpr double kPause = 0.1;  // a hand that rested before it let go means it
+    constexpr double kPause = 0.1;  // a pause before releasing means no inertia
     gliding_ = now - lastDrag_ < kPause && glm::length(velocity_) > kStillPointsPerSecond;
     lastAdvance_ = now;
 }

@@ -7,7 +7,7 @@ namespace nacre::app {
 namespace {
 
 constexpr struct { double scale, meshError; } kLevels[] = {{1, 2}, {1, 8}, {0.85, 8}, {0.7, 8}, {0.55, 8}, {0.4, 8}};
-constexpr int kLevelOfMeshes = 1;  // nothing is gained there by what has none
+constexpr int kLevelOfMeshes = 1;  // no gain in scenes without meshes
 constexpr double kRoom = 0.9;      // share of the display's interval that a frame may take and not miss it
 
 }  // namespace
@@ -18,7 +18,7 @@ double ResolutionControl::scale() const {
 }
 double ResolutionControl::meshError() const { return kLevels[level_].meshError; }
 
-/// The level that is a step on; the same where there is none.
+/// The next level in a direction; the same at the end.
 int ResolutionControl::nextLevel(int step) const {
     int next = level_ + step;
     if (next == kLevelOfMeshes && !meshes_) next += step;
@@ -37,12 +37,12 @@ void ResolutionControl::frameTook(double seconds, double device, double longest)
         --unsettled_;
         return;
     }
-    // The device's own time tells how near it is to missing a picture; from outside one sees only that it did.
+    // GPU time shows how close the device is to missing a frame; wall-clock time shows only misses.
     const bool slow = device > 0 ? device > kRoom * longest : seconds > 1.5 * longest;
     slow_ = slow ? slow_ + 1 : 0;
     if (slow_ >= kPatience && nextLevel(1) != level_) return change(1);
     if (device == 0 || level_ == 0) return;
-    // Triangles that come back cost about what a step of resolution does.
+    // Restoring triangles costs about as much as a step of resolution.
     const double more = std::max(kLevels[nextLevel(-1)].scale / kLevels[level_].scale, 1.2);
     fast_ = device * more * more < 0.7 * longest ? fast_ + 1 : 0;
     if (fast_ >= kConfidence) change(-1);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Something in a style, small: what has no backbone makes no cartoon.
+/// A small molecule in a style: a cartoon needs a backbone.
 Representation standIn(RepresentationOptions look, Style style) {
     look.style = style;
     look.rules.clear();
@@ -53,7 +53,7 @@ RenderSettings Frames::settings() const {
     RenderSettings s = pictureSettings(freeSize());
     s.view.width = size_.width;
     s.view.height = size_.height;
-    // From the middle of the window to that of what is free.
+    // From the window's centre to that of the free area.
     s.view.pan +=
         glm::dvec2(covered_.left - covered_.right, covered_.bottom - covered_.top) / 2.0 / s.view.pixelsPerAngstrom;
     return s;
@@ -154,13 +154,13 @@ void Frames::expectScene(const PictureDescription& coming) {
             screen_.expectScene(std::move(like), s, frame_);
         }
     } catch (const Error&) {
-        // What is read meets the same, or has nothing to do with it.
+        // The next read reports the same error, or is not affected.
     }
 }
 
 void Frames::advanceOcclusion(double now, bool moving) {
     try {
-        // At rest every change of it draws a frame, which is not to cost more than the work that it shows.
+        // At rest every update of the bake draws a frame, which should not cost more than the work that it shows.
         const double shown = std::clamp(2 * screen_.frameMilliseconds(), 50.0, 250.0);
         const OcclusionPace pace = moving ? OcclusionPace{options_.movingMilliseconds, 0, true}
                                           : OcclusionPace{options_.restingMilliseconds, shown, false};
@@ -168,7 +168,7 @@ void Frames::advanceOcclusion(double now, bool moving) {
         occlusionRetry_.succeeded();
         noticeLoss();
     } catch (const Error& error) {
-        occlusion_ = 0;  // what there was is gone
+        occlusion_ = 0;  // the previous state is lost
         failed(error, occlusionRetry_, now);
     }
 }

@@ -43,7 +43,7 @@ void TouchGestures::move(const TouchEvent& event, std::vector<Gesture>& out) {
         if (three_) return;
         if (!wandered_ && glm::distance(event.at, finger.start) <= kSlop) return;
         finger.at = event.at;
-        // What the finger went before it was known to drag is not made up for: the picture must not jump.
+        // The distance before a drag was recognised is dropped: the picture must not jump.
         if (wandered_) {
             out.push_back({Kind::rotate, event.at, event.at - before});
             dragging_ = true;
@@ -85,7 +85,7 @@ void TouchGestures::lift(const TouchEvent& event, double now, std::vector<Gestur
     if (!twice) last_ = Tap{finger.start, now};
 }
 
-/// What three fingers meant, when the first of them goes.
+/// Recognises a swipe of three fingers when the first is lifted.
 void TouchGestures::swipe(std::vector<Gesture>& out) {
     if (fingers_.size() < 3) return;
     double least = 1e9, most = -1e9, across = 0;

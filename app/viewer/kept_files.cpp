@@ -26,11 +26,11 @@ void write(const std::string& path, const std::string& content) {
         OutputFile file(path);
         writeText(file, content);
     } catch (const std::exception&) {
-        // A full or read-only disk is no reason to lose the window.
+        // A full or read-only disk must not close the window.
     }
 }
 
-/// FNV-1a, 64 bits: tells a cut or damaged file.
+/// FNV-1a, 64 bits: detects a truncated or damaged file.
 std::uint64_t hashOf(std::string_view bytes) {
     std::uint64_t hash = 0xcbf29ce484222325ull;
     for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;

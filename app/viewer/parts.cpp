@@ -35,7 +35,7 @@ bool startsAlike(const std::string& word, const std::string& beginning) {
            });
 }
 
-/// Residues of atoms that are chosen: by the name that stands for them.
+/// A keyword for residues of selected atoms.
 struct Group {
     std::size_t residues = 0, atoms = 0;
     std::uint32_t first = 0;  // residue
@@ -59,7 +59,7 @@ std::vector<std::pair<std::string, Group>> groupsOf(const Molecule& m, Test test
     return groups;
 }
 
-/// What a file calls something by its identifier; that itself where it has no name.
+/// The file's name for an identifier; the identifier if it has none.
 std::string nameOf(const std::string& identifier, const std::map<std::string, std::string>& names) {
     const auto found = names.find(identifier);
     return found == names.end() ? identifier : found->second;
@@ -187,7 +187,7 @@ std::vector<std::string> completions(const std::string& typed, const Molecule& m
     std::size_t start = typed.size();
     while (start > 0 && isWordByte(typed[start - 1])) --start;
     const std::string head = typed.substr(0, start), word = typed.substr(start);
-    // What the word before asks for: names of chains or of residues.
+    // Kind of completion that the previous word asks for: names of chains or of residues.
     std::size_t end = head.find_last_not_of(' ');
     std::size_t begin = end == std::string::npos ? 0 : end + 1;
     while (begin > 0 && isWordByte(head[begin - 1])) --begin;

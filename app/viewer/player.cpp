@@ -77,7 +77,7 @@ void Player::run() {
         lock.lock();
         working_ = false;
         if (order != order_) continue;
-        if (scene != scene_ || newMotion_) {  // once more, as it is to be seen now
+        if (scene != scene_ || newMotion_) {  // again, in the new way
             wanted_ = frame;
             continue;
         }
@@ -96,7 +96,7 @@ PlayedFrame Player::make(std::size_t frame, MovingScene& scene) {
     return {frame, molecule, scene.scene(), motion_->time(), motion_->rmsd()};
 }
 
-/// A copy of the molecule that nobody else holds, without the places of other models.
+/// An unused copy of the molecule, without the positions of other models.
 std::shared_ptr<Molecule> Player::freeMolecule() {
     const auto shared = [this](std::unique_ptr<Molecule> molecule) {
         return std::shared_ptr<Molecule>(molecule.release(), [free = free_](Molecule* done) {

@@ -21,11 +21,11 @@ void takeInput(const PictureDescription& from, PictureDescription& to) {
 Reading::Reading(Stage& stage, Sources sources, std::function<void()> wake)
     : stage_(stage), loader_(std::move(sources), std::move(wake)) {
     const PictureDescription& view = stage.view();
-    // What was saved looks as it was.
+    // Saved views keep their look.
     if (!view.input.path.empty()) view.input.hash.empty() ? loader_.open(view) : loader_.read(view);
 }
 
-/// Density maps among some files: they are drawn with what is shown, or with what is read.
+/// Density maps among some files: drawn with the current document, or with the one being read.
 std::vector<std::string> Reading::divideMaps(std::vector<std::string>& paths) {
     const auto maps =
         std::stable_partition(paths.begin(), paths.end(), [](const std::string& path) { return !isMapFile(path); });
@@ -34,7 +34,7 @@ std::vector<std::string> Reading::divideMaps(std::vector<std::string>& paths) {
     return taken;
 }
 
-/// Maps beside the molecule that is shown.
+/// Adds maps to the current document.
 void Reading::addMaps(const std::vector<std::string>& maps, double now) {
     if (!stage_.shown()) return stage_.messages.fail("open a molecule first, and then its density map", now);
     std::vector<std::string>& files = stage_.wanted().maps.files;
@@ -78,7 +78,7 @@ void Reading::add(const std::vector<std::string>& all, double now) {
     if (beginWith(more, paths, now)) loader_.read(more);
 }
 
-/// Further molecules beside a view's, which is about to be read. @returns whether there is room for them
+/// Adds molecules to a view about to be read. @returns whether there is room
 bool Reading::beginWith(PictureDescription& view, const std::vector<std::string>& paths, double now) {
     question_.reset();
     stage_.messages.dismissFailure();
@@ -147,7 +147,7 @@ Reading::Arrival Reading::arrive(Document document) {
     const PictureDescription& view = document.view;
     Arrival arrival;
     arrival.another = document.molecule != stage_.document.molecule;
-    // The camera stays in the hand that turns it.
+    // The camera stays under user control.
     arrival.step = arrival.another && stage_.shown() && view.input.path == before.input.path &&
                    view.input.model != before.input.model;
     arrival.restored = std::exchange(restoring_, false);

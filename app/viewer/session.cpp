@@ -49,7 +49,7 @@ FrameOutcome Session::OwnScreen::present(const RenderSettings& settings, const W
     Renderer* renderer = session_.renderer();
     if (!renderer) return FrameOutcome::hidden;
     try {
-        // What is waited for is not the host's; nor is it asked for where the window has another size by now.
+        // Time spent waiting is not the host's; and the window may have another size by now.
         const PixelSize window = renderer->windowSize();
         if (window.width == settings.view.width && window.height == settings.view.height) renderer->awaitFrame();
         const auto begin = std::chrono::steady_clock::now();
@@ -173,7 +173,7 @@ std::string Session::report(const std::string& system) const {
     return jsonText(report);
 }
 
-/// The maps of occlusion take a part of what there is.
+/// The occlusion maps get a part of the available memory.
 std::uint64_t occlusionBytes(std::uint64_t wanted, std::uint64_t budget) {
     constexpr std::uint64_t kPart = 8, kLeast = 4u << 20;
     return budget == 0 ? wanted : std::min(wanted, std::max(budget / kPart, kLeast));
@@ -189,11 +189,11 @@ void Session::replace(double now) {
     open(now);
 }
 
-/// What the driver compiled for the first refined picture is all that later ones need.
+/// The pipelines of the first refined picture suffice for all later ones.
 void Session::keepPipelines() {
     if (pipelinesKept_ || !renderer_ || renderer_->stats().windowFrames < kFramesOfWarmUp) return;
     pipelinesKept_ = true;
-    // RenderDoc keeps the driver's data from us, and what was kept before is better.
+    // RenderDoc hides the driver's data, and the earlier data is better.
     if (host_.keepPipelines && !renderer_->captures()) host_.keepPipelines(renderer_->pipelineCache());
 }
 

@@ -1,4 +1,4 @@
-// What the viewer does at a command.
+// Executes the viewer's commands.
 
 #include "app/picture/looks.h"
 #include "app/picture/options.h"
@@ -31,13 +31,13 @@ constexpr OptionCommand kOptionCommands[] = {{ViewerCommand::spacefill, "style",
 
 }  // namespace
 
-/// Flies to what is picked, to ligands where nothing is, or to where the molecule lies flat.
+/// Flies to the picked atoms, else to the ligands, or to the view along the principal axes.
 void Viewer::aimAt(ViewerCommand command, double now) {
     if (!stage_.shown()) return;
     Aim aim;
     aim.principal = command == ViewerCommand::orient;
     if (!aim.principal) {
-        // Residues, for one atom alone is no place.
+        // Residues, since a single atom has no orientation.
         std::string picked;
         for (const std::uint32_t pick : picking_.picks())
             picked += (picked.empty() ? "byres id " : "+") + std::to_string(pick + 1);

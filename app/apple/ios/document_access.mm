@@ -9,7 +9,7 @@
 - (instancetype)initWithURL:(NSURL*)url {
     if ((self = [super init])) {
         _url = url;
-        _scoped = [url startAccessingSecurityScopedResource];  // NO for the app's own files, which need none
+        _scoped = [url startAccessingSecurityScopedResource];  // NO for the app's own files, which need no access right
     }
     return self;
 }

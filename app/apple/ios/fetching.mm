@@ -11,7 +11,7 @@
 namespace nacre::app {
 namespace {
 
-constexpr std::int64_t kGlance = 100'000'000;  // nanoseconds from one look at what has come to the next
+constexpr std::int64_t kGlance = 100'000'000;  // nanoseconds between checks for new data
 
 }  // namespace
 

@@ -22,7 +22,7 @@
 
 - (void)frame:(CADisplayLink*)link {
     const double now = CACurrentMediaTime();
-    // What the display is asked for lately, not its best: it slows down in low power mode, and when it is hot.
+    // The current rate, not the best: displays slow down in low power mode, and when hot.
     const double next = _step(link.targetTimestamp - link.timestamp);
     if (next <= now + link.duration) return;
     link.paused = YES;
@@ -42,7 +42,7 @@
     _hot = hot;
     const float best = static_cast<float>(UIScreen.mainScreen.maximumFramesPerSecond);
     const float most = hot && best > 60 ? 60 : best;
-    // A display of 120 keeps to it for what names 80 at the least.
+    // A 120 Hz display keeps that rate if the minimum is 80.
     _link.preferredFrameRateRange = CAFrameRateRangeMake(most > 60 ? 80 : 30, most, most);
 }
 

@@ -3,7 +3,7 @@
 @interface AppDelegate : UIResponder <UIApplicationDelegate>
 @end
 
-// Scenes are told in Info.plist; the app itself has nothing to do.
+// Info.plist declares the scenes; the app delegate has nothing to do.
 @implementation AppDelegate
 @end
 

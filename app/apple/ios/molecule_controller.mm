@@ -147,7 +147,7 @@ double heatOf(NSProcessInfoThermalState state) {
     _molecule.session = _session.get();
 }
 
-/// Runs what may throw, and says what went wrong.
+/// Runs code that may throw, and shows its error.
 - (BOOL)attempt:(dispatch_block_t)what {
     try {
         what();
@@ -176,7 +176,7 @@ double heatOf(NSProcessInfoThermalState state) {
     return next;
 }
 
-// --- what the user does
+// --- user actions
 
 - (void)moleculeViewTouched:(MoleculeView*)view {
     [_clock wake];

@@ -14,8 +14,8 @@ using nacre::app::ViewerCommand;
 
 namespace {
 
-constexpr std::int64_t kPointer = -1;  // stands for a finger
-constexpr double kPointsPerStep = 40;  // of a two-finger scroll, to one step of a wheel
+constexpr std::int64_t kPointer = -1;  // id of the pointer in place of a finger
+constexpr double kPointsPerStep = 40;  // of a two-finger scroll per step of a wheel
 
 glm::dvec2 placeOf(CGPoint point) { return {point.x, point.y}; }
 
@@ -46,7 +46,7 @@ std::optional<char32_t> codeOf(UIKey* key) {
     return typed.length == 1 ? std::optional<char32_t>([typed characterAtIndex:0]) : std::nullopt;
 }
 
-/// What a key of a hardware keyboard asks for, by the table that every shell shares.
+/// The command of a hardware key, from the table that every shell shares.
 std::optional<ViewerCommand> commandOfKey(UIKey* key) {
     if (key.modifierFlags & (UIKeyModifierCommand | UIKeyModifierAlternate)) return std::nullopt;  // the system's
     const std::optional<char32_t> code = codeOf(key);

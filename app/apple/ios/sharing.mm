@@ -27,7 +27,7 @@ void share(NSData* data, NSString* name, UIViewController* over, UIView* from) {
     }
     UIActivityViewController* sheet = [[UIActivityViewController alloc] initWithActivityItems:@[ file ]
                                                                         applicationActivities:nil];
-    sheet.popoverPresentationController.sourceView = from;  // iPads show it at a place
+    sheet.popoverPresentationController.sourceView = from;  // iPads need an anchor
     sheet.popoverPresentationController.sourceRect = from.bounds;
     sheet.completionWithItemsHandler = ^(UIActivityType, BOOL, NSArray*, NSError*) {
       [NSFileManager.defaultManager removeItemAtURL:file error:nil];

@@ -37,7 +37,7 @@ UIAccessibilityTraits traitsOf(const Control& control) {
 
 }  // namespace
 
-/// One of the controls, as it was when VoiceOver was told of it.
+/// One of the controls, as reported to VoiceOver.
 @interface SpokenControl : UIAccessibilityElement
 @property(nonatomic, weak) SpokenMoleculeView* view;
 - (void)tell:(const Control&)control;
@@ -101,7 +101,7 @@ UIAccessibilityTraits traitsOf(const Control& control) {
     return actions;
 }
 
-/// Elements stay as long as there are as many: VoiceOver keeps its place.
+/// Elements are reused while their number is equal: VoiceOver keeps its position.
 - (void)say:(const std::vector<Control>&)controls {
     const std::string lines = nacre::app::controlLines(controls);
     if (lines == _told || controls.empty()) return;

@@ -1,4 +1,4 @@
-// Nacre.app: what `nacre view` is on the command line, started by the Finder.
+// Nacre.app: `nacre view`, started by the Finder.
 
 #import <AppKit/AppKit.h>
 

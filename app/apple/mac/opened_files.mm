@@ -13,7 +13,7 @@
     std::function<void()> _opened;
 }
 
-/// AppKit's own handler is in place by now, and would ask GLFW's delegate, which knows no files.
+/// AppKit's own handler is installed by now, and would ask GLFW's delegate, which does not handle files.
 - (void)willFinishLaunching:(NSNotification*)notification {
     [NSAppleEventManager.sharedAppleEventManager setEventHandler:self
                                                      andSelector:@selector(openFiles:reply:)
