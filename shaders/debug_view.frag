@@ -1,9 +1,9 @@
 #version 450
-// What a frame works with, as a picture. One variant a view:
+// Intermediate images of a frame as a picture. One variant per view:
 //   DEPTH NORMALS      of the surface layer            ID OCCLUSION   of the identity layer
 //   ENCODED            the encoded depth attachment    PLATES         the prepass's depth, over the shaded picture
-//   OVERDRAW TILES     fragments added up              PATCHES        the occlusion atlas
-// What is written is coded as sRGB, by the target or, with kCoded, here: linearFromSrgb() undoes that where a number is to be seen as it is.
+//   OVERDRAW TILES     sums of fragments               PATCHES        the occlusion atlas
+// The target or, with kCoded, this shader applies sRGB coding: linearFromSrgb() undoes it for raw numbers.
 #extension GL_GOOGLE_include_directive : require
 #include "common/view.glsl"
 #include "common/encoding.glsl"
@@ -82,7 +82,7 @@ void main() {
     if (mean > 0.0 && texelFetch(under, pixel, 0).x == 0.0) tile = mix(tile, vec3(1.0), 0.45);
     color = vec4(linearFromSrgb(edge ? tile * 0.8 : tile), 1.0);
 #elif defined(PATCHES)
-    // The atlas lies on the plane z = 0 as large as the scene; it pans and zooms with the view, and does not turn.
+    // The atlas lies on the plane z = 0 as large as the scene; it pans and zooms with the view, without rotation.
     vec2 size = vec2(textureSize(source, 0));
     vec2 texel = planePoint(gl_FragCoord.xy) * vec2(1.0, -1.0) * view.perRange * max(size.x, size.y) + 0.5 * size;
     if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, size))) discard;

@@ -1,6 +1,6 @@
 #version 450
-// Depth encoding: the hit's depth as a colour, kept by a MIN blend. A pixel outside writes the blend's neutral
-// value instead of discarding, so that nothing stands in the way of early depth tests.
+// Depth encoding: the hit's depth as a colour, for MIN blending. A pixel outside writes the neutral value instead of
+// discarding, so that early depth tests stay possible.
 #extension GL_GOOGLE_include_directive : require
 #include "common/primitive.glsl"
 #include "common/count.glsl"

@@ -1,5 +1,5 @@
 #version 450
-// The nearest depth alone, through the depth buffer: what `fragdepth` occlusion maps are made of.
+// The nearest depth only, through the depth buffer: for `fragdepth` occlusion maps.
 #extension GL_GOOGLE_include_directive : require
 #include "common/primitive.glsl"
 #include "common/count.glsl"

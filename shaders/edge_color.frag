@@ -1,5 +1,5 @@
 #version 450
-// The edge pixels of tile_edges.comp, laid over what the picture has there: one sample's colour.
+// Composites the edge pixels of tile_edges.comp over the picture: one sample's colour.
 //   TEXELS   as in common/streams.glsl
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
@@ -15,7 +15,7 @@ uvec2 edgeAt(uint i) { return edges[i]; }
 #endif
 layout(location = 0) out vec4 color;  // premultiplied
 layout(constant_id = kCodedId) const bool kCoded = false;
-// What the picture is cleared to.
+// Clear colour of the picture.
 layout(constant_id = kClearId) const float kRed = 0.0;
 layout(constant_id = kClearId + 1) const float kGreen = 0.0;
 layout(constant_id = kClearId + 2) const float kBlue = 0.0;

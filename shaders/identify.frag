@@ -1,8 +1,8 @@
 #version 450
-// The `deferred` path's one geometry pass: which primitive is nearest, its depth through the depth buffer. The same
-// finds layers of translucent triangles.
-//   DISTANCE   how far away it is, too
-//   PEEL   what is nearest behind the layer before (C. Everitt 2001, "Interactive Order-Independent Transparency")
+// The geometry pass of the `deferred` path: the nearest primitive, its depth through the depth buffer. Also finds
+// layers of translucent triangles.
+//   DISTANCE   also writes the distance
+//   PEEL   the nearest behind the previous layer (C. Everitt 2001, "Interactive Order-Independent Transparency")
 #extension GL_GOOGLE_include_directive : require
 #include "common/primitive.glsl"
 #include "common/count.glsl"
@@ -16,7 +16,7 @@ layout(location = 0) out uint nearestPrimitive;
 #endif
 #ifdef PEEL
 #include "common/layers.glsl"
-layout(set = 0, binding = 3) uniform sampler2D layerBefore;  // its depth; 1 where there is none
+layout(set = 0, binding = 3) uniform sampler2D layerBefore;  // depth of the previous layer; 1: none
 #endif
 
 void main() {

@@ -1,12 +1,12 @@
 #version 450
-// Ambient occlusion, one batch of directions: every texel of the list asks each depth map of the batch whether it is
-// the front-most at its place, and adds up the cosine of those that say yes. One read and one write of its sum.
-// CYLINDER, VERTEX: texels of cylinders, of meshes. WHOLE: one value for a sphere, asked at its point that faces the light.
-// HEIGHTS: the maps are a buffer of heights, as tile_depth.comp leaves them; else an image of encoded depth.
+// Ambient occlusion, one batch of directions: tests every texel of the list against each depth map of the batch, and
+// adds up the cosines of the maps where it is front-most. One read and one write of its sum.
+// CYLINDER, VERTEX: texels of cylinders, of meshes. WHOLE: one value per sphere, tested at its point facing the light.
+// HEIGHTS: the maps are a buffer of heights from tile_depth.comp; else an image of encoded depth.
 // TEXELS: these and the directions are read as texels.
-// NARROW: directions are few words each (layout.h), where every invocation loads them.
-// PAIRS: an invocation asks for two texels, and loads each direction once for both.
-// All lengths here are pixels of a depth map: directions turn, scale and shift into the map, rows downwards.
+// NARROW: directions take few words (layout.h), for drivers where every invocation loads them.
+// PAIRS: an invocation tests two texels, and loads each direction once for both.
+// All lengths here are pixels of a depth map: directions rotate, scale and shift into the map, rows downwards.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 #ifdef TEXELS
@@ -34,9 +34,9 @@ float heightAt(int i) { return heights[i]; }
 layout(set = 0, binding = 4) uniform sampler2D depthMaps;
 #endif
 
-/// Height of the texel's own surface above the place q of a depth map; z where it does not reach there.
+/// Height of the texel's own surface at position q of a depth map; z where it does not reach there.
 #if defined(VERTEX)
-/// That of the plane through the vertex: how the surface bends away from it, the slack allows for.
+/// Height of the tangent plane at the vertex: the slack covers the surface's curvature.
 float ownHeight(vec3 center, vec3 normal, float radius, vec2 q, float z) {
     return z - dot(normal.xy, q - center.xy) / max(normal.z, 0.15);
 }
@@ -59,7 +59,7 @@ float ownHeight(vec3 center, vec3 axis, float radius, vec2 q, float z) {
 }
 #endif
 
-/// Whether the depth map of direction i shows what is as high as `front` at a pixel.
+/// Whether the depth map of direction i shows a height of at least `front` at a pixel.
 bool shows(int i, ivec2 pixel, float front) {
     ivec2 at = ivec2(i % kMapsAcross, i / kMapsAcross) * bake.apart + pixel;
 #ifdef HEIGHTS
@@ -69,22 +69,22 @@ bool shows(int i, ivec2 pixel, float front) {
 #endif
 }
 
-/// Whether the depth map of direction i shows the texel, `aside` pixels from its place.
+/// Whether the depth map of direction i shows the texel, `aside` pixels from its position.
 bool frontmost(int i, vec3 center, vec3 axis, float radius, vec3 at, vec2 aside) {
     vec2 place = clamp(floor(at.xy + aside), vec2(0.0), vec2(bake.mapPixels - 1));
-    // What this very surface would have written at the pixel's centre, so that it never shadows itself; or the texel's
-    // own height, if that is nearer: beside a contact the surface at the centre may lie inside a neighbour that does
-    // not hide the texel. A pixel's width of slack, more for a tap aside, allows for the neighbour's slope.
+    // The height that this surface itself has at the pixel's centre, so that it never shadows itself; or the texel's
+    // own height, if lower: near a contact the surface at the centre may lie inside a neighbour that does not hide the
+    // texel. A pixel's width of slack, more for a shifted tap, covers the neighbour's slope.
     float front = max(ownHeight(center, axis, radius, place + 0.5, at.z), at.z);
     return shows(i, ivec2(place), front + 1.0 + length(aside));
 }
 
-/// What direction d shows of a texel, as in Sums. @param i  of the direction in the batch
+/// Contribution of direction d to a texel, as in Sums. @param i  of the direction in the batch
 vec2 asked(int i, Direction d, Texel texel) {
     vec3 center = placed(d, texel.a);
     float radius = texel.radius * bake.pixelsPerAngstrom;
 #ifdef WHOLE
-    // A sphere that lies in a surface is seen from half of all directions: that half is what shows of it.
+    // A sphere that lies in a surface is visible from half of all directions: that half is its visible part.
     float cosine = 0.5 * dot(d.w.xyz, d.w.xyz), counted = 2.0 * cosine;
     vec3 at = vec3(center.xy, center.z + radius);
     vec3 axis = vec3(0.0);
@@ -96,7 +96,7 @@ vec2 asked(int i, Direction d, Texel texel) {
 #endif
     float seen = 0.0;
     [[unroll]] for (int tap = 0; tap < kTaps; ++tap) {
-        // Four taps stand in a square, askew, so that each has its own column and row.
+        // Four taps form a rotated square, so that each has its own column and row.
         vec2 aside = tap % 2 == 0 ? vec2(0.75, 0.25) : vec2(-0.25, 0.75);
         aside *= kTaps == 1 ? 0.0 : tap < 2 ? kSpread : -kSpread;
         if (frontmost(i, center, axis, radius, at, aside)) seen += 1.0 / float(kTaps);

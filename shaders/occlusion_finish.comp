@@ -1,5 +1,5 @@
 #version 450
-// Sums of light -> bytes of the atlas, four texels a word. A texel that lies inside a neighbour goes on in the line of
+// Sums of light -> bytes of the atlas, four texels per word. A texel that lies inside a neighbour goes on in the line of
 // the two open ones next to it, so that interpolation reaches the crease with the right slope.
 #extension GL_GOOGLE_include_directive : require
 
@@ -8,8 +8,8 @@ layout(local_size_x = 64) in;
 struct Word {
     uint address;  // in the atlas, words
     uint base;
-    // Whose value each texel takes, less base, in the lower half (0xffff: none); in the upper the one behind, from which
-    // the line comes (the same: no line).
+    // Source of each texel's value, less base, in the lower half (0xffff: none); in the upper half the next one, for
+    // linear extrapolation (equal: none).
     uint sources[4];
 };
 layout(push_constant) uniform Push { uint count; };

@@ -22,6 +22,6 @@ layout(location = 0) out vec4 count;
 
 void main() {
     countFragment();
-    // The record is looked at since the vertex stage hands it over; no primitive is without a radius.
+    // The record is used because the vertex stage passes it; every primitive has a radius.
     count = vec4(radius() > 0.0 ? 1.0 / 255.0 : 0.0);
 }

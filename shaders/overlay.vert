@@ -1,5 +1,5 @@
 #version 450
-// What is drawn over the picture: triangles in window pixels of the upright picture.
+// Overlay over the picture: triangles in window pixels of the upright picture.
 #extension GL_GOOGLE_include_directive : require
 #include "common/srgb.glsl"
 #include "common/turn.glsl"

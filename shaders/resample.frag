@@ -10,7 +10,7 @@ layout(location = 0) out vec4 color;
 layout(constant_id = kSamplesId) const int kSamples = 0;     // n; 0: bilinear
 layout(constant_id = kCodedId) const bool kCoded = false;  // the target takes sRGB-coded colour as it is
 
-layout(push_constant) uniform Push { vec4 scale; };  // xy: 1 / pixels of the target; z: what is left of the picture
+layout(push_constant) uniform Push { vec4 scale; };  // xy: 1 / pixels of the target; z: weight of the picture
 
 void main() {
     vec3 sum = vec3(0.0);

@@ -1,7 +1,7 @@
 #version 450
 // The impostor polygon of a sphere: flat, at the sphere's nearest depth, around its silhouette.
-//   LOOK     what shading needs goes along; with ATOM the atom's number in place of the colour
-//   NUMBER   the primitive's number goes along
+//   LOOK     passes data for shading; with ATOM the atom's number in place of the colour
+//   NUMBER   passes the primitive's number
 #extension GL_GOOGLE_include_directive : require
 #include "common/atlas.glsl"
 #ifdef LOOK
@@ -43,7 +43,7 @@ void main() {
 #endif
     Outline outline = sphereOutline(center, reachOf(center.z, radius));
     vec2 q = outline.center + outline.axisU * inCorner.x + outline.axisV * inCorner.y;
-    // Where facets lean, a corner that the rasteriser moves is nearer or farther.
+    // With inclined facets a corner moved by the rasteriser changes depth.
     float front = radius * inCorner.z + (kCorners == 9 ? 2.0 * view.snap : 0.0) + kCapRoom;
     if (isCutOff(center)) q = outline.center;
     gl_Position = clipPosition(q, encodedDepth(view.origin - center.z - front));

@@ -1,7 +1,7 @@
 #version 450
-// Depth maps of the occlusion bake by tiles: one subgroup draws 8 x 8 pixels of a batch's maps, which stand side by
-// side; each shows copies of its own, turned its way. Lists and early way out are those of tile_nearest.comp; what is
-// kept is a height alone, and it joins what earlier parts of the molecule left.
+// Depth maps of the occlusion bake by tiles: one subgroup draws 8 x 8 pixels of a batch's maps, which are side by side;
+// each shows its own copies and rotation. Lists and early exit as in tile_nearest.comp; keeps heights only, and merges
+// them with those of earlier parts of the molecule.
 //   TEXELS, CYLINDERS   as in tile_nearest.comp
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -71,12 +71,12 @@ void main() {
     bool more = true;
     do {
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-        // What stands out of a map's edge shows on none.
+        // Parts beyond a map's edge show on no map.
         bool mine = at + lane < end && copyIndex - firstCopy < copies;
         uint balls = ballotOf(mine && e.meets && !e.cylinder);
         do {
             vec4 sphere = handed(e.a, lowestOf(balls));
-            // sphereHitThrough() with what a column has in common first.
+            // sphereHitThrough() with the terms common to a column computed first.
             float square = balls != 0u ? sphere.w * sphere.w : -1.0;
             for (int i = 0; i < kPixels; ++i) {
                 vec2 away = through[i] - sphere.xy;

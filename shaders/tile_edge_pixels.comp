@@ -1,8 +1,8 @@
 #version 450
-// Which pixels of the `tiles` path's picture a boundary runs through that one can see: those whose sight is another than
-// that of one of the four beside them (whatever straight boundary crosses a pixel parts its middle from one of theirs),
-// in another colour, where colours are known. A subgroup looks at a bin, in which each lane has a column of four pixels'
-// width, and lists them: as many at a time as it has lanes, so that what draws them is always full.
+// Finds the edge pixels of the `tiles` path's picture: those whose sight differs from one of their four neighbours'
+// (any straight edge through a pixel separates its centre from one of theirs), and with a different colour, where
+// colours are known. A subgroup processes a bin, each lane a column four pixels wide, and lists the pixels in groups of
+// as many as it has lanes, so that drawing always fills them.
 //   TEXELS   as in common/streams.glsl
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -19,7 +19,7 @@ layout(local_size_x_id = 50) in;  // kLanesId
 #include "common/lanes.glsl"
 layout(constant_id = kContoursId) const bool kContours = false;
 layout(constant_id = kEverywhereId) const bool kEverywhere = false;
-// Pixels are coded words already, among which those of edges will stand; else edges are halves, and what is none is told.
+// Pixels are coded words, and edges are written among them; otherwise edges are halves, with a value for no edge.
 layout(constant_id = kRowsId) const bool kRows = false;
 
 #ifdef TEXELS
@@ -43,13 +43,13 @@ const int kBin = 8 * kTilesInBin;
 const int kQuadsAcross = kBin / 4;
 const int kRowsOfLane = kBin * kQuadsAcross / kLanes;
 
-/// A row of four pixels with those beside them.
+/// A row of four pixels with their neighbours.
 struct Row {
     uvec4 sights, colors;
 };
 Row rowAt(uint quad) { return Row(numbersAt(quad), kRows ? colorsAt(quad) : uvec4(0u)); }
 
-/// Whether coded colours differ by 4 of 255 or more. What differs by less is no stairs to anybody, and costs 42 dB.
+/// Whether coded colours differ by 4 of 255 or more. Smaller differences show no staircase, and cost 42 dB.
 bvec4 apart(uvec4 a, uvec4 b) {
     const uvec4 bytes = uvec4(0x00ff00ffu), room = uvec4(0x02040204u), within = uvec4(0x03f803f8u), none = uvec4(0x02000200u);
     uvec4 even = ((a & bytes) + room - (b & bytes)) & within, odd = ((a >> 8 & bytes) + room - (b >> 8 & bytes)) & within;
@@ -58,12 +58,12 @@ bvec4 apart(uvec4 a, uvec4 b) {
 /// 1 where a boundary lies between pixels.
 uvec4 parts(Row a, Row b) {
     uvec4 differs = uvec4(notEqual(a.sights, b.sights));
-    // Between what looks alike a line may run that is narrower than a pixel.
+    // Between equal colours there may be an outline narrower than a pixel.
     return kRows && !kContours ? differs & uvec4(apart(a.colors, b.colors)) : differs;
 }
 
-/// What stands a pixel to the left of a row of four, or to the right. Beside the picture there is what its last pixels show.
-/// @param at  of the four @param last  none is beside it
+/// The pixels to the left of a row of four, or to the right. Beyond the picture its last pixels repeat.
+/// @param at  of the four @param last  there is no neighbour
 Row leftOf(Row row, uint at, bool last) {
     Row beside = rowAt(last ? at : at - 1u);
     return Row(uvec4(last ? row.sights.x : beside.sights.w, row.sights.xyz),
@@ -91,7 +91,7 @@ void list(uint bits, uvec2 corner, uint to) {
 
 void main() {
     uint lane = gl_SubgroupInvocationID;
-    // Where rows of workgroups do not come out even, the last bin is looked at again, and not listed again.
+    // If rows of workgroups are uneven, the last bin is processed again, but not listed again.
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint bins = view.offsets / uint(kTilesInBin * kTilesInBin);  // that have tiles
     uint tile = listAt(min(group, bins - 1u) * uint(kTilesInBin * kTilesInBin));  // x | y << 16
@@ -99,7 +99,7 @@ void main() {
     uint x = (tile & 0xffffu) / uint(kTilesInBin) * uint(kQuadsAcross) + lane % uint(kQuadsAcross);
     uint y = (tile >> 16) / uint(kTilesInBin) * uint(kBin) + lane / uint(kQuadsAcross) * uint(kRowsOfLane);
 
-    uint found = 0u, foundBelow = 0u;  // a bit a pixel, row by row; below the eighth row, if a lane has as many
+    uint found = 0u, foundBelow = 0u;  // one bit per pixel, row by row; below the eighth row, if a lane has as many
     uint at = y * quadsAcross + x;
     bool first = x == 0u, final = x + 1u == quadsAcross;  // of its row
     Row last = rowAt(y > 0u ? at - quadsAcross : at), here = rowAt(at);
@@ -108,7 +108,7 @@ void main() {
         Row next = rowAt(below);
         uvec4 edge = parts(here, last) | parts(here, next) | parts(here, leftOf(here, at, first)) |
                      parts(here, rightOf(here, at, final));
-        // What is seen may change inside a pixel, and not beside it.
+        // The sight may change inside a pixel, without a neighbour.
         if (kContours) edge |= uvec4(equal(here.sights & kChanges, uvec4(kChanges)));
         if (kEverywhere) edge = uvec4(1u);
         uint bits = (edge.x | edge.y << 1 | edge.z << 2 | edge.w << 3) << uint(4 * (r & 7));

@@ -1,7 +1,7 @@
 #version 450
-// The `tiles` path's translucent triangles: the two that are nearest to a pixel, one behind the other. One subgroup draws
-// a tile of 8 x 8 pixels from the list of its bin, as tile_nearest.comp does, and ends where what follows begins behind
-// the second of every pixel. What something opaque hides of them is left out when they are laid over it.
+// Translucent triangles of the `tiles` path: the two nearest to a pixel. One subgroup draws a tile of 8 x 8 pixels from
+// the list of its bin, as in tile_nearest.comp, and ends where the next entry begins behind the second of every pixel.
+// Those hidden by opaque surfaces are dropped during compositing.
 //   TEXELS   as in common/streams.glsl
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -28,17 +28,17 @@ uint listAt(uint i) { return texelFetch(listTexels, int(i)).x; }
 layout(set = 0, binding = 2, std430) readonly buffer Lists { uint lists[]; };
 uint listAt(uint i) { return lists[i]; }
 #endif
-layout(set = 0, binding = 3, std430) writeonly buffer Numbers { uint numbers[]; };  // two a pixel
+layout(set = 0, binding = 3, std430) writeonly buffer Numbers { uint numbers[]; };  // two per pixel
 
 vec2 through[kPixels];
 float first[kPixels], second[kPixels];
 uint firstNumber[kPixels], secondNumber[kPixels];
 
-/// What was first is second if something comes before it, unless both are one layer.
+/// The first becomes second if something is in front of it, unless both are one layer.
 void keep(int i, Hit hit, uint candidate, bool live) {
     float d = encodedDepth(hit.order);
     bool inside = live && hit.inside;
-    // Of equal depths the last wins, as with a depth test that lets them pass.
+    // At equal depths the last wins, as with a depth test that lets them pass.
     bool before = inside && (d < first[i] || (d == first[i] && candidate > firstNumber[i]));
     float least = before ? d : first[i];
     bool pushed = before && first[i] > least + kLayerStep;

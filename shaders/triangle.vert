@@ -1,10 +1,10 @@
 #version 450
-// A polygon of three corners about a triangle, flat, at its nearest depth; or, as a plate, inside of it and at its
-// farthest. No instances: three vertices in a row are a triangle, which is fetched by its number.
-//   READS    the fragment stage reads images: the streams come after those in the set
-//   LOOK     what shading needs goes along; with ATOM the atoms' numbers in place of the colours
-//   NUMBER   the primitive's number goes along
-//   PLATE    what is drawn certainly lies in the triangle's picture, behind it
+// A polygon of three corners around a triangle, flat, at its nearest depth; or, as a plate, inside of it and at its
+// farthest. No instances: three consecutive vertices form a triangle, which is fetched by its number.
+//   READS    the fragment stage reads images: the streams follow them in the set
+//   LOOK     passes data for shading; with ATOM the atoms' numbers in place of the colours
+//   NUMBER   passes the primitive's number
+//   PLATE    the polygon is fully inside the triangle's picture, behind it
 #extension GL_GOOGLE_include_directive : require
 #include "common/mesh.glsl"
 
@@ -95,7 +95,7 @@ void main() {
     gl_Position = clipPosition(q, encodedDepth(Z + 1e-4 * (Z - view.depthStart)) + 1e-6);
 #else
     if (area < 5e-3 * around * around) {
-        // A splinter: the corners moved out would lie far off. Half of a box twice as large holds all of it.
+        // A splinter: the outset corners would be far away. Half of a box twice as large contains it.
         vec2 low = min(a.xy, min(b.xy, c.xy)) - margin, size = max(a.xy, max(b.xy, c.xy)) + margin - low;
         q = low + 2.001 * size * vec2(corner == 1, corner == 2);
     }

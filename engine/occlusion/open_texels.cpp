@@ -228,7 +228,7 @@ private:
     std::size_t last_ = 0;
 };
 
-/// One value a sphere: all of them are open.
+/// One value per sphere: all are open.
 void openSpheres(OpenTexels& all, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
         all.firstOfSphere.push_back(i);
@@ -250,7 +250,7 @@ void append(OpenTexels& all, const OpenTexels& part) {
     }
 }
 
-/// Vertices have texels of their own, four a word: no other's value will do.
+/// Vertices have their own texels, four per word: no other value can replace them.
 void addVertices(OpenTexels& all, const OcclusionLayout& layout) {
     const std::uint64_t top = std::uint64_t{layout.sphereRows} + layout.cylinderRows;
     const auto first = static_cast<std::uint32_t>(layout.patchTexels());

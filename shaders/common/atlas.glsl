@@ -1,6 +1,6 @@
-// Where the patch of a primitive lies in the occlusion atlas: rows of spheres' patches, then rows of cylinders',
-// then the vertices of meshes, two texels each (engine/occlusion/atlas_layout.h). It follows from the primitive's number,
-// so that no stream says it. An atlas has fewer rows than 2^20.
+// Position of a primitive's patch in the occlusion atlas: rows of spheres' patches, then of cylinders', then mesh
+// vertices, two texels each (engine/occlusion/atlas_layout.h). Computed from the primitive's number, so that no stream
+// stores it. An atlas has fewer rows than 2^20.
 #include "divide.glsl"
 #include "view.glsl"
 

@@ -1,6 +1,6 @@
-// From a primitive's hit to what shows there.
-//   ATLAS, EFFECTS, SHADOW   bindings, unless they are 0, 1 and 2
-//   CELLS            binding of the occlusion's cells, where they are read
+// Computes the colour of a primitive's hit.
+//   ATLAS, EFFECTS, SHADOW   bindings, if not 0, 1 and 2
+//   CELLS            binding of the occlusion's cells, if read
 #ifndef NACRE_COLOR_GLSL
 #define NACRE_COLOR_GLSL
 #include "atlas.glsl"
@@ -42,7 +42,7 @@ float between(vec4 texels, vec2 share) {
     return texel;
 }
 
-/// @param place  of the patch: patchPlace()
+/// @param place  position of the patch: patchPlace()
 float patchTexel(vec2 place, vec2 uv, vec2 texels) {
     if (!kCells) return textureLod(occlusionAtlas, place + uv * ((texels - 1.0) * view.atlasTexel), 0.0).r;
     Cell cell = cellOf(uv, texels);
@@ -51,15 +51,15 @@ float patchTexel(vec2 place, vec2 uv, vec2 texels) {
                      texelFetch(occlusionAtlas, at + ivec2(0, 1), 0).r, texelFetch(occlusionAtlas, at + 1, 0).r);
     return between(floor(four * 255.0 + 0.5), cell.share);
 }
-/// Lanes that show no triangle fetch, too, on some drivers: none of them beside the atlas.
+/// On some drivers lanes without a triangle also fetch: they must stay inside the atlas.
 float vertexTexelOfAtlas(uint vertex, uint side) {
     ivec2 last = textureSize(occlusionAtlas, 0) - 1;
     return texelFetch(occlusionAtlas, clamp(vertexPlace(vertex, side, effects.bakedCylinders), ivec2(0), last), 0).r;
 }
 #ifdef CELLS
-/// Texels in words of four: software devices gather a word in the time of a texel. A row's last texel in a word is the first
-/// of the next, so that two words hold a cell. (One word a cell, with its four texels, were three times as much memory: most
-/// of the time went by waiting for it.)
+/// Texels in words of four: software devices gather a word in the time of a texel. A row's last texel in a word is
+/// repeated as the first of the next, so that two words hold a cell. (One word per cell, with its four texels, took
+/// three times as much memory: time was lost waiting for it.)
 layout(set = 0, binding = CELLS) uniform usamplerBuffer cellTexels;
 uint wordsOf(uint texels) { return (texels + 1u) / 3u; }
 float cellTexel(uint firstWord, vec2 uv, vec2 texels) {
@@ -83,7 +83,7 @@ float cylinderTexel(uint index, vec2 uv) {
     if (kCells) return cellTexel(view.spheres * sphereWords() + index * cylinderWords(), uv, vec2(texels));
     return patchTexel(patchPlace(cylinderPatch(index)), uv, vec2(texels));
 }
-/// Vertices stand behind the patches, four texels a word.
+/// Vertices follow the patches, four texels per word.
 float vertexTexel(uint vertex, uint side) {
     if (!kCells) return vertexTexelOfAtlas(vertex, side);
     uint at = 2u * vertex + side, first = view.spheres * sphereWords() + effects.bakedCylinders * cylinderWords();
@@ -103,7 +103,7 @@ vec2 sphereCoordinate(Hit hit) { return octahedralCoordinate(toObject(hit.normal
 vec2 cylinderCoordinate(Hit hit, vec3 objectAxis) {
     return vec2(angleAbout(objectAxis, toObject(hit.normal)), hit.along);
 }
-/// @param place  of the primitive's patch: patchPlace()
+/// @param place  position of the primitive's patch: patchPlace()
 float sphereOcclusion(Hit hit, vec2 place) {
     return shadesOcclusion(hit) ? patchTexel(place, sphereCoordinate(hit), vec2(sphereEdge())) : 1.0;
 }
@@ -121,15 +121,15 @@ float meshOcclusion(Hit hit, uvec3 vertices) {
     return mean;
 }
 
-/// Occlusion is baked for the whole scene. Where a plane cuts it, light falls in that the bake knows nothing of: what lay
-/// in the dark is lifted, and stays darker than what lay less so.
+/// Occlusion is baked for the whole scene. Where a plane clips it, light enters that the bake does not know: dark parts
+/// are brightened, keeping their order.
 float opened(float occlusion) { return mix(sqrt(occlusion), 1.0, 0.35); }
 
-/// Of a molecule that has moved since the bake: surfaces come to light of which that knows nothing.
+/// For a molecule that moved since the bake: newly exposed surfaces are not in it.
 float leastOcclusion() { return float(view.patchTexels >> 24) * (1.0 / 255.0); }
 
-/// Share of the direct light that reaches a hit: taps on a disc, in a sunflower's order, ask the light's depth map. What
-/// the near plane cuts stands in the open. @param q  planePoint() of the pixel
+/// Fraction of the direct light that reaches a hit: taps on a disc, in sunflower order, sample the light's depth map.
+/// Surfaces cut by the near plane are unshadowed. @param q  planePoint() of the pixel
 float sunlight(Hit hit, vec2 q) {
     if (!kShadow || hit.cap) return 1.0;
     precise vec2 seen = q * (kPerspective ? hit.Z / view.origin : 1.0);
@@ -137,7 +137,7 @@ float sunlight(Hit hit, vec2 q) {
     precise float u = dot(effects.shadowU.xyz, p) + effects.shadowU.w;
     precise float v = dot(effects.shadowV.xyz, p) + effects.shadowV.w;
     precise float depth = dot(effects.shadowW.xyz, p) + effects.shadowW.w;
-    // A surface that leans from the light must not shadow itself: what it rises within the soft edge is let through.
+    // An inclined surface must not shadow itself: allows its depth change within the soft edge.
     precise float facing = clamp(dot(hit.normal, kLight), 0.01, 1.0);
     precise float slope = min(sqrt(1.0 - facing * facing) / facing, 2.5);
     precise float own = depth - slope * effects.shadowSlope;
@@ -152,7 +152,7 @@ float sunlight(Hit hit, vec2 q) {
     return sun;
 }
 
-/// How bright a cap is beside what it cuts. @param q  planePoint() of the pixel
+/// Brightness of a cap relative to its atom. @param q  planePoint() of the pixel
 float capShade(vec2 q) {
     if (kCap == 1) return 0.55;
     if (kCap == 0) return 1.0;

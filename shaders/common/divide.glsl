@@ -1,10 +1,10 @@
-// Division of whole numbers by way of a float: exact, and a fraction of what a driver makes of / and %.
+// Exact integer division by way of floats: takes a fraction of the time of a driver's / and %.
 #ifndef NACRE_DIVIDE_GLSL
 #define NACRE_DIVIDE_GLSL
 /// Quotient and remainder.
 uvec2 divided(uint number, uint by) {
     uint quotient = uint(float(number) / float(by));
-    // Each float is right to 24 bits: a second one takes up what the first left of a large quotient, but for one.
+    // A float is exact to 24 bits: a second one corrects a large quotient, except for a last one.
     int rest = int(number - quotient * by);
     int more = int(floor(float(rest) / float(by)));
     quotient += uint(more);
@@ -12,7 +12,7 @@ uvec2 divided(uint number, uint by) {
     int off = rest < 0 ? -1 : rest >= int(by) ? 1 : 0;
     return uvec2(quotient + uint(off), uint(rest - off * int(by)));
 }
-/// The same for a quotient below 2^20.
+/// As above for a quotient below 2^20.
 uvec2 dividedSmall(uint number, uint by) {
     int quotient = int(float(number) / float(by));
     int rest = int(number) - quotient * int(by);

@@ -1,9 +1,9 @@
-// The ladder of encoded depth: which numbers stand for a depth in a colour attachment whose blend keeps the minimum.
-// One float channel holds d itself. Otherwise depth is an integer code and n channels hold the paper's staircase of
-// it, channel i = clamp(code - i M, 0, M), which a per-channel minimum keeps exact:
+// Encoded depth: how depth is stored in a colour attachment with MIN blending. One float channel holds d itself.
+// Otherwise depth is an integer code and n channels hold the paper's staircase, channel i = clamp(code - i M, 0, M),
+// which a per-channel minimum keeps exact:
 //   UNORM channels   M = 255 or 1023
-//   half floats      M = 61,439: the normal halves in their order, negative ones first, are the steps. Every step is a
-//                    value that the format holds exactly, so nothing is rounded and four channels tell 245,756 depths.
+//   half floats      M = 61,439: the steps are the normal halves in order, negative ones first. Every step is
+//                    exactly representable, so nothing is rounded and four channels distinguish 245,756 depths.
 #include "layout.h"
 
 layout(constant_id = kDepthChannelsId) const int kDepthChannels = 1;
@@ -42,7 +42,7 @@ vec4 encodeDepth(float d) {
     for (int i = 0; i < kDepthChannels; ++i) e[i] = channelOf(clamp(code - i * kDepthSteps, 0, kDepthSteps));
     return e;
 }
-/// What a fragment writes that must not change the minimum; also what the attachment is cleared to.
+/// Written by fragments that must not change the minimum; also the clear value.
 vec4 farthestDepth() { return vec4(kDepthSteps == kHalfSteps ? 65504.0 : 1.0); }
 
 /// The largest depth that has this encoding.

@@ -7,11 +7,11 @@
 struct Hit {
     bool inside;   // the pixel's ray meets the primitive
     float Z;       // distance as ViewConstants defines it, Å
-    float order;   // what hits are compared by: Z; of a cap less, of a contour line more
+    float order;   // order of hits: Z; less for a cap, more for an outline
     vec3 normal;   // view space, unit
     float along;   // cylinders: 0 at a, 1 at b
-    bool cap;      // on the near clipping plane, inside of what it cuts
-    bool contour;  // beside the primitive, on the line about it, or in its rim
+    bool cap;      // on the near clipping plane, inside of the clipped primitive
+    bool contour;  // beside the primitive, on its outline or in its rim
     vec3 shares;   // triangles: of the corners, together 1
     uint corner;   // triangles: the first of those that look the same and together have the largest share
     bool back;     // triangles: seen from behind
@@ -22,8 +22,8 @@ Hit noHit() {
     return Hit(false, 0.0, 0.0, vec3(0.0, 0.0, 1.0), 0.0, false, false, vec3(0.0), 0u, false, 0.0);
 }
 
-/// A hit on the skin becomes one on the cap, or none, where a plane cuts it away.
-/// @param deep  how deep the pixel's point of the near plane lies in the primitive: 1 innermost, 0 on its skin
+/// Moves a hit from the surface to the cap, or removes it, where a plane clips. @param deep  depth of the pixel's point
+/// of the near plane inside the primitive: 1 innermost, 0 on its surface
 void cut(inout Hit hit, float deep) {
     if (deep > 0.0) {
         hit.inside = hit.cap = true;
@@ -37,22 +37,22 @@ void cut(inout Hit hit, float deep) {
     if (hit.Z > view.clipFar) hit.inside = hit.cap = false;
 }
 
-/// A pixel beside a primitive is on its contour line if it is near enough. The line stands behind the silhouette by so
-/// much that it shows where depth jumps by more, and nowhere else. A rim (rims.frag) only tells how far out it is.
-/// @param outside  distance from the silhouette @param width  of the line there @param Z  of the silhouette
+/// A pixel beside a primitive is on its outline if it is near enough. The outline is behind the silhouette by the depth
+/// jump from which it shows. A rim (rims.frag) only needs the distance.
+/// @param outside  distance from the silhouette @param width  of the outline there @param Z  of the silhouette
 void drawContour(inout Hit hit, float outside, float width, float Z) {
     if (hit.inside || !(outside <= width)) return;
     hit.inside = hit.contour = true;
     hit.Z = Z;
     hit.away = outside / width;
-    // What is clear lies at the end of the range: the line stays before it.
+    // The background is at the end of the range: the outline stays in front of it.
     precise float behind = Z + view.contourDepth;
     hit.order = min(behind, view.depthStart + 0.99999 / view.perRange);
     hit.normal = vec3(0.0, 0.0, 1.0);
 }
 
-/// A sphere: view-space centre and radius. q: planePoint() of the pixel. Distances are taken from the point of the ray that is closest to the
-/// centre, which keeps the digits that the textbook's b*b - 4ac loses.
+/// A sphere: view-space centre and radius. q: planePoint() of the pixel. Distances start at the ray's point closest to
+/// the centre, which keeps the digits that the textbook's b*b - 4ac loses.
 Hit sphereHitThrough(vec4 sphere, vec2 q) {
     Hit hit = noHit();
     float r = sphere.w;
@@ -78,7 +78,7 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
         precise vec2 w = q - sphere.xy;
         precise float h = r * r - dot(w, w);
         hit.inside = h > 0.0;
-        // Of what is outside the value does not matter; |h| costs nothing. What does not wait for the root stands first.
+        // Outside the value does not matter; |h| is free. Work that does not need the root comes first.
         precise float s = sqrt(abs(h));
         precise float middle = view.origin - sphere.z;
         precise float Z = middle - s;
@@ -111,14 +111,14 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
 
 Hit sphereHit(vec4 sphere, vec2 fragment) { return sphereHitThrough(sphere, planePoint(fragment)); }
 
-/// A cylinder with flat caps as all pixels see it: what shaders that ask many of them find out once.
+/// A cylinder with flat caps, with everything that does not depend on the pixel.
 struct Stick {
     vec3 a;        // the middle of an end, view space
     float radius;
     vec3 axis;     // unit, from there to the other end
     float len;
     vec2 ahead;    // unit: the axis in the picture
-    float sine;    // of its angle to the view direction, and what one divides by
+    float sine;    // of its angle to the view direction, and the divisor
     float perSine;
     float perFall; // 1 / axis.z
     float perLen;
@@ -143,7 +143,7 @@ Stick stickAt(vec4 a, vec4 b) {
     return stickOf(from, to, stickRadius(a.w, from.z, to.z));
 }
 
-/// A cylinder's hit where it is not cut, and what cuts and contour lines need to know.
+/// A cylinder's hit without clipping, and data for clipping and outlines.
 struct StickHit {
     Hit hit;
     float on;         // Å from a along the axis
@@ -153,7 +153,7 @@ struct StickHit {
     vec2 cut;         // likewise that of the near clipping plane: how deep it lies, as cut() has it, and along the axis
 };
 
-/// Seen along parallel rays: the pixel's place beside the axis in the picture, and ahead along it, tell all.
+/// Orthographic: the pixel's position across and along the projected axis suffices.
 StickHit parallelStickHit(Stick c, vec2 q) {
     StickHit found;
     Hit hit = noHit();
@@ -176,7 +176,7 @@ StickHit parallelStickHit(Stick c, vec2 q) {
     hit.inside = side || cap;
     precise float Z = middle - (side ? onSide : onCap);
     hit.Z = Z;
-    // The axis' picture, turned to the left, and what leans towards the viewer from the axis.
+    // The projected axis, rotated to the left, with the part that leans from the axis towards the viewer.
     precise vec3 outwards = vec3(vec2(-c.ahead.y, c.ahead.x) * beside - c.ahead * (c.axis.z * root), c.sine * root) * (1.0 / r);
     hit.normal = side ? outwards : c.axis.z < 0.0 ? -c.axis : c.axis;
     if (r < 0.0) hit.normal = vec3(0.0, 0.0, 1.0);  // wires look the same from all sides
@@ -254,7 +254,7 @@ Hit stickHitThrough(Stick c, vec2 q) {
     if (kContours) {
         float Z = found.silhouette.x, along = found.silhouette.y;
         bool kept = along >= 0.0 && along <= c.len && (!kClip || (Z >= view.clipNear && Z <= view.clipFar));
-        // Inside of the silhouette nothing was hit but what was cut away.
+        // Inside of the silhouette everything hit was clipped.
         precise float outside = kept && found.inside <= 0.0 ? sqrt(found.away2) - abs(c.radius) : 1e9;
         drawContour(hit, outside, view.contourWidth * (kPerspective ? Z / view.origin : 1.0), Z);
         if (hit.contour) on = along;
@@ -265,8 +265,8 @@ Hit stickHitThrough(Stick c, vec2 q) {
 Hit cylinderHitThrough(vec3 a, vec4 b, float r, vec2 q) { return stickHitThrough(stickOf(a, b, r), q); }
 Hit cylinderHit(vec3 a, vec4 b, float r, vec2 fragment) { return cylinderHitThrough(a, b, r, planePoint(fragment)); }
 
-/// A corner of a triangle as the picture has it: where it stands on the plane z = 0, and its Z, or, in perspective, 1 / Z,
-/// which is linear there.
+/// A projected corner of a triangle: position on the plane z = 0, and its Z or, in perspective, 1 / Z, which is linear
+/// there.
 vec3 projected(vec3 p) {
     precise float Z = view.origin - p.z;
     if (!kPerspective) return vec3(p.xy, Z);
@@ -274,13 +274,13 @@ vec3 projected(vec3 p) {
     precise vec2 at = p.xy * (view.origin * nearness);
     return vec3(at, nearness);
 }
-/// Twice the area between the pixel and an edge, from two corners as the pixel sees them. The two triangles of an edge get
-/// the same number but for its sign, whatever is rounded: so every pixel on it is in one of them, or in both.
+/// Twice the area between the pixel and an edge, from two corners relative to the pixel. Both triangles of an edge get
+/// the same number with opposite sign, whatever the rounding: so every pixel on it belongs to at least one of them.
 float edgeSide(vec2 from, vec2 to) {
     precise float side = from.x * to.y - from.y * to.x;
     return side;
 }
-/// The place on an edge that is nearest to the pixel: its distance, and what it has of the second corner.
+/// The point on an edge nearest to the pixel: its distance, and its weight of the second corner.
 vec2 nearestOnEdge(vec2 from, vec2 to) {
     precise vec2 way = to - from;
     precise float share = clamp(-dot(from, way) / max(dot(way, way), 1e-20), 0.0, 1.0);
@@ -289,11 +289,10 @@ vec2 nearestOnEdge(vec2 from, vec2 to) {
     return vec2(distance, share);
 }
 
-/// A triangle by its corners as projected() gives them. Depth is that of its plane, as a mean of its corners': a hit never
-/// lies before or behind all of them, however the triangle is tilted.
-/// Where the near plane cuts a mesh, one looks onto its inner side: that shows as the cap, in its own depth. Not of what is
-/// TRANSLUCENT: one looks into it.
-/// @param joins  which corners look the same: 1 a and b, 2 b and c, 4 c and a
+/// A triangle from projected() corners. Depth is interpolated as a weighted mean of the corners', so a hit is never in
+/// front of or behind all of them. Where the near plane clips a mesh, its inner side is visible: it counts as the cap,
+/// at its own depth. Not for TRANSLUCENT ones, which are transparent.
+/// @param joins  which corners have equal looks: 1 a and b, 2 b and c, 4 c and a
 Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint joins, vec2 q) {
     Hit hit = noHit();
     precise vec2 pa = a.xy - q, pb = b.xy - q, pc = c.xy - q;

@@ -1,6 +1,6 @@
-// What the lanes of a subgroup find out together. Votes and ballots go lane by lane on lavapipe 22.3, a dozen instructions
-// each: there (TEXELS) they are shuffles, as many as the number of lanes has bits. All lanes take part.
-/// The bits that any lane has.
+// Subgroup operations. Votes and ballots take a dozen instructions per lane on lavapipe 22.3: there (TEXELS) shuffles
+// replace them, one per bit of the lane count. All lanes take part.
+// The bits that any lane has.
 uint bitsOfAll(uint bits) {
     for (uint step = 1u; step < uint(kLanes); step <<= 1) bits |= subgroupShuffle(bits, gl_SubgroupInvocationID ^ step);
     return bits;

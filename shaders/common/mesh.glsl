@@ -1,4 +1,4 @@
-// How a triangle's corners meet the view, and what shading takes from them.
+// Projection of a triangle's corners, and their data for shading.
 #ifndef NACRE_MESH_GLSL
 #define NACRE_MESH_GLSL
 #include "hit.glsl"

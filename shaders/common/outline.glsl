@@ -3,7 +3,7 @@
 
 layout(constant_id = kCornersId) const int kCorners = 8;  // 8: octagon, 4: square, 9: pyramid
 
-// What a cap is compared by may stand before all of what is cut, where that is thin: its polygon does, too.
+// The comparison depth of a thin cap may be in front of all of the primitive: so must its polygon.
 const float kCapRoom = kClip ? kCapDepth : 0.0;
 
 struct Outline {

@@ -1,5 +1,5 @@
-// Patches of the occlusion atlas. The texels of a patch stand on its corners and edges too, so that bilinear
-// interpolation inside a patch needs no gutter and meets itself where the map is folded or wrapped.
+// Patches of the occlusion atlas. The texels of a patch include its corners and edges, so that bilinear interpolation
+// inside a patch needs no gutter and is continuous where the map is folded or wrapped.
 #ifndef NACRE_PATCH_GLSL
 #define NACRE_PATCH_GLSL
 

@@ -1,4 +1,4 @@
-// Where the samples of a pixel stand that are more than one. Each has a row and a column of 16 of its own.
+// Positions of the samples of a pixel with several. Each has its own row and column of 16.
 #include "layout.h"
 
 const int kSamples = 16;

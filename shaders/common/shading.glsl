@@ -1,5 +1,5 @@
-// Light. All in linear light; directions in view space, so that it stays with the viewer. `precise`, as what a compiler
-// makes of sums and products differs from shader to shader.
+// Light, in linear values; directions in view space, so that it stays with the viewer. `precise`, because compilers
+// evaluate sums and products differently from shader to shader.
 
 const vec3 kLight = normalize(vec3(kLightX, kLightY, kLightZ));
 
@@ -11,8 +11,8 @@ layout(constant_id = kGlossId) const float kGloss = 42.0;
 layout(constant_id = kPowersId) const bool kPowers = false;
 layout(constant_id = kDeepeningId) const float kDeepening = 1.0;
 
-/// x to the power of kGloss, times a strength. Where pow() is no matter of a few instructions, the usual one is
-/// multiplied out, as few products as can be behind each other.
+/// x to the power of kGloss, times a strength. Where pow() is slow, the usual exponent is multiplied out, with the
+/// shortest chain of products.
 float glossy(float x, float strength) {
     if (kPowers || kGloss != 42.0) return pow(x, kGloss) * strength;
     precise float x2 = x * x, x4 = x2 * x2, x8 = x4 * x4, x16 = x8 * x8;
@@ -20,15 +20,15 @@ float glossy(float x, float strength) {
     return x42;
 }
 
-/// Shares of the light that reaches a place.
+/// Fractions of the light that reaches a point.
 struct Reach {
     float direct, ambient;
 };
-/// Ambient light bounces on: the cubic that Jimenez, Wu, Pesce and Jarabo fitted to path tracing, "Practical Real-Time
-/// Strategies for Accurate Indirect Occlusion" (2016), sorted by powers of the albedo. That is the mean of the channels:
-/// neighbours have other colours, and a cubic for each channel is further from paths. Both are at least kLeastLight, into
-/// which they run without a slope: where the few directions of the bake that reach a place come to none, no border
-/// shows. Both are exactly 1 where nothing hides the sky.
+/// Ambient light with bounces: the cubic that Jimenez, Wu, Pesce and Jarabo fitted to path tracing, "Practical
+/// Real-Time Strategies for Accurate Indirect Occlusion" (2016), sorted by powers of the albedo. Uses the mean of the
+/// channels: neighbours have other colours, and a cubic per channel is further from path tracing. Both results are at
+/// least kLeastLight, which they approach without a slope: no border shows where the few directions of the bake that
+/// reach a point drop to none. Both are exactly 1 under an open sky.
 /// @param base  linear base colour @param open  0 closed to 1 open
 Reach reachOf(vec3 base, float open) {
     const float kLeastSquare = kLeastLight * kLeastLight;
@@ -48,7 +48,7 @@ Reach reachOf(vec3 base, float open) {
 vec3 shade(vec3 base, vec3 normal, float occlusion, float sun) {
     if (!kLighting) return base * mix(1.0, occlusion, kDeepening);
     vec3 light = kLight;
-    // The sky's share is wrapped a little upwards: what looks up is brighter than what looks down.
+    // Hemisphere light: surfaces that face up are slightly brighter.
     const vec3 down = vec3(0.54, 0.52, 0.52), up = vec3(0.70, 0.73, 0.77);
     const vec3 level = 0.5 * (down + up), slope = 0.5 * (up - down);
     precise float direct = max(dot(normal, light * (0.74 * kDirect)), 0.0) * sun;

@@ -1,4 +1,4 @@
-// What a pixel, or a sample of one, sees of a primitive, beside its number: where it changes, a boundary runs.
+// Visible part of a primitive at a pixel or sample, besides its number: an edge runs where it changes.
 #ifndef NACRE_SIGHT_GLSL
 #define NACRE_SIGHT_GLSL
 #include "hit.glsl"
@@ -8,7 +8,7 @@ const uint kContour = 0x40000000u;
 const uint kCutFace = 0x20000000u;
 const uint kThirdCorner = 0x10000000u;
 const uint kNumber = 0x0fffffffu;
-// A primitive looks the same wherever it is seen, if it is a sphere.
+// Spheres look uniform at every pixel, so number alone suffices.
 const bool kPlain = !kClip && !kContours;
 
 uint sightOf(Hit hit, uint number) {

@@ -11,8 +11,8 @@ vec3 linearFromSrgb(vec3 c) {
     curve = fma(curve, c, vec3(0.000858094134));
     return mix(c * (1.0 / 12.92), curve, greaterThan(c, vec3(0.04045)));
 }
-/// Within 0.09 / 255: coding what linearFromSrgb() gives of a byte gives that byte. One square root and a longer
-/// polynomial take less time than a fourth root and a cubic one.
+/// Within 0.09 / 255: coding linearFromSrgb() of a byte gives that byte. One square root and a longer polynomial are
+/// faster than a fourth root and a cubic one.
 vec3 srgbFromLinear(vec3 c) {
     precise vec3 root = sqrt(c);
     precise vec3 curve = fma(root, vec3(0.5173046372), vec3(-1.62366148));

@@ -1,11 +1,11 @@
-// The streams as a shader reads them where it picks primitives itself, by number. TEXELS: texel buffers, which software
-// devices gather a whole vector from at once, where a storage buffer is read lane by lane; else storage buffers, which
-// have no limit of elements.
+// The streams for shaders that pick primitives by number. TEXELS: texel buffers, from which software devices gather a
+// whole vector at once, where a storage buffer is read lane by lane; else storage buffers, which have no limit of
+// elements.
 //   STREAMS   binding of the first: shapes, then rows of the copies
-//   LOOKS     binding of the looks, where they are read: two words a sphere, four a cylinder
+//   LOOKS     binding of the looks, if read: two words per sphere, four per cylinder
 #include "divide.glsl"
 
-// Whether the scene has copies; without, everything stands at the place of the push constants.
+// Whether the scene has copies; if not, everything has the transform of the push constants.
 layout(constant_id = kCopiesId) const bool kCopies = false;
 
 #ifdef TEXELS
@@ -43,7 +43,7 @@ Hit facetHitThrough(Facet f, vec2 q) {
     return triangleHitThrough(cornerOf(f.a, f.step), cornerOf(f.b, f.step), cornerOf(f.c, f.step),
                               joinsOf(f.a.w, f.b.w, f.c.w), q);
 }
-/// @param index  of the primitive in its copy: their records stand one behind another after those of cylinders, two each
+/// @param index  of the primitive in its copy: records are consecutive after those of cylinders, two each
 Facet facetOf(uint index) {
     uvec4 record = shapeBits(index + view.cylinders);
     return Facet(shapeBits(record.x), shapeBits(record.y), shapeBits(record.z),
@@ -52,7 +52,7 @@ Facet facetOf(uint index) {
 bool isTriangle(uint index) { return index >= view.spheres + view.cylinders; }
 #endif
 
-/// Sets the copy that a number stands for. @returns the primitive in it: spheres first, then cylinders
+/// Selects the copy of a number. @returns the primitive in it: spheres first, then cylinders
 uint place(uint number) {
     if (!kCopies) {
         copyRow0 = view.row0;

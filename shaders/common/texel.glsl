@@ -8,9 +8,9 @@ layout(set = 0, binding = 0, std430) readonly buffer Shapes { uvec4 shapes[]; };
 layout(set = 0, binding = 0, std430) readonly buffer Shapes { vec4 shapes[]; };
 #endif
 
-/// The directions of a batch; those that it lacks are zero and gain nothing. Constant addresses (the loops over it are
-/// unrolled) are what lets a driver load them once for all invocations. lavapipe 22.3 gathers them lane by lane all the
-/// same: with TEXELS, each lane of a subgroup fetches its share of them once, and hands them round.
+/// The directions of a batch; missing ones are zero and add nothing. With constant addresses (loops over it are
+/// unrolled) drivers can load them once for all invocations. lavapipe 22.3 still gathers them lane by lane: with
+/// TEXELS, each lane of a subgroup fetches its share once, and shares it.
 layout(constant_id = kBatchId) const int kBatch = 16;
 layout(constant_id = kMapsAcrossId) const int kMapsAcross = 4;
 #ifdef TEXELS

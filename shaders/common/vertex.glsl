@@ -3,7 +3,7 @@
 #define NACRE_VERTEX_GLSL
 #include "patch.glsl"
 
-/// Of a vertex, in the steps of its triangles: whole numbers below 2^21 times a power of two, so exact.
+/// Position of a vertex, in its triangles' steps: integers below 2^21 times a power of two, so exact.
 vec3 vertexPosition(uvec4 vertex, float step) {
     uvec3 at = uvec3(vertex.xy & 0x1fffffu, vertex.x >> 21 | vertex.y >> 21 << 11);
     return fma(vec3(at), vec3(step), vec3(-1048576.0 * step));  // exact, as the difference is
