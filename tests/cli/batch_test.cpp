@@ -115,8 +115,8 @@ TEST(Batch, AFailedJobStopsNoOther) {
         {R"({"input": "sample:dna", "output": "c.png", "input": "sample:glucose"})", R"("input": it occurs twice)"},
         {job("sample:dna", R"(c\u0000.png)"), "output: it contains a NUL character"},
         {job(R"(no\u0000such)", "c.png"), "input: it contains a NUL character"},
-        {"[1, 2]", "no JSON object"},
-        {R"({"input": "sample:dna", )", "no JSON object"}};
+        {"[1, 2]", "not a JSON object"},
+        {R"({"input": "sample:dna", )", "not a JSON object"}};
     std::vector<std::string> lines;
     for (const auto& [line, why] : wrong) lines.push_back(line);
     lines.push_back(job("sample:glucose", "good.png"));

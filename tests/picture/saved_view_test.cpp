@@ -63,8 +63,8 @@ TEST(SavedView, AnEmptyObjectIsTheDefault) {
 
 TEST(SavedView, BadFilesAreRefusedByTheirKey) {
     for (const auto& [json, word] :
-         std::vector<std::pair<const char*, const char*>>{{"", "no JSON"},
-                                                          {"[]", "no JSON"},
+         std::vector<std::pair<const char*, const char*>>{{"", "not a JSON"},
+                                                          {"[]", "not a JSON"},
                                                           {"{\"zoom\": 0}", "zoom"},
                                                           {"{\"zoom\": \"wide\"}", "zoom"},
                                                           {"{\"style\": \"hologram\"}", "style"},
