@@ -213,7 +213,7 @@ TEST(Batch, RefusesASecondJobOfTheSameFileByWhateverName) {
     for (const int line : {1, 6, 8}) EXPECT_EQ(report.at(line)["status"], "done") << report.at(line);
     for (const int line : {2, 3, 4, 5, 7}) {
         EXPECT_EQ(report.at(line)["status"], "failed") << line;
-        EXPECT_NE(report.at(line)["error"].get<std::string>().find("an earlier job has the same file"),
+        EXPECT_NE(report.at(line)["error"].get<std::string>().find("an earlier job writes the same file"),
                   std::string::npos)
             << report.at(line);
     }

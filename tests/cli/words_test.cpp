@@ -120,7 +120,7 @@ TEST(WordOptions, FaultsAreOneLine) {
     EXPECT_NE(fault("--color b-factor:5").find("10..60"), std::string::npos);
     EXPECT_NE(fault("--color b-factor:5..5").find("two different numbers"), std::string::npos);
     EXPECT_NE(fault("--color chain:1..2").find("takes no range"), std::string::npos);
-    EXPECT_NE(fault("--color chain:viridis").find("of numbers"), std::string::npos);
+    EXPECT_NE(fault("--color chain:viridis").find("for numbers"), std::string::npos);
     EXPECT_NE(fault("--color b-factor:muted").find("for categories"), std::string::npos);
     EXPECT_NE(fault("--color charge:muted").find("takes no palette"), std::string::npos);
     EXPECT_NE(fault("--palette mutd").find("'muted'?"), std::string::npos);

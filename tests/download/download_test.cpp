@@ -129,7 +129,7 @@ TEST_F(Download, PredictionsByTheListThatNamesThem) {
     EXPECT_EQ(get("predictions", "afdb:P12345").atoms.size(), 2u) << "no BinaryCIF: mmCIF";
     EXPECT_NE(failure("no_predictions", "afdb:Q9H0H5").find("no such entry"), std::string::npos);
     EXPECT_NE(failure("bad_predictions", "afdb:Q9H0H5").find("no usable address"), std::string::npos);
-    EXPECT_NE(failure("html", "afdb:Q9H0H5").find("no list of predictions"), std::string::npos);
+    EXPECT_NE(failure("html", "afdb:Q9H0H5").find("not a list of predictions"), std::string::npos);
 }
 
 TEST_F(Download, OtherModelsOfWhatIsKept) {

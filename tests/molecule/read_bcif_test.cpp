@@ -116,7 +116,7 @@ TEST(ReadBcif, WhatIsWrong) {
     wrong(bcifFile({}), "no atoms");
     wrong(atomSite(2, bcifPlain({1, 2, 3})), "column _atom_site.cartn_x: it does not have 2 values");
     wrong(atomSite(2, bcifPlain({1})), "it does not have 2 values");
-    wrong(atomSite(1, bcifData("\x01\x02\x03", {bcifByteArray(3)})), "no whole number");
+    wrong(atomSite(1, bcifData("\x01\x02\x03", {bcifByteArray(3)})), "not a whole number");
     wrong(atomSite(1, bcifData(littleEndian(0x80000000, 4), {bcifByteArray(6)})), "exceeds 2147483647");
     wrong(atomSite(1, bcifData("\x01", {bcifByteArray(7)})), "type is out of range");
     wrong(atomSite(1, bcifData("\x01", {bcifEncoding("Zstd"), bcifByteArray(1)})), "unknown encoding");
