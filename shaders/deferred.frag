@@ -1,11 +1,11 @@
 #version 450
-// The `deferred` path's shading: each covered pixel once. The hit is rebuilt from the pixel and the record of the
-// primitive that owns it, by the same arithmetic that the geometry pass used.
-//   INPUT / SAMPLED      where the primitive's number is
+// Shading of the `deferred` path: each covered pixel once. Recomputes the hit from the pixel and its primitive's
+// record, by the same arithmetic as the geometry pass.
+//   INPUT / SAMPLED      source of the primitive's number
 //   SURFACE / IDENTITY   layers instead of colour
-//   RIMS                 lines and halos are known, and laid over
-//   TRANSLUCENT          on every path: a layer of translucent triangles over what is opaque, where that is not in front
-//     TESTED, NEAREST_INPUT, NEAREST_SAMPLED   by the depth test, or by the nearest depth: an input attachment, a texture
+//   RIMS                 composites outlines and halos   TRANSLUCENT          on every path: composites a layer of
+// translucent triangles where nothing opaque is in front     TESTED, NEAREST_INPUT, NEAREST_SAMPLED   decided by the
+// depth test, or by the nearest depth: an input                                              attachment, a texture
 #extension GL_GOOGLE_include_directive : require
 #define COPY_OF_PIXEL
 #include "common/surface.glsl"
@@ -24,9 +24,9 @@ uint primitiveHere() { return texelFetch(primitives, ivec2(gl_FragCoord.xy), 0).
 #endif
 layout(set = 0, binding = 4, std430) readonly buffer Shapes { uvec4 shapes[]; };
 vec4 shapeAt(uint i) { return uintBitsToFloat(shapes[i]); }
-layout(set = 0, binding = 5, std430) readonly buffer Looks { uint looks[]; };  // two a sphere, four a cylinder, two for vertices that look the same
-layout(set = 0, binding = 6, std430) readonly buffer CopyRows { vec4 copyRows[]; };  // three a copy
-// What the scene has of; what it has none of costs nothing.
+layout(set = 0, binding = 5, std430) readonly buffer Looks { uint looks[]; };  // 2 per sphere or vertex, 4 per cylinder
+layout(set = 0, binding = 6, std430) readonly buffer CopyRows { vec4 copyRows[]; };  // three per copy
+// Primitives of the scene; absent kinds cost nothing.
 layout(constant_id = kCopiesId) const bool kCopies = true;
 layout(constant_id = kCylindersId) const bool kCylinders = true;
 layout(constant_id = kTrianglesId) const bool kTriangles = true;
@@ -38,17 +38,17 @@ layout(set = 0, binding = 7) uniform sampler2D nearest;
 bool isHidden(float d) { return !isFrontmost(d, texelFetch(nearest, ivec2(gl_FragCoord.xy), 0)); }
 #endif
 
-/// What a pixel shows of its primitive, whatever its kind: shading comes once, behind all of them.
+/// Visible data of a pixel's primitive, for all kinds: shading follows once, after the kinds.
 struct Shown {
     Hit hit;
     uint look;        // where the primitive's colour stands in the looks, before its atom
     float occlusion;  // of triangles; the others' is a texel of a patch:
     uint patchAddress;
     vec2 at, texels;  // where in the patch, 0..1, and its size
-    bool wire;        // it has none
+    bool wire;        // a wire, which has no occlusion
 };
 
-/// Sets the copy that a number stands for. @returns the primitive in it
+/// Selects the copy of a number. @returns the primitive in it
 uint placed(uint number) {
     uvec2 at = kCopies ? divided(number - 1u, view.primitives) : uvec2(0u, number - 1u);
     copyIndex = at.x;
@@ -61,7 +61,7 @@ uint placed(uint number) {
 /// @param index  of the triangle
 void showTriangle(uint index, inout Shown shown) {
     uvec4 record = shapes[view.spheres + 2u * view.cylinders + index];
-    // Not an array that is indexed: drivers keep such in memory, and one ends the program over it (docs/tilers.md).
+    // Not an indexed array: drivers keep those in memory, and one crashes on it (docs/tilers.md).
     uvec4 v0 = shapes[record.x], v1 = shapes[record.y], v2 = shapes[record.z];
     float step = uintBitsToFloat(record.w);
     Hit hit = triangleHitThrough(cornerOf(v0, step), cornerOf(v1, step), cornerOf(v2, step),

@@ -1,5 +1,5 @@
 #version 450
-// Impostor colour and the layers: the same hit, tested against the nearest depth, then written out.
+// Impostor colour and the layers: the same hit, tested against the nearest depth, then written.
 //   CYLINDER, TRIANGLE   the primitive; otherwise a sphere
 //   INPUT / SAMPLED / FRAGDEPTH   where the nearest depth is: an input attachment, a texture, the depth buffer
 //   ORDERED       an attachment that this pass itself keeps, read in raster order
@@ -12,7 +12,7 @@
 #include "common/encoding.glsl"
 #include "common/count.glsl"
 
-// What the vertex stage of each kind hands on, with colours or with atoms.
+// Output of each kind's vertex stage, with colours or with atoms.
 #if defined(CYLINDER)
 #ifdef IDENTITY
 layout(location = 2) flat in uvec2 atoms;

@@ -1,11 +1,10 @@
 #version 450
-// The opaque plate of a sphere: an octagon wholly inside it, facing the view plane. Whatever lies behind is hidden
-// by the sphere itself, so plates never change a pixel. Where a plane cuts the scene, plates that it takes away
-// are not drawn.
+// The opaque plate of a sphere: an octagon fully inside it, facing the view plane. Everything behind it is hidden by
+// the sphere itself, so plates never change a pixel. Plates beyond a clipping plane are not drawn.
 #extension GL_GOOGLE_include_directive : require
 #include "common/view.glsl"
 
-// Corner radius of the plate in sphere radii; it stands sqrt(1 - rim^2) in front of the centre.
+// Corner radius of the plate in sphere radii; it is sqrt(1 - rim^2) in front of the centre.
 layout(constant_id = kRimId) const float kRim = 0.98516;
 
 layout(location = 0) in vec4 inSphere;

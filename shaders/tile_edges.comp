@@ -1,9 +1,8 @@
 #version 450
-// The `tiles` path's edges: the pixels that tile_edge_pixels.comp lists are drawn from 16 samples each, a lane each, as
-// many at a time as a subgroup has lanes. What a pixel's samples see are primitives that it or one of the eight about it
-// has in its middle; where primitives may be smaller than that, the list of the bin is gone through as
-// tile_nearest.comp does. Then each that is seen is shaded once, in the middle of its samples, and weighs as many as
-// they are.
+// Edges of the `tiles` path: draws the pixels listed by tile_edge_pixels.comp with 16 samples each, one pixel per lane.
+// Samples see primitives at the centre of the pixel or one of its eight neighbours; if primitives may be smaller, the
+// bin's list is searched as in tile_nearest.comp. Then each visible primitive is shaded once, at the centre of its
+// samples, and weighted by their number.
 //   TEXELS, CYLINDERS, TRIANGLES   as in tile_nearest.comp
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -45,7 +44,7 @@ uint edgePixelAt(uint i) { return edgePixels[i]; }
 #endif
 layout(set = 0, binding = 8, std430) writeonly buffer Edges { uint edges[]; };
 
-// What samples see is looked for in the list of their bin.
+// Samples search the list of their bin.
 layout(constant_id = kListedId) const bool kListed = false;
 const uint kNothing = 0xffffffffu;
 
@@ -54,7 +53,7 @@ float nearest[kSamples];  // Hit::order
 uint seen[kSamples];      // sights
 bool holes = false;       // samples that see nothing do so for want of candidates
 
-/// Of equal distances the last wins: what stands equally near is listed in the order of numbers.
+/// At equal distances the last wins: equal entries are listed in order of numbers.
 void keep(int i, bool inside, float Z, uint sight) {
     bool wins = inside && Z <= nearest[i];
     nearest[i] = wins ? Z : nearest[i];
@@ -76,7 +75,7 @@ void keepSphere(vec4 sphere, uint number, bool live) {
         }
         return;
     }
-    // sphereHitThrough() with what all samples have in common taken out.
+    // sphereHitThrough() with the terms common to all samples factored out.
     vec2 away = planePoint(corner) - sphere.xy;
     float square = live ? sphere.w * sphere.w : 0.0, front = view.origin - sphere.z;
     for (int i = 0; i < kSamples; ++i) {
@@ -95,8 +94,8 @@ void keepFacet(vec3 a, vec3 b, vec3 c, uint joins, uint number, bool live) {
         }
         return;
     }
-    // triangleHitThrough(), of which all is linear in the place: the shares of the corners, depth (perspective: one over
-    // it), and what of the shares tells whose look is seen.
+    // triangleHitThrough(), which is linear in the position: the corners' weights, depth (perspective: its reciprocal),
+    // and the functions of the weights that select the look.
     vec2 q = planePoint(corner), pa = a.xy - q, pb = b.xy - q, pc = c.xy - q;
     vec3 sides = vec3(edgeSide(pb, pc), edgeSide(pc, pa), edgeSide(pa, pb));
     float sum = sides.x + sides.y + sides.z;
@@ -113,7 +112,7 @@ void keepFacet(vec3 a, vec3 b, vec3 c, uint joins, uint number, bool live) {
         depth[k] = dot(shares[k], heights);
         alike[k] = inSpace + joined * inSpace.yzx + joined.zxy * inSpace.zxy;
     }
-    // Two that are equal but for what is rounded are the first of them.
+    // Two that are equal up to rounding resolve to the first.
     alike[0] += vec3(2e-6, 1e-6, 0.0) * (kPerspective ? abs(a.z) : 1.0);
     live = live && sum != 0.0;
     for (int i = 0; i < kSamples; ++i) {
@@ -136,14 +135,14 @@ void seeNothing() {
     }
 }
 
-/// Whether what follows in a list may come before what some sample sees. @param next  of the chunk's last lane, as entryAt()
+/// Whether the rest of a list may be in front of some sample. @param next  of the chunk's last lane, as entryAt()
 bool goesOn(uint at, uint end, float next) {
     float farthest = nearest[0];
     for (int i = 1; i < kSamples; ++i) farthest = max(farthest, nearest[i]);
     return at < end && anyLane(encodedDepth(farthest) >= subgroupShuffle(next, uint(kLanes - 1)));
 }
 
-/// What the samples of the lanes' pixels see of the bin's list. @param lane  of the subgroup
+/// Draws the bin's list into the samples of the lanes' pixels. @param lane  of the subgroup
 void sampleList(uint at, uint end, uint lane) {
     vec2 low = corner, high = corner;
     for (uint i = 0u; i < uint(kLanes); ++i) {
@@ -198,7 +197,7 @@ void sampleList(uint at, uint end, uint lane) {
     } while (more);
 }
 
-/// Takes the lowest of some candidates out. @returns it, or kNothing if none is left
+/// Removes the lowest of some candidates. @returns it, or kNothing if none is left
 uint lowestOut(inout uint candidates[9]) {
     uint lowest = kNothing;
     for (int i = 0; i < 9; ++i) lowest = min(lowest, candidates[i]);
@@ -211,14 +210,14 @@ bool anyOf(uint candidates[9]) {
     return anyLane(all != kNothing);
 }
 
-/// What the samples of a pixel see of the primitives that are seen in the middles of the pixels about it.
+/// Draws the primitives at the centres of the surrounding pixels into a pixel's samples.
 void sampleNeighbours(ivec2 pixel) {
     ivec2 last = ivec2(int(view.across), int(edgePixelAt(1u))) * ivec2(kTile * kTilesInBin, 1) - 1;
     uint candidates[9];
     holes = true;
     for (int i = 0; i < 9; ++i) {
         ivec2 p = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), last);
-        // From 0 on: what is none becomes kNothing.
+        // Numbers from 0; no primitive becomes kNothing.
         candidates[i] = numberAt(uint(p.y * (last.x + 1) + p.x)) & kNumber;
         holes = holes && candidates[i] != 0u;
         candidates[i] -= 1u;
@@ -252,15 +251,15 @@ void sampleNeighbours(ivec2 pixel) {
 #endif
 }
 
-/// Shades what a sample sees where the ray of a place meets it. @returns linear light
+/// Shades a sample's sight where the ray of a position hits it. @returns linear light
 vec3 shadeAt(uint sight, vec2 place) {
     vec2 q = planePoint(place);
     Seen seen = seenOf(sight & kNumber, q);
     return clamp(lightOf(seen.hit, lookAt(seen.look), seen.occlusion, q), 0.0, 1.0);
 }
 
-/// Where what some samples see is shaded: in their middle. What shows of a line, or of what a plane cut, may not be there:
-/// then where the sample is that is nearest to it. @param bits  of the samples
+/// Position for shading some samples: their centre. An outline or a clipped primitive may not be there: then the
+/// nearest of the samples. @param bits  of the samples
 vec2 placeOf(uint bits, vec2 middle) {
     if (kPlain) return middle;
     vec2 place = middle;
@@ -324,7 +323,7 @@ void main() {
         uint mine = edgePixelAt(kEdgeHeader + (some ? filling : 0u) * uint(kLanes) + lane);
         uint first = subgroupShuffle(mine, 0u);
         bool live = some && mine != kNoEdge;
-        // Lanes without a pixel do what the first does.
+        // Lanes without a pixel repeat the first lane's work.
         uint word = !some ? 0u : live ? mine : first;
         uvec2 pixel = uvec2(word & 0xffffu, word >> 16);
         corner = vec2(pixel);

@@ -1,8 +1,8 @@
 #version 450
-// The `tiles` path's visibility: which primitive owns a pixel. One subgroup draws a tile of 8 x 8 pixels: nearest depth
-// and number stay in its registers. It goes through the list of the tile's bin, which is sorted by nearest depth, a
-// chunk of as many entries as it has lanes at a time: each lane fetches one and asks whether it meets the tile; those
-// that do are handed round. It ends where the next entry begins behind the tile's farthest pixel.
+// Visibility of the `tiles` path: the nearest primitive per pixel. One subgroup draws a tile of 8 x 8 pixels and keeps
+// nearest depth and number in registers. It processes the list of the tile's bin, sorted by nearest depth, in chunks of
+// as many entries as it has lanes: each lane fetches one and tests it against the tile; entries that pass are broadcast.
+// It ends where the next entry begins behind the tile's farthest pixel.
 //   TEXELS      as in common/streams.glsl
 //   CYLINDERS, TRIANGLES   the scene has some
 //   SHADED      what is written of a pixel is not its number, but its colour, sRGB-coded, and row by row
@@ -81,7 +81,7 @@ bool goesOn(uint at, uint end, float next) {
 
 void keep(int i, Hit hit, uint candidate, bool live) {
     float depth = encodedDepth(hit.order);
-    // Of equal depths the last wins, as with a depth test that lets them pass.
+    // At equal depths the last wins, as with a depth test that lets them pass.
     bool wins = live && hit.inside && (depth < nearest[i] || (depth == nearest[i] && candidate > number[i]));
     nearest[i] = wins ? depth : nearest[i];
     number[i] = wins ? candidate : number[i];
@@ -220,10 +220,10 @@ uint placeOfBit(uint word, uint n) {
     return at + uint(n >= (word >> at & 1u));
 }
 
-/// Shades the tile's pixels of one kind, as many at a time as there are lanes: where a lane shows a stick, and its
-/// neighbour a ball, both would do the work of both.
+/// Shades the tile's pixels of one kind, as many at a time as there are lanes: if neighbouring lanes showed a stick and
+/// a ball, both would execute both branches.
 void shadeKind(uint kind, uvec2 corner, uint pitch, uint lane, float width, float depth) {
-    uint mine = 0u;  // a bit a pixel: of the lane, and of all of them, one after another
+    uint mine = 0u;  // one bit per pixel: of this lane, and of all lanes in turn
     for (int i = 0; i < kPixels; ++i) mine |= number[i] != 0u && kindOf(number[i]) == kind ? 1u << i : 0u;
     uvec2 bits = uvec2(0u);
     for (int i = 0; i < kLanes; ++i) bits[i * kPixels / 32] |= subgroupShuffle(mine, uint(i)) << (i * kPixels % 32);

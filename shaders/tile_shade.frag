@@ -1,10 +1,10 @@
 #version 450
-// The `tiles` path's shading: each covered pixel once, by the number that tile_nearest.comp kept for it.
+// Shading of the `tiles` path: each covered pixel once, by its number from tile_nearest.comp.
 //   TEXELS               as in common/streams.glsl
 //   CYLINDERS, TRIANGLES   the scene has some
 //   SURFACE / IDENTITY   layers instead of colour
-//   DEPTH                the hit's depth goes to the depth buffer, for what is drawn over it
-//   TRANSLUCENT          a layer that tile_layers.comp kept, over the picture: colour, by the depth test
+//   DEPTH                writes the hit's depth to the depth buffer, for later draws
+//   TRANSLUCENT          composites a layer from tile_layers.comp over the picture: colour, by the depth test
 #extension GL_GOOGLE_include_directive : require
 #define TILES
 #define COPY_OF_PIXEL
@@ -45,7 +45,7 @@ void fetchView() {
     view.atlasTexel = shading.xy;
     view.clipNear = shading.z;
     view.clipFar = shading.w;
-    view.contourWidth = 1e9;  // what was chosen and is not inside is on the line
+    view.contourWidth = 1e9;  // a candidate that is not inside is on the outline
     view.contourDepth = 0.0;
     view.patchTexels = atlas.x;
     view.patchesInRow = atlas.y;

@@ -94,8 +94,7 @@ void layMeasures(Room& room, const std::vector<PlacedMeasure>& measures, std::ve
     }
 }
 
-/// Which labels are asked for a place, and in what order: those that have one keep it, then what is nearer chooses
-/// first.
+/// Order in which labels are placed: those with a position keep it, then nearer ones first.
 std::vector<std::size_t> choosingOrder(const std::vector<Room::Seen>& anchors, const std::vector<Held>& held) {
     std::vector<std::size_t> order(anchors.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -119,13 +118,13 @@ void judgeSight(const PlacedWords& words, const View& view, const Clip& clip, st
     for (std::size_t i = 0; i < shares.size(); ++i) held[i].shown = shares[i] >= (held[i].shown ? kHardly : kSeen);
 }
 
-/// Offsets of a text's middle at which it covers none of the atoms that it names, the nearest first. None where these
-/// take most of the picture: a chain wears its name.
+/// Offsets of a text's centre that cover none of its atoms, nearest first. None if these fill most of the picture: then
+/// the text goes on top.
 /// @param half  of the text
 std::vector<glm::dvec2> besideNamed(const Room& room, const LabelSight::Named& named, const glm::dvec2& anchor,
                                     const glm::dvec2& half) {
     constexpr int kWays = 12;
-    constexpr double kRoom = 1.2;  // radii, as some atoms of large groups are left out
+    constexpr double kRoom = 1.2;  // radii; some atoms of large groups are skipped
     constexpr double kMost = 0.6;  // of the picture's shorter side
     std::vector<DiscMark> discs;
     Area all{anchor, anchor};

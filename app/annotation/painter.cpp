@@ -43,8 +43,8 @@ public:
         for (int x = from; x < to; ++x) row[x] = std::max(row[x], share);
     }
 
-    /// Lays a colour over the picture where something is covered, and forgets it. Mixed as code values, as all text on
-    /// screens is: in linear light dark letters would look thin.
+    /// Composites a colour over the covered pixels, and clears the coverage. Mixes code values, as text on screens
+    /// does: in linear light dark letters would look thin.
     void pour(std::uint32_t color, double strength, float* rgba) {
         std::array<float, 3> ink{};
         for (std::size_t c = 0; c < 3; ++c) ink[c] = static_cast<float>(color >> (8 * c) & 0xff) / 255.0f;
@@ -73,7 +73,7 @@ private:
     std::vector<std::uint8_t> shares_;
 };
 
-/// Adds an outline whose y points up from the picture's top edge, in 64ths of a pixel.
+/// Adds an outline with y pointing up from the picture's top edge, in 1/64 pixels.
 void rasterize(FT_Library library, FT_Outline& outline, Coverage& coverage) {
     FT_Raster_Params parameters{};
     parameters.flags = FT_RASTER_FLAG_AA | FT_RASTER_FLAG_DIRECT;
@@ -108,7 +108,7 @@ void rasterizeDisc(FT_Library library, const glm::dvec2& at, double radius, Cove
     rasterizePolygon(library, points, coverage);
 }
 
-/// Segments with round ends, which meet without gaps.
+/// Segments with round ends, which join without gaps.
 void rasterizeLine(FT_Library library, const LineMark& line, double grown, Coverage& coverage) {
     const double half = line.width / 2 + grown;
     for (std::size_t i = 1; i < line.points.size(); ++i) {
@@ -116,7 +116,7 @@ void rasterizeLine(FT_Library library, const LineMark& line, double grown, Cover
         const double length = glm::distance(a, b);
         if (length < 1e-9) continue;
         const glm::dvec2 way = (b - a) / length, side = glm::dvec2(-way.y, way.x) * half;
-        const glm::dvec2 more = line.points.size() == 2 ? way * grown : way * 0.0;  // halos go round single strokes
+        const glm::dvec2 more = line.points.size() == 2 ? way * grown : way * 0.0;  // halos surround single strokes
         rasterizePolygon(library, {a - more + side, b + more + side, b + more - side, a - more - side}, coverage);
         if (i > 1) rasterizeDisc(library, a, half, coverage);
     }
@@ -129,7 +129,7 @@ struct WordPainter::Face {
     std::vector<FT_Face> faces;  // the built-in one, and those of the system that were needed
     FT_Stroker stroker = nullptr;
     FindFont find;
-    std::map<char32_t, FT_Face> foreign;  // of what the built-in font has not; itself: nor has another
+    std::map<char32_t, FT_Face> foreign;  // missing in the built-in font; itself: in all others too
 
     ~Face() {
         FT_Stroker_Done(stroker);
@@ -149,7 +149,7 @@ struct WordPainter::Face {
         return face;
     }
 
-    /// The system's font that has it, opened; the built-in one if none has its outline.
+    /// The system's font with the character, opened; the built-in one if none has its outline.
     FT_Face systemFaceOf(char32_t c) {
         const std::optional<FontFile> file = find ? find({c}) : std::nullopt;
         FT_Face face = nullptr;
@@ -187,7 +187,7 @@ struct WordPainter::Face {
 
     /// @param halo  pixels around the letters; 0: the letters
     void addText(const TextMark& mark, double halo, Coverage& coverage) {
-        // Baselines stand on whole pixels, so that all letters of a line are equally sharp.
+        // Baselines are on whole pixels, so that all letters of a line are equally sharp.
         const glm::dvec2 at(mark.at.x, std::round(mark.at.y));
         std::vector<Placed> glyphs;
         walk(mark.text, [&](FT_Face face, FT_UInt index, double pen) { glyphs.push_back({face, index, pen}); });

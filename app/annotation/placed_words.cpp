@@ -23,7 +23,7 @@ LabelScope scopeOf(std::string_view text) {
     return scope;
 }
 
-/// A value as it stands in the file, safe from being read as markup; primes are primes.
+/// A value from the file, escaped for markup; keeps primes.
 std::string plainValue(std::string_view value) {
     std::string text;
     for (const char c : value) {
@@ -88,7 +88,7 @@ struct DrawnAtoms {
 
     DrawnAtoms(const Molecule& molecule, const Representation& scene) : places(molecule.atoms.size()) {
         const auto put = [&](std::size_t i, const glm::dmat4x3& transform) {
-            // An atom's own ball comes before what belongs to its bonds.
+            // An atom's own ball precedes those of its bonds.
             const std::uint32_t number = scene.sphereLooks[i].atom;
             if (scene.contactOf(number) || places[number - 1].radius >= 0) return;
             places[number - 1] = {transform * glm::dvec4(scene.spheres[i].center, 1.0),
@@ -121,7 +121,7 @@ struct DrawnAtoms {
     }
 };
 
-/// The atoms of a selection that are drawn; none only of what may be left out, which `placed` then lists.
+/// The drawn atoms of a selection; may be empty only where allowed, and `placed` then lists it.
 std::vector<std::uint32_t> drawnOf(const Selection& selection, const ResidueFacts& facts, const DrawnAtoms& drawn,
                                    const char* what, WordsOfHidden hidden, PlacedWords& placed) {
     const std::vector<bool> chosen = selectAtoms(facts, selection);
@@ -136,9 +136,9 @@ std::vector<std::uint32_t> drawnOf(const Selection& selection, const ResidueFact
     return {};
 }
 
-constexpr std::size_t kMostAsked = 24;  // atoms of a label that are asked whether they are seen
+constexpr std::size_t kMostAsked = 24;  // atoms per label that are tested for visibility
 
-/// All atoms of the residues of some, as looks number them: what is bonded to an atom does not hide its label.
+/// All atoms of some atoms' residues, as looks number them: bonded atoms do not hide a label.
 std::vector<std::uint32_t> numbersOfResidues(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     std::set<std::uint32_t> residues;
     for (const std::uint32_t atom : atoms) residues.insert(molecule.atoms[atom].residue);

@@ -1,5 +1,5 @@
 #pragma once
-// Words as they follow from a molecule and its scene. layout.h decides where they go in a picture.
+// Words of a molecule and its scene. layout.h places them in a picture.
 
 #include <glm/vec3.hpp>
 #include <memory>
@@ -14,11 +14,11 @@
 
 namespace nacre::app {
 
-/// A text with its place: Å from the scene's centre.
+/// A text with its position: Å from the scene's centre.
 struct PlacedLabel {
     glm::dvec3 at{};
     std::string text;           ///< with markup
-    bool ofAtom = false;        ///< stands beside an atom, not upon what it names
+    bool ofAtom = false;        ///< placed beside an atom, not on top
     double radius = 0;          ///< of that atom, Å
     LabelSight::Named named{};  ///< its atoms; those that do not hide it where labels may be hidden
     double size = 0;            ///< Å of an em, seen in space: it stands right there, over others; 0: as all labels
@@ -28,29 +28,29 @@ struct PlacedMeasure {
     std::vector<glm::dvec3> points;
     std::string text;
     std::string of = {};     ///< Measure::text
-    std::string atoms = {};  ///< by their names: "HIS 87 NE2 to HEM 142 FE"
+    std::string atoms = {};  ///< by name: "HIS 87 NE2 to HEM 142 FE"
 };
 
-/// What a scene has of the words.
+/// The words of a scene.
 struct PlacedWords {
     std::vector<PlacedLabel> labels;
     std::vector<PlacedMeasure> measures;
     std::string title;
     ScaleBar scaleBar = ScaleBar::off;
     std::vector<Legend> legends;
-    std::shared_ptr<const LabelSight> sight;  ///< null: every label shows, whatever lies before it
-    std::vector<std::string> leftOut;         ///< selections of labels and measurements of which nothing is drawn
+    std::shared_ptr<const LabelSight> sight;  ///< null: labels are never hidden
+    std::vector<std::string> leftOut;         ///< selections of labels and measurements without drawn atoms
 
     bool any() const {
         return !labels.empty() || !measures.empty() || !title.empty() || scaleBar != ScaleBar::off || !legends.empty();
     }
 };
 
-/// What becomes of words about atoms that the molecule has and nobody draws.
+/// Treatment of words about atoms that exist but are not drawn.
 enum class WordsOfHidden { refused, leftOut };
 
-/// Of an assembly, words stand at the first copy.
-/// @throws Error if a label's selection has no drawn atom, a measurement's not just one, or the labels are too many
+/// In an assembly words go to the first copy. @throws Error if a label's selection has no drawn atom, a measurement's
+/// more or fewer than one, or there are too many labels
 PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Representation& scene,
                        WordsOfHidden hidden = WordsOfHidden::refused);
 

@@ -11,7 +11,7 @@ namespace nacre::app {
 namespace {
 
 constexpr int kWays = 24;      // about an anchor
-constexpr double kMove = 1.2;  // what an em costs that a text moves from where it stood
+constexpr double kMove = 1.2;  // cost of moving a text by one em from its previous position
 
 glm::dvec2 wayAt(int i) {
     const double angle = 2 * std::numbers::pi * i / kWays;
@@ -74,7 +74,7 @@ bool Room::isFree(const Area& area) const {
            std::none_of(taken.begin(), taken.end(), [&](const Area& other) { return area.overlaps(other); });
 }
 
-/// What a place that no rule names costs: the farther a text stands from its anchor, the more.
+/// Cost of a free position: increases with the distance of a text from its anchor.
 double Room::driftCost(const Area& area, const glm::dvec2& anchor, bool beside) const {
     return 0.5 + 0.75 * glm::distance(area.nearest(anchor), anchor) / size + (beside && area.holds(anchor) ? 1 : 0);
 }
@@ -105,7 +105,7 @@ bool Room::place(const std::string& text, const glm::dvec2& anchor, const std::v
         chosen = offset;
         to = led ? end : anchor;
     };
-    double reach = 0;  // of what needs no leader
+    double reach = 0;  // distance without a leader line
     for (std::size_t i = 0; i < wishes.size(); ++i) {
         consider(wishes[i], 0.2 * static_cast<double>(i), false);
         reach = std::max(reach, glm::distance(Area{wishes[i] - half, wishes[i] + half}.nearest({}), {}));

@@ -1,6 +1,6 @@
 #pragma once
-// The room that a picture has for words: what is taken, what was drawn, and where the next text goes. Of
-// word_layout.cpp and word_legend.cpp alone.
+// Free space for words in a picture: taken areas, drawn words, and positions for the next text. Internal to
+// word_layout.cpp and word_legend.cpp.
 
 #include <utility>
 
@@ -8,7 +8,7 @@
 
 namespace nacre::app {
 
-// In ems of the font (DejaVu Sans): what stands above and below the baseline.
+// In em of the font (DejaVu Sans): extent above and below the baseline.
 constexpr double kRise = 0.76, kDrop = 0.24, kMiddle = 0.36;
 constexpr double kSmall = 0.68, kRaised = 0.36, kLowered = 0.16;  // sub- and superscripts
 
@@ -26,12 +26,12 @@ struct Area {
     glm::dvec2 nearest(const glm::dvec2& p) const { return glm::clamp(p, low, high); }
 };
 
-/// Where something stood in the picture before this one.
+/// Position of a word in the previous picture.
 struct Held {
     bool placed = false;
-    glm::dvec2 offset{};   ///< of its middle from its anchor
-    bool shown = false;    ///< that nothing hid it
-    std::size_t rank = 0;  ///< in the order of choosing
+    glm::dvec2 offset{};   ///< of its centre from its anchor
+    bool shown = false;    ///< was not hidden
+    std::size_t rank = 0;  ///< in order of placement
 };
 
 struct Room {
@@ -39,18 +39,18 @@ struct Room {
 
     struct Seen {
         glm::dvec2 at{};
-        double z = 0, scale = 1;  ///< pixels an Å there
+        double z = 0, scale = 1;  ///< pixels per Å there
         bool inPicture = false;
     };
     Seen seen(const glm::dvec3& place) const;
 
     double widthOfRuns(const std::string& text, double em) const;
-    /// Sets a text, which takes its place. @param at  left end of its baseline
+    /// Places a text and takes its area. @param at  left end of its baseline
     void put(const std::string& text, glm::dvec2 at, double em);
     bool isFree(const Area& area) const;
-    /// Looks for a place for a text near an anchor, the first of `wishes` (offsets of its middle) if it is free, else
-    /// farther and farther away. Where it stood before, moving costs: it stays, or gives way little by little.
-    /// @param held  in: the place before; out: the new one @returns whether there is one
+    /// Finds a position for a text near an anchor: the first of `wishes` (offsets of its centre) if free, else farther
+    /// and farther away. Moving from its previous position has a cost: it stays, or moves step by step.
+    /// @param held  in: the previous position; out: the new one @returns whether there is one
     bool place(const std::string& text, const glm::dvec2& anchor, const std::vector<glm::dvec2>& wishes,
                const std::vector<glm::dvec2>& avoided, Held& held);
     double driftCost(const Area& area, const glm::dvec2& anchor, bool beside) const;
@@ -66,10 +66,10 @@ struct Room {
     Marks marks;
 };
 
-/// Title, scale bar and legends, which stand where they do whatever the molecule does.
+/// Title, scale bar and legends, whose positions do not depend on the molecule.
 void layBlocks(Room& room, const PlacedWords& words);
 
-/// In columns from the right edge on, as many as are needed, three at most.
+/// In columns from the right edge, as many as needed, three at most.
 void layLegends(Room& room, const std::vector<Legend>& legends);
 
 }  // namespace nacre::app

@@ -50,7 +50,7 @@ Json benchOf(const BenchOptions& options, const InputOptions& input) {
 
 void benchCommand(const BenchOptions& options, std::ostream& out) {
     Json reports = Json::array();
-    std::optional<Error> failure;  // the last one; those before it are said at once
+    std::optional<Error> failure;  // the last one; earlier ones are printed at once
     for (const std::string& path : options.paths) try {
             InputOptions input = options.picture.input;
             input.path = path;

@@ -41,7 +41,7 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
             progress.begin("testing device " + std::to_string(i));
             devices[i].selfTest = describe(testPaths(device, devices[i].driverKey, true));
         }
-        // A software device takes what its caps say.
+        // A software device uses the path of its caps.
         if (devices[i].type != "software") addSelfTest(devices[i], folder);
     }
     if (!options.json) {

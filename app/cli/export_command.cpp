@@ -1,4 +1,4 @@
-// `nacre export`: what is drawn, as triangles in a file that other programs read.
+// `nacre export`: the drawn scene as triangles in a file for other programs.
 
 #include <filesystem>
 #include <iterator>
@@ -21,7 +21,7 @@
 namespace nacre::app {
 namespace {
 
-/// Of one copy of each part, in Å.
+/// For one copy of each part, in Å.
 std::string exportStats(const ExportScene& scene, std::size_t bytes) {
     nlohmann::ordered_json parts = nlohmann::ordered_json::array();
     for (const ExportMesh& part : scene.meshes) {

@@ -38,7 +38,7 @@ std::string pathsOf(const InputOptions& input) {
     return paths;
 }
 
-/// Views that name what they show must all name the same. @throws Error
+/// Views that name an input must all name the same one. @throws Error
 void checkSameInput(const MovieOptions& options, const InputOptions& named) {
     const InputOptions& input = options.picture.input;
     const std::string file = named.namedBy, cannot = "cannot join views";
@@ -49,7 +49,7 @@ void checkSameInput(const MovieOptions& options, const InputOptions& named) {
         throw Error(cannot, file, "it is of another trajectory than the first: " + trajectoryPathOf(named));
 }
 
-/// A key view as `nacre render --view` has it, with the options that were given beside it. @throws Error
+/// A key view as in `nacre render --view`, with the options given. @throws Error
 PictureDescription keyOptions(const MovieOptions& options, const std::string& file) {
     PictureDescription key;
     applySavedView(file, key);
@@ -199,8 +199,8 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     return look;
 }
 
-/// The frame that all models share. The first one knows where the others are; but the style that none asks for is each
-/// model's own, and those of a style have a frame together.
+/// The shared bounds of all models. The first model knows the others' positions; but the default style depends on the
+/// model, and each style has its own bounds.
 std::optional<Bounds> MovieScenes::frameOf(Look& look) const {
     const DrawnAtomsOptions& drawn = look.options.drawn;
     RepresentationOptions shared = look.options.look;
@@ -210,7 +210,7 @@ std::optional<Bounds> MovieScenes::frameOf(Look& look) const {
     return look.frames[*shared.style] = sharedFrame(file_->first(), drawn, shared);
 }
 
-/// Only positions change: what is drawn, and in what colours, is settled.
+/// Only positions change: selection and colours are fixed.
 void MovieScenes::moveTo(Look& look, int frame) {
     movePositions(molecule_, motion_->positions(static_cast<std::size_t>(frame - 1)));
     if (!saidTorn_) saidTorn_ = sayTorn(*motion_, look.options.input.trajectory.path);
@@ -233,8 +233,8 @@ Picture MovieScenes::pictureOf(Look& look, const RenderSettings& settings) const
     return picture;
 }
 
-/// Words stand where they would in a picture alone. Looks of the same words have one memory: while one fades over into
-/// the other, each word is in one place.
+/// Words are placed as in a single picture. Looks with the same words share a memory: during a cross-fade each word has
+/// one position.
 void MovieScenes::forgetWords() {
     for (Look& look : looks_) {
         const auto same = std::find_if(looks_.begin(), looks_.end(),
@@ -246,7 +246,7 @@ void MovieScenes::forgetWords() {
 Picture MovieScenes::drawKeys(double place, int model) {
     const auto from = std::min(static_cast<std::size_t>(place), path_->stretches() - 1);
     double share = place - static_cast<double>(from);
-    // At a key view itself the very picture of that view; from there on they go with what they name.
+    // At a key view exactly the picture of that view; from there on words follow their atoms.
     if (from != stretch_ || share == 0 || share == 1) forgetWords();
     stretch_ = from;
     if (options_.easing.value_or(Easing::smooth) == Easing::stops) share = eased(Easing::smooth, share);
@@ -296,7 +296,7 @@ Picture MovieScenes::draw(std::uint64_t frame) {
     RenderSettings settings = look.drawing.settings;
     const glm::dvec3 center = look.drawing.run.center;
     View& view = settings.view;
-    // Every model from the same place, where the first was aimed at, unless each is to have its own.
+    // Every model from the camera aimed at the first, unless each has its own.
     const bool aimed = options_.picture.aim.any() && file_ && !motion_ && model != 1;
     const bool elsewhere = center != center_ || view.pixelsPerAngstrom != first_.pixelsPerAngstrom;
     if (!look.options.look.ownFrame && (aimed || (elsewhere && !look.framed))) {

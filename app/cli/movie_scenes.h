@@ -1,5 +1,5 @@
 #pragma once
-// The pictures of a movie: what is seen at a time, drawn by renderers that are kept from frame to frame.
+// The pictures of a movie, drawn by renderers that are kept between frames.
 
 #include <map>
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace nacre::app {
 
-/// Whether any background that is seen, of the options or of a key view, is less than opaque. @throws Error
+/// Whether any background, of the options or of a key view, is not opaque. @throws Error
 bool isTransparent(const MovieOptions& options);
 
 class MovieScenes {
@@ -23,28 +23,28 @@ public:
     ~MovieScenes();
 
     std::uint64_t frames() const { return frames_; }
-    /// A frame, 0..frames() - 1, in any order; words go with what they name from the first of a row on. @throws Error
+    /// A frame, 0..frames() - 1, in any order. In sequence, words follow their atoms. @throws Error
     Picture draw(std::uint64_t frame);
-    /// The model, record or frame of a trajectory that a frame shows, from 1; none if all show the same.
+    /// The model, record or trajectory frame that a frame shows, from 1; none if all show the same.
     std::optional<int> modelOf(std::uint64_t frame) const;
-    /// Called with the share that is done while occlusion is baked.
+    /// Called with the finished share while occlusion is baked.
     std::function<void(double)> onBake;
 
 private:
-    /// What is seen in some way: key views that differ only in their cameras have it in common.
+    /// An appearance: key views that differ only in their cameras share it.
     struct Look {
         PictureDescription options;
         Drawing drawing;
         std::unique_ptr<Canvas> canvas;
-        int model = 0;                                  ///< that it was prepared for; 0: none yet
-        std::map<Style, std::optional<Bounds>> frames;  ///< of the camera that models share
-        bool framed = false;                            ///< the model that is there has such a one
-        std::optional<MovingScene> moving;              ///< of a trajectory whose frames share a camera
+        int model = 0;                                  ///< prepared for this model; 0: none yet
+        std::map<Style, std::optional<Bounds>> frames;  ///< shared camera of the models
+        bool framed = false;                            ///< the current model has a shared camera
+        std::optional<MovingScene> moving;              ///< for a trajectory whose frames share a camera
         std::shared_ptr<WordMemory> wordMemory = std::make_shared<WordMemory>();
     };
     struct Key {
         std::size_t look = 0;
-        View view;  ///< its own, untouched
+        View view;  ///< its own, unmodified
         Clip clip;
     };
 
@@ -62,20 +62,20 @@ private:
 
     const MovieOptions& options_;
     Progress& progress_;
-    Molecule molecule_;                ///< of the model that was read last
+    Molecule molecule_;                ///< the last model read
     int molecules_ = 0;                ///< its number
     std::unique_ptr<ModelFile> file_;  ///< of the models
-    std::unique_ptr<Motion> motion_;   ///< through a trajectory, whose frames are the models
+    std::unique_ptr<Motion> motion_;   ///< of a trajectory whose frames are the models
     std::vector<Look> looks_;
     std::vector<Key> keys_;
     std::optional<CameraPath> path_;
     bool saidTorn_ = false;
     std::uint64_t frames_ = 1, models_ = 1;
-    std::uint64_t next_ = 0;   ///< the frame that words go on to
-    std::size_t stretch_ = 0;  ///< of the path, where words are
+    std::uint64_t next_ = 0;   ///< the frame for which words can continue
+    std::size_t stretch_ = 0;  ///< part of the path, for words
     Clip firstClip_;
     View first_;           ///< of the first model
-    glm::dvec3 center_{};  ///< of it
+    glm::dvec3 center_{};  ///< of the first model
 };
 
 }  // namespace nacre::app

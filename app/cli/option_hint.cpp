@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kMostHints = 3;
 
-/// What people write who come from other programs (PyMOL, ChimeraX, VMD, ImageMagick, ffmpeg), and what it is here.
+/// Names from other programs (PyMOL, ChimeraX, VMD, ImageMagick, ffmpeg), and their equivalents here.
 struct OtherName {
     std::string_view theirs, ours;
 };

@@ -19,7 +19,7 @@ namespace {
 /// Patches so small that an atom shows hardly more than one shade.
 bool isCoarse(const OcclusionStats& occlusion) { return occlusion.directions > 0 && occlusion.patchTexels < 8; }
 
-/// What the memory budget led to.
+/// Reports the result of the memory limit.
 void sayOcclusion(const OcclusionStats& occlusion) {
     const std::string patch = std::to_string(occlusion.patchTexels);
     std::string text = "ambient occlusion: " +
@@ -29,7 +29,7 @@ void sayOcclusion(const OcclusionStats& occlusion) {
             " MB");
 }
 
-/// Draws the picture twice more: timed, since the first has compiled what it needs; and by shaders that count.
+/// Draws the picture twice more: timed, after the first compiled its pipelines; and with counting shaders.
 void tellOfPasses(Renderer& renderer, RenderSettings settings, FrameStats& frame) {
     settings.debug = DebugView::none;
     settings.tuning.timePasses = true;

@@ -36,7 +36,7 @@ void chooseBySet(const PlanOptions& options, PlanReport& report) {
     report.why = automatic ? choice.why : "asked for";
     report.encoded = set.encoded;
     if (options.picture.device.encoded == EncodedDepth::automatic) return;
-    // The ladder stands finest first: a device blends its own rung and all coarser ones.
+    // Formats are sorted finest first: a device blends its own and all coarser ones.
     const graph::EncodedFormat& wanted = formatOf(options.picture.device.encoded);
     if (wanted.rung < set.encoded.rung)
         throw Error("cannot encode depth", std::string(wanted.name), set.plan.name + " does not blend that format");
@@ -52,7 +52,7 @@ void chooseByDevice(const PlanOptions& options, PlanReport& report) {
     report.encoded = device.encoded;
 }
 
-/// What the frame submits of the scene that was given.
+/// Submitted primitives of the given scene.
 SceneCounts countsOfInput(const PlanOptions& options) {
     const Molecule molecule = loadMolecule(options.picture.input);
     loadMaps(options.picture);
@@ -92,13 +92,12 @@ PlannedFrame framePlanned(const PlanOptions& options, const PlanReport& report, 
     return planned;
 }
 
-/// What one looks through a mesh by.
+/// The option that makes a mesh translucent.
 const char* opacityOption(const RepresentationOptions& look) {
     return look.surfaceOpacity < 1 ? "surface-opacity" : look.cartoonOpacity < 1 ? "cartoon-opacity" : "show";
 }
 
-/// What each effect that is on costs by itself: the frame with it beside the frame without any, of meshes that hide
-/// what is behind them.
+/// Cost of each active effect alone: the frame with it compared with the frame without any, with opaque meshes.
 std::vector<EffectCost> costsOf(const PlanOptions& options, const PlanReport& report, const SceneCounts& counts) {
     struct Alone {
         const char* name;

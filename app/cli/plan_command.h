@@ -1,5 +1,5 @@
 #pragma once
-// `nacre plan`: what the screen frame becomes on a GPU, beside the same frame unmerged and the paper's arrangement.
+// `nacre plan`: the screen frame planned for a GPU, beside the same frame unmerged and the paper's arrangement.
 
 #include <span>
 #include <string>
@@ -13,23 +13,23 @@
 
 namespace nacre::app {
 
-/// What an effect adds to a frame that has no other.
+/// Additional cost of a single effect.
 struct EffectCost {
-    std::string option;               ///< without its dashes
-    const char* visibility;           ///< that it is drawn by
-    std::vector<std::string> passes;  ///< that the frame without it has not
-    std::uint32_t samples;            ///< of such a frame that a pixel of a picture has
-    std::int64_t loaded, stored;      ///< bytes a frame
-    std::int64_t tileBytes;           ///< a pixel
+    std::string option;               ///< without dashes
+    const char* visibility;           ///< path that draws it
+    std::vector<std::string> passes;  ///< additional passes
+    std::uint32_t samples;            ///< of such a frame per pixel of a picture
+    std::int64_t loaded, stored;      ///< bytes per frame
+    std::int64_t tileBytes;           ///< per pixel
 };
 
 struct PlanReport {
     std::string caps;  ///< name of the capability set or device
     graph::PlanCaps plannedWith;
     Visibility visibility{};
-    std::string why;  ///< of `visibility`
+    std::string why;  ///< reason for `visibility`
     graph::EncodedFormat encoded;
-    std::span<const graph::Fact> facts;  ///< none for a real device
+    std::span<const graph::Fact> facts;  ///< empty for a real device
     graph::Extent extent;
     ScreenFrame frame;
     graph::Plan plan, unmerged;
@@ -48,21 +48,21 @@ std::string planText(const PlanReport& report);
 /// The keys are stable: snake_case, bytes as whole numbers.
 std::string planJson(const PlanReport& report);
 
-/// What a subpass does to an image, in words: "depth" "test".
+/// How a subpass uses an image: "depth" "test".
 struct NamedUse {
     std::string image, how;
     bool writes = false;
 };
 std::vector<NamedUse> usesOf(const PlanReport& report, const graph::RenderPassPlan& pass,
                              const graph::Subpass& subpass);
-/// Of what a pass uses.
+/// Name of a pass's resource.
 const std::string& resourceName(const graph::Graph& graph, const graph::Use& use);
 /// "opaque prepass + depth encoding"
 std::string nameOf(const graph::Graph& graph, const graph::Subpass& subpass);
 std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass);
 /// "early tests", "colour output", ...
 std::vector<std::string> stageNames(VkPipelineStageFlags stages);
-/// Bytes of an image, all its pixels, samples and layers.
+/// Bytes of an image: all pixels, samples and layers.
 std::uint64_t bytesOf(const graph::ImageDecl& image);
 
 }  // namespace nacre::app

@@ -130,7 +130,7 @@ std::string planJson(const PlanReport& report) {
             json["render_passes"].push_back(renderPassJson(report, step.renderPass));
         else
             json["compute_passes"].push_back(computeJson(report.frame.graph, report.frame.graph.passes()[step.pass]));
-    // `unmerged` and `paper` are what those arrangements load and store together.
+    // `unmerged` and `paper` are the sums of loads and stores in those arrangements.
     json["memory_bytes"] = {{"loaded", report.plan.total.loaded},
                             {"stored", report.plan.total.stored},
                             {"unmerged", report.unmerged.total.loaded + report.unmerged.total.stored},

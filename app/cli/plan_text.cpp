@@ -165,7 +165,7 @@ void memoryText(std::ostream& out, const PlanReport& report) {
     table(out, "  ", rows, 1);
 }
 
-/// What each effect adds, by itself, to the frame without any.
+/// Cost of each effect alone, compared with the frame without any.
 void costsText(std::ostream& out, const PlanReport& report) {
     out << "\neach option by itself adds to a frame\n";
     std::vector<Row> rows{{"option", "passes", "B loaded", "stored", "on the tile, B per pixel", "samples"}};

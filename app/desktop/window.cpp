@@ -2,7 +2,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <vulkan/vulkan_core.h>
-// Behind Vulkan's header, so that GLFW declares what makes surfaces.
+// After Vulkan's header, so that GLFW declares its surface functions.
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
@@ -110,7 +110,7 @@ void Window::connect() {
     glfwSetCursorPosCallback(window_,
                              [](GLFWwindow* w, double x, double y) { eventsOf(w).pointer(inPixels(w, x, y)); });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
-        // It is where the last event said: asked now, it may have gone on since.
+        // The position of the last event: the current one may already differ.
         if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
         const MouseButton which = button == GLFW_MOUSE_BUTTON_LEFT    ? MouseButton::left
                                   : button == GLFW_MOUSE_BUTTON_RIGHT ? MouseButton::right
@@ -122,7 +122,7 @@ void Window::connect() {
         const Modifiers with{(mods & GLFW_MOD_SHIFT) != 0, (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0};
         const std::optional<SpecialKey> special = specialKey(key);
         if (!special) {
-            // With Ctrl there is no character: the letter is that of the layout.
+            // With Ctrl there is no character: takes the layout's letter.
             const char* name = with.control && action != GLFW_RELEASE ? glfwGetKeyName(key, scancode) : nullptr;
             if (name && name[0] != '\0' && name[1] == '\0')
                 eventsOf(w).shortcut({static_cast<char32_t>(std::tolower(static_cast<unsigned char>(name[0]))), with});
@@ -130,7 +130,7 @@ void Window::connect() {
         }
         eventsOf(w).special(*special, action != GLFW_RELEASE, action == GLFW_REPEAT, with);
     });
-    // Characters as the layout types them: '+' and '?' stand elsewhere on every keyboard.
+    // Characters as typed: '+' and '?' are on different keys in every layout.
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int c) { eventsOf(w).character(c); });
     glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
         glfwSetWindowShouldClose(w, GLFW_FALSE);

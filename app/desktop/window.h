@@ -14,11 +14,11 @@ struct GLFWwindow;
 
 namespace nacre::app {
 
-/// Who hears of what happens in the window. Places are in pixels from the top left.
+/// Callbacks of a window. Positions are in pixels from the top left.
 struct WindowEvents {
     std::function<void()> resized;
     std::function<void(bool)> iconified;
-    std::function<void()> damaged;  ///< the window's picture has to be shown again
+    std::function<void()> damaged;  ///< the window's picture must be presented again
     std::function<void(glm::dvec2)> pointer;
     std::function<void(MouseButton, bool, Modifiers)> button;
     std::function<void(double)> wheel;
@@ -38,9 +38,9 @@ public:
 
     SurfaceSource surface() const;
     PixelSize size() const;         ///< pixels
-    double pixelsPerPoint() const;  ///< of the display that it is on
-    double refreshRate() const;     ///< of that display, a second
-    /// It is hidden at first.
+    double pixelsPerPoint() const;  ///< of the window's display
+    double refreshRate() const;     ///< of that display, per second
+    /// The window is hidden at first.
     void show();
     void setTitle(const std::string& title);
     std::string clipboard() const;
@@ -48,10 +48,10 @@ public:
     bool closing() const;
     void close();
 
-    /// Hands out events: at once those that are there, or waits for some.
-    /// @param seconds to wait at most; infinity: for ever
+    /// Handles pending events, or waits for some.
+    /// @param seconds maximum wait; infinity: no limit
     void handleEvents(double seconds);
-    /// Ends a wait; from any thread.
+    /// Ends a wait. Thread-safe.
     static void wake();
 
 private:

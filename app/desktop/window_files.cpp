@@ -1,4 +1,4 @@
-// What the window writes: pictures, views, captures, the list of recent files, figures about itself.
+// Files of the window: pictures, views, captures, the list of recent files, statistics.
 
 #include <unistd.h>
 
@@ -18,7 +18,7 @@
 
 namespace nacre::app {
 
-/// What is shown goes to the top of the recent files, as it is seen now.
+/// Moves the document to the top of the recent files, with its current picture.
 void WindowSession::rememberFile() {
     const Document* document = viewer().document();
     if (!document || document->view.input.path == "-" || document->view.input.path.starts_with("sample:")) return;
@@ -31,7 +31,7 @@ void WindowSession::rememberFile() {
         const std::string name = std::filesystem::path(document->view.input.path).filename().string();
         recent_.add(document->view.input.path, name, renderer().render(settings));
     } catch (const Error&) {
-        // No picture is no reason to stay.
+        // A missing picture must not prevent quitting.
     }
 }
 
@@ -58,7 +58,7 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     const double textSize =
         viewer().words().size() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
     RenderSettings settings = viewer().words().settingsBeside(size, textSize);
-    // What is larger than the window is antialiased as pictures are; the window's own as the window is.
+    // Pictures larger than the window use the anti-aliasing of pictures; others that of the window.
     settings.supersample = asShown ? viewer().frames().mostSamples() : RenderSettings::kEdges;
     if (transparent) settings.background = {0, 0, 0, 0};
     Picture drawn = renderer().render(settings);
@@ -100,7 +100,7 @@ void WindowSession::record(const RecordingWish& wish, const std::vector<PictureD
     }
 }
 
-/// Goes on in the panel while a film is recorded, and says how it ended.
+/// Updates the panel during a recording, and reports its result.
 void WindowSession::tellRecording() {
     if (!wasRecording_) return;
     const RecordingState state = recorder_.state();

@@ -19,8 +19,8 @@
 namespace nacre::app {
 namespace {
 
-constexpr std::uint32_t kSoftwareSamples = 2;  // a side of a pixel, of a refinement that a CPU draws
-// Of a motion that it draws: blocks are worse than 40 pictures per second, large ones than any number.
+constexpr std::uint32_t kSoftwareSamples = 2;  // per pixel side, for refinement on a CPU
+// During motion on a CPU: visible blocks are worse than 40 frames per second, large ones than any rate.
 constexpr double kSoftwareFrameSeconds = 0.025, kSoftwareScale = 0.7;
 
 }  // namespace
@@ -72,7 +72,7 @@ void WindowSession::loop() {
 }
 
 double WindowSession::step(double longest) {
-    // The newest input goes into the frame, not what was there before it had to wait.
+    // The frame uses the newest input, not that from before the wait.
     viewer().frames().await(now());
     window_.handleEvents(0);
     tellRecording();
@@ -90,10 +90,10 @@ double WindowSession::step(double longest) {
         if (sceneShown_ == 0 && viewer().document()) sceneShown_ = lastShown_;
         if (inputAt_ > 0) latencies_.push_back(1000 * (lastShown_ - inputAt_));
     }
-    inputAt_ = 0;  // what is not answered by now changed nothing
+    inputAt_ = 0;  // remaining input changed nothing
     window_.setTitle(printable(viewer().title()));
     if (panel_->restless()) viewer().schedule().overlayChanged();
-    // Frames come as often as the display's; looks at what is baked beside them may come more often.
+    // Frames at the display's rate; checks of the bake may be more frequent.
     const double soonest = shown ? lastFrame_ + 0.95 / window_.refreshRate() : now();
     const double next = std::max(panel_->restless() ? now() : wake, soonest);
     const double due = std::isinf(wake) && !panel_->restless() ? wake : next - now();
@@ -103,7 +103,7 @@ double WindowSession::step(double longest) {
     return due;
 }
 
-/// What a dialog was told meanwhile.
+/// Handles the result of a dialog.
 void WindowSession::takeChosen() {
     std::vector<std::string> paths;
     std::string savePath;
@@ -190,7 +190,7 @@ SessionHost WindowSession::host() {
 
 PictureDescription WindowSession::firstView() const {
     PictureDescription view = options_.first;
-    view.aim = {};  // the viewer is told of it
+    view.aim = {};  // the viewer gets it separately
     view.aim.uncover = options_.first.aim.uncover;
     view.input.path = lasting(view.input.path);
     for (FurtherInput& further : view.input.further) further.path = lasting(further.path);
@@ -206,7 +206,7 @@ ViewerOptions WindowSession::viewerOptions() const {
     return options;
 }
 
-/// Of what the next frame answers, the first is noted.
+/// Records the first input that the next frame answers.
 void WindowSession::input(InputQueue::Kind kind, std::function<void()> handle) {
     if (inputAt_ == 0) inputAt_ = now();
     inputs_.add(panel_->input(), kind, std::move(handle));
@@ -282,7 +282,7 @@ WindowEvents WindowSession::events() {
     return e;
 }
 
-/// The window came to a display of another density: text is drawn anew at its size.
+/// The window moved to a display of another density: redraws text at its size.
 void WindowSession::rescaled() {
     scale_ = window_.pixelsPerPoint();
     panel_ = makePanel();

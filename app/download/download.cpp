@@ -18,7 +18,7 @@ constexpr int kAttempts = 3;  // of a transfer whose connection is lost, each fr
 constexpr std::uint64_t kLargestList = 4u << 20;
 constexpr long kLongestPatience = 3600;
 
-/// Bytes in memory; what breaks off is still gone on with by the next attempt.
+/// Bytes in memory; an interrupted download can be resumed by the next attempt.
 class MemoryBody : public HttpBody {
 public:
     std::uint64_t size() const override { return bytes_.size(); }
@@ -40,7 +40,7 @@ struct FailureAt : HttpFailure {
     std::string address;
 };
 
-/// What failed, each reason once, behind all addresses in a row that it is true of.
+/// Failures by reason: each reason once, after all consecutive addresses with it.
 class Causes {
 public:
     void add(const std::string& address, const std::string& why) {
@@ -89,7 +89,7 @@ std::string addressOf(const Source& source, const std::string& accession, const 
     if (!list.is_array()) fail("the answer is not a list of predictions");
     if (list.empty()) fail("there is no such entry");
     const nlohmann::json* chosen = &list.front();
-    for (const auto& entry : list)  // isoforms and other proteins' complexes may stand beside it
+    for (const auto& entry : list)  // isoforms and other proteins' complexes may be listed as well
         if (entry.is_object() && entry.value("uniprotAccession", nlohmann::json()) == accession) {
             chosen = &entry;
             break;
@@ -116,12 +116,12 @@ bool readable(const Source& source, const std::string& bytes) try {
     return false;
 }
 
-/// It is a structure, but does not hold what was asked of it, such as a tenth model.
+/// It is a structure without the requested part, such as a tenth model.
 struct NotInIt {
     std::exception_ptr why;
 };
 
-/// Reads what has been kept. What no longer reads is removed, and counts as never kept.
+/// Reads a cached file. Removes an unreadable one, which counts as missing.
 std::optional<Molecule> readKept(const DiskCache& cache, const Source& source, const ReadOptions& options,
                                  const DownloadSettings& settings) {
     std::optional<std::string> bytes = cache.read(source.cacheName);
@@ -137,7 +137,7 @@ std::optional<Molecule> readKept(const DiskCache& cache, const Source& source, c
     }
 }
 
-/// What came in answer to an address, as a molecule; kept if it is one. @throws HttpFailure, Error, NotInIt
+/// The answer of an address as a molecule; cached if valid. @throws HttpFailure, Error, NotInIt
 Molecule fetch(const DiskCache& cache, const Source& source, const std::string& url, const ReadOptions& options,
                const DownloadSettings& settings) {
     MemoryBody memory;

@@ -20,7 +20,7 @@ bool isId(const std::string& id, std::size_t least, std::size_t most, bool digit
            std::all_of(id.begin(), id.end(), [&](char c) { return isDigit(c) || (!digitsAlone && isLetter(c)); });
 }
 
-/// What stands for the beginning of an address. @throws Error
+/// The beginning of an address. @throws Error
 std::string baseOf(const Environment& environment, const char* variable, const char* usual) {
     std::string url = environment(variable);
     if (url.empty()) return usual;

@@ -14,10 +14,10 @@ namespace nacre::app {
 struct MapSource {
     std::string cacheName, url;
 };
-/// Empty if the text names no such database: a file, then. @throws Error if the identifier is none
+/// Empty if the text names no such database: then it is a file. @throws Error if the identifier is invalid
 std::optional<MapSource> mapSourceOf(const std::string& name, const Environment& environment = environmentVariable);
 
-/// Reads the maps that a picture names from databases, as loadMolecule() does its molecule: then they are at hand
+/// Reads the maps that a picture names from databases, as loadMolecule() reads its molecule, and keeps them
 /// (map_input.h). Files are read when they are drawn. @throws Error
 void loadMaps(const PictureDescription& picture, const std::function<void(double)>& onDownload = {});
 

@@ -50,8 +50,8 @@ bool isPlain(const std::string& path) {
     return std::filesystem::is_regular_file(path, error);
 }
 
-/// Where a file is that a view names; what is to be said of that is said. @throws Error if it is no file, and might
-/// be waited for without an end
+/// The file of a view's input; prints its notices. @throws Error for anything but a regular file, which might block for
+/// ever
 std::string namedPath(const InputOptions& input) {
     if (input.path == "-")
         throw Error("cannot read molecule", input.namedBy, "it names standard input: give an INPUT as well");
@@ -105,7 +105,7 @@ Molecule loadStructure(const InputOptions& input, const std::function<void(doubl
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload,
                       const std::function<void(double)>& onModel) {
     InputOptions structure = input;
-    // What moves is not where other models are, and several molecules are no models of one file.
+    // Moving atoms are not where other models are, and several molecules are not models of one file.
     structure.alone = input.alone || !input.trajectory.path.empty() || !input.further.empty();
     Molecule molecule = loadStructure(structure, onDownload, onModel);
     moveToFrame(input.trajectory, molecule);

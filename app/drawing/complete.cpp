@@ -12,7 +12,7 @@
 namespace nacre::app {
 namespace {
 
-constexpr double kPrint = 300, kScreen = 96;  // dots per inch, where none are said: on paper, and as CSS has it
+constexpr double kPrint = 300, kScreen = 96;  // default dots per inch: for print, and as in CSS
 
 std::uint32_t sideOf(const char* name, double pixels) {
     const double rounded = std::round(pixels);

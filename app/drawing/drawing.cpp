@@ -34,7 +34,7 @@ double buildScene(const ResidueFacts& facts, const PictureDescription& options, 
         return scene.radius;
     }
     Molecule first = molecule;
-    const HeardMessages again;  // what there is to say was said when the molecule was read
+    const HeardMessages again;  // everything was reported when the molecule was read
     movePositions(first, openMotion(frames, molecule)->positions(0));
     MovingScene moving = movingSceneOf(first, input.path, options.drawn, options.look);
     const double radius = moving.scene().radius;
@@ -51,13 +51,13 @@ RenderSettings settingsOf(const PictureDescription& options, const Camera& camer
     settings.fine = options.bits == 16 || extensionOf(options.output) == ".exr";
     settings.tuning = options.tuning;
     settings.debug = options.debug;
-    // What is captured is to be seen: the bake, too, is done then.
+    // Captures include the bake.
     if (options.capture.empty()) settings.occlusion.cache = cacheFolder(options.input.cache, "occlusion");
     return settings;
 }
 
-/// Leaves out what hides the target. A plane cuts instead in assemblies, whose copies share their primitives, and in
-/// movies, which go around it.
+/// Removes what hides the target. Uses a clipping plane instead for assemblies, whose copies share primitives, and for
+/// movies, which rotate around it.
 void uncoverTarget(const Aimed& aim, const Aim& wanted, const ResidueFacts& facts, Representation& scene,
                    RenderSettings& settings, RunStats& run) {
     const std::optional<Selection>& target = uncoveredBy(wanted);
@@ -81,7 +81,7 @@ void tellScene(const Molecule& molecule, const Representation& scene, RunStats& 
     run.legends = scene.legends;
 }
 
-/// What is asked of the view. What shares its scale with other pictures is not fitted into each of them.
+/// The view's aim. Pictures that share a scale are not fitted individually.
 Aim aimOf(const Molecule& molecule, const PictureDescription& options, const std::optional<Bounds>& frame) {
     Aim aim = options.aim;
     const bool alone = !frame && options.input.trajectory.path.empty() && molecule.others.empty() &&
@@ -98,7 +98,7 @@ void Drawing::prepare(const Molecule& molecule, const PictureDescription& descri
         facts_ = facts_ ? facts_->moved(molecule) : ResidueFacts(molecule);
         bringUpTo(*facts_, description, frame);
     } catch (...) {
-        forget();  // what was half done must not pass for done when the same is asked for again
+        forget();  // an incomplete result must not pass for a complete one
         throw;
     }
 }
@@ -168,7 +168,7 @@ void Drawing::putWords(const ResidueFacts& facts) {
                        ": none of its atoms is drawn, since they hide " + run.uncovers + " (--uncover off)");
 }
 
-/// Moves the molecule out of the way of the words that stand beside it, unless a part of it is what is to be seen.
+/// Moves the molecule clear of the words beside it, unless the view shows a part of it.
 void Drawing::makeRoom() {
     if (!words.any() || description_.aim.placed || description_.aim.zoomTo) return;
     constexpr std::size_t kMany = 200000;  // spheres and vertices: their sphere is nearly as good

@@ -1,6 +1,6 @@
 #pragma once
-// From a molecule and a description to a picture. It keeps the scene, and the renderer keeps what is baked for it: a
-// description that differs from the last one has only those parts of the work done again that differ.
+// Draws a molecule by a description. Keeps the scene, and the renderer keeps its bake: a new description repeats only
+// the work affected by its changes.
 
 #include <cstdint>
 #include <functional>
@@ -17,38 +17,37 @@
 
 namespace nacre::app {
 
-/// A renderer, and which scene it has.
+/// A renderer, and the scene that it has.
 struct Canvas {
     explicit Canvas(const DeviceOptions& options) : renderer(options) {}
     Renderer renderer;
-    std::uint64_t scene = 0;  ///< a number of Drawing's; 0: none of one
+    std::uint64_t scene = 0;  ///< a Drawing's scene number; 0: none
 };
 
 class Drawing {
 public:
-    /// Brings everything up to a description. Needs no device.
+    /// Updates everything to a description. Needs no device.
     /// @param molecule  the same as before, unless forget() was called
-    /// @param frame  that all models of its file share (shared_frame.h), if that is known; else it is found, if it can
-    /// be
+    /// @param frame  shared by all models of its file (shared_frame.h), if known; else computed if possible
     /// @throws Error if nothing of the molecule is drawn, or a selection has no drawn atom
     void prepare(const Molecule& molecule, const PictureDescription& description,
                  const std::optional<Bounds>& frame = {});
-    /// The molecule is going to be another one, or its atoms elsewhere.
+    /// Call before the molecule or its positions change.
     void forget() {
         scene_.reset();
         facts_.reset();
     }
 
-    /// Puts the scene on a canvas, unless it is there. Occlusion that was baked for it stays.
+    /// Puts the scene on a canvas, if it is not there. Keeps the scene's bake.
     void show(Canvas& canvas);
-    /// The same for the last time: the canvas takes the scene away.
+    /// As above for the last time: moves the scene to the canvas.
     void handOver(Canvas& canvas);
-    /// A picture in its full size, with its words. @returns labels that found no room in `crowded`
+    /// A picture in full size, with its words. @returns in `crowded` the number of labels left out for lack of room
     Picture draw(Canvas& canvas, std::size_t* crowded = nullptr);
-    /// Layers of the scene, which the renderer has. Depths of all frames of a trajectory have one origin.
+    /// Layers of the scene on the renderer. Depths of all frames of a trajectory have one origin.
     LayerPicture layers(Renderer& renderer) const;
-    /// Writes the words into a picture. @returns the labels that found no room
-    /// @param settings  that it was drawn with  @param memory  of pictures that follow each other
+    /// Draws the words into a picture. @returns labels left out for lack of room
+    /// @param settings  of the picture @param memory  of a sequence of pictures
     std::size_t addWords(const RenderSettings& settings, Picture& picture, WordMemory* memory = nullptr) const;
 
     /// Of the molecule elsewhere, in a scene about the same centre: the words, and the scene with what is beside it.
@@ -63,10 +62,10 @@ public:
     const PictureDescription& description() const { return description_; }
     RenderSettings settings;
     PlacedWords words;
-    RunStats run;                       ///< as far as it is known by then
-    std::vector<std::string> warnings;  ///< of the scene: what is not as it was asked for
+    RunStats run;                       ///< as far as known
+    std::vector<std::string> warnings;  ///< of the scene: differences from the request
 
-    /// How often the expensive parts were done.
+    /// Counts of expensive steps.
     struct Counts {
         int scenes = 0;   ///< built
         int uploads = 0;  ///< to a canvas, which drops its bake

@@ -10,7 +10,7 @@
 namespace nacre::app {
 namespace {
 
-/// Whether a colouring that is seen takes such a palette.
+/// Whether a visible colouring uses such a palette.
 bool takesPalette(const Representation& scene, Palette palette) {
     const PaletteUse use = isRamp(palette) ? PaletteUse::ramp : PaletteUse::kinds;
     return std::ranges::any_of(scene.legends, [&](const Legend& legend) {

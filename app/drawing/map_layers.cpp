@@ -16,12 +16,12 @@
 namespace nacre::app {
 namespace {
 
-constexpr double kSigma = 1.5, kDifferenceSigma = 3, kTopPercent = 1;  // of levels that nobody names
+constexpr double kSigma = 1.5, kDifferenceSigma = 3, kTopPercent = 1;  // default levels
 constexpr double kOpacityBesideMolecule = 0.5;
 constexpr std::array<float, 4> kCrystalBlue{0.2f, 0.36f, 0.8f, 1}, kPositiveGreen{0.1f, 0.6f, 0.2f, 1},
     kNegativeRed{0.82f, 0.15f, 0.15f, 1}, kCryoGrey{0.66f, 0.7f, 0.75f, 1};
 
-/// What is made of a map about some places: kept, since only levels and colours change most of the time.
+/// A map's region around some positions: kept, since mostly levels and colours change.
 struct KeptRegion {
     std::shared_ptr<const DensityMap> map;
     std::vector<glm::dvec3> places;
@@ -158,7 +158,7 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, con
         MapContour contour = contourOf(*map, d.maps, i);
         const auto usual = map->difference ? kPositiveGreen : map->periodic ? kCrystalBlue : kCryoGrey;
         contour.color = bitsOf(colors.automatic ? usual : colors.high);
-        // A level below the mean of a crystal encloses what is lower; the mean of a cryo-EM map says little.
+        // A level below a crystal map's mean encloses lower values; the mean of a cryo-EM map means little.
         contour.above = contour.level >= map->statistics.mean || !map->periodic;
         const MapStatistics& statistics = map->statistics;
         layers.sigmas.push_back(statistics.rms > 0 ? (contour.level - statistics.mean) / statistics.rms : 0);

@@ -1,5 +1,5 @@
 #pragma once
-// From a molecule to the scene that is drawn of it.
+// From a molecule to its scene.
 
 #include <algorithm>
 #include <optional>
@@ -20,11 +20,11 @@ Representation sceneOf(const ResidueFacts& facts, const std::string& name, const
                        const RepresentationOptions& look, const std::optional<Bounds>& frame = {},
                        bool orNothing = false);
 
-/// The same of one whose atoms move; seen as all models of its file are, if it has others. @throws Error
+/// As above for moving atoms; framed with all models of its file, if it has others. @throws Error
 MovingScene movingSceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,
                           const RepresentationOptions& look);
 
-/// Atoms that moved may reach farther than what a view goes by: it sees them all, from where it is.
+/// Enlarges a view's depth range for atoms that moved beyond it; the camera stays.
 /// @param radius  that holds them, Å
 inline void reachTo(View& view, double radius) {
     constexpr double kNearest = 1.02;  // of it, to the eye
@@ -32,12 +32,12 @@ inline void reachTo(View& view, double radius) {
     if (view.projection == Projection::perspective) view.eyeDistance = std::max(view.eyeDistance, radius * kNearest);
 }
 
-/// How pixels are shaded, of whatever scene and from wherever it is seen.
+/// Shading settings, independent of scene and camera.
 RenderSettings shadingOf(const PictureDescription& picture);
 
-/// Leaves out what hides the atoms that a view wants uncovered; `scene` shows its molecule, as it stands now.
+/// Removes what hides the atoms to uncover; `scene` shows the molecule at its current positions.
 void uncoverIn(Representation& scene, const ResidueFacts& facts, const PictureDescription& view);
-/// What is drawn of a view's molecule. @throws Error if that is nothing
+/// The representation of a view's molecule. @throws Error if it is empty
 Representation sceneOfView(const ResidueFacts& facts, const PictureDescription& view);
 
 }  // namespace nacre::app

@@ -20,7 +20,7 @@ constexpr double kAimedTriangles = 1e7;
 double trianglesOfBall(int sides) { return static_cast<double>(sides) * (sides - 2); }
 double trianglesOfStick(int sides) { return 6.0 * sides; }
 
-/// What moves together and has one name.
+/// Parts with the same copies and name.
 struct ExportGroup {
     std::uint32_t list = 0;
     std::string chain, kind;
@@ -110,7 +110,7 @@ private:
         group.mesh.triangles.push_back(corners);
     }
 
-    /// Of the vertices that a group's mesh has more than values. @param occlusionOf  of a place and a normal
+    /// Fills values for new vertices of a group's mesh. @param occlusionOf  a position and a normal
     template <typename OcclusionOf>
     void occlude(GroupMesh& group, const OcclusionOf& occlusionOf) const {
         if (!baked_) return;
@@ -162,7 +162,7 @@ private:
         placed_[group].push_back({a, turn, {radius, radius, length}});
     }
 
-    /// Of an assembly those of a list, else the one that changes nothing.
+    /// For an assembly the copies of a list, else the identity.
     std::vector<std::uint32_t> copiesOf(std::uint32_t list) const {
         return scene_.copies.transforms.empty() ? std::vector<std::uint32_t>{0} : scene_.copies.lists[list];
     }

@@ -1,4 +1,4 @@
-// Density maps beside the molecule: level, style, colour, and where they are drawn.
+// Density maps: level, style, colour, and region.
 
 #include <cmath>
 

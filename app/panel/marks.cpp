@@ -24,7 +24,7 @@ void drawText(ImDrawList& list, const TextMark& mark, const glm::dvec2& corner, 
               float haloWidth) {
     const float size = static_cast<float>(mark.size) * kFontSizeOfEm;
     ImFont* font = fontOf(size);
-    // One that is as large as asked for stands on whole pixels, and is as sharp as the panel.
+    // At its original size it is aligned to whole pixels, and as sharp as the panel.
     ImVec2 at = place(mark.at + corner);
     at.y -= font->Ascent * size / font->FontSize;
     at = ImVec2(std::round(at.x), std::round(at.y));
@@ -36,8 +36,8 @@ void drawText(ImDrawList& list, const TextMark& mark, const glm::dvec2& corner, 
     list.AddText(font, size, at, color, mark.text.c_str());
 }
 
-/// What of a picture's right the legend takes, where it would stand over the molecule, all of it seen; 0 where it would
-/// not, or would leave less than half.
+/// Width at the right that the legend takes from a fully visible molecule; 0 if they do not overlap, or if less than
+/// half would be left.
 float legendRoom(const PlacedWords& words, const View& view, double size) {
     PlacedWords alone;
     alone.legends = words.legends;
@@ -51,7 +51,7 @@ float legendRoom(const PlacedWords& words, const View& view, double size) {
     return beside || left < width / 2 ? 0 : static_cast<float>(std::ceil(width - left + size / 2));
 }
 
-/// A box upon the picture, for a text. It is told of, too.
+/// A box with text over the picture, also described for screen readers.
 void drawBox(PanelFrame& f, const std::string& text, ImVec2 low, ImVec2 high, float lines) {
     const Theme& theme = f.ui.theme();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -67,7 +67,7 @@ void drawBox(PanelFrame& f, const std::string& text, ImVec2 low, ImVec2 high, fl
     f.ui.controls.push_back(told);
 }
 
-/// Small, at the top right of what is free.
+/// Small, at the top right of the free area.
 void drawHint(PanelFrame& f, const std::string& text) {
     if (text.empty()) return;
     ImFont* font = fontOf(TextSize::caption);
@@ -80,7 +80,7 @@ void drawHint(PanelFrame& f, const std::string& text) {
                                             ImGui::GetColorU32(f.ui.theme().faint), text.c_str());
 }
 
-/// Low in the middle of what is free. @returns its top
+/// At the bottom centre of the free area. @returns its top
 float drawStatus(PanelFrame& f, const std::string& text, float bottom, bool strong) {
     const Theme& theme = f.ui.theme();
     const Rectangle free = f.s.freeRoom();
@@ -98,10 +98,10 @@ float drawStatus(PanelFrame& f, const std::string& text, float bottom, bool stro
 
 }  // namespace
 
-/// Labels, measurements, legend and the like: what a saved picture has, too.
+/// Labels, measurements, legend and the like, as in saved pictures.
 void drawWords(PanelFrame& f) {
     const PlacedWords& words = f.viewer.words().placed();
-    // As in a picture of what the panel leaves free, whose molecule is beside the legend.
+    // As in a picture of the free area, with the molecule beside the legend.
     RenderSettings settings = f.viewer.frames().pictureSettings(f.viewer.frames().freeSize());
     const float taken = f.s.legendRoom;
     settings.view.width += static_cast<std::uint32_t>(taken);

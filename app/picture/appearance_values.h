@@ -1,6 +1,6 @@
 #pragma once
-// Values that say how atoms look: colours, palettes, styles, and the rules made of them. Every function throws
-// std::invalid_argument with the reason, in words that continue "--option: "; those that take a selection also
+// Values that describe how atoms look: colours, palettes, styles, and rules. Every function throws
+// std::invalid_argument with the reason, as text that continues "--option: "; functions for selections also
 // nacre::Error.
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace nacre::app {
 
-/// "transparent", a colour's name as CSS has it, #rgb, #rrggbb or #rrggbbaa; sRGB-coded 0..1, straight alpha.
+/// "transparent", a CSS colour name, #rgb, #rrggbb or #rrggbbaa; sRGB-coded 0..1, straight alpha.
 std::array<float, 4> parseColor(std::string_view text);
 
 /// "spacefill", "ball-and-stick", "licorice", ...
@@ -19,18 +19,17 @@ Style parseStyle(std::string_view text);
 
 /// The name of a palette.
 Palette parsePalette(std::string_view text);
-/// Their names, with commas. @param ramps  those of numbers, else those of kinds
+/// Their names, separated by commas. @param ramps  for numbers; else for classes
 std::string paletteNames(bool ramps);
 
 /// The names of all colour schemes, with commas.
 std::string schemeNames();
 
-/// The name of a colour scheme, an opaque colour as parseColor() takes it, or "element:COLOR", whose carbons alone
-/// have the colour; behind the name of a scheme that has them, its range and its palette: "b-factor:10..60:viridis".
+/// A colour scheme, an opaque colour as for parseColor(), or "element:COLOR", with that colour for carbons; schemes
+/// with a ramp accept range and palette: "b-factor:10..60:viridis".
 Coloring parseColoring(std::string_view text);
 
-/// A style for all. A cartoon in the colours of elements would be that of its alpha carbons: where no colours were
-/// asked for, its chains have their own.
+/// Sets the style of all atoms. By default a cartoon is coloured by chain: by element it would show alpha carbons only.
 void setStyle(Style style, RepresentationOptions& look);
 
 constexpr std::size_t kMostColorTables = 64;
@@ -42,7 +41,7 @@ std::string colorSourceText(const Coloring& coloring);
 bool isTableText(std::string_view text);
 
 constexpr std::size_t kMostRules = 1000;
-/// "SELECTION=STYLE", "SELECTION" and "SELECTION=SCHEME" or "SELECTION=COLOR", divided at the last '='.
+/// "SELECTION=STYLE", "SELECTION" and "SELECTION=SCHEME" or "SELECTION=COLOR", split at the last '='.
 Rule parseShow(std::string_view text);
 Rule parseHide(std::string_view text);
 Rule parseColorBy(std::string_view text);

@@ -27,8 +27,8 @@ namespace nacre::app {
 
 struct OcclusionOptions {
     int directions = 128;                   ///< 0 = off
-    std::uint32_t detail = 32;              ///< most texels across a sphere's patch
-    std::optional<std::int64_t> megabytes;  ///< of 2^20 bytes; RenderSettings has the default
+    std::uint32_t detail = 32;              ///< maximum width of a sphere's patch, texels
+    std::optional<std::int64_t> megabytes;  ///< of 2^20 bytes; default in RenderSettings
 
     std::uint64_t bytes() const {
         return megabytes ? static_cast<std::uint64_t>(*megabytes) << 20 : RenderSettings{}.occlusion.bytes;

@@ -10,22 +10,22 @@
 
 namespace nacre::app {
 
-/// Positions that come from another file than names and bonds.
+/// Positions from another file than names and bonds.
 struct TrajectoryOptions {
     std::string path;              ///< empty: none
-    std::string namedBy;           ///< a saved view's file that names it; empty: the user does
-    std::string hash;              ///< of its content, as that view states it; see trajectoryHash()
+    std::string namedBy;           ///< file of the saved view that names it; empty: the user does
+    std::string hash;              ///< of its content, from that view; see trajectoryHash()
     std::int64_t frame = 1;        ///< counted from 1
-    bool whole = false;            ///< molecules that the periodic box cut are put together
-    std::optional<Selection> fit;  ///< by what frames are laid onto the first; empty: they stay
-    std::int64_t smooth = 1;       ///< frames that a position is the mean of, odd
+    bool whole = false;            ///< make molecules whole that the periodic box cuts
+    std::optional<Selection> fit;  ///< atoms that fit frames to the first; empty: no fit
+    std::int64_t smooth = 1;       ///< number of frames averaged, odd
 };
 
 /// Another molecule in the same picture.
 struct FurtherInput {
     std::string name;  ///< for selections; empty: by its path
-    std::string path;  ///< as that of InputOptions
-    std::string hash;  ///< as that of InputOptions
+    std::string path;  ///< as in InputOptions
+    std::string hash;  ///< as in InputOptions
     friend bool operator==(const FurtherInput&, const FurtherInput&) = default;
 };
 
@@ -35,7 +35,7 @@ struct FitOptions {
     friend bool operator==(const FitOptions&, const FitOptions&) = default;
 };
 
-/// A molecule's place, and how it is read.
+/// A molecule's source, and how it is read.
 struct InputOptions {
     std::string path;  ///< a file, "-", "sample:NAME", or "pdb:", "pubchem:", "afdb:" and an identifier
     std::optional<Format> format;
@@ -48,9 +48,9 @@ struct InputOptions {
     std::string hash;            ///< of its content, as that view states it; empty: it does not. See fileHash()
     bool allowDownload = false;  ///< what a view names may be downloaded
     TrajectoryOptions trajectory;
-    std::string name;                   ///< for selections, where there are further inputs; empty: by its path
-    std::vector<FurtherInput> further;  ///< read as this one is
-    std::vector<FitOptions> fits;       ///< one after the other
+    std::string name;                             ///< for selections, with further inputs; empty: by its path
+    std::vector<FurtherInput> further;            ///< read as this one is
+    std::vector<FitOptions> fits;                 ///< in order
     std::optional<std::int64_t> memoryMegabytes;  ///< for the molecule, of 2^20 bytes; empty: half of the machine's
 };
 

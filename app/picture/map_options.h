@@ -1,5 +1,5 @@
 #pragma once
-// Density maps in a picture. Lists go by the maps' order: the first level is the first map's.
+// Density maps in a picture. Lists are in the order of the maps: the first level is the first map's.
 
 #include <array>
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace nacre::app {
 
 struct MapLevel {
     enum class Unit : std::uint8_t {
-        automatic,  ///< 1.5 sigma of a crystal, 3 of a difference map, else the highest hundredth
-        value,      ///< as the file has it
-        sigma,      ///< above the mean, in root mean square deviations from it
-        top         ///< percent of the values that are higher
+        automatic,  ///< 1.5 sigma for a crystal, 3 for a difference map, else the highest 1 %
+        value,      ///< in the file's unit
+        sigma,      ///< above the mean, in root mean square deviations
+        top         ///< percentage of values above it
     };
     Unit unit = Unit::automatic;
     double value = 0;
@@ -26,7 +26,7 @@ struct MapLevel {
 
 /// sRGB-coded 0..1, straight alpha.
 struct MapColors {
-    std::array<float, 4> high{}, low{};  ///< of a difference map's two contours; of others the first
+    std::array<float, 4> high{}, low{};  ///< of a difference map's two contours; other maps use the first
     bool automatic = true;
     friend bool operator==(const MapColors&, const MapColors&) = default;
 };
@@ -51,7 +51,7 @@ MapLevel parseMapLevel(std::string_view text);
 std::string mapLevelText(const MapLevel& level);
 MapStyle parseMapStyle(std::string_view text);
 std::string mapStyleText(MapStyle style);
-/// "auto", a colour, or two with a comma between them.
+/// "auto", a colour, or two separated by a comma.
 MapColors parseMapColors(std::string_view text);
 std::string mapColorsText(const MapColors& colors);
 /// "SEL" or "SEL,RADIUS", into `around` and `reach`.

@@ -12,7 +12,7 @@
 
 namespace nacre::app {
 
-/// The subject of an option. A command takes the topics that concern it; `nacre help` explains some of them.
+/// The subject of an option. A command accepts its topics; `nacre help` explains some of them.
 enum class Topic : std::uint64_t {
     view = 1 << 0,        ///< saved views
     look = 1 << 1,        ///< several options by one name

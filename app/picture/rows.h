@@ -1,5 +1,5 @@
 #pragma once
-// The rows of options.h, by what they are about, and what they are written with.
+// The rows of options.h by subject, and helpers to write them.
 
 #include <span>
 
@@ -27,7 +27,7 @@ auto& at(auto& object) {
         return at<rest...>(object.*first);
 }
 
-/// An enumeration whose values have these names in their order.
+/// An enumeration with these value names, in order.
 template <const auto& names, auto... members>
 void parseNamed(std::string_view text, PictureDescription& d) {
     auto& value = at<members...>(d);
@@ -38,7 +38,7 @@ std::string printNamed(const PictureDescription& d) {
     return std::string(names[static_cast<std::size_t>(at<members...>(d))]);
 }
 
-/// A boolean by two words, that for true first.
+/// A boolean as two words, the first for true.
 using Words2 = const char* const[2];
 inline constexpr Words2 kOnOff = {"on", "off"}, kShowHide = {"show", "hide"};
 template <const auto& words, auto... members>
@@ -49,7 +49,7 @@ template <const auto& words, auto... members>
 std::string printSwitch(const PictureDescription& d) {
     return words[at<members...>(d) ? 0 : 1];
 }
-/// A flag: its name alone is "on".
+/// A flag: its name alone means "on".
 template <auto... members>
 void parseFlag(std::string_view text, PictureDescription& d) {
     at<members...>(d) = text.empty() || parseChoice(text, kOnOff) == 0;
@@ -59,7 +59,7 @@ template <auto... members>
 std::string printNumber(const PictureDescription& d) {
     return numberText(at<members...>(d));
 }
-/// All digits that it takes to read the same number again.
+/// All digits needed to read the same number again.
 template <auto... members>
 std::string printExact(const PictureDescription& d) {
     return exactText(at<members...>(d));
@@ -85,7 +85,7 @@ void parseFile(std::string_view text, PictureDescription& d) {
     at<members...>(d) = fileName(text);
 }
 
-/// One more of a list, or none any more.
+/// Adds one to a list, or clears the list.
 template <typename Value, typename Parse>
 void addTo(std::vector<Value>& list, std::string_view text, std::size_t most, Parse parse) {
     if (text.empty()) return list.clear();

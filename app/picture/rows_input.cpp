@@ -28,7 +28,7 @@ void takeThumbnail(T text, P& d) {
     d.aim.principal = d.view.empty();
 }
 
-/// Several options at once go before those that they stand for, so that these override them.
+/// Options that set several others go first, so that explicit options override them.
 std::vector<Option> severalAtOnce() {
     return {
         {.key = "view",

@@ -18,7 +18,7 @@ inline constexpr EncodedDepth kRungValues[] = {EncodedDepth::automatic,   Encode
                                                EncodedDepth::rgba16f,     EncodedDepth::rg16f,
                                                EncodedDepth::a2b10g10r10, EncodedDepth::rgba8};
 
-/// Of two lists of the same length: the name that stands where a value does.
+/// Maps between two lists of equal length: the name at a value's index.
 template <typename Value>
 std::string nameOf(Value value, const auto& values, const auto& names) {
     return names[static_cast<std::size_t>(std::find(std::begin(values), std::end(values), value) - std::begin(values))];

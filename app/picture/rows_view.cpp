@@ -57,7 +57,7 @@ void parseZoom(T text, P& d) {
     d.aim.fits = text == "fit";
     d.camera.zoom = d.aim.fits ? 1 : parseNumber(text, kSmallestZoom, kLargestZoom);
 }
-/// A camera that was moved says itself how large.
+/// A camera that was moved has an explicit scale.
 std::string printZoom(const P& d) {
     const bool moved = d.camera.zoom != 1 || d.camera.pan != glm::dvec2(0);
     return d.aim.fits && !moved ? "fit" : exactText(d.camera.zoom);
@@ -128,7 +128,7 @@ void parseUncover(T text, P& d) {
     d.aim.uncovers = false;
     d.aim.uncover = text == "off" ? std::nullopt : std::optional(parseSelection(text));
 }
-/// "" is what holds where nothing was asked for: what is zoomed to is uncovered.
+/// "" is the default: uncovers the zoom target.
 std::string printUncover(const P& d) { return d.aim.uncover ? d.aim.uncover->text : d.aim.uncovers ? "" : "off"; }
 
 std::vector<Option> aimRows() {

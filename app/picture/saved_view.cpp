@@ -92,7 +92,7 @@ OrderedJson inputsJson(const std::vector<FurtherInput>& inputs) {
     return list;
 }
 
-/// Each of a list goes to the option by itself.
+/// Passes each element of a list to the option.
 void readList(const Option& option, const Json& list, PictureDescription& view) {
     if (!list.is_array() || list.size() > kMostWordOptions)
         throw std::invalid_argument("expected a list of at most " + std::to_string(kMostWordOptions) +
@@ -105,7 +105,7 @@ void readList(const Option& option, const Json& list, PictureDescription& view) 
     }
 }
 
-/// [1, 2.5] as "1,2.5"; what is no number is left out, so that their count is wrong.
+/// [1, 2.5] as "1,2.5"; drops invalid numbers, so that the count is wrong.
 std::string joined(const Json& list) {
     std::string text;
     for (const Json& number : list)
@@ -215,7 +215,7 @@ void readView(const std::string& json, const std::string& name, PictureDescripti
     view.aim.uncovers = true;  // a plane that was saved asks for nothing
 }
 
-/// A file that a view names stands beside it; an absolute path, or the name of a download, stays.
+/// A view's file is relative to the view; absolute paths and downloads stay.
 std::string besideView(const std::string& view, const std::string& file) {
     const std::filesystem::path there = std::filesystem::path(view).parent_path() / file;
     std::error_code error;

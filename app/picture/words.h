@@ -1,6 +1,6 @@
 #pragma once
-// The words that stand in a picture beside the molecule: labels, measurements, title, scale bar, legend. As options
-// ask for them; app/annotation/ places and paints them.
+// Words in a picture beside the molecule, as options: labels, measurements, title, scale bar, legend. app/annotation/
+// places and paints them.
 
 #include <array>
 #include <optional>
@@ -12,8 +12,8 @@
 
 namespace nacre::app {
 
-/// "SELECTION=TEXT". The text has fields in braces ({residue}{number}); the finest of them says what a label is for:
-/// each atom, each residue, each chain; without any, the selection as a whole.
+/// "SELECTION=TEXT". The text has fields in braces ({residue}{number}); the finest field decides the unit of a label:
+/// each atom, each residue or each chain; without fields, the whole selection.
 struct Label {
     Selection selection;
     std::string text;
@@ -23,7 +23,7 @@ struct Label {
 /// Distance, angle or torsion of two to four selections of one atom each.
 struct Measure {
     std::vector<Selection> points;
-    std::string text;  ///< as it was written
+    std::string text;  ///< as written
     friend bool operator==(const Measure&, const Measure&) = default;
 };
 
@@ -35,10 +35,10 @@ struct Words {
     std::string title;
     ScaleBar scaleBar = ScaleBar::off;
     bool legend = false;
-    bool distances = false;                     ///< of interactions that are drawn
-    bool seenOnly = false;                      ///< no labels of what lies behind other atoms
-    double size = 0;                            ///< pixels of an em; 0: a 42nd of the shorter side
-    std::optional<std::array<float, 3>> color;  ///< sRGB-coded; empty: dark or light, against the background
+    bool distances = false;                     ///< of drawn interactions
+    bool seenOnly = false;                      ///< hide labels behind other atoms
+    double size = 0;                            ///< em size, pixels; 0: 1/42 of the shorter side
+    std::optional<std::array<float, 3>> color;  ///< sRGB-coded; empty: dark or light, in contrast to the background
 
     bool any() const {
         return !labels.empty() || !measures.empty() || !title.empty() || scaleBar != ScaleBar::off || legend ||
@@ -47,20 +47,19 @@ struct Words {
     friend bool operator==(const Words&, const Words&) = default;
 };
 
-/// "SELECTION=TEXT", divided at the first '=' before which a selection stands.
-/// @throws std::invalid_argument for a field that there is not, markup that is not closed, no text; Error for the
-/// selection
+/// "SELECTION=TEXT", split at the first '=' after a valid selection.
+/// @throws std::invalid_argument for an unknown field, unclosed markup or empty text; Error for the selection
 Label parseLabel(std::string_view text);
-/// Two to four selections with commas between them; lists in them take '+'. A number alone is that of an atom.
+/// Two to four selections separated by commas; lists inside use '+'. A number alone is an atom's.
 Measure parseMeasure(std::string_view text);
 /// "off", "angstrom" or "A" or "Å", "nm".
 ScaleBar parseScaleBar(std::string_view text);
 const char* scaleBarText(ScaleBar bar);
 /// Checks the markup of a title. @throws std::invalid_argument
 std::string parseTitle(std::string_view text);
-/// An opaque colour as parseColor() takes it. @throws std::invalid_argument
+/// An opaque colour as for parseColor(). @throws std::invalid_argument
 std::array<float, 3> parseInk(std::string_view text);
-/// "SELECTION=TEXT" as parseLabel() takes it.
+/// "SELECTION=TEXT" for parseLabel().
 std::string labelText(const Label& label);
 
 constexpr std::size_t kMostLabels = 400, kMostWordOptions = 1000;
@@ -74,7 +73,7 @@ struct TextRun {
 };
 
 /// Markup as in TeX: _x and _{xyz} lower, ^x and ^{xyz} raise, \alpha to \Omega and \AA are letters, \ before another
-/// sign is that sign. Fields are not known here. @throws std::invalid_argument
+/// character is that character. Fields are not resolved here. @throws std::invalid_argument
 std::vector<TextRun> runsOf(std::string_view text);
 
 }  // namespace nacre::app

@@ -33,10 +33,10 @@ using app::Topic;
 constexpr app::Topics kNotHere = Topic::input | Topic::files | Topic::view;
 
 bool isOfReading(const app::Option& option) { return has(app::kReading, option.topic); }
-/// Of reading, but it says where occlusion is kept, too.
+/// An option of reading that also sets the occlusion cache.
 bool isCache(const app::Option& option) { return option.key == "cache"; }
 
-/// Drivers and threads do not live on in a process that was forked. @throws Error in such a one
+/// Drivers and threads do not survive fork(). @throws Error in a forked process
 void checkNotForked() {
     static std::atomic<pid_t> owner{0};
     pid_t first = 0;
@@ -54,7 +54,7 @@ auto deviceKey(const DeviceOptions& d) { return std::tuple(d.device, d.visibilit
 class Shared {
 public:
     void draw(const Structure& structure, const PictureDescription& request, const Colors& colors, const Draw& draw) {
-        checkNotForked();  // before any lock, which nobody may be there to open
+        checkNotForked();  // before any lock, which a vanished thread may hold
         if (!colors.atoms.empty()) checkCount(colors, structure.molecule->atoms.size());
         const std::lock_guard its(structure.kept->turn);
         app::Drawing& drawing = structure.kept->drawing;
@@ -66,7 +66,7 @@ public:
                 drawing.recolor = [kept = structure.kept.get()](Representation& scene) { paint(kept->colors, scene); };
         }
         app::loadMaps(request);
-        drawing.prepare(*structure.molecule, request);  // beside others that draw
+        drawing.prepare(*structure.molecule, request);  // in parallel with other threads
         const std::lock_guard lock(turn_);
         const auto key = deviceKey(request.device);
         if (!canvas_ || key_ != key || !canvas_->renderer.deviceLoss().empty()) {

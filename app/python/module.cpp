@@ -1,4 +1,4 @@
-// nacre._nacre: what the package nacre is made of. Arrays go in and out; everything that takes time lets go of the GIL.
+// nacre._nacre: the compiled part of the package nacre. Exchanges arrays; long calls release the GIL.
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -43,7 +43,7 @@ py::array_t<T> ofAtoms(const Molecule& m, Value&& value) {
     return array;
 }
 
-/// Texts of at most eight bytes, as numpy's fixed-width bytes: Python makes text of them.
+/// Texts of at most eight bytes, as numpy's fixed-width bytes, which Python converts to text.
 template <typename Value>
 py::array namesOf(const Molecule& m, Value&& value) {
     constexpr std::size_t kWidth = 8;
@@ -113,7 +113,7 @@ void addBonds(Molecule& m, const Integers& bonds) {
     m.bonds.erase(std::unique(m.bonds.begin(), m.bonds.end(), same), m.bonds.end());
 }
 
-/// What from_arrays() knows of each atom beside position and element; what is not known is empty.
+/// Atom data for from_arrays() besides position and element; empty if unknown.
 struct AtomColumns {
     std::vector<std::string> names, residueNames, chains;
     std::vector<std::int32_t> residueNumbers;
@@ -257,7 +257,7 @@ void addReading(py::module_& m) {
              })
         .def(py::pickle(
             [](const Structure& s) {
-                // Without its trajectory, of which the atoms stand as its frame has them.
+                // Without the trajectory; atoms have the positions of its frame.
                 return py::make_tuple(py::bytes(freely([&] { return pickled(*s.molecule); })), s.inputs, s.notes,
                                       s.reading.model);
             },

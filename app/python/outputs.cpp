@@ -102,7 +102,7 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
             else
                 drawing.show(canvas);
             RenderSettings settings = drawing.settings;
-            // What turns begins anew at 1, which the last frame stays short of.
+            // A rotation returns to its start at 1, which the last frame does not reach.
             settings.view =
                 app::viewAt(motion, settings.view, static_cast<double>(frame) / static_cast<double>(frames));
             Picture drawn = canvas.renderer.render(settings);

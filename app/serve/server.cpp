@@ -130,7 +130,7 @@ private:
     std::string path_;
 };
 
-/// An error's text without the place of a file that the client did not name.
+/// An error's text without paths that the client did not name.
 std::string without(std::string text, const std::string& place) {
     for (std::size_t at; !place.empty() && (at = text.find(place)) != std::string::npos;)
         text.replace(at, place.size(), "the input");
@@ -259,7 +259,7 @@ struct Server::Parts {
         const std::string tag = "\"" + name.substr(0, 32) + "\"";
         if (body.empty() && !moving) {
             response.set_header("ETag", tag);
-            // What a file holds may change: asked for each time.
+            // A file's content may change: must be revalidated.
             const bool file = asked.description.input.path.find(':') == std::string::npos;
             response.set_header("Cache-Control", file ? "no-cache" : "public, max-age=3600");
             if (request.get_header_value("If-None-Match").find(tag) != std::string::npos) {
@@ -304,7 +304,7 @@ struct Server::Parts {
         response.set_content(file ? without(text.str(), info.paths.front()) : text.str(), "application/json");
     }
 
-    /// What else decides about the bytes of a picture.
+    /// Everything else that decides a picture's bytes.
     static const std::string& program() {
         static const std::string text = [] {
             std::ostringstream out;

@@ -25,7 +25,7 @@ std::string bytesOfFile(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// What a picture is in its format. The codecs write files, so it goes through one.
+/// A picture encoded in its format. The codecs write files, so it goes through one.
 std::string encoded(const Picture& picture, const PictureDescription& description) {
     static std::atomic<unsigned> number{0};
     const std::string name =

@@ -1,6 +1,6 @@
 #pragma once
-// Threads that draw. Each has a canvas, and keeps the last molecule and scene: a request that differs from it in the
-// view alone costs a frame, and goes to the worker that has its molecule if that is free.
+// Drawing threads. Each has a canvas and keeps its last molecule and scene: a request with only another view costs one
+// frame, and goes to the worker that has its molecule if that is free.
 
 #include <condition_variable>
 #include <deque>
@@ -15,7 +15,7 @@
 
 namespace nacre::app {
 
-/// A picture as it is sent.
+/// A picture as sent.
 struct ServedPicture {
     std::string bytes;
     std::vector<std::string> warnings;
@@ -25,13 +25,13 @@ class Workers {
 public:
     /// @param options  outlives this @throws Error if there is no device
     explicit Workers(const ServeOptions& options);
-    /// Requests that are being drawn are finished, those that wait are answered with 503.
+    /// Finishes pictures in progress; waiting requests get 503.
     ~Workers();
     Workers(const Workers&) = delete;
 
     /// Draws one picture. @throws Problem: 429 if too many wait, 503 if it takes too long or the device is lost, 404 or
-    /// 422 for what cannot be read or drawn
-    /// @param newest  not empty: who asks. An older request of the same that still waits is answered with 429
+    /// 422 for input that cannot be read or drawn
+    /// @param newest  not empty: identifies the client. Its older waiting request gets 429
     ServedPicture draw(const PictureRequest& request, const std::string& newest = {});
 
     std::size_t waiting() const;
@@ -41,7 +41,7 @@ private:
         PictureRequest request;
         std::string newest;
         std::promise<ServedPicture> promise;
-        bool given = false;  ///< up by who asked
+        bool given = false;  ///< the client gave up
     };
     class Worker;
 
@@ -49,7 +49,7 @@ private:
     std::shared_ptr<Task> next(const Worker& worker);
 
     const ServeOptions& options_;
-    mutable std::mutex turn_;  // of all below
+    mutable std::mutex turn_;  // guards the following
     std::condition_variable wake_;
     std::deque<std::shared_ptr<Task>> tasks_;
     bool stopping_ = false;

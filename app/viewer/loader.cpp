@@ -23,7 +23,7 @@ Loader::~Loader() {
     if (thread_.joinable()) thread_.join();
 }
 
-/// The document is there before anyone is woken: whoever looks for it then finds it.
+/// Stores the document before the wake-up, so that it is found.
 void Loader::launch(Job job) {
     if (thread_.joinable()) thread_.join();
     last_ = job.view;
@@ -62,13 +62,13 @@ Document Loader::load(const Job& job) const {
     return document;
 }
 
-/// A slider that moves a level must not wait for what stays. Of what moves the scene is made anew.
+/// A slider of a level must not wait for unchanged parts. A moving scene is rebuilt.
 std::shared_ptr<const Document> Loader::mapsAlone(const PictureDescription& view, const Document& shown) {
     if (shown.moves() || difference(shown.view, view) != static_cast<Facets>(Facet::map)) return nullptr;
     return std::make_shared<const Document>(shown);
 }
 
-/// Copies of an assembly stand still.
+/// Copies of an assembly do not move.
 void Loader::build(Document& document, bool moves) const {
     const PictureDescription& view = document.view;
     if (!moves || !view.look.assembly.empty()) {
@@ -105,7 +105,7 @@ std::optional<Document> Loader::take() {
 
 void Loader::throwFailure() {
     if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    std::promise<Document> again;  // what is no error is put back
+    std::promise<Document> again;  // the document, if there was no error, is put back
     std::future<Document> done = std::move(running_);
     running_ = again.get_future();
     try {

@@ -11,9 +11,9 @@
 namespace nacre::app {
 namespace {
 
-constexpr double kFingerPoints = 12;      // what a pick may miss by
+constexpr double kFingerPoints = 12;      // tolerance of a pick
 constexpr double kHoverPoints = 2;        // and a pointer that rests
-constexpr double kHoverSeconds = 0.08;    // that it rests before what it is over is looked for
+constexpr double kHoverSeconds = 0.08;    // time at rest before the atom under it is looked up
 constexpr std::size_t kMostMarks = 3000;  // of a selection: of more atoms, some
 
 /// A selection as it is typed: `/name` is one of several molecules. @throws std::invalid_argument
@@ -23,7 +23,7 @@ Selection selectionOf(const std::string& text, const PictureDescription& view) {
     return selection;
 }
 
-/// Of each atom of the file, whether something that is drawn is of it.
+/// For each atom of the file, whether a drawn primitive belongs to it.
 std::vector<bool> seenAtoms(const Representation& scene, std::size_t atoms) {
     std::vector<bool> seen(atoms + 1);  // numbers begin at 1
     const auto see = [&](std::uint32_t atom) {
@@ -36,7 +36,7 @@ std::vector<bool> seenAtoms(const Representation& scene, std::size_t atoms) {
     return seen;
 }
 
-/// The residue of an atom, as one would type it; the atom where its residue is the whole molecule.
+/// The residue of an atom as a selection; the atom if the residue is the whole molecule.
 std::string residueText(const Document& document, std::uint32_t atom) {
     const Molecule& molecule = *document.molecule;
     const std::uint32_t number = molecule.atoms[atom].residue;
@@ -81,7 +81,7 @@ void Picking::measure(Measuring what) {
     stage_.schedule.overlayChanged();
 }
 
-/// Beside the molecule it means the whole, and where one residue is all of it.
+/// Off the molecule it means the whole, and if one residue is everything.
 std::optional<Selection> Picking::doubleTap(glm::dvec2 at, double now) {
     picks_ = picksBefore_;
     stage_.schedule.overlayChanged();
@@ -97,8 +97,7 @@ void Picking::pointerLeft() {
     if (std::exchange(hovered_, 0) != 0) stage_.schedule.overlayChanged();
 }
 
-/// Something else may lie under the pointer when the picture has changed: what did has no name any longer, and what
-/// does is looked for when both have come to rest.
+/// The picture may have changed under the pointer: hides the old name, and looks up the atom when both are at rest.
 double Picking::advance(double now) {
     if (std::exchange(seen_, stage_.changes()) != stage_.changes()) {
         hovered_ = 0;
@@ -143,7 +142,7 @@ std::vector<std::uint32_t> Picking::markedAtoms(const std::vector<bool>& chosen)
     return atoms;
 }
 
-/// Where the selection's atoms stand in the scene that is shown.
+/// Positions of the selected atoms in the current scene.
 void Picking::placeSelection() {
     selectedPlaces_.clear();
     selected_.error.clear();
@@ -162,7 +161,7 @@ void Picking::placeSelection() {
     }
 }
 
-// --- what is said of it
+// --- texts
 
 Annotations Picking::annotations() const {
     Annotations a;

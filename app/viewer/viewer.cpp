@@ -88,7 +88,7 @@ void Viewer::resume(double now) {
     stage_.schedule.windowChanged(now);
 }
 
-// --- what is shown
+// --- current state
 
 void Viewer::setLook(const PictureDescription& look, double now, bool continues) {
     const PictureDescription before = view();
@@ -100,9 +100,9 @@ void Viewer::setLook(const PictureDescription& look, double now, bool continues)
     stage_.motion.setProjection(look.camera.projection);
     stage_.changed(now);
     const Facets parts = difference(before, view());
-    // What cannot be said of this molecule is not kept.
+    // Words that do not fit this molecule are refused.
     if (has(parts, Facet::annotation) && !words_.place(now)) wanted.words = before.words;
-    // What is being read is seen in this look once it is there.
+    // The document being read will be shown in this look.
     if ((parts & (Facet::scene | Facet::map)) != 0 && stage_.shown() && !reading_.another()) reading_.build();
     if (has(parts, Facet::occlusion)) frames_.restartOcclusion();
 }
@@ -126,7 +126,7 @@ void Viewer::show(const PictureDescription& to, double now, double seconds) {
 }
 
 void Viewer::restore(const PictureDescription& to, double now, double seconds) {
-    // What is shown may still be something else than what was asked for before.
+    // The document may still be older than the wanted view.
     const Document& document = stage_.document;
     const Facets seen = difference(view(), to), parts = difference(document.view, to);
     const bool file = !stage_.shown() || has(parts, Facet::input);
@@ -206,7 +206,7 @@ std::string Viewer::title() const {
 
 // --- time
 
-/// Moves what moves by itself. @returns when something is due
+/// Advances automatic motion. @returns when something is due
 double Viewer::advance(double now) {
     apply(touches_.tick(now), now);
     if (stage_.motion.advance(now)) stage_.changed(now);

@@ -1,10 +1,10 @@
 #pragma once
-// The viewer, free of platforms: molecule, look, camera, hands, picks, and when to draw. A shell feeds it events, asks
-// it after each when it wants to be called again, and shows what annotations() and title() say. It has no clock: every
-// call says what time it is, in seconds. For one thread.
+// The viewer, independent of platforms: molecule, look, camera, input, picks, and timing. A shell passes events to it,
+// asks after each when to call again, and shows annotations() and title(). It has no clock: every call passes the time,
+// in seconds. For one thread.
 //
-// It consists of parts that share a Stage, and lets the shell have them: reading, playback, picking, words, frames. A
-// picture too large to be loaded leaves the one before.
+// Its parts share a Stage and are accessible to the shell: reading, playback, picking, words, frames. If a document
+// cannot be loaded for lack of memory, the previous one stays.
 
 #include <functional>
 #include <optional>
@@ -56,30 +56,30 @@ public:
     void pause();
     void resume(double now);
 
-    // What is shown
+    // Current state
     const PictureDescription& view() const { return stage_.view(); }
     const Document* document() const { return stage_.shown() ? &stage_.document : nullptr; }
-    /// All that a view says: its molecule is read. @param seconds  that the flight there takes
+    /// Applies a complete view, and reads its molecule. @param seconds  duration of the flight
     void show(const PictureDescription& view, double now, double seconds = CameraMotion::kFlightSeconds);
-    /// Another look or projection; the camera of `look` is not looked at.
-    /// @param continues  one step of the history with the look before, as while a slider is dragged
+    /// Sets another look or projection; ignores the camera of `look`.
+    /// @param continues  joins the previous undo step, as during a slider drag
     void setLook(const PictureDescription& look, double now, bool continues = false);
     bool canUndo() const { return stage_.shown() && stage_.history.canUndo(stage_.destination()); }
     bool canRedo() const { return stage_.shown() && stage_.history.canRedo(stage_.destination()); }
     void undo(double now);
     void redo(double now);
     std::string title() const;
-    /// Of what is shown, in words (explanation.h); empty while there is nothing.
+    /// Explains the picture (explanation.h); empty without a document.
     std::string explanation() const;
-    /// Labels, measurements and rules are others than when the molecule was opened, or the view was saved.
+    /// Whether labels, measurements or rules changed since the molecule was opened or the view saved.
     bool hasUnsavedWork() const;
     void noteSaved() { saved_ = view(); }
 
-    /// Brings everything to a time and draws, if there is something to draw.
+    /// Advances everything to a time and draws, if there is something to draw.
     /// @param overlay called before a frame is drawn; may be empty
-    /// @returns when to call again, if nothing happens before; never: infinity
+    /// @returns when to call again without further events; never: infinity
     double update(double now, const std::function<const Overlay*()>& overlay = {});
-    /// The time that the last update() was told.
+    /// The time of the last update().
     double lastUpdate() const { return updated_; }
 
 private:

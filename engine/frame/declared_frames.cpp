@@ -10,7 +10,7 @@
 namespace nacre {
 namespace {
 
-// Bindings name every member: where one is added, nothing compiles until it is compared, too.
+// Structured bindings name every member: a new one does not compile until it is compared.
 
 auto membersOf(const graph::EncodedFormat& e) {
     const auto& [rung, name, format, channels, steps, farthest, ordered] = e;

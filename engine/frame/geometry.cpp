@@ -42,7 +42,7 @@ Shape impostorOf(ImpostorShape shape) {
     }
 }
 
-/// Whether a colour of the pass holds whole numbers: those of primitives, which the vertex stage hands on.
+/// Whether a colour of the pass holds integers: primitive numbers, which the vertex stage passes on.
 bool numbers(const graph::Graph& graph, const graph::PassDecl& pass) {
     return std::any_of(pass.uses.begin(), pass.uses.end(), [&](const graph::Use& use) {
         const VkFormat format = graph.images()[use.resource].desc.format;

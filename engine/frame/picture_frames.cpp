@@ -37,7 +37,7 @@ std::uint64_t pixelBytes(const ScreenTarget& target, graph::Extent extent) {
     return std::uint64_t{extent.width} * extent.height * graph::bytesPerTexel(target.format);
 }
 
-/// What becomes of the targets, or of the colours that compute has shaded.
+/// Declares the use of the targets, or of colours from compute shading.
 void declareEnd(ScreenFrame& frame, const FrameShape& shape) {
     if (shape.options.shadedByTiles) return frame.graph.output(frame.numbers);
     for (std::size_t i = 0; i < frame.targets.size(); ++i) {
@@ -65,7 +65,7 @@ std::vector<gpu::Buffer> bindPixels(const gpu::Device& device, DeclaredFrame& de
     return pixels;
 }
 
-/// Debug views show what single samples are made of.
+/// Debug views show single samples.
 bool wantsEdges(const RenderSettings& settings) {
     return settings.supersample == RenderSettings::kEdges && settings.debug == DebugView::none;
 }
@@ -81,7 +81,7 @@ void addTimes(std::vector<PassTime>& sum, const std::vector<PassTime>& times) {
 /// Debug views are no finer than the eye.
 bool isFine(const RenderSettings& settings) { return settings.fine && settings.debug == DebugView::none; }
 
-/// Pixels about a part that may change what is in it: those beside an edge, and as far as lines and halos reach.
+/// Margin around a part, in pixels, that influences it: neighbours for edges, and the reach of outlines and halos.
 std::uint32_t rimOf(const RenderSettings& settings) {
     constexpr std::uint32_t kRim = PictureRect::kStep;
     static_assert(kRim == TileLists::kBinPixels);  // its bins are those of the whole
@@ -89,7 +89,7 @@ std::uint32_t rimOf(const RenderSettings& settings) {
     return kRim * std::max(static_cast<std::uint32_t>(std::ceil(reach / kRim)), 1u);
 }
 
-/// A rectangle of a view with a rim, as far as the view has one, and where the rectangle is in that.
+/// A rectangle of a view with a margin, clamped to the view, and the rectangle's position in it.
 std::pair<View, PictureRect> withRim(const View& whole, const PictureRect& part, std::uint32_t rim) {
     const std::uint32_t left = part.x - std::min(part.x, rim), top = part.y - std::min(part.y, rim);
     const std::uint32_t right = std::min(part.x + part.width + rim, whole.width);
@@ -152,7 +152,7 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     return drawn;
 }
 
-/// What the last frame was.
+/// Records the last frame.
 void PictureFrames::tell(const SeenFrame& seen, const FrameTuning& tuning) {
     const graph::Plan& plan = last_->plan;
     stats_.tileBytesPerPixel = graph::tileBytesPerPixel(plan);
@@ -170,7 +170,7 @@ const std::string& PictureFrames::planText() const {
     return planText_;
 }
 
-/// @throws Error if the device draws no such view
+/// @throws Error if the view exceeds the device's limits
 void PictureFrames::checkSize(const View& view) const {
     const std::uint32_t most = device_.caps().maxImageSize;
     if (std::max(view.width, view.height) > most)
@@ -216,7 +216,7 @@ bool PictureFrames::drawsEdges(const RenderSettings& settings) const {
     return frames_.drawsEdges() && !settings.effects.rims();
 }
 
-/// N x N samples a pixel, in one frame.
+/// N x N samples per pixel, in one frame.
 Picture PictureFrames::sampledPicture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
                                       std::uint32_t n) {
     const View view = scaled(wanted.view, n);
@@ -300,7 +300,7 @@ void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& a
 }
 
 std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, double y, double reach) {
-    // A picture of its own, as large as the reach, about the place. The middle pixel is the one that holds (x, y).
+    // A separate picture around the position, as large as the reach. Its middle pixel contains (x, y).
     const auto side = static_cast<std::uint32_t>(2 * std::ceil(std::clamp(reach, 0.0, 100.0)) + 1);
     RenderSettings small = settings;
     small.occlusion.directions = 0;

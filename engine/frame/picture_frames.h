@@ -1,5 +1,5 @@
 #pragma once
-// Frames that the host waits for: pictures, layers, and what lies under a point.
+// Frames that the host waits for: pictures, layers, and picking.
 
 #include "engine/frame/declared_frames.h"
 #include "engine/frame/scene_frames.h"
@@ -8,17 +8,17 @@ namespace nacre {
 
 class PictureFrames {
 public:
-    /// All of them outlive this.
+    /// All arguments outlive this.
     PictureFrames(const gpu::Device& device, gpu::Executor& executor, SceneFrames& frames)
         : device_(device), executor_(executor), frames_(frames), timer_(device), declared_(device.caps().plan) {}
 
-    /// @throws Error if the picture is larger than the device draws, or memory runs out
+    /// @throws Error if the picture exceeds the device's limits, or memory runs out
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas);
     /// As Renderer::renderPart.
     Picture part(const RenderSettings& settings, const passes::Atlas& atlas, const PictureRect& part);
     LayerPicture layers(const RenderSettings& settings, const passes::Atlas& atlas);
-    /// A frame of which nothing is read back. Of RenderSettings::kEdges, one that draws edges if one can, or the blocks
-    /// of a picture; where a picture is the mean of frames, one of them.
+    /// Draws one frame without reading it back. With RenderSettings::kEdges: one that draws edges if supported, else
+    /// the blocks of a picture; for a picture averaged from several frames, one of those.
     void frame(const RenderSettings& settings, const passes::Atlas& atlas);
     /// As Renderer::atomAt.
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);
@@ -36,7 +36,7 @@ private:
         View view;
         PictureRect inner;
     };
-    /// What a frame left.
+    /// Results of a frame.
     struct Drawn {
         std::vector<gpu::Buffer> pixels;                  ///< of each target, if they were to be read back
         std::shared_ptr<const passes::TileFrame> colors;  ///< not null: the picture, which is where the host reads it
@@ -69,7 +69,7 @@ private:
     gpu::Timer timer_;
     DeclaredFrames declared_;
     std::shared_ptr<const DeclaredFrame> last_;
-    mutable std::string planText_;  // of it; made when it is asked for
+    mutable std::string planText_;  // of the last frame; made on demand
 };
 
 }  // namespace nacre

@@ -17,7 +17,7 @@ using Context = gpu::PassContext;
 
 namespace {
 
-// What is read counts for a pipeline by its kind alone: only what records needs the images.
+// Pipelines depend only on the kind of what is read; images are needed for recording alone.
 vk::ImageView viewOf(const Context& c, Image image) { return c.view(image); }
 vk::ImageView viewOf(const gpu::PipelineContext&, Image) { return {}; }
 
@@ -26,7 +26,7 @@ Reads readsOf(const Any& c, NearestFrom from, Image atlas, std::optional<Image> 
     return {from, viewOf(c, atlas), nearest ? viewOf(c, *nearest) : vk::ImageView()};
 }
 
-/// What an earlier pass left: on the tile, or in memory.
+/// Result of an earlier pass: on the tile, or in memory.
 NearestFrom left(const gpu::PipelineContext& c) {
     return c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
 }
@@ -43,7 +43,7 @@ graph::Work Recorder::of(Describe describe) const {
             }};
 }
 
-/// Of one whose pipelines nobody asks for ahead.
+/// A pass whose pipelines are not made ahead.
 template <typename Pass>
 graph::Work Recorder::later(Pass pass) const {
     if (!shown_) return {};

@@ -25,12 +25,12 @@ void addEffects(layout::ViewConstants& c, const RenderSettings& settings, const 
     const double center = view.projection == Projection::perspective ? view.eyeDistance : view.radius;  // its Z
     c.clipNear = static_cast<float>(std::max<double>(center + e.clip.near, -layout::kNoPlane));
     c.clipFar = static_cast<float>(std::min<double>(center + e.clip.far, layout::kNoPlane));
-    // `view` may have more pixels than the picture: as many times as wide is the line then.
+    // `view` may have more pixels than the picture: scales the outline accordingly.
     c.contourWidth = static_cast<float>(e.contours.width / settings.view.pixelsPerAngstrom);
     c.contourDepth = static_cast<float>(e.contours.depth);
 }
 
-/// `view` may have more pixels than the picture: as many times as wide are rims then.
+/// `view` may have more pixels than the picture: scales rims accordingly.
 passes::Rims rimsOf(const RenderSettings& settings) {
     const Effects& e = settings.effects;
     const double perPixel = 1.0 / settings.view.pixelsPerAngstrom;
@@ -50,7 +50,7 @@ View lightView(const RenderSettings& settings, const View& view) {
     light.width = light.height = shadowPixels(settings);
     light.rotation = glm::transpose(glm::dmat3(u, v, w)) * view.rotation;
     light.radius = view.radius;
-    constexpr double kRoom = 0.5;  // Å: bonds may stand out a little
+    constexpr double kRoom = 0.5;  // margin, Å: bonds may extend slightly beyond
     light.pixelsPerAngstrom = light.width / (2.0 * (view.radius + kRoom));
     return light;
 }
@@ -76,7 +76,7 @@ void addShadow(layout::EffectConstants& c, const RenderSettings& settings) {
     c.shadow = static_cast<float>(settings.effects.shadow.strength);
 }
 
-/// What the light sees of a scene. Where planes cut, what stands before the near one by its middle is left out.
+/// The scene as the light sees it. With clipping, primitives whose centre is in front of the near plane are left out.
 std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const Scene& scene,
                                               const RenderSettings& settings, const View& view, SceneViews& views) {
     const View light = lightView(settings, view);
@@ -92,7 +92,7 @@ std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const S
     seen->buffers = &scene.buffers;
     // As the view does, so that nothing shades itself.
     passes::placeCopies(seen->copies, scene.representation, light, nullptr, 0, meshErrorOf(settings, view));
-    // Light goes through what is translucent.
+    // Translucent parts cast no shadow.
     passes::choose(seen->copies.triangles, scene.translucent, passes::Triangles::opaque);
     seen->impostor = settings.tuning.impostor;
     seen->radiusPixels = scene.meanRadius * light.pixelsPerAngstrom;
@@ -139,7 +139,7 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const Sc
     const View& view = settings.view;
     const double center = view.projection == Projection::perspective ? view.eyeDistance : view.radius;
     const bool automatic = e.fog.range == Fog::Range::automatic;
-    // What stands in front of the centre is clear.
+    // No fog in front of the centre.
     const double start = automatic ? 0.0 : e.fog.start, end = automatic ? view.radius : e.fog.end;
     const auto& [r, g, b, alpha] = settings.background;
     layout::EffectConstants c{};

@@ -41,7 +41,7 @@ std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& 
     return effects_ = effectBuffers_.upload(std::as_bytes(std::span(&wanted, 1)));
 }
 
-/// @throws Error if no layer can be laid over a picture of this format
+/// @throws Error if layers cannot be blended into this format
 void SceneFrames::checkBlending(VkFormat format) const {
     if (format != VK_FORMAT_R32G32B32A32_SFLOAT || device_.caps().blendsFloats) return;
     throw Error("cannot draw translucent surfaces", device_.caps().deviceName,
@@ -82,7 +82,7 @@ Visibility SceneFrames::settle(RenderSettings& settings, const FrameRequest& req
     const bool picture = isPicture(request);
     if (!picture) settings.debug = DebugView::none;
     const bool debug = settings.debug != DebugView::none;
-    // What tells of a pixel's atom tells nothing of lines about it.
+    // Passes that report a pixel's atom ignore outlines.
     if (!picture || debug) settings.effects.contours.width = settings.effects.halos.width = 0;
     const bool color = std::any_of(request.targets.begin(), request.targets.end(),
                                    [](const ScreenTarget& t) { return t.output == passes::Output::color; });
@@ -118,7 +118,7 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     options.layersByTiles = view.translucent && view.translucent->tiles;
 }
 
-/// What the frame submits, beside the levels of meshes, which are counted before some of them are left out.
+/// Submitted primitives; mesh levels are counted before culling.
 void SceneFrames::count(SeenFrame& seen) {
     const passes::SceneView& view = *seen.view;
     SceneCounts& counts = seen.counts;
@@ -133,7 +133,7 @@ void SceneFrames::count(SeenFrame& seen) {
 }
 
 void SceneFrames::letGo() {
-    for (int held = 0; held < 2; ++held)  // a view holds what the light sees, and what is translucent
+    for (int held = 0; held < 2; ++held)  // a view holds the light's view, and the translucent one
         views_.eachFree([](passes::SceneView& view) { view.clear(); });
 }
 

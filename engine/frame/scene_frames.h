@@ -12,18 +12,18 @@
 
 namespace nacre {
 
-/// What is asked of a frame.
+/// Request for a frame.
 struct FrameRequest {
     const RenderSettings& settings;
-    const passes::Atlas& atlas;  ///< of the occlusion that is there so far; not looked at if the settings ask for none
+    const passes::Atlas& atlas;  ///< occlusion computed so far; unused if the settings ask for none
     const View& view;
     std::span<const ScreenTarget> targets;
-    const char* name = "screen";  ///< of the graph, by which its images are kept
+    const char* name = "screen";  ///< of the graph; its images are kept by this name
     FrameEnd end = FrameEnd::left;
-    std::shared_ptr<passes::FragmentCounter> fragments = nullptr;  ///< counts them, if not null
-    bool edges = false;  ///< whether they are to be drawn from kEdgeSamples; the shape tells whether they are
-    /// Of a window, whose frames follow each other: what SceneCounts::radiusPixels was of the one before, or 0. A zoom
-    /// to and fro keeps its pipelines by it.
+    std::shared_ptr<passes::FragmentCounter> fragments = nullptr;  ///< not null: counts fragments
+    bool edges = false;  ///< draw edges with kEdgeSamples; the shape tells whether that is possible
+    /// SceneCounts::radiusPixels of the previous window frame, or 0. Hysteresis: small zooms in and out keep their
+    /// pipelines.
     std::optional<double> radiusBefore = {};
     bool subsamples = false;  ///< kBlockSamples x kBlockSamples of its pixels are one of a picture
 };
@@ -31,11 +31,11 @@ struct FrameRequest {
 /// A scene as a frame shows it.
 struct SeenFrame {
     FrameShape shape;
-    std::shared_ptr<passes::SceneView> view;  ///< what the frame's commands use, for as long as they are in flight
+    std::shared_ptr<passes::SceneView> view;  ///< resources of the frame's commands while they are in flight
     const gpu::Image* atlas = nullptr;
     SceneCounts counts;
 
-    /// Of `tiles` that compute shades: they are the picture.
+    /// For `tiles` with compute shading: the picture.
     std::shared_ptr<const passes::TileFrame> colors() const {
         return shape.options.shadedByTiles ? view->tiles : nullptr;
     }
@@ -43,17 +43,17 @@ struct SeenFrame {
 
 class SceneFrames {
 public:
-    /// All of them outlive this.
+    /// All arguments outlive this.
     SceneFrames(const gpu::Device& device, gpu::Executor& executor, const std::shared_ptr<const Scene>& scene);
 
-    /// What a frame will show, and the shape of it, with the debug view that the settings ask for.
+    /// The scene and shape of a frame, with the debug view that the settings ask for.
     SeenFrame see(const FrameRequest& request);
-    /// Has a frame of that shape show it, and binds what it imports but for what its end does.
+    /// Makes a frame of that shape show it. Binds all imports except those of the frame's end.
     static void bind(DeclaredFrame& declared, const SeenFrame& seen);
-    /// Nothing but frames in flight holds on to a scene any more.
+    /// Releases the scene; only frames in flight still hold it.
     void letGo();
 
-    /// Whether one frame can draw edges from more samples than what lies between them; else all pixels have as many.
+    /// Whether one frame can draw edges with more samples than the rest; otherwise all pixels have equally many.
     bool drawsEdges() const {
         return device_.caps().visibility == Visibility::tiles && device_.caps().tiles.drawsEdges && !translucent();
     }
@@ -67,24 +67,24 @@ private:
     bool shadesByTiles(const FrameRequest& request) const;
     void addLists(SeenFrame& seen, const RenderSettings& settings, const FrameRequest& request);
     static void count(SeenFrame& seen);
-    /// Whether a view has so many spheres that the host looks for those that others hide.
+    /// Whether a view has enough spheres for the host to cull hidden ones.
     static bool hides(const passes::SceneView& seen, const RenderSettings& settings);
-    /// Where the host can draw them instead, boxes about them; else null.
+    /// Bounding boxes, where the host can draw them instead of spheres; else null.
     const SphereBoxes* boxesOf(const passes::SceneView& seen, const RenderSettings& settings, const View& view,
                                bool edges) const;
-    /// Takes out of a view the spheres that others hide. @param edges  samples between the middles of pixels look at it
+    /// Removes hidden spheres from a view. @param edges  also test samples between pixel centres
     void dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view, bool edges);
     void checkBlending(VkFormat format) const;
 
     const gpu::Device& device_;
     const std::shared_ptr<const Scene>& scene_;  ///< changes between frames
-    gpu::Image white_;                           // the atlas of scenes without occlusion
-    // Memory that frames are made in, used again when those in flight are done: nothing of one shows in the next.
+    gpu::Image white_;                           // the atlas for scenes without occlusion
+    // Frame memory, reused when frames in flight are done. Carries nothing from one frame to the next.
     SceneViews views_;
     passes::TileFrames tiles_, layerTiles_;
     passes::HiddenSpheres hidden_;
     layout::EffectConstants lastEffects_{};
-    std::shared_ptr<const gpu::Buffer> effects_;  // of these
+    std::shared_ptr<const gpu::Buffer> effects_;  // for the effects
     gpu::FrameBuffers effectBuffers_, copyRows_;
 };
 

@@ -26,8 +26,8 @@ void addPrepass(ScreenFrame& f, const Recorder& draw) {
     f.graph.graphics("opaque prepass").depth(f.depth, Clear{1.0f}).record(draw.plates());
 }
 
-// One function a visibility path (that of tiles has a file). Each declares its passes into a frame that has its depth
-// and atlas.
+// One function per visibility path (tiles: own file). Each declares its passes into a frame that has its depth and
+// atlas.
 
 /// The paper's: opaque prepass, encoded depth, impostor colour; three subpasses, and colour alone leaves the tile.
 void declareEncoded(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
@@ -112,7 +112,7 @@ void declareRasterOrder(ScreenFrame& f, const ScreenOptions& options, const Reco
         .depthTest(f.depth)
         .ordered(f.nearest, Clear{1.0f})
         .record(draw.encodedDepthInOrder(f.atlas, f.nearest));
-    for (const ScreenTarget& target : options.targets)  // share what the pass before them kept
+    for (const ScreenTarget& target : options.targets)  // share the previous pass's attachments
         f.lit(f.graph.graphics(target.pass).depthTest(f.depth))
             .color(f.add(target, options.extent), target.clear)
             .samples(f.nearest)
@@ -121,8 +121,8 @@ void declareRasterOrder(ScreenFrame& f, const ScreenOptions& options, const Reco
 
 // On every path:
 
-// The nearest triangles of all are found before anything opaque is: those of them that something opaque hides are left
-// out when they are laid over it. So the frame of what is opaque is the same as without them, in one piece.
+// Translucent triangles are found before opaque visibility; hidden ones are dropped during compositing. So the opaque
+// frame is identical with and without them, in one piece.
 
 /// Numbers of the nearest translucent triangles of each pixel, and of the next ones behind.
 void declareTranslucentLayers(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
@@ -146,7 +146,7 @@ void declareTranslucentLayers(ScreenFrame& f, const ScreenOptions& options, cons
     }
 }
 
-/// Lays them over what the path has drawn, the farthest first.
+/// Composites the layers over the path's result, farthest first.
 void declareTranslucentColors(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
     const bool ordered = options.visibility == Visibility::rasterOrder;
     const bool encodes = options.visibility == Visibility::encoded || ordered;

@@ -1,5 +1,5 @@
 #pragma once
-// The screen frame, declared: its images and passes. The renderer draws this graph and `nacre plan` prints it.
+// Declares the screen frame: its images and passes. The renderer draws this graph and `nacre plan` prints it.
 
 #include <optional>
 #include <span>
@@ -21,34 +21,34 @@ struct ScreenTarget {
     passes::Output output;
     const char* pass;  ///< name of the pass that makes it
     graph::Clear clear{0.0f};
-    bool window = false;  ///< it is the window's image, and left to the display
+    bool window = false;  ///< it is the window's image, to be presented
 };
 
-/// State in which a window's image comes and goes.
+/// State of a window's image before and after a frame.
 constexpr graph::State kWindowState{VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, 0, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
 
-/// What an application shows.
+/// The target of an application.
 constexpr ScreenTarget kScreenTargets[] = {
     {"colour", VK_FORMAT_R8G8B8A8_SRGB, passes::Output::color, "impostor colour"}};
-/// The same where shaders code colour as sRGB themselves: the same bytes, whatever writes them.
+/// As above where shaders apply the sRGB coding: the bytes are the same.
 constexpr ScreenTarget kCodedTargets[] = {
     {"colour", VK_FORMAT_R8G8B8A8_UNORM, passes::Output::color, "impostor colour"}};
 
-/// The pass that draws what the light sees.
+/// Draws depth as seen from the light.
 constexpr const char* kShadowPass = "shadow map";
-/// The pass that draws what depends on the pixel's nearest primitive about others.
+/// Draws effects that compare a pixel's nearest primitive with its neighbours'.
 constexpr const char* kRimPass = "lines and halos";
 
-/// The passes of translucent triangles, counted from the nearest layer on.
+/// Draw translucent triangles; numbered from the nearest layer.
 constexpr const char* kTranslucentLayer = "translucent layer ";
 constexpr const char* kTranslucentColor = "translucent colour ";
-/// Layers of them that a pixel shows: the nearest ones that nothing opaque hides.
+/// Translucent layers per pixel: the nearest ones in front of opaque surfaces.
 constexpr std::uint32_t kTranslucentLayers = 2;
 
 struct ScreenOptions {
     graph::Extent extent;
     Visibility visibility = Visibility::encoded;  ///< not `automatic`
-    graph::EncodedFormat encoded;                 ///< of `encoded`
+    graph::EncodedFormat encoded;                 ///< for `encoded`
     graph::ImageDesc atlas{VK_FORMAT_R8_UNORM, {1, 1}};
     std::span<const ScreenTarget> targets;
     bool prepass = true;                  ///< false: plates would reject nothing on this path (graph::platesReject)
@@ -61,14 +61,14 @@ struct ScreenOptions {
     bool layersByTiles = false;           ///< of `tiles`: compute finds them, too
 };
 
-/// What a view submits, and how large it is in the picture.
+/// Primitives that a view submits, and their size in the picture.
 struct SceneCounts {
-    std::uint64_t spheres = 0, cylinders = 0, triangles = 0;  ///< of all copies
+    std::uint64_t spheres = 0, cylinders = 0, triangles = 0;  ///< in all copies
     double radiusPixels = 0;                                  ///< mean radius of the spheres
     bool perspective = false;
     std::uint64_t translucent = 0;  ///< triangles beside the others, which one looks through
     std::vector<MeshLevelCount> meshLevels{};
-    TileCounts lists{};  ///< that it is drawn from
+    TileCounts lists{};  ///< tile lists
 };
 
 struct ScreenFrame {
@@ -86,7 +86,7 @@ struct ScreenFrame {
     std::vector<graph::Buffer> pixels;          ///< imported, of targets that the host reads
     std::optional<graph::Image> sum;            ///< imported, of a window: of its picture's samples
 
-    /// A pass that shades samples what light is told by. @returns the pass
+    /// The pass samples the shadow map. @returns the pass
     graph::PassBuilder& lit(graph::PassBuilder& pass) const;
     /// The image of a target. @returns it
     graph::Image add(const ScreenTarget& target, graph::Extent extent);
@@ -96,14 +96,13 @@ struct ScreenFrame {
 /// @param recorder  what the passes record; by default nothing: the frame is only looked at
 ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder = {});
 
-/// The path of `tiles`: numbers of the nearest primitives by compute, tile by tile from lists in order of depth; then
-/// every covered pixel is shaded once. No triangles but those around what may be covered. Edges: what their samples
-/// see, from the same lists.
+/// The `tiles` path: compute finds the nearest primitives per tile, from lists in depth order; then every covered pixel
+/// is shaded once. Draws no triangles except those that bound covered areas. Edges: samples from the same lists.
 void declareTiles(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
 
-/// The same frame as the paper arranged it on OpenGL ES 2: prepass and depth texture in one framebuffer, then the
-/// picture in another, which samples the full-screen depth texture. Three 8-bit channels encode depth, and 16 bits of
-/// hardware depth are what that interface promises.
+/// The frame as the paper built it on OpenGL ES 2: prepass and depth texture in one framebuffer, then the picture in
+/// another that samples the full-screen depth texture. Depth is encoded in three 8-bit channels; hardware depth has 16
+/// bits, the minimum of OpenGL ES 2.
 graph::Graph paperFrame(graph::Extent extent);
 
 }  // namespace nacre

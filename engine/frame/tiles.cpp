@@ -11,7 +11,7 @@ graph::Buffer addPixels(ScreenFrame& f, const ScreenOptions& options, const char
     return f.graph.importBuffer(name, bytes * TileLists::pixelsOfBins(options.extent.width, options.extent.height));
 }
 
-/// Colours stand in a buffer row by row, where the host reads them: nothing makes an image of it.
+/// Colours are in a buffer row by row, where the host reads them: no image is made.
 void declareShadedTiles(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
     f.numbers = addPixels(f, options, "colours of tiles", kWord);
     if (options.edges) f.edges = addPixels(f, options, "primitive numbers", kWord);

@@ -12,11 +12,11 @@ namespace {
 
 using Quality = WindowFrame::Quality;
 
-/// Of sums of samples: blends on every device, and holds sixteen of them within a quarter of a step of 8 bits.
+/// Format of sample sums: blendable on every device; sums sixteen samples within a quarter of an 8-bit step.
 constexpr VkFormat kSumFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
-/// The view whose pixels look through the i-th of so many samples, which stand in rows as those of a picture do. Each
-/// of sixteen is far from the ones before.
+/// The view through sample i of a number of samples, arranged in rows as those of a picture. Each of sixteen is far
+/// from the previous ones.
 View throughSampleOf(View view, std::uint32_t samples, std::uint32_t i) {
     if (samples == RenderSettings::kEdgeSamples) i = i * 5 % samples;
     const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(samples)));
@@ -25,7 +25,7 @@ View throughSampleOf(View view, std::uint32_t samples, std::uint32_t i) {
     return view;
 }
 
-/// A window is opaque: a background that is not stands over white.
+/// A window is opaque: composites the background over white.
 graph::Clear clearOf(const std::array<float, 4>& background) {
     const float a = background[3];
     const auto channel = [&](std::size_t i) { return linearFromSrgb(background[i]) * a + 1.0f - a; };
@@ -61,8 +61,8 @@ bool WindowFrames::coded() const {
     return swapchain_.format() == VK_FORMAT_B8G8R8A8_UNORM || swapchain_.format() == VK_FORMAT_R8G8B8A8_UNORM;
 }
 
-/// Of pictures that are brought to the window: the window's own where that can be, so that one set of pipelines draws
-/// them and the window.
+/// Format of pictures that are copied to the window: the window's own if possible, so that both share one set of
+/// pipelines.
 VkFormat WindowFrames::pictureFormat() const { return coded() ? VK_FORMAT_R8G8B8A8_SRGB : swapchain_.format(); }
 
 /// Brings swapchain and kept picture to the window's size. @returns whether there is anything to draw into
@@ -118,7 +118,7 @@ void WindowFrames::addOverlay(graph::Graph& frame, graph::Image window) const {
     frame.graphics("overlay").color(window).record({draw, want});
 }
 
-/// What brings smaller pictures, samples and their sum to the window is made before the first of them is drawn.
+/// Makes the pipelines for smaller pictures, samples and their sum before the first of them is drawn.
 void WindowFrames::prepareOthers() {
     const graph::ImageDesc desc{pictureFormat(), swapchain_.extent()};
     const auto prepare = [&](const auto& declare) {
@@ -162,7 +162,7 @@ void WindowFrames::declareEnd(ScreenFrame& frame, const FrameShape& shape) {
     if (shape.overlay) addOverlay(g, frame.targets.back());
 }
 
-/// The image that samples are added up in, as large as the window.
+/// The image that sums samples, of the window's size.
 void WindowFrames::makeSum() {
     const graph::ImageDesc desc{kSumFormat, swapchain_.extent()};
     if (sum_.desc == desc) return;
@@ -253,7 +253,7 @@ void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, 
     if (slot.timed) slot.timer.lap(*slot.commands, declared.frame.graph.name());
     slot.commands.end();
     ring_.submit(slot, swapchain_.drawn(*slot.image));
-    slot.retired = std::exchange(retired_, {});  // by what was submitted before this
+    slot.retired = std::exchange(retired_, {});  // used by earlier submissions
 }
 
 void WindowFrames::await() {
@@ -277,7 +277,7 @@ FrameOutcome WindowFrames::present(const RenderSettings& settings, const passes:
         if (!slot.image) slot.image = swapchain_.acquire(*slot.acquired);
         if (!slot.image) continue;
         const std::uint32_t index = *slot.image;
-        if (frame.quality == Quality::refined) summed_ = 0;  // of what fails half way nothing is known
+        if (frame.quality == Quality::refined) summed_ = 0;  // after a failure half way the state is unknown
         submit(slot, settings, atlas, frame);
         if (frame.quality == Quality::refined) summed_ = frame.sample + 1;
         swapchain_.present(index);

@@ -1,6 +1,6 @@
 #pragma once
-// Frames for a window: the screen frame into the swapchain's image, or by way of a picture at another resolution, and
-// the application's overlay on top.
+// Frames for a window: the screen frame into the swapchain's image, directly or from another resolution, with the
+// application's overlay on top.
 
 #include <optional>
 
@@ -18,16 +18,15 @@ public:
     WindowFrames(const gpu::Device& device, gpu::Executor& executor, SceneFrames& frames, const SurfaceSource& source);
     ~WindowFrames() { device_.settle(); }
 
-    /// @param settings  its view is that of the upright window; one of another size is not drawn, and told by
-    ///                  FrameOutcome::resized
+    /// @param settings  with the view of the upright window. A view of another size is not drawn: FrameOutcome::resized
     FrameOutcome present(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame);
-    /// Has the pipelines of a frame that shows the scene made ahead, of whatever size its spheres will be. Nothing is
-    /// drawn; and nothing happens before there was a frame.
+    /// Has the pipelines for the scene made ahead, for any size of its spheres. Draws nothing, and does nothing before
+    /// the first frame.
     void prepareScene(const RenderSettings& settings, const WindowFrame& frame);
-    /// Waits until there is room for another frame and, if it can be had, for an image to draw it into: so that what
-    /// present() shows can be found out after that.
+    /// Waits until another frame can start and, if possible, until it has a window image, so that the caller can decide
+    /// the frame's contents as late as possible.
     void await();
-    /// What the device took for a frame lately, milliseconds; 0: nobody knows.
+    /// GPU time of a recent frame, milliseconds; 0: unknown.
     double milliseconds() const { return ring_.milliseconds(); }
     /// Of the last frame that drew the scene.
     const SceneCounts& counts() const { return counts_; }
@@ -57,18 +56,18 @@ private:
     SceneFrames& frames_;
     gpu::Swapchain swapchain_;
     gpu::FrameRing ring_;
-    gpu::Retired retired_;  ///< by frames that are in flight; the next one takes it with it
+    gpu::Retired retired_;  ///< replaced objects that frames in flight use; the next frame takes them over
     DeclaredFrames declared_;
     SceneCounts counts_;
     passes::OverlayPass overlay_;
-    // Of the frame that is recorded, for its passes:
+    // For the passes of the frame that is recorded:
     ScreenTarget target_{};
-    float share_ = 1;  ///< of a sum that is shown
+    float share_ = 1;  ///< weight of one sample of the shown sum
     const Overlay* overlaid_ = nullptr;
     const gpu::FrameSlot* slot_ = nullptr;
     gpu::Image sum_;  ///< of the refined picture's samples
     bool preparedOthers_ = false;
-    std::uint32_t summed_ = 0;  ///< of them, in it, or to be by what was submitted; 0: none are of use
+    std::uint32_t summed_ = 0;  ///< samples in it, including those in flight; 0: invalid
 };
 
 }  // namespace nacre

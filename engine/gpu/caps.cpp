@@ -72,10 +72,10 @@ bool set(const char* variable) {
     return value && *value && std::string_view(value) != "0";
 }
 
-/// Switches for drivers in doubt and for captures; the picture stays the same.
-///   NACRE_NO_MERGE=1      every pass is a render pass of its own: no subpasses, no input attachments
-///   NACRE_NO_DYNAMIC_RENDERING=1  render passes are VkRenderPasses, whatever the device can
-///   NACRE_BAKE_BY_PAIRS=1  the bake asks for two texels at a time, as for drivers that load uniforms one by one
+/// Switches for unreliable drivers and for captures; they do not change the picture.
+///   NACRE_NO_MERGE=1      every pass is its own render pass: no subpasses, no input attachments
+///   NACRE_NO_DYNAMIC_RENDERING=1  render passes are VkRenderPasses, whatever the device supports
+///   NACRE_BAKE_BY_PAIRS=1  the bake tests two texels at a time, as for drivers that load uniforms one by one
 ///   NACRE_NO_TRANSIENT=1  every attachment has memory and is stored, so that a capture shows it
 void applyEnvironment(graph::PlanCaps& plan) {
     if (set("NACRE_NO_MERGE")) plan.merge = false;
@@ -95,7 +95,7 @@ TileCaps tileCapsOf(const vk::raii::PhysicalDevice& device) {
     TileCaps caps;
     caps.lanes = subgroups.subgroupSize;
     caps.texels = limits.maxTexelBufferElements >= limits.maxStorageBufferRange / sizeof(std::uint32_t);
-    // Shapes, rows of copies, looks, lists, numbers, tiles of bins; and what is written.
+    // Inputs: shapes, rows of copies, looks, lists, numbers, tiles of bins; and the output.
     caps.drawsEdges = caps.texels || limits.maxPerStageDescriptorStorageBuffers >= 7;
     constexpr auto kNeeded = Can::eBasic | Can::eVote | Can::eBallot | Can::eShuffle;
     if ((subgroups.supportedOperations & kNeeded) != kNeeded ||
@@ -220,7 +220,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.plan.name = caps.deviceName;
     caps.plan.rasterOrder = readsInRasterOrder(device);
     caps.plan.transient = identity.lazyMemory;
-    // MoltenVK offers it, and stores all the same.
+    // MoltenVK offers it, but stores all the same.
     caps.plan.storeNone = hasExtension(device, VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME) && !identity.portable;
     caps.dispatchesApart = graph::has(graph::Quirk::dispatchesApart, identity);
     caps.plan.maxColorAttachments = std::min(properties.limits.maxColorAttachments, 8u);

@@ -1,5 +1,5 @@
 #pragma once
-// What a device can do, and every vendor quirk: nothing outside caps.cpp asks for a vendor or driver.
+// Capabilities of a device, with every vendor quirk. Only caps.cpp asks for a vendor or driver.
 
 #include <string>
 #include <vulkan/vulkan_raii.hpp>
@@ -12,13 +12,13 @@
 
 namespace nacre::gpu {
 
-/// Of the path that draws by tiles.
+/// For the tile path.
 struct TileCaps {
-    bool texels = false;      ///< texel buffers hold whole streams
-    std::uint32_t lanes = 0;  ///< of a subgroup
-    bool shade = false;       ///< compute shades faster than fragments are drawn
-    bool drawsEdges = false;  ///< from the lists, too
-    std::string lacks;        ///< what the path needs and the device has not; empty: nothing
+    bool texels = false;      ///< texel buffers can hold whole streams
+    std::uint32_t lanes = 0;  ///< per subgroup
+    bool shade = false;       ///< compute shading is faster than drawing fragments
+    bool drawsEdges = false;  ///< draws edges from the tile lists
+    std::string lacks;        ///< what the path needs and the device lacks; empty: nothing
 };
 
 struct Caps {
@@ -26,36 +26,36 @@ struct Caps {
     std::string type;  ///< "discrete", "integrated", "virtual", "software", "other"
     std::uint32_t apiVersion = 0;
     std::uint32_t driverVersion = 0;
-    float snapPixels = 1.0f / 16;  ///< how far the rasteriser may move a vertex
+    float snapPixels = 1.0f / 16;  ///< the rasteriser moves a vertex by at most this much
     std::uint32_t maxImageSize = 4096;
-    bool localRead = false;           ///< render passes with inputs are carried out by dynamic rendering
-    bool dispatchesApart = false;     ///< quirk: no dispatch in a command buffer behind a draw
-    bool mergeFeedback = false;       ///< the driver tells what it makes of subpasses
-    bool blendsFloats = false;        ///< colour attachments of 32 bits a channel
-    std::uint32_t timestampBits = 0;  ///< of the queue's clock; 0: it has none
-    double nanosecondsPerTick = 1;    ///< of that clock
+    bool localRead = false;           ///< render passes with input attachments use dynamic rendering
+    bool dispatchesApart = false;     ///< quirk: no dispatch after a draw in one command buffer
+    bool mergeFeedback = false;       ///< the driver reports how it merges subpasses
+    bool blendsFloats = false;        ///< can blend colour attachments with 32 bits per channel
+    std::uint32_t timestampBits = 0;  ///< of the queue's timestamps; 0: no timestamps
+    double nanosecondsPerTick = 1;    ///< per timestamp tick
     std::uint64_t maxStorageBufferBytes = 1u << 27;
-    std::uint64_t maxBufferBytes = UINT64_MAX;  ///< of any buffer, where the device says so (VK_KHR_maintenance4)
+    std::uint64_t maxBufferBytes = UINT64_MAX;  ///< per buffer, where the device reports it (VK_KHR_maintenance4)
     graph::PlanCaps plan;
-    graph::EncodedFormat encoded;      ///< of pictures
-    graph::EncodedFormat encodedMaps;  ///< of a bake's maps: it blends
+    graph::EncodedFormat encoded;      ///< for images
+    graph::EncodedFormat encodedMaps;  ///< for maps of a bake, which blends
     TileCaps tiles;
-    /// Quirk: a pipeline cache is not to be used. SwiftShader looks shaders up in it by the address of the render pass,
-    /// and takes those of one that is gone for those of another that was made in its place.
+    /// Quirk: do not use a pipeline cache. SwiftShader keys shaders by the address of the render pass, and confuses a
+    /// destroyed render pass with a new one at the same address.
     bool cacheMixesRenderPasses = false;
     bool software = false;  ///< a CPU draws: triangles cost more than fragments
-    std::string driverKey;  ///< of device, driver and its version: hexadecimal digits
+    std::string driverKey;  ///< device, driver and driver version as hexadecimal digits
     Visibility visibility = Visibility::encoded;
     std::string visibilityReason;
     std::string capabilitySet;  ///< what the plan's caps started from
     graph::Fact knownAs{};      ///< what the table of drivers says of it; null where it has no row
 };
 
-/// What a device tells of itself, for the tables of known drivers.
+/// What a device reports about itself, for the tables of known drivers.
 graph::DriverIdentity identityOf(const vk::raii::PhysicalDevice& device);
 
-/// @param options what the user asked for; `automatic` leaves the choice to the device
-/// @throws Error if the device cannot do what was asked for
+/// @param options user's choices; `automatic` leaves the choice to the device
+/// @throws Error if the device cannot do what the options ask for
 Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options = {});
 
 /// The queue family that draws and computes. @throws Error if there is none
@@ -63,21 +63,21 @@ std::uint32_t graphicsAndCompute(const vk::raii::PhysicalDevice& device);
 
 bool hasExtension(const vk::raii::PhysicalDevice& device, const char* name);
 
-/// Whether the validation layer that is installed, if any, was made for this version of Vulkan or a later one. What it
-/// does not know it takes for a mistake.
+/// Whether an installed validation layer (if any) knows this version of Vulkan or a later one. An older layer reports
+/// what it does not know as an error.
 bool validationKnows(std::uint32_t version);
 
-/// Whether submissions may say that they end a frame which nobody presents. @param validate  under validation
+/// Whether submissions can mark the end of a frame that is not presented. @param validate  under validation
 bool marksFrames(const vk::raii::PhysicalDevice& device, bool validate);
 
-/// Whether the device tells when what was presented is done with, and takes images back that were not drawn into.
-/// Its instance must have been made with VK_EXT_surface_maintenance1.
+/// Whether the device reports when a presented image is free, and takes back images that were not drawn into. Its
+/// instance needs VK_EXT_surface_maintenance1.
 bool maintainsSwapchains(const vk::raii::PhysicalDevice& device);
 
-/// Whether the driver tells what it makes of subpasses.
+/// Whether the driver reports how it merges subpasses.
 bool tellsOfMerges(const vk::raii::PhysicalDevice& device);
 
-/// Whether fragments may read their own attachment in raster order.
+/// Whether fragments can read their own attachment in raster order.
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device);
 
 }  // namespace nacre::gpu

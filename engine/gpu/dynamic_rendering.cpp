@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kNone = VK_ATTACHMENT_UNUSED;
 constexpr auto kInputLayout = static_cast<vk::ImageLayout>(VK_IMAGE_LAYOUT_RENDERING_LOCAL_READ_KHR);
 
-/// All that happens to an attachment between begin and end, loads and stores too.
+/// Everything that happens to an attachment between begin and end, including load and store.
 graph::State workOn(VkFormat format) {
     graph::State state = graph::stateOf(graph::isDepthFormat(format) ? graph::Verb::depth : graph::Verb::color,
                                         graph::PassKind::graphics);
@@ -26,7 +26,7 @@ graph::State workOn(VkFormat format) {
     return state;
 }
 
-/// What the plan orders a render pass behind.
+/// State that the plan orders a render pass after.
 graph::State before(const graph::RenderPassPlan& plan) {
     graph::State state{0, 0, {}};
     for (const graph::Dependency& d : plan.dependencies) {
@@ -111,8 +111,8 @@ vk::ImageLayout DynamicRendering::inputLayout(std::uint32_t s) const {
     return inputs.empty() ? kInputLayout : layoutOf(inputs.front());
 }
 
-/// What a VkRenderPass does by itself: into the layouts that it works in, behind what came before, and out of them. The
-/// plan's own barriers go on from the stages of the attachments.
+/// Does what a VkRenderPass does implicitly: transitions into its layouts, after earlier work, and out of them. The
+/// plan's own barriers continue from the attachments' stages.
 void DynamicRendering::transition(bool entering) const {
     std::vector<vk::ImageMemoryBarrier> barriers;
     vk::PipelineStageFlags own, earlier;
@@ -124,7 +124,7 @@ void DynamicRendering::transition(bool entering) const {
         if (planned == inside) continue;
         const graph::State work = workOn(attachment.format);
         own |= vk::PipelineStageFlags(work.stages);
-        // What comes with contents has been made available by the plan's barrier for it.
+        // The plan's barrier has made existing contents available.
         vk::AccessFlags from;
         if (!entering) from = vk::AccessFlags(work.access);
         if (entering && planned == vk::ImageLayout::eUndefined) from = vk::AccessFlags(before(plan_).access);

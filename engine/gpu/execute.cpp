@@ -5,7 +5,7 @@
 namespace nacre::gpu {
 namespace {
 
-/// What a VkRenderPass depends on: neither sizes nor clear values nor the numbers of images and passes.
+/// The part of a plan that a VkRenderPass depends on: no sizes, clear values, or numbers of images and passes.
 graph::RenderPassPlan essence(graph::RenderPassPlan plan) {
     plan.extent = {};
     for (graph::Attachment& a : plan.attachments) {
@@ -16,8 +16,8 @@ graph::RenderPassPlan essence(graph::RenderPassPlan plan) {
     return plan;
 }
 
-/// What its pipelines depend on: not what becomes of attachments before and after it ("Render Pass Compatibility" of
-/// the Vulkan specification).
+/// The part that its pipelines depend on: not load and store operations or layouts ("Render Pass Compatibility" of the
+/// Vulkan specification).
 graph::RenderPassPlan compatibility(graph::RenderPassPlan essence) {
     for (graph::Attachment& a : essence.attachments) {
         a.load = {};

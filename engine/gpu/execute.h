@@ -1,5 +1,5 @@
 #pragma once
-// Carries out a plan: makes the images, render passes and framebuffers it asks for, records barriers and passes.
+// Executes a plan: makes its images, render passes and framebuffers, records barriers and passes.
 
 #include <list>
 #include <map>
@@ -14,19 +14,19 @@
 
 namespace nacre::gpu {
 
-/// What a pass's pipelines depend on.
+/// Everything that a pass's pipelines depend on.
 struct PipelineContext {
     const Device& device;
     Pipelines& pipelines;
-    std::string_view pass{};      ///< its name in the graph
-    vk::RenderPass renderPass{};  ///< of graphics passes' pipelines; null where they are rendered dynamically
+    std::string_view pass{};      ///< name in the graph
+    vk::RenderPass renderPass{};  ///< for graphics pipelines; null with dynamic rendering
     std::uint32_t subpass = 0;
     RenderingFormats rendering{};  ///< of these
     std::uint32_t colorCount = 0;  ///< colour attachments of the subpass
     graph::Extent extent{};
-    bool inputIsSampled = false;  ///< input reads come as textures
+    bool inputIsSampled = false;  ///< inputs are read as textures
 
-    /// A pipeline of this pass: its name, render pass, subpass and number of colour attachments.
+    /// Description of a pipeline for this pass: name, render pass, subpass and number of colour attachments.
     GraphicsPipeline pipeline() const {
         GraphicsPipeline p;
         p.name = pass;
@@ -38,7 +38,7 @@ struct PipelineContext {
     }
 };
 
-/// What a pass gets when it records.
+/// Passed to a pass when it records.
 struct PassContext : PipelineContext {
     const vk::raii::CommandBuffer& commands;
     DescriptorPool& descriptors;
@@ -55,12 +55,12 @@ struct Framebuffer {
     std::vector<VkImageView> views;
     graph::Extent extent;
     vk::raii::Framebuffer handle;
-    std::string graph;  ///< that it was made for
+    std::string graph;  ///< the graph that it was made for
 };
 struct OwnedRenderPass {
-    graph::RenderPassPlan plan;  ///< without what changes from frame to frame
+    graph::RenderPassPlan plan;  ///< without values that change per frame
     vk::raii::RenderPass handle;
-    vk::RenderPass ofPipelines;  ///< the first that is compatible: a pipeline made for it serves this, too
+    vk::RenderPass ofPipelines;  ///< first compatible render pass, for which the pipelines were made
     MergedSubpasses merged;
     std::list<Framebuffer> framebuffers;
 };
@@ -68,28 +68,28 @@ struct OwnedRenderPass {
 class Executor {
 public:
     explicit Executor(const Device& device);
-    ~Executor() { pipelines_.endAhead(); }  // which work with render passes of this
+    ~Executor() { pipelines_.endAhead(); }  // the worker uses these render passes
 
-    /// Pipelines that frames are likely to ask for next are made on a thread of its own from now on.
+    /// From now on a worker thread makes pipelines that coming frames are likely to need.
     void makePipelinesAhead() { pipelines_.makeAhead(); }
 
     bool makesPipelinesAhead() const { return pipelines_.makesAhead(); }
-    /// Whether that thread is still at what it was asked for.
+    /// Whether the worker thread still has work.
     bool makesPipelines() const { return pipelines_.busyAhead(); }
 
-    /// Has the pipelines that a graph's passes want (graph::Work) made by that thread.
+    /// Has the worker thread make the pipelines that a graph's passes want (graph::Work).
     void prepare(const graph::Graph& graph, const graph::Plan& plan);
-    /// The same of compute pipelines, outside any graph.
+    /// As above for compute pipelines outside a graph.
     template <typename Want>
     void prepare(const Want& want) {
         PipelineContext context{device_, pipelines_};
         want(context);
     }
 
-    /// Records a graph as planned. Images of the same graph and name are kept from one execution to the next.
-    /// For commands that are waited for before the next ones are recorded: their descriptor sets last until then.
+    /// Records a planned graph. Images of the same graph and name are kept between executions. Only for commands that
+    /// are waited for before the next recording: descriptor sets last until then.
     void record(CommandBuffer& commands, Recording& recording, const Imports& imports, Timer* timer = nullptr) {
-        reset();  // what failed half way may have left some
+        reset();  // a failed recording may have left some
         record(commands, recording, imports, descriptors_, timer);
     }
     void record(CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan, const Imports& imports,
@@ -97,10 +97,10 @@ public:
         Recording once(graph, plan);
         record(commands, once, imports, timer);
     }
-    /// The same, with descriptor sets from a pool of the caller's, for frames that overlap.
-    /// @param timer    not null: takes a lap for each render pass, dispatch and copy
-    /// @param retired  not null: gets what is replaced, as images are when their size changes, until these commands are
-    ///                 done. Else that is waited for
+    /// As above, with descriptor sets from the caller's pool, for overlapping frames.
+    /// @param timer    not null: takes a lap per render pass, dispatch and copy
+    /// @param retired  not null: keeps replaced objects (images after a resize) until these commands are done. Null:
+    /// waits
     void record(CommandBuffer& commands, Recording& recording, const Imports& imports, DescriptorPool& descriptors,
                 Timer* timer = nullptr, Retired* retired = nullptr);
     void record(CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan, const Imports& imports,
@@ -108,20 +108,20 @@ public:
         Recording once(graph, plan);
         record(commands, once, imports, descriptors, timer);
     }
-    /// Compiles a graph, by the device's caps, carries it out and waits until it is done.
+    /// Compiles a graph for the device's caps, executes it and waits.
     void run(const graph::Graph& graph, const Imports& imports);
     void run(const graph::Graph& graph, const graph::Plan& plan, const Imports& imports);
-    /// Call when nothing that was recorded is in flight: frees descriptor sets.
+    /// Frees descriptor sets. Nothing recorded may be in flight.
     void reset() { descriptors_.reset(); }
-    /// Drops every image of this name's graph, so that its memory can be used for something else. Call when nothing
-    /// that was recorded of it is in flight; what else is, nobody waits for.
+    /// Drops every image of the graph of this name to free its memory. Nothing of that graph may be in flight; the call
+    /// does not wait.
     void forget(const std::string& graph);
-    /// What the driver made of the render passes that were recorded so far, and of transient images. Not for every
-    /// frame: it asks the driver.
+    /// How the driver merged the render passes recorded so far, and its transient images. Queries the driver: not for
+    /// every frame.
     DriverFeedback feedback() const;
     /// Waits for the device and drops every framebuffer. Call before an imported attachment's view is destroyed.
     void forgetFramebuffers();
-    /// The same without a wait, for whoever keeps them until what is in flight is done.
+    /// As above without waiting: the caller keeps them until everything in flight is done.
     void retireFramebuffers(Retired& retired);
 
 private:
@@ -149,7 +149,7 @@ private:
 };
 
 /// The VkRenderPass of a plan.
-/// @param merged  gets what the driver makes of its subpasses, where the driver tells
+/// @param merged  receives how the driver merges its subpasses, where it reports that
 vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPassPlan& plan, const std::string& name,
                                     MergedSubpasses& merged);
 

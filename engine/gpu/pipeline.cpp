@@ -63,7 +63,7 @@ std::uint32_t toCount(std::span<const T> table) {
     return static_cast<std::uint32_t>(table.size());
 }
 
-/// A pipeline with its name; a driver that cannot make it says no more than that.
+/// A pipeline with its name; drivers give no reason for a failure.
 template <typename Make>
 vk::raii::Pipeline named(const Device& device, const std::string& name, Make&& make) {
     try {

@@ -1,5 +1,5 @@
 #pragma once
-// Pipelines, layouts and samplers, each described by a value and made when it is first asked for.
+// Pipelines, layouts and samplers. Each is described by a value and made when first asked for.
 
 #include <array>
 #include <bit>
@@ -19,14 +19,14 @@ namespace nacre::gpu {
 
 using ShaderWords = std::span<const std::uint32_t>;
 
-/// Specialization constants, all of 4 bytes: id (shaders/common/layout.h) and bits.
+/// Specialization constants of 4 bytes each: id (shaders/common/layout.h) and bits.
 class Specialization {
 public:
     void set(int id, std::uint32_t value);
     void set(int id, int value) { set(id, static_cast<std::uint32_t>(value)); }
     void set(int id, bool value) { set(id, value ? 1u : 0u); }
     void set(int id, float value) { set(id, std::bit_cast<std::uint32_t>(value)); }
-    /// Another value of one that was set.
+    /// Replaces a value that was set.
     void change(int id, std::uint32_t value);
     void change(int id, float value) { change(id, std::bit_cast<std::uint32_t>(value)); }
     /// Points into this.
@@ -46,10 +46,10 @@ enum class Blend : std::uint8_t {
     minimum,
     maximum,
     add,
-    over,  ///< straight alpha, over an opaque picture
+    over,  ///< straight alpha over an opaque picture
 };
 
-/// Streams of a pipeline. Both tables are static: descriptions are compared by their addresses.
+/// Vertex streams of a pipeline. Both tables are static: descriptions compare their addresses.
 struct VertexStreams {
     std::span<const vk::VertexInputBindingDescription> bindings;
     std::span<const vk::VertexInputAttributeDescription> attributes;
@@ -68,7 +68,7 @@ struct GraphicsPipeline {
     std::uint32_t colorsWritten = 0;  ///< of the pass; the others are masked
     DepthUse depth = DepthUse::none;
     Blend blend = Blend::replace;
-    bool ordered = false;  ///< attachments are read in raster order
+    bool ordered = false;  ///< reads attachments in raster order
     bool strip = true;     ///< triangle strip, else list
 };
 
@@ -82,11 +82,11 @@ struct ComputePipeline {
 /// A layout of one set (bindings numbered from 0) and one range of push constants.
 struct LayoutDescription {
     std::string_view name;
-    std::span<const vk::DescriptorType> bindings;  ///< static; what is no uniform buffer is not read by vertices
+    std::span<const vk::DescriptorType> bindings;  ///< static; the vertex stage reads uniform buffers only
     vk::ShaderStageFlags stages;
     std::uint32_t pushConstantBytes = 0;
     bool counter = false;          ///< set 1: one storage buffer
-    std::uint32_t ofVertices = 0;  ///< so many of the last bindings are read by the vertex stage, and by no other
+    std::uint32_t ofVertices = 0;  ///< this many of the last bindings are read by the vertex stage only
 };
 struct Layout {
     vk::raii::DescriptorSetLayout set{nullptr};
@@ -94,37 +94,36 @@ struct Layout {
     vk::raii::PipelineLayout pipeline{nullptr};
 };
 
-/// @throws Error with the pipeline's name. Viewport and scissor are dynamic.
+/// Viewport and scissor are dynamic. @throws Error with the pipeline's name
 vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& description);
 vk::raii::Pipeline makePipeline(const Device& device, const ComputePipeline& description);
 Layout makeLayout(const Device& device, const LayoutDescription& description);
 
-/// Names are for people: two pipelines that differ by them alone are the same.
+/// Names do not count: pipelines that differ in names alone are the same.
 bool samePipeline(const GraphicsPipeline& a, const GraphicsPipeline& b);
 bool samePipeline(const ComputePipeline& a, const ComputePipeline& b);
 
 class PipelineWorker;
 
-/// All that was made so far. A description that compares equal to an earlier one gets the same object.
+/// All objects made so far. Equal descriptions share one object.
 class Pipelines {
 public:
     /// @param device  outlives this
     explicit Pipelines(const Device& device);
     ~Pipelines();
 
-    /// From now on what is likely to be asked for next is made on a thread of its own, until endAhead().
+    /// Starts a worker thread that makes likely pipelines ahead, until endAhead().
     void makeAhead();
     void endAhead();
     bool makesAhead() const { return worker_ != nullptr; }
-    /// Whether it is at that.
+    /// Whether the worker still has work.
     bool busyAhead() const;
-    /// To be made so, unless it is there; nothing where nobody makes pipelines ahead.
+    /// Queues a pipeline for the worker if it is not there yet. Does nothing without a worker.
     void want(const GraphicsPipeline& description);
     void want(const ComputePipeline& description);
 
     vk::Pipeline graphics(const GraphicsPipeline& description);
-    /// @param next  returns what is likely to be asked for after this one; called where it is new and somebody makes
-    ///              those
+    /// @param next  returns likely next pipelines; called when this one is new and there is a worker
     template <typename Next>
     vk::Pipeline graphics(const GraphicsPipeline& description, const Next& next) {
         const std::size_t before = graphics_.size();
@@ -148,10 +147,10 @@ private:
         Layout layout;
     };
     const Device& device_;
-    std::unique_ptr<PipelineWorker> worker_;  ///< null: all are made when they are asked for
+    std::unique_ptr<PipelineWorker> worker_;  ///< null: pipelines are made when first asked for
     std::vector<Made<GraphicsPipeline>> graphics_;
     std::vector<Made<ComputePipeline>> compute_;
-    std::list<MadeLayout> layouts_;  // references to them stay good
+    std::list<MadeLayout> layouts_;  // references to elements stay valid
     std::map<vk::Filter, vk::raii::Sampler> samplers_;
 };
 

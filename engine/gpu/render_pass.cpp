@@ -16,7 +16,7 @@ struct References {
     vk::AttachmentReference2 depth;
 };
 
-/// Asks the driver, while a render pass is made, what becomes of its subpasses.
+/// Asks the driver how it merges the subpasses of a render pass that is being made.
 class MergeQuestion {
 public:
     MergeQuestion(vk::RenderPassCreateInfo2& pass, std::vector<vk::SubpassDescription2>& subpasses)

@@ -20,14 +20,14 @@
 #include <vector>
 
 namespace nacre::gpu {   // engine/gpu/execute.h
-struct PassContext;      // what a pass gets when it records
-struct PipelineContext;  // what its pipelines depend on
+struct PassContext;      // passed to a pass when it records
+struct PipelineContext;  // everything that its pipelines depend on
 }  // namespace nacre::gpu
 
 namespace nacre::graph {
 
 using Record = std::function<void(gpu::PassContext&)>;
-/// Of a pass: what it records, and what asks for its pipelines ahead of that; none, where nobody is to.
+/// Work of a pass: a function that records it, and one that requests its pipelines ahead; or empty.
 struct Work {
     Record record{};
     std::function<void(gpu::PipelineContext&)> want{};
@@ -46,7 +46,7 @@ struct ImageDesc {
     friend bool operator==(const ImageDesc&, const ImageDesc&) = default;
 };
 
-/// Handles are good for the graph that made them; use in another one is an error that names pass and resource.
+/// Handles are valid for the graph that made them. Use in another graph is an error that names pass and resource.
 struct Image {
     std::uint32_t index = 0, graph = 0;
 };
@@ -54,7 +54,7 @@ struct Buffer {
     std::uint32_t index = 0, graph = 0;
 };
 
-/// Value that an attachment is cleared to. One number clears depth or all channels.
+/// Clear value of an attachment. One number clears depth or all channels.
 struct Clear {
     std::array<float, 4> value{};
     constexpr Clear(float all) : value{all, all, all, all} {}
@@ -83,7 +83,7 @@ constexpr bool isWrite(Verb verb) {
 constexpr bool isAttachment(Verb verb) { return verb <= Verb::input; }
 const char* verbName(Verb verb);
 
-/// Where a resource stands between frames.
+/// State of a resource between frames.
 struct State {
     VkPipelineStageFlags stages = VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT;
     VkAccessFlags access = 0;
@@ -104,7 +104,7 @@ struct PassDecl {
     PassKind kind{};
     std::vector<Use> uses;
     Work work;
-    bool sideEffect = false;  ///< kept although nothing reads what it writes
+    bool sideEffect = false;  ///< kept even if nothing reads its results
 
     bool has(Verb verb) const {
         return std::any_of(uses.begin(), uses.end(), [&](const Use& use) { return use.verb == verb; });
@@ -114,23 +114,23 @@ struct PassDecl {
 struct ImageDecl {
     std::string name;
     ImageDesc desc;
-    std::optional<State> imported;  ///< from outside; the state it comes in and is left in
+    std::optional<State> imported;  ///< imported: the state before and after execution
     bool undefined = false;         ///< imported without contents
-    bool output = false;            ///< read after the graph has run
+    bool output = false;            ///< read after the graph has executed
     friend bool operator==(const ImageDecl&, const ImageDecl&) = default;
 };
 
 struct BufferDecl {
     std::string name;
     VkDeviceSize size = 0;
-    State imported;       ///< the state it is in, and goes back to
-    bool output = false;  ///< read by the host after the graph has run
+    State imported;       ///< the state before and after execution
+    bool output = false;  ///< read by the host after the graph has executed
     friend bool operator==(const BufferDecl&, const BufferDecl&) = default;
 };
 
 class Graph;
 
-/// Declares one pass; every verb returns the pass, so that a pass reads as one sentence.
+/// Declares one pass. Every method returns the pass, so that calls chain.
 class PassBuilder {
 public:
     PassBuilder& depth(Image image, std::optional<Clear> clear = {}) { return use(Verb::depth, image, clear); }
@@ -163,18 +163,18 @@ class Graph {
 public:
     explicit Graph(std::string name);
 
-    /// An image that lives inside one execution; memory and usage follow from the plan.
+    /// An image that lives inside one execution. The plan decides memory and usage.
     Image image(std::string name, const ImageDesc& desc);
-    /// An image from outside. It is left in `state`, and entered in it too: with its contents, unless `undefined`.
+    /// An image from outside, in `state` before and after. It has contents unless `undefined`.
     Image importImage(std::string name, const ImageDesc& desc, const State& state, bool undefined = false);
-    /// A buffer; buffers always come from outside.
+    /// A buffer; all buffers are imported.
     Buffer importBuffer(std::string name, VkDeviceSize size, const State& state = {});
 
     PassBuilder graphics(std::string name) { return pass(std::move(name), PassKind::graphics); }
     PassBuilder compute(std::string name) { return pass(std::move(name), PassKind::compute); }
     PassBuilder transfer(std::string name) { return pass(std::move(name), PassKind::transfer); }
 
-    /// Contents that someone reads after the graph has run.
+    /// Marks contents that are read after the graph has executed.
     void output(Image image);
     void output(Buffer buffer);
 
@@ -196,7 +196,7 @@ private:
     std::vector<BufferDecl> buffers_;
 };
 
-/// A graph that cannot be planned: a fault of the program, with the names of pass and resource.
+/// A graph that cannot be planned: a bug in the program. The message names pass and resource.
 class GraphError : public std::logic_error {
 public:
     using std::logic_error::logic_error;

@@ -1,5 +1,5 @@
 #pragma once
-// What a graph becomes on a device: a value that can be compared and printed. Pure: no Vulkan call.
+// A graph planned for a device: a value that can be compared and printed. Makes no Vulkan calls.
 
 #include <cstdint>
 #include <string>
@@ -9,16 +9,16 @@
 
 namespace nacre::graph {
 
-/// How a device takes geometry. Pixels are of a sphere's mean radius.
+/// How a device handles geometry. Thresholds are a sphere's mean radius in pixels.
 struct GeometryCaps {
-    bool storesVaryings = false;  ///< what vertices hand on goes through memory, written once and read once
-    double plateOctagons = 0;     ///< from here on plates are octagons, else squares
-    double octagons = 0;          ///< from here on impostors are octagons, else squares
-    double domes = 6;             ///< from here on plates are domes of three, and impostors pyramids
+    bool storesVaryings = false;  ///< vertex outputs go through memory: written once and read once
+    double plateOctagons = 0;     ///< from this radius on plates are octagons, below squares
+    double octagons = 0;          ///< from this radius on impostors are octagons, below squares
+    double domes = 6;             ///< from this radius on plates are domes of three, and impostors pyramids
     friend bool operator==(const GeometryCaps&, const GeometryCaps&) = default;
 };
 
-/// What the planner must know of a device. Named sets stand in capability_sets.h.
+/// Facts about the device that the planner needs. Named sets: capability_sets.h.
 struct PlanCaps {
     std::string name;
     bool merge = true;                      ///< neighbouring passes may share a render pass
@@ -61,7 +61,7 @@ struct Subpass {
     std::vector<std::uint32_t> preserve;
     std::int32_t depth = -1;  ///< -1: none
     bool depthWrite = false;
-    bool ordered = false;  ///< attachments that are colour and input at once are read in raster order
+    bool ordered = false;  ///< attachments used as colour and input are read in raster order
     friend bool operator==(const Subpass&, const Subpass&) = default;
 };
 
@@ -113,12 +113,12 @@ struct Traffic {
 
 struct Plan {
     std::vector<Step> steps;
-    std::vector<Barrier> after;          ///< imported resources go back to their state, outputs to the host
+    std::vector<Barrier> after;          ///< return imported resources to their state, outputs to the host
     std::vector<PlannedImage> images;    ///< by Graph::images()
     std::vector<Traffic> traffic;        ///< by Graph::images()
-    std::vector<Traffic> bufferTraffic;  ///< by Graph::buffers(): what passes hand each other
+    std::vector<Traffic> bufferTraffic;  ///< by Graph::buffers(): between passes
     std::vector<bool> culled;            ///< by Graph::passes()
-    std::vector<bool> inputIsSampled;    ///< by Graph::passes(): its input reads became texture reads
+    std::vector<bool> inputIsSampled;    ///< by Graph::passes(): input attachments became texture reads
     Traffic total;
     friend bool operator==(const Plan&, const Plan&) = default;
 };
@@ -126,19 +126,19 @@ struct Plan {
 /// @throws GraphError that names pass and resource
 Plan compile(const Graph& graph, const PlanCaps& caps);
 
-/// What the tile must hold for a pixel at most, beside hardware depth.
+/// Maximum tile memory per pixel, without hardware depth.
 std::uint32_t tileBytesPerPixel(const Plan& plan);
 
 /// The plan as text: render passes, subpasses, attachments, traffic. Stable: tests compare it.
 std::string describe(const Graph& graph, const Plan& plan);
 
-/// Bytes of a texel of the formats that the renderer uses. @throws GraphError for any other
+/// Bytes per texel of the formats that the renderer uses. @throws GraphError for any other
 std::uint32_t bytesPerTexel(VkFormat format);
 bool isDepthFormat(VkFormat format);
 /// "RGBA8", "D32F", "R32F", ...
 std::string formatName(VkFormat format);
 
-/// Stage, access and layout of a verb in a kind of pass: the one table that all barriers come from.
+/// Stage, access and layout of a verb in a kind of pass: the one table behind all barriers.
 State stateOf(Verb verb, PassKind kind);
 
 }  // namespace nacre::graph

@@ -106,13 +106,13 @@ private:
         std::vector<std::int32_t> colors;
         for (const Use& use : pass.uses)
             if (use.verb == Verb::color) colors.push_back(find(use.resource));
-        // Shaders name outputs by number, and masks that differ between them are a feature: the same, or none.
+        // Shaders number their outputs, and differing masks are an optional feature: the same colours, or none.
         const bool sameColors = std::equal(colors.begin(), colors.end(), last.colors.begin(), last.colors.end(),
                                            [](auto x, auto y) { return x == static_cast<std::int32_t>(y); });
         if (!sameColors && !colors.empty() && !last.colors.empty()) return false;
         for (const Use& use : pass.uses) {
             if (!use.isImage || !isAttachment(use.verb)) continue;
-            // Raster order is a property of the whole subpass: such a pass keeps one to itself.
+            // Raster order is a property of the whole subpass: such a pass gets its own.
             if (use.verb == Verb::ordered || last.ordered) return false;
             const std::int32_t at = find(use.resource);
             if (at < 0) continue;  // new here, or a texture

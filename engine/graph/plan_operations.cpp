@@ -96,7 +96,7 @@ public:
             }
     }
 
-    /// A buffer by which one pass hands another what it made: all of it goes out once, and in for every reader.
+    /// A buffer between passes: written to memory once, and read by every consumer.
     void deriveBufferTraffic() {
         std::vector<bool> written(graph_.buffers().size());
         for (std::uint32_t p = 0; p < graph_.passes().size(); ++p)

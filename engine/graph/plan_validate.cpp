@@ -40,7 +40,7 @@ void checkReads(const Graph& graph) {
     }
 }
 
-/// "100x50" and what is more than one.
+/// "100x50", plus every count above one.
 std::string shapeText(const ImageDesc& desc) {
     std::string text = std::to_string(desc.extent.width) + "x" + std::to_string(desc.extent.height);
     if (desc.samples != 1) text += ", " + std::to_string(desc.samples) + " samples";

@@ -1,15 +1,15 @@
 #pragma once
-// Which way to find a pixel's nearest surface suits a device: the one table for real devices and named ones.
+// Chooses the visibility path for a device: one table for real devices and named sets.
 
 #include "engine/device_options.h"
 #include "engine/graph/plan.h"
 
 namespace nacre::graph {
 
-/// What decides how a GPU wants to be fed.
+/// Kinds of GPU by how they handle geometry.
 enum class DeviceKind : std::uint8_t {
-    tiler,      ///< draws tile by tile in memory of its own
-    layered,    ///< Vulkan on another interface: MoltenVK, KosmicKrisp
+    tiler,      ///< renders tile by tile in on-chip memory
+    layered,    ///< Vulkan on top of another API: MoltenVK, KosmicKrisp
     immediate,  ///< no tile memory
     software,   ///< a CPU draws: triangles cost more than fragments
 };
@@ -19,11 +19,11 @@ struct VisibilityChoice {
     const char* why = "";
 };
 
-/// Whether plates in the hardware depth buffer reject anything on a path: where impostors write depth themselves, the
-/// test must run before the fragment shader all the same.
+/// Whether plates in the hardware depth buffer reject fragments on a path. Where impostors write depth themselves, that
+/// needs a depth test before the fragment shader.
 bool platesReject(Visibility path, const PlanCaps& caps);
 
-/// What `auto` takes.
+/// The choice of `auto`.
 VisibilityChoice chooseVisibility(DeviceKind kind, const PlanCaps& caps);
 
 }  // namespace nacre::graph

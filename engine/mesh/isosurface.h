@@ -1,5 +1,5 @@
 #pragma once
-// Isosurfaces of density maps, as triangles and as the lines in which they cross the planes of the grid.
+// Isosurfaces of density maps, as triangles and as lines where they cross the planes of the grid.
 
 #include <cstdint>
 #include <functional>
@@ -13,8 +13,8 @@
 namespace nacre {
 
 struct Isosurface {
-    std::vector<glm::vec3> positions;   ///< Å, relative to the origin that was asked for
-    std::vector<glm::vec3> normals;     ///< unit vectors out of what is enclosed; same length
+    std::vector<glm::vec3> positions;   ///< Å, relative to the requested origin
+    std::vector<glm::vec3> normals;     ///< unit vectors, outward; same length
     std::vector<glm::uvec3> triangles;  ///< counter-clockwise seen from outside
     std::vector<glm::uvec2> lines;      ///< the "chicken wire"
 };
@@ -23,19 +23,19 @@ enum class IsosurfaceParts : std::uint8_t { triangles, lines, vertices };
 
 constexpr std::size_t kMostIsoTriangles = 20'000'000, kMostIsoLines = 10'000'000;
 
-/// A box of a map's nodes, of a crystal's in any cell, prepared for many levels. The map outlives it.
+/// A box of a map's nodes (of any unit cell of a crystal), prepared for many levels. The map outlives it.
 class MapRegion {
 public:
-    /// Nodes from `first` to `last`, both included; of a map that is no crystal those that there are.
-    /// @throws Error if it is too large
+    /// Nodes from `first` to `last`, inclusive; clamped to the map unless it is periodic. @throws Error if it is too
+    /// large
     MapRegion(const DensityMap& map, glm::ivec3 first, glm::ivec3 last);
-    /// Only what lies within `reach` (Å) of the places, which are in Å.
+    /// Limited to `reach` (Å) around these positions (Å).
     MapRegion(const DensityMap& map, std::span<const glm::dvec3> places, double reach);
 
-    /// What a level encloses: higher values than it, or lower ones. Marching cubes (marching_cubes.h) with places
-    /// between nodes by linear interpolation and normals by the gradient, in blocks of 8 x 8 x 8 cells by several
-    /// threads; blocks that the level does not cross are passed over. The same whatever the number of threads.
-    /// @param above  higher values are enclosed; else lower ones
+    /// The isosurface of a level, which encloses higher or lower values. Marching cubes (marching_cubes.h) with linear
+    /// interpolation between nodes and normals from the gradient, in blocks of 8 x 8 x 8 cells by several threads;
+    /// skips blocks that the level does not cross. The result does not depend on the number of threads.
+    /// @param above  encloses higher values; false: lower ones
     /// @throws Error if it has too many triangles or lines
     Isosurface at(double level, bool above, IsosurfaceParts parts, const glm::dvec3& origin) const;
 
@@ -56,8 +56,8 @@ private:
 
     const DensityMap& map_;
     glm::ivec3 first_{}, size_{}, blocks_{};
-    std::vector<float> own_;     ///< where they are not those of the map as they are
-    std::vector<Range> ranges_;  ///< of blocks
+    std::vector<float> own_;     ///< copied values; empty: the map's own
+    std::vector<Range> ranges_;  ///< per block
 };
 
 }  // namespace nacre

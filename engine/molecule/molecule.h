@@ -1,6 +1,6 @@
 #pragma once
-// Plain data of one molecule. This header, as all that read_mmcif.cpp includes, must also compile as C++17:
-// gemmi's CIF parser does not as C++20 with every compiler.
+// Plain data of one molecule. This header, like all that read_mmcif.cpp includes, must also compile as C++17: gemmi's
+// CIF parser does not compile as C++20 with every compiler.
 
 #include <array>
 #include <cstdint>
@@ -21,7 +21,7 @@ namespace nacre {
 /// Atomic number, 1 to 118; 0 = unknown; 119 = deuterium. Same numbering as gemmi::El.
 using Element = std::uint8_t;
 
-/// A name of at most eight bytes, kept inline ("CA", "HO5'"). Longer ones are cut; no encoding is assumed.
+/// A name of at most eight bytes, stored inline ("CA", "HO5'"). Longer ones are truncated; no encoding is assumed.
 struct Name {
     std::array<char, 8> bytes{};
 
@@ -41,14 +41,14 @@ struct Atom {
     std::uint32_t residue = 0;    ///< index into Molecule::residues
     float occupancy = 1.0f;       ///< 0..1
     float temperatureFactor = 0;  ///< B factor, Å^2
-    Name name;                    ///< "CA"; the element's symbol where the format has no names
+    Name name;                    ///< "CA"; the element's symbol if the format has no names
     Element element = 0;
     char alternate = '\0';   ///< alternate location; '\0' = none
     bool hetero = false;     ///< HETATM
     std::int8_t charge = 0;  ///< formal charge, elementary charges
 };
 
-/// What the file says of a residue's place in the fold; `none` also where it says nothing.
+/// Secondary structure from the file; `none` also if the file does not state it.
 enum class SecondaryStructure : std::uint8_t { none, helix, strand };
 
 /// What the file says that a residue is part of; `unknown` also where it says nothing.
@@ -70,9 +70,9 @@ struct Residue {
     std::uint32_t atomCount = 0;
     SecondaryStructure secondary = SecondaryStructure::none;
     EntityKind entityKind = EntityKind::unknown;
-    std::uint32_t entity = 0;  ///< 1-based index into Molecule::entities; 0 = the file states none
+    std::uint32_t entity = 0;  ///< 1-based index into Molecule::entities; 0: not stated
 
-    /// Residues of different names may stand at one position, where the sequence itself alternates.
+    /// Residues of different names can share one position (sequence microheterogeneity).
     bool atPositionOf(const Residue& other) const {
         return chain == other.chain && number == other.number && insertionCode == other.insertionCode;
     }
@@ -80,16 +80,16 @@ struct Residue {
 
 struct Chain {
     std::string name;  ///< author's identifier; may be empty
-    int model = 1;     ///< 1-based model, frame or record that it belongs to
+    int model = 1;     ///< 1-based model, frame or record
 };
 
-/// Copies of some subchains: a position p goes to transform * vec4(p, 1), for each of the transforms.
+/// Copies of some subchains: position p maps to transform * vec4(p, 1), for each transform.
 struct AssemblyPart {
-    std::vector<glm::mat4x3> transforms;   ///< rotation in columns 0 to 2, shift in column 3 (Å)
-    std::vector<std::uint32_t> subchains;  ///< indices into Molecule::subchains, ascending, without repetition
+    std::vector<glm::mat4x3> transforms;   ///< rotation in columns 0 to 2, translation in column 3 (Å)
+    std::vector<std::uint32_t> subchains;  ///< indices into Molecule::subchains, ascending, unique
 };
 
-/// A biological assembly, or the content of a unit cell, as the file states it.
+/// A biological assembly or the content of a unit cell, from the file.
 struct Assembly {
     std::string id;       ///< "1", "PAU", "unit-cell"
     std::string details;  ///< the file's words; may be empty
@@ -106,7 +106,7 @@ struct Bond {
     BondSource source = BondSource::file;
 };
 
-/// What the file as a whole holds, as `nacre info` reports it. Keys that a format lacks are empty.
+/// Contents of the file as a whole, as `nacre info` reports them. Keys that a format lacks are empty.
 struct FileSummary {
     std::string format;  ///< "pdb", "mmcif", "mmjson", "bcif", "cif-core", "mmtf", "sdf-v2000", "sdf-v3000", "xyz",
                          ///< "mol2", "pqr", "gro", "pdbqt", "cml", "sample"
@@ -125,11 +125,11 @@ struct FileSummary {
     std::optional<std::int64_t> biomtOperators;     ///< REMARK 350 BIOMT1 lines; MMTF: most transforms of an assembly
     std::optional<std::int64_t> assemblies;
     std::optional<std::int64_t> operators;          ///< _pdbx_struct_oper_list rows
-    std::optional<double> resolution;               ///< Å, as the file states it
-    std::string organism, method;                   ///< "Homo sapiens"; "X-ray diffraction"; of several, with commas
-    std::map<std::string, std::string> chainNames;  ///< "A": "HIV-1 protease", of polymers
-    std::map<std::string, std::string> componentNames;  ///< "478": "amprenavir", of residues that are no standard ones
-    bool confidence = false;  ///< the file says that it is a prediction whose B factors are confidence (pLDDT)
+    std::optional<double> resolution;               ///< Å, from the file
+    std::string organism, method;                   ///< "Homo sapiens"; "X-ray diffraction"; comma-separated if several
+    std::map<std::string, std::string> chainNames;  ///< of polymers: "A": "HIV-1 protease"
+    std::map<std::string, std::string> componentNames;  ///< of non-standard residues: "478": "amprenavir"
+    bool confidence = false;                      ///< the file is a prediction whose B factors are confidence (pLDDT)
     std::optional<std::array<glm::vec3, 3>> box;  ///< vectors of the simulation box, Å (GRO)
 };
 
@@ -139,13 +139,13 @@ struct Molecule {
     std::vector<Atom> atoms;
     std::vector<Residue> residues;
     std::vector<Chain> chains;
-    /// What assemblies are made of: the names (label_asym_id) by which mmCIF tells the ligands and waters of a chain
-    /// from its polymer; where a format has none, the names of the chains.
+    /// Units of assemblies: the names (label_asym_id) by which mmCIF separates a chain's ligands and waters from its
+    /// polymer; in formats without them, the names of the chains.
     std::vector<std::string> subchains;
     std::vector<Bond> bonds;
     std::vector<Assembly> assemblies;
     std::vector<std::string> entities;      ///< identifiers of the file's entities (mmCIF label_entity_id)
-    bool statesSecondaryStructure = false;  ///< the file has helices or strands of residues that are there
+    bool statesSecondaryStructure = false;  ///< the file states helices or strands of residues that exist
     std::vector<float> partialCharges;      ///< by atom, elementary charges; empty if the format has none
     std::vector<float> radii;               ///< by atom, Å, as PQR states them; empty otherwise
     std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number

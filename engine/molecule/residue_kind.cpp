@@ -37,7 +37,7 @@ std::optional<char> variantLetter(const Name& name) {
     return std::nullopt;
 }
 
-/// The kind that the name alone tells; empty for a name that stands in no table.
+/// The kind that the name implies; empty for an unknown name.
 std::optional<ResidueKind> kindOfName(const Name& name) {
     if (isWater(name)) return ResidueKind::water;
     if (isOneOf(name, {"ACE", "NME", "NH2", "FOR"}) || variantLetter(name)) return ResidueKind::protein;
@@ -47,15 +47,14 @@ std::optional<ResidueKind> kindOfName(const Name& name) {
     const gemmi::ResidueInfo info = gemmi::find_tabulated_residue(std::string(name.view()));
     if (info.is_water()) return ResidueKind::water;
     if (info.is_amino_acid()) return ResidueKind::protein;
-    if (info.is_nucleic_acid() || residueTemplate(name))
-        return ResidueKind::nucleic;  // the amino acids are gone by now
+    if (info.is_nucleic_acid() || residueTemplate(name)) return ResidueKind::nucleic;  // amino acids were handled above
     if (info.found()) return ResidueKind::ligand;
     return std::nullopt;
 }
 
 enum Link : std::uint8_t { kPeptideLink = 1, kNucleicLink = 2 };
 
-/// Which kind of backbone bond an atom of this name can have to another residue; 0: none.
+/// Kind of backbone bond that an atom of this name can have to another residue; 0: none.
 std::uint8_t linkOf(const Name& atom) {
     const std::string_view name = atom.view();
     if (name == "N" || name == "C") return kPeptideLink;
@@ -130,7 +129,7 @@ private:
     }
 
     const Molecule& molecule_;
-    std::vector<std::uint8_t> links_;  ///< by residue: which kinds of backbone atom are bonded to another residue
+    std::vector<std::uint8_t> links_;  ///< by residue: kinds of backbone atoms bonded to another residue
     Name latestName_;
     std::optional<ResidueKind> latestKind_;
     bool latestKnown_ = false;
@@ -152,12 +151,12 @@ public:
         }
         std::map<std::uint32_t, std::size_t> members, polymers;  // by the last of the group
         for (std::uint32_t i = 0; i < group_.size(); ++i)
-            if (group_[i] != i) ++members[rootOf(i)];  // besides the last of the group
+            if (group_[i] != i) ++members[rootOf(i)];  // in addition to the group's last
         for (std::uint32_t i = 0; i < group_.size(); ++i) {
             if (!isOpen(i) || !isPolymer(kinds[i])) continue;
             const Residue& residue = molecule.residues[i];
-            // Where backbones are not whole, as in models of alpha carbons, bonds tell nothing. A modified residue by
-            // itself may stand between gaps of its chain.
+            // With incomplete backbones, as in alpha carbon models, bonds say nothing. A modified residue may be
+            // isolated between gaps of its chain.
             const bool whole =
                 classifier.hasAll(residue, {"N", "CA", "C"}) || classifier.hasAll(residue, {"C3'", "O3'"});
             const bool modified = !residueTemplate(residue.name) || residue.name == Name("MSE");

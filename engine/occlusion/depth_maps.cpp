@@ -11,12 +11,12 @@
 namespace nacre::occlusion {
 namespace {
 
-// Pixels across the radius of a sphere, of a cylinder: what more than that brings is lost in the patches' own error.
+// Pixels across the radius of a sphere, of a cylinder: finer maps disappear in the patches' own error.
 constexpr double kPixelsPerSphere = 2.7, kPixelsPerCylinder = 1.5;
-// Per Å, for each atom whose look a mesh has. 4 in place of it makes the cartoon of 4HHB no better (RMS 0.037 both).
+// Per Å and atom of a mesh's looks. 4 instead does not improve the cartoon of 4HHB (RMS 0.037 both).
 constexpr double kPixelsOfMesh = 2.5;
 constexpr double kSmallest = 128, kLargest = 2048;
-// That tiles draw at a time: their lists take the host some 30 bytes each.
+// Primitives that tiles draw at a time: their lists take the host some 30 bytes each.
 constexpr std::uint64_t kMostPrimitives = 1'400'000;
 /// Between the graphs of a direction that is drawn in parts.
 const graph::State kPartState = graph::stateOf(graph::Verb::samples, graph::PassKind::compute);
@@ -83,7 +83,7 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
     pixels = static_cast<std::uint32_t>(
         std::max(std::min(std::clamp(wanted, std::min(kSmallest, 4.0 * detail), kLargest), fits), 8.0));
     while (pixels > 8 && bytesOf(1) > budgetBytes) pixels -= 8;
-    // Primitives of a batch by tiles are told apart by 32 bits.
+    // The tile path numbers a batch's primitives with 32 bits.
     const std::uint64_t copies = std::max<std::size_t>(representation.copies.transforms.size(), 1);
     const std::uint64_t listed = (representation.spheres.size() + representation.cylinders.size()) * copies;
     const std::uint64_t drawn = listed + representation.triangles.size() * copies;
@@ -138,7 +138,7 @@ layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_
     return passes::viewConstants(view(frame), device_.caps().snapPixels, x + pixels() / 2.0, y + pixels() / 2.0);
 }
 
-/// What one map of a model shows.
+/// The contents of one map of a model.
 passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t model, MapPart part) const {
     passes::PlacedCopies all = passes::placeCopies(representation_, view(frame));
     // Light goes through what is translucent.

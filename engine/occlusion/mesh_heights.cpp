@@ -6,7 +6,7 @@
 namespace nacre::occlusion {
 namespace {
 
-/// Twice the area between the origin and an edge: of the two triangles of an edge the same but for its sign.
+/// Twice the area between the origin and an edge: equal for both triangles of an edge except for the sign.
 float sideOf(const glm::vec3& from, const glm::vec3& to) { return from.x * to.y - from.y * to.x; }
 
 /// Pixels whose centres may lie between two coordinates.

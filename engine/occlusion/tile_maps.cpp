@@ -75,7 +75,7 @@ void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
     reserve(device_, rowTexels_, rows_.size() * sizeof(glm::vec4), kRead, vk::Format::eR32G32B32A32Sfloat,
             "copies on depth maps");
     std::memcpy(rowTexels_.buffer.mapped, rows_.data(), rows_.size() * sizeof(glm::vec4));
-    // No more than there are maps: of a batch that is not whole, rows of them.
+    // No more than there are maps: an incomplete batch has fewer rows.
     const std::size_t rowsOfMaps = (maps.size() + across_ - 1) / across_;
     std::fill_n(reinterpret_cast<float*>(heights_.mapped), rowsOfMaps * apart_ * pitch(), kNothing);
 }
@@ -132,7 +132,7 @@ void TileMaps::drawTriangles() {
     if (!triangles_.empty()) heights_.flush();
 }
 
-/// Lists primitives, as many of them as no list gets too long by, and uploads that.
+/// Lists as many primitives as fit the length of lists, and uploads the lists.
 void TileMaps::list(Part& part, std::uint64_t first, std::uint64_t& end) {
     for (;; end = first + (end - first) / 2) {
         take(first, end);

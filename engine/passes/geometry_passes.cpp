@@ -78,7 +78,7 @@ GeometryPass impostorColor(Output output, const Reads& reads, const Encoding& en
     pass.reads = reads;
     pass.encoding = encoding;
     pass.depth = reads.from == NearestFrom::depthBuffer || settles ? gpu::DepthUse::write : gpu::DepthUse::test;
-    pass.colorsWritten = reads.from == NearestFrom::ownAttachment ? 2 : 1;  // the nearest depth, too
+    pass.colorsWritten = reads.from == NearestFrom::ownAttachment ? 2 : 1;  // also the nearest depth
     return pass;
 }
 

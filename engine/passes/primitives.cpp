@@ -30,7 +30,7 @@ gpu::VertexStreams streamsOf(Primitive primitive, bool looks) {
     return {std::span(kCylinderBindings).first(looks ? 2 : 1), std::span(kCylinderAttributes).first(looks ? 3 : 2)};
 }
 
-/// Set 0 of a pass that reads: the atlas, what effects work with, the shadow map, and what holds the nearest depth.
+/// Set 0 of a pass that reads: the atlas, effect parameters, the shadow map, and the nearest depth.
 std::span<const Type> bindingsOf(const std::optional<Reads>& reads) {
     static constexpr Type kAtlas[] = {kSampled, Type::eUniformBuffer, kSampled};
     static constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment};
@@ -47,7 +47,7 @@ std::span<const Type> bindingsOf(const std::optional<Reads>& reads) {
     }
     return kInput;
 }
-/// The same with the streams that the vertex stage of triangles reads. They have the same places whatever is read.
+/// As above with the streams for the vertex stage of triangles. Binding numbers do not depend on what is read.
 std::span<const Type> triangleBindingsOf(const std::optional<Reads>& reads) {
     static constexpr Type kAlone[] = {kStorage, kStorage};
     static constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment, kStorage,
@@ -179,7 +179,7 @@ void writeReads(gpu::PassContext& context, const SceneView& view, vk::Descriptor
     context.device->updateDescriptorSets(vk::ArrayProxy<const vk::WriteDescriptorSet>(three ? 3 : 4, writes), {});
 }
 
-/// Set 0: what the pass reads, and the streams where a stage fetches from them by numbers.
+/// Set 0: the pass's inputs, and the streams if a stage fetches from them by number.
 void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout,
                const std::optional<Reads>& reads, bool streams) {
     if (!reads && !streams) return;
@@ -213,7 +213,7 @@ void record(gpu::PassContext& context, const SceneView& view, const GeometryPass
     if (sphere) commands.bindVertexBuffers(2, *scene.corners.handle, vk::DeviceSize{0});
     if (pyramid) commands.bindIndexBuffer(*scene.pyramid.handle, 0, vk::IndexType::eUint16);
     layout::ViewConstants constants = view.constants;
-    // By these the vertex stage finds the triangles, whoever looks: a viewer, a light, or a bake.
+    // The vertex stage finds the triangles by these, for a viewer, a light or a bake.
     constants.spheres = scene.sphereCount;
     constants.cylinders = scene.cylinderCount;
     constants.primitives = scene.primitives();

@@ -1,5 +1,5 @@
 #pragma once
-// The scene as one view sees it: what every pass of a frame draws with.
+// The scene as one view sees it: input of every pass of a frame.
 
 #include <algorithm>
 #include <optional>
@@ -14,21 +14,21 @@
 
 namespace nacre::passes {
 
-/// The occlusion atlas of a scene, and how its patches lie in it. Patches follow each other in rows: those of spheres,
-/// then those of cylinders.
+/// The occlusion atlas of a scene, and the arrangement of its patches: in rows, first those of spheres, then those of
+/// cylinders.
 struct Atlas {
-    const gpu::Image* image = nullptr;  ///< null: the scene has none
-    std::uint32_t sphereEdge = 0;       ///< texels across a sphere's patch
+    const gpu::Image* image = nullptr;  ///< null: no occlusion
+    std::uint32_t sphereEdge = 0;       ///< width of a sphere's patch, texels
     std::uint32_t around = 0, along = 0;
-    std::uint32_t spherePatches = 1, cylinderPatches = 1;  ///< in a row
-    vk::BufferView cells = {};  ///< a word for what lies between four texels; null: the device interpolates
-    std::uint32_t least = 0;    ///< that no texel falls below, in 255ths: of places that the scene has left since
-    std::shared_ptr<const void> owner = {};  ///< of the image and the cells
+    std::uint32_t spherePatches = 1, cylinderPatches = 1;  ///< per row
+    vk::BufferView cells = {};               ///< one word per four neighbouring texels; null: the device interpolates
+    std::uint32_t least = 0;                 ///< minimum of all texels, in 255ths: for an atlas of earlier positions
+    std::shared_ptr<const void> owner = {};  ///< keeps the image and the cells alive
 };
 
 struct TileFrame;
 
-/// Widths, Å at z = 0; 0: there are none.
+/// Widths, Å at z = 0; 0: none.
 struct Rims {
     float line = 0, halo = 0;
     float widest() const { return std::max(line, halo); }
@@ -37,20 +37,20 @@ struct Rims {
 
 struct SceneView {
     const SceneBuffers* buffers = nullptr;
-    std::shared_ptr<const void> owner;  ///< of the buffers: they stay as long as a frame is in flight
-    layout::ViewConstants constants{};  ///< those of a copy are left 0
+    std::shared_ptr<const void> owner;  ///< keeps the buffers alive while a frame is in flight
+    layout::ViewConstants constants{};  ///< those of a copy stay 0
     PlacedCopies copies;
-    std::shared_ptr<const TileFrame> tiles;       ///< of the `tiles` path
+    std::shared_ptr<const TileFrame> tiles;       ///< for the `tiles` path
     std::shared_ptr<const gpu::Buffer> copyRows;  ///< copies.rows on the device, for `deferred` shading
-    bool coded = false;                           ///< colour is written sRGB-coded, else linear
-    bool powers = false;                          ///< the device raises to powers in a few instructions
+    bool coded = false;                           ///< write colour sRGB-coded, else linear
+    bool powers = false;                          ///< the device computes powers in a few instructions
     bool perspective = false;
     int quarterTurns = 0;    ///< as in View
-    float wireScale = 1;     ///< this picture's pixels across one of the picture that is asked for
-    bool wholeImage = true;  ///< the viewport is the whole image; else it has the view axis in its middle
+    float wireScale = 1;     ///< this picture's pixels per pixel of the requested picture
+    bool wholeImage = true;  ///< the viewport is the whole image; false: it is centred on the view axis
     bool lighting = true, occlusion = false;
     vk::BufferView occlusionCells;           ///< Atlas::cells
-    std::shared_ptr<const void> atlasOwner;  ///< Atlas::owner: both stay as long as a frame is in flight
+    std::shared_ptr<const void> atlasOwner;  ///< Atlas::owner: keeps both alive while a frame is in flight
     Effects effects;
     Rims rims;                               ///< lines by groups and halos
     int copyColors = 0;                      ///< that copies take in turn
@@ -63,7 +63,7 @@ struct SceneView {
     ImpostorShape impostor = ImpostorShape::automatic;
     double radiusPixels = 0;                     ///< mean radius of the spheres in the picture
     double smallestPixels = 0;                   ///< half the width of the narrowest primitive or line in the picture
-    std::shared_ptr<FragmentCounter> fragments;  ///< null: none are counted
+    std::shared_ptr<FragmentCounter> fragments;  ///< null: count none
 
     /// Lets go of all that it holds, but for the room of its lists.
     void clear() {

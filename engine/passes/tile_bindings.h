@@ -1,5 +1,5 @@
 #pragma once
-// What the passes that draw by tiles have in common: how they bind what they read, and how many workgroups there are.
+// Shared by the tile passes: how they bind their inputs, and the number of workgroups.
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@
 
 namespace nacre::passes {
 
-/// What a scene has: spheres alone, cylinders beside them, or triangles beside both.
+/// Primitives of a scene: spheres alone, with cylinders, or with cylinders and triangles.
 enum class TileScene : std::uint8_t { spheres, cylinders, triangles };
 inline TileScene tileScene(const SceneBuffers& scene) {
     return scene.triangleCount > 0   ? TileScene::triangles
@@ -18,7 +18,7 @@ inline TileScene tileScene(const SceneBuffers& scene) {
                                      : TileScene::spheres;
 }
 
-/// The variants of a stage by what the scene has, and by where its data is.
+/// Variants of a stage by the scene's primitives, and by where its data is.
 #define NACRE_TILE_SCENE(name, counting)                                  \
     (scene == TileScene::triangles   ? shaders::name##Triangles##counting \
      : scene == TileScene::cylinders ? shaders::name##Cylinders##counting \
@@ -31,7 +31,7 @@ class TileBindings {
 public:
     TileBindings(gpu::PassContext& context, vk::DescriptorSet set) : context_(context), set_(set) {}
 
-    /// As the device reads streams: texels, or storage.
+    /// Binds streams as the device reads them: texel or storage buffers.
     void read(const gpu::Buffer& buffer, const vk::raii::BufferView& texels) {
         if (!*texels) return store(buffer);
         const vk::BufferView view = *texels;
@@ -58,7 +58,7 @@ private:
     std::uint32_t at_ = 0;
 };
 
-/// Binds a pass: its pipeline, set 0 and push constants. @param write  gets TileBindings of the set
+/// Binds a pass: pipeline, set 0 and push constants. @param write  receives the set's TileBindings
 template <typename Push, typename Write>
 void bindTiles(gpu::PassContext& context, const gpu::Layout& layout, vk::PipelineBindPoint point, vk::Pipeline pipeline,
                const Push& push, const Write& write) {
@@ -88,9 +88,9 @@ inline void setTileView(gpu::Specialization& constants, const SceneView& view, f
     constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
 }
 
-/// A workgroup a tile.
+/// One workgroup per tile.
 inline void dispatchTiles(gpu::PassContext& context, std::size_t count) {
-    constexpr std::uint32_t kRow = 65535;  // the floor's limit of workgroups in a row
+    constexpr std::uint32_t kRow = 65535;  // required limit of workgroups per dimension
     const auto tiles = static_cast<std::uint32_t>(count);
     context.commands.dispatch(std::min(tiles, kRow), (tiles + kRow - 1) / kRow, 1);
 }

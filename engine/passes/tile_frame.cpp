@@ -10,14 +10,14 @@ namespace {
 using Usage = vk::BufferUsageFlagBits;
 constexpr auto kReadByTiles = Usage::eStorageBuffer | Usage::eUniformTexelBuffer;
 
-/// The same where edges are drawn: a subgroup may go through it several times.
+/// As above with edges: a subgroup may go through a list several times.
 constexpr std::uint32_t kLongestListOfEdges = 6000;
-/// Turns of an invocation's loops that they may take, and those that a subgroup's pixels take beside the list.
+/// Loop iterations of an invocation available for edges, and those used by a subgroup's pixels besides the list.
 constexpr std::uint64_t kTurnsOfEdges = 60'000, kTurnsOfFilling = 48;
 
-/// Half a width in pixels below which a primitive may be seen by none of the pixels about it.
+/// Half width in pixels below which a primitive may be missed by all pixels around it.
 constexpr double kSmallPixels = 0.75;
-/// And from which on what a pixel's samples see is seen in the middle of one of the nine about it, nearly always.
+/// From here on a pixel's samples show nearly nothing but what the centres of the nine pixels around show.
 constexpr double kLargePixels = 6;
 
 void listCalls(const SceneView& seen, const std::vector<PlacedCopies::Call>& calls, std::uint32_t first,
@@ -28,7 +28,7 @@ void listCalls(const SceneView& seen, const std::vector<PlacedCopies::Call>& cal
                         c.copy * seen.constants.primitives + first + 1});
 }
 
-/// How far before its place in a list what a primitive is compared by may stand, encoded depth.
+/// How far before its list position a primitive's comparison depth may be, encoded depth.
 float depthStepOf(const layout::ViewConstants& c) {
     const bool cut = c.clipNear > -layout::kNoPlane;
     return 2.0f / TileLists::kDepthSteps + (cut ? layout::kCapDepth * c.perRange : 0.0f);
@@ -58,8 +58,8 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
     return t;
 }
 
-/// Workgroups that draw the edges, how many there may be of them. Each fills its lanes again and again: on a software
-/// device a workgroup without work costs as much as one with it. No loop may take more turns than lavapipe grants.
+/// Maximum of workgroups that draw edges. Each fills its lanes repeatedly: on a software device an empty workgroup
+/// costs as much as a full one. No loop may exceed lavapipe's limit.
 std::uint32_t groupsOfEdges(const TileLists& lists, const gpu::TileCaps& caps) {
     constexpr std::uint64_t kFew = 64, kRow = 65535;
     const std::uint64_t fillings =
@@ -122,7 +122,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     upload(frame, seen.copies, image, work.kept);
     frame.edges.drawn = work.edges;
     frame.edges.everywhere = seen.smallestPixels < kSmallPixels;
-    // A surface turns away in triangles that no pixel has in its middle, and a line may be narrower than a pixel.
+    // A surface at grazing angles has triangles that no pixel centre hits, and an outline may be narrower than a pixel.
     frame.edges.listed = seen.smallestPixels < kLargePixels || !r.triangles.empty() || seen.constants.contourWidth > 0;
     if (frame.edges.drawn) uploadEdges(frame, image);
     return free;
@@ -132,7 +132,7 @@ void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::Bu
              const char* name) {
     if (*b.buffer.handle && b.buffer.size >= bytes) return;
     const std::size_t room =
-        *b.buffer.handle ? bytes + bytes / 2 : bytes;  // what turns may need more in its next frame
+        *b.buffer.handle ? bytes + bytes / 2 : bytes;  // a rotating scene may need more in its next frame
     b = {};
     b.buffer = gpu::makeBuffer(device, room, usage, gpu::Access::upload, name);
     if (device.caps().tiles.texels && format != vk::Format::eUndefined)
@@ -166,7 +166,7 @@ void TileFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::
     words.written.assign(lists.spans().begin(), lists.spans().end());
 }
 
-/// Where the device reads which triangle a pixel begins with, it writes what the pixel shows.
+/// Writes seeds where the device reads which triangle a pixel begins with; the device replaces them by its results.
 void TileFrames::writeSeeds(TileFrame& f) {
     constexpr std::uint32_t kBin = TileLists::kBinPixels;
     auto* words = reinterpret_cast<std::uint32_t*>(f.numbers.buffer.mapped);

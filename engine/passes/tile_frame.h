@@ -1,5 +1,5 @@
 #pragma once
-// What one frame of the `tiles` path draws from: the host's lists, on the device.
+// Data of one frame of the `tiles` path: the host's lists, on the device.
 
 #include <memory>
 #include <vector>
@@ -13,39 +13,39 @@
 
 namespace nacre::passes {
 
-/// Entries of a list. Turns of all loops that lavapipe 22.3 grants an invocation are 65,535; it then leaves them and
-/// says nothing. One goes by every entry, and as many again by the chunks.
+/// Maximum of entries per list. lavapipe 22.3 allows an invocation 65,535 loop iterations in total, then silently ends
+/// its loops. Entries take one iteration each, and chunks as many again.
 constexpr std::uint32_t kLongestList = 28000;
 
-/// A buffer that grows, and its view as texels where the device's texel buffers hold whole streams.
+/// A growing buffer, with a texel view where the device's texel buffers can hold whole streams.
 struct TileBuffer {
     gpu::Buffer buffer;
     vk::raii::BufferView texels{nullptr};
 };
 
-/// A word a pixel, or a few, row by row of all bins; 0 where nothing is seen.
+/// One or more words per pixel, row by row of all bins; 0: no primitive.
 struct PixelWords : TileBuffer {
-    vk::raii::BufferView quads{nullptr};   ///< of four words
-    std::vector<TileLists::Span> written;  ///< where it may hold words of the frame before
-    std::uint32_t across = 0;              ///< bins in a row of those
+    vk::raii::BufferView quads{nullptr};   ///< as four-word texels
+    std::vector<TileLists::Span> written;  ///< where it may hold words of an earlier frame
+    std::uint32_t across = 0;              ///< bins per row of those
 };
 
-/// Makes a buffer anew, with room to grow, if it holds less. @param format  of texels; undefined: it has none
+/// Enlarges a buffer if needed, with room to grow. @param format  of texels; undefined: no texel view
 void reserve(const gpu::Device& device, TileBuffer& buffer, std::size_t bytes, vk::BufferUsageFlags usage,
              vk::Format format, const char* name);
 
-/// What the edges of a frame are drawn with, if they are.
+/// Data for drawing a frame's edges.
 struct TileEdges {
     bool drawn = false;
-    bool everywhere = false;   ///< primitives are so small that one may stand between the middles of pixels
-    bool listed = false;       ///< what their samples see is looked for in lists, not among a pixel's neighbours
-    TileBuffer pixels;         ///< edge pixels: kEdgeHeader words, then as many at a time as a subgroup has lanes
-    std::uint32_t groups = 0;  ///< that draw them
-    PixelWords numbers;        ///< as TileFrame's, where those are colours, among which those of edges are, then
+    bool everywhere = false;   ///< primitives are so small that one may lie between pixel centres
+    bool listed = false;       ///< samples search the lists, not only the pixel's neighbours
+    TileBuffer pixels;         ///< edge pixels: kEdgeHeader words, then groups of as many as a subgroup has lanes
+    std::uint32_t groups = 0;  ///< number of groups
+    PixelWords numbers;        ///< as in TileFrame; where those are colours, edge colours go there
     TileBuffer colors;         ///< else: as the numbers, linear, premultiplied halves; kNoEdge elsewhere
 };
 
-/// What is asked of a frame.
+/// Options of a frame.
 struct TileWork {
     bool shaded = false;                 ///< compute shades, too
     bool edges = false;                  ///< edges are drawn; none are where a list is longer than their loops
@@ -57,7 +57,7 @@ struct TileWork {
 struct TileFrame {
     TileLists lists;
     layout::TileConstants constants{};
-    bool copies = false;  ///< primitives stand at the places of copies
+    bool copies = false;  ///< primitives have the transforms of copies
     bool shaded = false;  ///< `numbers` are colours
     bool subsamples = false;
     TileBuffer words;    ///< TileLists::write()
@@ -67,15 +67,15 @@ struct TileFrame {
     TileEdges edges;
 
     std::uint32_t rowPixels() const { return lists.across() * TileLists::kBinPixels; }
-    /// What is made for the edges' sake.
+    /// The buffer made for edges.
     const TileBuffer& edgeBuffer() const { return shaded ? edges.numbers : edges.colors; }
     const PixelWords& sights() const { return shaded ? edges.numbers : numbers; }
 };
 
-/// How the host's lists look at a view. @param centers  pixels are asked at their centres alone
+/// The view for the host's lists. @param centers  only pixel centres are sampled
 TileView tileView(const SceneView& seen, const View& view, graph::Extent image, bool centers);
 
-/// What lists hold, for who asks.
+/// Sizes of the lists, for statistics.
 TileCounts countsOf(const TileLists& lists);
 
 /// Rows of bins as shaders/tile_span.vert reads them.
@@ -83,18 +83,18 @@ struct TileSpanVertex {
     glm::vec4 ndc;  ///< left, top, right, bottom
 };
 
-/// The frames in flight: each has buffers of its own, which are used again when nobody holds it any more.
+/// Frames in flight: each has its own buffers, which are reused when nobody holds them.
 class TileFrames {
 public:
     explicit TileFrames(const gpu::Device& device) : device_(device) {}
 
-    /// Lists what a view may see, and uploads that. @returns null if a list is longer than the device's loops
+    /// Lists the primitives in view and uploads the lists. @returns null if a list is too long for the device's loops
     std::shared_ptr<const TileFrame> prepare(const Representation& representation, const SceneView& seen,
                                              const View& view, graph::Extent image, TileWork work);
 
 private:
-    /// Room for the words of an image's pixels; nothing is left of the frame before where none will be written.
-    /// @param kept  words of a pixel
+    /// Reserves the words of an image's pixels, and clears leftovers of earlier frames where none will be written.
+    /// @param kept  words per pixel
     void prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept,
                       const char* name) const;
     static void writeSeeds(TileFrame& frame);
@@ -103,7 +103,7 @@ private:
 
     const gpu::Device& device_;
     gpu::Pool<TileFrame> frames_;
-    std::vector<TileCall> spheres_, cylinders_, triangles_;  // of one frame
+    std::vector<TileCall> spheres_, cylinders_, triangles_;  // scratch of one frame
 };
 
 }  // namespace nacre::passes

@@ -11,7 +11,7 @@ namespace {
 // Shapes, rows of copies, lists; numbers, which are written.
 constexpr std::array kNearestTexels{kTexel, kTexel, kTexel, kStorage};
 constexpr auto kNearestStorage = asStorage(kNearestTexels);
-// Where it shades: looks, atlas, effects and cells of the atlas, too, numbers beside the colours, and the shadow map.
+// With shading: also looks, atlas, effects and cells of the atlas, numbers next to the colours, and the shadow map.
 constexpr std::array kNearestShaded{kTexel, kTexel,   kTexel,  kStorage, kTexel, kSampled, Type::eUniformBuffer,
                                     kTexel, kStorage, kSampled};
 // Atlas, effects, shadow map, numbers, shapes, rows of copies, looks.
@@ -127,7 +127,7 @@ void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles
         to.read(scene.looks, scene.lookTexels);
         to.sample(*pass.atlas);
         to.uniform(*view.effectConstants);
-        // Never left unwritten, even where the shader reads none: lavapipe looks at it.
+        // Always written, even if the shader reads none: lavapipe accesses it.
         to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
         to.store(f.edges.drawn ? f.edges.numbers.buffer : f.numbers.buffer);
         to.sample(shadowOf(context, view, *pass.atlas));

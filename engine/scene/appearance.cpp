@@ -123,7 +123,7 @@ MeshAtoms meshAtomsOf(const Appearance& seen, const std::vector<bool>& chosen, c
     return mesh;
 }
 
-/// Of some atoms, ascending, whether each is bonded to another of them.
+/// For some atoms, ascending, whether each is bonded to another of them.
 std::vector<bool> bondedAmong(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     std::vector<bool> bonded(atoms.size());
     const auto slotOf = [&](std::uint32_t atom) {
@@ -232,7 +232,7 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
         appearance.seen = 0;
 }
 
-/// A colouring in the palette for all, if it takes one of that kind and names none itself.
+/// A colouring with the general palette, if its kind fits and it names none itself.
 Coloring withPalette(Coloring coloring, Palette palette) {
     const PaletteUse use = paletteUse(coloring.scheme);
     const bool fits = palette != Palette::automatic && use == (isRamp(palette) ? PaletteUse::ramp : PaletteUse::kinds);

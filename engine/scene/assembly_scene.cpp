@@ -42,7 +42,7 @@ std::vector<T> inOrder(const std::vector<T>& values, const std::vector<std::uint
     return sorted;
 }
 
-/// The order that sorts by list and keeps what stood before before.
+/// A stable sort by list.
 template <typename ListOf>
 std::vector<std::uint32_t> orderBy(std::size_t size, const ListOf& listOf) {
     std::vector<std::uint32_t> order(size);
@@ -52,7 +52,7 @@ std::vector<std::uint32_t> orderBy(std::size_t size, const ListOf& listOf) {
     return order;
 }
 
-/// Of "copy" or "copy-chain:muted".
+/// The palette of "copy" or "copy-chain:muted".
 Palette paletteOf(std::string_view scheme) {
     const std::size_t colon = scheme.find(':');
     const auto named = colon == std::string_view::npos ? std::nullopt : paletteFromName(scheme.substr(colon + 1));
@@ -91,7 +91,7 @@ std::span<const std::uint32_t> AssemblyScene::place(std::span<const std::uint32_
     return atoms_;
 }
 
-/// Copies in an order in which those of one colour stand far apart.
+/// Orders copies so that those of one colour are far apart.
 void AssemblyScene::spread(std::size_t colors) {
     glm::dvec3 middle(0);
     for (const std::uint32_t atom : atoms_)
@@ -121,7 +121,7 @@ void AssemblyScene::colorByCopy(Appearance& appearance) {
         if (!legend.scheme.starts_with(colorSchemeName(ColorScheme::copy))) continue;
         if (copyColors_.empty()) {
             const Palette palette = paletteOf(legend.scheme);
-            // Darker tones of the palette would be taken for tints.
+            // Darker tones of the palette would look like tints.
             const std::size_t tones = legend.entries.size() > 1 ? 1 : 2;
             for (std::size_t i = 0; i < std::min({count, tones * kindCount(palette), kMostCopyColors}); ++i)
                 copyColors_.push_back(kindColor(i, palette));
@@ -214,15 +214,15 @@ Bounds AssemblyScene::bounds(const SeenBalls& seen) const {
 }
 
 void AssemblyScene::checkNumber(std::size_t primitives) const {
-    // Every primitive of every copy has a number of its own (shaders/identify.frag); 0 is none.
+    // Every primitive of every copy needs a number (shaders/identify.frag); 0 means none.
     if (std::uint64_t{primitives} * placement_.transforms.size() < UINT32_MAX) return;
     throw Error("cannot draw assembly", id_,
                 std::to_string(placement_.transforms.size()) + " copies of " + std::to_string(primitives) +
                     " spheres, sticks and triangles are more than " + std::to_string(UINT32_MAX - 1));
 }
 
-/// Levels are drawn in place of what is copied together: meshes of which some has other copies, as a bond between two
-/// chains may have, go without.
+/// Levels replace meshes whose parts have the same copies: meshes with differing copies, such as a bond between two
+/// chains, have none.
 void AssemblyScene::keepWholeMeshes(Representation& r) {
     const std::vector<PrimitiveRun>& runs = r.copies.triangles;
     for (MeshRun& mesh : r.meshes) {

@@ -1,5 +1,5 @@
 #pragma once
-// What an assembly changes in making a representation. Used by representation.cpp.
+// Applies an assembly to a representation. Used by representation.cpp.
 
 #include <cstdint>
 #include <functional>
@@ -20,23 +20,22 @@ public:
     /// @throws Error if the molecule has no such assembly
     AssemblyScene(const Molecule& molecule, const std::string& id);
 
-    /// Those of some atoms that the assembly has. The span lives as long as this.
-    /// @throws Error if that is none
+    /// Those of some atoms that are in the assembly. The span lives as long as this. @throws Error if there are none
     std::span<const std::uint32_t> place(std::span<const std::uint32_t> atoms);
-    /// Atoms that are coloured by copy become tints of it, and the legend says which colour is which copy's. Where
-    /// several palettes are asked for, the first holds.
+    /// Turns the colours of atoms coloured by copy into tints, and lists the copies' colours in the legend. If several
+    /// palettes are asked for, the first one is used.
     void colorByCopy(Appearance& appearance);
-    /// Atoms of the same copies come to stand together; otherwise they keep their order.
+    /// Groups atoms by their copies; otherwise they keep their order.
     void sortByCopies(Appearance& appearance) const;
-    /// The same for bonds, less those whose atoms are never drawn together.
+    /// As above for bonds, without those whose atoms are never drawn together.
     void sortByCopies(std::vector<Bond>& bonds);
     /// Drops interactions of atoms that are never drawn together; the others are sorted by their copies.
     void keepTogether(std::vector<Interaction>& contacts);
     /// Visits the balls in all their copies.
     void eachBall(const SeenBalls& seen, const std::function<void(const glm::dvec3&, double)>& visit) const;
-    /// Of the balls in all their copies. @throws Error if they are too many
+    /// Bounds of the balls in all copies. @throws Error if there are too many
     Bounds bounds(const SeenBalls& seen) const;
-    /// A number of the copies that an atom has, the same for all that have the same.
+    /// Number of the list of copies that an atom has; atoms with the same copies share it.
     std::uint32_t listOf(std::uint32_t atom) const;
     /// Visits the copies that have both of two atoms: their transforms about a centre, and their numbers.
     void eachCopy(std::uint32_t atomA, std::uint32_t atomB, const glm::dvec3& center,
@@ -45,7 +44,7 @@ public:
     std::uint32_t colorOf(std::uint32_t tint, std::uint32_t copy) const;
     /// Atoms in all their copies.
     std::size_t countCopies(std::span<const std::uint32_t> atoms) const;
-    /// Sets the copies of a representation that has its primitives. @throws Error if they are too many
+    /// Sets the copies of a representation that has its primitives. @throws Error if there are too many
     void finish(Representation& representation);
 
 private:

@@ -28,7 +28,7 @@ glm::dvec3 between(const Molecule& molecule, std::uint32_t a, std::uint32_t b) {
     return glm::dvec3(molecule.atoms[b].position) - glm::dvec3(molecule.atoms[a].position);
 }
 
-/// What lies around each atom: its first four bonded neighbours (a flat atom has at most three), and those by aromatic
+/// Surroundings of each atom: its first four bonded neighbours (a flat atom has at most three), and those by aromatic
 /// or delocalised bonds.
 struct Surroundings {
     struct Neighbours {
@@ -71,7 +71,7 @@ bool isCoordination(const Molecule& molecule, const Bond& bond) {
     return isMetal(molecule.atoms[bond.a].element) != isMetal(molecule.atoms[bond.b].element);
 }
 
-/// A bond's dashes, each in the colour of the atom that it is nearer to.
+/// A bond's dashes, each in the colour of the nearer atom.
 void appendCoordination(const Sphere& a, const Sphere& b, const SphereLook& lookA, const SphereLook& lookB,
                         Representation& result) {
     const glm::dvec3 way = glm::dvec3(b.center) - glm::dvec3(a.center);
@@ -162,9 +162,9 @@ private:
     glm::dvec3 at(std::uint32_t atom) const { return glm::dvec3(molecule_.atoms[atom].position) - result_.center; }
     SphereLook look(std::uint32_t atom) const { return result_.sphereLooks[slots_[atom]]; }
 
-    /// Side of a bond on which its inner line or its second strand lies: into its ring; of a delocalised bond towards
-    /// what shares its electrons; else towards the neighbour that stands farthest off the axis. One neighbour decides,
-    /// since those of a flat atom cancel in a sum.
+    /// Side of a bond for its inner line or second strand: into its ring; for a delocalised bond towards the atom that
+    /// shares its electrons; else towards the neighbour farthest off the axis. One neighbour decides, since those of a
+    /// flat atom cancel in a sum.
     glm::dvec3 strandSide(const Bond& bond, const glm::dvec3& axis) const {
         const auto across = [&](const glm::dvec3& way) { return way - axis * glm::dot(axis, way); };
         if (const auto ring = orders_.ringOf(bond.a, bond.b); !ring.empty()) {
@@ -184,13 +184,13 @@ private:
         return bondSide(axis, glm::length(sum) > 1e-2 ? sum : best);
     }
 
-    /// The line beside a bond, shorter than it: as a smaller ring's side, and from ball to ball. Three dashes, whatever
-    /// its length, or one.
+    /// The line beside a bond, shorter than it: like a smaller ring's side, and from ball to ball. Three dashes, for
+    /// any length, or one.
     void addInner(const Bond& bond, const BondStrands::Strand& strand, const glm::dvec3& axis, const glm::dvec3& side) {
         const double offset = static_cast<double>(strand.offset), radius = static_cast<double>(strand.radius);
         const glm::dvec3 a = at(bond.a), b = at(bond.b);
         const double length = glm::distance(a, b);
-        constexpr double kFlatAngle = 0.577;  // tan 30°: what two lines at 120° take from each other
+        constexpr double kFlatAngle = 0.577;  // tan 30°: overlap of two lines at 120°
         double trim = kFlatAngle * offset;
         if (const auto ring = orders_.ringOf(bond.a, bond.b); !ring.empty()) {
             const double inside = glm::dot(middleOf(molecule_, ring) - result_.center - a, side);

@@ -1,5 +1,5 @@
 #pragma once
-// The bonds of a scene: sticks, their parallel strands and inner lines, and the dashes of coordination. Used by
+// Draws the bonds of a scene: sticks, parallel strands, inner lines, and dashes for coordination. Used by
 // representation.cpp.
 
 #include <span>

@@ -65,7 +65,7 @@ std::size_t decimalsOf(const std::string& number) {
     return point == std::string::npos ? 0 : number.size() - point - 1;
 }
 
-/// All with as many decimals as the one that has the most.
+/// Equal numbers of decimals: the largest needed.
 void alignDecimals(std::vector<LegendEntry>& numbers) {
     std::size_t most = 0;
     for (const LegendEntry& entry : numbers) most = std::max(most, decimalsOf(entry.label));
@@ -110,7 +110,7 @@ ColoredAtoms byNumber(Atoms atoms, Palette ramp, const ColorRange& range, const 
     if (stops == 1) return result;
     alignDecimals(result.legend);
     result.stops = kStops;
-    // An end that is passed stands for all beyond it.
+    // A clamped end stands for all values beyond it.
     LegendEntry& low = span > 0 ? result.legend.front() : result.legend.back();
     LegendEntry& high = span > 0 ? result.legend.back() : result.legend.front();
     if (lowest < std::min(range.first, range.last)) low.label += " or less";
@@ -212,7 +212,7 @@ ColoredAtoms byRainbow(const ResidueFacts& facts, Atoms atoms, Palette ramp) {
     return result;
 }
 
-/// Names of what has a tint of its own within a copy, and which of them each atom is of.
+/// Names of the tinted parts within a copy, and the part of each atom.
 struct TintKinds {
     std::vector<std::string> names;
     std::vector<std::uint32_t> ofAtom;
@@ -235,7 +235,7 @@ TintKinds tintKinds(const ResidueFacts& facts, Atoms atoms, ColorScheme scheme) 
     return kinds;
 }
 
-/// Of one copy there is only one colour; what an assembly makes of it is assembly_scene.cpp's.
+/// One copy has one colour; assembly_scene.cpp handles the copies of an assembly.
 ColoredAtoms byCopy(const ResidueFacts& facts, Atoms atoms, const Coloring& coloring) {
     const std::uint32_t first = kindColor(0, rampOf(coloring, kChainPalette));
     const TintKinds kinds = tintKinds(facts, atoms, coloring.scheme);

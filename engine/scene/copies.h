@@ -1,5 +1,5 @@
 #pragma once
-// Assemblies by instancing: one set of primitives, and the places where runs of them stand.
+// Assemblies by instancing: one set of primitives, and the transforms of its runs.
 
 #include <cstdint>
 #include <glm/mat4x3.hpp>
@@ -11,51 +11,51 @@
 
 namespace nacre {
 
-/// Neighbouring spheres, neighbouring cylinders, or neighbouring triangles, that have the same copies.
+/// Consecutive spheres, cylinders or triangles that have the same copies.
 struct PrimitiveRun {
     std::uint32_t first = 0, count = 0;
     std::uint32_t list = 0;  ///< index into Copies::lists
-    glm::dvec3 center{};     ///< of a sphere about the run as it is stored, Å
+    glm::dvec3 center{};     ///< of the run's bounding sphere as stored, Å
     double radius = 0;
 };
 
-/// Where runs of primitives are drawn. Without transforms everything is drawn once, as it is stored.
+/// Copies of runs of primitives. Without transforms everything is drawn once, as stored.
 struct Copies {
-    std::vector<glm::dmat4x3> transforms;           ///< p -> transform * vec4(p, 1); no two the same
-    std::vector<std::vector<std::uint32_t>> lists;  ///< of transforms, ascending; no two the same
-    /// In the order of the primitives; together all of them.
+    std::vector<glm::dmat4x3> transforms;           ///< p -> transform * vec4(p, 1); all different
+    std::vector<std::vector<std::uint32_t>> lists;  ///< indices of transforms, ascending; all different
+    /// In primitive order; together they cover all.
     std::vector<PrimitiveRun> spheres, cylinders, triangles;
-    /// Packed as in colors.h, at most kMostCopyColors: that copies take in turn, where a primitive's colour is only a
-    /// tint of it (isCopyTint). Empty: all copies look the same.
+    /// Colours that copies cycle through, packed as in colors.h, at most kMostCopyColors, where a primitive's colour is
+    /// a tint (isCopyTint). Empty: all copies look the same.
     std::vector<std::uint32_t> colors;
 };
 
-/// As many as shaders hold (shaders/common/layout.h).
+/// Limit of the shaders (shaders/common/layout.h).
 constexpr std::size_t kMostCopyColors = 16;
 
-/// An order of copies in which those that take the same of `colors` colours in turn stand far from one another.
-/// @param centers  where each copy is
+/// An order of copies in which those that share one of `colors` cycled colours are far apart.
+/// @param centers  of the copies
 std::vector<std::uint32_t> spreadCopies(const std::vector<glm::dvec3>& centers, std::size_t colors);
 
-/// Where an assembly puts a molecule's subchains.
+/// Transforms of a molecule's subchains in an assembly.
 struct Placement {
     static constexpr std::uint32_t kNowhere = UINT32_MAX;
     std::vector<glm::dmat4x3> transforms;  ///< in the file's frame
     std::vector<std::vector<std::uint32_t>> lists;
-    std::vector<std::uint32_t> listOfSubchain;  ///< kNowhere: the assembly leaves it out
+    std::vector<std::uint32_t> listOfSubchain;  ///< kNowhere: not in the assembly
 };
 
-/// @throws Error if no assembly has the id (naming those that there are), or a transform is no rigid motion
+/// @throws Error if no assembly has the id (lists the ids), or a transform is not a rigid motion
 Placement placeAssembly(const Molecule& molecule, const std::string& id);
 
-/// The list that holds what two lists have in common; added if there is none yet. kNowhere if that is nothing.
+/// The list with the intersection of two lists; added if missing. kNowhere if it is empty.
 std::uint32_t commonList(std::vector<std::vector<std::uint32_t>>& lists, std::uint32_t a, std::uint32_t b);
 
 /// Copies that stand for all: an assembly that looks the same from the place of one copy as from that of another
 /// (60 copies of a capsid's protein) needs only one of them looked at. Found by numbers: the motions that take copy 0
 /// to another one and every copy onto some copy.
 /// @param reach  Å from the origin within which copies must agree to 0.1 Å
-/// @param list   of transforms; more than 4,096 all stand for themselves
+/// @param list   of transforms; with more than 4,096, each represents itself
 std::vector<std::uint32_t> representativeCopies(const std::vector<glm::dmat4x3>& transforms,
                                                 const std::vector<std::uint32_t>& list, double reach);
 

@@ -13,15 +13,15 @@ namespace nacre {
 
 struct MapContour {
     double level = 0;
-    bool above = true;  ///< higher values are enclosed; else lower ones
+    bool above = true;  ///< encloses higher values; false: lower ones
     MapStyle style = MapStyle::mesh;
     std::uint32_t color = 0;  ///< as SphereLook has it
     double opacity = 1;       ///< of surfaces
     double width = 1.5;       ///< of lines and dots, pixels
 };
 
-/// Adds what a contour of a map shows to a scene of maps alone, about its centre. Its pixels name no atom. Its radius
-/// grows by what is added. @throws Error if it is too large
+/// Adds a map's contour to a scene of maps alone, about its centre. Its pixels name no atom. Enlarges the scene's
+/// radius to hold it. @throws Error if it is too large
 void addContour(const MapRegion& region, const MapContour& contour, Representation& maps);
 
 /// Draws beside what a scene shows what another does about the same centre, as maps and primitives: it stands still,

@@ -13,8 +13,8 @@
 namespace nacre {
 namespace {
 
-/// The look of each atom that a mesh may name: a seen one's own; of another, as of the sulphurs of a cartoon that is
-/// asked for by alpha carbons, that of a seen one of its residue.
+/// Look of each atom in a mesh: a visible atom's own; for others (such as sulphurs of a cartoon selected by alpha
+/// carbons) that of a visible atom of the residue.
 class MeshLooks {
 public:
     MeshLooks(const Molecule& molecule, const MeshAtoms& seen) : molecule_(molecule), seen_(seen) {}

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes as streams: quantised vertices, triangles that name them, and the looks that vertices share.
+// Meshes as streams: quantised vertices, triangles that index them, and looks that vertices share.
 
 #include <cstdint>
 #include <functional>
@@ -26,30 +26,30 @@ struct MeshVertex {
 /// Three vertices, counter-clockwise seen from outside. 16 bytes.
 struct Triangle {
     std::uint32_t a = 0, b = 0, c = 0;  ///< indices into Representation::meshVertices
-    float step = 1;                     ///< Å: a power of two, so that a position is exactly what its bits say
+    float step = 1;                     ///< Å: a power of two, so that positions are exact
 };
 
-/// A mesh of a representation: its triangles, and what may be drawn in their place.
+/// A mesh of a representation: its triangles and coarser levels.
 struct MeshRun {
     struct Level {
-        float error = 0;                     ///< Å, as MeshLevel has it
-        std::uint32_t first = 0, count = 0;  ///< of Representation::coarseTriangles
-        std::uint32_t endVertex = 0;         ///< it has vertices from the mesh's first to here
+        float error = 0;                     ///< Å, as in MeshLevel
+        std::uint32_t first = 0, count = 0;  ///< range in Representation::coarseTriangles
+        std::uint32_t endVertex = 0;         ///< its vertices range from the mesh's first to here
     };
-    std::uint32_t first = 0, count = 0;  ///< of Representation::triangles
-    std::vector<Level> levels;           ///< by growing error
-    /// Of Representation::meshVertices: first those of the coarsest level, then what the next finer ones add.
+    std::uint32_t first = 0, count = 0;  ///< range in Representation::triangles
+    std::vector<Level> levels;           ///< by increasing error
+    /// Range in Representation::meshVertices: first those of the coarsest level, then the additions of each finer one.
     std::uint32_t firstVertex = 0, endVertex = 0;
     float error = 0;  ///< Å, of its own triangles: not 0 where all of them were too many for a device
 };
 
-/// By its number among those that are drawn: coarse ones are numbered on.
+/// A drawn triangle by number; numbering continues with the coarse ones.
 const Triangle& drawnTriangle(const Representation& representation, std::size_t number);
 
 constexpr std::uint32_t kPositionBits = 21, kPositionMask = (1u << kPositionBits) - 1;
 constexpr std::uint32_t kMiddlePosition = 1u << (kPositionBits - 1);  ///< of the range of a coordinate
 
-/// Where a vertex stands, as shaders have it. Å
+/// Position of a vertex, as shaders compute it. Å
 inline glm::vec3 positionOf(const MeshVertex& v, float step) {
     const std::uint32_t z = v.xz >> kPositionBits | v.yz >> kPositionBits << 11;
     const auto coordinate = [&](std::uint32_t bits) {
@@ -59,10 +59,10 @@ inline glm::vec3 positionOf(const MeshVertex& v, float step) {
 }
 glm::vec3 normalOf(const MeshVertex& vertex);
 
-/// Adds a mesh to the streams. What is not finite or has no area is left out; the others' neighbours stay joined.
-/// Opaque triangles come first (translucency.h), in each of its levels.
+/// Adds a mesh to the streams. Skips triangles that are not finite or have no area; the rest stays joined. Opaque
+/// triangles come first (translucency.h), in each level.
 /// @param shift   Å, added to every position: from the mesh's origin to that of the representation
-/// @param lookOf  colour and number of an atom, asked once for each atom of the mesh
+/// @param lookOf  colour and number of an atom, called once per atom of the mesh
 /// @throws std::invalid_argument if the mesh's lists do not fit each other
 void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<SphereLook(std::uint32_t)>& lookOf,
                 Representation& representation);

@@ -1,6 +1,6 @@
 #pragma once
-// Colours for numbers and for kinds, chosen so that people with any colour vision tell them apart. Colours are packed
-// as in colors.h. What any two colours of a palette are apart for whom is measured by tests/scene/palettes_test.cpp.
+// Colours for numbers and for classes, distinguishable with any colour vision. Packed as in colors.h.
+// tests/scene/palettes_test.cpp measures the colour differences within each palette.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-/// 0xRRGGBB as it is read -> red in the lowest byte, opaque.
+/// 0xRRGGBB as written -> red in the lowest byte, opaque.
 constexpr std::uint32_t packedColor(std::uint32_t rgb) {
     return (rgb >> 16 & 0xff) | (rgb & 0xff00) | (rgb & 0xff) << 16 | 0xff000000u;
 }
@@ -20,10 +20,10 @@ constexpr std::uint32_t packedColor(std::uint32_t rgb) {
 std::string colorText(std::uint32_t color);
 
 enum class Palette : std::uint8_t {
-    automatic,  ///< that of the scheme
-    // Of kinds. "Tol": P. Tol, "Colour schemes", SRON/EPS/TN/09-002 (2021).
-    distinct,  ///< our own: a search for eight tones whose smallest CIEDE2000 distance is largest, whoever looks
-    carbons,   ///< our own: likewise, far from the blue of nitrogen, the red of oxygen and the yellow of sulphur
+    automatic,  ///< the scheme's own
+    // Of classes. "Tol": P. Tol, "Colour schemes", SRON/EPS/TN/09-002 (2021).
+    distinct,  ///< our own: eight tones by search, with the largest smallest CIEDE2000 distance for any vision
+    carbons,   ///< our own: as above, far from the blue of nitrogen, the red of oxygen and the yellow of sulphur
     light,     ///< Tol
     okabeIto,  ///< M. Okabe and K. Ito, "Color Universal Design" (2008), without its black, lightened for shading
     bright,    ///< Tol
@@ -42,17 +42,17 @@ enum class Palette : std::uint8_t {
 /// "okabe-ito"; empty for automatic.
 std::string_view paletteName(Palette palette);
 std::optional<Palette> paletteFromName(std::string_view name);
-/// Whether it is of numbers.
+/// Whether it is a ramp, for numbers.
 bool isRamp(Palette palette);
-/// All but automatic, in their order.
+/// All except automatic, in order.
 std::span<const Palette> allPalettes();
 
-/// Colour at 0..1 along a ramp; what lies outside counts as the end, NaN as the begin.
+/// Colour at 0..1 along a ramp; values outside are clamped, NaN counts as 0.
 std::uint32_t paletteColor(Palette ramp, double at);
 
-/// Colours of a palette of kinds before it repeats in darker tones.
+/// Number of colours in a palette of classes before it repeats in darker tones.
 std::size_t kindCount(Palette kinds);
-/// The nth of kinds: those of the palette, then the same darker, then all over again.
+/// The nth class colour: first the palette, then the same darker, then repeated.
 std::uint32_t kindColor(std::size_t kind, Palette kinds = Palette::okabeIto);
 
 /// The same colour at three quarters of its sRGB values.

@@ -47,7 +47,7 @@ std::vector<ModelRun> modelRuns(std::size_t count, const std::map<int, std::uint
     return runs;
 }
 
-/// Notes what belongs to which model, if there are several.
+/// Records the model of each primitive, if there are several.
 void separateModels(const Molecule& molecule, Representation& result) {
     const auto modelOf = [&](std::uint32_t number) {
         const Atom& atom = molecule.atoms[result.atomOf(number) - 1];
@@ -78,7 +78,7 @@ double spheresReach(const Representation& r) {
     return farthest;
 }
 
-/// Leaves out of legends the kinds whose colour nothing has that is drawn: a cartoon shows few of its atoms' colours.
+/// Removes legend entries whose colour is not drawn: a cartoon shows few of its atoms' colours.
 void dropUndrawn(const Representation& r, std::vector<Legend>& legends) {
     std::vector<bool> drawn(std::size_t{1} << 24);
     const auto note = [&](std::uint32_t color) { drawn[color & 0xffffffu] = true; };
@@ -155,7 +155,7 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
         return static_cast<std::uint32_t>(molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model);
     };
     addMeshes(facts, appearance, options, groupOf, result);
-    // Meshes end where they do, which is seldom as far out as it may be.
+    // The actual reach of meshes, which is usually below the bound.
     if (!result.triangles.empty() && !assembly) {
         const double own = frame ? bounds.radius : spheresReach(result);
         result.radius = std::max(own, meshReach(result));

@@ -1,5 +1,5 @@
 #pragma once
-// Molecule + appearance -> the primitive streams that the GPU draws. Knows no Vulkan.
+// Molecule + appearance -> the primitive streams that the GPU draws. Makes no Vulkan calls.
 
 #include <cstddef>
 #include <cstdint>
@@ -24,7 +24,7 @@ struct Sphere {
     glm::vec3 center;  ///< Å, relative to Representation::center
     float radius;      ///< Å
 };
-/// Stream B, read by shading as well. 8 bytes.
+/// Stream B, read by shading passes as well. 8 bytes.
 struct SphereLook {
     std::uint32_t color;  ///< sRGB, 8 bits per channel, red in the lowest byte
     std::uint32_t atom;  ///< 1-based position of the atom in its file; beyond, contacts, then notes of primitives; or 0
@@ -35,14 +35,14 @@ struct Cylinder {
     glm::vec3 a;   ///< Å, relative to Representation::center
     float radius;  ///< Å
     glm::vec3 b;
-    float perLength = 0;  ///< 1 / Å; the device's alone, set where it gets them
+    float perLength = 0;  ///< 1 / Å; set on upload, for the device only
 };
 struct CylinderLook {
-    std::uint32_t colorA, colorB;  ///< of the half next to a and to b
+    std::uint32_t colorA, colorB;  ///< of the halves next to a and b
     std::uint32_t atomA, atomB;
 };
 
-/// Neighbouring spheres, neighbouring cylinders, or neighbouring triangles, of one of several models.
+/// Consecutive spheres, cylinders or triangles of one of several models.
 struct ModelRun {
     std::uint32_t first = 0, count = 0;
     std::uint32_t model = 0;  ///< from 0
@@ -53,8 +53,8 @@ struct Representation {
     std::vector<SphereLook> sphereLooks;  ///< same length as spheres
     std::vector<Cylinder> cylinders;
     std::vector<CylinderLook> cylinderLooks;  ///< same length as cylinders
-    /// Lines of constant width in the picture, whose `radius` is minus half of that in pixels: of density maps. They do
-    /// not occlude, nothing occludes them, and they throw no shadow. On the device they stand behind the cylinders.
+    /// Lines of constant screen width for density maps. `radius` is minus half the width in pixels. They have no
+    /// occlusion and cast no shadow. On the device they follow the cylinders.
     std::vector<Cylinder> wires;
     std::vector<CylinderLook> wireLooks;  ///< same length as wires
     std::vector<Triangle> triangles;      ///< of cartoons and surfaces
@@ -67,19 +67,19 @@ struct Representation {
     /// Models that are drawn together and do not occlude each other, in the order of the primitives; together all of
     /// them. Empty: whatever is drawn occludes.
     std::vector<ModelRun> sphereModels, cylinderModels, triangleModels;
-    /// Middle of the axis-aligned box of the drawn atoms' centres, Å, in the file's frame; of those of all models of
-    /// the file, if they share a camera.
+    /// Centre of the axis-aligned box of the drawn atoms' centres, Å, in the file's frame; over all models of the file,
+    /// if they share a camera.
     glm::dvec3 center{};
-    double radius = 0;           ///< max(|p - center| + r) over the same spheres, and the meshes' vertices, Å
-    std::size_t drawnAtoms = 0;  ///< of all copies
+    double radius = 0;           ///< max(|p - center| + r) over the same spheres and the meshes' vertices, Å
+    std::size_t drawnAtoms = 0;  ///< in all copies
     std::size_t drawnBonds = 0;
-    Style style = Style::spacefill;     ///< of what no rule gives one
-    std::vector<Legend> legends;        ///< what the colours mean
-    std::vector<std::string> warnings;  ///< rules and schemes that had no effect, one sentence each
+    Style style = Style::spacefill;     ///< where no rule sets one
+    std::vector<Legend> legends;        ///< meaning of the colours
+    std::vector<std::string> warnings;  ///< rules and schemes without effect, one sentence each
     std::vector<DrawnContact> contacts;
-    std::uint32_t firstContact = 0;  ///< the number that looks have of the first contact; higher than every atom's
+    std::uint32_t firstContact = 0;  ///< a look's number for the first contact; above every atom's
 
-    /// The contact that a look's number is of; null if it is an atom's.
+    /// The contact with a look's number; null if the number is an atom's.
     const DrawnContact* contactOf(std::uint32_t number) const {
         const bool any = !contacts.empty() && number >= firstContact && number - firstContact < contacts.size();
         return any ? &contacts[number - firstContact] : nullptr;
@@ -88,7 +88,7 @@ struct Representation {
     std::uint32_t noteOf(std::uint32_t number) const {
         return number > atomGroups.size() ? number - static_cast<std::uint32_t>(atomGroups.size()) : 0;
     }
-    /// An atom that a look's number stands for, counted from 1: of a contact its first.
+    /// The 1-based atom with a look's number; for a contact its first atom.
     std::uint32_t atomOf(std::uint32_t number) const {
         const DrawnContact* contact = contactOf(number);
         return contact ? contact->interaction.a.atoms.front() + 1 : number;
@@ -111,13 +111,13 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
 /// by distance keep their first atoms.
 class MovingScene {
 public:
-    /// As represent(). @throws Error of an assembly as well: its copies do not move
+    /// As represent(). @throws Error for an assembly: its copies do not move
     MovingScene(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, const RepresentationOptions& options,
                 const std::optional<Bounds>& frame = {});
 
-    /// Its centre stays that of the first positions, or of the frame; its radius is the least that holds every atom.
+    /// Its centre is that of the first positions, or of the frame; its radius always holds every atom.
     const Representation& scene() const { return scene_; }
-    /// @param molecule  the same, with other positions @throws Error as represent()
+    /// @param molecule  the same with other positions @throws Error as represent()
     void move(const Molecule& molecule);
 
 private:
@@ -126,10 +126,10 @@ private:
     Representation scene_;
     Appearance appearance_;
     RepresentationOptions options_;
-    ResidueFacts facts_;  ///< as they were at first
+    ResidueFacts facts_;  ///< with the first positions
     std::optional<DrawnOrders> orders_;
     std::optional<ContactFinder> finder_;
-    std::size_t mostSpheres_ = 0, mostCylinders_ = 0;  ///< that contacts took so far
+    std::size_t mostSpheres_ = 0, mostCylinders_ = 0;  ///< maxima for contacts so far
 };
 
 }  // namespace nacre

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::int64_t kUnfinishedSeconds = 24 * 3600;  // then whoever was writing it has gone
+constexpr std::int64_t kUnfinishedSeconds = 24 * 3600;  // then its writer has ended
 constexpr std::string_view kTemporary = ".new-";
 
 // The Cache Directory Tagging Specification, https://bford.info/cachedir/
@@ -29,7 +29,7 @@ constexpr std::string_view kTag =
 
 bool unfinished(std::string_view name) { return name.starts_with(kTemporary) || name.ends_with(".part"); }
 
-/// What the path itself is, be it a link.
+/// Status of the path itself, also for a link.
 bool statusOf(const std::string& path, struct stat& status) { return lstat(path.c_str(), &status) == 0; }
 
 bool writeAll(int file, std::string_view bytes) {

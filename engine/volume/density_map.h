@@ -14,10 +14,10 @@
 
 namespace nacre {
 
-/// Of the values that are known.
+/// Over the known values.
 struct MapStatistics {
     double min = 0, max = 0, mean = 0;
-    double rms = 0;  ///< root of the mean square deviation from the mean: 1 sigma
+    double rms = 0;  ///< root mean square deviation from the mean: 1 sigma
     std::size_t known = 0;
 };
 
@@ -42,16 +42,16 @@ struct DensityMap {
         return (static_cast<std::size_t>(node.z) * size.y + node.y) * size.x + node.x;
     }
     glm::dvec3 place(const glm::dvec3& node) const { return origin + step * node; }
-    /// Of a place in Å: where it is in nodes.
+    /// Grid coordinates of a position in Å.
     glm::dvec3 nodeAt(const glm::dvec3& position) const { return glm::inverse(step) * (position - origin); }
 };
 
 constexpr float kUnknownDensity = std::numeric_limits<float>::quiet_NaN();
 
-/// Trilinear between nodes; not a number outside of a box, or beside nodes that nothing is known of.
+/// Trilinear interpolation; NaN outside of a box, or next to unknown nodes.
 double valueAt(const DensityMap& map, const glm::dvec3& position);
 
-/// The level that a share of the known values lies above. By a histogram of 2^20 bins.
+/// The level exceeded by a fraction of the known values. Uses a histogram of 2^20 bins.
 /// @param share  0..1
 double levelOfTopShare(const DensityMap& map, double share);
 

@@ -19,7 +19,7 @@ vec3 colorInCopy(vec3 color, uint bits) {
     return color * effects.copyColors[copyHere() % uint(kCopyColors)].rgb;
 }
 
-/// Of a colour as it is stored.
+/// Of a stored colour.
 vec3 linearColor(uint srgb) { return colorInCopy(linearFromSrgb(unpackUnorm4x8(srgb).rgb), srgb); }
 
 /// Of a mesh's colour: 1 hides what is behind it.

@@ -1,5 +1,5 @@
-// What effects work with.
-//   EFFECTS   binding, unless it is 1
+// Parameters of the effects.
+//   EFFECTS   binding, if not 1
 #ifndef NACRE_EFFECTS_GLSL
 #define NACRE_EFFECTS_GLSL
 #include "layout.h"
@@ -10,7 +10,7 @@
 layout(set = 0, binding = EFFECTS, std140) uniform Effects { EffectConstants effects; };
 layout(constant_id = kFogId) const bool kFog = false;
 
-/// How much of what stands at a distance Z is fog.
+/// Fraction of fog at distance Z.
 float fogAt(float Z) { return clamp((Z - effects.fogStart) * effects.perFog, 0.0, 1.0) * effects.fog.a; }
 
 /// What is seen under its halos and lines. @param seen  linear, premultiplied @param rim  as rimOf() has it

@@ -1,11 +1,11 @@
-// What is seen at a pixel whose primitive is known by its number, for shaders that draw by tiles.
+// Data of a pixel's primitive by its number, for the tile shaders.
 //   CYLINDERS, TRIANGLES   the scene has some
 #include "color.glsl"
 #include "streams.glsl"
 
 struct Seen {
     Hit hit;
-    uint look;  // of the atom: where its colour stands in the looks
+    uint look;  // of the atom: index of its colour in the looks
     uint atom;  // likewise
     float occlusion;
 };

@@ -1,4 +1,4 @@
-// The primitive of a fragment, as the vertex stage of its kind hands it over, flat.
+// The primitive of a fragment, as passed by the vertex stage of its kind, flat.
 //   CYLINDER, TRIANGLE   its kind; otherwise a sphere
 #include "hit.glsl"
 

@@ -1,4 +1,4 @@
-// What a fragment shader writes of a hit: colour, or one of the layers. Outputs by SURFACE or IDENTITY.
+// Output of a fragment shader for a hit: colour, or one of the layers. Selected by SURFACE or IDENTITY.
 #include "color.glsl"
 
 #if defined(SURFACE)
@@ -10,7 +10,7 @@ layout(location = 0) out vec4 color;  // straight alpha: opaque, but of transluc
 #endif
 
 #ifdef RIMS
-layout(constant_id = kClearId) const float kRed = 0.0;  // what the picture is cleared to
+layout(constant_id = kClearId) const float kRed = 0.0;  // clear colour of the picture
 layout(constant_id = kClearId + 1) const float kGreen = 0.0;
 layout(constant_id = kClearId + 2) const float kBlue = 0.0;
 layout(constant_id = kClearId + 3) const float kAlpha = 0.0;
@@ -21,7 +21,7 @@ vec4 rimHere() { return subpassLoad(rims); }
 layout(set = 0, binding = 7) uniform sampler2D rims;
 vec4 rimHere() { return texelFetch(rims, ivec2(gl_FragCoord.xy), 0); }
 #endif
-/// Writes what is seen under its halos and lines. @param seen  linear, premultiplied
+/// Writes a colour under its halos and outlines. @param seen  linear, premultiplied
 void writeRimmed(vec4 seen) {
     seen = underRim(seen, rimHere().rgb);
     if (seen.a == 0.0) discard;
@@ -48,7 +48,7 @@ void writeSurface(Hit hit, vec3 base, float occlusion) {
 #endif
 }
 #endif
-/// The same of what stands in the looks.
+/// As above for data from the looks.
 void writeSurface(Hit hit, uint colorBits, uint atom, float occlusion) {
 #ifdef IDENTITY
     writeSurface(hit, atom, occlusion);

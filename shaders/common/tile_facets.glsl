@@ -16,7 +16,7 @@ float facetBegins(vec3 a, vec3 b, vec3 c) {
     return 0.99999 / max(a.z, max(b.z, c.z)) - 1e-3;
 }
 
-/// Whether it may be seen in a rectangle on the plane z = 0. No, if the rectangle lies beside its box, or beyond an edge.
+/// Whether it may be visible in a rectangle on the plane z = 0: false outside of its box, or beyond an edge.
 bool facetMeets(vec3 a, vec3 b, vec3 c, vec2 middle, vec2 reach) {
     vec2 room = reach + 0.05 * view.pixel + (kContours ? contourReach() : 0.0);
     vec2 low = min(a.xy, min(b.xy, c.xy)) - room, high = max(a.xy, max(b.xy, c.xy)) + room;

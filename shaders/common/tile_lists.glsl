@@ -1,5 +1,5 @@
-// The lists of the `tiles` path (engine/scene/tile_lists.h) as its compute stages go through them: one subgroup a tile,
-// a chunk of as many entries as it has lanes at a time.
+// The lists of the `tiles` path (engine/scene/tile_lists.h) in its compute stages: one subgroup per tile, in chunks of
+// as many entries as it has lanes.
 
 layout(constant_id = kLanesId) const int kLanes = 8;
 layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
@@ -18,7 +18,7 @@ vec3 discOf(vec3 center, float radius) {
     return vec3(center.xy * (view.origin * D / under), reach * 1.005 + room);
 }
 
-/// The lowest bit that is set; 0 if none is.
+/// The lowest set bit; 0 if none.
 uint lowestOf(uint bits) { return bits == 0u ? 0u : (floatBitsToUint(float(bits & (0u - bits))) >> 23) - 127u; }
 vec4 handed(vec4 v, uint from) {
     return vec4(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from),
@@ -33,8 +33,8 @@ Stick handed(Stick c, uint from) {
                  subgroupShuffle(c.perLen, from));
 }
 
-/// Whether what two discs on the plane z = 0 span may meet a rectangle there. No, if a line parts them along one of its
-/// sides, or along the span, or across it. @param from, to  the discs' centres
+/// Whether the hull of two discs on the plane z = 0 may meet a rectangle there: false if a line separates them along
+/// one of its sides, or along the axis, or across it. @param from, to  the discs' centres
 bool spanMeets(vec2 from, vec2 to, float radius, vec2 middle, vec2 reach) {
     vec2 room = reach + radius, half_ = 0.5 * abs(to - from), off = abs(middle - 0.5 * (from + to));
     vec2 way = to - from, away = middle - from;

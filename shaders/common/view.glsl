@@ -1,4 +1,4 @@
-// The view of a geometry pass, and what follows from a pixel alone.
+// The view of a geometry pass, and functions of a pixel alone.
 #ifndef NACRE_VIEW_GLSL
 #define NACRE_VIEW_GLSL
 #extension GL_GOOGLE_include_directive : require
@@ -49,8 +49,8 @@ float encodedDepth(float Z) {
     precise float d = fma(Z, view.perRange, -start);
     return d;
 }
-/// A wire is as wide in the picture wherever it stands. What is stored of it is minus half of its width, in pixels of the
-/// picture that is asked for; what comes out is a radius in Å, still below 0.
+/// A wire has a constant width on screen. Its stored radius is minus half the width, in pixels of the requested
+/// picture; the result is a radius in Å, still negative.
 layout(constant_id = kWireScaleId) const float kWireScale = 1.0;
 float stickRadius(float stored, float az, float bz) {
     precise float middle = 0.5 * (az + bz);

@@ -25,7 +25,7 @@ std::int8_t formalCharge(const MmcifCell& cell) {
     return value && std::abs(*value) <= 20 ? static_cast<std::int8_t>(*value) : std::int8_t{0};
 }
 
-/// For files without type_symbol: "CA" of residue "CA" is calcium, else the first letter tells, or the first two.
+/// For files without type_symbol: "CA" of residue "CA" is calcium, otherwise the first one or two letters decide.
 std::string_view elementOfName(std::string_view name, std::string_view residue) {
     while (!name.empty() && name.front() >= '0' && name.front() <= '9') name.remove_prefix(1);
     if (name == residue && elementFromSymbol(name) != 0) return name;
@@ -156,7 +156,7 @@ void MmcifAtoms::countChains(const MmcifCell* cells) {
         last = std::string(chain);
         all.emplace(last, true);
     };
-    // Where the file writes '.', its chain has no name, and is one all the same.
+    // A chain whose name is '.' has no name, but counts.
     if (column_[authAsym] >= 0) count(text(cells, authAsym, labelAsym), lastAuth_, authChains_);
     if (column_[labelAsym] >= 0) count(text(cells, labelAsym), lastLabel_, labelChains_);
 }

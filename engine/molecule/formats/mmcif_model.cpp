@@ -13,10 +13,10 @@ namespace nacre {
 
 namespace {
 
-// Cells of the small categories: a few always, and what goes with the molecule's size, as connections and helices do.
+// Limit for cells of the small categories: a constant, plus a share of the atoms (connections, helices).
 constexpr std::size_t kFewCells = 100'000, kCellsPerAtom = 4, kMostCells = std::size_t{1} << 22;
-constexpr std::size_t kMostCellsOfModels = std::size_t{1} << 28;  // that all models together look at
-// Their text, where it stands in the file many times by reference: work goes with it.
+constexpr std::size_t kMostCellsOfModels = std::size_t{1} << 28;  // read by all models together
+// Limit for text that a file repeats by reference: it costs work.
 constexpr std::size_t kMostRepeatedBytes = std::size_t{64} << 20;
 
 /// A value may end in its standard uncertainty: "1.234(5)".
@@ -134,7 +134,7 @@ bool MmcifModel::beginCategory(const std::string& category, const std::vector<st
     }
     if (!isKept(category)) return false;
     table_ = &tables_[category];
-    // Single values of a category may stand apart from each other; together they are its one row.
+    // Single values of a category may be scattered; together they are its one row.
     if (table_->rows() != 1) *table_ = MmcifTable();
     table_->columns.insert(table_->columns.end(), columns.begin(), columns.end());
     return true;
@@ -172,7 +172,7 @@ std::string_view MmcifModel::kept(const MmcifCell& cell) {
     return copies_.emplace_back(text);
 }
 
-/// Of each of the entities that atoms are of.
+/// Kind of each entity that has atoms.
 std::vector<EntityKind> MmcifModel::entityKinds() {
     std::map<std::string_view, EntityKind> kinds;
     const MmcifTable &entities = tables_["entity"], &polymers = tables_["entity_poly"];
@@ -194,10 +194,10 @@ std::vector<EntityKind> MmcifModel::entityKinds() {
     return ofAtoms;
 }
 
-/// What the small categories say of each model.
+/// Data of the small categories for each model.
 void MmcifModel::finishModels(FileSummary& file) {
     atoms_->summarise(file);
-    // Each model looks at all of these.
+    // Every model reads all of these.
     if (builders_.size() > kMostCellsOfModels / std::max<std::size_t>(cells_, 1))
         cannotRead(builders_.front().name(), "it has too many models for its connections and helices");
     const std::vector<EntityKind> kinds = entityKinds();
@@ -244,7 +244,7 @@ std::vector<Molecule> MmcifModel::finish(const std::string& format) {
     return models;
 }
 
-/// What the file calls its chains and components, and where they come from.
+/// The file's names of chains and components, and their source organisms.
 void MmcifModel::nameParts(Molecule& molecule) {
     FileSummary& file = molecule.file;
     const auto addTo = [&](std::string& list, const char* category, const char* column) {

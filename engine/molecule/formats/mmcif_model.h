@@ -1,6 +1,6 @@
 #pragma once
-// What mmCIF, mmJSON and BinaryCIF have in common: categories of rows go in, a Molecule comes out. Knows no syntax and
-// keeps only what it needs, so that a million atoms take no more memory than the molecule. Must also compile as C++17.
+// Shared by mmCIF, mmJSON and BinaryCIF: turns rows of categories into a Molecule. Independent of syntax; keeps only
+// what it needs, so that a million atoms take no more memory than the molecule. Must also compile as C++17.
 
 #include <array>
 #include <cstdint>
@@ -29,7 +29,7 @@ public:
     std::size_t textSize() const { return text_.size(); }  ///< 0 for numbers
     std::optional<double> number() const;  ///< without the standard uncertainty that text may end in: "1.234(5)"
     std::optional<std::int64_t> integer() const;
-    /// The value as text, "" if missing. @param buffer where a number is written; shared with the result
+    /// The value as text, "" if missing. @param buffer for numbers; the result may point into it
     std::string_view text(std::array<char, 32>& buffer) const;
 
 private:
@@ -46,22 +46,22 @@ public:
     std::vector<std::string_view> cells;  ///< data() is null where a value is missing
 
     std::size_t rows() const { return columns.empty() ? 0 : cells.size() / columns.size(); }
-    /// The value of the first of these columns that has one.
+    /// The first of these columns that has a value.
     std::optional<std::string_view> get(std::size_t row, std::initializer_list<const char*> names) const;
 };
 
-/// Rows of _atom_site, to the models that are wanted.
+/// Collects rows of _atom_site into the wanted models.
 class MmcifAtoms {
 public:
     /// @param builders  one; more are added as models begin, if several are wanted
-    /// @throws Error naming the coordinate column that is missing
+    /// @throws Error naming the missing coordinate column
     MmcifAtoms(std::deque<MoleculeBuilder>& builders, const std::vector<std::string>& columns,
                const ReadOptions& options, int lastModel);
-    /// Whether a column (lower case) is of any use.
+    /// Whether a column (lower case) is needed.
     static bool isKept(std::string_view column);
     /// @param line 0 if unknown
     void addRow(const MmcifCell* cells, std::uint64_t line);
-    /// @throws Error if the model that was asked for is not there
+    /// @throws Error if the wanted model does not exist
     void summarise(FileSummary& file) const;
     const std::vector<std::string>& entities() const { return entityNames_; }
 
@@ -113,7 +113,7 @@ private:
     std::array<char, 32> buffers_[columnCount]{};
     std::deque<MoleculeBuilder>& builders_;
     int wantedFrom_, wantedTo_;  ///< models
-    std::size_t maxAtoms_;       ///< of all models that are kept
+    std::size_t maxAtoms_;       ///< of all models kept
     std::size_t atoms_ = 0;
     std::map<std::string, int, std::less<>> models_;  ///< pdbx_PDB_model_num -> 1-based position
     std::string lastModel_;
@@ -128,25 +128,25 @@ private:
 
 class MmcifModel {
 public:
-    /// @param document  the file's content, which outlives this; cells that lie in it are not copied
-    /// @param lastModel  of those that are read: from the one of the options on
+    /// @param document  the file's content, which outlives this; cells inside it are not copied
+    /// @param lastModel  last model to read; options name the first
     MmcifModel(const std::string& name, std::string_view document, const ReadOptions& options, int lastModel);
 
-    /// Whether a category, or a column of one, is of any use; names as below. Readers need not give the others.
+    /// Whether a category or column is needed; names as below. Readers may skip the others.
     static bool isKept(std::string_view category);
     static bool isKept(std::string_view category, std::string_view column);
 
-    /// A data block begins. The first block with atoms is the one that is read.
+    /// Begins a data block. The first block with atoms is the one that is read.
     void beginBlock();
-    /// Rows of a category follow. False if they are of no use and need not be given.
+    /// Begins the rows of a category. False if it is not needed: skip its rows.
     /// @param category lower case, without '_' and '.'; columns likewise
     bool beginCategory(const std::string& category, const std::vector<std::string>& columns, std::uint64_t line);
     void addRow(const std::vector<MmcifCell>& cells, std::uint64_t line);
-    /// Refuses what addRow() would refuse later, before a reader unpacks it. @throws Error
+    /// Refuses what addRow() would refuse, before a reader unpacks it. @throws Error
     void expectRows(std::size_t rows, std::size_t columns) const;
 
-    /// @param format "mmcif", "mmjson" or "bcif"
-    /// The models that are wanted. @throws Error if there are no atoms
+    /// The wanted models. @param format "mmcif", "mmjson" or "bcif"
+    /// @throws Error if there are no atoms
     std::vector<Molecule> finish(const std::string& format);
 
 private:
@@ -156,42 +156,42 @@ private:
     void summarise(FileSummary& file, const char* titleOf);
     void nameParts(Molecule& molecule);
 
-    std::deque<MoleculeBuilder> builders_;  ///< of the models that are wanted
+    std::deque<MoleculeBuilder> builders_;  ///< of the wanted models
     std::string_view document_;
     ReadOptions options_;
     int lastModel_;
     std::size_t mostCells_;  ///< of all tables
     std::deque<std::string> copies_;
     std::unique_ptr<MmcifAtoms> atoms_;
-    std::map<std::string, MmcifTable> tables_;  ///< the small categories that are kept
-    MmcifTable* table_ = nullptr;               ///< the one that rows go to; null: the atoms
+    std::map<std::string, MmcifTable> tables_;  ///< the small categories kept
+    MmcifTable* table_ = nullptr;               ///< receives the rows; null: the atoms
     std::size_t cells_ = 0, cellBytes_ = 0;
     bool done_ = false;
 };
 
-/// Bonds of _struct_conn between atoms that are there: covalent ones and disulphides, not metal coordination or
-/// hydrogen bonds, and none to symmetry mates.
+/// Bonds of _struct_conn between atoms that exist: covalent bonds and disulphides; no metal coordination, hydrogen
+/// bonds or symmetry mates.
 void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections);
 
-/// Order of a bond by the dictionary's words ("SING", "doub", "arom", "delo"); 1 for any other.
+/// Bond order of the dictionary's words ("SING", "doub", "arom", "delo"); 1 for any other.
 int mmcifBondOrder(std::optional<std::string_view> text);
 
-/// Bonds of _chem_comp_bond inside residues, but for those of our templates.
+/// Bonds of _chem_comp_bond inside residues, except those with our templates.
 void addComponentBonds(MoleculeBuilder& builder, const MmcifTable& bonds);
 
 /// Helices of _struct_conf and strands of _struct_sheet_range.
 void addSecondaryStructure(MoleculeBuilder& builder, const MmcifTable& conformations, const MmcifTable& strands);
-/// Assemblies of _pdbx_struct_assembly, _pdbx_struct_assembly_gen and _pdbx_struct_oper_list. One that cannot be read
-/// is left out with a warning.
+/// Assemblies of _pdbx_struct_assembly, _pdbx_struct_assembly_gen and _pdbx_struct_oper_list. Unreadable ones are
+/// skipped with a warning.
 void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, const MmcifTable& generators,
                         const MmcifTable& operators);
 
-/// The tables of a small-molecule CIF, whose coordinates are fractions of the unit cell.
+/// The tables of a small-molecule CIF, whose coordinates are fractional.
 struct SmallMoleculeTables {
     const MmcifTable &atoms, &cell, &symmetry;
 };
-/// The atoms as the file lists them, the asymmetric unit; the content of the unit cell becomes the assembly
-/// "unit-cell". @throws Error if the cell is missing or impossible, or a coordinate is no number
+/// The file's atoms are the asymmetric unit; the content of the unit cell becomes the assembly "unit-cell".
+/// @throws Error if the cell is missing or impossible, or a coordinate is not a number
 void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& tables);
 
 /// The molecule of a chemical component file: ideal coordinates if complete, else the model's.

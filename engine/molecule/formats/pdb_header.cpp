@@ -9,7 +9,7 @@
 namespace nacre::pdb {
 namespace {
 
-/// A word that was broken at a hyphen goes on without a blank.
+/// Joins lines; a word broken at a hyphen continues without a blank.
 void join(std::string& text, std::string_view part, std::size_t most) {
     if (part.empty() || text.size() + part.size() > most) return;
     if (!text.empty() && text.back() != '-') text += ' ';

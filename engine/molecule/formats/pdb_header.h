@@ -12,8 +12,8 @@ namespace nacre::pdb {
 class Header {
 public:
     void add(std::string_view line);
-    /// Names of chains and components, organism and method; a title where the file has none but one free text
-    /// in COMPND, as those before 1996 do.
+    /// Names of chains and components, organism and method; the title, if there is none, from free text in COMPND
+    /// (files from before 1996).
     void resolve(FileSummary& file) const;
 
 private:
