@@ -11,7 +11,7 @@
 
 namespace nacre::app {
 
-/// A contour level as a map's file has it. Of a difference map's negative contour it is mirrored about the mean.
+/// A contour level in the map's unit. For the negative contour of a difference map mirrored about the mean.
 double levelOf(const DensityMap& map, const MapLevel& level);
 
 /// Maps and primitives about a scene's centre.
@@ -19,7 +19,7 @@ struct MapLayers {
     Representation shown;  ///< to be joined to the scene (map_scene.h)
     double frame = 0;  ///< Å from the centre that the camera takes in: of primitives, and of maps that are drawn whole
     std::vector<double> sigmas;         ///< each map's level, in sigma above its mean
-    std::vector<std::string> warnings;  ///< what is not as it was asked for
+    std::vector<std::string> warnings;  ///< differences from the request
 
     std::vector<std::string> notes;  ///< of primitives, by Representation::noteOf()
     std::vector<Primitives::Label> labels;

@@ -50,12 +50,12 @@ std::string placeOf(const std::string& input, const ServeOptions& options, const
     const fs::path root = fs::canonical(options.root, error);
     const fs::path file = error ? fs::path() : fs::canonical(root / input, error);
     const bool inside = !error && std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
-    // One answer for what is outside and for what is not there.
+    // The same answer for files outside and missing files.
     if (!inside || !fs::is_regular_file(file, error)) throw Problem(404, "there is no input '" + input + "'");
     return file.string();
 }
 
-/// What an input's content is known by.
+/// Key of an input's content.
 std::string contentOf(const std::string& place) {
     const bool named = place.starts_with("sample:") || parseDatabaseId(place);
     return named ? place : fileHash(place);

@@ -1,5 +1,5 @@
 #pragma once
-// From interactions to the dashed lines of a scene. Used by representation.cpp.
+// Turns interactions into the dashed lines of a scene. Used by representation.cpp.
 
 #include <span>
 #include <vector>
@@ -32,9 +32,9 @@ private:
 void addContacts(const Molecule& molecule, const Appearance& appearance, std::vector<Interaction> contacts,
                  const ContactOptions& options, Representation& scene);
 
-/// Keeps the number of spheres and cylinders while contacts come and go in a trajectory, so that frames need not wait:
-/// adds what lies inside the first ball. Nothing where there is none.
-/// @param spheres, cylinders  how many there shall be at least; afterwards how many there are
+/// Keeps the numbers of spheres and cylinders constant while contacts change in a trajectory, so that frames need not
+/// wait: adds primitives inside the first ball, if there is one.
+/// @param spheres, cylinders  in: minimum numbers; out: actual numbers
 void fillUp(Representation& scene, std::size_t& spheres, std::size_t& cylinders);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// Interactions that are drawn: which, how they look, and what of a scene they are.
+// Interactions in a scene: selection, look, and drawn ones.
 
 #include <array>
 #include <cstdint>
@@ -15,15 +15,15 @@
 namespace nacre {
 
 struct ContactOptions {
-    std::optional<Selection> of;    ///< empty: none are drawn
-    std::optional<Selection> with;  ///< empty: what is around `of`
+    std::optional<Selection> of;    ///< empty: none
+    std::optional<Selection> with;  ///< empty: the surroundings of `of`
     InteractionRules rules = InteractionRules::molstar;
     std::array<bool, kInteractionKinds> kinds{true, true, true, true, true, true, true, true};
     double width = 0.14;  ///< of the dashes, Å
     friend bool operator==(const ContactOptions&, const ContactOptions&) = default;
 };
 
-/// How a kind of interaction is drawn and called.
+/// Colour, pattern and name of a kind of interaction.
 struct ContactLook {
     const char* label;    ///< "Hydrogen bond"
     std::uint32_t color;  ///< packed as in colors.h
@@ -31,11 +31,10 @@ struct ContactLook {
 };
 const ContactLook& contactLook(InteractionKind kind);
 
-/// Legend::scheme of the legend of contacts.
+/// Legend::scheme for interactions.
 constexpr std::string_view kContactScheme = "interactions";
 
-/// An interaction that a scene draws. What is drawn of the i-th has the number `atoms of the molecule` + 1 + i, where
-/// atoms have theirs.
+/// A drawn interaction. Primitives of the i-th have the number `atoms of the molecule` + 1 + i instead of an atom's.
 struct DrawnContact {
     Interaction interaction;
     glm::dvec3 middle{};  ///< on its line, Å from the scene's centre

@@ -1,5 +1,5 @@
-// BinaryCIF of density servers (github.com/molstar/molstar, servers/volume): the category volume_data_3d_info says
-// where the box lies, as fractions of the cell, and volume_data_3d has the values.
+// BinaryCIF of density servers (github.com/molstar/molstar, servers/volume): the category volume_data_3d_info states
+// the box as fractions of the cell, and volume_data_3d has the values.
 #include <algorithm>
 #include <cmath>
 
@@ -95,7 +95,7 @@ private:
             box.start[axis] = static_cast<int>(std::lround(start));
         }
         box.spaceGroup = whole(info, "spacegroup_number");
-        // A server cuts boxes of both kinds: those of crystals have been made by symmetry already.
+        // A server cuts boxes of both kinds: those of crystals already include symmetry.
         box.values = valuesOf(*category(block, "volume_data_3d"), box);
         return completed(name_, "density-server", std::move(box), limits_);
     }

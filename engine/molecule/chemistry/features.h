@@ -1,5 +1,5 @@
 #pragma once
-// Atoms and groups that take part in interactions. They depend on chemistry alone, not on positions: one set serves all
+// Atoms and groups that take part in interactions. They depend on chemistry, not on positions: one set serves all
 // frames of a trajectory. Internal to this folder.
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace nacre {
 
-/// Atoms of what bears the name of an amino acid: more are a file without residues, not one.
+/// Maximum of atoms per amino acid: more indicate a file without residues.
 constexpr std::uint32_t kLargestAminoAcid = 100;
 
 struct Donor {
     std::uint32_t atom = 0;
-    std::uint8_t hydrogens = 0;  ///< that the file lacks and whose places are worked out
+    std::uint8_t hydrogens = 0;  ///< missing in the file; their positions are computed
 };
 
 struct ChargedGroup {
-    std::vector<std::uint32_t> atoms;   ///< those that bear the charge
-    std::vector<std::uint32_t> centre;  ///< whose mean is its place
+    std::vector<std::uint32_t> atoms;   ///< atoms with the charge
+    std::vector<std::uint32_t> centre;  ///< atoms whose mean is the centre
     bool positive = false;
     bool tertiaryAmine = false;
 };
@@ -40,21 +40,21 @@ struct Features {
     std::vector<std::uint32_t> metals, metalBinders;
     std::vector<std::uint32_t> waters;        ///< oxygens
     std::vector<std::uint8_t> waterOxygen;    ///< by atom
-    std::vector<std::uint32_t> unit;          ///< by residue: the first of those that are one ligand with it; PLIP's
-    std::vector<std::uint8_t> receptor;       ///< by residue: an amino acid that is no HETATM
+    std::vector<std::uint32_t> unit;          ///< by residue: the first residue of the same ligand; PLIP's definition
+    std::vector<std::uint8_t> receptor;       ///< by residue: an amino acid that is not HETATM
     std::vector<std::uint8_t> macromolecule;  ///< by residue: a receptor, or a nucleotide
 };
 
 Features molstarFeatures(const Molecule& molecule, const Chemistry& chemistry);
 Features plipFeatures(const Molecule& molecule, const Chemistry& chemistry);
 
-/// What both share: waters, what residues are, metals, hydrophobic carbons, ends of halogen bonds.
+/// Shared features: waters, kinds of residues, metals, hydrophobic carbons, ends of halogen bonds.
 Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry);
 
 /// Heavy neighbours of an atom.
 std::vector<std::uint32_t> heavyNeighbours(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom);
 
-/// Whether an atom is one of a side chain's: of an amino acid, and none of N, CA, C, O, OXT and their hydrogens.
+/// Whether an atom belongs to a side chain: of an amino acid, but not N, CA, C, O, OXT or their hydrogens.
 bool isSideChain(const Molecule& molecule, std::uint32_t atom);
 
 /// Those of an element, of a residue that is no larger than an amino acid.

@@ -1,5 +1,5 @@
 #pragma once
-// Hydrogens that a file leaves out.
+// Placing hydrogens that a file omits.
 
 #include <cstdint>
 #include <span>
@@ -9,33 +9,32 @@
 
 namespace nacre {
 
-/// How to place what geometry leaves free.
+/// Parameters of what geometry does not determine.
 struct HydrogenPlacing {
     float carbon = 1.09f, nitrogen = 1.01f, oxygen = 0.96f, sulphur = 1.34f;  ///< bond lengths, Å
     float flatNitrogen = 1.01f, flatOxygen = 0.96f;                           ///< of planar atoms, Å
-    /// A hydrogen that could turn stands trans to a neighbour of its atom's one neighbour: the first in the file, or,
-    /// as Open Babel has it, the last that was bonded (comesLater()), but for acids: trans to the other oxygen.
+    /// A rotatable hydrogen is trans to a neighbour of its atom's one neighbour: the first in the file or, as in Open
+    /// Babel, the last bonded one (comesLater()), except for acids: trans to the other oxygen.
     bool asOpenBabel = false;
 };
 
-/// Open Babel bonds what a file states first, in the file's order, then what distances tell, in the order of z. Where
-/// it has a choice, of an acid's double bond or of what a hydroxyl turns away from, this order decides.
+/// Open Babel adds the file's bonds first, in file order, then bonds by distance, in order of z. This order decides its
+/// choices: an acid's double bond, or the direction of a hydroxyl.
 /// @param l, r  neighbours of one atom
 bool comesLater(const Molecule& molecule, const Neighbour& l, const Neighbour& r);
 
-/// Directions from an atom in which `count` further hydrogens go, ideal angles: 109.5 degrees about tetrahedral atoms,
-/// 120 degrees about planar ones. Determined by the neighbours but for atoms of one neighbour that may turn.
+/// Positions of `count` further hydrogens of an atom, with ideal angles: 109.5 degrees at tetrahedral atoms, 120
+/// degrees at planar ones. The neighbours determine them, except for rotatable groups with one neighbour.
 /// @returns positions, Å
 std::vector<glm::vec3> hydrogenPositions(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom,
                                          std::size_t count, const HydrogenPlacing& placing = {});
 
-/// The molecule with the hydrogens that it lacks at neutral pH (Chemistry::hydrogens), each after the atoms of its
-/// residue, with a bond to its atom. Those of standard residues have the PDB's names (HA, HB2, HD21, HO2'), others H1,
-/// H2, ... Nothing determines where those of water point. Every index of an atom moves; residues, chains and what else
-/// refers to residues stay. Partial charges and radii, which hydrogens lack, are dropped.
+/// The molecule with its missing hydrogens at neutral pH (Chemistry::hydrogens), each after the atoms of its residue,
+/// with a bond to its atom. Standard residues get the PDB's names (HA, HB2, HD21, HO2'), others H1, H2, ...
+/// Orientations of water are arbitrary. Atom indices change; residues, chains and references to residues stay. Drops
+/// partial charges and radii, which hydrogens lack.
 Molecule withHydrogens(const Molecule& molecule, const Chemistry& chemistry);
-/// The same with the chemistry that perceiveChemistry() finds of the drawn conformer. Other models are left out, as
-/// they have other atoms then.
+/// As above with perceiveChemistry() of the drawn conformer. Drops other models, whose atoms would differ.
 Molecule withMissingHydrogens(const Molecule& molecule);
 
 }  // namespace nacre

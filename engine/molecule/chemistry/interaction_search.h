@@ -1,5 +1,5 @@
 #pragma once
-// What the searches for each kind of interaction share. Internal to this folder.
+// Shared by the searches for each kind of interaction. Internal to this folder.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ inline double angleBetween(const glm::dvec3& u, const glm::dvec3& v) {
     return length < 1e-9 ? 0 : std::acos(std::clamp(glm::dot(u, v) / length, -1.0, 1.0)) * 57.29577951308232;
 }
 
-/// Everything that a search reads, and where it puts what it finds.
+/// Input and output of a search.
 struct InteractionSearch {
     const Molecule& molecule;
     const Chemistry& chemistry;
@@ -23,7 +23,7 @@ struct InteractionSearch {
     InteractionRules rules;
     const InteractionQuery& query;
     const std::vector<bool>& b;  ///< of the query, filled in
-    bool plipReceptors = false;  ///< ligands meet receptors alone
+    bool plipReceptors = false;  ///< ligands interact only with receptors
     bool modelsApart = false;    ///< several models of one molecule lie over each other: none meets another
     std::vector<Interaction>& found;
 
@@ -37,19 +37,19 @@ struct InteractionSearch {
     }
     int modelOf(std::uint32_t atom) const { return molecule.chains[molecule.residues[residue(atom)].chain].model; }
 
-    /// Whether a pair belongs to the query, and which way: 0 no, 1 the first is a, 2 the second is a.
+    /// Whether a pair belongs to the query, and in which order: 0 no, 1 the first is a, 2 the second is a.
     int sides(const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) const;
     int sides(std::uint32_t first, std::uint32_t second) const;
 
-    /// Puts a found interaction the right way round. @param donor of `first`: a, of `second`: b
+    /// Adds an interaction in the right order. @param donor of `first`: a, of `second`: b
     Interaction& add(InteractionKind kind, InteractionEnd first, InteractionEnd second, DonorSide donor, int sides);
 
-    /// Atoms of the same residue, or joined by a bond, are no partners.
+    /// Whether atoms can be partners: not in one residue, and not bonded.
     bool apart(std::uint32_t first, std::uint32_t second) const;
-    /// Under PLIP's rules a ligand has contacts with receptors alone.
+    /// PLIP's rules allow a ligand's contacts with receptors only.
     bool allowed(std::uint32_t first, std::uint32_t second) const;
 
-    /// Middle of atoms; normal of a ring.
+    /// Centre of atoms; normal of a ring.
     glm::dvec3 middle(const std::vector<std::uint32_t>& atoms) const;
     glm::dvec3 normal(const std::vector<std::uint32_t>& ring) const;
 };
@@ -63,24 +63,24 @@ void findHydrophobic(InteractionSearch& search);
 void findMetals(InteractionSearch& search);
 void findWaterBridges(InteractionSearch& search);
 
-/// A donor's hydrogens: of the file, then those worked out. Empty under the rules that need none.
+/// A donor's hydrogens: from the file, then computed ones. Empty under rules that need none.
 struct PlacedHydrogen {
     glm::dvec3 place;
-    std::uint32_t atom;  ///< kNoHydrogen: worked out
+    std::uint32_t atom;  ///< kNoHydrogen: computed
 };
 constexpr std::uint32_t kNoHydrogen = 0xffffffffu;
 std::vector<PlacedHydrogen> hydrogensOf(const InteractionSearch& search, const Donor& donor);
 
-/// What Mol* allows of a hydrogen bond, degrees: off the ideal angles, out of the plane of a planar donor or acceptor.
+/// Mol*'s limits for a hydrogen bond, degrees: deviation from ideal angles, and from a planar donor's or acceptor's plane.
 struct MolstarLimits {
     double donor = 45, acceptor = 45, donorPlane = 45, acceptorPlane = 90;
-    bool hydrogens = true;  ///< a donor's hydrogen, where it has one, points at the acceptor
+    bool hydrogens = true;  ///< a donor's hydrogen, if present, must point at the acceptor
 };
-/// Whether Mol* would call donor and acceptor a hydrogen bond, by its angles; the distance is the caller's.
+/// Whether the angles allow a hydrogen bond in Mol*; the caller checks the distance.
 bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::uint32_t acceptor,
                      const MolstarLimits& limits = {});
 
-/// By partner of a metal: PLIP finds no place for it in the geometry (linear to octahedral) that the partners fit best.
+/// By partner of a metal: PLIP drops it, without a place in the best-fitting geometry (linear to octahedral).
 std::vector<std::uint8_t> superfluousPartners(const glm::dvec3& metal, const std::vector<glm::dvec3>& partners);
 
 /// Drops what stronger interactions of the same groups stand for.

@@ -32,7 +32,7 @@ enum class InteractionRules : std::uint8_t {
     molstar,       ///< Mol*: no hydrogens needed
     plip,          ///< Protein-Ligand Interaction Profiler 2.2
     bakerHubbard,  ///< hydrogen bonds of Baker and Hubbard (1984) by the hydrogens of the file; the rest as molstar
-    wernetNilsson  ///< hydrogen bonds of Wernet, Nilsson et al. (2004), likewise
+    wernetNilsson  ///< hydrogen bonds of Wernet, Nilsson et al. (2004), the rest likewise
 };
 /// "molstar", "plip", "baker-hubbard", "wernet-nilsson".
 std::string_view interactionRulesName(InteractionRules rules);
@@ -46,7 +46,7 @@ struct InteractionEnd {
     bool ring = false;                 ///< atoms of an aromatic ring, in its order
 };
 
-/// An angle that a rule looks at, in degrees.
+/// An angle that a rule tests, in degrees.
 struct InteractionAngle {
     const char* name;  ///< "donor", "acceptor", "planes", "water"
     double degrees;
@@ -57,25 +57,25 @@ enum class DonorSide : std::uint8_t { none, a, b };
 struct Interaction {
     InteractionKind kind = InteractionKind::hydrogenBond;
     InteractionEnd a, b;                ///< a in the selection, b its partner
-    double distance = 0;                ///< Å, between the places; of a water bridge the longer of the two
-    DonorSide donor = DonorSide::none;  ///< of hydrogen bonds, halogen bonds and water bridges
+    double distance = 0;                ///< Å, between the places; for a water bridge the longer of the two
+    DonorSide donor = DonorSide::none;  ///< for hydrogen bonds, halogen bonds and water bridges
     std::vector<InteractionAngle> angles;
-    double offset = -1;                 ///< Å, of the middles of rings; -1 where it has no meaning
+    double offset = -1;                 ///< Å, between ring centres; -1 where not applicable
     std::vector<std::uint32_t> waters;  ///< oxygens of a water bridge
 };
 
-/// Between which atoms. Values by atom.
+/// The atoms between which to search. Values by atom.
 struct InteractionQuery {
     std::vector<bool> a;
-    std::vector<bool> b;  ///< empty: all atoms outside a, or all where a is all
+    std::vector<bool> b;  ///< empty: all atoms outside a, or all if a is all
     std::array<bool, kInteractionKinds> kinds{true, true, true, true, true, true, true, true};
 };
 
-/// More are an error: a heap of atoms that no molecule is.
+/// More are an error: the atoms are not a real molecule.
 constexpr std::size_t kMostInteractions = 5'000'000;
 
-/// Finds the interactions of a molecule, of which it keeps what does not move: chemistry, donors, acceptors, charges
-/// and rings. A trajectory asks it once per frame.
+/// Finds the interactions of a molecule. Computes everything independent of positions once: chemistry, donors,
+/// acceptors, charges and rings. Call it per frame of a trajectory.
 class InteractionFinder {
 public:
     InteractionFinder(const Molecule& molecule, InteractionRules rules);
@@ -83,9 +83,9 @@ public:
     InteractionFinder(InteractionFinder&&) noexcept;
     InteractionFinder& operator=(InteractionFinder&&) noexcept;
 
-    /// Interactions by kind, then by the atoms of a and b. Time grows with the number of atoms (a grid of cells).
-    /// @param molecule  the one it was made for, with any positions
-    /// @throws Error where there are more than kMostInteractions
+    /// Interactions by kind, then by the atoms of a and b. Linear time by a grid of cells.
+    /// @param molecule  the same molecule with any positions
+    /// @throws Error if there are more than kMostInteractions
     std::vector<Interaction> find(const Molecule& molecule, const InteractionQuery& query) const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// Places in a grid of cells, to find what lies near. Internal to this folder.
+// Positions in a grid of cells, to find neighbours. Internal to this folder.
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,10 @@
 
 namespace nacre {
 
-/// Cells are sorted by their number, so that far-away places cost nothing: 21 bits per axis, of 2^20 cells either way.
+/// Cells are sorted by number, so that distant positions cost nothing: 21 bits per axis, 2^20 cells either way.
 class PlaceGrid {
 public:
-    /// @param reach  Å: the farthest that near() will ask for
+    /// @param reach  Å: the largest distance for near()
     PlaceGrid(const std::vector<glm::vec3>& places, double reach) : places_(places), reach_(reach) {
         entries_.reserve(places.size());
         for (std::uint32_t i = 0; i < places.size(); ++i) entries_.push_back({keyOf(cellOf(places[i])), i});
@@ -21,7 +21,7 @@ public:
                   [](const Entry& l, const Entry& r) { return l.key != r.key ? l.key < r.key : l.index < r.index; });
     }
 
-    /// Calls visit(index, squared distance) for each place at most `reach` away.
+    /// Calls visit(index, squared distance) for each position at most `reach` away.
     template <typename Visit>
     void near(const glm::vec3& from, const Visit& visit) const {
         const Cell centre = cellOf(from);

@@ -1,5 +1,5 @@
 #pragma once
-// The steps of perceiveChemistry() and what they share. Internal to this folder.
+// The steps of perceiveChemistry() and their shared data. Internal to this folder.
 
 #include <glm/geometric.hpp>
 
@@ -7,7 +7,7 @@
 
 namespace nacre {
 
-/// Atomic numbers that the rules name.
+/// Atomic numbers used in the rules.
 enum : Element {
     kHydrogenAtom = 1,
     kBoron = 5,
@@ -25,7 +25,7 @@ enum : Element {
     kIodine = 53
 };
 
-/// Which bonds have an order that nobody needs to guess.
+/// Source of a bond's order.
 enum class OrderSource : std::uint8_t { unknown, stated, residueTemplate };
 
 struct ChemistryWork {
@@ -33,8 +33,8 @@ struct ChemistryWork {
     Chemistry& chemistry;
     std::vector<OrderSource> source;     ///< by bond
     std::vector<std::uint8_t> inRing;    ///< by bond
-    std::vector<std::uint8_t> flatRing;  ///< by atom: smallest flat ring of five or six that it is in, else 0
-    std::vector<std::uint8_t> ringAtom;  ///< by atom: size of the smallest ring that it is in, else 0
+    std::vector<std::uint8_t> flatRing;  ///< by atom: size of its smallest flat ring of five or six, else 0
+    std::vector<std::uint8_t> ringAtom;  ///< by atom: size of its smallest ring, else 0
 
     const Atom& atom(std::uint32_t i) const { return molecule.atoms[i]; }
     Element element(std::uint32_t i) const { return molecule.atoms[i].element; }
@@ -49,10 +49,10 @@ struct ChemistryWork {
     float length(std::uint32_t i, std::uint32_t j) const { return glm::distance(position(i), position(j)); }
 };
 
-/// Fills Chemistry::rings, ::inRing, ::ringAtom and whether rings are flat.
+/// Fills Chemistry::rings, ::inRing and ::ringAtom, and marks flat rings.
 void findRings(ChemistryWork& work);
 
-/// Orders of the bonds whose source is unknown, from lengths and angles.
+/// Orders of the bonds with unknown source, from lengths and angles.
 void perceiveOrders(ChemistryWork& work);
 
 /// One Kekulé structure for stated aromatic bonds (order 4).
@@ -64,23 +64,23 @@ void findAromatic(ChemistryWork& work);
 /// Charges, hydrogens, hybridisation and delocalised bonds. Needs aromatic rings.
 void findStates(ChemistryWork& work);
 
-/// A system of atoms that may share pi bonds, and the pi bonds that serve it best.
+/// Atoms that may share pi bonds, to find the best distribution.
 struct PiSystem {
     struct Atom {
-        float cost[3] = {0, 0, 0};  ///< of having 0, 1, 2 pi bonds
-        std::uint8_t most = 1;      ///< pi bonds at most
+        float cost[3] = {0, 0, 0};  ///< cost of 0, 1, 2 pi bonds
+        std::uint8_t most = 1;      ///< maximum of pi bonds
     };
     struct Bond {
         std::uint32_t a = 0, b = 0;  ///< into atoms
-        float gain[3] = {0, 0, 0};   ///< of 0, 1, 2 pi bonds here
+        float gain[3] = {0, 0, 0};   ///< gain of 0, 1, 2 pi bonds here
     };
     std::vector<Atom> atoms;
     std::vector<Bond> bonds;
 };
 
-/// Pi bonds of each bond, such that the sum of gains less the sum of costs is largest. Exact as long as no more than
-/// kMostPiStates distributions are open at a time (fewer where there are very many bonds, for the memory they take),
-/// which rings fused in a row or a plane never reach; beyond, the best are kept.
+/// Pi bonds of each bond that maximise the sum of gains less costs. Exact while no more than kMostPiStates
+/// distributions are open (fewer with very many bonds, to limit memory), which rings fused in a row or a plane never
+/// exceed; beyond that, keeps the best.
 std::vector<std::uint8_t> bestPiBonds(const PiSystem& system);
 constexpr std::size_t kMostPiStates = 4000, kMostPiStatesInAll = 8'000'000;
 
