@@ -71,7 +71,7 @@ struct PlacedHydrogen {
 constexpr std::uint32_t kNoHydrogen = 0xffffffffu;
 std::vector<PlacedHydrogen> hydrogensOf(const InteractionSearch& search, const Donor& donor);
 
-/// Mol*'s limits for a hydrogen bond, degrees: deviation from ideal angles, and from a planar donor's or acceptor's plane.
+/// Mol*'s limits for a hydrogen bond, degrees: deviation from ideal angles, and from planes of atoms.
 struct MolstarLimits {
     double donor = 45, acceptor = 45, donorPlane = 45, acceptorPlane = 90;
     bool hydrogens = true;  ///< a donor's hydrogen, if present, must point at the acceptor
