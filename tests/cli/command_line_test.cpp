@@ -221,7 +221,7 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
           Case{"render sample:dna -o a.png --color elemnt:orange", "did you mean 'element'?"},
           Case{"render sample:dna -o a.png --color element:ornage", "did you mean 'orange'?"},
           Case{"render sample:dna -o a.png --color chain:mutd", "did you mean 'muted'?"},
-          Case{"render sample:dna -o a.png --color chain:virids", "behind 'chain:', not 'virids' (see"},
+          Case{"render sample:dna -o a.png --color chain:virids", "after 'chain:', not 'virids' (see"},
           Case{"render sample:dna -o a.png --palette mutd", "did you mean 'muted'?"},
           Case{"render sample:dna -o a.png --look glosy", "did you mean 'glossy'?"},
           Case{"render sample:dna -o a.png --background blakc", "did you mean 'black'?"},
