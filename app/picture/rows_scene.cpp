@@ -85,7 +85,7 @@ std::vector<Option> whole() {
                           {"Licorice", "licorice", "Sticks are the bonds between atoms."},
                           {"Cartoon", "cartoon",
                            "Ribbons follow the backbone: coils are helices, arrows are strands; ligands are sticks."},
-                          {"Surface", "surface", "The surface is the one that water meets."},
+                          {"Surface", "surface", "The surface is the boundary that water can reach."},
                           {"Lines", "line", "Lines are the bonds between atoms."},
                           {"Backbone", "backbone",
                            "A tube goes through the alpha carbons or phosphates; ligands are sticks."}}}},
@@ -148,7 +148,7 @@ std::vector<Option> whole() {
         {.key = "color-from",
          .syntax = "FILE|TEXT",
          .help = "Colour the residues or atoms of a CSV or JSON table by its colours or values; :value=COLUMN,\n"
-                 ":10..60 and :viridis behind the name choose column, range and palette; repeatable",
+                 ":10..60 and :viridis after the name choose column, range and palette; repeatable",
          .topic = Topic::color,
          .facet = Facet::scene,
          .parse = [](T text, P& d) { addTo(d.look.colorFrom, text, kMostColorTables, parseColorSource); },

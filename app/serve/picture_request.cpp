@@ -74,8 +74,8 @@ OptionValue valueOf(const std::string& key, const std::string& text) {
     std::replace(name.begin(), name.end(), '_', '-');
     const Option* row = findOption(name, isCameraKey(name) ? kSavedOnly : kEveryTopic);
     if (!row) throw Problem(400, "there is no option \"" + key + "\" (GET /options lists them)");
-    if (!isServed(*row)) throw Problem(400, "\"" + key + "\" is the server's to say");
-    if (takesText(*row) && !isTableText(text)) throw Problem(400, "\"" + key + "\" takes text here, no file's name");
+    if (!isServed(*row)) throw Problem(400, "\"" + key + "\" is set by the server");
+    if (takesText(*row) && !isTableText(text)) throw Problem(400, "\"" + key + "\" takes text here, not a file name");
     if (name == "look" && text.find_first_of("./\\") != std::string::npos)
         throw Problem(400, "\"look\" takes a look's name here");
     OptionValue value{name, text};

@@ -19,7 +19,7 @@ public:
     DensityMap read() {
         const MsgpackValue root = parseMsgpack(name_, bytes_);
         const auto blocks = root.find("dataBlocks");
-        if (!blocks || !blocks->is(ValueKind::array)) fail("it has no dataBlocks, so it is no BinaryCIF");
+        if (!blocks || !blocks->is(ValueKind::array)) fail("it has no dataBlocks, so it is not BinaryCIF");
         std::vector<MsgpackValue> found;  // blocks with a volume
         MsgpackElements elements(*blocks);
         for (MsgpackValue block; elements.next(block);)
