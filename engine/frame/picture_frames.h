@@ -38,9 +38,9 @@ private:
     };
     /// Results of a frame.
     struct Drawn {
-        std::vector<gpu::Buffer> pixels;                  ///< of each target, if they were to be read back
-        std::shared_ptr<const passes::TileFrame> colors;  ///< not null: the picture, which is where the host reads it
-        bool edges = false;                               ///< drawn from kEdgeSamples
+        std::vector<gpu::Buffer> pixels;                  ///< per target, if read back
+        std::shared_ptr<const passes::TileFrame> colors;  ///< not null: the picture, in memory that the host reads
+        bool edges = false;                               ///< drawn with kEdgeSamples
     };
     /// Of a frame's pixels.
     enum class Samples : std::uint8_t {
