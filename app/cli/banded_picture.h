@@ -34,7 +34,7 @@ public:
     const float* rows(std::uint32_t first);
 
     std::uint64_t parts() const { return parts_; }
-    /// Of the whole picture so far; passes are not separated.
+    /// Statistics of the picture so far; passes are not separated.
     FrameStats stats() const;
 
 private:

@@ -28,7 +28,7 @@ public:
     /// Moves the files to their final names. @throws Error
     void write();
 
-    /// Of the scene: differences from the request. Known after prepare().
+    /// Warnings of the scene: differences from the request. Known after prepare().
     const std::vector<std::string>& warnings() const { return drawing_.warnings; }
 
 private:

@@ -89,7 +89,7 @@ constexpr ColumnName kColumns[] = {{"chain", Column::chain},
                                    {"tooltip", Column::ignored},
                                    {"group_id", Column::ignored}};
 
-/// What a cell says; empty: nothing.
+/// The content of a cell; empty: none.
 using Cells = std::vector<std::string>;
 
 class TableReader {

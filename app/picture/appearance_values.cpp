@@ -17,7 +17,7 @@
 namespace nacre::app {
 namespace {
 
-/// What other programs call the same.
+/// Names from other programs.
 struct Synonym {
     std::string_view theirs, ours;
 };
@@ -194,7 +194,7 @@ std::vector<std::string> palettesOf(bool ramps) {
     return names;
 }
 
-/// What stands behind a scheme's name: its range, its palette, or the colour of its carbons.
+/// The part after a scheme's name: its range, its palette, or the colour of its carbons.
 void parseColoringPart(std::string_view text, Coloring& coloring) {
     const std::string name(colorSchemeName(coloring.scheme));
     const PaletteUse use = paletteUse(coloring.scheme);
@@ -350,7 +350,7 @@ std::pair<std::string_view, std::string_view> divide(std::string_view text, cons
 }  // namespace
 
 Rule parseShow(std::string_view text) {
-    // What follows a style behind a colon has a sign of its own.
+    // The separator between a style and its opacity.
     constexpr std::string_view kOpacity = ":opacity=";
     const std::size_t at = text.rfind(kOpacity);
     const auto [selection, style] = divide(text.substr(0, at), "SELECTION=STYLE");

@@ -47,7 +47,7 @@ void checkNotForked() {
                     "(multiprocessing.get_context(\"spawn\"))");
 }
 
-/// What decides about the device.
+/// Options that decide the device.
 auto deviceKey(const DeviceOptions& d) { return std::tuple(d.device, d.visibility, d.encoded, d.validate); }
 
 /// The renderer, made for the first picture and kept; one thread at a time draws. Each structure keeps its scene.

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr Topics kServers = Topic::device | Topic::path | Topic::validation | Topic::files | Topic::view |
                             Topic::trajectory | Topic::debug | Topic::frame;
-/// Of reading, but the server's.
+/// Reading options reserved to the server.
 constexpr std::string_view kServerKeys[] = {"cache", "offline", "memory", "occlusion-memory"};
 
 /// Where an input is, if a request may have it. @throws Problem
@@ -63,7 +63,7 @@ std::string contentOf(const std::string& place) {
 
 constexpr auto kSavedOnly = static_cast<Topics>(Topic::saved);
 
-/// Of saved views, and of a request: where the page has turned the picture.
+/// Keys of the camera, from saved views and from the page.
 bool isCameraKey(std::string_view key) { return key == "orientation" || key == "pan"; }
 
 /// Whether an option takes a file or its text, of which the server takes the text.

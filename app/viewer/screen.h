@@ -21,7 +21,7 @@ public:
     virtual FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame) = 0;
     virtual PixelSize windowSize() const = 0;
     virtual std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) = 0;
-    /// What is known of the device's loss; empty: not lost.
+    /// Description of the device's loss; empty: not lost.
     virtual std::string deviceLoss() const { return {}; }
 };
 

@@ -21,7 +21,7 @@ public:
         }
     }
     bool lost() const { return !loss_.empty(); }
-    /// What is known of the loss, in one line; empty: the device is not lost.
+    /// Description of the loss, in one line; empty: the device is not lost.
     const std::string& loss() const { return loss_; }
 
 private:

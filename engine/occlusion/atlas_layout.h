@@ -22,7 +22,7 @@ struct OcclusionLayout {
     /// Texels of all spheres, rounded up to whole words of four.
     std::uint64_t sphereTexels() const { return (std::uint64_t{sphereCount} * sphereEdge * sphereEdge + 3) & ~3ull; }
     std::uint64_t cylinderTexels() const { return std::uint64_t{cylinderCount} * around * along; }
-    /// Of spheres and cylinders.
+    /// Texels of spheres and cylinders.
     std::uint64_t patchTexels() const { return sphereTexels() + cylinderTexels(); }
     /// Mesh vertices have no patches but two adjacent texels each: outer and inner side.
     std::uint64_t texelCount() const { return patchTexels() + 2 * std::uint64_t{vertexCount}; }

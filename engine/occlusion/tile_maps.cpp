@@ -96,7 +96,7 @@ TileView TileMaps::view() const {
     return v;
 }
 
-/// What of which call lies between two primitives of the batch.
+/// The parts of calls between two primitives of the batch.
 void TileMaps::take(std::uint64_t first, std::uint64_t end) {
     spheres_.clear();
     cylinders_.clear();

@@ -137,7 +137,7 @@ std::vector<bool> bondedAmong(const Molecule& molecule, const std::vector<std::u
     return bonded;
 }
 
-/// Of each atom of the molecule, whether a backbone goes through it.
+/// For each atom of the molecule, whether a backbone tube passes it.
 std::vector<bool> guideAtoms(const ResidueFacts& facts) {
     std::vector<bool> guides(facts.molecule().atoms.size());
     for (const std::vector<std::uint32_t>& trace : guideTraces(facts))

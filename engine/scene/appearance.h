@@ -118,7 +118,7 @@ SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance);
 constexpr float kLicoriceRadius = 0.25f;  ///< of atoms and bonds, Å
 constexpr float kBackboneRadius = 0.3f;   ///< Å
 constexpr float kCartoonReach = 2.5f;     ///< largest distance of a cartoon from an atom, Å
-/// Of an atom's sphere, Å; for cartoons kCartoonReach.
+/// Radius of an atom's sphere, Å; for cartoons kCartoonReach.
 float drawnRadius(Element element, Style style);
 
 /// The default style: ball-and-stick for fewer than 100 drawn atoms with bonds, else spacefill.

@@ -21,7 +21,7 @@ std::string colorText(std::uint32_t color);
 
 enum class Palette : std::uint8_t {
     automatic,  ///< the scheme's own
-    // Of classes. "Tol": P. Tol, "Colour schemes", SRON/EPS/TN/09-002 (2021).
+    // For classes. "Tol": P. Tol, "Colour schemes", SRON/EPS/TN/09-002 (2021).
     distinct,  ///< our own: eight tones by search, with the largest smallest CIEDE2000 distance for any vision
     carbons,   ///< our own: as above, far from the blue of nitrogen, the red of oxygen and the yellow of sulphur
     light,     ///< Tol
@@ -29,7 +29,7 @@ enum class Palette : std::uint8_t {
     bright,    ///< Tol
     vibrant,   ///< Tol
     muted,     ///< Tol
-    // Of numbers: ramps.
+    // For numbers: ramps.
     viridis,        ///< dark violet to yellow: matplotlib's (S. van der Walt and N. Smith, 2015, CC0)
     plasma,         ///< dark blue over red to yellow: likewise
     sunset,         ///< blue over pale yellow to red: Tol

@@ -113,7 +113,7 @@ std::uint32_t PrimitiveMeshes::numberOf(const PrimitiveLook& look) {
     return static_cast<std::uint32_t>(looks_.size() - 1);
 }
 
-/// What the finest mesh has from a triangle on, every level has.
+/// Every level gets the finest mesh's triangles from a number on.
 void PrimitiveMeshes::toAllLevels(std::size_t first) {
     const auto from = solids_.triangles.begin() + static_cast<std::ptrdiff_t>(first);
     for (MeshLevel& level : solids_.coarser)

@@ -114,7 +114,7 @@ constexpr double kFarthestPrimitive = 1e6;  ///< Å along each axis
 /// 2.4e-4 up to 61, then 9.8e-4 (244), 3.9e-3 (976), 0.015 (3906), and 0.057
 double ellipsoidError(std::size_t count);
 
-/// What holds all of it; empty if nothing is drawn. Labels count as points.
+/// Bounding sphere; empty if nothing is drawn. Labels count as points.
 std::optional<Bounds> boundsOf(const Primitives& primitives);
 
 /// Draws primitives beside what a scene has, about its centre; its radius grows. Their numbers are those of their
