@@ -53,7 +53,7 @@ struct ColumnName {
     std::string_view name;  ///< lower case
     Column column;
 };
-// Plain names, then those of mmCIF and of Mol*'s annotations.
+// Common names, then those of mmCIF and of Mol*'s annotations.
 constexpr ColumnName kColumns[] = {{"chain", Column::chain},
                                    {"resi", Column::number},
                                    {"resn", Column::residue},
@@ -96,7 +96,7 @@ class TableReader {
 public:
     TableReader(std::string name, std::string word) : name_(std::move(name)) { table_.rowWord = std::move(word); }
 
-    /// @param chosen  the column of the values; empty: the only unknown one, where none is named value
+    /// @param chosen  the column of the values; empty: the only unknown one, if none is named value
     void header(const Cells& names, const std::string& chosen, std::uint64_t number) {
         std::vector<std::string> unknown;
         for (const std::string& name : names) {
@@ -135,7 +135,7 @@ public:
             any = any || columns_[i] == Column::value || columns_[i] == Column::color;
             take(columns_[i], cells[i], row);
         }
-        if (!any) return;  // nothing is known of it
+        if (!any) return;  // no data for it
         range(first_, last_, row.numbers);
         range(labelFirst_, labelLast_, row.labelNumbers);
         table_.rows.push_back(std::move(row));
@@ -230,7 +230,7 @@ private:
                 return;
             case Column::element:
                 row.element = elementFromSymbol(text);
-                if (*row.element == 0) fail(row.number, "'" + text + "' is no element");
+                if (*row.element == 0) fail(row.number, "'" + text + "' is not an element");
                 return;
             case Column::entity:
                 row.entity = text;
@@ -273,17 +273,17 @@ private:
         double value = 0;
         const auto [end, error] = fromChars(text.data(), text.data() + text.size(), value);
         if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-            fail(number, "'" + text + "' is no number");
+            fail(number, "'" + text + "' is not a number");
         return value;
     }
 
     std::string name_;
     ColorTable table_;
     std::vector<Column> columns_;
-    std::optional<std::int32_t> first_, last_, labelFirst_, labelLast_;  ///< of the row that is read
+    std::optional<std::int32_t> first_, last_, labelFirst_, labelLast_;  ///< of the current row
 };
 
-/// The cells of a line. A cell in quotes may hold the separator, and quotes as "".
+/// The cells of a line. A quoted cell may contain the separator, and quotes as "".
 Cells cellsOf(std::string_view line, char separator) {
     Cells cells(1);
     bool quoted = false;

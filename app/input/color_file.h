@@ -8,11 +8,11 @@
 
 namespace nacre::app {
 
-/// @param name  of the file, for errors @param column  of the values; empty: the only one that is none of the known
+/// @param name  of the file, for errors @param column  of the values; empty: the only unknown one
 /// @throws Error with the line, or the row of JSON
 ColorTable readColorTable(const std::string& text, const std::string& name, const std::string& column);
 
-/// The same look, its tables read that are not there yet. @throws Error
+/// The same look with its missing tables read. @throws Error
 RepresentationOptions withTables(RepresentationOptions look);
 
 }  // namespace nacre::app

@@ -23,14 +23,14 @@ namespace {
 using PrimitiveJson = nlohmann::json;
 
 constexpr std::size_t kMostFileBytes = std::size_t{256} << 20;
-constexpr double kThickest = 1000;  // Å or pixels, of radii and widths
+constexpr double kThickest = 1000;  // maximum of radii and widths, Å or pixels
 
 std::uint32_t packed(const std::array<float, 4>& color) {
     return packedColor(std::uint32_t{toByte(color[0])} << 16 | std::uint32_t{toByte(color[1])} << 8 |
                        std::uint32_t{toByte(color[2])});
 }
 
-/// The keys of one primitive, each asked for once; what nobody asked for is unknown.
+/// The keys of one primitive; keys that are never asked for are unknown.
 class Keys {
 public:
     Keys(const PrimitiveJson& object, const PlaceOf& placeOf) : object_(object), placeOf_(placeOf) {}
@@ -124,7 +124,7 @@ private:
     std::vector<std::string> known_;
 };
 
-/// Lists of numbers, flat or in threes.
+/// Lists of numbers, flat or grouped by three.
 std::vector<double> flatNumbers(const PrimitiveJson& list) {
     std::vector<double> numbers;
     const auto add = [&](const PrimitiveJson& v) {
@@ -262,7 +262,7 @@ private:
         box.edgeWidth = keys.number("edge_width", 1.5, 0.5, 10);
         all_.boxes.push_back(box);
     }
-    /// A part that is drawn or not, or in a colour of its own. @returns whether it is drawn
+    /// A part that may be hidden or have its own colour. @returns whether it is drawn
     static bool part(Keys& keys, const char* key, bool otherwise, std::optional<PrimitiveLook>& look) {
         bool drawn = otherwise;
         if (keys.has(key))
@@ -342,7 +342,7 @@ std::string textOfFile(const std::string& path) {
     return text;
 }
 
-/// @throws Error with the line of a fault of syntax
+/// @throws Error with the line of a syntax error
 PrimitiveJson jsonOf(const std::string& text, const std::string& name) {
     if (isTooDeep(text))
         throw Error("cannot read primitives", name,

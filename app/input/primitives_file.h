@@ -12,7 +12,7 @@
 
 namespace nacre::app {
 
-/// Where a point is that a text names, Å. @throws Error
+/// Position of a point given as text, Å. @throws Error
 using PlaceOf = std::function<glm::dvec3(const std::string& selection)>;
 
 /// @param name  of the file, for errors @throws Error naming the primitive and its key

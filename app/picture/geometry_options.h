@@ -1,5 +1,5 @@
 #pragma once
-// Geometry beside the molecule, as options name it: a file, or the file's text itself.
+// Geometry beside the molecule, as option values: a file, or the file's text.
 
 #include <memory>
 #include <string>
@@ -12,20 +12,20 @@ struct Primitives;
 
 namespace nacre::app {
 
-/// Primitives (docs/geometry.md) from a file, from JSON in its place, or as a reader of scenes has made them.
+/// Primitives (docs/geometry.md) from a file, from JSON text, or from a reader of scenes.
 struct PrimitiveSource {
-    /// The file's name, or JSON on one line. Of what was made: a name that differs if the primitives do.
+    /// The file's name, or JSON on one line. For readers: a name that changes with the primitives.
     std::string text;
     std::shared_ptr<const Primitives> made = {};
 };
 
 constexpr std::size_t kMostPrimitiveSources = 64;
-constexpr std::size_t kLongestGeometryText = 1 << 20;  ///< bytes of JSON in an option
+constexpr std::size_t kLongestGeometryText = 1 << 20;  ///< limit of JSON in an option, bytes
 
-/// Whether a value is JSON, no file's name.
+/// Whether a value is JSON, not a file name.
 bool isJsonText(std::string_view text);
 
-/// A file's name, or JSON, which comes out on one line. @throws std::invalid_argument
+/// A file name, or JSON, which is put on one line. @throws std::invalid_argument
 PrimitiveSource parsePrimitiveSource(std::string_view text);
 
 }  // namespace nacre::app

@@ -80,8 +80,7 @@ public:
     /// The swapchain reports when a presented image is free, and takes back images that were not presented.
     bool maintainsSwapchains() const { return maintainsSwapchains_; }
 
-    /// End marker of a submission: nothing, or a frame that is not presented. Frame-capture tools are told of the latter
-    /// where the device can.
+    /// End marker of a submission: nothing, or a frame that is not presented, for capture tools (if supported).
     enum class Ends { nothing, frame };
     /// Records a command buffer by the given function, submits it and waits for it. The function takes a CommandBuffer
     /// if it may split it, else a vk::raii::CommandBuffer. After a failure nothing of it is in flight.

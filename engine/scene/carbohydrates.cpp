@@ -22,7 +22,7 @@ constexpr std::uint32_t kBlue = packedColor(0x0090bc), kGreen = packedColor(0x00
                         kLightBlue = packedColor(0x8fcce9), kBrown = packedColor(0xa17a4d),
                         kRed = packedColor(0xed1c24);
 
-/// A sugar, and its residues in the chemical component dictionary, with spaces between.
+/// A sugar, and its residues in the chemical component dictionary, separated by blanks.
 struct SugarRow {
     SugarSymbol symbol;
     std::string_view residues;
@@ -76,13 +76,13 @@ constexpr SugarRow kSugars[] = {
     {{"Psi", pentagon, kPink}, "PSV"},
 };
 
-/// Where a sugar stands and how it is turned.
+/// Position and orientation of a sugar.
 struct SugarPlace {
     glm::dvec3 center{}, x{}, y{}, z{};  ///< z is the ring's normal; Å, in the file's frame
     std::uint32_t atom = 0;              ///< the anomeric carbon
 };
 
-/// Rings by the names of their atoms: carbons in their order from the anomeric one, then the oxygen.
+/// Rings by atom names: carbons in order from the anomeric one, then the oxygen.
 constexpr std::array<std::array<std::string_view, 6>, 4> kRings{{{"C1", "C2", "C3", "C4", "C5", "O5"},
                                                                  {"C2", "C3", "C4", "C5", "C6", "O6"},
                                                                  {"C1", "C2", "C3", "C4", "O4", ""},
@@ -122,7 +122,7 @@ std::optional<SugarPlace> placeOfSugar(const Molecule& molecule, const Residue& 
     return std::nullopt;
 }
 
-/// Puts symbols into a mesh.
+/// Adds symbols to a mesh.
 class SymbolMaker {
 public:
     SymbolMaker(Mesh& mesh, const SugarPlace& place, const glm::dvec3& center, double size)
@@ -165,7 +165,7 @@ public:
     }
 
 private:
-    /// @param p  in the symbol's own frame, in sizes
+    /// @param p  in the symbol's own frame, in units of its size
     glm::dvec3 at(const glm::dvec3& p) const {
         return center_ + size_ * (place_.x * p.x + place_.y * p.y + place_.z * p.z);
     }
@@ -188,9 +188,9 @@ private:
             mesh_.triangles.emplace_back(first, first + (outward ? i : i + 1), first + (outward ? i + 1 : i));
     }
 
-    /// Parted along a diagonal, if it is crossed.
+    /// Split along a diagonal, if crossed.
     void cubes(bool crossed) {
-        constexpr double a = 0.806;  // so that it has the sphere's volume
+        constexpr double a = 0.806;  // for the same volume as the sphere
         for (const double z : {-a, a}) {
             const glm::dvec3 p[] = {{-a, -a, z}, {a, -a, z}, {a, a, z}, {-a, a, z}};
             const glm::dvec3 first[] = {p[0], p[1], p[2]}, second[] = {p[0], p[2], p[3]};
@@ -240,7 +240,7 @@ private:
         }
     }
 
-    /// Thickened to both sides of the ring's plane; star-shaped about its middle.
+    /// Thickened to both sides of the ring's plane; star-shaped about its centre.
     void prism(const std::vector<glm::dvec2>& outline) {
         constexpr double kHalf = 0.4;
         for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -260,7 +260,7 @@ private:
     double size_;
 };
 
-/// Sticks between bonded sugars, and from a sugar to where another residue holds it.
+/// Sticks between bonded sugars, and from a sugar to the residue that it is attached to.
 void addSticks(const Molecule& molecule, const std::map<std::uint32_t, SugarPlace>& places, const glm::dvec3& origin,
                Mesh& mesh) {
     constexpr double kRadius = 0.35;  // Å
@@ -277,7 +277,7 @@ void addSticks(const Molecule& molecule, const std::map<std::uint32_t, SugarPlac
             const std::uint32_t other = sugarA != places.end() ? bond.b : bond.a;
             const glm::dvec3 end(molecule.atoms[other].position);
             addRod(mesh, sugar.center - origin, end - origin, kRadius, sugar.atom, sugar.atom, kSides);
-            // On to what a cartoon or a backbone is drawn through.
+            // To the atom through which a cartoon or backbone passes.
             const Residue& residue = molecule.residues[molecule.atoms[other].residue];
             for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i)
                 if (molecule.atoms[i].name.view() == "CA")

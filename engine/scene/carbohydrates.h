@@ -32,10 +32,10 @@ enum class SugarShape : std::uint8_t {
 struct SugarSymbol {
     std::string_view name;  ///< "GlcNAc"
     SugarShape shape;
-    std::uint32_t color;  ///< as colors.h packs it
+    std::uint32_t color;  ///< packed as in colors.h
 };
 
-/// The symbol of a residue by its name in the chemical component dictionary ("NAG"); null: it is no known sugar.
+/// The symbol of a residue by its name in the chemical component dictionary ("NAG"); null: not a known sugar.
 const SugarSymbol* sugarSymbol(const Name& residue);
 
 /// Whether a residue is drawn as a symbol: its name is known, and it has a ring.
@@ -48,9 +48,9 @@ struct SugarOptions {
 /// Second halves of two-coloured symbols have this bit in Mesh::atoms.
 constexpr std::uint32_t kWhiteHalf = 0x80000000u;
 
-/// The symbols of the sugars that some atoms are of, with sticks between those that are bonded, and to the atoms of
-/// other residues that they are bonded to. Mesh::atoms names a ring atom of each, with kWhiteHalf.
-/// @param atoms  ascending @param origin  what positions are relative to, Å, in the file's frame
+/// The symbols of the sugars that contain some atoms, with sticks between bonded sugars, and to bonded atoms of other
+/// residues. Mesh::atoms names a ring atom of each, with kWhiteHalf.
+/// @param atoms  ascending @param origin  of the positions, Å, in the file's frame
 Mesh sugarSymbols(const Molecule& molecule, const std::vector<std::uint32_t>& atoms, const SugarOptions& options,
                   const glm::dvec3& origin);
 

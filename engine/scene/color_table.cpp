@@ -8,7 +8,7 @@
 namespace nacre {
 namespace {
 
-/// Residues in the order of a number of theirs.
+/// Residues sorted by one of their numbers.
 class ByNumber {
 public:
     ByNumber(const Molecule& molecule, std::int32_t Residue::*number) {

@@ -78,8 +78,8 @@ private:
     float radius_;
     AssemblyScene* assembly_;
     Representation& result_;
-    std::vector<std::uint32_t> slots_;  ///< of atoms in lines_, or kNoLine
-    std::vector<bool> balls_;           ///< atoms of other styles with balls or sticks
+    std::vector<std::uint32_t> slots_;  ///< index in lines_ by atom, or kNoLine
+    std::vector<bool> balls_;           ///< atoms in other styles with balls or sticks
 };
 
 }  // namespace

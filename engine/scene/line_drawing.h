@@ -7,9 +7,9 @@
 
 namespace nacre {
 
-/// Adds the lines of what has that style: of a bond to an atom of another style half, of an atom without bonds a
-/// cross. Orders are not told apart. Of an assembly each copy has its own.
-/// @param assembly  null: there is none @throws Error if they are too many
+/// Adds the lines of atoms in that style: half of a bond to an atom in another style, a cross for an atom without
+/// bonds. Ignores bond orders. Each copy of an assembly has its own.
+/// @param assembly  null: none @throws Error if there are too many
 void addLines(const Molecule& molecule, const Appearance& appearance, double width, AssemblyScene* assembly,
               Representation& result);
 

@@ -20,12 +20,12 @@ namespace {
 
 constexpr int kFinestDetail = 6, kCoarsestDetail = 2;
 
-/// A sphere of radius 1: an octahedron whose triangles are parted in four again and again. The vertices of a coarser
-/// one are the first of those of a finer one.
+/// A sphere of radius 1: an octahedron whose triangles are repeatedly split in four. The vertices of a coarser level
+/// are the first of those of a finer one.
 struct UnitSphere {
     struct Level {
         std::vector<glm::uvec3> triangles;
-        double error = 0;  ///< that its triangles stand inside of the sphere at most
+        double error = 0;  ///< largest distance of its triangles inside of the sphere
         std::uint32_t vertices = 0;
     };
     std::vector<glm::dvec3> points{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
@@ -75,7 +75,7 @@ const UnitSphere& unitSphere() {
     return sphere;
 }
 
-/// Which level of the unit sphere so many ellipsoids are drawn as: about two million triangles together.
+/// Level of the unit sphere for this many ellipsoids: about two million triangles in total.
 int detailFor(std::size_t count) {
     constexpr std::size_t kAimedTriangles = 2'000'000;
     int detail = kFinestDetail;
@@ -142,7 +142,7 @@ void PrimitiveMeshes::cone(const glm::dvec3& base, const glm::dvec3& tip, double
     for (int i = 0; i < kRoundSides; ++i) {
         const std::uint32_t rim = addVertex(solids_, at + out(i) * radius, slope(i), number);
         addVertex(solids_, at + out(i + 1) * radius, slope(i + 1), number);
-        addVertex(solids_, top, slope(i + 0.5), number);  // a tip has the normal of each side
+        addVertex(solids_, top, slope(i + 0.5), number);  // a tip has a normal per side
         solids_.triangles.emplace_back(rim, rim + 1, rim + 2);
         addVertex(solids_, at + out(i) * radius, -axis, number);
         addVertex(solids_, at + out(i + 1) * radius, -axis, number);
@@ -159,7 +159,7 @@ void PrimitiveMeshes::ellipsoid(const glm::dvec3& center, const std::array<glm::
     const std::uint32_t number = numberOf(look), base = static_cast<std::uint32_t>(solids_.positions.size());
     const UnitSphere& sphere = unitSphere();
     const auto finest = static_cast<std::size_t>(detail_);
-    // Normals go by the inverse transpose: the cofactors, but for a factor.
+    // Normals use the inverse transpose: the cofactors, up to a factor.
     const std::array<glm::dvec3, 3> normals{glm::cross(axes[1], axes[2]), glm::cross(axes[2], axes[0]),
                                             glm::cross(axes[0], axes[1])};
     const double side = glm::dot(axes[0], normals[0]) < 0 ? -1 : 1;
@@ -237,7 +237,7 @@ void PrimitiveMeshes::mesh(const Primitives::Mesh& given) {
     std::vector<glm::dvec3> means(given.smooth ? points : 0);
     const auto normalOf = [&](const std::array<std::uint32_t, 3>& t) {
         const glm::dvec3& a = given.positions[t[0]];
-        return glm::cross(given.positions[t[1]] - a, given.positions[t[2]] - a);  // as long as it is large
+        return glm::cross(given.positions[t[1]] - a, given.positions[t[2]] - a);  // weighted by area
     };
     for (const auto& t : given.triangles)
         for (const std::uint32_t v : t)

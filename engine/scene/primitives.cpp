@@ -17,7 +17,7 @@ namespace {
 
 bool isFinite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-/// Visits the dashes between two points; all of it where there are none.
+/// Visits the dashes between two points; the whole line without dashes.
 template <typename Visit>
 void eachDash(const glm::dvec3& a, const glm::dvec3& b, const PrimitiveDashes& dashes, const Visit& visit) {
     constexpr double kMostDashes = 2000;
@@ -31,7 +31,7 @@ void eachDash(const glm::dvec3& a, const glm::dvec3& b, const PrimitiveDashes& d
         visit(glm::mix(a, b, (i + (1 - share) / 2) / count), glm::mix(a, b, (i + (1 + share) / 2) / count));
 }
 
-/// Puts primitives into a scene's streams.
+/// Adds primitives to a scene's streams.
 class Placing {
 public:
     Placing(const Primitives& primitives, Representation& scene)
@@ -52,7 +52,7 @@ private:
     glm::vec3 fromCenter(const glm::dvec3& p) const { return glm::vec3(p - scene_.center); }
     static bool isOpaque(const PrimitiveLook& look) { return look.opacity >= 1; }
 
-    /// Dashes may make many of few.
+    /// Dashes may turn few primitives into many.
     void checkRoom() const {
         constexpr std::size_t kMostPieces = 4 * kMostPrimitives;
         if (scene_.wires.size() + scene_.cylinders.size() >= kMostPieces)
@@ -157,7 +157,7 @@ private:
     PrimitiveMeshes meshes_;
 };
 
-/// Visits points and radii that hold all that is drawn.
+/// Visits points and radii that bound everything drawn.
 template <typename Visit>
 void eachBall(const Primitives& all, const Visit& visit) {
     for (const auto& l : all.lines) visit(l.a, l.radius), visit(l.b, l.radius);
