@@ -221,7 +221,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     if (s.help) drawHelp(f);
     if (s.quitting) drawQuit(f);
     drawRecording(f);
-    previewFilm(f);
+    previewMovie(f);
     drawReading(f);
     if (!viewer.messages().failure().empty() && !(empty || s.start)) drawFailure(f);
     if (viewer.reading().question()) drawQuestion(f);

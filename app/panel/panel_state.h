@@ -135,10 +135,10 @@ struct PanelState {
     bool transparent = false;
     std::string path;
     // Movie to record
-    int motion = 0, filmSize = 0, filmFormat = 0;
-    float filmSeconds = 0;  ///< 0: the motion's duration
-    bool filmLoop = false, filmTransparent = false;
-    std::string film;
+    int motion = 0, movieSize = 0, movieFormat = 0;
+    float movieSeconds = 0;  ///< 0: the motion's duration
+    bool movieLoop = false, movieTransparent = false;
+    std::string moviePath;
     std::vector<PictureDescription> keys;  ///< its keyframes
     bool keysRecorded = true;
     std::string unsaved;  ///< what quitting would lose
@@ -190,7 +190,7 @@ void drawHelp(PanelFrame& f);
 void drawQuit(PanelFrame& f);
 void drawRecording(PanelFrame& f);
 /// Flies through the keyframes with the movie's timing, then returns to the movie page.
-void previewFilm(PanelFrame& f);
+void previewMovie(PanelFrame& f);
 void keepView(PanelState& s, const Viewer& viewer);
 void drawReading(PanelFrame& f);
 void drawFailure(PanelFrame& f);

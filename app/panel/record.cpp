@@ -11,9 +11,9 @@ namespace {
 
 constexpr float kRecordPoints = 460;
 constexpr std::array kMotions = {"Full turn", "Rock", "Models", "Keyframes"};
-constexpr std::array kFilmSizes = {"Screen size", "Wide, 1920 x 1080", "Wide, 1280 x 720", "Square, 1080"};
-constexpr std::array kFilmFormats = {"MP4", "WebM", "GIF", "Animated PNG"};
-constexpr std::array kFilmExtensions = {".mp4", ".webm", ".gif", ".png"};
+constexpr std::array kMovieSizes = {"Screen size", "Wide, 1920 x 1080", "Wide, 1280 x 720", "Square, 1080"};
+constexpr std::array kMovieFormats = {"MP4", "WebM", "GIF", "Animated PNG"};
+constexpr std::array kMovieExtensions = {".mp4", ".webm", ".gif", ".png"};
 constexpr int kLongestSeconds = 120;
 constexpr double kSecondsAView = 2;
 constexpr float kFramesPerSecond = 30, kFramesPerSecondOfGif = 25;
@@ -46,7 +46,7 @@ void drawKeyViews(PanelFrame& f) {
     }
     if (f.ui.button(Icon::eye, "Add keyframe", -1)) keepView(f.s, f.viewer);
     if (keys.size() < 2) return;
-    f.ui.toggle("Back to the first", f.s.filmLoop);
+    f.ui.toggle("Back to the first", f.s.movieLoop);
     if (!f.ui.button(Icon::play, "Preview", -1)) return;
     f.s.recording = false;
     f.s.previewed = 1;
@@ -54,16 +54,16 @@ void drawKeyViews(PanelFrame& f) {
 }
 
 void drawFilmLength(PanelFrame& f) {
-    if (f.s.filmSeconds <= 0) {
+    if (f.s.movieSeconds <= 0) {
         const PlayClock& clock = f.viewer.playback().clock();
-        const double stretches = static_cast<double>(f.s.keys.size()) - (f.s.filmLoop ? 0 : 1);
+        const double stretches = static_cast<double>(f.s.keys.size()) - (f.s.movieLoop ? 0 : 1);
         const double usual[] = {6, 4, static_cast<double>(clock.frames()) / clock.rate(),
                                 kSecondsAView * std::max(stretches, 1.0)};
-        f.s.filmSeconds = static_cast<float>(std::clamp(usual[f.s.motion], 0.5, double{kLongestSeconds}));
+        f.s.movieSeconds = static_cast<float>(std::clamp(usual[f.s.motion], 0.5, double{kLongestSeconds}));
     }
     f.ui.heading("Length");
     ImGui::SetNextItemWidth(-1);
-    f.ui.slideRate("Length", f.s.filmSeconds, 0.5f, kLongestSeconds, "%.1f seconds");
+    f.ui.slideRate("Length", f.s.movieSeconds, 0.5f, kLongestSeconds, "%.1f seconds");
 }
 
 }  // namespace
@@ -79,40 +79,40 @@ void drawRecord(PanelFrame& f) {
     int motion = f.s.motion - (f.s.motion == 3 && !moves ? 1 : 0);
     if (f.ui.choose("Motion", motions, motion)) {
         f.s.motion = motion + (motion == 2 && !moves ? 1 : 0);
-        f.s.filmSeconds = 0;
+        f.s.movieSeconds = 0;
     }
     const bool views = f.s.motion == 3;
     if (views) drawKeyViews(f);
     drawFilmLength(f);
     f.ui.heading("Size");
-    f.ui.choose("Movie size", kFilmSizes, f.s.filmSize);
+    f.ui.choose("Movie size", kMovieSizes, f.s.movieSize);
     f.ui.heading("Format");
     const auto rename = [&] {
-        const char* extension = kFilmExtensions[static_cast<std::size_t>(f.s.filmFormat)];
-        if (f.host.freeName) f.s.film = f.host.freeName(extension);
+        const char* extension = kMovieExtensions[static_cast<std::size_t>(f.s.movieFormat)];
+        if (f.host.freeName) f.s.moviePath = f.host.freeName(extension);
     };
-    if (f.ui.choose("Movie format", kFilmFormats, f.s.filmFormat) || f.s.film.empty()) rename();
-    const bool video = f.s.filmFormat < 2;
+    if (f.ui.choose("Movie format", kMovieFormats, f.s.movieFormat) || f.s.moviePath.empty()) rename();
+    const bool video = f.s.movieFormat < 2;
     if (video && !f.host.videos) f.ui.caption("MP4 and WebM need the program ffmpeg, which is not installed.");
-    if (f.s.filmFormat > 0) f.ui.toggle("Transparent background", f.s.filmTransparent);
+    if (f.s.movieFormat > 0) f.ui.toggle("Transparent background", f.s.movieTransparent);
     f.ui.heading("Save as");
-    f.ui.field("Movie path", "movie.mp4", f.s.film);
-    f.ui.folderOf(f.s.film.c_str());
+    f.ui.field("Movie path", "movie.mp4", f.s.moviePath);
+    f.ui.folderOf(f.s.moviePath.c_str());
     ImGui::Spacing();
-    const bool can = !f.s.film.empty() && (!views || f.s.keys.size() > 1) && (!video || f.host.videos);
+    const bool can = !f.s.moviePath.empty() && (!views || f.s.keys.size() > 1) && (!video || f.host.videos);
     ImGui::BeginDisabled(!can);
     if (f.ui.button(Icon::record, "Record", 0, true)) {
         const PixelSize sizes[] = {even(f.viewer.frames().size()), {1920, 1080}, {1280, 720}, {1080, 1080}};
         RecordingWish wish;
         wish.motion = static_cast<RecordingWish::Motion>(f.s.motion);
-        wish.seconds = static_cast<double>(f.s.filmSeconds);
-        wish.framesPerSecond = f.s.filmFormat == 2 ? kFramesPerSecondOfGif : kFramesPerSecond;
-        wish.size = sizes[f.s.filmSize];
-        wish.loop = f.s.filmLoop;
-        wish.transparent = f.s.filmTransparent && f.s.filmFormat > 0;
-        wish.path = f.s.film;
+        wish.seconds = static_cast<double>(f.s.movieSeconds);
+        wish.framesPerSecond = f.s.movieFormat == 2 ? kFramesPerSecondOfGif : kFramesPerSecond;
+        wish.size = sizes[f.s.movieSize];
+        wish.loop = f.s.movieLoop;
+        wish.transparent = f.s.movieTransparent && f.s.movieFormat > 0;
+        wish.path = f.s.moviePath;
         f.s.recording = false;
-        f.s.film.clear();
+        f.s.moviePath.clear();
         f.host.record(wish, f.s.keys);
         f.s.keysRecorded |= views;
         f.s.restless = 3;
@@ -123,10 +123,10 @@ void drawRecord(PanelFrame& f) {
     endGrown(f);
 }
 
-void previewFilm(PanelFrame& f) {
+void previewMovie(PanelFrame& f) {
     PanelState& s = f.s;
     if (s.previewed == 0) return;
-    const std::size_t stops = s.keys.size() + (s.filmLoop ? 1 : 0);
+    const std::size_t stops = s.keys.size() + (s.movieLoop ? 1 : 0);
     const bool stopped = s.over() || s.keys.size() < 2;
     if (stopped || (f.now >= s.previewDue && s.previewed > stops)) {
         s.previewed = 0;
@@ -135,7 +135,7 @@ void previewFilm(PanelFrame& f) {
     }
     s.restless = std::max(s.restless, 1);
     if (f.now < s.previewDue) return;
-    const double stretch = std::max(static_cast<double>(s.filmSeconds), 0.5) / static_cast<double>(stops - 1);
+    const double stretch = std::max(static_cast<double>(s.movieSeconds), 0.5) / static_cast<double>(stops - 1);
     const double flight = s.previewed == 1 ? CameraMotion::kFlightSeconds : stretch;
     f.viewer.show(s.keys[(s.previewed - 1) % s.keys.size()], f.now, flight);
     s.previewDue = f.now + flight;
@@ -149,7 +149,7 @@ void keepView(PanelState& s, const Viewer& viewer) {
     std::erase_if(s.keys, [&](const PictureDescription& key) { return key.input.path != view.input.path; });
     s.keys.push_back(viewer.picking().savedView());
     s.keysRecorded = false;
-    s.filmSeconds = 0;
+    s.movieSeconds = 0;
     s.restless = 2;
 }
 

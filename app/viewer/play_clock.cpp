@@ -40,7 +40,7 @@ std::optional<std::size_t> PlayClock::next() const {
     switch (order_) {
         case PlayOrder::round:
             return last ? 0 : frame_ + 1;
-        case PlayOrder::toAndFro:
+        case PlayOrder::backAndForth:
             return (back_ && frame_ > 0) || last ? frame_ - 1 : frame_ + 1;
         default:
             if (last && back_) return 0;
@@ -49,7 +49,7 @@ std::optional<std::size_t> PlayClock::next() const {
 }
 
 void PlayClock::shown(std::size_t frame, double now) {
-    if (order_ == PlayOrder::toAndFro && frame != frame_) back_ = frame < frame_;
+    if (order_ == PlayOrder::backAndForth && frame != frame_) back_ = frame < frame_;
     if (order_ == PlayOrder::once) back_ = false;
     frame_ = frame;
     // One that was late does not make the next come sooner than they would.

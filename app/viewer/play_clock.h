@@ -8,9 +8,9 @@
 namespace nacre::app {
 
 enum class PlayOrder {
-    round,     ///< the first follows the last
-    toAndFro,  ///< backwards after the last
-    once,      ///< stops at the last
+    round,         ///< the first follows the last
+    backAndForth,  ///< backwards after the last
+    once,          ///< stops at the last
 };
 
 class PlayClock {

@@ -74,7 +74,7 @@ TEST(PlayBar, StepsPlaysAndScrubs) {
     b.click("Playback options");
     b.click("Order");
     b.click("Back and forth");
-    EXPECT_EQ(b.viewer.playback().clock().order(), PlayOrder::toAndFro);
+    EXPECT_EQ(b.viewer.playback().clock().order(), PlayOrder::backAndForth);
     b.click("Pause");
     b.click("Fit");
     b.click("Superpose all atoms");

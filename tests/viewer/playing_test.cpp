@@ -31,7 +31,7 @@ TEST(PlayClock, GoesRoundToAndFroOrToItsEnd) {
     PlayClock clock;
     clock.begin(3, 1, 10);
     EXPECT_EQ(played(clock, 4), (Frames{1, 2, 0, 1, 2}));
-    clock.setOrder(PlayOrder::toAndFro);
+    clock.setOrder(PlayOrder::backAndForth);
     EXPECT_EQ(played(clock, 6), (Frames{1, 2, 1, 0, 1, 2, 1}));
     clock.setOrder(PlayOrder::once);
     EXPECT_EQ(played(clock, 6), (Frames{1, 2}));
