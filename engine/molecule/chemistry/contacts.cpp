@@ -108,18 +108,42 @@ void findCationPi(InteractionSearch& search, const std::vector<RingPlace>& rings
     }
 }
 
+bool plipHalogenAngles(const HalogenEnd& acceptor, double atDonor, double atAcceptor) {
+    return acceptor.bases == 1 && std::abs(atDonor - kPlipHalogenDonor) < kHalogenDeviation &&
+           std::abs(atAcceptor - kHalogenAcceptor) < kHalogenDeviation;
+}
+
+/// An acceptor may have several neighbours, and large angles at it are not limited.
+bool molstarHalogenAngles(const InteractionSearch& search, const glm::dvec3& halogen, const HalogenEnd& acceptor,
+                          double atDonor) {
+    if (atDonor < kMolstarHalogenDonor - kHalogenDeviation) return false;
+    const glm::dvec3 y = search.at(acceptor.atom);
+    for (const std::uint32_t n : heavyNeighbours(search.molecule, search.chemistry, acceptor.atom))
+        if (angleBetween(halogen - y, search.at(n) - y) < kHalogenAcceptor - kHalogenDeviation) return false;
+    return true;
+}
+
 void addHalogenBond(InteractionSearch& search, const HalogenEnd& donor, const HalogenEnd& acceptor) {
     const glm::dvec3 x = search.at(donor.atom), y = search.at(acceptor.atom);
     const double atDonor = angleBetween(y - x, search.at(donor.base) - x);
     const double atAcceptor = angleBetween(x - y, search.at(acceptor.base) - y);
-    const double ideal = isPlip(search) ? kPlipHalogenDonor : kMolstarHalogenDonor;
-    if (std::abs(atDonor - ideal) >= kHalogenDeviation || std::abs(atAcceptor - kHalogenAcceptor) >= kHalogenDeviation)
+    if (isPlip(search) ? !plipHalogenAngles(acceptor, atDonor, atAcceptor)
+                       : !molstarHalogenAngles(search, x, acceptor, atDonor))
         return;
     const int sides = search.sides(donor.atom, acceptor.atom);
     if (sides == 0 || !search.apart(donor.atom, acceptor.atom) || !search.allowed(donor.atom, acceptor.atom)) return;
     Interaction& found =
         search.add(InteractionKind::halogenBond, {{donor.atom}, x}, {{acceptor.atom}, y}, DonorSide::a, sides);
     found.angles = {{"donor", atDonor}, {"acceptor", atAcceptor}};
+}
+
+/// Mol*: nitrogen and other metals hold transition metals alone.
+bool mayHold(const InteractionSearch& search, std::uint32_t metal, std::uint32_t binder) {
+    if (binder == metal) return false;
+    if (isPlip(search)) return true;
+    const Element held = search.molecule.atoms[metal].element, e = search.molecule.atoms[binder].element;
+    if (isMetal(e)) return binder > metal && isTransitionMetal(held);
+    return e != kNitrogen || isTransitionMetal(held);
 }
 
 }  // namespace
@@ -205,10 +229,11 @@ void findMetals(InteractionSearch& search) {
     for (const std::uint32_t metal : search.features.metals)
         grid.near(search.molecule.atoms[metal].position, [&](std::uint32_t index, double squared) {
             const std::uint32_t binder = search.features.metalBinders[index];
-            if (squared >= kMetalReach * kMetalReach || binder == metal) return;
+            if (squared >= kMetalReach * kMetalReach || !mayHold(search, metal, binder)) return;
             int sides = search.sides(metal, binder);
             // A metal that is selected with its ligand is held by it all the same.
-            if (sides == 0 && search.query.a[metal] && search.query.a[binder]) sides = 1;
+            if (sides == 0 && search.mayMeet(metal, binder) && search.query.a[metal] && search.query.a[binder])
+                sides = 1;
             if (sides == 0 || (!isPlip(search) && !search.apart(metal, binder))) return;
             search.add(InteractionKind::metal, {{metal}, search.at(metal)}, {{binder}, search.at(binder)},
                        DonorSide::none, sides);

@@ -1,6 +1,7 @@
 #include "engine/molecule/chemistry/features.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "engine/molecule/chemistry/steps.h"
 #include "engine/molecule/drawn_atoms.h"
@@ -33,7 +34,7 @@ void addHalogenEnds(const Molecule& molecule, const Chemistry& chemistry, std::u
     std::vector<std::uint32_t> bases;
     for (const std::uint32_t n : around)
         if (anyOf(molecule.atoms[n].element, {kCarbon, kNitrogen, kPhosphorus, kSulphur})) bases.push_back(n);
-    if (bases.size() == 1) features.halogenAcceptors.push_back({atom, bases[0]});
+    if (!bases.empty()) features.halogenAcceptors.push_back({atom, bases[0], bases.size()});
 }
 
 }  // namespace
@@ -47,6 +48,10 @@ std::vector<std::uint32_t> heavyNeighbours(const Molecule& molecule, const Chemi
 
 bool isSideChain(const Molecule& molecule, std::uint32_t atom) {
     return !isBackbone(ResidueKind::protein, molecule.atoms[atom].name);
+}
+
+bool isTransitionMetal(Element element) {
+    return (element >= 22 && element <= 30) || (element >= 39 && element <= 48) || (element >= 72 && element <= 79);
 }
 
 std::vector<std::uint32_t> sideChainAtoms(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t residue,
@@ -88,6 +93,50 @@ Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry) {
         }
     }
     return features;
+}
+
+void AtomBox::add(const glm::vec3& p) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+}
+
+void AtomBox::cut(const AtomBox& other) {
+    low = glm::max(low, other.low);
+    high = glm::min(high, other.high);
+}
+
+AtomBox boxOf(const Molecule& molecule, const std::vector<bool>& atoms) {
+    AtomBox box;
+    for (std::size_t i = 0; i < atoms.size(); ++i)
+        if (atoms[i]) box.add(molecule.atoms[i].position);
+    return box;
+}
+
+Features featuresAround(const Features& features, const Molecule& molecule, const Chemistry& chemistry,
+                        const AtomBox& box) {
+    const auto inside = [&](std::uint32_t atom) { return box.holds(molecule.atoms[atom].position); };
+    const auto keep = [&](const auto& from, auto& to, const auto& atomOf) {
+        for (const auto& feature : from)
+            if (inside(atomOf(feature))) to.push_back(feature);
+    };
+    const auto itself = [](std::uint32_t atom) { return atom; };
+    const auto named = [](const auto& feature) { return feature.atom; };
+    Features near;
+    keep(features.donors, near.donors, named);
+    keep(features.acceptors, near.acceptors, itself);
+    keep(features.hydrophobic, near.hydrophobic, itself);
+    keep(features.charged, near.charged, [](const ChargedGroup& group) { return group.atoms.front(); });
+    keep(features.rings, near.rings, [&](std::uint32_t ring) { return chemistry.rings[ring].atoms.front(); });
+    keep(features.halogens, near.halogens, named);
+    keep(features.halogenAcceptors, near.halogenAcceptors, named);
+    keep(features.metals, near.metals, itself);
+    keep(features.metalBinders, near.metalBinders, itself);
+    keep(features.waters, near.waters, itself);
+    near.waterOxygen = features.waterOxygen;
+    near.unit = features.unit;
+    near.receptor = features.receptor;
+    near.macromolecule = features.macromolecule;
+    return near;
 }
 
 }  // namespace nacre

@@ -25,9 +25,10 @@ struct ChargedGroup {
     bool tertiaryAmine = false;
 };
 
-/// A halogen and its carbon, or an acceptor of its bond and the atom that bears it.
+/// A halogen and its carbon, or an acceptor of its bond and the first of the atoms that bear it.
 struct HalogenEnd {
     std::uint32_t atom = 0, base = 0;
+    std::size_t bases = 1;
 };
 
 struct Features {
@@ -51,11 +52,32 @@ Features plipFeatures(const Molecule& molecule, const Chemistry& chemistry);
 /// Shared features: waters, kinds of residues, metals, hydrophobic carbons, ends of halogen bonds.
 Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry);
 
+/// A box along the axes, Å.
+struct AtomBox {
+    glm::vec3 low{1e30f}, high{-1e30f};
+
+    void add(const glm::vec3& p);
+    /// What both boxes hold.
+    void cut(const AtomBox& other);
+    AtomBox grown(float by) const { return {low - by, high + by}; }
+    bool holds(const glm::vec3& p) const {
+        return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
+    }
+};
+AtomBox boxOf(const Molecule& molecule, const std::vector<bool>& atoms);
+
+/// Those in a box, groups by their first atoms: all that a search there has to look at.
+Features featuresAround(const Features& features, const Molecule& molecule, const Chemistry& chemistry,
+                        const AtomBox& box);
+
 /// Heavy neighbours of an atom.
 std::vector<std::uint32_t> heavyNeighbours(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom);
 
 /// Whether an atom belongs to a side chain: of an amino acid, but not N, CA, C, O, OXT or their hydrogens.
 bool isSideChain(const Molecule& molecule, std::uint32_t atom);
+
+/// Metals that nitrogen coordinates, by Mol*'s list: groups 4 to 12 without mercury, and yttrium.
+bool isTransitionMetal(Element element);
 
 /// Those of an element, of a residue that is no larger than an amino acid.
 std::vector<std::uint32_t> sideChainAtoms(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t residue,

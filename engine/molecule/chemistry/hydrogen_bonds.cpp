@@ -15,7 +15,8 @@ namespace {
 // Mol*: donor to acceptor, Å.
 constexpr double kMolstarLength = 3.5, kMolstarSulphurLength = 4.1;
 // PLIP: donor to acceptor, Å, exclusive; degrees at the hydrogen.
-constexpr double kPlipLength = 4.1, kPlipShortest = 0.5, kPlipAngle = 100;
+constexpr double kPlipLength = 4.1, kPlipAngle = 100;
+constexpr double kShortest = 0.5;  // Å: nearer is a copy
 // Baker and Hubbard (1984): hydrogen to acceptor, Å; degrees at the hydrogen.
 constexpr double kBakerLength = 2.5, kBakerAngle = 120;
 // Wernet et al. (2004): donor to acceptor less than 3.3 Å - 0.00044 Å delta², delta the angle H-D-A in degrees.
@@ -47,6 +48,15 @@ double angleOutOfPlane(const InteractionSearch& search, std::uint32_t atom, cons
     return std::abs(90 - angleBetween(across, way));
 }
 
+/// Mol*: an oxygen beside a planar carbon is planar, whatever its other neighbour is.
+std::uint8_t acceptorShapeOf(const InteractionSearch& search, std::uint32_t acceptor) {
+    const std::uint8_t shape = search.chemistry.hybrid[acceptor];
+    if (shape != 3 || search.molecule.atoms[acceptor].element != kOxygen) return shape;
+    for (const Neighbour& n : search.chemistry.of(acceptor))
+        if (search.molecule.atoms[n.atom].element == kCarbon && search.chemistry.hybrid[n.atom] == 2) return 2;
+    return shape;
+}
+
 bool mayBind(const InteractionSearch& search, std::uint32_t donor, std::uint32_t acceptor) {
     // Water among itself holds no ligand; it takes part where the partner is no water.
     if (search.features.waterOxygen[donor] && search.features.waterOxygen[acceptor]) return false;
@@ -69,7 +79,7 @@ void findMolstarBonds(InteractionSearch& search, const PlaceGrid& grid) {
             const std::uint32_t acceptor = search.features.acceptors[index];
             const bool longer = sulphur || search.molecule.atoms[acceptor].element == kSulphur;
             const double most = longer ? kMolstarSulphurLength : kMolstarLength;
-            if (squared > most * most || donor.atom == acceptor) return;
+            if (squared > most * most || squared < kShortest * kShortest || donor.atom == acceptor) return;
             const int sides = search.sides(donor.atom, acceptor);
             if (sides == 0 || !mayBind(search, donor.atom, acceptor)) return;
             if (!molstarGeometry(search, donor.atom, acceptor)) return;
@@ -95,7 +105,7 @@ void findPlipBonds(InteractionSearch& search, const PlaceGrid& grid) {
         const std::vector<PlacedHydrogen> hydrogens = hydrogensOf(search, donor);
         grid.near(search.molecule.atoms[donor.atom].position, [&](std::uint32_t index, double squared) {
             const std::uint32_t acceptor = search.features.acceptors[index];
-            if (squared >= kPlipLength * kPlipLength || squared <= kPlipShortest * kPlipShortest) return;
+            if (squared >= kPlipLength * kPlipLength || squared <= kShortest * kShortest) return;
             if (search.features.waterOxygen[acceptor]) return;
             const int sides = search.sides(donor.atom, acceptor);
             if (sides == 0 || !mayBind(search, donor.atom, acceptor)) return;
@@ -126,19 +136,25 @@ std::vector<PlacedHydrogen> hydrogensOf(const InteractionSearch& search, const D
 bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::uint32_t acceptor,
                      const MolstarLimits& limits) {
     const glm::dvec3 way = search.at(acceptor) - search.at(donor);
-    const std::uint8_t donorShape = search.chemistry.hybrid[donor], acceptorShape = search.chemistry.hybrid[acceptor];
+    const std::uint8_t donorShape = search.chemistry.hybrid[donor], acceptorShape = acceptorShapeOf(search, acceptor);
     double hydrogen = 181;
+    glm::dvec3 from = search.at(donor);  // or its hydrogen that is nearest to the acceptor
     for (const Neighbour& n : search.chemistry.of(donor)) {
         const double angle = angleBetween(search.at(n.atom) - search.at(donor), way);
-        if (isHydrogen(search.molecule.atoms[n.atom].element))
+        if (isHydrogen(search.molecule.atoms[n.atom].element)) {
             hydrogen = std::min(hydrogen, angle);
-        else if (std::abs(idealAngle(donorShape) - angle) > limits.donor)
+            if (limits.hydrogens &&
+                glm::distance(search.at(n.atom), search.at(acceptor)) < glm::distance(from, search.at(acceptor)))
+                from = search.at(n.atom);
+        } else if (std::abs(idealAngle(donorShape) - angle) > limits.donor) {
             return false;
+        }
     }
     if (limits.hydrogens && hydrogen < 180.5 && hydrogen > limits.donor) return false;
     if (donorShape == 2 && angleOutOfPlane(search, donor, way) > limits.donorPlane) return false;
-    for (const std::uint32_t n : heavyNeighbours(search.molecule, search.chemistry, acceptor)) {
-        const double angle = angleBetween(search.at(n) - search.at(acceptor), -way);
+    for (const Neighbour& n : search.chemistry.of(acceptor)) {
+        if (!limits.hydrogens && isHydrogen(search.molecule.atoms[n.atom].element)) continue;
+        const double angle = angleBetween(search.at(n.atom) - search.at(acceptor), from - search.at(acceptor));
         if (idealAngle(acceptorShape) - angle > limits.acceptor) return false;
     }
     return acceptorShape != 2 || angleOutOfPlane(search, acceptor, -way) <= limits.acceptorPlane;

@@ -26,11 +26,16 @@ struct InteractionSearch {
     bool plipReceptors = false;  ///< ligands interact only with receptors
     bool modelsApart = false;    ///< several models of one molecule lie over each other: none meets another
     std::vector<Interaction>& found;
+    std::uint32_t imageFrom = 0;  ///< atoms from here on are of an image, and only meet those before; 0: there is none
 
     glm::dvec3 at(std::uint32_t atom) const { return molecule.atoms[atom].position; }
     std::uint32_t residue(std::uint32_t atom) const { return molecule.atoms[atom].residue; }
     bool wants(InteractionKind kind) const { return query.kinds[static_cast<std::size_t>(kind)]; }
 
+    /// Whether an interaction may join two atoms.
+    bool mayMeet(std::uint32_t first, std::uint32_t second) const {
+        return together(first, second) && (imageFrom == 0 || (first < imageFrom) != (second < imageFrom));
+    }
     /// Whether two atoms are ever in one picture of the molecule.
     bool together(std::uint32_t first, std::uint32_t second) const {
         return !modelsApart || modelOf(first) == modelOf(second);
@@ -82,6 +87,10 @@ bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::
 
 /// By partner of a metal: PLIP drops it, without a place in the best-fitting geometry (linear to octahedral).
 std::vector<std::uint8_t> superfluousPartners(const glm::dvec3& metal, const std::vector<glm::dvec3>& partners);
+
+/// Drops what has an atom in its way, as Mol* does: nearer to its middle than that atom's van der Waals radius.
+/// Hydrogens, the atoms of both ends, and what lies within 1 Å of an end are in nobody's way.
+void dropBlocked(InteractionSearch& search);
 
 /// Drops what stronger interactions of the same groups stand for.
 void refineMolstar(const InteractionSearch& search);

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "engine/error.h"
+#include "engine/molecule/chemistry/image.h"
 #include "engine/molecule/chemistry/interaction_search.h"
 #include "engine/molecule/drawn_atoms.h"
 
@@ -46,13 +47,13 @@ std::optional<InteractionRules> interactionRulesFromName(std::string_view name) 
 }
 
 int InteractionSearch::sides(std::uint32_t first, std::uint32_t second) const {
-    if (!together(first, second)) return 0;
+    if (!mayMeet(first, second)) return 0;
     if (query.a[first] && b[second]) return 1;
     return query.a[second] && b[first] ? 2 : 0;
 }
 
 int InteractionSearch::sides(const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) const {
-    if (!together(first.front(), second.front())) return 0;
+    if (!mayMeet(first.front(), second.front())) return 0;
     if (anyIn(first, query.a) && anyIn(second, b)) return 1;
     return anyIn(second, query.a) && anyIn(first, b) ? 2 : 0;
 }
@@ -102,6 +103,55 @@ glm::dvec3 InteractionSearch::normal(const std::vector<std::uint32_t>& ring) con
     return length < 1e-9 ? glm::dvec3(0, 0, 1) : sum / length;
 }
 
+namespace {
+
+constexpr float kWidestBridge = 8.2f;  // Å: of a water bridge, the longest interaction
+
+std::vector<bool> othersOf(const InteractionQuery& query) {
+    if (!query.b.empty()) return query.b;
+    std::vector<bool> others = query.a;
+    if (std::find(others.begin(), others.end(), false) != others.end()) others.flip();
+    return others;
+}
+
+/// Indices of atoms become those of the molecule again.
+void splitImage(Interaction& interaction, std::uint32_t count) {
+    const auto back = [&](std::vector<std::uint32_t>& atoms) {
+        const bool image = !atoms.empty() && atoms.front() >= count;
+        for (std::uint32_t& atom : atoms) atom %= count;
+        return image;
+    };
+    interaction.a.image = back(interaction.a.atoms);
+    interaction.b.image = back(interaction.b.atoms);
+    interaction.waterImage = back(interaction.waters);
+}
+
+void run(InteractionSearch& search) {
+    const Molecule& molecule = search.molecule;
+    const bool plip = search.rules == InteractionRules::plip;
+    search.modelsApart = !molecule.modelsAreInputs && !molecule.chains.empty() &&
+                         molecule.chains.front().model != molecule.chains.back().model;
+    search.plipReceptors = plip && search.query.b.empty();
+    const bool byHydrogens =
+        search.rules == InteractionRules::bakerHubbard || search.rules == InteractionRules::wernetNilsson;
+    byHydrogens ? findHydrogenBondsByHydrogens(search) : findHydrogenBonds(search);
+    findSaltBridges(search);
+    findRingContacts(search);
+    findHalogenBonds(search);
+    findHydrophobic(search);
+    findMetals(search);
+    if (!plip) dropBlocked(search);
+    plip ? refinePlip(search) : refineMolstar(search);
+    findWaterBridges(search);
+    std::vector<Interaction>& found = search.found;
+    std::erase_if(found, [&](const Interaction& interaction) { return !search.wants(interaction.kind); });
+    const auto key = [](const Interaction& i) { return std::tie(i.kind, i.a.atoms, i.b.atoms, i.waters); };
+    std::stable_sort(found.begin(), found.end(),
+                     [&](const Interaction& l, const Interaction& r) { return key(l) < key(r); });
+}
+
+}  // namespace
+
 struct InteractionFinder::Kept {
     InteractionRules rules;
     Chemistry chemistry;
@@ -121,34 +171,44 @@ InteractionFinder& InteractionFinder::operator=(InteractionFinder&&) noexcept = 
 
 std::vector<Interaction> InteractionFinder::find(const Molecule& molecule, const InteractionQuery& query) const {
     const bool all = std::find(query.a.begin(), query.a.end(), false) == query.a.end();
-    std::vector<bool> others = query.b;
-    if (others.empty()) {
-        others = query.a;
-        if (!all) others.flip();
-    }
+    const std::vector<bool> others = othersOf(query);
+    Features around;  // groups reach some Å farther than their first atoms
+    if (!all)
+        around = featuresAround(kept_->features, molecule, kept_->chemistry,
+                                boxOf(molecule, query.a).grown(kWidestBridge + 5));
     std::vector<Interaction> found;
-    InteractionSearch search{molecule, kept_->chemistry, kept_->features, kept_->rules, query, others, false, false,
-                             found};
-    const bool plip = kept_->rules == InteractionRules::plip;
-    search.modelsApart = !molecule.modelsAreInputs && !molecule.chains.empty() &&
-                         molecule.chains.front().model != molecule.chains.back().model;
-    search.plipReceptors = plip && query.b.empty();
-    const bool byHydrogens =
-        kept_->rules == InteractionRules::bakerHubbard || kept_->rules == InteractionRules::wernetNilsson;
-    byHydrogens ? findHydrogenBondsByHydrogens(search) : findHydrogenBonds(search);
-    findSaltBridges(search);
-    findRingContacts(search);
-    findHalogenBonds(search);
-    findHydrophobic(search);
-    findMetals(search);
-    plip ? refinePlip(search) : refineMolstar(search);
-    findWaterBridges(search);
-    found.erase(std::remove_if(found.begin(), found.end(),
-                               [&](const Interaction& interaction) { return !search.wants(interaction.kind); }),
-                found.end());
-    const auto key = [](const Interaction& i) { return std::tie(i.kind, i.a.atoms, i.b.atoms, i.waters); };
-    std::stable_sort(found.begin(), found.end(),
-                     [&](const Interaction& l, const Interaction& r) { return key(l) < key(r); });
+    InteractionSearch search{
+        molecule, kept_->chemistry, all ? kept_->features : around, kept_->rules, query, others, false, false, found};
+    run(search);
+    return found;
+}
+
+std::vector<Interaction> InteractionFinder::findBetween(const Molecule& molecule, const glm::dmat4x3& image,
+                                                        const InteractionQuery& query) const {
+    const std::vector<bool> everything(molecule.atoms.size(), true);
+    const AtomBox near = boxOf(molecule, everything).grown(kWidestBridge);
+    const auto enters = [&](const Atom& atom) { return near.holds(glm::vec3(image * glm::dvec4(atom.position, 1))); };
+    if (std::none_of(molecule.atoms.begin(), molecule.atoms.end(), enters)) return {};
+    const Molecule both = withImage(molecule, image);
+    const Chemistry chemistry = withImage(kept_->chemistry);
+    const auto count = static_cast<std::uint32_t>(molecule.atoms.size());
+    std::vector<bool> second(everything.size(), false);
+    second.insert(second.end(), everything.begin(), everything.end());
+    AtomBox shared = near;
+    shared.cut(boxOf(both, second).grown(kWidestBridge));
+    const Features features =
+        featuresAround(withImage(kept_->features, kept_->chemistry), both, chemistry, shared.grown(5));
+    const auto twice = [](std::vector<bool> values) {
+        values.insert(values.end(), values.begin(), values.end());
+        return values;
+    };
+    const std::vector<bool> others = othersOf(query);
+    InteractionQuery doubled{twice(query.a), query.b.empty() ? query.b : twice(query.b), query.kinds};
+    std::vector<Interaction> found;
+    const std::vector<bool> othersTwice = twice(others);
+    InteractionSearch search{both, chemistry, features, kept_->rules, doubled, othersTwice, false, false, found, count};
+    run(search);
+    for (Interaction& interaction : found) splitImage(interaction, count);
     return found;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/mat4x3.hpp>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -44,6 +45,7 @@ struct InteractionEnd {
                                        ///< has, the atoms of a charged group, or those of a ring
     glm::vec3 place{};                 ///< where a dash ends, Å: the atom, or the middle of the group
     bool ring = false;                 ///< atoms of an aromatic ring, in its order
+    bool image = false;                ///< it belongs to the image that findBetween() was given
 };
 
 /// An angle that a rule tests, in degrees.
@@ -62,6 +64,7 @@ struct Interaction {
     std::vector<InteractionAngle> angles;
     double offset = -1;                 ///< Å, between ring centres; -1 where not applicable
     std::vector<std::uint32_t> waters;  ///< oxygens of a water bridge
+    bool waterImage = false;            ///< they belong to the image that findBetween() was given
 };
 
 /// The atoms between which to search. Values by atom.
@@ -87,6 +90,12 @@ public:
     /// @param molecule  the same molecule with any positions
     /// @throws Error if there are more than kMostInteractions
     std::vector<Interaction> find(const Molecule& molecule, const InteractionQuery& query) const;
+
+    /// The same between a molecule and an image of it, such as the next copy of an assembly: none that lies within one
+    /// of the two. Either may be the side that is selected.
+    /// @param image  p -> image * vec4(p, 1), rigid
+    std::vector<Interaction> findBetween(const Molecule& molecule, const glm::dmat4x3& image,
+                                         const InteractionQuery& query) const;
 
 private:
     struct Kept;

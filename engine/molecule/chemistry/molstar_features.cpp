@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/chemistry/features.h"
 #include "engine/molecule/chemistry/steps.h"
 
@@ -10,6 +11,20 @@ namespace {
 
 bool namedOneOf(const Name& name, std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), name.view()) != names.end();
+}
+
+bool isStandardAminoAcid(const Name& name) { return residueTemplate(name) && aminoAcidLetter(name) != '\0'; }
+
+bool isHalogen(Element e) { return e == kFluorine || e == kChlorine || e == kBromine || e == kIodine; }
+
+/// Charge of an ion of one atom; 0 for those that have several.
+std::int8_t ionCharge(Element e) {
+    if (isHalogen(e)) return -1;
+    for (const int alkali : {3, 11, 19, 37, 55, 87})
+        if (e == alkali) return 1;
+    for (const int earth : {4, 12, 20, 38, 56, 88})
+        if (e == earth) return 2;
+    return 0;
 }
 
 class MolstarFeatures {
@@ -22,14 +37,14 @@ public:
             if (!chemistry_.present[i]) continue;
             if (donates(i)) features_.donors.push_back({i, 0});
             if (accepts(i)) features_.acceptors.push_back(i);
-            if (bindsMetal(i)) features_.metalBinders.push_back(i);
+            if (!features_.metals.empty() && bindsMetal(i)) features_.metalBinders.push_back(i);
         }
         inGroup_.resize(chemistry_.present.size());
         addSideChains();
         for (std::uint32_t i = 0; i < chemistry_.present.size(); ++i)
             if (chemistry_.present[i]) addGroupAround(i);
         for (std::uint32_t i = 0; i < chemistry_.present.size(); ++i)
-            if (chemistry_.present[i] && chemistry_.charge[i] != 0 && !inGroup_[i]) addSingle(i);
+            if (chemistry_.present[i] && !inGroup_[i]) addSingle(i);
         for (std::uint32_t r = 0; r < chemistry_.rings.size(); ++r)
             if (chemistry_.rings[r].aromatic) features_.rings.push_back(r);
         return std::move(features_);
@@ -66,11 +81,20 @@ private:
 
     bool bindsMetal(std::uint32_t atom) const {
         const Element e = element(atom);
-        if (e == kOxygen || e == kSulphur || e == kFluorine || e == kChlorine || e == kBromine || e == kIodine ||
-            e == kSelenium)
-            return chemistry_.charge[atom] < 1;
-        if (e != kNitrogen) return false;
-        return accepts(atom) || chemistry_.aromaticAtom[atom];
+        const Name& residue = residueName(atom);
+        const Name& name = molecule_.atoms[atom].name;
+        if (isTransitionMetal(e)) return true;
+        if (isStandardAminoAcid(residue)) {
+            if (e == kOxygen)
+                return !isSideChain(molecule_, atom) ||
+                       namedOneOf(residue, {"ASP", "GLU", "SER", "THR", "TYR", "ASN", "GLN"});
+            if (e == kSulphur || e == kSelenium) return true;
+            return histidineNitrogen(atom);
+        }
+        if (residueTemplate(residue) && nucleotideLetter(residue) != '\0')
+            return namedOneOf(name, {"N3", "N4", "N7", "O2", "O4", "O6"}) ||
+                   (e == kOxygen && isBackbone(ResidueKind::nucleic, name));
+        return e == kNitrogen || e == kOxygen || e == kSulphur || e == kSelenium || isHalogen(e);
     }
 
     void add(std::vector<std::uint32_t> atoms, bool positive) {
@@ -105,10 +129,13 @@ private:
     }
 
     void addSingle(std::uint32_t atom) {
+        std::int8_t charge = chemistry_.charge[atom];
+        if (charge == 0 && chemistry_.of(atom).empty()) charge = ionCharge(element(atom));
+        if (charge == 0) return;
         // Formal charges that a neighbour cancels (nitro groups, N-oxides) attract nothing.
         for (const Neighbour& n : chemistry_.of(atom))
-            if (chemistry_.charge[n.atom] * chemistry_.charge[atom] < 0) return;
-        add({atom}, chemistry_.charge[atom] > 0);
+            if (chemistry_.charge[n.atom] * charge < 0) return;
+        add({atom}, charge > 0);
     }
 
     const Molecule& molecule_;

@@ -1,6 +1,7 @@
 // What stronger interactions of the same groups stand for is dropped, as Mol* and PLIP do.
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <set>
@@ -33,14 +34,6 @@ std::set<AtomPair> atomPairs(const std::vector<Interaction>& found, InteractionK
         for (const std::uint32_t i : interaction.a.atoms)
             for (const std::uint32_t j : interaction.b.atoms) pairs.insert(ordered(i, j));
     }
-    return pairs;
-}
-
-std::set<AtomPair> residuePairs(const InteractionSearch& search, InteractionKind kind) {
-    std::set<AtomPair> pairs;
-    for (const Interaction& interaction : search.found)
-        if (interaction.kind == kind)
-            pairs.insert(ordered(search.residue(interaction.a.atoms[0]), search.residue(interaction.b.atoms[0])));
     return pairs;
 }
 
@@ -107,7 +100,8 @@ void dropHistidineCations(const InteractionSearch& search, std::vector<std::uint
     }
 }
 
-/// Of the contacts of a ligand's atom with one residue, the shortest.
+/// Of the contacts of a ligand's atom with one residue, the shortest. PLIP's program tells residues by their numbers
+/// alone, whatever their chain.
 std::vector<std::size_t> shortestPerResidue(const InteractionSearch& search, const std::vector<std::uint8_t>& dropped) {
     std::map<AtomPair, std::size_t> best;
     for (std::size_t i = 0; i < search.found.size(); ++i) {
@@ -116,7 +110,8 @@ std::vector<std::size_t> shortestPerResidue(const InteractionSearch& search, con
         const bool aLigand = ligandIsA(search, interaction);
         const InteractionEnd &ligand = aLigand ? interaction.a : interaction.b,
                              &other = aLigand ? interaction.b : interaction.a;
-        const auto [known, added] = best.try_emplace({ligand.atoms[0], search.residue(other.atoms[0])}, i);
+        const std::int32_t number = search.molecule.residues[search.residue(other.atoms[0])].number;
+        const auto [known, added] = best.try_emplace({ligand.atoms[0], static_cast<std::uint32_t>(number)}, i);
         if (!added && search.found[known->second].distance > interaction.distance) known->second = i;
     }
     std::vector<std::size_t> kept;
@@ -216,22 +211,32 @@ void dropMetals(const InteractionSearch& search, std::vector<std::uint8_t>& drop
     }
 }
 
-/// Mol*: between two residues the shortest hydrophobic contact.
-void keepShortestPerPair(const InteractionSearch& search, std::vector<std::uint8_t>& dropped) {
-    std::map<AtomPair, std::size_t> best;
+/// Mol*: of the hydrophobic contacts between an atom and a residue the shortest, seen from both sides.
+void keepShortestPerAtom(const InteractionSearch& search, std::vector<std::uint8_t>& dropped) {
+    std::map<AtomPair, std::size_t> best;  // by an atom and the residue that it touches
+    const auto sidesOf = [&](const Interaction& contact) {
+        const std::uint32_t a = contact.a.atoms[0], b = contact.b.atoms[0];
+        return std::array<AtomPair, 2>{AtomPair(a, search.residue(b)), AtomPair(b, search.residue(a))};
+    };
     for (std::size_t i = 0; i < search.found.size(); ++i) {
-        const Interaction& interaction = search.found[i];
-        if (interaction.kind != InteractionKind::hydrophobic || dropped[i]) continue;
-        const AtomPair pair = ordered(search.residue(interaction.a.atoms[0]), search.residue(interaction.b.atoms[0]));
-        const auto [known, added] = best.try_emplace(pair, i);
-        if (added) continue;
-        if (search.found[known->second].distance > interaction.distance) {
-            dropped[known->second] = 1;
-            known->second = i;
-        } else {
-            dropped[i] = 1;
+        if (search.found[i].kind != InteractionKind::hydrophobic) continue;
+        for (const AtomPair& side : sidesOf(search.found[i])) {
+            const auto [known, added] = best.try_emplace(side, i);
+            if (!added && search.found[i].distance < search.found[known->second].distance) known->second = i;
         }
     }
+    for (std::size_t i = 0; i < search.found.size(); ++i) {
+        if (search.found[i].kind != InteractionKind::hydrophobic) continue;
+        for (const AtomPair& side : sidesOf(search.found[i])) dropped[i] |= best.at(side) != i;
+    }
+}
+
+/// Whether a stronger interaction joins an atom of one end with an atom of the other.
+bool joined(const Interaction& interaction, const std::set<AtomPair>& stronger) {
+    for (const std::uint32_t i : interaction.a.atoms)
+        for (const std::uint32_t j : interaction.b.atoms)
+            if (stronger.contains(ordered(i, j))) return true;
+    return false;
 }
 
 }  // namespace
@@ -241,14 +246,14 @@ void refineMolstar(const InteractionSearch& search) {
     if (search.rules != InteractionRules::molstar)  // hydrogen bonds of other rules stand for themselves
         for (std::size_t i = 0; i < dropped.size(); ++i)
             if (search.found[i].kind == InteractionKind::hydrogenBond) dropped[i] = 0;
-    const std::set<AtomPair> stacked = residuePairs(search, InteractionKind::piStacking);
+    const std::set<AtomPair> stacked = atomPairs(search.found, InteractionKind::piStacking);
+    const std::set<AtomPair> coordinated = atomPairs(search.found, InteractionKind::metal);
     for (std::size_t i = 0; i < dropped.size(); ++i) {
         const Interaction& interaction = search.found[i];
-        if (interaction.kind == InteractionKind::cationPi)
-            dropped[i] = stacked.contains(
-                ordered(search.residue(interaction.a.atoms[0]), search.residue(interaction.b.atoms[0])));
+        if (interaction.kind == InteractionKind::cationPi) dropped[i] = joined(interaction, stacked);
+        if (interaction.kind == InteractionKind::saltBridge) dropped[i] = joined(interaction, coordinated);
     }
-    keepShortestPerPair(search, dropped);
+    keepShortestPerAtom(search, dropped);
     dropMarked(search.found, dropped);
 }
 

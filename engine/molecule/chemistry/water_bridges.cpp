@@ -10,7 +10,7 @@
 namespace nacre {
 namespace {
 
-// Å, degrees; Mol* has taken over PLIP's.
+// Å, degrees: PLIP's. Mol* has no water bridges; its donors and acceptors get PLIP's.
 constexpr double kFarthestWater = 4.1, kNearestWater = 2.5;
 constexpr double kMolstarBond = 3.5, kTetrahedralWater = 109.47, kWaterDeviation = 45;
 constexpr double kLeastWaterAngle = 71, kMostWaterAngle = 140, kIdealWaterAngle = 110, kLeastDonorAngle = 100;
