@@ -87,7 +87,7 @@ std::string endText(const Molecule& molecule, const InteractionEnd& end) {
     std::string text = shortAtomText(molecule, end.atoms.front());
     const std::string_view name = molecule.atoms[end.atoms.front()].name.view();
     if (!one && text.size() > name.size() + 1 && !name.empty()) text.resize(text.size() - name.size() - 1);
-    return text;
+    return end.image ? text + " of the next copy" : text;
 }
 
 }  // namespace

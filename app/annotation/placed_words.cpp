@@ -210,10 +210,10 @@ void placeDistances(const Representation& scene, PlacedWords& placed) {
         throw Error("cannot label", "--interaction-labels",
                     std::to_string(scene.contacts.size()) + " interactions are more than the limit of " +
                         std::to_string(kMostLabels) + " labels (select fewer atoms or kinds)");
-    const glm::dmat4x3 place = scene.copies.transforms.empty() ? glm::dmat4x3(1.0) : scene.copies.transforms.front();
     for (const DrawnContact& contact : scene.contacts) {
         PlacedLabel label;
-        label.at = place * glm::dvec4(contact.middle, 1.0);
+        const glm::dvec4 middle(contact.middle, 1.0);
+        label.at = scene.copies.transforms.empty() ? contact.middle : scene.copies.transforms[contact.copy] * middle;
         char text[32];
         std::snprintf(text, sizeof text, "%.1f", contact.interaction.distance);
         label.text = text;

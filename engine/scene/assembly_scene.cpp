@@ -163,14 +163,50 @@ void AssemblyScene::sortByCopies(std::vector<Bond>& bonds) {
 }
 
 /// A water that bridges two atoms may stand in fewer copies; then it is their line that counts.
-std::uint32_t AssemblyScene::listOf(const Interaction& contact) {
-    return commonListOf(contact.a.atoms.front(), contact.b.atoms.front());
+void AssemblyScene::placeContacts(const ContactFinder& finder, const Appearance& appearance,
+                                  std::vector<PlacedContact>& contacts, std::vector<std::string>& warnings) {
+    for (PlacedContact& contact : contacts) {
+        contact.list = commonListOf(contact.interaction.a.atoms.front(), contact.interaction.b.atoms.front());
+        if (contact.list != Placement::kNowhere) contact.copy = placement_.lists[contact.list].front();
+    }
+    std::erase_if(contacts, [](const PlacedContact& contact) { return contact.list == Placement::kNowhere; });
+    if (placement_.transforms.size() > 1) addBetweenCopies(finder, appearance, contacts, warnings);
+    std::stable_sort(contacts.begin(), contacts.end(),
+                     [](const PlacedContact& l, const PlacedContact& r) { return l.list < r.list; });
+    listOfContact_.clear();
+    for (const PlacedContact& contact : contacts) listOfContact_.push_back(contact.list);
 }
 
-void AssemblyScene::keepTogether(std::vector<Interaction>& contacts) {
-    std::erase_if(contacts, [&](const Interaction& contact) { return listOf(contact) == Placement::kNowhere; });
-    std::stable_sort(contacts.begin(), contacts.end(),
-                     [&](const Interaction& l, const Interaction& r) { return listOf(l) < listOf(r); });
+void AssemblyScene::addBetweenCopies(const ContactFinder& finder, const Appearance& appearance,
+                                     std::vector<PlacedContact>& contacts, std::vector<std::string>& warnings) {
+    constexpr double kReach = 8.2;  // Å, of a water bridge
+    std::vector<glm::dvec4> points;
+    for (const std::uint32_t atom : atoms_) points.emplace_back(molecule_.atoms[atom].position, 0.0f);
+    const auto relations = copyRelations(placement_.transforms, boundsOf(points), kReach);
+    if (!relations) {
+        warnings.push_back("interactions between copies are left out: more than " + std::to_string(kMostRelatedCopies) +
+                           " copies, or more than " + std::to_string(kMostRelations) +
+                           " ways in which two copies meet");
+        return;
+    }
+    const auto stands = [&](std::uint32_t atom, std::uint32_t copy) {
+        if (listOf(atom) == Placement::kNowhere) return false;
+        const std::vector<std::uint32_t>& list = placement_.lists[listOf(atom)];
+        return std::binary_search(list.begin(), list.end(), copy);
+    };
+    for (const CopyRelation& relation : *relations)
+        for (PlacedContact& contact : finder.findBetween(molecule_, appearance, relation.image)) {
+            const InteractionEnd &a = contact.interaction.a, &b = contact.interaction.b;
+            const std::uint32_t here = (a.image ? b : a).atoms.front(), there = (a.image ? a : b).atoms.front();
+            std::vector<std::uint32_t> list;
+            for (const auto& [first, second] : relation.pairs)
+                if (stands(here, first) && stands(there, second)) list.push_back(first);
+            if (list.empty()) continue;
+            std::sort(list.begin(), list.end());
+            contact.copy = list.front();
+            contact.list = listIndex(placement_.lists, std::move(list));
+            contacts.push_back(std::move(contact));
+        }
 }
 
 void AssemblyScene::eachCopy(std::uint32_t atomA, std::uint32_t atomB, const glm::dvec3& center,
@@ -241,8 +277,7 @@ void AssemblyScene::finish(Representation& r) {
         return PrimitiveRun{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), list, {}, 0};
     };
     const auto listOfLook = [&](std::uint32_t a, std::uint32_t b) {
-        const DrawnContact* contact = r.contactOf(a);
-        return contact ? listOf(contact->interaction) : commonListOf(a - 1, b - 1);
+        return r.contactOf(a) ? listOfContact_[a - r.firstContact] : commonListOf(a - 1, b - 1);
     };
     eachRun(
         r.spheres.size(), [&](std::size_t i) { return listOfLook(r.sphereLooks[i].atom, r.sphereLooks[i].atom); },

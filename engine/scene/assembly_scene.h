@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/scene/bounds.h"
+#include "engine/scene/contact_lines.h"
 #include "engine/scene/representation.h"
 
 namespace nacre {
@@ -29,8 +30,10 @@ public:
     void sortByCopies(Appearance& appearance) const;
     /// As above for bonds, without those whose atoms are never drawn together.
     void sortByCopies(std::vector<Bond>& bonds);
-    /// Drops interactions of atoms that are never drawn together; the others are sorted by their copies.
-    void keepTogether(std::vector<Interaction>& contacts);
+    /// Drops interactions of atoms that are never drawn together, adds those between copies, and sorts them by the
+    /// copies in whose place they are drawn. @param warnings  says why if those between copies are left out
+    void placeContacts(const ContactFinder& finder, const Appearance& appearance, std::vector<PlacedContact>& contacts,
+                       std::vector<std::string>& warnings);
     /// Visits the balls in all their copies.
     void eachBall(const SeenBalls& seen, const std::function<void(const glm::dvec3&, double)>& visit) const;
     /// Bounds of the balls in all copies. @throws Error if there are too many
@@ -49,7 +52,8 @@ public:
 
 private:
     std::uint32_t commonListOf(std::uint32_t atomA, std::uint32_t atomB);
-    std::uint32_t listOf(const Interaction& contact);
+    void addBetweenCopies(const ContactFinder& finder, const Appearance& appearance,
+                          std::vector<PlacedContact>& contacts, std::vector<std::string>& warnings);
     void spread(std::size_t colors);
     void checkNumber(std::size_t primitives) const;
     static void keepWholeMeshes(Representation& representation);
@@ -59,6 +63,7 @@ private:
     Placement placement_;
     std::vector<std::uint32_t> atoms_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> common_;  ///< lists that were asked for
+    std::vector<std::uint32_t> listOfContact_;
     std::size_t bondsOfCopies_ = 0;
     std::vector<std::uint32_t> copyColors_;
 };

@@ -220,17 +220,17 @@ private:
 };
 
 /// Coordination whose dashes an interaction draws.
-std::set<std::pair<std::uint32_t, std::uint32_t>> drawnMetals(std::span<const Interaction> contacts) {
+std::set<std::pair<std::uint32_t, std::uint32_t>> drawnMetals(std::span<const PlacedContact> contacts) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    for (const Interaction& contact : contacts)
-        if (contact.kind == InteractionKind::metal)
+    for (const auto& [contact, list, copy, image] : contacts)
+        if (contact.kind == InteractionKind::metal && !image)
             pairs.insert(std::minmax(contact.a.atoms.front(), contact.b.atoms.front()));
     return pairs;
 }
 
 /// Bonds that are drawn, with their orders: both their atoms are seen and apart, and either has a style with bonds.
 std::vector<Bond> drawnBonds(const Molecule& molecule, const Appearance& appearance, const DrawnOrders& orders,
-                             std::span<const Interaction> contacts, std::span<const std::uint32_t> slots) {
+                             std::span<const PlacedContact> contacts, std::span<const std::uint32_t> slots) {
     const auto metals = drawnMetals(contacts);
     std::vector<Bond> bonds;
     for (std::size_t i = 0; i < molecule.bonds.size(); ++i) {
@@ -259,7 +259,7 @@ void addTraces(const ResidueFacts& facts, const Appearance& appearance, std::spa
 }  // namespace
 
 void addBonds(const ResidueFacts& facts, const Appearance& appearance, const DrawnOrders& orders,
-              std::span<const Interaction> contacts, AssemblyScene* assembly, Representation& result) {
+              std::span<const PlacedContact> contacts, AssemblyScene* assembly, Representation& result) {
     const Molecule& molecule = facts.molecule();
     const std::vector<Style>& styles = appearance.styles;
     const auto has = [&](Style style) { return std::find(styles.begin(), styles.end(), style) != styles.end(); };

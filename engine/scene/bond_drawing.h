@@ -8,6 +8,7 @@
 #include "engine/scene/appearance.h"
 #include "engine/scene/assembly_scene.h"
 #include "engine/scene/bond_orders.h"
+#include "engine/scene/contact_lines.h"
 #include "engine/scene/representation.h"
 
 namespace nacre {
@@ -16,6 +17,6 @@ namespace nacre {
 /// @param contacts  that are drawn, too: coordination that one of them shows is left to it
 /// @param assembly  null: there is none @param result  has the atoms' spheres, in the order of the appearance
 void addBonds(const ResidueFacts& facts, const Appearance& appearance, const DrawnOrders& orders,
-              std::span<const Interaction> contacts, AssemblyScene* assembly, Representation& result);
+              std::span<const PlacedContact> contacts, AssemblyScene* assembly, Representation& result);
 
 }  // namespace nacre

@@ -49,12 +49,25 @@ std::vector<bool> seenAtoms(const Molecule& molecule, const Appearance& appearan
     return seen;
 }
 
+std::vector<PlacedContact> seenOf(const Molecule& molecule, const Appearance& appearance,
+                                  std::vector<Interaction> found) {
+    std::vector<PlacedContact> kept;
+    if (found.empty()) return kept;
+    const std::vector<bool> seen = seenAtoms(molecule, appearance);
+    for (Interaction& interaction : found)
+        if (seen[interaction.a.atoms.front()] && seen[interaction.b.atoms.front()])
+            kept.push_back({std::move(interaction), 0, 0, {}});
+    return kept;
+}
+
 class Lines {
 public:
     Lines(const Molecule& molecule, const Appearance& appearance, const ContactOptions& options, Representation& scene)
         : molecule_(molecule), appearance_(appearance), radius_(options.width / 2), scene_(scene) {}
 
-    void add(Interaction interaction) {
+    void add(PlacedContact contact) {
+        Interaction& interaction = contact.interaction;
+        image_ = contact.image ? &*contact.image : nullptr;
         const ContactLook& look = contactLook(interaction.kind);
         const auto number = static_cast<std::uint32_t>(scene_.firstContact + scene_.contacts.size());
         line_ = {{}, {}, radius_, look.pattern, {look.color, number}};
@@ -64,12 +77,12 @@ public:
         if (interaction.waters.empty()) {
             draw(a, b);
         } else {
-            const End water = waterEnd(interaction.waters.front());
+            const End water = waterEnd(interaction.waters.front(), interaction.waterImage);
             middle = water.at;
             draw(a, water);
             draw(water, b);
         }
-        scene_.contacts.push_back({std::move(interaction), middle});
+        scene_.contacts.push_back({std::move(interaction), middle, contact.copy});
     }
     std::size_t buried() const { return buried_; }
 
@@ -79,7 +92,12 @@ private:
         double radius = 0;  ///< of what is drawn there
     };
 
-    glm::dvec3 at(std::uint32_t atom) const { return glm::dvec3(molecule_.atoms[atom].position) - scene_.center; }
+    /// In the file's frame.
+    glm::dvec3 placeOf(std::uint32_t atom, bool image) const {
+        const glm::dvec3 place(molecule_.atoms[atom].position);
+        return image && image_ ? *image_ * glm::dvec4(place, 1) : place;
+    }
+    glm::dvec3 at(std::uint32_t atom, bool image) const { return placeOf(atom, image) - scene_.center; }
     /// Radius of an atom's ball; 0 if it has none.
     double ballOf(std::uint32_t atom) const {
         const auto found = std::lower_bound(slots().begin(), slots().end(), std::pair(atom, 0u));
@@ -110,13 +128,11 @@ private:
         if (const std::uint32_t last = end.atoms.back(); end.atoms.size() == 2 && isHydrogen(last)) {
             if (ballOf(last) > 0) atom = last;
         } else {
-            const auto away = [&](std::uint32_t i) {
-                return glm::distance(glm::dvec3(molecule_.atoms[i].position), other);
-            };
+            const auto away = [&](std::uint32_t i) { return glm::distance(placeOf(i, end.image), other); };
             for (const std::uint32_t i : end.atoms)
                 if (isPolar(i) > isPolar(atom) || (isPolar(i) == isPolar(atom) && away(i) < away(atom))) atom = i;
         }
-        return {at(atom), ballOf(atom)};
+        return {at(atom, end.image), ballOf(atom)};
     }
     bool isHydrogen(std::uint32_t atom) const { return nacre::isHydrogen(molecule_.atoms[atom].element); }
     /// Of a charged group, what bears the charge: not its carbon.
@@ -125,11 +141,11 @@ private:
         return molecule_.atoms[atom].element != kCarbon && !isHydrogen(atom);
     }
 
-    End waterEnd(std::uint32_t water) {
+    End waterEnd(std::uint32_t water, bool image) {
         const double radius = ballOf(water);
-        if (radius > 0) return {at(water), radius};
-        mark(at(water));
-        return {at(water), kMarkWidths * radius_};
+        if (radius > 0) return {at(water, image), radius};
+        mark(at(water, image));
+        return {at(water, image), kMarkWidths * radius_};
     }
 
     void draw(const End& a, const End& b) {
@@ -144,6 +160,7 @@ private:
     double radius_;
     Representation& scene_;
     DashedLine line_;
+    const glm::dmat4x3* image_ = nullptr;  ///< of the contact that is drawn
     std::size_t buried_ = 0;
     mutable std::vector<std::pair<std::uint32_t, std::uint32_t>> slots_;
 };
@@ -165,21 +182,23 @@ const ContactLook& contactLook(InteractionKind kind) { return kLooks[static_cast
 ContactFinder::ContactFinder(const ResidueFacts& facts, const ContactOptions& options)
     : finder_(facts.molecule(), options.rules), query_(queryOf(facts, options)) {}
 
-std::vector<Interaction> ContactFinder::find(const Molecule& molecule, const Appearance& appearance) const {
-    const std::vector<bool> seen = seenAtoms(molecule, appearance);
-    std::vector<Interaction> found = finder_.find(molecule, query_);
-    std::erase_if(found, [&](const Interaction& interaction) {
-        return !seen[interaction.a.atoms.front()] || !seen[interaction.b.atoms.front()];
-    });
+std::vector<PlacedContact> ContactFinder::find(const Molecule& molecule, const Appearance& appearance) const {
+    return seenOf(molecule, appearance, finder_.find(molecule, query_));
+}
+
+std::vector<PlacedContact> ContactFinder::findBetween(const Molecule& molecule, const Appearance& appearance,
+                                                      const glm::dmat4x3& image) const {
+    std::vector<PlacedContact> found = seenOf(molecule, appearance, finder_.findBetween(molecule, image, query_));
+    for (PlacedContact& contact : found) contact.image = image;
     return found;
 }
 
-void addContacts(const Molecule& molecule, const Appearance& appearance, std::vector<Interaction> contacts,
+void addContacts(const Molecule& molecule, const Appearance& appearance, std::vector<PlacedContact> contacts,
                  const ContactOptions& options, Representation& scene) {
     scene.firstContact = static_cast<std::uint32_t>(molecule.atoms.size() + 1);
     scene.contacts.clear();
     Lines lines(molecule, appearance, options, scene);
-    for (Interaction& contact : contacts) lines.add(std::move(contact));
+    for (PlacedContact& contact : contacts) lines.add(std::move(contact));
     if (scene.contacts.empty()) {
         scene.warnings.push_back("no interactions of '" + options.of->text + "' are seen");
         return;

@@ -1,7 +1,8 @@
 #pragma once
 // Turns interactions into the dashed lines of a scene. Used by representation.cpp.
 
-#include <span>
+#include <glm/mat4x3.hpp>
+#include <optional>
 #include <vector>
 
 #include "engine/molecule/molecule.h"
@@ -12,13 +13,23 @@ namespace nacre {
 
 struct Representation;
 
+/// An interaction to draw, and of an assembly where.
+struct PlacedContact {
+    Interaction interaction;
+    std::uint32_t list = 0, copy = 0;   ///< of an assembly: the copies in whose place it is drawn, and their first
+    std::optional<glm::dmat4x3> image;  ///< takes ends that are images to their place, in the file's frame
+};
+
 /// Finds the interactions that are asked for, of which every atom is seen, in whatever style. Keeps what does not move.
 class ContactFinder {
 public:
     /// @throws Error if a selection matches no atoms
     ContactFinder(const ResidueFacts& facts, const ContactOptions& options);
     /// @param molecule  the one that it was made for, with any positions
-    std::vector<Interaction> find(const Molecule& molecule, const Appearance& appearance) const;
+    std::vector<PlacedContact> find(const Molecule& molecule, const Appearance& appearance) const;
+    /// Those between the molecule and an image of it.
+    std::vector<PlacedContact> findBetween(const Molecule& molecule, const Appearance& appearance,
+                                           const glm::dmat4x3& image) const;
 
 private:
     InteractionFinder finder_;
@@ -29,7 +40,7 @@ private:
 /// surfaces of the balls that are drawn of its atoms, or at the atoms' centres; those of rings at their middles; those
 /// of charged groups at the nearest atom. Where a donor's hydrogen is drawn, the line ends there.
 /// @param atoms  balls of the scene, as Appearance has them: its first spheres
-void addContacts(const Molecule& molecule, const Appearance& appearance, std::vector<Interaction> contacts,
+void addContacts(const Molecule& molecule, const Appearance& appearance, std::vector<PlacedContact> contacts,
                  const ContactOptions& options, Representation& scene);
 
 /// Keeps the numbers of spheres and cylinders constant while contacts change in a trajectory, so that frames need not

@@ -59,14 +59,14 @@ void checkRigid(const Assembly& assembly) {
         }
 }
 
+}  // namespace
+
 std::uint32_t listIndex(std::vector<std::vector<std::uint32_t>>& lists, std::vector<std::uint32_t> list) {
     const auto found = std::find(lists.begin(), lists.end(), list);
     const auto index = static_cast<std::uint32_t>(found - lists.begin());
     if (found == lists.end()) lists.push_back(std::move(list));
     return index;
 }
-
-}  // namespace
 
 Placement placeAssembly(const Molecule& molecule, const std::string& id) {
     const Assembly& assembly = assemblyOf(molecule, id);

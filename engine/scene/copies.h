@@ -4,10 +4,13 @@
 #include <cstdint>
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/molecule/molecule.h"
+#include "engine/scene/bounds.h"
 
 namespace nacre {
 
@@ -50,6 +53,24 @@ Placement placeAssembly(const Molecule& molecule, const std::string& id);
 
 /// The list with the intersection of two lists; added if missing. kNowhere if it is empty.
 std::uint32_t commonList(std::vector<std::vector<std::uint32_t>>& lists, std::uint32_t a, std::uint32_t b);
+
+/// The list that holds these copies; added if there is none yet. @param list  ascending
+std::uint32_t listIndex(std::vector<std::vector<std::uint32_t>>& lists, std::vector<std::uint32_t> list);
+
+/// How one copy stands to another, and all pairs of copies that stand so: the second is where `image` takes the first,
+/// seen from the first one's place.
+struct CopyRelation {
+    glm::dmat4x3 image;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+};
+
+constexpr std::size_t kMostRelations = 400;  ///< a capsid has some ten
+constexpr std::size_t kMostRelatedCopies = 4096;
+
+/// Relations of copies whose spheres come within `reach` (Å) of each other; each pair of copies is in one of them.
+/// Empty if there are more than kMostRelatedCopies copies or kMostRelations relations.
+std::optional<std::vector<CopyRelation>> copyRelations(const std::vector<glm::dmat4x3>& transforms,
+                                                       const Bounds& sphere, double reach);
 
 /// Copies that stand for all: an assembly that looks the same from the place of one copy as from that of another
 /// (60 copies of a capsid's protein) needs only one of them looked at. Found by numbers: the motions that take copy 0

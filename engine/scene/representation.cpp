@@ -143,9 +143,12 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     result.drawnAtoms = countAtoms(appearance, assembly ? &*assembly : nullptr);
     result.legends = std::move(appearance.legends);
     result.warnings = std::move(appearance.warnings);
-    std::vector<Interaction> contacts;
-    if (options.contacts.of) contacts = ContactFinder(facts, options.contacts).find(molecule, appearance);
-    if (assembly) assembly->keepTogether(contacts);
+    std::vector<PlacedContact> contacts;
+    if (options.contacts.of) {
+        const ContactFinder finder(facts, options.contacts);
+        contacts = finder.find(molecule, appearance);
+        if (assembly) assembly->placeContacts(finder, appearance, contacts, result.warnings);
+    }
     addBonds(facts, appearance, DrawnOrders(facts, appearance, options), contacts, assembly ? &*assembly : nullptr,
              result);
     if (options.contacts.of) addContacts(molecule, appearance, std::move(contacts), options.contacts, result);
@@ -181,7 +184,7 @@ MovingScene::MovingScene(const ResidueFacts& facts, std::span<const std::uint32_
 }
 
 /// Contacts of the atoms where they are now; how many primitives they take hardly changes.
-void MovingScene::moveContacts(const Molecule& molecule, std::vector<Interaction> contacts) {
+void MovingScene::moveContacts(const Molecule& molecule, std::vector<PlacedContact> contacts) {
     if (!options_.contacts.of) return;
     std::erase_if(scene_.legends, [](const Legend& legend) { return legend.scheme == kContactScheme; });
     const std::size_t warnings = scene_.warnings.size();
@@ -199,7 +202,7 @@ void MovingScene::move(const Molecule& molecule) {
     scene_.cylinders.clear();
     scene_.cylinderLooks.clear();
     scene_.drawnBonds = 0;
-    std::vector<Interaction> contacts;
+    std::vector<PlacedContact> contacts;
     if (options_.contacts.of) {
         if (!finder_) finder_.emplace(facts_, options_.contacts);
         contacts = finder_->find(molecule, appearance_);

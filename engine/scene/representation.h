@@ -100,7 +100,7 @@ struct Representation {
 /// Cartoons and surfaces are made of what has the same copies, or of a model, by itself.
 /// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending, of which the rules may hide some
 /// Of an assembly, atoms and bonds are stored once, sorted by their copies; a bond is drawn where both its atoms are,
-/// and none joins two copies.
+/// and none joins two copies. Interactions do: such a one is stored in the frame of the first of its two copies.
 /// @param frame  the view's center and radius (shared_frame.h), which hold all that is drawn; empty: just that
 /// @throws Error if no atom is left, there is no such assembly, it has 2^32 primitives or more, or they lie over one
 /// another more than 10,000 times
@@ -121,7 +121,7 @@ public:
     void move(const Molecule& molecule);
 
 private:
-    void moveContacts(const Molecule& molecule, std::vector<Interaction> contacts);
+    void moveContacts(const Molecule& molecule, std::vector<PlacedContact> contacts);
 
     Representation scene_;
     Appearance appearance_;

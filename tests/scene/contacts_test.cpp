@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <set>
@@ -12,6 +13,7 @@
 #include "engine/molecule/read.h"
 #include "engine/scene/representation.h"
 #include "engine/scene/uncover.h"
+#include "tests/support/test_data.h"
 
 namespace nacre {
 namespace {
@@ -179,6 +181,102 @@ TEST(Contacts, OfAnAssemblyStandInEachCopy) {
     for (const CylinderLook& look : scene.cylinderLooks) dashes += scene.contactOf(look.atomA) != nullptr;
     EXPECT_GT(dashes, 60u);
     EXPECT_EQ(copies, 2 * dashes);
+}
+
+/// A molecule's copies as a molecule of their own.
+Molecule spelledOut(const Molecule& molecule, const std::vector<glm::mat4x3>& transforms) {
+    Molecule all;
+    for (const glm::mat4x3& transform : transforms) {
+        const auto atoms = static_cast<std::uint32_t>(all.atoms.size());
+        const auto residues = static_cast<std::uint32_t>(all.residues.size());
+        const auto chains = static_cast<std::uint32_t>(all.chains.size());
+        for (Atom atom : molecule.atoms) {
+            atom.position = transform * glm::vec4(atom.position, 1);
+            atom.residue += residues;
+            all.atoms.push_back(atom);
+        }
+        for (Residue residue : molecule.residues) {
+            residue.firstAtom += atoms;
+            residue.chain += chains;
+            all.residues.push_back(residue);
+        }
+        for (Bond bond : molecule.bonds) {
+            bond.a += atoms;
+            bond.b += atoms;
+            all.bonds.push_back(bond);
+        }
+        all.chains.insert(all.chains.end(), molecule.chains.begin(), molecule.chains.end());
+    }
+    all.subchains = molecule.subchains;
+    return all;
+}
+
+struct SeenContact {
+    InteractionKind kind;
+    glm::dvec3 middle;
+};
+
+/// Every contact of every copy, where it is seen.
+std::vector<SeenContact> seenContacts(const Representation& scene) {
+    std::vector<SeenContact> seen;
+    std::set<std::uint32_t> done;
+    const auto add = [&](std::uint32_t number, const std::vector<std::uint32_t>* list) {
+        const DrawnContact* contact = scene.contactOf(number);
+        if (!contact || !done.insert(number).second) return;
+        const glm::dvec4 middle(contact->middle, 1);
+        if (!list) seen.push_back({contact->interaction.kind, contact->middle + scene.center});
+        for (std::size_t i = 0; list && i < list->size(); ++i)
+            seen.push_back({contact->interaction.kind, scene.copies.transforms[(*list)[i]] * middle + scene.center});
+    };
+    for (const PrimitiveRun& run : scene.copies.spheres)
+        for (std::uint32_t i = run.first; i < run.first + run.count; ++i)
+            add(scene.sphereLooks[i].atom, &scene.copies.lists[run.list]);
+    if (scene.copies.transforms.empty())
+        for (const SphereLook& look : scene.sphereLooks) add(look.atom, nullptr);
+    return seen;
+}
+
+/// Those between copies: in an assembly by their images, spelled out by their atoms.
+std::vector<SeenContact> betweenCopies(const Representation& scene, std::size_t atoms) {
+    Representation kept = scene;
+    const auto joins = [&](const Interaction& i) {
+        if (!scene.copies.transforms.empty()) return i.a.image != i.b.image;
+        return i.a.atoms.front() / atoms != i.b.atoms.front() / atoms;
+    };
+    for (std::size_t i = 0; i < scene.contacts.size(); ++i)
+        if (!joins(scene.contacts[i].interaction))
+            for (SphereLook& look : kept.sphereLooks)
+                if (look.atom == scene.firstContact + i) look.atom = 1;
+    return seenContacts(kept);
+}
+
+TEST(Contacts, JoinTheCopiesOfAnAssembly) {
+    NACRE_NEEDS_DATA();
+    Molecule molecule = readMoleculeFile(test::dataFile("1stp-v5.cif"));  // a tetramer of 222 symmetry
+    const std::vector<glm::mat4x3> four = molecule.assemblies.at(0).parts.at(0).transforms;
+    ASSERT_EQ(four.size(), 4u);
+    RepresentationOptions options{Style::licorice, ColorScheme::element};
+    options.contacts.of = parseSelection("all");
+    for (std::size_t other = 1; other <= 4; ++other) {
+        const std::vector<glm::mat4x3> transforms = other == 4 ? four : std::vector{four[0], four[other]};
+        const Molecule all = spelledOut(molecule, transforms);
+        options.assembly.clear();
+        const auto expected = betweenCopies(represent(all, drawnAtoms(all), options), molecule.atoms.size());
+        molecule.assemblies[0].parts[0].transforms = transforms;
+        options.assembly = molecule.assemblies[0].id;
+        const auto seen = betweenCopies(represent(molecule, drawnAtoms(molecule), options), molecule.atoms.size());
+        // Of four copies a third one may stand in the way, which the search between two does not see.
+        EXPECT_LE(expected.size(), seen.size());
+        EXPECT_LE(seen.size(), expected.size() + (other == 4 ? 4 : 0));
+        EXPECT_GT(expected.size(), other == 4 ? 20u : 0u);
+        for (const SeenContact& one : expected)
+            EXPECT_TRUE(std::any_of(seen.begin(), seen.end(),
+                                    [&](const SeenContact& found) {
+                                        return one.kind == found.kind && glm::distance(one.middle, found.middle) < 1e-2;
+                                    }))
+                << interactionKindName(one.kind) << " of copy " << other << " at " << one.middle.x << " "
+                << one.middle.y << " " << one.middle.z;
+    }
 }
 
 TEST(Contacts, HideNothingThatIsUncoveredAndGoWithTheirAtoms) {
