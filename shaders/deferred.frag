@@ -42,6 +42,7 @@ bool isHidden(float d) { return !isFrontmost(d, texelFetch(nearest, ivec2(gl_Fra
 struct Shown {
     Hit hit;
     uint look;        // where the primitive's colour stands in the looks, before its atom
+    uvec3 corners;    // of a triangle, the same of each
     float occlusion;  // of triangles; the others' is a texel of a patch:
     uint patchAddress;
     vec2 at, texels;  // where in the patch, 0..1, and its size
@@ -68,6 +69,7 @@ void showTriangle(uint index, inout Shown shown) {
                                  joinsOf(v0.w, v1.w, v2.w), planePoint(gl_FragCoord.xy));
     smoothNormal(hit, uvec3(v0.z, v1.z, v2.z));
     shown.look = hit.corner == 0u ? v0.w : hit.corner == 1u ? v1.w : v2.w;
+    shown.corners = uvec3(v0.w, v1.w, v2.w);
     shown.occlusion = meshOcclusion(hit, record.xyz - (view.primitives + view.cylinders));
     shown.hit = hit;
 }
@@ -107,7 +109,7 @@ void main() {
 #endif
     countFragment();
     uint index = placed(number);
-    Shown shown = Shown(noHit(), 0u, 1.0, 0u, vec2(0.0), vec2(2.0), false);
+    Shown shown = Shown(noHit(), 0u, uvec3(0u), 1.0, 0u, vec2(0.0), vec2(2.0), false);
     uint firstTriangle = view.spheres + view.cylinders;
     bool cylinder = kCylinders && index >= view.spheres && index < firstTriangle;
     bool triangle = kTriangles && index >= firstTriangle;
@@ -129,6 +131,10 @@ void main() {
     if (!triangle && !shown.wire && shadesOcclusion(shown.hit))
         shown.occlusion = patchTexel(patchPlace(shown.patchAddress), shown.at, shown.texels);
 #endif
+    uint colorBits = looks[shown.look];
+    if (kBlendColors && triangle)
+        colorBits = cornerColor(uvec3(looks[shown.corners.x], looks[shown.corners.y], looks[shown.corners.z]),
+                                shown.hit.corner, shown.hit.shares);
     // The atoms stand behind the colours, of which a cylinder has two.
-    writeSurface(shown.hit, looks[shown.look], looks[shown.look + (cylinder ? 2u : 1u)], shown.occlusion);
+    writeSurface(shown.hit, colorBits, looks[shown.look + (cylinder ? 2u : 1u)], shown.occlusion);
 }

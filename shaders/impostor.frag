@@ -78,7 +78,7 @@ void main() {
 #ifdef IDENTITY
     writeSurface(hit, atoms[hit.corner], occlusion);
 #else
-    writeSurface(hit, linearColor(colors[hit.corner]), occlusion);
+    writeSurface(hit, linearColor(cornerColor(colors, hit.corner, hit.shares)), occlusion);
 #endif
 #elif defined(CYLINDER)
     bool first = hit.along < 0.5;

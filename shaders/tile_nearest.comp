@@ -172,10 +172,10 @@ uint colorAt(inout uint seenNumber, vec2 pixel, uint kind, uint rim) {
 #endif
         seen = seenBall(index, q);
 #ifdef RIMS
-    vec3 lit = lightOf(seen.hit, lookAt(seen.look), seen.occlusion, q);
+    vec3 lit = lightOf(seen.hit, storedColor(seen), seen.occlusion, q);
     return rimmed(vec4(seenNumber == 0u ? vec3(0.0) : lit, seenNumber == 0u ? 0.0 : 1.0), rim);
 #else
-    vec3 color = colorOf(seen.hit, lookAt(seen.look), seen.occlusion, q);
+    vec3 color = colorOf(seen.hit, storedColor(seen), seen.occlusion, q);
     if (kNumbered) seenNumber = seenNumber == 0u ? 0u : sightOf(seen.hit, number);
     return seenNumber == 0u ? 0u : packUnorm4x8(vec4(color, 1.0));
 #endif

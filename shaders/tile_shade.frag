@@ -71,5 +71,5 @@ void main() {
 #ifdef DEPTH
     gl_FragDepth = encodedDepth(seen.hit.order);
 #endif
-    writeSurface(seen.hit, lookAt(seen.look), lookAt(seen.atom), seen.occlusion);
+    writeSurface(seen.hit, storedColor(seen), lookAt(seen.atom), seen.occlusion);
 }

@@ -17,7 +17,9 @@ set(formats
     "PQR structure|org.poissonboltzmann.pqr|public.plain-text|pqr:pqr"
     "GROMACS structure|org.gromacs.gro|public.plain-text|gro:gro"
     "PDBQT structure|edu.scripps.pdbqt|public.plain-text|pdbqt:pdbqt"
-    "Chemical Markup Language|org.xml-cml.cml|public.xml|cml:cml")
+    "Chemical Markup Language|org.xml-cml.cml|public.xml|cml:cml"
+    "Density map|org.ccp4.map|public.data|:ccp4,mrc,map :dsn6,brix"
+    "Values on a grid|org.opendx.dx|public.plain-text|:dx gaussian-cube:cube")
 # What a file of a MIME type begins with, where that tells more than its ending.
 set(magic_pdb "    <magic priority=\"50\"><match type=\"string\" offset=\"0:81\" value=\"HEADER    \"/></magic>\n")
 set(magic_mol2 "    <magic priority=\"50\"><match type=\"string\" offset=\"0:1024\" value=\"@&lt;TRIPOS&gt;MOLECULE\"/></magic>\n")

@@ -35,6 +35,7 @@ Json benchOf(const BenchOptions& options, const InputOptions& input) {
     loadMaps(picture);
     progress.begin("building the scene");
     Representation scene = sceneOf(molecule, input.path, picture.drawn, picture.look);
+    colorByMap(picture, scene);
     scene = withMaps(std::move(scene), mapLayersOf(molecule, picture, scene.center));
     Json report{{"input", input.path},
                 {"atoms", {{"read", molecule.atoms.size()}, {"drawn", scene.drawnAtoms}}},

@@ -1,7 +1,6 @@
 // `nacre export`: the drawn scene as triangles in a file for other programs.
 
 #include <filesystem>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
@@ -51,15 +50,6 @@ BakedOcclusion bakedOcclusion(const ExportCommandOptions& options, Representatio
     return renderer.bakedOcclusion(settings);
 }
 
-/// Files hold triangles: whatever the style of a map, its surface is written. Lines of constant width are left out.
-void addBeside(const Molecule& molecule, PictureDescription picture, Representation& scene) {
-    if (!picture.drawsBeside()) return;
-    picture.maps.styles.assign(picture.maps.files.size(), MapStyle::surface);
-    MapLayers maps = mapLayersOf(molecule, picture, scene.center);
-    scene = withMaps(std::move(scene), maps);
-    std::move(maps.warnings.begin(), maps.warnings.end(), std::back_inserter(scene.warnings));
-}
-
 }  // namespace
 
 void exportCommand(const ExportCommandOptions& options) {
@@ -74,7 +64,7 @@ void exportCommand(const ExportCommandOptions& options) {
     progress.begin("building the scene");
     Representation scene = sceneOf(molecule, options.picture.input.path, options.picture.drawn, options.picture.look,
                                    frameOfPrimitives(molecule, options.picture), options.picture.drawsBeside());
-    addBeside(molecule, options.picture, scene);
+    addMapSurfaces(molecule, options.picture, scene);
     for (const std::string& warning : scene.warnings) sayWarning(warning);
     const BakedOcclusion baked = bakedOcclusion(options, scene, progress);
     ExportOptions how = options.scene;

@@ -42,6 +42,8 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
     motion("turns", "N", "1", "Turns of --spin, -100 to 100, not 0; may be a fraction");
     motion("rock", "DEGREES", "none", "Rotate to either side and back, by up to 180 degrees");
     motion("axis", "AXIS", "y", "Axis of --rock, as for --spin");
+    motion("map-sweep", "FROM,TO", "none",
+           "Contour level of the first map from FROM to TO, as --map-level has them; with --spin or --rock also back");
     command.flag("--models", options.models,
                  "Show the models or records of INPUT in sequence, or the frames of --trajectory");
     command.value("--views", "A.json,B.json,...", "none",
@@ -51,7 +53,8 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
     motion("easing", "NAME", "smooth for --views that do not loop, else linear",
            "linear: constant speed; smooth: starts and ends at rest; stops: rests at each view");
     motion("seconds", "S",
-           "6 for --spin, 4 for --rock, 2 per step of --views, 0.1 per model, one frame per frame of --trajectory",
+           "6 for --spin, 4 for --rock and --map-sweep, 2 per step of --views, 0.1 per model, one frame per frame of "
+           "--trajectory",
            "Duration, up to 86400");
     motion("fps", "N", "30", "Frames per second, 0.1 to 120 (GIF: 50)");
     command.value("--report", "FILE", "none", "One line of JSON per finished frame; - for standard output",
@@ -61,10 +64,15 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
 void checkMotion(const MovieOptions& options) {
     const int cameras = (options.spin ? 1 : 0) + (options.rock ? 1 : 0) + (options.views.empty() ? 0 : 1);
     if (cameras > 1) throw UsageError("--spin, --rock and --views exclude each other");
-    if (cameras == 0 && !options.models) throw UsageError("no motion given: add --spin, --rock, --views or --models");
+    if (cameras == 0 && !options.models && !options.sweep)
+        throw UsageError("no motion given: add --spin, --rock, --views, --models or --map-sweep");
+    if (options.sweep && options.picture.maps.files.empty()) throw UsageError("--map-sweep needs --map");
+    if (options.sweep && (options.models || !options.views.empty()))
+        throw UsageError("--map-sweep goes with --spin and --rock only: views have levels of their own");
     if (options.loop && options.views.empty()) throw UsageError("--loop is for --views");
     checkCameraMotion(options);
-    if (options.easing && cameras == 0) throw UsageError("--easing is for --spin, --rock and --views");
+    if (options.easing && cameras == 0 && !options.sweep)
+        throw UsageError("--easing is for --spin, --rock, --views and --map-sweep");
     if (options.easing == Easing::stops && options.views.empty()) throw UsageError("--easing stops is for --views");
     const bool trajectory = !options.picture.input.trajectory.path.empty();
     if (options.models && !trajectory && isGiven(options, "model"))

@@ -195,7 +195,7 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     if (motion_ && !look.options.look.ownFrame)
         look.moving.emplace(movingSceneOf(molecule_, look.options.input.path, look.options.drawn, look.options.look));
     if (!look.canvas) look.canvas = std::make_unique<Canvas>(look.options.device);
-    look.drawing.handOver(*look.canvas);
+    options_.sweep ? look.drawing.show(*look.canvas) : look.drawing.handOver(*look.canvas);
     return look;
 }
 
@@ -219,6 +219,15 @@ void MovieScenes::moveTo(Look& look, int frame) {
     look.canvas->renderer.setScene(look.drawing.withBeside(look.moving->scene()));
     look.drawing.placeWordsIn(look.moving->scene(), molecule_);
     reachTo(look.drawing.settings.view, look.moving->scene().radius);
+}
+
+/// What stays of the scene is not made again.
+void MovieScenes::sweepTo(Look& look, double time) {
+    std::vector<MapLevel>& levels = look.options.maps.levels;
+    levels.resize(std::max<std::size_t>(levels.size(), 1));
+    levels.front() = levelAt(options_, time);
+    look.drawing.prepare(molecule_, look.options);
+    look.drawing.show(*look.canvas);
 }
 
 /// Renderers of other looks than these two hold no memory.
@@ -293,6 +302,7 @@ Picture MovieScenes::draw(std::uint64_t frame) {
         return drawKeys(eased(easing, time) * static_cast<double>(path_->stretches()), model);
     }
     Look& look = ready(0, model);
+    if (options_.sweep) sweepTo(look, time);
     RenderSettings settings = look.drawing.settings;
     const glm::dvec3 center = look.drawing.run.center;
     View& view = settings.view;

@@ -58,6 +58,7 @@ private:
     Picture pictureOf(Look& look, const RenderSettings& settings) const;
     Picture drawKeys(double place, int model);
     void moveTo(Look& look, int frame);
+    void sweepTo(Look& look, double time);
     int modelAt(std::uint64_t frame) const;
 
     const MovieOptions& options_;

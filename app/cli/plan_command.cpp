@@ -57,6 +57,7 @@ SceneCounts countsOfInput(const PlanOptions& options) {
     const Molecule molecule = loadMolecule(options.picture.input);
     loadMaps(options.picture);
     Representation scene = sceneOf(molecule, options.picture.input.path, options.picture.drawn, options.picture.look);
+    colorByMap(options.picture, scene);
     scene = withMaps(std::move(scene), mapLayersOf(molecule, options.picture, scene.center));
     const View view =
         viewOf(options.picture.camera, scene.radius, options.picture.size.width, options.picture.size.height);

@@ -117,7 +117,11 @@ void Window::connect() {
                                                                       : MouseButton::middle;
         eventsOf(w).button(which, action == GLFW_PRESS, {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
     });
-    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { eventsOf(w).wheel(y); });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) {
+        const auto held = [w](int key) { return glfwGetKey(w, key) == GLFW_PRESS; };
+        eventsOf(w).wheel(y, {held(GLFW_KEY_LEFT_SHIFT) || held(GLFW_KEY_RIGHT_SHIFT),
+                              held(GLFW_KEY_LEFT_CONTROL) || held(GLFW_KEY_RIGHT_CONTROL)});
+    });
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
         const Modifiers with{(mods & GLFW_MOD_SHIFT) != 0, (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0};
         const std::optional<SpecialKey> special = specialKey(key);

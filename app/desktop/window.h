@@ -21,7 +21,7 @@ struct WindowEvents {
     std::function<void()> damaged;  ///< the window's picture must be presented again
     std::function<void(glm::dvec2)> pointer;
     std::function<void(MouseButton, bool, Modifiers)> button;
-    std::function<void(double)> wheel;
+    std::function<void(double, Modifiers)> wheel;
     std::function<void(SpecialKey, bool down, bool repeated, Modifiers)> special;
     std::function<void(char32_t)> character;
     std::function<void()> closing;           ///< the user closes the window, which stays until close()

@@ -126,7 +126,7 @@ void WindowSession::saveView() {
         for (FurtherInput& further : view.input.further) further.hash = fileHash(further.path);
         view.input.path = pathInView(path, view.input.path);
         view.input.trajectory.path = pathInView(path, view.input.trajectory.path);
-        for (std::string& map : view.maps.files) map = pathInView(path, map);
+        changeMapFiles(view.maps, [&](const std::string& map) { return pathInView(path, map); });
         for (PrimitiveSource& source : view.primitives)
             if (!source.made && !isJsonText(source.text)) source.text = pathInView(path, source.text);
         for (Coloring& table : view.look.colorFrom)

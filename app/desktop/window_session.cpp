@@ -248,10 +248,12 @@ WindowEvents WindowSession::events() {
             if (!down) panelDrag_ = false;
         });
     };
-    e.wheel = [this](double steps) {
-        input(Kind::pointer, [this, steps] {
+    e.wheel = [this](double steps, Modifiers with) {
+        input(Kind::pointer, [this, steps, with] {
             if (panel_->input().ownsPointer())
                 panel_->input().wheel(steps);
+            else if (with.control)
+                viewer().changeLevel(steps, now());
             else
                 viewer().wheel(steps, pointer_ / scale_, now());
         });

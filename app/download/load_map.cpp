@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "app/download/download.h"
 #include "app/files/cache_folder.h"
@@ -30,6 +31,40 @@ std::string baseOf(const Environment& environment, const char* variable, const c
     return url;
 }
 
+/// "map" / "contour_list" / "contour": a list with a level each, the first or the one that is primary.
+std::optional<double> levelIn(const std::string& bytes) {
+    const auto json = nlohmann::json::parse(bytes, nullptr, false);
+    const nlohmann::json::json_pointer contours("/map/contour_list/contour");
+    if (json.is_discarded() || !json.is_object() || !json.contains(contours)) return std::nullopt;
+    std::optional<double> level;
+    for (const auto& contour : json[contours]) {
+        const auto found = contour.is_object() ? contour.find("level") : contour.end();
+        if (found == contour.end() || !found->is_number()) continue;
+        const bool primary = contour.value("primary", nlohmann::json(false)) == true;
+        if (primary || !level) level = found->get<double>();
+        if (primary) break;
+    }
+    return level;
+}
+
+/// Without it the level is that of any cryo-EM map.
+std::optional<double> depositedLevel(const std::string& name, const MapSource& source,
+                                     const DownloadSettings& settings) {
+    std::optional<double> level;
+    try {
+        downloadFile(name, source.cacheName + ".json", source.levelUrl, settings,
+                     [&](const std::string&, const std::string& bytes) {
+                         if (nlohmann::json::parse(bytes, nullptr, false).is_discarded())
+                             throw Error("cannot read", name, "the answer is no JSON");
+                         level = levelIn(bytes);
+                     });
+    } catch (const Error& error) {
+        sayNotice(name + ": the depositors' level is not known, the default is that of the top 1 % (" + error.what() +
+                  ")");
+    }
+    return level;
+}
+
 }  // namespace
 
 std::optional<MapSource> mapSourceOf(const std::string& name, const Environment& environment) {
@@ -39,23 +74,28 @@ std::optional<MapSource> mapSourceOf(const std::string& name, const Environment&
     if (database == "emdb") {
         std::string number = startsWith(id, "emd-") ? id.substr(4) : id;
         if (!isId(number, 4, 6, true)) throw Error("cannot download", name, "an EMDB ID is a number: emdb:3001");
-        return MapSource{"emdb-" + number + ".map.gz",
-                         baseOf(environment, "NACRE_EMDB_URL", "https://ftp.ebi.ac.uk/pub/databases/emdb/structures") +
-                             "/EMD-" + number + "/map/emd_" + number + ".map.gz"};
+        return MapSource{
+            "emdb-" + number + ".map.gz",
+            baseOf(environment, "NACRE_EMDB_URL", "https://ftp.ebi.ac.uk/pub/databases/emdb/structures") + "/EMD-" +
+                number + "/map/emd_" + number + ".map.gz",
+            baseOf(environment, "NACRE_EMDB_API_URL", "https://www.ebi.ac.uk/emdb/api") + "/entry/map/EMD-" + number};
     }
     if (database != "pdb-map" && database != "pdb-diff") return {};
     if (!isId(id, 4, 4, false) || !isDigit(id[0]))
         throw Error("cannot download", name, "a PDB ID has four characters: " + database + ":3nzd");
     const std::string file = id + (database == "pdb-diff" ? "_diff" : "") + ".ccp4";
     return MapSource{"pdb-map-" + file,
-                     baseOf(environment, "NACRE_PDB_MAP_URL", "https://www.ebi.ac.uk/pdbe/entry-files") + "/" + file};
+                     baseOf(environment, "NACRE_PDB_MAP_URL", "https://www.ebi.ac.uk/pdbe/entry-files") + "/" + file,
+                     ""};
 }
 
 void loadMaps(const PictureDescription& picture, const std::function<void(double)>& onDownload) {
     const InputOptions& input = picture.input;
-    for (const std::string& name : picture.maps.files) {
+    const auto isGiven = [&](const char* key) { return picture.given.contains(key); };
+    const bool given = isGiven("map") || isGiven("map-color-from") || isGiven("surface-color-from");
+    for (const std::string& name : mapFiles(picture.maps)) {
         const std::optional<MapSource> source = mapSourceOf(name);
-        if (!source && !picture.given.contains("map")) {  // a saved view names it
+        if (!source && !given) {  // a saved view names it
             InputOptions named = input;
             named.path = std::filesystem::absolute(name).string();
             named.hash.clear();
@@ -69,11 +109,13 @@ void loadMaps(const PictureDescription& picture, const std::function<void(double
         settings.limits = httpLimits();
         settings.limits.maxBytes = std::max<std::uint64_t>(settings.limits.maxBytes, mapLimits().maxBytes);
         settings.onProgress = onDownload;
+        DensityMap map;
         downloadFile(name, source->cacheName, source->url, settings, [&](const std::string& from, std::string bytes) {
-            DensityMap map = readMap(from, std::move(bytes), mapLimits());
-            map.difference = map.difference || startsWith(name, "pdb-diff:");
-            keepMap(name, std::make_shared<const DensityMap>(std::move(map)));
+            map = readMap(from, std::move(bytes), mapLimits());
         });
+        map.difference = map.difference || startsWith(name, "pdb-diff:");
+        if (!source->levelUrl.empty()) map.depositedLevel = depositedLevel(name, *source, settings);
+        keepMap(name, std::make_shared<const DensityMap>(std::move(map)));
     }
 }
 

@@ -9,10 +9,11 @@
 
 namespace nacre::app {
 
-/// Where `emdb:3001`, `pdb-map:3nzd` (2Fo-Fc) and `pdb-diff:3nzd` (Fo-Fc) are. NACRE_EMDB_URL and NACRE_PDB_MAP_URL
-/// replace the addresses' beginnings.
+/// Where `emdb:3001`, `pdb-map:3nzd` (2Fo-Fc) and `pdb-diff:3nzd` (Fo-Fc) are. NACRE_EMDB_URL, NACRE_EMDB_API_URL
+/// and NACRE_PDB_MAP_URL replace the addresses' beginnings.
 struct MapSource {
     std::string cacheName, url;
+    std::string levelUrl;  ///< of what an EMDB entry says of its map, as JSON; empty: nothing does
 };
 /// Empty if the text names no such database: then it is a file. @throws Error if the identifier is invalid
 std::optional<MapSource> mapSourceOf(const std::string& name, const Environment& environment = environmentVariable);

@@ -119,6 +119,7 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
         scene_.emplace();
         radius_ = buildScene(facts, description_, frame, *scene_);
         if (recolor) recolor(*scene_);
+        colorByMap(description_, *scene_);
         number_ = ++scenes;
         ++counts_.scenes;
     }
@@ -147,6 +148,7 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
         warnings.push_back(std::move(idle));
     makeRoom();
     tellScene(molecule, *scene_, run);
+    run.legends.insert(run.legends.end(), maps_.shown.legends.begin(), maps_.shown.legends.end());
     run.warnings = molecule.warnings;
     run.warnings.insert(run.warnings.end(), warnings.begin(), warnings.end());
     run.sceneMs = millisecondsSince(start);
@@ -155,6 +157,8 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
 void Drawing::placeWordsIn(const Representation& scene, const ResidueFacts& facts, WordsOfHidden hidden) {
     words = placeWords(description_.words, facts, scene, hidden);
     addLabels(maps_.labels, scene.center, words);
+    if (description_.words.legend)
+        words.legends.insert(words.legends.end(), maps_.shown.legends.begin(), maps_.shown.legends.end());
 }
 
 /// Words of what is left out since it hides something go with it.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <list>
 #include <mutex>
 
@@ -73,6 +74,16 @@ std::vector<glm::dvec3> placesOf(const Molecule& molecule, std::span<const std::
     return places;
 }
 
+/// What a map's values are to be seen as; it holds the map.
+struct Values {
+    std::shared_ptr<const DensityMap> map;
+    ValueColoring coloring;
+
+    explicit Values(const ValueMap& of) : map(mapOf(of.file)) {
+        coloring = {map.get(), of.file.substr(of.file.find_last_of('/') + 1), of.palette, of.range};
+    }
+};
+
 /// Where maps are drawn, and how far from there; no places: everywhere.
 struct Around {
     std::vector<glm::dvec3> places;
@@ -111,10 +122,22 @@ MapContour contourOf(const DensityMap& map, const MapOptions& maps, std::size_t 
     MapContour contour;
     contour.style = ofMap(maps.styles, i);
     if (contour.style == MapStyle::automatic) contour.style = map.periodic ? MapStyle::mesh : MapStyle::surface;
-    contour.opacity = maps.opacity.value_or(kOpacityBesideMolecule);
+    contour.opacity = ofMap(maps.opacities, i).value_or(kOpacityBesideMolecule);
     contour.width = maps.width;
     contour.level = levelOf(map, ofMap(maps.levels, i));
     return contour;
+}
+
+/// A map's contour, and the negative one of a difference map.
+void addContours(const DensityMap& map, const MapRegion& region, const MapContour& contour, const MapColors& colors,
+                 Representation& shown) {
+    addContour(region, contour, shown);
+    if (!map.difference) return;
+    MapContour other = contour;
+    other.level = 2 * map.statistics.mean - contour.level;
+    other.above = !contour.above;
+    other.color = bitsOf(colors.automatic ? kNegativeRed : colors.low);
+    addContour(region, other, shown);
 }
 
 }  // namespace
@@ -131,6 +154,7 @@ double levelOf(const DensityMap& map, const MapLevel& level) {
         case MapLevel::Unit::automatic:
             break;
     }
+    if (map.depositedLevel) return *map.depositedLevel;
     if (!map.periodic) return levelOfTopShare(map, kTopPercent / 100);
     return s.mean + (map.difference ? kDifferenceSigma : kSigma) * s.rms;
 }
@@ -162,22 +186,40 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, con
         contour.above = contour.level >= map->statistics.mean || !map->periodic;
         const MapStatistics& statistics = map->statistics;
         layers.sigmas.push_back(statistics.rms > 0 ? (contour.level - statistics.mean) / statistics.rms : 0);
-        addContour(*region, contour, shown);
-        if (map->difference) {
-            MapContour other = contour;
-            other.level = 2 * map->statistics.mean - contour.level;
-            other.above = !contour.above;
-            other.color = bitsOf(colors.automatic ? kNegativeRed : colors.low);
-            addContour(*region, other, shown);
-        }
+        const MapSliceOption slice = ofMap(d.maps.slices, i);
+        const ValueMap valueMap = ofMap(d.maps.values, i);
+        const Values values(valueMap.file.empty() ? ValueMap{d.maps.files[i], {}, Palette::automatic} : valueMap);
+        if (!valueMap.file.empty()) contour.values = &values.coloring;
+        if (slice.axis < 0)
+            addContours(*map, *region, contour, colors, shown);
+        else
+            addSlice(*region, {slice.axis, slice.place, ofMap(d.maps.opacities, i).value_or(1)}, values.coloring,
+                     shown);
         if (around.places.empty()) layers.frame = shown.radius;
         if (shown.wires.size() + shown.triangles.size() == before)
-            layers.warnings.push_back(map->name + ": nothing to show at level " + numberText(contour.level) +
+            layers.warnings.push_back(map->name + ": nothing to show" +
+                                      (slice.axis < 0 ? " at level " + numberText(contour.level) : " of this slice") +
                                       (around.places.empty() ? "" : " near these atoms"));
         for (const std::string& warning : map->warnings) layers.warnings.push_back(map->name + ": " + warning);
     }
     if (!d.primitives.empty()) addGeometry(primitivesOf(d.primitives, molecule), layers);
     return layers;
+}
+
+void colorByMap(const PictureDescription& d, Representation& scene) {
+    if (d.maps.surface.file.empty()) return;
+    const Values values(d.maps.surface);
+    if (!colorSurfaces(values.coloring, scene))
+        scene.warnings.push_back("--surface-color-from changes nothing: no surface is drawn");
+}
+
+void addMapSurfaces(const Molecule& molecule, PictureDescription picture, Representation& scene) {
+    colorByMap(picture, scene);
+    if (!picture.drawsBeside()) return;
+    picture.maps.styles.assign(picture.maps.files.size(), MapStyle::surface);
+    MapLayers maps = mapLayersOf(molecule, picture, scene.center);
+    scene = withMaps(std::move(scene), maps);
+    std::move(maps.warnings.begin(), maps.warnings.end(), std::back_inserter(scene.warnings));
 }
 
 }  // namespace nacre::app

@@ -39,4 +39,11 @@ std::optional<Bounds> frameOfPrimitives(const Molecule& molecule, const PictureD
 /// @throws Error
 MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& description, const glm::dvec3& center);
 
+/// Colours a scene's molecular surfaces by the map that a picture names for it. @throws Error
+void colorByMap(const PictureDescription& picture, Representation& scene);
+
+/// For files of triangles: the surfaces of a picture's maps, whatever their styles, and the colours that maps give.
+/// @throws Error
+void addMapSurfaces(const Molecule& molecule, PictureDescription picture, Representation& scene);
+
 }  // namespace nacre::app

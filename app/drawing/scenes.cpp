@@ -77,6 +77,7 @@ void uncoverIn(Representation& scene, const ResidueFacts& facts, const PictureDe
 Representation sceneOfView(const ResidueFacts& facts, const PictureDescription& view) {
     Representation scene = sceneOf(facts, view.input.path, view.drawn, view.look,
                                    frameOfPrimitives(facts.molecule(), view), view.drawsBeside());
+    colorByMap(view, scene);
     uncoverIn(scene, facts, view);
     return scene;
 }

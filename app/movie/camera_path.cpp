@@ -47,6 +47,16 @@ double curve(double a, double b, double c, double d, bool first, bool last, doub
     return b + (t3 - 2 * t2 + t) * leave + (3 * t2 - 2 * t3) * way + (t3 - t2) * arrive;
 }
 
+/// "FROM,TO": two levels of the same unit.
+LevelSweep parseSweep(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) throw std::invalid_argument("expected two levels, 1sigma,3sigma");
+    const LevelSweep sweep{parseMapLevel(text.substr(0, comma)), parseMapLevel(text.substr(comma + 1))};
+    if (sweep.from.unit != sweep.to.unit || sweep.from.unit == MapLevel::Unit::automatic)
+        throw std::invalid_argument("expected two levels of the same unit, 1sigma,3sigma or 0.01,0.05");
+    return sweep;
+}
+
 }  // namespace
 
 double eased(Easing easing, double time) {
@@ -69,6 +79,12 @@ glm::dvec3 parseAxis(std::string_view text) {
     return axis / length;
 }
 
+MapLevel levelAt(const CameraMotion& motion, double time) {
+    const bool back = motion.spin || motion.rock;
+    const double share = back ? 1 - std::abs(2 * time - 1) : time;
+    return motion.sweep->at(eased(motion.easing.value_or(Easing::linear), share));
+}
+
 bool setMotion(std::string_view key, std::string_view text, CameraMotion& motion) {
     constexpr Easing kEasings[] = {Easing::linear, Easing::smooth, Easing::stops};
     const auto moves = [](double value, const char* what) {
@@ -83,6 +99,8 @@ bool setMotion(std::string_view key, std::string_view text, CameraMotion& motion
         motion.rock = moves(parseNumber(text, 0, 180), "degrees");
     else if (key == "axis")
         motion.axis = parseAxis(text);
+    else if (key == "map-sweep")
+        motion.sweep = parseSweep(text);
     else if (key == "easing")
         motion.easing = kEasings[parseChoice(text, {"linear", "smooth", "stops"})];
     else if (key == "seconds")
@@ -101,10 +119,11 @@ void checkCameraMotion(const CameraMotion& motion) {
 }
 
 double secondsOf(const CameraMotion& motion, std::uint64_t models, bool trajectory) {
-    constexpr double kSpinSeconds = 6, kRockSeconds = 4, kModelSeconds = 0.1;
+    constexpr double kSpinSeconds = 6, kRockSeconds = 4, kModelSeconds = 0.1, kSweepSeconds = 4;
     if (motion.seconds) return *motion.seconds;
     if (motion.rock) return kRockSeconds;
     if (motion.spin) return kSpinSeconds;
+    if (motion.sweep) return kSweepSeconds;
     return static_cast<double>(models) * (trajectory ? 1 / motion.framesPerSecond : kModelSeconds);
 }
 

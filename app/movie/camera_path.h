@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/picture/map_options.h"
 #include "engine/scene/camera.h"
 
 namespace nacre::app {
@@ -29,24 +30,33 @@ glm::dvec3 parseAxis(std::string_view text);
 /// axis exactly rotationMatrix(), so that the picture equals that of `--rotate`.
 View turned(View view, const glm::dvec3& axis, double degrees);
 
+/// A map's contour from one level to another of the same unit.
+struct LevelSweep {
+    MapLevel from, to;
+    MapLevel at(double share) const { return {from.unit, from.value + (to.value - from.value) * share}; }
+};
+
 /// How a camera moves by itself, how long and how fast.
 struct CameraMotion {
-    std::optional<glm::dvec3> spin;  ///< axis of a turn
-    std::optional<double> turns;     ///< of spin; empty: one
-    std::optional<double> rock;      ///< degrees to either side
-    std::optional<glm::dvec3> axis;  ///< of rock; empty: y
+    std::optional<glm::dvec3> spin;   ///< axis of a turn
+    std::optional<double> turns;      ///< of spin; empty: one
+    std::optional<double> rock;       ///< degrees to either side
+    std::optional<glm::dvec3> axis;   ///< of rock; empty: y
+    std::optional<LevelSweep> sweep;  ///< of the first map
     std::optional<Easing> easing;
     std::optional<double> seconds;  ///< empty: secondsOf()
     double framesPerSecond = 30;
 };
 
-/// Takes the value of "spin", "turns", "rock", "axis", "easing", "seconds" or "fps".
+/// Takes the value of "spin", "turns", "rock", "axis", "map-sweep", "easing", "seconds" or "fps".
 /// @returns whether it is one of them @throws std::invalid_argument, in words that continue "--key: "
 bool setMotion(std::string_view key, std::string_view text, CameraMotion& motion);
 /// @throws UsageError for conflicting options
 void checkCameraMotion(const CameraMotion& motion);
 /// Duration of a rotation or rocking; else of this many models. @param trajectory  one movie frame per model
 double secondsOf(const CameraMotion& motion, std::uint64_t models, bool trajectory);
+/// The level of the first map at a time, 0..1; with a camera that comes back, so does the level.
+MapLevel levelAt(const CameraMotion& motion, double time);
 /// A view at a time, 0..1; the same where no camera moves.
 View viewAt(const CameraMotion& motion, const View& view, double time);
 

@@ -19,6 +19,32 @@ Value& entry(std::vector<Value>& list, std::size_t i) {
     return list[i];
 }
 
+/// @returns whether it is a slice
+bool drawStyle(PanelFrame& f, std::size_t i, const std::string& name) {
+    enum class Shown : std::uint8_t { automatic, mesh, surface, dots, slice };
+    constexpr const char* kShown[] = {"Style: default", "Mesh", "Surface", "Dots", "Slice"};
+    MapOptions& maps = f.look.maps;
+    const MapSliceOption before = i < maps.slices.size() ? maps.slices[i] : MapSliceOption{};
+    Shown shown = before.axis >= 0         ? Shown::slice
+                  : i < maps.styles.size() ? static_cast<Shown>(maps.styles[i])
+                                           : Shown::automatic;
+    if (f.ui.choose(("Style of " + name).c_str(), kShown, shown)) {
+        const bool slice = shown == Shown::slice;
+        if (slice || before.axis >= 0) entry(maps.slices, i).axis = slice ? 2 : -1;
+        if (!slice) entry(maps.styles, i) = static_cast<MapStyle>(shown);
+    }
+    if (shown != Shown::slice) return false;
+    constexpr const char* kAxes[] = {"Across a", "Across b", "Across c"};
+    enum class Axis : std::uint8_t { a, b, c };
+    MapSliceOption& slice = entry(maps.slices, i);
+    auto axis = static_cast<Axis>(slice.axis);
+    if (f.ui.choose(("Axis of " + name).c_str(), kAxes, axis)) slice.axis = static_cast<int>(axis);
+    auto place = static_cast<float>(slice.place);
+    if (f.ui.slide(("Place of " + name).c_str(), place, 0, 1, "Place: %.2f"))
+        slice.place = std::round(static_cast<double>(place) * 100) / 100;
+    return true;
+}
+
 void drawMap(PanelFrame& f, std::size_t i) {
     MapOptions& maps = f.look.maps;
     const std::string file = maps.files[i], name = shortName(file);
@@ -36,23 +62,22 @@ void drawMap(PanelFrame& f, std::size_t i) {
     }
     ImGui::SameLine(x + room - side);
     const bool removed = f.ui.sign(Icon::close, ("Remove " + name).c_str());
+    const bool sliced = drawStyle(f, i, name);
     // What was slid is not built yet: it stands where the hand has it.
     const bool slid = i < maps.levels.size() && maps.levels[i].unit == MapLevel::Unit::sigma;
     const std::vector<double> built = f.viewer.document() ? f.viewer.document()->maps.sigmas : std::vector<double>();
-    if (slid || i < built.size()) {
+    if (!sliced && (slid || i < built.size())) {
         auto sigma = static_cast<float>(slid ? maps.levels[i].value : built[i]);
         if (f.ui.slide(("Level of " + name).c_str(), sigma, -kHighestSigma, kHighestSigma, "Level: %.1f σ"))
             entry(maps.levels, i) = {MapLevel::Unit::sigma, std::round(sigma * 10) / 10};
     }
-    constexpr const char* kStyles[] = {"Style: default", "Mesh", "Surface", "Dots"};
-    MapStyle style = i < maps.styles.size() ? maps.styles[i] : MapStyle::automatic;
-    if (f.ui.choose(("Style of " + name).c_str(), kStyles, style)) entry(maps.styles, i) = style;
     ImGui::PopID();
     if (!removed) return;
     const auto drop = [i](auto& list) {
         if (i < list.size()) list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
     };
-    drop(maps.files), drop(maps.levels), drop(maps.styles), drop(maps.colors);
+    drop(maps.files), drop(maps.levels), drop(maps.styles), drop(maps.colors), drop(maps.values), drop(maps.slices),
+        drop(maps.opacities);
 }
 
 }  // namespace

@@ -176,17 +176,6 @@ bool readWhole(std::string_view text, double& value) {
     return error == std::errc() && end == text.data() + text.size();
 }
 
-/// "LOW..HIGH", two numbers that differ.
-std::optional<ColorRange> parseRange(std::string_view text) {
-    const std::size_t dots = text.find("..");
-    if (dots == std::string_view::npos) return std::nullopt;
-    ColorRange range;
-    if (!readWhole(text.substr(0, dots), range.first) || !readWhole(text.substr(dots + 2), range.last) ||
-        !std::isfinite(range.first) || !std::isfinite(range.last) || range.first == range.last)
-        refuse(text, "FROM..TO, two different numbers, such as 10..60");
-    return range;
-}
-
 std::vector<std::string> palettesOf(bool ramps) {
     std::vector<std::string> names;
     for (const Palette palette : allPalettes())
@@ -198,7 +187,7 @@ std::vector<std::string> palettesOf(bool ramps) {
 void parseColoringPart(std::string_view text, Coloring& coloring) {
     const std::string name(colorSchemeName(coloring.scheme));
     const PaletteUse use = paletteUse(coloring.scheme);
-    if (const auto range = parseRange(text)) {
+    if (const auto range = parseColorRange(text)) {
         if (!takesRange(coloring.scheme))
             throw std::invalid_argument("'" + name + "' takes no range; b-factor and occupancy do");
         coloring.range = range;
@@ -224,6 +213,16 @@ void parseColoringPart(std::string_view text, Coloring& coloring) {
 }
 
 }  // namespace
+
+std::optional<ColorRange> parseColorRange(std::string_view text) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string_view::npos) return std::nullopt;
+    ColorRange range;
+    if (!readWhole(text.substr(0, dots), range.first) || !readWhole(text.substr(dots + 2), range.last) ||
+        !std::isfinite(range.first) || !std::isfinite(range.last) || range.first == range.last)
+        refuse(text, "FROM..TO, two different numbers, such as 10..60");
+    return range;
+}
 
 std::string paletteNames(bool ramps) { return listOf(palettesOf(ramps)); }
 
@@ -309,7 +308,7 @@ Coloring parseColorSource(std::string_view text) {
         else if (palette && isRamp(*palette))
             coloring.palette = *palette;
         else if (part.find("..") != std::string_view::npos && part.find_first_of("/\\") == std::string_view::npos)
-            coloring.range = parseRange(part);
+            coloring.range = parseColorRange(part);
         else if (palette)
             throw std::invalid_argument("values take no palette of kinds: one of " + paletteNames(true));
         else

@@ -4,6 +4,7 @@
 // nacre::Error.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,9 @@ Style parseStyle(std::string_view text);
 Palette parsePalette(std::string_view text);
 /// Their names, separated by commas. @param ramps  for numbers; else for classes
 std::string paletteNames(bool ramps);
+
+/// "LOW..HIGH", two numbers that differ; empty if there are no dots.
+std::optional<ColorRange> parseColorRange(std::string_view text);
 
 /// The names of all colour schemes, with commas.
 std::string schemeNames();

@@ -1,16 +1,19 @@
 #include "app/picture/map_options.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "app/picture/appearance_values.h"
 #include "app/picture/option_text.h"
 #include "app/picture/option_values.h"
 #include "engine/molecule/text.h"
+#include "engine/scene/palettes.h"
 
 namespace nacre::app {
 namespace {
 
 constexpr std::array<const char*, 4> kMapStyles{"auto", "mesh", "surface", "dots"};
+constexpr std::array<const char*, 3> kAxes{"a", "b", "c"};
 constexpr double kHighestLevel = 1e30, kMostSigma = 1000, kFarthestReach = 1000;
 
 }  // namespace
@@ -46,6 +49,12 @@ std::string mapLevelText(const MapLevel& level) {
     return "auto";
 }
 
+std::optional<double> parseMapOpacity(std::string_view text) {
+    if (text == "auto") return std::nullopt;
+    return app::parseNumber(text, kLeastOpacity, 1);
+}
+std::string mapOpacityText(const std::optional<double>& opacity) { return opacity ? numberText(*opacity) : "auto"; }
+
 MapStyle parseMapStyle(std::string_view text) { return static_cast<MapStyle>(parseChoice(text, kMapStyles)); }
 std::string mapStyleText(MapStyle style) { return kMapStyles[static_cast<std::size_t>(style)]; }
 
@@ -65,6 +74,60 @@ std::string mapColorsText(const MapColors& colors) {
     if (colors.automatic) return "auto";
     const std::string high = backgroundText(colors.high);
     return colors.low == colors.high ? high : high + "," + backgroundText(colors.low);
+}
+
+ValueMap parseValueMap(std::string_view text) {
+    ValueMap map;
+    if (text.empty() || text == "none") return map;
+    while (true) {
+        const std::size_t colon = text.rfind(':');
+        if (colon == std::string_view::npos) break;
+        const std::string_view part = text.substr(colon + 1);
+        const auto range = parseColorRange(part);
+        const auto palette = paletteFromName(lowerCase(part));
+        if (!range && !palette) break;  // of a name as emdb:3001
+        if (palette && !isRamp(*palette))
+            throw std::invalid_argument("expected a palette of numbers, one of " + paletteNames(true) + ", not '" +
+                                        std::string(part) + "'");
+        if (range) map.range = range;
+        if (palette) map.palette = *palette;
+        text = text.substr(0, colon);
+    }
+    map.file = fileName(text);
+    return map;
+}
+
+std::string valueMapText(const ValueMap& map) {
+    std::string text = map.file;
+    if (text.empty()) return "none";
+    if (map.range) text += ":" + exactText(map.range->first) + ".." + exactText(map.range->last);
+    if (map.palette != Palette::automatic) text += ":" + std::string(paletteName(map.palette));
+    return text;
+}
+
+MapSliceOption parseMapSlice(std::string_view text) {
+    MapSliceOption slice;
+    if (text == "none") return slice;
+    const std::size_t comma = text.find(',');
+    slice.axis = static_cast<int>(parseChoice(text.substr(0, comma), kAxes));
+    if (comma != std::string_view::npos) slice.place = app::parseNumber(text.substr(comma + 1), 0, 1);
+    return slice;
+}
+
+std::string mapSliceText(const MapSliceOption& slice) {
+    if (slice.axis < 0) return "none";
+    const std::string axis = kAxes[static_cast<std::size_t>(slice.axis)];
+    return slice.place == MapSliceOption().place ? axis : axis + "," + exactText(slice.place);
+}
+
+std::vector<std::string> mapFiles(const MapOptions& maps) {
+    std::vector<std::string> files;
+    MapOptions all = maps;
+    changeMapFiles(all, [&](const std::string& file) {
+        if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+        return file;
+    });
+    return files;
 }
 
 void parseMapAround(std::string_view text, MapOptions& maps) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/molecule/selection/selection.h"
+#include "engine/scene/color_schemes.h"
 #include "engine/scene/map_style.h"
 
 namespace nacre::app {
@@ -31,15 +32,33 @@ struct MapColors {
     friend bool operator==(const MapColors&, const MapColors&) = default;
 };
 
+/// A map by whose values something is coloured.
+struct ValueMap {
+    std::string file;  ///< empty: none
+    std::optional<ColorRange> range = {};
+    Palette palette = Palette::automatic;
+    friend bool operator==(const ValueMap&, const ValueMap&) = default;
+};
+
+/// A plane of the grid that is drawn in place of a contour.
+struct MapSliceOption {
+    int axis = -1;       ///< 0, 1, 2: across a, b, c; -1: there is none
+    double place = 0.5;  ///< 0..1 of what is drawn of the map
+    friend bool operator==(const MapSliceOption&, const MapSliceOption&) = default;
+};
+
 struct MapOptions {
     std::vector<std::string> files;
     std::vector<MapLevel> levels;
     std::vector<MapStyle> styles;
     std::vector<MapColors> colors;
-    std::optional<double> opacity;    ///< of surfaces; empty: 1, or 0.5 beside a molecule
-    double width = 1.5;               ///< of lines and dots, pixels
-    std::optional<Selection> around;  ///< empty: of a crystal all drawn atoms, else everything
-    std::optional<double> reach;      ///< Å from there; empty: kMapReach, or kMapReachOfAll without `around`
+    std::vector<ValueMap> values;  ///< by which contours and slices are coloured
+    std::vector<MapSliceOption> slices;
+    ValueMap surface;                              ///< by which the molecule's surfaces are coloured
+    std::vector<std::optional<double>> opacities;  ///< of surfaces; empty: 0.5, of slices 1
+    double width = 1.5;                            ///< of lines and dots, pixels
+    std::optional<Selection> around;               ///< empty: of a crystal all drawn atoms, else everything
+    std::optional<double> reach;  ///< Å from there; empty: kMapReach, or kMapReachOfAll without `around`
 };
 
 constexpr double kMapReach = 2, kMapReachOfAll = 4;  ///< Å
@@ -49,11 +68,30 @@ constexpr std::size_t kMostMaps = 16;
 /// "auto", "1.5sigma", "0.03" or "top1%". @throws std::invalid_argument
 MapLevel parseMapLevel(std::string_view text);
 std::string mapLevelText(const MapLevel& level);
+/// "auto", or 0.01 to 1.
+std::optional<double> parseMapOpacity(std::string_view text);
+std::string mapOpacityText(const std::optional<double>& opacity);
 MapStyle parseMapStyle(std::string_view text);
 std::string mapStyleText(MapStyle style);
 /// "auto", a colour, or two separated by a comma.
 MapColors parseMapColors(std::string_view text);
 std::string mapColorsText(const MapColors& colors);
+/// "none", or "FILE" with ":LOW..HIGH" and ":PALETTE" behind it, in any order. @throws std::invalid_argument
+ValueMap parseValueMap(std::string_view text);
+std::string valueMapText(const ValueMap& map);
+/// "none", or "a", "b" or "c" with ",PLACE" behind it. @throws std::invalid_argument
+MapSliceOption parseMapSlice(std::string_view text);
+std::string mapSliceText(const MapSliceOption& slice);
+/// All that a picture reads: --map, and what it is coloured by. Each once.
+std::vector<std::string> mapFiles(const MapOptions& maps);
+/// Applies to each of them, so that a view's are found wherever it is.
+template <typename Change>
+void changeMapFiles(MapOptions& maps, const Change& change) {
+    for (std::string& file : maps.files) file = change(file);
+    for (ValueMap& map : maps.values)
+        if (!map.file.empty()) map.file = change(map.file);
+    if (!maps.surface.file.empty()) maps.surface.file = change(maps.surface.file);
+}
 /// "SEL" or "SEL,RADIUS", into `around` and `reach`.
 void parseMapAround(std::string_view text, MapOptions& maps);
 std::string mapAroundText(const MapOptions& maps);

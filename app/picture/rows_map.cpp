@@ -52,9 +52,22 @@ std::vector<Option> mapRows() {
             [](T text, P& d) { addTo(d.maps.colors, text, kMostMaps, parseMapColors); },
             [](const P& d) { return lines(d.maps.colors, mapColorsText); }, list),
         row(
-            "map-opacity", "SHARE", "0.5 with a molecule", "Opacity of map surfaces, 0.01 to 1",
-            [](T text, P& d) { d.maps.opacity = parseNumber(text, kLeastOpacity, 1); },
-            [](const P& d) { return d.maps.opacity ? numberText(*d.maps.opacity) : ""; }),
+            "map-color-from", "FILE", "none",
+            "Colour the contour or slice by the values of a map, as local resolution; FILE:LOW..HIGH:PALETTE gives the "
+            "range and\nthe palette; repeatable: the first is that of the first --map",
+            [](T text, P& d) { addTo(d.maps.values, text, kMostMaps, parseValueMap); },
+            [](const P& d) { return lines(d.maps.values, valueMapText); }, list),
+        row(
+            "map-slice", "AXIS", "none",
+            "Draw a slice across a, b or c in place of the contour, in the colours of its values; AXIS,PLACE says "
+            "where,\n0 to 1 (0.5); repeatable: the first is that of the first --map",
+            [](T text, P& d) { addTo(d.maps.slices, text, kMostMaps, parseMapSlice); },
+            [](const P& d) { return lines(d.maps.slices, mapSliceText); }, list),
+        row(
+            "map-opacity", "SHARE", "0.5 for surfaces, 1 for slices",
+            "Opacity of surfaces and slices, 0.01 to 1; repeatable: the first is that of the first --map",
+            [](T text, P& d) { addTo(d.maps.opacities, text, kMostMaps, parseMapOpacity); },
+            [](const P& d) { return lines(d.maps.opacities, mapOpacityText); }, list),
         row(
             "map-width", "PIXELS", "=", "Width of map lines and dots in pixels, 0.5 to 10",
             [](T text, P& d) { d.maps.width = parseNumber(text, 0.5, kWidestWire); }, printNumber<&P::maps, &M::width>),
@@ -65,6 +78,13 @@ std::vector<Option> mapRows() {
     };
     for (Option& option : rows)
         if (option.key != "map") option.needs = "map";
+    rows.push_back(row(
+        "surface-color-from", "FILE", "none",
+        "Colour molecular surfaces by the values of a map, as an electrostatic potential; FILE:LOW..HIGH:PALETTE gives "
+        "the\nrange and the palette",
+        [](T text, P& d) { d.maps.surface = parseValueMap(text); },
+        [](const P& d) { return d.maps.surface.file.empty() ? "" : valueMapText(d.maps.surface); }));
+    rows.back().facet = Facet::scene;
     return rows;
 }
 

@@ -223,7 +223,7 @@ std::string besideView(const std::string& view, const std::string& file) {
 }
 
 void placeBeside(const std::string& path, PictureDescription& view) {
-    for (std::string& map : view.maps.files) map = besideView(path, map);
+    changeMapFiles(view.maps, [&](const std::string& map) { return besideView(path, map); });
     for (PrimitiveSource& source : view.primitives)
         if (!source.made && !isJsonText(source.text)) source.text = besideView(path, source.text);
     for (Coloring& table : view.look.colorFrom)
@@ -234,6 +234,22 @@ void placeBeside(const std::string& path, PictureDescription& view) {
 template <typename Value>
 void append(std::vector<Value>& list, const std::vector<Value>& before) {
     list.insert(list.end(), before.begin(), before.end());
+}
+
+/// Maps go by their numbers: lists that are shorter than that of the view's are filled up first.
+void appendMaps(MapOptions& maps, const MapOptions& more) {
+    const std::size_t count = maps.files.size();
+    const auto add = [&](auto& list, const auto& of) {
+        if (!of.empty() && count > 0) list.resize(count);
+        append(list, of);
+    };
+    add(maps.files, more.files);
+    add(maps.levels, more.levels);
+    add(maps.styles, more.styles);
+    add(maps.colors, more.colors);
+    add(maps.values, more.values);
+    add(maps.slices, more.slices);
+    add(maps.opacities, more.opacities);
 }
 
 }  // namespace
@@ -272,7 +288,8 @@ void applySavedView(const std::string& path, PictureDescription& description) {
     view.words.labels.clear();
     view.words.measures.clear();
     view.input.fits.clear();
-    for (auto clear : {"primitives", "color-from", "map", "map-level", "map-style", "map-color"})
+    for (auto clear : {"primitives", "color-from", "map", "map-level", "map-style", "map-color", "map-color-from",
+                       "map-slice", "map-opacity"})
         option(clear).parse("", view);
     readView(readViewText(path), path, view);
     placeBeside(path, view);
@@ -282,10 +299,7 @@ void applySavedView(const std::string& path, PictureDescription& description) {
     append(view.input.fits, description.input.fits);
     append(view.look.colorFrom, description.look.colorFrom);
     append(view.primitives, description.primitives);
-    append(view.maps.files, description.maps.files);
-    append(view.maps.levels, description.maps.levels);
-    append(view.maps.styles, description.maps.styles);
-    append(view.maps.colors, description.maps.colors);
+    appendMaps(view.maps, description.maps);
     view.view = path;
     view.aim.placed = view.camera.zoom != 1 || view.camera.pan != glm::dvec2(0);
     if (description.input.path.empty()) {

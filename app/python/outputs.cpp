@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "app/annotation/layout.h"
+#include "app/download/load_map.h"
+#include "app/drawing/map_layers.h"
 #include "app/drawing/scenes.h"
 #include "app/export/scene_files.h"
 #include "app/input/trajectory_input.h"
@@ -26,7 +28,7 @@ app::CameraMotion motionOf(const Moving& moving) {
         } catch (const std::invalid_argument& error) {
             throw app::UsageError(key + ": " + error.what());
         }
-    if (!motion.spin && !motion.rock && !moving.models) motion.spin = glm::dvec3(0, 1, 0);
+    if (!motion.spin && !motion.rock && !motion.sweep && !moving.models) motion.spin = glm::dvec3(0, 1, 0);
     app::checkCameraMotion(motion);
     if (motion.easing == app::Easing::stops) throw app::UsageError("easing: 'stops' is for a path along views");
     return motion;
@@ -79,6 +81,8 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
     checkName("movie()", path, app::isMovieName(path) && !app::isFrameFolder(path), app::movieEndings());
     const app::CameraMotion motion = motionOf(moving);
     app::PictureDescription request = requestOf(structure, options, kPlain);
+    if (motion.sweep && (moving.models || request.maps.files.empty()))
+        throw app::UsageError("map_sweep: it needs map, and does not go with models");
     request.aim.turns = true;
     std::optional<Models> models;
     if (moving.models) models.emplace(structure, request);
@@ -96,7 +100,16 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
         warnings = drawing.warnings;
         app::WordMemory memory;
         if (models) drawing.settings.occlusion.cache.clear();  // of models that come and go
+        const bool comesBack =
+            motion.spin || motion.rock;  // as what begins anew at 1, which the last frame stays short of
         const auto picture = [&](std::uint64_t frame) {
+            const std::uint64_t whole = comesBack ? frames : std::max<std::uint64_t>(frames - 1, 1);
+            if (motion.sweep) {
+                app::PictureDescription at = drawing.description();
+                at.maps.levels.resize(std::max<std::size_t>(at.maps.levels.size(), 1));
+                at.maps.levels.front() = app::levelAt(motion, static_cast<double>(frame) / static_cast<double>(whole));
+                drawing.prepare(*structure.molecule, at);
+            }
             if (models)
                 models->show(frame * modelCount / frames, drawing, canvas);
             else
@@ -126,11 +139,14 @@ std::vector<std::string> exportScene(const Structure& structure, const std::stri
     const app::PictureDescription request = requestOf(structure, options, kPlain);
     app::OutputFile file(path);
     const Molecule& molecule = *structure.molecule;
-    Representation scene = app::sceneOf(molecule, structure.inputs.front(), request.drawn, request.look);
+    app::loadMaps(request);
+    Representation scene = app::sceneOf(molecule, structure.inputs.front(), request.drawn, request.look,
+                                        app::frameOfPrimitives(molecule, request), request.drawsBeside());
     if (!colors.atoms.empty()) {
         checkCount(colors, molecule.atoms.size());
         paint(colors, scene);
     }
+    app::addMapSurfaces(molecule, request, scene);
     const std::string& title = molecule.file.title;
     const app::SceneFileOptions titled{title.empty() ? structure.inputs.front() : title, 1};
     app::writeText(file, app::sceneFile(app::exportScene(molecule, scene, {}), app::extensionOf(path), titled));

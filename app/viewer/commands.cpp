@@ -78,6 +78,7 @@ constexpr PointerBinding kPointer[] = {
     {"drag", "one finger", "Rotate (1° per pixel)"},
     {"right drag, Shift drag", "two fingers", "Move"},
     {"wheel, scroll", "pinch", "Zoom about the pointer"},
+    {"Ctrl wheel", nullptr, "Contour level of the first density map"},
     {"Ctrl drag", "twist", "Roll"},
     {"click", "tap, long press", "Identify an atom and select its residue, or measure"},
     {"double click", "double tap", "Zoom to a residue; off the molecule, to all of it"},

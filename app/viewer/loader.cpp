@@ -50,13 +50,13 @@ Document Loader::load(const Job& job) const {
             movePositions(*molecule, document.motion->positions(0));
     }
     if (job.first) firstLook(*document.molecule, document.view);
+    if (sources_.maps) sources_.maps(document.view);
     if (job.shown) {
         document.scene = job.shown->scene;
         document.radius = document.scene.radius;
     } else {
         build(document, job.moves || document.motion);
     }
-    if (sources_.maps) sources_.maps(document.view);
     document.maps = mapLayersOf(*document.molecule, document.view, document.scene.center);
     document.radius = std::max(document.radius, document.maps.frame);
     return document;
@@ -82,7 +82,8 @@ void Loader::build(Document& document, bool moves) const {
     document.radius = document.moving->scene().radius;
     if (document.placed != document.molecule) document.moving->move(*document.placed);
     document.scene = document.moving->scene();
-    uncoverIn(document.scene, *document.placed, view);  // until it moves
+    colorByMap(view, document.scene);  // until it moves
+    uncoverIn(document.scene, *document.placed, view);
 }
 
 void Loader::wait() const {

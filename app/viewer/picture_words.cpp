@@ -10,6 +10,8 @@ namespace {
 PlacedWords wordsOf(const PictureDescription& view, const Document& document) {
     PlacedWords words = placeWords(view.words, *document.placed, document.scene, WordsOfHidden::leftOut);
     addLabels(document.maps.labels, document.scene.center, words);
+    const std::vector<Legend>& ofMaps = document.maps.shown.legends;
+    if (view.words.legend) words.legends.insert(words.legends.end(), ofMaps.begin(), ofMaps.end());
     return words;
 }
 
@@ -18,9 +20,8 @@ PlacedWords wordsOf(const PictureDescription& view, const Document& document) {
 bool PictureWords::place(double now) {
     if (!stage_.shown()) return true;
     stage_.schedule.overlayChanged();
-    const Document& document = stage_.document;
     try {
-        placed_ = wordsOf(stage_.view(), document);
+        placed_ = wordsOf(stage_.view(), stage_.document);
     } catch (const Error& error) {
         stage_.messages.say(error.what(), now);
         return false;
@@ -51,10 +52,9 @@ RenderSettings PictureWords::settingsBeside(PixelSize size, double textSize) con
 
 void PictureWords::paint(const PictureDescription& saved, const View& view, double size, bool transparent,
                          Picture& picture) const {
-    const Document& document = stage_.document;
     std::array<float, 4> background = saved.background;
     if (transparent) background = {0, 0, 0, 0};
-    WordPainter().paint(wordsOf(saved, document), view, size, saved.words.color, background, picture,
+    WordPainter().paint(wordsOf(saved, stage_.document), view, size, saved.words.color, background, picture,
                         saved.effects.clip);
 }
 

@@ -1,17 +1,21 @@
 #include "app/viewer/viewer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <utility>
 
 #include "app/picture/input_names.h"
+#include "app/picture/option_text.h"
 #include "app/picture/options.h"
 #include "app/viewer/explanation.h"
 #include "engine/error.h"
 
 namespace nacre::app {
 namespace {
+
+constexpr double kOneTurn = 1;  // seconds within which steps of a wheel are one of the history
 
 std::string nameOf(const std::string& input) {
     return input.starts_with("sample:") ? input : std::filesystem::path(input).filename().string();
@@ -54,6 +58,24 @@ void Viewer::mouseButton(MouseButton button, bool down, glm::dvec2 at, Modifiers
 void Viewer::wheel(double steps, glm::dvec2 at, double now) {
     if (now >= stage_.handRests()) stage_.remember();
     apply(mouse_.wheel(steps, at), now);
+}
+
+void Viewer::changeLevel(double steps, double now) {
+    const MapOptions& maps = view().maps;
+    std::size_t map = 0;
+    while (map < maps.slices.size() && maps.slices[map].axis >= 0) ++map;
+    if (!document() || map >= maps.files.size() || map >= document()->maps.sigmas.size())
+        return messages().say("there is no density map", now);
+    PictureDescription look = view();
+    std::vector<MapLevel>& levels = look.maps.levels;
+    levels.resize(std::max(levels.size(), map + 1));
+    // What was turned is not built yet: it stands where the hand has it.
+    const bool turned = levels[map].unit == MapLevel::Unit::sigma;
+    const double sigma = turned ? levels[map].value : document()->maps.sigmas[map];
+    levels[map] = {MapLevel::Unit::sigma, std::round((sigma + 0.1 * steps) * 10) / 10};
+    setLook(look, now, now < levelTurned_ + kOneTurn);
+    levelTurned_ = now;
+    messages().say("Level: " + numberText(levels[map].value) + " σ", now);
 }
 
 void Viewer::apply(const std::vector<Gesture>& gestures, double now) {

@@ -50,6 +50,8 @@ public:
     void mouseMove(glm::dvec2 at, double now);
     void mouseButton(MouseButton button, bool down, glm::dvec2 at, Modifiers with, double now);
     void wheel(double steps, glm::dvec2 at, double now);
+    /// The contour level of the first map that has one, in steps of 0.1 sigma.
+    void changeLevel(double steps, double now);
     /// One that the platform recognised itself: pinch and twist of a trackpad.
     void gesture(const Gesture& gesture, double now) { apply({gesture}, now); }
     void run(ViewerCommand command, double now);
@@ -101,7 +103,7 @@ private:
     TouchGestures touches_;
     MouseGestures mouse_;
     std::size_t preset_ = 0, look_ = 0;  // the last ones that were stepped to
-    double updated_ = 0;
+    double updated_ = 0, levelTurned_ = -1e9;
 };
 
 }  // namespace nacre::app

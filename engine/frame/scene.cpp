@@ -218,6 +218,7 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     seen->effects = settings.effects;
     seen->rims = rimsOf(settings);
     seen->copyColors = static_cast<int>(scene.representation.copies.colors.size());
+    seen->blendsColors = scene.representation.blendsColors;
     if (shadowPixels(settings) > 0) seen->light = lightScene(device, scene, settings, view, views);
     seen->buffers = &scene.buffers;
     constexpr double kWidestWire = 10;  // pixels
@@ -234,9 +235,11 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     const double farthest = seen->perspective ? view.eyeDistance / (view.eyeDistance + view.radius) : 1;
     seen->smallestPixels = scene.smallestRadius * view.pixelsPerAngstrom * farthest;
     seen->wireScale = 1;
-    // A constant of pipelines: the same in every resolution where there is no wire.
+    // A constant of pipelines: the same in every resolution where there is no wire, and else one of few, whatever the
+    // window's size: in twentieths.
     if (!scene.representation.wires.empty()) {
-        seen->wireScale = static_cast<float>(view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom);
+        const double scale = view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom;
+        seen->wireScale = static_cast<float>(scale < 0.2 ? scale : std::round(scale * 20) / 20);
         seen->smallestPixels =
             std::min(seen->smallestPixels, scene.thinnestWire * static_cast<double>(seen->wireScale));
     }

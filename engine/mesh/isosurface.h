@@ -42,6 +42,7 @@ public:
     bool empty() const { return size_.x < 2 || size_.y < 2 || size_.z < 2; }
     const glm::ivec3& first() const { return first_; }
     const glm::ivec3& size() const { return size_; }
+    const DensityMap& map() const { return map_; }
 
 private:
     friend class IsosurfaceSlab;

@@ -260,6 +260,7 @@ void setShadingConstants(gpu::Specialization& constants, const SceneView& view) 
     constants.set(layout::kOcclusionId, view.occlusion);
     constants.set(layout::kCapId, static_cast<int>(view.effects.clip.cap));
     constants.set(layout::kCopyColorsId, view.copyColors);
+    constants.set(layout::kBlendColorsId, view.blendsColors);
     constants.set(layout::kFogId, view.effects.fog.range != Fog::Range::off);
     constants.set(layout::kShadowId, view.light != nullptr);
     constants.set(layout::kAmbientId, static_cast<float>(light.ambient));

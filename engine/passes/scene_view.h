@@ -53,6 +53,7 @@ struct SceneView {
     std::shared_ptr<const void> atlasOwner;  ///< Atlas::owner: keeps both alive while a frame is in flight
     Effects effects;
     Rims rims;                               ///< lines by groups and halos
+    bool blendsColors = false;               ///< Representation has it
     int copyColors = 0;                      ///< that copies take in turn
     bool cut = false;                        ///< of a light's view: its planes' numbers are one plane, which cuts off
     std::shared_ptr<SceneView> light;        ///< what the shadow map shows; null: there is none

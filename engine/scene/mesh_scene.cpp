@@ -58,9 +58,11 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
         if (!group.cartoon.empty())
             appendMesh(cartoon(facts, group.cartoon, facts.folds(), options.cartoon, representation.center), {},
                        ofCartoon, representation);
-        if (!group.surface.empty())
+        if (!group.surface.empty()) {
             appendMesh(surface(molecule, group.surface, options.surface, representation.center), {}, ofSurface,
                        representation);
+            representation.meshes.back().surface = true;
+        }
         if (!group.sugars.empty())
             appendMesh(
                 sugarSymbols(molecule, group.sugars, {options.carbohydrates == Carbohydrates::icon},

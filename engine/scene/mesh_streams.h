@@ -40,7 +40,8 @@ struct MeshRun {
     std::vector<Level> levels;           ///< by increasing error
     /// Range in Representation::meshVertices: first those of the coarsest level, then the additions of each finer one.
     std::uint32_t firstVertex = 0, endVertex = 0;
-    float error = 0;  ///< Å, of its own triangles: not 0 where all of them were too many for a device
+    float error = 0;       ///< Å, of its own triangles: not 0 where all of them were too many for a device
+    bool surface = false;  ///< of a molecule
 };
 
 /// A drawn triangle by number; numbering continues with the coarse ones.

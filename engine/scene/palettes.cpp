@@ -21,6 +21,7 @@ constexpr std::uint32_t kLipophilicity[] = {0x008b8b, 0xffffff, 0xb8860b};
 constexpr std::uint32_t kPlasma[] = {0x0d0887, 0x4c02a1, 0x7e03a8, 0xaa2395, 0xcc4778,
                                      0xe66c5c, 0xf89540, 0xfdc527, 0xf0f921};
 constexpr std::uint32_t kBlueWhiteRed[] = {0x2f5fc4, 0xf4f4f2, 0xc43a34};
+constexpr std::uint32_t kRedWhiteBlue[] = {0xc43a34, 0xf4f4f2, 0x2f5fc4};
 constexpr std::uint32_t kGrays[] = {0x3a3a3a, 0xf0f0f0};
 
 constexpr std::uint32_t kDistinct[] = {0x68a3ff, 0xe78834, 0x2c7761, 0xe1e2b5, 0xa83b9c, 0xcae2fe, 0xbc9eaa, 0x746913};
@@ -50,6 +51,7 @@ constexpr PaletteEntry kPalettes[] = {
     {Palette::plasma, "plasma", kPlasma},
     {Palette::sunset, "sunset", kSunset},
     {Palette::blueWhiteRed, "blue-white-red", kBlueWhiteRed},
+    {Palette::redWhiteBlue, "red-white-blue", kRedWhiteBlue},
     {Palette::rainbow, "rainbow", kRainbow},
     {Palette::lipophilicity, "lipophilicity", kLipophilicity},
     {Palette::grays, "grays", kGrays},

@@ -34,6 +34,7 @@ enum class Palette : std::uint8_t {
     plasma,         ///< dark blue over red to yellow: likewise
     sunset,         ///< blue over pale yellow to red: Tol
     blueWhiteRed,   ///< our own, as crystallographers draw B factors
+    redWhiteBlue,   ///< the same from its other end, as potentials are drawn
     rainbow,        ///< blue over green and yellow to red: Tol's "smooth rainbow", from its blue to its red
     lipophilicity,  ///< dark cyan over white to dark goldenrod (CSS colour names), as ChimeraX shows lipophilicity
     grays,          ///< dark to light

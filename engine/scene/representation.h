@@ -62,6 +62,8 @@ struct Representation {
     std::vector<MeshRun> meshes;            ///< all triangles together, in their order
     std::vector<Triangle> coarseTriangles;  ///< of the meshes' levels: numbered on from the others where both are drawn
     std::vector<SphereLook> meshLooks;      ///< that vertices share
+    /// Triangles go over from corner to corner in colour; else a point has that of the nearest corner.
+    bool blendsColors = false;
     std::vector<std::uint32_t> atomGroups;  ///< of the file's atoms in their order (atom_groups.h), then of contacts
     Copies copies;                          ///< of an assembly; relative to center, too
     /// Models that are drawn together and do not occlude each other, in the order of the primitives; together all of

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,8 @@ struct DensityMap {
     glm::ivec3 boxSize{},
         boxStart{};           ///< nodes that the file holds along a, b, c, and the first one's place in the cell
     bool difference = false;  ///< positive and negative density are shown: of names like "diff", "fo-fc"
-    std::vector<std::string> warnings;  ///< one sentence each
+    std::optional<double> depositedLevel;  ///< that its depositors recommend, in the unit of the values
+    std::vector<std::string> warnings;     ///< one sentence each
 
     std::size_t index(const glm::ivec3& node) const {
         return (static_cast<std::size_t>(node.z) * size.y + node.y) * size.x + node.x;

@@ -22,5 +22,15 @@ vec3 colorInCopy(vec3 color, uint bits) {
 /// Of a stored colour.
 vec3 linearColor(uint srgb) { return colorInCopy(linearFromSrgb(unpackUnorm4x8(srgb).rgb), srgb); }
 
+/// The colour of a triangle's place, as it is stored: that of the nearest corner, or in between. @param bits  of corners
+layout(constant_id = kBlendColorsId) const bool kBlendColors = false;
+uint cornerColor(uvec3 bits, uint corner, vec3 shares) {
+    uint nearest = corner == 0u ? bits.x : corner == 1u ? bits.y : bits.z;
+    if (!kBlendColors) return nearest;
+    vec3 mixed = unpackUnorm4x8(bits.x).rgb * shares.x + unpackUnorm4x8(bits.y).rgb * shares.y +
+                 unpackUnorm4x8(bits.z).rgb * shares.z;
+    return (packUnorm4x8(vec4(mixed, 0.0)) & 0xffffffu) | (nearest & 0xff000000u);
+}
+
 /// Of a mesh's colour: 1 hides what is behind it.
 float opacityOf(uint bits) { return float((bits >> 25) + 1u) / 128.0; }

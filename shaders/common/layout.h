@@ -44,6 +44,7 @@ const int kCellsId = 28;       // bool: shaders interpolate occlusion themselves
 const int kCapId = 29;         // style of clipped surfaces: 0 plain, 1 dark, 2 hatched
 const int kFogId = 30;         // bool
 const int kShadowId = 31;      // bool: the light's depth map is asked
+const int kBlendColorsId = 33;  // bool: triangles go over from corner to corner in colour
 const int kCopyColorsId = 32;  // colours that the copies of an assembly take in turn; 0: they all look the same
 // Pictures.
 const int kCodedId = 40;    // bool: the target takes sRGB-coded colour unchanged

@@ -7,6 +7,9 @@ struct Seen {
     Hit hit;
     uint look;  // of the atom: index of its colour in the looks
     uint atom;  // likewise
+#ifdef TRIANGLES
+    uvec3 corners;  // of a triangle, where the colours of its corners stand; of others all are `look`
+#endif
     float occlusion;
 };
 
@@ -19,6 +22,7 @@ Seen seenFacet(uint index, vec2 q) {
     smoothNormal(seen.hit, uvec3(f.a.z, f.b.z, f.c.z));
     seen.look = seen.hit.corner == 0u ? f.a.w : seen.hit.corner == 1u ? f.b.w : f.c.w;
     seen.atom = seen.look + 1u;
+    seen.corners = uvec3(f.a.w, f.b.w, f.c.w);
     seen.occlusion = meshOcclusion(seen.hit, f.vertices);
     return seen;
 }
@@ -34,6 +38,9 @@ Seen seenStick(uint index, vec2 q) {
     seen.hit = cylinderHitThrough(a, b, stickRadius(shapeA.w, a.z, b.z), q);
     seen.look = 2u * view.spheres + 4u * index + (seen.hit.along < 0.5 ? 0u : 1u);
     seen.atom = seen.look + 2u;
+#ifdef TRIANGLES
+    seen.corners = uvec3(seen.look);
+#endif
     vec3 axis = (shapeB.xyz - shapeA.xyz) * shapeB.w;
     bool shaded = shapeA.w >= 0.0 && shadesOcclusion(seen.hit);  // a wire has no patch
     seen.occlusion = shaded ? cylinderTexel(index, cylinderCoordinate(seen.hit, axis)) : 1.0;
@@ -47,6 +54,9 @@ Seen seenBall(uint index, vec2 q) {
     seen.hit = sphereHitThrough(vec4(center, shape.w), q);
     seen.look = 2u * index;
     seen.atom = seen.look + 1u;
+#ifdef TRIANGLES
+    seen.corners = uvec3(seen.look);
+#endif
     seen.occlusion = shadesOcclusion(seen.hit) ? sphereTexel(index, sphereCoordinate(seen.hit)) : 1.0;
     return seen;
 }
@@ -62,3 +72,15 @@ Seen seenOf(uint number, vec2 q) {
 #endif
     return seenBall(index, q);
 }
+
+#ifdef LOOKS
+/// Its colour as it is stored.
+uint storedColor(Seen seen) {
+#ifdef TRIANGLES
+    if (kBlendColors && any(notEqual(seen.corners, uvec3(seen.look))))
+        return cornerColor(uvec3(lookAt(seen.corners.x), lookAt(seen.corners.y), lookAt(seen.corners.z)),
+                           seen.hit.corner, seen.hit.shares);
+#endif
+    return lookAt(seen.look);
+}
+#endif

@@ -141,6 +141,35 @@ TEST_F(DrawingTest, ALevelMakesContoursAndNoScene) {
     }
 }
 
+TEST_F(DrawingTest, ASurfaceInTheColoursOfAMapIsBuiltAnewWithAnother) {
+    keepBall("ball");
+    set("style", "surface");
+    const Picture plain = drawn();
+    set("surface-color-from", "ball:0..16");
+    const Picture first = drawn();
+    EXPECT_NE(first.rgba, plain.rgba);
+    EXPECT_EQ(first.rgba, anew().rgba);
+    set("surface-color-from", "ball:0..16:plasma");
+    EXPECT_NE(drawn().rgba, first.rgba);
+    set("surface-color-from", "none");
+    EXPECT_EQ(drawn().rgba, plain.rgba);
+    set("style", "licorice");
+    set("surface-color-from", "ball");
+    drawn();
+    EXPECT_EQ(drawing.warnings, std::vector<std::string>{"--surface-color-from changes nothing: no surface is drawn"});
+}
+
+TEST_F(DrawingTest, ContoursAndSlicesHaveALegend) {
+    keepBall("ball");
+    set("map", "ball");
+    set("map-slice", "b,0.25");
+    set("legend", "on");
+    drawn();
+    ASSERT_EQ(drawing.run.legends.size(), drawing.scene().legends.size() + 1);
+    EXPECT_EQ(drawing.run.legends.back().scheme, "ball");
+    EXPECT_EQ(drawing.words.legends.size(), drawing.run.legends.size());
+}
+
 TEST_F(DrawingTest, MapsAreDrawnWhereEveryAtomIsHidden) {
     keepBall("ball");
     set("map", "ball");

@@ -29,6 +29,28 @@ TEST(Movie, FramesAreTheFilesThatRenderWrites) {
     EXPECT_FALSE(std::filesystem::exists(folder / "f/frame_00005.png")) << "the last frame leads on to the first";
 }
 
+TEST(Movie, SweepsTheLevelOfAMap) {
+    const TemporaryFolder folder;
+    std::string cube = "a ball\nof density\n 0 -6 -6 -6\n 13 1 0 0\n 13 0 1 0\n 13 0 0 1\n";
+    for (int x = -6; x <= 6; ++x)
+        for (int y = -6; y <= 6; ++y)
+            for (int z = -6; z <= 6; ++z) cube += std::to_string(40 - x * x - y * y - z * z) + "\n";
+    std::ofstream(folder / "ball.cube") << cube;
+    const std::string map = " --map ball.cube --map-style mesh --zoom 1";
+    const Outcome outcome = nacreIn(
+        folder, "movie sample:glucose -o f/ --map-sweep 10,30 --fps 2 --seconds 1.5 --map-level 3" + map + kSmall);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (int i = 0; i < 3; ++i) {
+        const std::string name = std::to_string(i) + ".png";
+        ASSERT_EQ(nacreIn(folder, "render sample:glucose -o " + name + " --map-level " + std::to_string(10 + 10 * i) +
+                                      map + kSmall)
+                      .code,
+                  0);
+        EXPECT_EQ(contentOf(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png")), contentOf(folder / name)) << i;
+    }
+    EXPECT_NE(contentOf(folder / "0.png"), contentOf(folder / "1.png"));
+}
+
 TEST(Movie, EveryFormatHoldsTheFramesThatWereDrawn) {
     const TemporaryFolder folder;
     const std::string motion = "movie sample:glucose --spin x --fps 10 --seconds 0.8" + kSmall + "-o ";
@@ -238,9 +260,13 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         {"sample:dna -o a.gif --spin y --axis x", 2, "--axis is for --rock"},
         {"sample:dna -o a.gif --rock 0", 2, "0 degrees show no motion"},
         {"sample:dna -o a.gif --spin y --turns 0", 2, "0 turns show no motion"},
-        {"other.xyz -o a.gif --models --easing smooth", 2, "--easing is for --spin, --rock and --views"},
+        {"other.xyz -o a.gif --models --easing smooth", 2, "--easing is for --spin, --rock, --views and --map-sweep"},
         {"sample:dna -o a.gif --spin y --easing stops", 2, "--easing stops is for --views"},
         {"sample:dna -o a.gif --spin 0,0,0", 2, "no direction"},
+        {"sample:dna -o a.gif --map-sweep 1,2", 2, "--map-sweep needs --map"},
+        {"sample:dna -o a.gif --map a.mrc --map-sweep 1sigma,2", 2, "two levels of the same unit"},
+        {"sample:dna -o a.gif --map a.mrc --map-sweep 1", 2, "two levels"},
+        {"unlike.xyz -o a.gif --models --map a.mrc --map-sweep 1,2", 2, "goes with --spin and --rock only"},
         {"sample:dna -o a.gif --spin y --seconds 80000 --fps 100", 2, "more than 100000 frames"},
         {"sample:dna -o a.gif --spin y --fps 60", 1, "50 frames per second"},
         {"sample:dna -o a.mp4 --spin y --size 65x48", 1, "even numbers of pixels only: --size 66x48"},

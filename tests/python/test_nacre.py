@@ -483,3 +483,48 @@ def test_stubs_name_what_there_is(tmp_path):
                          "--enable-incomplete-feature=Unpack"])
     errors = [line for line in out.splitlines() if "error" in line and "Found" not in line]
     assert len(errors) == 2 and "save" in errors[0] and "sise" in errors[1], out
+
+
+def ball(name="ball"):
+    nodes = np.indices((17, 17, 17)) - 8
+    return nacre.density_map(name, 8 - np.sqrt((nodes ** 2).sum(axis=0)), (17, 17, 17), origin=(-8, -8, -8))
+
+
+def test_maps_of_arrays_are_drawn_and_exported(tmp_path):
+    glucose, name = nacre.open("sample:glucose"), ball()
+    with_map = nacre.open("sample:glucose", maps=[name])
+    picture = with_map.render(map_level="3", **SMALL)
+    np.testing.assert_array_equal(picture, glucose.render(map=[name], map_level="3", **SMALL))
+    assert not np.array_equal(picture, glucose.render(**SMALL))
+    np.testing.assert_array_equal(pickle.loads(pickle.dumps(with_map)).render(map_level="3", **SMALL), picture)
+    with_map.export(tmp_path / "ball.obj", hide="all", map_level="3", map_style="mesh")
+    lines = (tmp_path / "ball.obj").read_text().splitlines()
+    corners = np.array([line.split()[1:4] for line in lines if line.startswith("v ")], float)
+    assert len(corners) > 100 and any(line.startswith("f ") for line in lines)
+    assert np.abs(np.linalg.norm(corners, axis=1) - 5).max() < 0.1  # where 8 less the distance is 3
+
+
+def test_a_surface_takes_the_colours_of_a_map(dna):
+    nodes = np.indices((9, 9, 9))[0] * 10.0 - 40
+    name = nacre.density_map("along x", nodes, (90, 90, 90), origin=(-40, -40, -40))
+    plain = dna.render(style="surface", lighting="off", **SMALL)
+    coloured = dna.render(style="surface", lighting="off", surface_color_from=f"{name}:-10..10:blue-white-red", **SMALL)
+    assert not np.array_equal(plain, coloured)
+    seen = coloured[..., :3].astype(int)
+    blue, red = seen[..., 2] - seen[..., 0] > 60, seen[..., 0] - seen[..., 2] > 60
+    assert blue.any() and red.any() and np.nonzero(blue)[1].max() <= np.nonzero(red)[1].min() + 8
+
+
+def test_a_movie_sweeps_the_level(tmp_path):
+    glucose = nacre.open("sample:glucose", maps=[ball()])
+    options = {"map_style": "mesh", **SMALL, "size": (64, 48)}
+    movie = glucose.movie(tmp_path / "a.png", map_sweep="2,6", fps=2, seconds=1.5, **options)
+    assert movie.frames == 3
+    Image = pytest.importorskip("PIL.Image")
+    with Image.open(tmp_path / "a.png") as animation:
+        for i, level in enumerate(("2", "4", "6")):
+            animation.seek(i)
+            still = glucose.render(map_level=level, zoom=1, **options)
+            assert np.abs(np.asarray(animation.convert("RGBA")).astype(int) - still).max() <= 1
+    with pytest.raises(nacre.UsageError, match="map_sweep"):
+        nacre.open("sample:glucose").movie(tmp_path / "b.png", map_sweep="2,6")

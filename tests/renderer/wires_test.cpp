@@ -1,5 +1,7 @@
 // Lines of constant width: the same on every path, as wide at any zoom, and nothing to light and atoms.
 
+#include "engine/scene/colors.h"
+#include "engine/scene/translucency.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -64,6 +66,26 @@ TEST(Wires, AreAsWideAtAnyZoomAndDepth) {
                 EXPECT_NEAR(static_cast<double>(pinkAcross(renderer->render(s), 100)), 16, 2) << zoom << " " << samples;
             }
         }
+}
+
+/// Colours that go over from corner to corner are the same on every path, and others than those of the nearest corners.
+TEST(BlendedColors, AreTheSameOnEveryPath) {
+    PathRenderers renderers;
+    for (const float opacity : {1.0f, 0.5f}) {
+        Representation r = scene("sample:glucose", Style::surface);
+        for (std::size_t i = 0; i < r.meshLooks.size(); ++i)
+            r.meshLooks[i].color = withOpacity(i % 2 ? 0xff2040e0u : 0xff40e020u, static_cast<double>(opacity));
+        if (opacity < 1) orderByTranslucency(r, r.triangles.begin(), r.triangles.end());
+        RenderSettings s = settings(r, 160, Projection::perspective, {20, 30, 5});
+        s.occlusion.directions = 8;
+        r.blendsColors = true;
+        sameOnEveryPath(renderers, r, s);
+        renderers[Visibility::tiles]->setScene(r);
+        const Picture blended = renderers[Visibility::tiles]->render(s);
+        r.blendsColors = false;
+        renderers[Visibility::tiles]->setScene(r);
+        EXPECT_NE(renderers[Visibility::tiles]->render(s).rgba, blended.rgba);
+    }
 }
 
 TEST(Wires, ChangeNothingOfOcclusion) {

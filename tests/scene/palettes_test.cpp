@@ -138,7 +138,7 @@ TEST(Palettes, RampsRiseForEveryone) {
             }
         }
     for (const Palette ramp : {Palette::viridis, Palette::plasma, Palette::grays, Palette::sunset,
-                               Palette::blueWhiteRed, Palette::lipophilicity})
+                               Palette::blueWhiteRed, Palette::redWhiteBlue, Palette::lipophilicity})
         for (const Vision vision : kVisions)
             EXPECT_GT(apartFor(vision, paletteColor(ramp, 0), paletteColor(ramp, 1)), 25) << paletteName(ramp);
 }

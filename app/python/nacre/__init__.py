@@ -152,10 +152,11 @@ class Structure:
     Made by open(), from_arrays(), from_gemmi() or from_biopython().
     """
 
-    def __init__(self, core):
+    def __init__(self, core, maps=()):
         if not isinstance(core, _nacre.Structure):
             raise TypeError("a Structure is made by nacre.open() or nacre.from_arrays()")
         self._core = core
+        self._maps = [_os.fspath(name) for name in maps]
         self._atoms = self._bonds = None
 
     def __len__(self):
@@ -215,6 +216,9 @@ class Structure:
         """A boolean array, one value per atom, for a selection such as "chain A and not water"."""
         return self._core.select(selection)
 
+    def _given(self, options):
+        return _colored(len(self), ({"map": self._maps} if self._maps else {}) | options)
+
     def render(self, **options):
         """Draws a picture: (height, width, 4) uint8 (depth=16: uint16), sRGB with straight alpha, as in PNG.
 
@@ -224,7 +228,7 @@ class Structure:
 
         Raises UsageError for wrong options and Error for other failures, with the messages of the command line.
         """
-        colors, text = _colored(len(self), options)
+        colors, text = self._given(options)
         picture, warnings = _nacre.render(self._core, text, colors)
         _tell(warnings)
         return picture
@@ -235,33 +239,34 @@ class Structure:
         in perspective), infinite on the background; normal (h, w, 3), view space; id (h, w), 1-based atom, 0 on the
         background; occlusion (h, w), 0 closed to 1 open.
         """
-        colors, text = _colored(len(self), options)
+        colors, text = self._given(options)
         layers, warnings = _nacre.layers(self._core, text, colors)
         _tell(warnings)
         return layers
 
     def save(self, path, **options):
         """Draws a picture into a .png, .tif, .jpg, .webp or .exr file. The file appears whole or not at all."""
-        colors, text = _colored(len(self), options)
+        colors, text = self._given(options)
         _tell(_nacre.save(self._core, _writable(path), text, colors))
 
     def export(self, path, **options):
         """Exports the scene as triangles: a .glb, .ply, .stl or .obj file. options: style, color, show and others about
         the scene.
         """
-        colors, text = _colored(len(self), options)
+        colors, text = self._given(options)
         _tell(_nacre.export(self._core, _writable(path), text, colors))
 
-    def movie(self, path=None, *, spin=None, turns=None, rock=None, axis=None, easing=None, models=False, seconds=None,
-              fps=None, **options):
+    def movie(self, path=None, *, spin=None, turns=None, rock=None, axis=None, easing=None, map_sweep=None, models=False,
+              seconds=None, fps=None, **options):
         """Draws a movie and returns it; notebooks show it. A path writes it to a file as well: .mp4 or .webm (both need the
         program ffmpeg), .gif or .png (animated). Without a path it is an animated PNG.
 
         spin: axis to turn about, "x", "y", "z" or a vector; turns: their number (1). rock: degrees to either side, about
-        axis. models: one model after the other, or one frame of the trajectory that it was opened with.
+        axis. map_sweep: contour level of the first map from one to another, "1sigma,3sigma". models: one model after the other, or one frame of the trajectory that it was opened with.
         Without any of these it turns about y. seconds, fps: how long and how fast. options: those of render().
         """
-        motion = {"spin": spin, "turns": turns, "rock": rock, "axis": axis, "easing": easing, "seconds": seconds, "fps": fps}
+        motion = {"spin": spin, "turns": turns, "rock": rock, "axis": axis, "easing": easing, "map-sweep": map_sweep,
+                  "seconds": seconds, "fps": fps}
         if path is None:
             usual, pace = _NOTEBOOK_MOVIE
             options = usual | options
@@ -270,7 +275,7 @@ class Structure:
                     motion[key] = value
         values = [(key, value if isinstance(value, str) else ",".join(map(str, _numpy.ravel(value).tolist())))
                   for key, value in motion.items() if value is not None]
-        colors, text = _colored(len(self), options)
+        colors, text = self._given(options)
         with _tempfile.TemporaryDirectory(prefix="nacre-") as folder:
             target = _os.path.join(folder, "movie.png") if path is None else _writable(path)
             frames, warnings = _nacre.movie(self._core, target, values, bool(models), text, colors)
@@ -280,13 +285,14 @@ class Structure:
         return Movie(data, _MOVIE_TYPES[_os.path.splitext(target)[1].lower()], frames)
 
     def __reduce__(self):
-        return Structure, (self._core,)
+        return Structure, (self._core, self._maps)
 
     def _repr_png_(self):
         """The picture in a notebook."""
         with _tempfile.TemporaryDirectory(prefix="nacre-") as folder:
             path = _os.path.join(folder, "picture.png")
-            _nacre.save(self._core, path, _text(_NOTEBOOK), _nacre.Colors())
+            colors, text = self._given(_NOTEBOOK)
+            _nacre.save(self._core, path, text, colors)
             with _open(path, "rb") as file:
                 return file.read()
 
@@ -294,16 +300,17 @@ class Structure:
 _open = __builtins__["open"] if isinstance(__builtins__, dict) else __builtins__.open
 
 
-def open(source, *, name="", **options):  # noqa: A001: nacre.open, as PIL's Image.open
+def open(source, *, name="", maps=(), **options):  # noqa: A001: nacre.open, as PIL's Image.open
     """Reads a structure: a path, "sample:dna", "pdb:1BNA" or another INPUT of `nacre render`, or a file's bytes, in any
     supported format, compressed or not. A list of paths is drawn together, each with a name for selections:
     open(["receptor=a.pdb", "ligand=b.sdf"], fit=("/ligand", "/receptor")) superposes the first on the second.
 
-    name: of bytes, for messages and as a hint to the format ("1crn.pdb"). options: those of `nacre info`: format, model (a
+    name: of bytes, for messages and as a hint to the format ("1crn.pdb"). maps: density maps that its pictures show: files,
+    downloads or names of density_map(). options: those of `nacre info`: format, model (a
     number from 1, or "all"), trajectory, frame, memory, offline, cache and more.
     """
     if isinstance(source, (bytes, bytearray, memoryview)):
-        return Structure(_nacre.open_bytes(name, bytes(source), _text(options)))
+        return Structure(_nacre.open_bytes(name, bytes(source), _text(options)), maps)
     sources = [source] if isinstance(source, (str, _os.PathLike)) else source
     if not isinstance(sources, (list, tuple)):
         raise UsageError(f"open() takes a path, a list of paths or a file's bytes, not {_kind(source)}")
@@ -317,7 +324,7 @@ def open(source, *, name="", **options):  # noqa: A001: nacre.open, as PIL's Ima
     except _nacre.Missing as missing:
         raise FileMissing(*missing.args) from None
     _tell(core.said[0])
-    return Structure(core)
+    return Structure(core, maps)
 
 
 def from_arrays(positions, elements, bonds=None, *, names=(), residue_names=(), residue_numbers=(), chains=(),

@@ -60,9 +60,12 @@ class Options(TypedDict, total=False):
     map_level: str | Sequence[str]
     map_style: str | Sequence[str]
     map_color: str | Sequence[str]
-    map_opacity: str | float
+    map_color_from: str | Sequence[str]
+    map_slice: str | Sequence[str]
+    map_opacity: str | Sequence[str]
     map_width: str | float
     map_around: str
+    surface_color_from: str | float
     primitives: str | Sequence[str]
     projection: str
     fov: str | float
@@ -133,7 +136,7 @@ class Movie:
     def _repr_mimebundle_(self, include: Any = ..., exclude: Any = ...) -> dict[str, str]: ...
 
 class Structure:
-    def __init__(self, core: Any) -> None: ...
+    def __init__(self, core: Any, maps: Sequence[str | PathLike[str]] = ...) -> None: ...
     def __len__(self) -> int: ...
     @property
     def name(self) -> str: ...
@@ -155,11 +158,12 @@ class Structure:
     def export(self, path: str | PathLike[str], **options: Unpack[OwnColors]) -> None: ...
     def movie(self, path: str | PathLike[str] | None = ..., *, spin: str | Sequence[float] | None = ...,
               turns: float | None = ..., rock: float | None = ..., axis: str | Sequence[float] | None = ...,
-              easing: str | None = ..., models: bool = ..., seconds: float | None = ..., fps: float | None = ...,
+              easing: str | None = ..., map_sweep: str | None = ..., models: bool = ..., seconds: float | None = ..., fps: float | None = ...,
               **options: Unpack[OwnColors]) -> Movie: ...
     def _repr_png_(self) -> bytes: ...
 
-def open(source: str | PathLike[str] | Sequence[str | PathLike[str]] | bytes | bytearray | memoryview, *, name: str = ..., format: str = ...,
+def open(source: str | PathLike[str] | Sequence[str | PathLike[str]] | bytes | bytearray | memoryview, *, name: str = ...,
+         maps: Sequence[str | PathLike[str]] = ..., format: str = ...,
          model: int | Literal["all"] = ..., **options: Any) -> Structure: ...
 def from_arrays(positions: ArrayLike, elements: ArrayLike, bonds: ArrayLike | None = ..., *, names: ArrayLike = ...,
                 residue_names: ArrayLike = ..., residue_numbers: ArrayLike = ..., chains: ArrayLike = ...,

@@ -1,0 +1,51 @@
+#include "app/picture/map_options.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "app/picture/options.h"
+
+namespace nacre::app {
+namespace {
+
+TEST(MapOptions, AValueMapIsAFileWithARangeAndAPalette) {
+    EXPECT_EQ(parseValueMap("none"), ValueMap{});
+    const ValueMap plain = parseValueMap("../a.dx");
+    EXPECT_EQ(plain.file, "../a.dx");
+    EXPECT_FALSE(plain.range);
+    for (const char* text : {"emdb:3001:2..6:viridis", "emdb:3001:viridis:2..6"}) {
+        const ValueMap map = parseValueMap(text);
+        EXPECT_EQ(map.file, "emdb:3001") << text;
+        EXPECT_EQ(map.range, (ColorRange{2, 6})) << text;
+        EXPECT_EQ(map.palette, Palette::viridis) << text;
+        EXPECT_EQ(valueMapText(map), "emdb:3001:2..6:viridis");
+    }
+    EXPECT_EQ(parseValueMap("a.dx:5..-5").range, (ColorRange{5, -5}));
+    for (const char* text : {"a.dx:muted", "a.dx:1..1", "a.dx:1..x", ":1..2"})
+        EXPECT_THROW(parseValueMap(text), std::invalid_argument) << text;
+}
+
+TEST(MapOptions, ASliceIsAnAxisAndAPlace) {
+    EXPECT_EQ(parseMapSlice("none").axis, -1);
+    EXPECT_EQ(parseMapSlice("b"), (MapSliceOption{1, 0.5}));
+    EXPECT_EQ(mapSliceText(parseMapSlice("c,0.25")), "c,0.25");
+    for (const char* text : {"x", "a,2", "a,", ""}) EXPECT_THROW(parseMapSlice(text), std::invalid_argument) << text;
+}
+
+TEST(MapOptions, EveryFileIsNamedOnce) {
+    PictureDescription d;
+    for (const auto& [key, value] : {std::pair{"map", "a.mrc"},
+                                     {"map", "b.mrc"},
+                                     {"map-color-from", "none"},
+                                     {"map-color-from", "a.mrc:1..2"},
+                                     {"surface-color-from", "c.dx"}})
+        setOption(option(key), value, d);
+    EXPECT_EQ(mapFiles(d.maps), (std::vector<std::string>{"a.mrc", "b.mrc", "c.dx"}));
+    changeMapFiles(d.maps, [](const std::string& file) { return "x/" + file; });
+    EXPECT_EQ(valueMapText(d.maps.values[1]), "x/a.mrc:1..2");
+    EXPECT_EQ(d.maps.values[0].file, "");
+}
+
+}  // namespace
+}  // namespace nacre::app

@@ -1,0 +1,81 @@
+"""Area and enclosed volume of a map's surface as `nacre export --stats` tells them, beside numpy's: the volume as a count on
+a finer grid, the area as the integral of the gradient's length over a thin shell of levels (coarea formula). skimage's
+marching cubes judge, too, where they are installed.
+area_and_volume.py NACRE"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+try:
+    import mrcfile
+    import numpy as np
+except ImportError:
+    sys.exit(77)
+try:
+    from skimage import measure
+except ImportError:
+    measure = None
+
+NACRE = sys.argv[1]
+STEP = np.array([0.8, 1.0, 1.25])  # Å along x, y, z
+SIZE = np.array([60, 52, 44])
+random = np.random.default_rng(3)
+PLACES = (random.uniform(0.35, 0.65, (12, 3)) * SIZE * STEP)
+WIDTH = 3.0
+
+
+def density(nodes):
+    """Of places in nodes: (n, 3)."""
+    total = np.zeros(len(nodes))
+    for place in PLACES:
+        total += np.exp(-(((nodes * STEP) - place) ** 2).sum(axis=1) / (2 * WIDTH ** 2))
+    return total
+
+
+def grid(fine):
+    axes = [np.arange(0, n - 1 + 1e-9, 1 / fine) for n in SIZE]
+    nodes = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
+    return density(nodes.reshape(-1, 3)).reshape(nodes.shape[:3])
+
+
+values = grid(1).astype("f4")  # x, y, z
+fine, factor = grid(3), 3
+gradient = np.sqrt(sum(g ** 2 for g in np.gradient(fine, *(STEP / factor))))
+cell = STEP.prod() / factor ** 3
+faults = []
+with tempfile.TemporaryDirectory() as folder:
+    path = os.path.join(folder, "blobs.mrc")
+    with mrcfile.new(path) as mrc:
+        mrc.set_data(np.ascontiguousarray(values.transpose(2, 1, 0)))
+        mrc.voxel_size = tuple(STEP)
+    for level in (0.6, 1.0, 1.6):
+        stats = os.path.join(folder, "stats.json")
+        done = subprocess.run([NACRE, "export", "sample:glucose", "--map", path, "--map-level", str(level), "--hide", "all",
+                               "-o", os.path.join(folder, "a.obj"), "--stats", stats, "--cache", "off"],
+                              capture_output=True, text=True)
+        if done.returncode:
+            sys.exit(done.stderr)
+        with open(stats) as file:
+            parts = json.load(file)["parts"]
+        if len(parts) != 1:
+            faults.append(f"level {level}: {len(parts)} parts")
+            continue
+        shell = 0.04 * level
+        wanted = {"volume": (fine > level).sum() * cell,
+                  "area": gradient[np.abs(fine - level) < shell].sum() * cell / (2 * shell)}
+        for key, value in wanted.items():
+            print(f"level {level}: {key} {parts[0][key]:.2f}, numpy {value:.2f}")
+            if abs(parts[0][key] / value - 1) > 0.03:  # straight lines between nodes cut off what is round
+                faults.append(f"level {level}: {key} {parts[0][key]} instead of {value}")
+        if measure:
+            places, triangles, _, _ = measure.marching_cubes(values, level, spacing=tuple(STEP))
+            area = measure.mesh_surface_area(places, triangles)
+            print(f"level {level}: area {parts[0]['area']:.2f}, skimage {area:.2f}")
+            if abs(parts[0]["area"] / area - 1) > 0.005:
+                faults.append(f"level {level}: area {parts[0]['area']}, skimage {area}")
+
+for fault in faults:
+    print(fault)
+sys.exit(bool(faults))
