@@ -7,6 +7,7 @@
 #include "engine/passes/geometry_passes.h"
 #include "engine/passes/translucent.h"
 #include "engine/passes/view_constants.h"
+#include "engine/scene/mesh_levels.h"
 
 namespace nacre::occlusion {
 namespace {
@@ -15,6 +16,11 @@ namespace {
 constexpr double kPixelsPerSphere = 2.7, kPixelsPerCylinder = 1.5;
 // Per Å and atom of a mesh's looks. 4 instead does not improve the cartoon of 4HHB (RMS 0.037 both).
 constexpr double kPixelsOfMesh = 2.5;
+// A mesh shows more of each such atom than of a stick or a ball: thin ones between the ribbons of a cartoon, which
+// would have four times the pixels, take a map that fits both.
+constexpr double kShareOfMesh = 4;
+// Of meshes' levels, pixels of a map: within the slack that a question allows.
+constexpr double kMeshError = 0.25;
 constexpr double kSmallest = 128, kLargest = 2048;
 // Primitives that tiles draw at a time: their lists take the host some 30 bytes each.
 constexpr std::uint64_t kMostPrimitives = 1'400'000;
@@ -63,9 +69,10 @@ double wantedResolution(const Representation& r) {
     double sum = 0;
     for (const Sphere& s : r.spheres) sum += kPixelsPerSphere / s.radius;
     for (const Cylinder& c : r.cylinders) sum += kPixelsPerCylinder / c.radius;
-    sum += kPixelsOfMesh * static_cast<double>(r.meshLooks.size());
-    const std::size_t count = r.spheres.size() + r.cylinders.size() + r.meshLooks.size();
-    return sum / static_cast<double>(std::max<std::size_t>(count, 1));
+    const double meshes = kShareOfMesh * static_cast<double>(r.meshLooks.size());
+    sum += kPixelsOfMesh * meshes;
+    const double count = static_cast<double>(r.spheres.size() + r.cylinders.size()) + meshes;
+    return sum / std::max(count, 1.0);
 }
 
 }  // namespace
@@ -140,7 +147,10 @@ layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_
 
 /// The contents of one map of a model.
 passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t model, MapPart part) const {
-    passes::PlacedCopies all = passes::placeCopies(representation_, view(frame));
+    const View seen = view(frame);
+    // Which model a triangle belongs to is known of the finest level alone.
+    const double error = runs_.size() > 1 ? 0 : errorInSpace(seen, kMeshError);
+    passes::PlacedCopies all = passes::placeCopies(representation_, seen, nullptr, 0, error);
     // Light goes through what is translucent.
     passes::choose(all.triangles, translucent_, passes::Triangles::opaque);
     if (runs_.size() > 1) {

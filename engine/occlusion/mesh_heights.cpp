@@ -22,7 +22,11 @@ struct Range {
     }
 };
 
-void drawTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const HeightMap& map) {
+/// @param fronts  only one that is seen from its front
+void drawTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, bool fronts, const HeightMap& map) {
+    // Rows run downwards, so a front turns clockwise. One that is seen from its edge is drawn, whatever rounding does.
+    constexpr float kEdge = 1e-3f;
+    if (fronts && (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > kEdge) return;
     const Range x(std::min(a.x, std::min(b.x, c.x)), std::max(a.x, std::max(b.x, c.x)), map.pixels);
     if (x.first >= x.end) return;
     const Range y(std::min(a.y, std::min(b.y, c.y)), std::max(a.y, std::max(b.y, c.y)), map.pixels);
@@ -59,16 +63,40 @@ void MeshHeights::place(const Representation& r, std::span<const Triangle> trian
     }
 }
 
-void MeshHeights::draw(const Representation& r, const glm::vec4* rows, std::uint32_t first, std::uint32_t count,
-                       const HeightMap& map) {
-    const std::uint32_t last = first + count;
-    for (std::uint32_t end = first; first < last; first = end) {
+/// A number for each directed edge is added where it is met, and subtracted where it is met the other way.
+bool isClosed(std::span<const Triangle> triangles) {
+    const auto mixed = [](std::uint64_t from, std::uint64_t to) {  // the finaliser of splitmix64
+        std::uint64_t x = (from << 32 | to) + 0x9e3779b97f4a7c15u;
+        x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9u;
+        x = (x ^ x >> 27) * 0x94d049bb133111ebu;
+        return x ^ x >> 31;
+    };
+    std::uint64_t sum = 0;
+    const auto add = [&](std::uint32_t from, std::uint32_t to) { sum += mixed(from, to) - mixed(to, from); };
+    for (const Triangle& t : triangles) {
+        add(t.a, t.b);
+        add(t.b, t.c);
+        add(t.c, t.a);
+    }
+    return sum == 0;
+}
+
+std::span<const Triangle> trianglesOf(const Representation& r, std::uint32_t first, std::uint32_t count) {
+    const std::size_t finest = r.triangles.size();
+    return first < finest ? std::span(r.triangles).subspan(first, count)
+                          : std::span(r.coarseTriangles).subspan(first - finest, count);
+}
+
+void MeshHeights::draw(const Representation& r, const glm::vec4* rows, const HeightRun& run, const HeightMap& map) {
+    std::span<const Triangle> left = trianglesOf(r, run.first, run.count);
+    while (!left.empty()) {
+        std::size_t end = 0;
         // Those of a mesh stand together.
-        const float step = r.triangles[first].step;
-        while (end < last && r.triangles[end].step == step) ++end;
-        const std::span<const Triangle> triangles(r.triangles.data() + first, end - first);
+        while (end < left.size() && left[end].step == left[0].step) ++end;
+        const std::span<const Triangle> triangles = left.first(end);
         place(r, triangles, rows, map);
-        for (const Triangle& t : triangles) drawTriangle(corners_[t.a], corners_[t.b], corners_[t.c], map);
+        for (const Triangle& t : triangles) drawTriangle(corners_[t.a], corners_[t.b], corners_[t.c], run.closed, map);
+        left = left.subspan(end);
     }
 }
 

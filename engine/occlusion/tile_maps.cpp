@@ -63,8 +63,10 @@ void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
                              const std::vector<glm::vec4>& rows, std::uint32_t before) {
             for (const passes::PlacedCopies::Call& c : calls) {
                 const std::uint32_t copy = firstCopy + c.copy;
-                calls_.push_back(
-                    {{&rows[3 * std::size_t{copy}], c.first, c.count, copy * inCopy + before + 1}, kind, i});
+                calls_.push_back({{&rows[3 * std::size_t{copy}], c.first, c.count, copy * inCopy + before + 1},
+                                  kind,
+                                  i,
+                                  kind == passes::Primitive::triangle && closed(c.first, c.count)});
             }
         };
         // The host is done with a map before the device draws on it.
@@ -96,6 +98,13 @@ TileView TileMaps::view() const {
     return v;
 }
 
+/// Whether a run of triangles is closed, which is found out once.
+bool TileMaps::closed(std::uint32_t first, std::uint32_t count) {
+    const auto [known, isNew] = closed_.try_emplace({first, count});
+    if (isNew) known->second = isClosed(trianglesOf(representation_, first, count));
+    return known->second;
+}
+
 /// The parts of calls between two primitives of the batch.
 void TileMaps::take(std::uint64_t first, std::uint64_t end) {
     spheres_.clear();
@@ -112,7 +121,7 @@ void TileMaps::take(std::uint64_t first, std::uint64_t end) {
         if (part.count == 0) continue;
         if (c.kind == passes::Primitive::triangle) {
             triangles_.resize(c.map + 1);
-            triangles_[c.map].push_back(part);
+            triangles_[c.map].push_back({part.rows, {part.first, part.count, c.closed}});
         } else {
             (c.kind == passes::Primitive::sphere ? spheres_ : cylinders_).push_back(part);
         }
@@ -125,8 +134,8 @@ void TileMaps::drawTriangles() {
     inParallel(triangles_.size(), [&](std::size_t map) {
         const auto across = static_cast<std::size_t>(across_);
         float* heights = reinterpret_cast<float*>(heights_.mapped) + (map / across * pitch() + map % across) * apart_;
-        for (const TileCall& call : triangles_[map])
-            meshes_[map].draw(representation_, call.rows, call.first, call.count,
+        for (const MeshCall& call : triangles_[map])
+            meshes_[map].draw(representation_, call.rows, call.run,
                               {heights, pitch(), pixels_, static_cast<float>(pixels_ / (2 * radius_))});
     });
     if (!triangles_.empty()) heights_.flush();

@@ -3,8 +3,10 @@
 // the frame time requires. The maps are heights in a buffer, as texels. The host draws triangles.
 
 #include <glm/mat3x3.hpp>
+#include <map>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "engine/gpu/execute.h"
@@ -50,6 +52,11 @@ private:
         TileCall call;
         passes::Primitive kind{};
         std::uint32_t map = 0;
+        bool closed = false;  ///< of triangles, as HeightRun has it
+    };
+    struct MeshCall {
+        const glm::vec4* rows = nullptr;
+        HeightRun run;
     };
 
     /// Primitives whose lists are drawn at a time.
@@ -57,6 +64,7 @@ private:
         TileLists lists;
         passes::TileBuffer words;
     };
+    bool closed(std::uint32_t first, std::uint32_t count);
     void take(std::uint64_t first, std::uint64_t end);
     void drawTriangles();
     void list(Part& part, std::uint64_t first, std::uint64_t& end);
@@ -72,10 +80,11 @@ private:
     std::vector<glm::vec4> asides_;  // as above, shifted to the map's position in the batch
     std::uint32_t copies_ = 1;       // per map
     std::vector<Call> calls_;
-    std::vector<TileCall> spheres_, cylinders_;     // of the part being drawn
-    std::vector<std::vector<TileCall>> triangles_;  // as above, by map
-    std::vector<std::unique_ptr<Part>> parts_;      // reused
-    std::vector<MeshHeights> meshes_;               // per thread
+    std::vector<TileCall> spheres_, cylinders_;                       // of the part being drawn
+    std::vector<std::vector<MeshCall>> triangles_;                    // as above, by map
+    std::vector<std::unique_ptr<Part>> parts_;                        // reused
+    std::map<std::pair<std::uint32_t, std::uint32_t>, bool> closed_;  // by first triangle and count
+    std::vector<MeshHeights> meshes_;                                 // per thread
     passes::TileBuffer rowTexels_;
     gpu::Buffer heights_;
     vk::raii::BufferView heightTexels_{nullptr};
