@@ -133,8 +133,8 @@ Layout makeLayout(const Device& device, const LayoutDescription& d) {
     for (std::uint32_t i = 0; i < d.bindings.size(); ++i) {
         constexpr vk::ShaderStageFlags kVertex = vk::ShaderStageFlagBits::eVertex;
         const bool ofVertices = i + d.ofVertices >= d.bindings.size();
-        const bool ofAll = d.bindings[i] == vk::DescriptorType::eUniformBuffer;
-        bindings.emplace_back(i, d.bindings[i], 1, ofVertices ? kVertex : ofAll ? d.stages : d.stages & ~kVertex);
+        const bool ofAll = d.bindings[i] == vk::DescriptorType::eUniformBuffer || (ofVertices && d.shared);
+        bindings.emplace_back(i, d.bindings[i], 1, ofAll ? d.stages : ofVertices ? kVertex : d.stages & ~kVertex);
     }
     Layout layout;
     layout.set = vk::raii::DescriptorSetLayout(*device, vk::DescriptorSetLayoutCreateInfo({}, bindings));
@@ -178,7 +178,8 @@ namespace {
 
 bool same(const LayoutDescription& a, const LayoutDescription& b) {
     return std::ranges::equal(a.bindings, b.bindings) && a.stages == b.stages &&
-           a.pushConstantBytes == b.pushConstantBytes && a.counter == b.counter && a.ofVertices == b.ofVertices;
+           a.pushConstantBytes == b.pushConstantBytes && a.counter == b.counter && a.ofVertices == b.ofVertices &&
+           a.shared == b.shared;
 }
 
 }  // namespace

@@ -86,7 +86,8 @@ struct LayoutDescription {
     vk::ShaderStageFlags stages;
     std::uint32_t pushConstantBytes = 0;
     bool counter = false;          ///< set 1: one storage buffer
-    std::uint32_t ofVertices = 0;  ///< this many of the last bindings are read by the vertex stage only
+    std::uint32_t ofVertices = 0;  ///< the vertex stage reads this many of the last bindings
+    bool shared = false;           ///< the fragment stage reads those as well
 };
 struct Layout {
     vk::raii::DescriptorSetLayout set{nullptr};

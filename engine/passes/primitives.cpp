@@ -64,7 +64,7 @@ const gpu::Layout& layoutOf(gpu::PipelineContext& context, const SceneView& view
     return context.pipelines.layout({pass.reads ? "shading layout" : "geometry layout",
                                      streams ? triangleBindingsOf(pass.reads) : bindingsOf(pass.reads), kDraw,
                                      sizeof(layout::ViewConstants), view.fragments != nullptr,
-                                     streams && !pass.streams ? 2u : 0u});
+                                     streams ? 2u : 0u, pass.streams});
 }
 
 CornerRange impostorCorners(ImpostorShape shape) {

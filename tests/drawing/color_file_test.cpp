@@ -67,8 +67,8 @@ TEST(ColorFile, ReadsJsonByRowsAndByColumnsAsMolstarDoes) {
 
 TEST(ColorFile, TellsWhatIsWrongAndInWhichLine) {
     const std::pair<const char*, const char*> wrong[] = {
-        {"chain,resi,value\nA,1,0.5\nA,x,0.5\n", "(line 3): 'x' is no residue number"},
-        {"chain,resi,value\nA,1,high\n", "(line 2): 'high' is no number"},
+        {"chain,resi,value\nA,1,0.5\nA,x,0.5\n", "(line 3): 'x' is not a residue number"},
+        {"chain,resi,value\nA,1,high\n", "(line 2): 'high' is not a number"},
         {"chain,resi,value\nA,1,nan\n", "(line 2)"},
         {"chain,resi,color\nA,1,rde\n", "(line 2)"},
         {"chain,resi,value\nA,1\n", "(line 2): it has 2 values, where the header names 3"},
@@ -77,7 +77,7 @@ TEST(ColorFile, TellsWhatIsWrongAndInWhichLine) {
         {"value\n1\n", "no column names residues or atoms"},
         {"", "no row"},
         {"[{\"resi\": 1, \"value\": \n]", "(line 2): it is not valid JSON"},
-        {R"([{"resi": 1, "value": 1}, {"resi": "q", "value": 2}])", "(row 2): 'q' is no residue number"},
+        {R"([{"resi": 1, "value": 1}, {"resi": "q", "value": 2}])", "(row 2): 'q' is not a residue number"},
         {R"({"resi": [1, 2], "value": [1]})", "has 1 values, where others have 2"}};
     for (const auto& [text, why] : wrong) {
         try {

@@ -92,7 +92,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Edges,
                                          Case{"4hhb.pdb", Style::spacefill, Projection::orthographic},
                                          Case{"4hhb.pdb", Style::spacefill, Projection::orthographic, 0, false, 0, 6},
                                          Case{"4hhb.pdb", Style::spacefill, Projection::perspective, 2, false, 0, 6, 3},
-                                         Case{"1crn.pdb", Style::cartoon, Projection::perspective}),
+                                         Case{"1crn.pdb", Style::cartoon, Projection::perspective},
+                                         Case{"1crn.pdb", Style::cartoon, Projection::perspective, 0, false, 0, 6}),
                          [](const auto& test) { return testName(test.param.file) + "_" + std::to_string(test.index); });
 
 /// Where sticks are thinner than a pixel, no pixel beside one need have it in its middle.
