@@ -17,6 +17,7 @@
 #include "app/input/read_input.h"
 #include "app/picture/input_names.h"
 #include "app/picture/option_json.h"
+#include "app/picture/option_schema.h"
 #include "app/picture/picture_names.h"
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
@@ -209,10 +210,21 @@ std::vector<bool> selected(const Structure& structure, const std::string& text) 
     }
 }
 
+namespace {
+
+/// Whether render() takes it.
+bool isOfPictures(const app::Option& option) {
+    return has(app::kEveryTopic & ~kNotHere, option.topic) && (!isOfReading(option) || isCache(option));
+}
+
+}  // namespace
+
+std::string schemaOfOptions() { return app::optionSchema("Options of a picture", isOfPictures); }
+
 std::vector<std::pair<std::string, std::string>> optionNames() {
     std::vector<std::pair<std::string, std::string>> names;
     for (const app::Option& option : app::options()) {
-        if (!has(app::kEveryTopic & ~kNotHere, option.topic) || (isOfReading(option) && !isCache(option))) continue;
+        if (!isOfPictures(option)) continue;
         std::string name(option.key);
         std::replace(name.begin(), name.end(), '-', '_');
         names.emplace_back(std::move(name), option.help);

@@ -76,6 +76,8 @@ std::vector<bool> selected(const Structure& structure, const std::string& select
 
 /// The options of `nacre render` for draw(): names with '_', and the first sentence of their help.
 std::vector<std::pair<std::string, std::string>> optionNames();
+/// The same as JSON Schema.
+std::string schemaOfOptions();
 
 // Shared by the sources of this folder.
 

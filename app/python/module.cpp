@@ -328,6 +328,7 @@ void addDrawing(py::module_& m) {
         });
     });
     m.def("option_names", &optionNames);
+    m.def("option_schema", &schemaOfOptions);
 }
 
 }  // namespace

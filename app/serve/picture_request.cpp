@@ -61,18 +61,13 @@ std::string contentOf(const std::string& place) {
     return named ? place : fileHash(place);
 }
 
-constexpr auto kSavedOnly = static_cast<Topics>(Topic::saved);
-
-/// Keys of the camera, from saved views and from the page.
-bool isCameraKey(std::string_view key) { return key == "orientation" || key == "pan"; }
-
 /// Whether an option takes a file or its text, of which the server takes the text.
 bool takesText(const Option& option) { return option.syntax.find("FILE|") != std::string::npos; }
 
 OptionValue valueOf(const std::string& key, const std::string& text) {
     std::string name = key;
     std::replace(name.begin(), name.end(), '_', '-');
-    const Option* row = findOption(name, isCameraKey(name) ? kSavedOnly : kEveryTopic);
+    const Option* row = findOption(name);
     if (!row) throw Problem(400, "there is no option \"" + key + "\" (GET /options lists them)");
     if (!isServed(*row)) throw Problem(400, "\"" + key + "\" is set by the server");
     if (takesText(*row) && !isTableText(text)) throw Problem(400, "\"" + key + "\" takes text here, not a file name");
@@ -141,7 +136,7 @@ bool isStyle(const std::string& word) {
 
 bool isServed(const Option& option) {
     const bool file = option.syntax.find("FILE") != std::string::npos && !takesText(option) && option.key != "look";
-    return !file && !has(kServers, option.topic) && (option.topic != Topic::saved || isCameraKey(option.key)) &&
+    return !file && !has(kServers, option.topic) && option.topic != Topic::saved &&
            std::find(std::begin(kServerKeys), std::end(kServerKeys), option.key) == std::end(kServerKeys);
 }
 
@@ -157,14 +152,13 @@ PictureRequest pictureRequest(const Query& query, const std::string& body, const
             isView = json.is_object() && (json.contains("input") || json.contains("rules") || json.contains("style"));
             if (isView) takeView(text, "the request's view", d);
         }
-        std::vector<OptionValue> values, camera;
+        std::vector<OptionValue> values;
         for (const auto& [key, text] : query) {
             if (isPictureFormat(key, text)) continue;
             OptionValue value = valueOf(key, text);
-            if (!value.key.empty()) (isCameraKey(value.key) ? camera : values).push_back(std::move(value));
+            if (!value.key.empty()) values.push_back(std::move(value));
         }
         setOptions(values, d);
-        for (const OptionValue& value : camera) findOption(value.key, kSavedOnly)->parse(value.value, d);
         if (!body.empty() && !isView)
             d.input.path = body;
         else if (!d.input.path.empty())

@@ -1,8 +1,8 @@
 #include "app/serve/server.h"
 
-#include <httplib.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -17,6 +17,8 @@
 #include "app/files/output_file.h"
 #include "app/images/image_file.h"
 #include "app/movie/stop_request.h"
+#include "app/picture/option_schema.h"
+#include "app/serve/http_server.h"
 #include "app/serve/metrics.h"
 #include "app/serve/page.h"
 #include "app/serve/picture_store.h"
@@ -32,8 +34,8 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
-constexpr std::size_t kConnections = 256;  // threads that read requests and wait for pictures
-constexpr int kReadSeconds = 10, kWriteSeconds = 30, kIdleSeconds = 15;
+constexpr std::size_t kConnections = 256;                    // threads that read requests and wait for pictures
+constexpr std::size_t kMostBodies = std::size_t{512} << 20;  // bytes, of all requests together
 
 std::string unescaped(std::string_view text) {
     std::string plain;
@@ -83,27 +85,6 @@ std::string mediaType(const std::string& extension) {
     return "image/jpeg";
 }
 
-/// The options that a request may have, as JSON Schema of an object.
-std::string optionSchema() {
-    nlohmann::ordered_json properties;
-    for (const Option& row : options()) {
-        if (!isServed(row) || row.help.empty()) continue;
-        nlohmann::ordered_json property{{"type", row.kind == Option::Kind::flag ? "boolean" : "string"},
-                                        {"description", row.help}};
-        if (!row.syntax.empty()) property["x-syntax"] = row.syntax;
-        std::vector<std::string> examples = row.choices;
-        for (const Option::Control::Choice& choice : row.control.choices)
-            if (row.choices.empty()) examples.push_back(choice.value);
-        if (!examples.empty()) property["examples"] = examples;
-        properties[std::string(row.key)] = std::move(property);
-    }
-    return jsonText({{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                     {"title", "Options of GET /picture"},
-                     {"type", "object"},
-                     {"required", {"input"}},
-                     {"properties", properties}});
-}
-
 /// A request's body in a file, for as long as it is read.
 class BodyFile {
 public:
@@ -145,12 +126,7 @@ struct Server::Parts {
           store(asked.cacheMiB > 0 ? cacheFolder(asked.picture.input.cache, "pictures") : "",
                 static_cast<std::uint64_t>(asked.cacheMiB) << 20),
           workers(asked) {
-        http.new_task_queue = [] { return new httplib::ThreadPool(kConnections); };
         http.set_payload_max_length(kMostBodyBytes);
-        http.set_read_timeout(kReadSeconds);
-        http.set_write_timeout(kWriteSeconds);
-        http.set_keep_alive_timeout(kIdleSeconds);
-        http.set_keep_alive_max_count(1000);
         http.set_tcp_nodelay(true);
         // Not shared with another process, which httplib asks for by default.
         http.set_socket_options([](socket_t socket) {
@@ -165,6 +141,7 @@ struct Server::Parts {
         if (bound <= 0)
             throw Error("cannot listen", options.address + ":" + std::to_string(options.port),
                         "the port is taken, or the address is not this machine's");
+        http.holdConnections(1024);
     }
 
     void addRoutes() {
@@ -179,7 +156,7 @@ struct Server::Parts {
             response.set_content(metrics.text(workers.waiting()), "text/plain; version=0.0.4");
         });
         http.Get("/options", [](const Request&, Response& response) {
-            static const std::string schema = optionSchema();
+            static const std::string schema = optionSchema("Options of GET /picture", isServed);
             response.set_content(schema, "application/schema+json");
         });
         http.Get("/picture", answer([this](const Request& request, Response& response) {
@@ -238,12 +215,18 @@ struct Server::Parts {
         return [this, handler = std::move(handler)](const Request& request, Response& response,
                                                     const httplib::ContentReader& read) {
             std::string body;
+            bool room = true;
             const bool whole = read([&](const char* data, std::size_t size) {
+                room = (bodies += size) <= kMostBodies;
                 body.append(data, size);
-                return body.size() <= kMostBodyBytes;
+                return room && body.size() <= kMostBodyBytes;
             });
+            const std::size_t received = body.size();
+            const auto leave = [&](void*) { bodies -= received; };
+            const std::unique_ptr<void, decltype(leave)> held(this, leave);
             if (!whole) {
-                response.status = body.size() > kMostBodyBytes || response.status == 413 ? 413 : 400;
+                response.status = !room ? 503 : body.size() > kMostBodyBytes || response.status == 413 ? 413 : 400;
+                if (!room) response.set_header("Retry-After", "1");
                 return;  // the error handler says why
             }
             answer([&](const Request& whose, Response& to) { handler(whose, body, to); })(request, response);
@@ -315,7 +298,8 @@ struct Server::Parts {
     }
 
     const ServeOptions& options;
-    httplib::Server http;
+    HttpServer http{kConnections};
+    std::atomic<std::size_t> bodies{0};  ///< bytes of bodies that requests hold
     Metrics metrics;
     PictureStore store;
     Uploads uploads;

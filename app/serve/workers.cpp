@@ -13,6 +13,7 @@
 #include "app/download/load_molecule.h"
 #include "app/drawing/drawing.h"
 #include "app/files/messages.h"
+#include "app/files/spare_memory.h"
 #include "app/images/image_file.h"
 #include "app/serve/problem.h"
 #include "engine/error.h"
@@ -51,10 +52,36 @@ public:
     /// Whether it has the molecule of a request.
     bool has(const PictureRequest& request) const { return molecule_ && held_ == request.molecule; }
 
+    /// A device that is lost is made anew, and the picture drawn once more.
     ServedPicture draw(const PictureRequest& request) {
+        try {
+            return drawOnce(request);
+        } catch (const Error&) {
+            if (!isLost()) throw;
+        }
+        return drawOnce(request);
+    }
+
+    /// @throws Problem
+    static Molecule load(const InputOptions& input) {
+        try {
+            return loadMolecule(input);
+        } catch (const Error& error) {
+            const bool missing = parseDatabaseId(input.path) || dynamic_cast<const InputMissing*>(&error);
+            throw Problem(missing ? 404 : 422, error.what());
+        }
+    }
+
+    /// Or could not be made.
+    bool isLost() const { return !canvas_ || !canvas_->renderer.deviceLoss().empty(); }
+
+    bool idle = false;  ///< waits for a task; under the workers' lock
+
+private:
+    ServedPicture drawOnce(const PictureRequest& request) {
         const PictureDescription& description = request.description;
-        HeardMessages heard;
-        if (!canvas_ || !canvas_->renderer.deviceLoss().empty()) {
+        const HeardMessages heard;
+        if (isLost()) {
             canvas_.reset();
             canvas_.emplace(device_);
         }
@@ -72,19 +99,6 @@ public:
         return served;
     }
 
-    /// @throws Problem
-    static Molecule load(const InputOptions& input) {
-        try {
-            return loadMolecule(input);
-        } catch (const Error& error) {
-            const bool missing = parseDatabaseId(input.path) || dynamic_cast<const InputMissing*>(&error);
-            throw Problem(missing ? 404 : 422, error.what());
-        }
-    }
-
-    bool isLost() const { return canvas_ && !canvas_->renderer.deviceLoss().empty(); }
-
-private:
     const DeviceOptions& device_;
     std::optional<Canvas> canvas_;
     std::optional<Molecule> molecule_;
@@ -134,7 +148,7 @@ ServedPicture Workers::draw(const PictureRequest& request, const std::string& ne
             throw Problem(429, std::to_string(options_.queue) + " requests are already waiting");
         tasks_.push_back(task);
     }
-    wake_.notify_one();
+    wake_.notify_all();
     if (picture.wait_for(std::chrono::duration<double>(options_.seconds)) == std::future_status::ready)
         return picture.get();
     const std::lock_guard lock(turn_);
@@ -142,18 +156,34 @@ ServedPicture Workers::draw(const PictureRequest& request, const std::string& ne
     throw Problem(503, "the picture took longer than " + std::to_string(static_cast<int>(options_.seconds)) + " s");
 }
 
-/// The first that waits for the worker's molecule, else the first of all that no other worker has, else the first.
-std::shared_ptr<Workers::Task> Workers::next(const Worker& worker) {
+/// A task for a worker: the first that waits for its molecule, else the first whose molecule no other idle one has.
+std::optional<std::size_t> Workers::choice(const Worker& worker) const {
+    constexpr std::size_t kLookAhead = 8;  // farther ones wait their turn, so that none waits for ever
+    const std::size_t end = std::min(kLookAhead, tasks_.size());
+    for (std::size_t i = 0; i < end; ++i)
+        if (worker.has(tasks_[i]->request)) return i;
+    for (std::size_t i = 0; i < end; ++i)
+        if (std::ranges::none_of(workers_, [&](const std::unique_ptr<Worker>& other) {
+                return other.get() != &worker && other->idle && other->has(tasks_[i]->request);
+            }))
+            return i;
+    return {};
+}
+
+std::shared_ptr<Workers::Task> Workers::next(Worker& worker) {
     std::unique_lock lock(turn_);
-    wake_.wait(lock, [&] { return stopping_ || !tasks_.empty(); });
-    if (tasks_.empty()) return nullptr;
-    constexpr std::ptrdiff_t kLookAhead = 8;  // farther ones wait their turn, so that none waits for ever
-    const auto end = tasks_.begin() + std::min<std::ptrdiff_t>(kLookAhead, std::ssize(tasks_));
-    auto chosen =
-        std::find_if(tasks_.begin(), end, [&](const std::shared_ptr<Task>& task) { return worker.has(task->request); });
-    if (chosen == end) chosen = tasks_.begin();
-    const std::shared_ptr<Task> task = *chosen;
-    tasks_.erase(chosen);
+    worker.idle = true;
+    std::optional<std::size_t> chosen;
+    wake_.wait(lock, [&] {
+        chosen = choice(worker);
+        return stopping_ || chosen;
+    });
+    worker.idle = false;
+    if (!chosen) return nullptr;
+    const auto at = tasks_.begin() + static_cast<std::ptrdiff_t>(*chosen);
+    const std::shared_ptr<Task> task = *at;
+    tasks_.erase(at);
+    if (!tasks_.empty()) wake_.notify_all();  // what was left to this one is another's now
     return task;
 }
 
@@ -173,6 +203,7 @@ void Workers::work(Worker& worker) {
             const int status = worker.isLost() ? 503 : 422;
             task->promise.set_exception(std::make_exception_ptr(Problem(status, error.what())));
         }
+        givePicturesMemoryBack();
     }
 }
 

@@ -7,6 +7,7 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -46,7 +47,8 @@ private:
     class Worker;
 
     void work(Worker& worker);
-    std::shared_ptr<Task> next(const Worker& worker);
+    std::optional<std::size_t> choice(const Worker& worker) const;
+    std::shared_ptr<Task> next(Worker& worker);
 
     const ServeOptions& options_;
     mutable std::mutex turn_;  // guards the following

@@ -1,12 +1,17 @@
 #!/usr/bin/env python3
 """The examples of docs/batch do what they say: batch_examples_test.py SOURCE_FOLDER PROGRAM STRUCTURES."""
+import concurrent.futures
+import gzip
+import importlib.util
 import json
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 SOURCE, PROGRAM, STRUCTURES = (pathlib.Path(a) for a in sys.argv[1:4])
@@ -35,9 +40,9 @@ class Examples(unittest.TestCase):
         wrapper.write_text(f'#!/bin/sh\nexec "{PROGRAM}" "$@" --occlusion 4 --cache off\n')
         wrapper.chmod(0o755)
 
-    def run_example(self, *command, **environment):
+    def run_example(self, *command, stdin=None, **environment):
         path = f"{self.folder}/bin:{os.environ['PATH']}"
-        run = subprocess.run(command, cwd=self.folder, capture_output=True, text=True,
+        run = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, stdin=stdin,
                              env=os.environ | {"PATH": path, "HOME": str(self.folder)} | environment)
         self.assertEqual(run.returncode, 0, run.stderr + run.stdout)
         return run
@@ -94,6 +99,79 @@ class Examples(unittest.TestCase):
         self.assertIn("1 of 2 steps", again.stderr)  # the other batch is whole
         self.check_pictures("pictures")
         self.assertIn("Nothing to be done", self.run_example(*command).stderr)
+
+    def make_many(self, count, path):
+        """Structures that differ, by number -> the paths."""
+        atoms = (self.folder / self.structures[1]).read_text().splitlines(True)
+        paths = []
+        for number in range(count):
+            paths.append(self.folder / path(number))
+            paths[-1].parent.mkdir(parents=True, exist_ok=True)
+            paths[-1].write_text(f"TITLE     {number}\n" + "".join(atoms))
+        return paths
+
+    def check_once(self, reports, outputs):
+        """Every picture is there, and none was drawn twice."""
+        drawn = [line["output"] for report in reports for line in map(json.loads, report.read_text().splitlines())
+                 if line["status"] == "done"]
+        self.assertEqual(len(drawn), len(set(drawn)), "drawn twice")
+        for output in outputs:
+            self.assertEqual(output.read_bytes()[1:4], b"PNG")
+        # One whose report was cut off is there all the same.
+        self.assertGreater(len(drawn), len(outputs) - 10)
+
+    def interrupt(self, command, pictures, enough, **more):
+        """Kills an example and all that it started once some pictures are there."""
+        path = f"{self.folder}/bin:{os.environ['PATH']}"
+        run = subprocess.Popen(command, cwd=self.folder, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                               env=os.environ | {"PATH": path, "HOME": str(self.folder)}, **more)
+        while run.poll() is None and sum(1 for _ in pictures()) < enough:
+            time.sleep(0.02)
+        self.assertIsNone(run.poll(), "it was done before it could be interrupted")
+        os.killpg(run.pid, signal.SIGKILL)
+        run.wait()
+
+    @unittest.skipUnless(importlib.util.find_spec("distributed"), "python3-distributed is not installed")
+    def test_dask(self):
+        count = 2000
+        (self.folder / "bin/nacre").write_text(
+            f'#!/bin/sh\nexec "{PROGRAM}" "$@" --size 32x32 --occlusion off --cache off --model 1\n')
+        paths = self.make_many(count, lambda number: f"many/{number:04}.pdb")
+        out = self.folder / "out"
+        command = [sys.executable, EXAMPLES / "dask_pictures.py", out]
+        (self.folder / "list").write_text("".join(f"{path}\n" for path in paths))
+        with open(self.folder / "list") as names:
+            self.interrupt(command, lambda: out.glob("*.png"), 300, stdin=names)
+        with open(self.folder / "list") as names:
+            run = self.run_example(*command, stdin=names)
+        self.assertIn(f"{count} of {count} pictures are there, 0 of 20 tasks failed", run.stdout)
+        outputs = [out / f"{path.name}.png" for path in paths]
+        self.check_once(list(out.glob("report-*.jsonl")), outputs)
+        times = [output.stat().st_mtime_ns for output in outputs]
+        with open(self.folder / "list") as names:
+            self.run_example(*command, stdin=names)
+        self.assertEqual(times, [output.stat().st_mtime_ns for output in outputs])
+
+    def test_object_store(self):
+        count, store = 400, self.folder / "store"
+        (self.folder / "bin/nacre").write_text(
+            f'#!/bin/sh\nexec "{PROGRAM}" "$@" --size 32x32 --occlusion off --cache off\n')
+        def key(number):
+            name = f"{number % 10}{chr(97 + number // 40)}{chr(97 + number // 2 % 20)}{number % 2}"
+            return f"store/structures/divided/mmCIF/{name[1:3]}/{name}.cif.gz"
+        paths = sorted({self.folder / key(number) for number in range(count)})
+        cif = next(iter(sorted(STRUCTURES.glob("**/glucose*.cif")))).read_bytes()
+        for path in paths:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(gzip.compress(cif, 1))
+        pictures = lambda: store.glob("pictures/divided/*/*.png")  # noqa: E731
+        command = [sys.executable, EXAMPLES / "object_store.py", store, "--shard"]
+        self.interrupt([*command, "1/2"], pictures, 20)
+        with concurrent.futures.ThreadPoolExecutor() as pool:  # two machines
+            list(pool.map(lambda shard: self.run_example(*command, shard), ("1/2", "2/2")))
+        outputs = [store / "pictures/divided" / path.parent.name / path.name.replace(".cif.gz", ".png") for path in paths]
+        self.check_once(list(store.glob("pictures/divided/reports/*.jsonl")), outputs)
+        self.assertEqual(sum(1 for _ in pictures()), len(paths))
 
 
 if __name__ == "__main__":

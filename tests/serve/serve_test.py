@@ -2,49 +2,18 @@
 import concurrent.futures
 import importlib.util
 import json
-import os
 import pathlib
 import re
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
 import unittest
-import urllib.error
 import urllib.parse
-import urllib.request
+
+from served import PDB, Server
 
 PROGRAM = sys.argv.pop(1)
-PDB = ("ATOM      1  N   GLY A   1       0.000   0.000   0.000  1.00  0.00           N\n"
-       "ATOM      2  CA  GLY A   1       1.450   0.000   0.000  1.00  0.00           C\n"
-       "ATOM      3  C   GLY A   1       2.000   1.420   0.000  1.00  0.00           C\n"
-       "ATOM      4  O   GLY A   1       1.250   2.390   0.000  1.00  0.00           O\nEND\n")
-
-
-class Server:
-    def __init__(self, folder, *options):
-        environment = dict(os.environ, NACRE_CACHE=str(folder / "cache"), TMPDIR=str(folder))
-        self.process = subprocess.Popen([PROGRAM, "serve", "--listen", "0", *options], stderr=subprocess.PIPE,
-                                        text=True, env=environment)
-        line = self.process.stderr.readline()
-        self.url = re.search(r"http://[^/ ]+/", line).group(0)
-
-    def ask(self, path, data=None, **headers):
-        """-> status, headers, body"""
-        request = urllib.request.Request(self.url + path, data=data, headers=headers)
-        try:
-            with urllib.request.urlopen(request, timeout=120) as answer:
-                return answer.status, answer.headers, answer.read()
-        except urllib.error.HTTPError as error:
-            return error.code, error.headers, error.read()
-
-    def stop(self):
-        self.process.send_signal(signal.SIGTERM)
-        code = self.process.wait(60)
-        self.process.stderr.close()
-        return code
-
 
 class ServeTest(unittest.TestCase):
     @classmethod
@@ -56,7 +25,7 @@ class ServeTest(unittest.TestCase):
         (cls.folder / "secret.pdb").write_text(PDB)
         (cls.root / "link.pdb").symlink_to(cls.folder / "secret.pdb")
         (cls.root / "bad.pdb").write_text("no atoms\n")
-        cls.server = Server(cls.folder, "--root", str(cls.root))
+        cls.server = Server(PROGRAM, cls.folder, "--root", str(cls.root))
 
     @classmethod
     def tearDownClass(cls):
@@ -104,7 +73,7 @@ class ServeTest(unittest.TestCase):
         """Whoever drew the first model does not take it for the second."""
         atom = PDB.splitlines(True)[0]
         (self.root / "two.pdb").write_text("MODEL        1\n" + atom + "ENDMDL\nMODEL        2\n" + PDB[:-4] + "ENDMDL\nEND\n")
-        server = Server(self.folder, "--root", str(self.root), "--jobs", "1")
+        server = Server(PROGRAM, self.folder, "--root", str(self.root), "--jobs", "1")
         answers = [server.ask(f"picture?input=two.pdb&size=64x64&camera=model&model={model}") for model in (1, 2, 1)]
         self.assertEqual(server.stop(), 0)
         self.assertEqual([status for status, _, _ in answers], [200] * 3)
@@ -178,7 +147,7 @@ class ServeTest(unittest.TestCase):
         self.assertEqual(after, before + 1)
 
     def test_a_full_queue_asks_to_come_again(self):
-        server = Server(self.folder, "--jobs", "1", "--queue", "1", "--pictures", "off")
+        server = Server(PROGRAM, self.folder, "--jobs", "1", "--queue", "1", "--pictures", "off")
         with concurrent.futures.ThreadPoolExecutor(12) as pool:
             paths = [f"picture?input=sample:dna&size=400x400&zoom={1 + i / 10}" for i in range(12)]
             answers = list(pool.map(server.ask, paths))
@@ -204,7 +173,7 @@ class PageTest(unittest.TestCase):
         from selenium import webdriver
         from selenium.webdriver.chrome.service import Service
         cls.folder = pathlib.Path(tempfile.mkdtemp())
-        cls.server = Server(cls.folder)
+        cls.server = Server(PROGRAM, cls.folder)
         options = webdriver.ChromeOptions()
         for word in ("--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=900,700"):
             options.add_argument(word)

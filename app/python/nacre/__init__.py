@@ -6,6 +6,7 @@
 >>> layers = dna.layers(size=(640, 480))                   # depth, normals, atoms, occlusion
 >>> dna.save("dna.png", background="transparent")
 >>> dna.movie(spin="y")                                    # in a notebook: it moves
+>>> dna.view()                                             # in a notebook: you turn it
 >>> dna.select("chain A")                                  # a mask of the atoms
 >>> dna.render(color=values, palette="viridis")            # your own values or colours, one per atom
 
@@ -30,10 +31,11 @@ import numpy as _numpy
 
 from . import _nacre
 from ._nacre import Error, UsageError
+from ._view import View
 
 __version__ = _nacre.__version__
-__all__ = ["Error", "FileMissing", "Movie", "Structure", "UsageError", "__version__", "density_map", "from_arrays", "from_biopython",
-           "from_gemmi", "open", "options"]
+__all__ = ["Error", "FileMissing", "Movie", "Structure", "UsageError", "View", "__version__", "density_map", "from_arrays",
+           "from_biopython", "from_gemmi", "open", "options"]
 
 _NOTEBOOK = {"size": (512, 512), "supersample": 2}
 _NOTEBOOK_MOVIE = {"size": (384, 384)}, {"seconds": 4, "fps": 15}
@@ -140,9 +142,12 @@ class Movie:
         return f"<nacre.Movie: {self.frames} frames, {self.type}, {len(self.data)} bytes>"
 
     def _repr_mimebundle_(self, include=None, exclude=None):
-        if self.type.startswith("image/"):
-            return {self.type: _base64.b64encode(self.data).decode()}
-        source = f"data:{self.type};base64,{_base64.b64encode(self.data).decode()}"
+        data = _base64.b64encode(self.data).decode()
+        if self.type == "image/png":
+            return {self.type: data}
+        source = f"data:{self.type};base64,{data}"
+        if self.type.startswith("image/"):  # notebooks know no image/gif
+            return {"text/html": f'<img alt="movie" src="{source}">'}
         return {"text/html": f'<video autoplay loop muted controls src="{source}"></video>'}
 
 
@@ -283,6 +288,13 @@ class Structure:
                 data = file.read()
         _tell(warnings)
         return Movie(data, _MOVIE_TYPES[_os.path.splitext(target)[1].lower()], frames)
+
+    def view(self, *, size=(640, 480), **options):
+        """A picture that is turned, moved and zoomed in the cell of a notebook, and whose style is chosen there. Where no
+        browser shows it, it is a picture. options: those of render(). See View.
+        """
+        _colored(len(self), options)
+        return View(self, size, options)
 
     def __reduce__(self):
         return Structure, (self._core, self._maps)

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __version__: str
-__all__ = ["Error", "FileMissing", "Movie", "Structure", "UsageError", "__version__", "density_map", "from_arrays", "from_biopython",
-           "from_gemmi", "open", "options"]
+__all__ = ["Error", "FileMissing", "Movie", "Structure", "UsageError", "View", "__version__", "density_map", "from_arrays",
+           "from_biopython", "from_gemmi", "open", "options"]
 
 class Error(RuntimeError): ...
 class FileMissing(Error, FileNotFoundError):
@@ -160,7 +160,19 @@ class Structure:
               turns: float | None = ..., rock: float | None = ..., axis: str | Sequence[float] | None = ...,
               easing: str | None = ..., map_sweep: str | None = ..., models: bool = ..., seconds: float | None = ..., fps: float | None = ...,
               **options: Unpack[OwnColors]) -> Movie: ...
+    def view(self, *, size: Sequence[int] = ..., **options: Any) -> View: ...
     def _repr_png_(self) -> bytes: ...
+
+class View:
+    structure: Structure
+    size: tuple[int, int]
+    @property
+    def description(self) -> dict[str, Any]: ...
+    @property
+    def url(self) -> str: ...
+    def picture(self, **options: Unpack[OwnColors]) -> NDArray[np.uint8] | NDArray[np.uint16]: ...
+    def save(self, path: str | PathLike[str], **options: Unpack[OwnColors]) -> None: ...
+    def _repr_mimebundle_(self, include: Any = ..., exclude: Any = ...) -> dict[str, str]: ...
 
 def open(source: str | PathLike[str] | Sequence[str | PathLike[str]] | bytes | bytearray | memoryview, *, name: str = ...,
          maps: Sequence[str | PathLike[str]] = ..., format: str = ...,

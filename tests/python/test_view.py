@@ -1,0 +1,170 @@
+"""Structure.view(): its page, its answers, and the cell of a notebook in headless Chromium."""
+import base64
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import time
+import urllib.error
+import urllib.parse
+import urllib.request
+
+import nacre
+import numpy as np
+import pytest
+
+
+@pytest.fixture(scope="module")
+def dna():
+    return nacre.open("sample:dna")
+
+
+def ask(url, **headers):
+    try:
+        with urllib.request.urlopen(urllib.request.Request(url, headers=headers), timeout=120) as answer:
+            return answer.status, answer.headers["Content-Type"], answer.read()
+    except urllib.error.HTTPError as error:
+        return error.code, error.headers["Content-Type"], error.read()
+
+
+def test_what_it_answers(dna, tmp_path):
+    view = dna.view(size=(96, 64), style="licorice", color="chain")
+    page, _, query = view.url.partition("?")
+    assert page.startswith("http://127.0.0.1:")
+    assert {"input": "sample:dna", "style": "licorice", "color": "chain"} == dict(urllib.parse.parse_qsl(query))
+    status, kind, body = ask(view.url)
+    assert (status, kind) == (200, "text/html; charset=utf-8") and b'<body class="cell">' in body
+    assert "style" in json.loads(ask(page + "options")[2])["properties"]
+    assert len(json.loads(ask(page + "info?input=x")[2])["bbox"]) == 2
+    status, kind, body = ask(page + "picture?style=licorice&color=chain&size=96x64&zoom=1.5&orientation=0.6,0.8,0,0&pan=1,2")
+    assert (status, kind) == (200, "image/png")
+    # It reads back where it was turned to, and that draws the same.
+    assert view.description == {"style": "licorice", "color": "chain", "zoom": 1.5, "orientation": [0.6, 0.8, 0, 0], "pan": [1, 2]}
+    dna.save(tmp_path / "a.png", size=(96, 64), **view.description)
+    assert (tmp_path / "a.png").read_bytes() == body
+    assert np.array_equal(view.picture(), dna.render(size=(96, 64), **view.description))
+    assert view.picture(size=(32, 32)).shape == (32, 32, 4)
+    view.save(tmp_path / "b.png")
+    assert (tmp_path / "b.png").read_bytes() == body
+    moving = ask(page + "picture?style=licorice&zoom=2&moving=1&session=x&supersample=1&format=jpg&size=40x30")
+    assert moving[1] == "image/jpeg" and moving[2].startswith(b"\xff\xd8")
+    assert view.description == {"style": "licorice", "color": "chain", "zoom": 2}
+
+
+def test_options_of_the_cell_stay(dna):
+    values = np.arange(len(dna), dtype=float)
+    view = dna.view(size=(48, 48), color=values, palette="plasma", zoom=3)
+    assert view.description["zoom"] == 3
+    ask(view.url.partition("?")[0] + "picture?size=48x48&zoom=1")
+    assert view.description["zoom"] == 1 and view.description["color"] is values
+    assert np.array_equal(view.picture(), dna.render(size=(48, 48), color=values, palette="plasma", zoom=1))
+
+
+def test_nobody_else_is_answered(dna):
+    view = dna.view()
+    page, _, _ = view.url.partition("?")
+    host = urllib.parse.urlsplit(page).netloc
+    assert ask(f"http://{host}/")[0] == 404
+    assert ask(f"http://{host}/{'x' * 32}/picture?zoom=1")[0] == 404
+    assert ask(page + "picture?zoom=1&size=32x32", Host="evil.example")[0] == 404
+    assert ask(page + "../../etc/passwd")[0] == 404
+    assert ask(page + "nothing")[0] == 404
+    status, kind, body = ask(page + "picture?style=blob&size=32x32")
+    assert (status, kind) == (400, "application/problem+json") and "spacefill" in json.loads(body)["detail"]
+    # What names files is no option of a page.
+    assert ask(page + "picture?size=32x32&output=/tmp/x.png&look=/etc/passwd")[0] == 400
+
+
+def test_without_a_browser_it_is_a_picture(dna):
+    bundle = dna.view(size=(64, 48))._repr_mimebundle_()
+    assert list(bundle) == ["text/plain", "image/png", "text/html"]
+    picture = base64.b64decode(bundle["image/png"])
+    assert picture.startswith(b"\x89PNG") and bundle["image/png"] in bundle["text/html"]
+    assert "visibility:hidden" in bundle["text/html"]  # until it has drawn
+
+
+NOTEBOOK = pathlib.Path(os.environ.get("NACRE_SOURCE", ".")) / "docs/python/view.ipynb"
+
+
+def wait_for(browser, condition, seconds=120):
+    from selenium.webdriver.support.ui import WebDriverWait
+    return WebDriverWait(browser, seconds).until(condition)
+
+
+@pytest.fixture
+def notebook(tmp_path):
+    """The address of Debian's notebook server in a folder with view.ipynb."""
+    if not shutil.which("jupyter-notebook"):
+        pytest.skip("jupyter-notebook is not installed (tools/packages_dev.txt)")
+    pytest.importorskip("selenium")
+    if not shutil.which("chromedriver"):
+        pytest.skip("chromedriver is not installed")
+    shutil.copy(NOTEBOOK, tmp_path)
+    log = open(tmp_path / "log", "w")
+    server = subprocess.Popen(["jupyter-notebook", "--no-browser", "--allow-root", "--ip=127.0.0.1", "--port=0", "--NotebookApp.token=",
+                               "--NotebookApp.disable_check_xsrf=True", f"--notebook-dir={tmp_path}"], stderr=log, stdout=log,
+                              env=os.environ | {"HOME": str(tmp_path), "JUPYTER_RUNTIME_DIR": str(tmp_path / "runtime")})
+    try:
+        address = None
+        for _ in range(300):
+            address = re.search(r"http://127\.0\.0\.1:\d+/", (tmp_path / "log").read_text())
+            if address:
+                break
+            time.sleep(0.1)
+        assert address, (tmp_path / "log").read_text()
+        yield address.group(0) + "notebooks/view.ipynb"
+    finally:
+        server.terminate()
+        server.wait(30)
+        log.close()
+
+
+def test_a_cell_turns(notebook):
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+
+    options = webdriver.ChromeOptions()
+    for word in ("--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=1100,1000"):
+        options.add_argument(word)
+    browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+    try:
+        browser.get(notebook)
+        wait_for(browser, lambda b: b.execute_script(
+            "return window.Jupyter && Jupyter.notebook && Jupyter.notebook.kernel && Jupyter.notebook.kernel.is_connected()"))
+
+        def run(cell):
+            browser.execute_script("Jupyter.notebook.get_cell(arguments[0]).execute()", cell)
+
+        def output(cell):
+            return browser.execute_script("return Jupyter.notebook.get_cell(arguments[0]).output_area.toJSON()", cell)
+
+        run(0)
+        frame = wait_for(browser, lambda b: b.find_elements(By.CSS_SELECTOR, "iframe[src*='127.0.0.1']"))[0]
+        wait_for(browser, lambda b: b.execute_script("return arguments[0].style.visibility", frame) == "visible")
+        browser.execute_script("arguments[0].scrollIntoView()", frame)
+        if os.environ.get("NACRE_SCREENSHOT"):
+            browser.save_screenshot(os.environ["NACRE_SCREENSHOT"])
+        browser.switch_to.frame(frame)
+        stage = browser.find_element(By.ID, "stage")
+        before = int(browser.execute_script("return document.body.dataset.pictures"))
+        ActionChains(browser).click_and_hold(stage).move_by_offset(60, 20).release().perform()
+        wait_for(browser, lambda b: b.execute_script("return document.body.dataset.state === 'rest' && "
+                                                     "Number(document.body.dataset.pictures) > arguments[0]", before))
+        browser.switch_to.default_content()
+        run(1)
+        told = wait_for(browser, lambda b: output(1))[0]["data"]["text/plain"]
+        turned = [float(part) for part in re.search(r"orientation': \[([^]]*)\]", told).group(1).split(",")]
+        assert len(turned) == 4 and abs(turned[0]) < 0.999, told
+        run(2)
+        assert "(480, 640, 4)" in wait_for(browser, lambda b: output(2))[0]["data"]["text/plain"]
+        run(3)  # a movie, inline
+        movie = wait_for(browser, lambda b: output(3))[0]["data"]
+        assert "image/png" in movie or "text/html" in movie
+        assert wait_for(browser, lambda b: b.execute_script(
+            "const i = Jupyter.notebook.get_cell(3).output_area.element.find('img')[0]; return i && i.naturalWidth"))
+    finally:
+        browser.quit()

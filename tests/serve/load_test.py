@@ -1,0 +1,269 @@
+"""`nacre serve` under load, and against clients and devices that fail: load_test.py PROGRAM FAULT_LAYER_FOLDER
+
+NACRE_LOAD=1 prints rates and times by wrk, which nothing here judges.
+"""
+import concurrent.futures
+import os
+import pathlib
+import random
+import re
+import resource
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+from served import PDB, Server
+
+PROGRAM, FAULTS = sys.argv.pop(1), sys.argv.pop(1)
+ROOM = "HTTP/1.1\r\nHost: nacre\r\n"
+
+
+def needs(*programs):
+    missing = [program for program in programs if not shutil.which(program)]
+    return unittest.skipIf(missing, f"{', '.join(missing)} not installed")
+
+
+class Client:
+    """A socket, and what comes of it."""
+
+    def __init__(self, port, timeout=60):
+        self.socket = socket.create_connection(("127.0.0.1", port), timeout)
+
+    def send(self, text):
+        self.socket.sendall(text if isinstance(text, bytes) else text.encode())
+        return self
+
+    def rest(self):
+        """What is sent until the other end closes."""
+        data = b""
+        try:
+            while piece := self.socket.recv(65536):
+                data += piece
+        except ConnectionResetError:
+            pass
+        self.socket.close()
+        return data
+
+    def cut(self):
+        self.socket.close()
+
+
+class LoadTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="nacre-load-"))
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+        self.root = self.folder / "root"
+        self.root.mkdir()
+        (self.root / "gly.pdb").write_text(PDB)
+        (self.root / "bad.pdb").write_text("no atoms\n")
+
+    def serve(self, *options, **environment):
+        server = Server(PROGRAM, self.folder, "--root", str(self.root), *options, **environment)
+        self.addCleanup(lambda: server.process.poll() is None and server.process.kill())
+        return server
+
+    # Clients of every kind, each one request. -> whether the answer was the right one
+
+    def status(self, server, request, *expected):
+        answer = Client(server.port).send(request).rest()
+        status = answer[9:12].decode("latin-1")
+        return status in expected or f"{request[:60]!r}: {answer[:200]!r}"
+
+    def bad_request(self, server, number):
+        """Bad, slow or cut."""
+        kind, port = number % 10, server.port
+        close = ROOM + "Connection: close\r\n\r\n"
+        if kind == 0:
+            return self.status(server, "GET /picture?input=gly.pdb&stile=x " + close, "400")
+        if kind == 1:
+            return self.status(server, "GET /picture?input=none.pdb " + close, "404")
+        if kind == 2:
+            return self.status(server, "GET /picture?input=bad.pdb " + close, "422")
+        if kind == 3:
+            return self.status(server, "\x00\x01 garbage\r\n\r\n", "400", "")
+        if kind == 4:  # cut within the head
+            Client(port).send("GET /picture?inp").cut()
+        elif kind == 5:  # cut within the body
+            Client(port).send("POST /picture " + ROOM + "Content-Length: 100000\r\n\r\nATOM").cut()
+        elif kind == 6:  # gone before the answer
+            Client(port).send(f"GET /picture?input=gly.pdb&size=64x64&zoom={1 + number % 50 / 100} " + ROOM + "\r\n").cut()
+        elif kind == 7:  # slow, but in time
+            client = Client(port).send("GET /hea")
+            time.sleep(0.05)
+            answer = client.send("lth " + close).rest()
+            return answer.endswith(b"ok\n") or f"slow: {answer!r}"
+        elif kind == 8:
+            return self.status(server, "GET /" + "a" * 9000 + " " + close, "414", "400")
+        else:  # a body, and a head without end
+            client = Client(port)
+            try:
+                client.send("GET / " + ROOM + "X: " + "a" * 80000).cut()
+            except (BrokenPipeError, ConnectionResetError):
+                pass
+        return True
+
+    def good_request(self, server, number):
+        zoom = 1 + number % 20 / 20
+        return self.status(server, f"GET /picture?input=gly.pdb&size=64x64&zoom={zoom} {ROOM}Connection: close\r\n\r\n", "200", "429")
+
+    def storm(self, server, count, connections):
+        """Half of the requests by ab, which goes through the cached ones; half bad ones. -> wrong answers"""
+        ab = subprocess.Popen(["ab", "-q", "-l", "-k", "-n", str(count // 2), "-c", str(connections // 2),
+                               server.url + "picture?input=gly.pdb&size=64x64"], stdout=subprocess.PIPE, text=True)
+        with concurrent.futures.ThreadPoolExecutor(connections // 2) as pool:
+            def one(number):
+                return (self.bad_request if number % 20 else self.good_request)(server, number)
+            wrong = [answer for answer in pool.map(one, range(count // 2)) if answer is not True]
+        report = ab.communicate()[0]
+        self.assertRegex(report, rf"Complete requests: +{count // 2}\n")
+        self.assertRegex(report, r"Failed requests: +0\n")
+        self.assertNotIn("Non-2xx", report)
+        return wrong
+
+    @needs("ab")
+    def test_ten_thousand_requests_half_of_them_bad(self):
+        server = self.serve()
+        self.assertEqual(server.ask("picture?input=gly.pdb&size=64x64")[0], 200)
+        resident = []
+        for _ in range(4):
+            self.assertEqual(self.storm(server, 2500, 200), [])
+            resident.append(server.metric("process_resident_memory_bytes"))
+        self.assertEqual(server.ask("health")[2], b"ok\n")
+        self.assertEqual(server.ask("metrics")[2].count(b'status="500"'), 0)
+        self.assertLess(resident[-1], 1.05 * resident[1], resident)
+        self.assertEqual(server.stop(), 0)
+
+    def test_what_is_sent_slowly_is_dropped(self):
+        """A byte now and then keeps no connection."""
+        server = self.serve()
+        head = Client(server.port).send("GET /health HTTP/1.1\r\nX: ")
+        body = Client(server.port).send("POST /picture " + ROOM + "Content-Length: 1000\r\n\r\n")
+        dropped = {}
+        deadline = time.monotonic() + 60
+        while len(dropped) < 2 and time.monotonic() < deadline:
+            time.sleep(0.5)
+            for name, client in (("head", head), ("body", body)):
+                try:
+                    if name not in dropped:
+                        client.send("a")
+                        client.socket.setblocking(False)
+                        if client.socket.recv(1000)[:1] in (b"", b"H"):  # closed, or told why
+                            dropped[name] = True
+                except BlockingIOError:
+                    client.socket.setblocking(True)
+                except (BrokenPipeError, ConnectionResetError):
+                    dropped[name] = True
+        self.assertEqual(set(dropped), {"head", "body"})
+        self.assertEqual(server.stop(), 0)
+
+    def test_silent_connections_make_room(self):
+        """More of them than are served at the same time do not keep others from their answer."""
+        server = self.serve()
+        silent = [Client(server.port) for _ in range(300)]
+        self.assertEqual(server.ask("health")[2], b"ok\n")
+        for client in silent:
+            client.cut()
+        self.assertEqual(server.stop(), 0)
+
+    def test_stopping_finishes_requests(self):
+        server = self.serve("--jobs", "1")
+        path = "/picture?input=sample:dna&size=500x500&supersample=3"
+        clients = [Client(server.port).send(f"GET {path}&zoom={zoom} {ROOM}\r\n") for zoom in (1, 1.5)]
+        while server.metric("nacre_waiting_requests") < 1:  # one is drawn, one waits
+            time.sleep(0.01)
+        server.process.send_signal(signal.SIGTERM)
+        for client in clients:
+            answer = client.rest()
+            self.assertTrue(answer.startswith(b"HTTP/1.1 200"), answer[:200])
+            length = int(re.search(rb"Content-Length: (\d+)", answer).group(1))
+            self.assertEqual(len(answer.partition(b"\r\n\r\n")[2]), length)
+        self.assertEqual(server.process.wait(60), 0)
+        server.process.stderr.close()
+        self.assertEqual(list(self.folder.glob("nacre-*")), [], "files are left")
+
+    def test_a_lost_device_costs_no_request(self):
+        environment = {"VK_ADD_LAYER_PATH": FAULTS, "VK_INSTANCE_LAYERS": "VK_LAYER_NACRE_faults"}
+        paths = [f"picture?input=gly.pdb&size=64x64&style=licorice&zoom={zoom}" for zoom in (1, 1.5, 2)]
+        server = self.serve("--pictures", "off", "--jobs", "1")
+        expected = [server.ask(path)[2] for path in paths]
+        self.assertEqual(server.stop(), 0)
+        for call in (2, 4, 6):
+            server = self.serve("--pictures", "off", "--jobs", "1", NACRE_FAULT=f"vkQueueSubmit:{call}:DEVICE_LOST", **environment)
+            answers = [server.ask(path) for path in paths]
+            self.assertEqual([status for status, _, _ in answers], [200] * 3, answers[0][2])
+            self.assertEqual([body for _, _, body in answers], expected)
+            self.assertEqual(server.stop(), 0)
+        # One that stays lost is told of, and the server lives.
+        server = self.serve("--pictures", "off", "--jobs", "1", NACRE_FAULT="vkQueueSubmit:2+:DEVICE_LOST", **environment)
+        self.assertEqual(server.ask(paths[0])[0], 503)
+        self.assertEqual(server.ask(paths[1])[0], 503)
+        self.assertEqual(server.ask("health")[0], 200)
+        self.assertEqual(server.stop(), 0)
+
+    def test_a_request_costs_what_a_job_of_batch_does(self):
+        """CPU time in turns, the smaller of each."""
+        zooms = [1 + number / 100 for number in range(40)]
+        options = "style=ball-and-stick&size=256x256&occlusion-detail=12"
+        server = self.serve("--jobs", "1", "--pictures", "off", "--cache", "off")
+        client = Client(server.port)
+        def by_server():
+            before = server.cpu_seconds()
+            for zoom in zooms:
+                for sample in ("dna", "glucose"):
+                    self.assertEqual(server.ask(f"picture?input=sample:{sample}&zoom={zoom}&{options}")[0], 200)
+            return server.cpu_seconds() - before
+
+        def by_batch(count):
+            jobs = "".join(f'{{"input": "sample:{sample}", "output": "{self.folder}/{number}-{sample}.png", "zoom": {zoom}}}\n'
+                           for number, zoom in enumerate(zooms[:count]) for sample in ("dna", "glucose"))
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            subprocess.run([PROGRAM, "batch", "-", "--jobs", "1", "--quiet", "--cache", "off", "--style", "ball-and-stick", "--size",
+                            "256x256", "--occlusion-detail", "12"], input=jobs, text=True, check=True, stdout=subprocess.DEVNULL)
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+        by_server()
+        served, drawn = [], []
+        for _ in range(3):
+            served.append(by_server())
+            drawn.append(by_batch(len(zooms)) - by_batch(1))  # without the start of the program
+        client.cut()
+        print(f"CPU time of {2 * len(zooms)} pictures: served {min(served):.2f} s, batch {min(drawn):.2f} s")
+        self.assertLess(min(served) / len(zooms), 1.15 * min(drawn) / (len(zooms) - 1))
+        self.assertEqual(server.stop(), 0)
+
+    @unittest.skipUnless(os.environ.get("NACRE_LOAD"), "NACRE_LOAD is not set: rates are for a quiet machine")
+    @needs("wrk")
+    def test_rates(self):
+        server = self.serve("--pictures", "off")
+        script = self.folder / "views.lua"
+        script.write_text('local n = 0\nrequest = function()\n  n = n + 1\n  return wrk.format("GET", string.format('
+                          '"/picture?input=sample:%s&size=256x256&occlusion-detail=12&rotate=0,%d,0", '
+                          '({"dna", "glucose", "buckyball"})[n % 3 + 1], n % 360))\nend\n')
+        print(subprocess.run(["wrk", "--latency", "-t1", "-c4", "-d10s", "-s", script, server.url], capture_output=True,
+                             text=True).stdout)
+        times = []
+        def timed(number):
+            start = time.monotonic()
+            status = server.ask(f"picture?input=sample:dna&size=256x256&occlusion-detail=12&rotate=0,{number},0")[0]
+            times.append(time.monotonic() - start)
+            return status
+        with concurrent.futures.ThreadPoolExecutor(40) as pool:
+            answers = []
+            for number in range(300):
+                answers.append(pool.submit(timed, number))
+                time.sleep(1 / 20)
+        self.assertEqual({answer.result() for answer in answers}, {200})
+        times.sort()
+        print(f"20 requests per second: median {times[150] * 1e3:.0f} ms, p99 {times[297] * 1e3:.0f} ms")
+        self.assertEqual(server.stop(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,45 @@
+"""A `nacre serve` of its own for a test."""
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import urllib.error
+import urllib.request
+
+PDB = ("ATOM      1  N   GLY A   1       0.000   0.000   0.000  1.00  0.00           N\n"
+       "ATOM      2  CA  GLY A   1       1.450   0.000   0.000  1.00  0.00           C\n"
+       "ATOM      3  C   GLY A   1       2.000   1.420   0.000  1.00  0.00           C\n"
+       "ATOM      4  O   GLY A   1       1.250   2.390   0.000  1.00  0.00           O\nEND\n")
+
+
+class Server:
+    def __init__(self, program, folder, *options, listen="0", **environment):
+        environment = os.environ | {"NACRE_CACHE": str(folder / "cache"), "TMPDIR": str(folder)} | environment
+        self.process = subprocess.Popen([program, "serve", "--listen", listen, *options], stderr=subprocess.PIPE, text=True,
+                                        env=environment)
+        line = self.process.stderr.readline()
+        self.url = re.search(r"http://[^/ ]+/", line).group(0)
+        self.port = int(self.url.rstrip("/").rsplit(":", 1)[1])
+
+    def ask(self, path, data=None, **headers):
+        """-> status, headers, body"""
+        request = urllib.request.Request(self.url + path, data=data, headers=headers)
+        try:
+            with urllib.request.urlopen(request, timeout=120) as answer:
+                return answer.status, answer.headers, answer.read()
+        except urllib.error.HTTPError as error:
+            return error.code, error.headers, error.read()
+
+    def metric(self, name):
+        return float(re.search(rf"^{re.escape(name)} (\S+)$", self.ask("metrics")[2].decode(), re.MULTILINE).group(1))
+
+    def cpu_seconds(self):
+        fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+    def stop(self):
+        self.process.send_signal(signal.SIGTERM)
+        code = self.process.wait(120)
+        self.process.stderr.close()
+        return code
