@@ -125,6 +125,8 @@ private:
 
 HttpServer::HttpServer(std::size_t connections, ClientTimes times) : most_(connections), times_(times) {
     new_task_queue = [connections] { return new httplib::ThreadPool(connections); };
+    set_keep_alive_timeout(times.idle);  // as the answers tell
+    set_keep_alive_max_count(kRequests);
 }
 
 bool HttpServer::awaitRequest(ClientStream& stream, bool first) const {

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "engine/storage/disk_cache.h"
+
 namespace nacre::app {
 
 /// Key of some bytes: 32 hexadecimal digits of their XXH3.
@@ -21,12 +23,10 @@ public:
     void keep(const std::string& name, const std::string& picture);
 
 private:
-    void makeRoom();
-
-    const std::string folder_;
-    const std::uint64_t most_;
+    const std::uint64_t slack_;  ///< bytes that are kept before those are looked for that make room
+    const DiskCache cache_;
     std::mutex turn_;
-    std::uint64_t held_ = 0;
+    std::uint64_t added_ = 0;  ///< bytes since then
 };
 
 }  // namespace nacre::app

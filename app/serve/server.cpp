@@ -198,7 +198,9 @@ struct Server::Parts {
             try {
                 handler(request, response);
             } catch (const Problem& problem) {
+                response.headers.clear();  // of a picture
                 response.status = problem.status;
+                response.set_header("Cache-Control", "no-store");
                 response.set_content(problemJson(problem.status, problem.what()), "application/problem+json");
             } catch (const std::exception& error) {
                 response.status = 500;

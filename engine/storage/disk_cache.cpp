@@ -100,7 +100,7 @@ std::optional<std::string> DiskCache::read(std::string_view name) const {
     return bytes;
 }
 
-bool DiskCache::write(std::string_view name, std::span<const std::string_view> parts) const {
+bool DiskCache::write(std::string_view name, std::span<const std::string_view> parts, bool trims) const {
     std::uint64_t size = 0;
     for (const std::string_view part : parts) size += part.size();
     if (!on() || size > maxBytes_ || !makeFolder()) return false;
@@ -116,7 +116,7 @@ bool DiskCache::write(std::string_view name, std::span<const std::string_view> p
         unlink(temporary.c_str());
         return false;
     }
-    trim();
+    if (trims) trim();
     return true;
 }
 

@@ -33,7 +33,8 @@ public:
     /// The whole entry, which counts as used now; empty if there is none, or it exceeds `maxBytes`.
     std::optional<std::string> read(std::string_view name) const;
     /// Makes or replaces an entry from consecutive parts. False if it could not be stored.
-    bool write(std::string_view name, std::span<const std::string_view> parts) const;
+    /// @param trims  false: the caller trims, since trimming looks at every entry
+    bool write(std::string_view name, std::span<const std::string_view> parts, bool trims = true) const;
     void remove(std::string_view name) const;
 
     /// Makes the folder, for callers that write an entry themselves. False if that fails, or it is not the cache's.

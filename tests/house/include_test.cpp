@@ -92,7 +92,7 @@ const std::vector<Arrows> kArrows = {
     // Its answers are commands': info, version.
     {"app/serve/",
      {"app/cli/commands.h", "app/drawing/", "app/download/", "app/images/", "app/movie/stop_request.h", "app/input/",
-      "app/picture/", "app/files/", "engine/*.h", "engine/molecule/"}},
+      "app/picture/", "app/files/", "engine/*.h", "engine/molecule/", "engine/storage/disk_cache.h"}},
     {"app/python/",
      {"app/download/", "app/drawing/", "app/export/", "app/movie/", "app/images/", "app/annotation/", "app/input/",
       "app/picture/", "app/files/", "engine/*.h", "engine/molecule/", "engine/scene/", "engine/volume/"}},

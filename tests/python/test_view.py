@@ -88,7 +88,7 @@ def test_without_a_browser_it_is_a_picture(dna):
 NOTEBOOK = pathlib.Path(os.environ.get("NACRE_SOURCE", ".")) / "docs/python/view.ipynb"
 
 
-def wait_for(browser, condition, seconds=120):
+def wait_for(browser, condition, seconds=90):
     from selenium.webdriver.support.ui import WebDriverWait
     return WebDriverWait(browser, seconds).until(condition)
 
@@ -146,8 +146,6 @@ def test_a_cell_turns(notebook):
         frame = wait_for(browser, lambda b: b.find_elements(By.CSS_SELECTOR, "iframe[src*='127.0.0.1']"))[0]
         wait_for(browser, lambda b: b.execute_script("return arguments[0].style.visibility", frame) == "visible")
         browser.execute_script("arguments[0].scrollIntoView()", frame)
-        if os.environ.get("NACRE_SCREENSHOT"):
-            browser.save_screenshot(os.environ["NACRE_SCREENSHOT"])
         browser.switch_to.frame(frame)
         stage = browser.find_element(By.ID, "stage")
         before = int(browser.execute_script("return document.body.dataset.pictures"))
@@ -167,4 +165,6 @@ def test_a_cell_turns(notebook):
         assert wait_for(browser, lambda b: b.execute_script(
             "const i = Jupyter.notebook.get_cell(3).output_area.element.find('img')[0]; return i && i.naturalWidth"))
     finally:
+        if os.environ.get("NACRE_SCREENSHOT"):
+            browser.save_screenshot(os.environ["NACRE_SCREENSHOT"])
         browser.quit()

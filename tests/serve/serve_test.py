@@ -37,6 +37,8 @@ class ServeTest(unittest.TestCase):
         got, headers, body = self.server.ask(path, data)
         self.assertEqual(got, status, body)
         self.assertEqual(headers["Content-Type"], "application/problem+json")
+        self.assertIsNone(headers["ETag"], "a failure that caches would keep")
+        self.assertNotIn("public", headers["Cache-Control"] or "")
         problem = json.loads(body)
         self.assertEqual(problem["status"], status)
         self.assertIn(words, problem["detail"])
@@ -56,7 +58,9 @@ class ServeTest(unittest.TestCase):
         _, headers, first = self.server.ask(path)
         tag = headers["ETag"]
         self.assertEqual(self.server.ask(path, None, **{"If-None-Match": tag})[0], 304)
+        hits = self.server.metric("nacre_cache_hits_total")
         self.assertEqual(self.server.ask(path)[2], first)
+        self.assertEqual(self.server.metric("nacre_cache_hits_total"), hits + 1)
         # Another order of the same options is the same picture, another option another.
         self.assertEqual(self.server.ask("picture?size=64x64&input=gly.pdb")[1]["ETag"], tag)
         self.assertNotEqual(self.server.ask(path + "&zoom=2")[1]["ETag"], tag)
@@ -68,6 +72,31 @@ class ServeTest(unittest.TestCase):
             self.assertNotEqual(body, first, "drawn from the file as it was")
         finally:
             (self.root / "gly.pdb").write_text(PDB)
+
+    def test_kept_pictures_make_room(self):
+        """In a folder of the cache's own, whatever else there is."""
+        cache = self.folder / "small"
+        server = Server(PROGRAM, self.folder, "--cache", str(cache), "--pictures", "1")
+        sizes = []
+        for number in range(60):
+            path = f"picture?input=sample:glucose&size=160x160&occlusion=off&format=tif&rotate=0,{number},0"
+            sizes.append(len(server.ask(path)[2]))
+            kept = [file.stat().st_size for file in (cache / "pictures").glob("picture-*")]
+            self.assertLessEqual(sum(kept), 1 << 20)
+        self.assertGreater(sum(sizes), 1 << 20)
+        self.assertGreater(sum(kept), (1 << 20) / 2)
+        hits = server.metric("nacre_cache_hits_total")
+        server.ask(path)
+        self.assertEqual(server.metric("nacre_cache_hits_total"), hits + 1)
+        self.assertEqual(server.stop(), 0)
+        # Somebody's pictures are no cache.
+        home = self.folder / "home"
+        (home / "pictures").mkdir(parents=True)
+        (home / "pictures/holiday.jpg").write_text("sun")
+        server = Server(PROGRAM, self.folder, "--cache", str(home), "--pictures", "1")
+        self.assertEqual(server.ask("picture?input=sample:glucose&size=32x32")[0], 200)
+        self.assertEqual(server.stop(), 0)
+        self.assertEqual([file.name for file in (home / "pictures").iterdir()], ["holiday.jpg"])
 
     def test_models(self):
         """Whoever drew the first model does not take it for the second."""
