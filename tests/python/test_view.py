@@ -5,6 +5,7 @@ import os
 import pathlib
 import re
 import shutil
+import socket
 import subprocess
 import time
 import urllib.error
@@ -102,19 +103,21 @@ def notebook(tmp_path):
     if not shutil.which("chromedriver"):
         pytest.skip("chromedriver is not installed")
     shutil.copy(NOTEBOOK, tmp_path)
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
     log = open(tmp_path / "log", "w")
-    server = subprocess.Popen(["jupyter-notebook", "--no-browser", "--allow-root", "--ip=127.0.0.1", "--port=0", "--NotebookApp.token=",
+    server = subprocess.Popen(["jupyter-notebook", "--no-browser", "--allow-root", "--ip=127.0.0.1", f"--port={port}", "--NotebookApp.token=",
                                "--NotebookApp.disable_check_xsrf=True", f"--notebook-dir={tmp_path}"], stderr=log, stdout=log,
                               env=os.environ | {"HOME": str(tmp_path), "JUPYTER_RUNTIME_DIR": str(tmp_path / "runtime")})
     try:
-        address = None
-        for _ in range(300):
-            address = re.search(r"http://127\.0\.0\.1:\d+/", (tmp_path / "log").read_text())
-            if address:
+        for _ in range(600):
+            if "is running at" in (tmp_path / "log").read_text():
                 break
             time.sleep(0.1)
-        assert address, (tmp_path / "log").read_text()
-        yield address.group(0) + "notebooks/view.ipynb"
+        else:
+            pytest.fail((tmp_path / "log").read_text())
+        yield f"http://127.0.0.1:{port}/notebooks/view.ipynb"
     finally:
         server.terminate()
         server.wait(30)

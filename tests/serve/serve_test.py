@@ -77,9 +77,10 @@ class ServeTest(unittest.TestCase):
         """In a folder of the cache's own, whatever else there is."""
         cache = self.folder / "small"
         server = Server(PROGRAM, self.folder, "--cache", str(cache), "--pictures", "1")
+        self.addCleanup(server.process.kill)
         sizes = []
         for number in range(60):
-            path = f"picture?input=sample:glucose&size=160x160&occlusion=off&format=tif&rotate=0,{number},0"
+            path = f"picture?input=sample:glucose&size=300x300&occlusion=off&format=tif&rotate=0,{number},0"
             sizes.append(len(server.ask(path)[2]))
             kept = [file.stat().st_size for file in (cache / "pictures").glob("picture-*")]
             self.assertLessEqual(sum(kept), 1 << 20)
