@@ -70,6 +70,8 @@ class Options(TypedDict, total=False):
     projection: str
     fov: str | float
     zoom: str | float
+    orientation: str
+    pan: str
     rotate: str | Sequence[float]
     orient: str
     look_at: str
