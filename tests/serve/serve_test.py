@@ -147,7 +147,7 @@ class ServeTest(unittest.TestCase):
         self.refused("x.png", 404, "no picture has this name")
         self.refused("nowhere", 404, "/nowhere")
         for key in ("output", "layers", "stats", "capture", "view", "trajectory", "device", "cache", "memory", "map"):
-            self.refused(f"picture?input=gly.pdb&{key}=/etc/passwd", 400, "the server's")
+            self.refused(f"picture?input=gly.pdb&{key}=/etc/passwd", 400, "set by the server")
         for key in ("primitives", "color-from"):
             self.refused(f"picture?input=gly.pdb&{key}=/etc/passwd", 400, "takes text here")
         self.refused("picture?input=gly.pdb&look=/etc/passwd", 400, "look")
