@@ -167,7 +167,7 @@ private:
     Number whole(const std::string& text, std::uint64_t number, const char* what) const {
         Number value{};
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (error != std::errc() || end != text.data() + text.size()) fail(number, "'" + text + "' is no " + what);
+        if (error != std::errc() || end != text.data() + text.size()) fail(number, "'" + text + "' is not a " + what);
         return value;
     }
 
@@ -239,10 +239,10 @@ private:
                 row.model = number();
                 return;
             case Column::id:
-                row.id = whole<std::uint32_t>(text, row.number, "atom's number");
+                row.id = whole<std::uint32_t>(text, row.number, "valid atom number");
                 return;
             case Column::index:
-                row.id = whole<std::uint32_t>(text, row.number, "atom's number") + 1;
+                row.id = whole<std::uint32_t>(text, row.number, "valid atom number") + 1;
                 return;
             case Column::color:
                 row.color = colorOf(text, row.number);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The examples of docs/batch do what they say: batch_examples_test.py SOURCE_FOLDER PROGRAM STRUCTURES."""
 import concurrent.futures
+import contextlib
 import gzip
 import importlib.util
 import json
@@ -130,6 +131,10 @@ class Examples(unittest.TestCase):
         self.assertIsNone(run.poll(), "it was done before it could be interrupted")
         os.killpg(run.pid, signal.SIGKILL)
         run.wait()
+        with contextlib.suppress(ProcessLookupError):  # what it started ends a moment later, and holds the lock until then
+            while True:
+                os.killpg(run.pid, 0)
+                time.sleep(0.02)
 
     @unittest.skipUnless(importlib.util.find_spec("distributed"), "python3-distributed is not installed")
     def test_dask(self):

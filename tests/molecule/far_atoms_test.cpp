@@ -55,7 +55,7 @@ TEST(FarAtoms, OtherNumbersOfPdbAreFinite) {
     EXPECT_EQ(molecule.atoms[0].occupancy, 1.0f);
     EXPECT_EQ(molecule.atoms[0].temperatureFactor, 0.0f);
     ASSERT_EQ(molecule.warnings.size(), 1u);
-    EXPECT_NE(molecule.warnings[0].find("no numbers"), std::string::npos);
+    EXPECT_NE(molecule.warnings[0].find("not numbers"), std::string::npos);
 }
 
 }  // namespace

@@ -217,7 +217,7 @@ TEST(OptionJson, TakesWhatACommandLineTakes) {
     EXPECT_EQ(job.look.rules.size(), 2u);
     EXPECT_TRUE(job.given.contains("zoom") && !job.given.contains("title"));
     for (const char* bad : {"[]", "{\"zoom\": true}", "{\"zom\": 2}", "{\"zoom\": 1, \"zoom\": 2}", "{\"output\": 3}",
-                            "{\"hash\": \"1-2\"}", "{\"orientation\": [1,0,0,0]}"})
+                            "{\"hash\": \"1-2\"}"})
         EXPECT_THROW(optionValuesOf(bad), UsageError) << bad;
     EXPECT_THROW(setOptions(optionValuesOf(R"({"clip": "1", "slab": 3})"), job), UsageError);
     EXPECT_THROW(setOptions(optionValuesOf(R"({"zoom": -1})"), job), UsageError);

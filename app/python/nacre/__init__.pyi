@@ -168,6 +168,7 @@ class Structure:
 class View:
     structure: Structure
     size: tuple[int, int]
+    def __init__(self, structure: Structure, size: Sequence[int], options: dict[str, Any]) -> None: ...
     @property
     def description(self) -> dict[str, Any]: ...
     @property
