@@ -61,8 +61,9 @@ const std::vector<Arrows> kArrows = {
     {"app/drawing/",
      {"app/annotation/", "app/input/", "app/picture/", "app/files/", "engine/*.h", "engine/molecule/", "engine/scene/",
       "engine/volume/"}},
+    {"app/mvs/", {"app/input/", "app/picture/", "app/files/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
     {"app/download/",
-     {"app/input/", "app/picture/", "app/files/", "engine/*.h", "engine/molecule/", "engine/storage/",
+     {"app/mvs/", "app/input/", "app/picture/", "app/files/", "engine/*.h", "engine/molecule/", "engine/storage/",
       "engine/volume/"}},
     {"app/download/molecule_sources.",
      {"app/download/", "app/viewer/", "app/drawing/", "app/input/", "app/picture/", "app/files/", "engine/*.h"}},
@@ -127,6 +128,7 @@ const std::vector<Arrows> kLibraries = {
     {"curl/", {"app/download/http.cpp"}},
     {"imgui", {"app/panel/"}},
     {"gemmi/", {"engine/molecule/", "engine/volume/"}},
+    {"zip.h", {"app/mvs/archive.cpp"}},
     {"nlohmann/", {"app/"}},
     {"pybind11/", {"app/python/module.cpp"}},
 };

@@ -1,0 +1,71 @@
+#include "app/mvs/node_table.h"
+
+#include <algorithm>
+
+namespace nacre::app::mvs {
+namespace {
+
+constexpr std::string_view kUri = "uri format schema category_name field_name block_header block_index";
+constexpr std::string_view kUriValues =
+    "uri format schema category_name field_name block_header block_index field_values";
+constexpr std::string_view kSource = "schema category_name field_name block_header block_index";
+constexpr std::string_view kSourceValues = "schema category_name field_name block_header block_index field_values";
+
+constexpr NodeRow kRows[] = {
+    {"root", "", "", ""},
+    {"download", "url", "", "files in the archive, beside the scene, of --mvs-map, or downloaded"},
+    {"parse", "format", "", "every format that Nacre reads; the content decides"},
+    {"structure",
+     "type assembly_id assembly_index model_index block_index block_header radius ijk_min ijk_max",
+     "",
+     "block_index and block_header: of CIF and SDF"},
+    {"transform", "rotation translation matrix", "rotation_center", "rigid motions"},
+    {"instance", "rotation translation matrix", "rotation_center", "rigid motions"},
+    {"component", "selector", "", ""},
+    {"component_from_uri", kUriValues, "", ""},
+    {"component_from_source", kSourceValues, "", ""},
+    {"representation", "type", "", "types: the rows below"},
+    {"representation:cartoon", "type tubular_helices", "size_factor", ""},
+    {"representation:ball_and_stick", "type ignore_hydrogens size_factor", "", "of opacity: drawn opaque"},
+    {"representation:spacefill", "type ignore_hydrogens size_factor", "", "of opacity: drawn opaque"},
+    {"representation:surface", "type ignore_hydrogens surface_type", "size_factor", ""},
+    {"representation:line", "type ignore_hydrogens size_factor", "", "as thin sticks"},
+    {"representation:backbone", "type", "size_factor", "as a tube"},
+    {"representation:putty", "type", "size_factor size_theme", ""},
+    {"color", "color selector", "", ""},
+    {"color_from_uri", kUri, "", ""},
+    {"color_from_source", kSource, "", ""},
+    {"opacity", "opacity selector", "", "of cartoons and surfaces"},
+    {"label", "text", "", ""},
+    {"label_from_uri", kUri, "", ""},
+    {"label_from_source", kSource, "", ""},
+    {"tooltip", "text", "", "shown in windows"},
+    {"tooltip_from_uri", kUri, "", "shown in windows"},
+    {"tooltip_from_source", kSource, "", "shown in windows"},
+    {"focus", "direction up radius radius_factor radius_extent", "", ""},
+    {"camera", "target position up near", "", ""},
+    {"canvas", "background_color", "", ""},
+};
+
+/// Whether a word is one of some with blanks between them.
+bool isAmong(std::string_view word, std::string_view words) {
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find(' '), words.size());
+        if (words.substr(0, end) == word) return true;
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    return false;
+}
+
+}  // namespace
+
+bool NodeRow::knows(std::string_view param) const { return isAmong(param, params); }
+
+std::span<const NodeRow> nodeRows() { return kRows; }
+
+const NodeRow* nodeRow(std::string_view kind) {
+    const auto found = std::find_if(std::begin(kRows), std::end(kRows), [&](const NodeRow& row) { return row.kind == kind; });
+    return found == std::end(kRows) ? nullptr : &*found;
+}
+
+}  // namespace nacre::app::mvs
