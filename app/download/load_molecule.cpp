@@ -98,8 +98,9 @@ Molecule loadSceneFile(InputOptions input, const std::function<void(double)>& on
     if (!input.trajectory.path.empty())
         throw Error("cannot read scene", input.path, "a scene stands still: it takes no --trajectory");
     if (!input.further.empty()) throw Error("cannot read scene", input.path, "a scene stands alone: name no other INPUT");
-    input.path = input.namedBy.empty() ? input.path : namedPath(input);
-    return completed(input, loadScene(input, mvs::readSceneBytes(input.path), readWithin(memoryOf(input)), onDownload));
+    if (input.addHydrogens) throw Error("cannot read scene", input.path, "its molecules take no hydrogens");
+    if (!input.namedBy.empty()) input.path = namedPath(input);
+    return loadScene(input, mvs::readSceneBytes(input.path), readWithin(memoryOf(input)), onDownload);
 }
 
 Molecule loadStructure(const InputOptions& input, const std::function<void(double)>& onDownload,

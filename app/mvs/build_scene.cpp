@@ -287,7 +287,7 @@ private:
             whole.serials.clear();
         }
         guide_->camera = camera_.camera(whole, *guide_, firsts, warnings_);
-        for (std::string& warning : warnings_.take()) whole.warnings.push_back(std::move(warning));
+        guide_->warnings = warnings_.take();
         whole.guide = guide_;
         return whole;
     }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/scene/appearance.h"
+#include "engine/scene/primitives.h"
 
 namespace nacre {
 
@@ -26,13 +27,10 @@ struct SceneLayer {
     SurfaceOptions surface;              ///< of Style::surface
 };
 
-/// Text at some atoms, which need not be drawn.
-struct SceneLabel {
+/// Text that some atoms have.
+struct SceneNote {
     std::vector<std::uint32_t> atoms;  ///< ascending
-    glm::dvec3 at{};                   ///< their middle, Å, in the file's frame
     std::string text;                  ///< plain
-    double size = 0;                   ///< Å of an em; 0: as other words
-    std::optional<std::uint32_t> color = {};  ///< packed; empty: as other words
 };
 
 /// A camera that looks at a ball: perspective, with an angle across the picture's height.
@@ -49,10 +47,12 @@ struct SceneGuide {
     std::vector<glm::dmat4x3> transforms;  ///< in the file's frame, rigid, no two the same
     std::vector<std::vector<std::uint32_t>> lists;  ///< of transforms, ascending, no two the same
     std::vector<std::uint32_t> listOfResidue;       ///< by residue
-    std::vector<SceneLabel> labels, tooltips;
+    std::vector<SceneNote> tooltips;
+    Primitives primitives;  ///< labels of atoms, too
     std::optional<SceneCamera> camera;
     std::optional<std::array<float, 4>> background;  ///< sRGB-coded, straight alpha
     std::string title;                               ///< plain; empty: none
+    std::vector<std::string> warnings;               ///< of the scene's nodes, a sentence each
 };
 
 }  // namespace nacre

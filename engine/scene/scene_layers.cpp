@@ -236,8 +236,7 @@ Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers) {
             for (const std::uint32_t copy : guide.lists[listOf(molecule, guide, index)])
                 balls.emplace_back(guide.transforms[copy] * glm::dvec4(glm::dvec3(atom.position), 1.0), radius);
         }
-    if (balls.empty()) throw Error("cannot draw scene", "", "nothing of its molecules is shown");
-    return boundsOf(balls);
+    return balls.empty() ? Bounds{{}, 1} : boundsOf(balls);
 }
 
 Representation representLayers(const ResidueFacts& facts, const GuidedLayers& guided,
@@ -266,8 +265,6 @@ Representation representLayers(const ResidueFacts& facts, const GuidedLayers& gu
             guide.transforms.empty() ? appendPart(result, part) : place(part, list, result);
             if (guide.transforms.empty()) result.drawnBonds += part.drawnBonds;
         }
-    if (result.spheres.empty() && result.triangles.empty() && result.cylinders.empty())
-        throw Error("cannot draw scene", "", "nothing of its molecules is shown");
     result.radius = std::max(reachOf(result), 1.0);
     result.drawnAtoms = atomsIn(molecule, guided.layers);
     result.atomGroups = atomGroups(facts);

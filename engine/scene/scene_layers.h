@@ -17,7 +17,7 @@ struct GuidedLayers {
 GuidedLayers guidedLayers(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                           const RepresentationOptions& options);
 
-/// The sphere about all that layers show, in all copies. @throws Error if they show nothing
+/// The sphere about all that layers show, in all copies; of 1 Å at the origin if they show nothing.
 Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers);
 
 /// What layers of a molecule that has a guide look like. @param frame  centre and radius, as represent() takes it
