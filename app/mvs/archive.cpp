@@ -14,7 +14,7 @@ namespace {
 constexpr zip_int64_t kMostEntries = 10'000;
 constexpr std::uint64_t kMostBytes = 512ull << 20, kFreely = 1 << 20, kMostRatio = 100;
 
-[[noreturn]] void fail(const std::string& name, const std::string& why) {
+[[noreturn]] void refuseArchive(const std::string& name, const std::string& why) {
     throw Error("cannot read scene", name, why);
 }
 
@@ -54,19 +54,19 @@ SceneArchive::SceneArchive(std::string name, std::string bytes) : name_(std::mov
     zip_error_fini(&error);
     if (!zip_->archive) {
         if (source) zip_source_free(source);
-        fail(name_, "it is no zip: " + printable(why, 100));
+        refuseArchive(name_, "it is no zip: " + printable(why, 100));
     }
     const zip_int64_t count = zip_get_num_entries(zip_->archive, 0);
-    if (count > kMostEntries) fail(name_, "it has more than " + std::to_string(kMostEntries) + " entries");
+    if (count > kMostEntries) refuseArchive(name_, "it has more than " + std::to_string(kMostEntries) + " entries");
     for (zip_int64_t i = 0; i < count; ++i) {
         const char* entry = zip_get_name(zip_->archive, static_cast<zip_uint64_t>(i), ZIP_FL_ENC_GUESS);
-        if (!entry) fail(name_, "an entry has no name");
+        if (!entry) refuseArchive(name_, "an entry has no name");
         const std::string_view path = entry;
         if (path.ends_with("/")) continue;
-        if (!isInside(path)) fail(name_, "the entry '" + printable(path) + "' leads out of it");
+        if (!isInside(path)) refuseArchive(name_, "the entry '" + printable(path) + "' leads out of it");
         zip_->entries.emplace(path, static_cast<zip_uint64_t>(i));
     }
-    if (!holds("index.mvsj")) fail(name_, "it is a zip without index.mvsj");
+    if (!holds("index.mvsj")) refuseArchive(name_, "it is a zip without index.mvsj");
 }
 
 SceneArchive::~SceneArchive() = default;
@@ -75,17 +75,17 @@ bool SceneArchive::holds(const std::string& entry) const { return zip_->entries.
 
 std::string SceneArchive::read(const std::string& entry) const {
     const auto found = zip_->entries.find(entry);
-    if (found == zip_->entries.end()) fail(name_, "it has no entry '" + printable(entry) + "'");
+    if (found == zip_->entries.end()) refuseArchive(name_, "it has no entry '" + printable(entry) + "'");
     zip_stat_t facts;
     zip_stat_init(&facts);
     if (zip_stat_index(zip_->archive, found->second, 0, &facts) != 0 || !(facts.valid & ZIP_STAT_SIZE) ||
         !(facts.valid & ZIP_STAT_COMP_SIZE))
-        fail(name_, "the size of '" + printable(entry) + "' is not stated");
+        refuseArchive(name_, "the size of '" + printable(entry) + "' is not stated");
     if (facts.size > kMostBytes || (facts.size > kFreely && facts.size / kMostRatio > facts.comp_size))
-        fail(name_, "'" + printable(entry) + "' inflates to " + std::to_string(facts.size) + " bytes, more than allowed");
+        refuseArchive(name_, "'" + printable(entry) + "' inflates to " + std::to_string(facts.size) + " bytes, more than allowed");
     zip_file_t* file = zip_fopen_index(zip_->archive, found->second, 0);
     if (!file)
-        fail(name_, "'" + printable(entry) + "' cannot be opened: " +
+        refuseArchive(name_, "'" + printable(entry) + "' cannot be opened: " +
                         printable(zip_error_strerror(zip_get_error(zip_->archive)), 100));
     std::string bytes(facts.size, '\0');
     std::size_t at = 0;
@@ -95,7 +95,7 @@ std::string SceneArchive::read(const std::string& entry) const {
         at += static_cast<std::size_t>(got);
     }
     const bool whole = zip_fclose(file) == 0 && at == bytes.size();
-    if (!whole) fail(name_, "'" + printable(entry) + "' is damaged");
+    if (!whole) refuseArchive(name_, "'" + printable(entry) + "' is damaged");
     return bytes;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
@@ -11,17 +10,13 @@
 #include "app/mvs/camera_nodes.h"
 #include "app/mvs/node_table.h"
 #include "app/mvs/scene_parts.h"
+#include "app/mvs/scene_primitives.h"
 #include "engine/error.h"
 #include "engine/molecule/join_models.h"
 #include "engine/molecule/text.h"
 
 namespace nacre::app::mvs {
 namespace {
-
-std::string textOf(const Node& node, const char* name) {
-    const Json* value = node.param(name);
-    return value && value->is_string() ? value->get<std::string>() : std::string();
-}
 
 /// First `second`, then `first`.
 glm::dmat4x3 after(const glm::dmat4x3& first, const glm::dmat4x3& second) {
@@ -50,6 +45,7 @@ private:
         if (node.kind == "camera") camera_.takeCamera(node, warnings_);
         if (node.kind == "canvas") canvas(node);
         if (node.kind == "focus") camera_.focusAll(node);
+        if (node.kind.starts_with("primitives")) groups_.push_back({&node, kNoStructure});
     }
 
     void canvas(const Node& node) {
@@ -61,7 +57,7 @@ private:
     }
 
     void download(const Node& node) {
-        const std::string url = textOf(node, "url");
+        const std::string url = nodeText(node, "url");
         if (url.empty()) throw Error("cannot draw scene", node.place, "it has no url");
         for (const Node& child : node.children) {
             tellUnknown(child, warnings_);
@@ -89,26 +85,27 @@ private:
             if (child.kind == "instance") s.instances.push_back(motionOfNode(child));
             if (child.kind.starts_with("component")) component(child, s);
             words(child, all, s);
+            if (child.kind.starts_with("primitives")) groups_.push_back({&child, structures_.size() - 1});
         }
     }
 
     /// Labels, tooltips and focus of some atoms of a structure.
     void words(const Node& node, const std::vector<bool>& atoms, Structure& s) {
         if (node.kind == "label" || node.kind == "tooltip")
-            addText(atoms, textOf(node, "text"), s, node.kind == "label" ? s.labels : s.tooltips);
+            addText(atoms, nodeText(node, "text"), s, node.kind == "label" ? s.labels : s.tooltips);
         if (node.kind.starts_with("label_from_")) addTexts(node, "label", s, s.labels);
         if (node.kind.starts_with("tooltip_from_")) addTexts(node, "tooltip", s, s.tooltips);
         if (node.kind == "focus") camera_.takeFocus(node, structures_.size() - 1, s.atoms->drawnOf(atoms));
     }
 
     static void addText(const std::vector<bool>& atoms, const std::string& text, const Structure& s,
-                        std::vector<SceneLabel>& labels) {
-        SceneLabel label{s.atoms->drawnOf(atoms), {}, text};
+                        std::vector<Structure::Text>& labels) {
+        Structure::Text label{s.atoms->drawnOf(atoms), text};
         if (!label.atoms.empty() && !text.empty()) labels.push_back(std::move(label));
     }
 
     /// One text for each group of rows.
-    void addTexts(const Node& node, const char* field, Structure& s, std::vector<SceneLabel>& labels) {
+    void addTexts(const Node& node, const char* field, Structure& s, std::vector<Structure::Text>& labels) {
         std::vector<std::pair<std::string, std::vector<bool>>> texts;
         std::map<std::string, std::size_t> groups;
         for (const AnnotationRow& row : rowsOf(node, field, s, files_)) {
@@ -232,39 +229,58 @@ private:
         }
     }
 
-    static glm::dvec3 middleOf(const std::vector<std::uint32_t>& atoms, const Molecule& molecule) {
-        glm::dvec3 low(1e30), high(-1e30);
-        for (const std::uint32_t atom : atoms) {
-            low = glm::min(low, glm::dvec3(molecule.atoms[atom].position));
-            high = glm::max(high, glm::dvec3(molecule.atoms[atom].position));
+    /// Labels become primitives while structures still have their own atoms; tooltips those of the whole.
+    void takeTexts(Structure& s, std::uint32_t firstAtom) {
+        for (const Structure::Text& label : s.labels)
+            guide_->primitives.labels.push_back(labelOf(label.text, label.atoms, s, std::nullopt));
+        for (Structure::Text& tip : s.tooltips) {
+            for (std::uint32_t& atom : tip.atoms) atom += firstAtom;
+            guide_->tooltips.push_back({std::move(tip.atoms), std::move(tip.text)});
         }
-        return (low + high) / 2.0;
     }
 
-    void takeTexts(std::vector<SceneLabel>& texts, const Structure& s, bool moved, std::uint32_t firstAtom,
-                   std::vector<SceneLabel>& all) {
-        const glm::dmat4x3 copy = s.transforms.empty() ? glm::dmat4x3(1.0) : s.transforms.front();
-        for (SceneLabel& text : texts) {
-            text.at = middleOf(text.atoms, *s.molecule);
-            if (moved) text.at = motionsOf(s, copy).front() * glm::dvec4(text.at, 1.0);
-            for (std::uint32_t& atom : text.atoms) atom += firstAtom;
-            all.push_back(std::move(text));
+    void takePrimitives() {
+        for (const Group& group : groups_) {
+            const Structure* own = group.structure == kNoStructure ? nullptr : &structures_[group.structure];
+            Node loaded;
+            const Node* node = group.node;
+            if (node->kind == "primitives_from_uri") {
+                const std::string uri = nodeText(*node, "uri");
+                if (uri.empty()) throw Error("cannot draw scene", node->place, "it has no uri");
+                loaded = parseNode(files_.bytes(uri), printable(uri, 200));
+                node = &loaded;
+            }
+            guide_->primitives.append(readPrimitives(*node, own, structures_, warnings_));
         }
+    }
+
+    Molecule withoutStructures() {
+        if (guide_->primitives.empty()) throw Error("cannot draw scene", name_, "it shows nothing");
+        Molecule none;
+        none.file.format = "mvs";
+        finish(none, {});
+        return none;
+    }
+
+    void finish(Molecule& molecule, const std::vector<std::uint32_t>& firsts) {
+        guide_->camera = camera_.camera(molecule, *guide_, firsts, warnings_);
+        guide_->warnings = warnings_.take();
+        molecule.guide = guide_;
     }
 
     /// All structures as one molecule, with the guide to it.
     Molecule joined() {
-        if (structures_.empty()) throw Error("cannot draw scene", name_, "it has no structure");
+        takePrimitives();
+        if (structures_.empty()) return withoutStructures();
         const bool once = single();
         std::vector<Molecule> molecules;
         std::vector<std::uint32_t> firsts;
         std::uint32_t atoms = 0;
         for (std::size_t i = 0; i < structures_.size(); ++i) {
             Structure& s = structures_[i];
+            takeTexts(s, atoms);
             once ? putAtoms(s) : placeCopies(s);
             dropUnplaced(s);
-            takeTexts(s.labels, s, !once, atoms, guide_->labels);
-            takeTexts(s.tooltips, s, !once, atoms, guide_->tooltips);
             for (SceneLayer& layer : s.layers) {
                 for (std::uint32_t& atom : layer.atoms) atom += atoms;
                 guide_->layers.push_back(std::move(layer));
@@ -286,9 +302,7 @@ private:
             whole.assemblies.clear();
             whole.serials.clear();
         }
-        guide_->camera = camera_.camera(whole, *guide_, firsts, warnings_);
-        guide_->warnings = warnings_.take();
-        whole.guide = guide_;
+        finish(whole, firsts);
         return whole;
     }
 
@@ -299,6 +313,12 @@ private:
     std::shared_ptr<SceneGuide> guide_;
     std::vector<Structure> structures_;
     CameraNodes camera_;
+    struct Group {
+        const Node* node;
+        std::size_t structure;  ///< or kNoStructure
+    };
+    static constexpr std::size_t kNoStructure = SIZE_MAX;
+    std::vector<Group> groups_;  ///< of primitives
     std::size_t layers_ = 0;
 };
 

@@ -89,6 +89,7 @@ std::optional<SceneCamera> CameraNodes::camera(const Molecule& molecule, const S
         std::vector<glm::dvec4> balls;
         for (const SceneLayer& layer : guide.layers)
             for (const std::uint32_t atom : layer.atoms) put(atom, roomOf(layer), balls);
+        if (const auto beside = boundsOf(guide.primitives)) balls.emplace_back(beside->center, beside->radius);
         return balls;
     };
     std::vector<glm::dvec4> spheres;

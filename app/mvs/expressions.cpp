@@ -12,16 +12,16 @@
 namespace nacre::app::mvs {
 namespace {
 
-using Text = std::optional<std::string> Expression::*;
-using Number = std::optional<std::int64_t> Expression::*;
+using TextOf = std::optional<std::string> Expression::*;
+using NumberOf = std::optional<std::int64_t> Expression::*;
 
 struct TextField {
     std::string_view name;
-    Text field;
+    TextOf field;
 };
 struct NumberField {
     std::string_view name;
-    Number field;
+    NumberOf field;
 };
 constexpr TextField kTexts[] = {
     {"label_entity_id", &Expression::labelEntity},  {"label_asym_id", &Expression::labelChain},
@@ -36,7 +36,7 @@ constexpr NumberField kNumbers[] = {
     {"residue_index", &Expression::residueIndex},  {"atom_id", &Expression::atomId},
     {"atom_index", &Expression::atomIndex}};
 
-std::int64_t numberOf(const Json& value) {
+std::int64_t wholeNumberOf(const Json& value) {
     if (value.is_number_integer()) return value.get<std::int64_t>();
     if (value.is_number() && std::abs(value.get<double>()) < 1e15 &&
         std::trunc(value.get<double>()) == value.get<double>())
@@ -69,7 +69,7 @@ bool setField(Expression& expression, std::string_view field, const Json& value)
     }
     for (const NumberField& number : kNumbers) {
         if (number.name != field) continue;
-        if (!value.is_null()) expression.*number.field = numberOf(value);
+        if (!value.is_null()) expression.*number.field = wholeNumberOf(value);
         return true;
     }
     return false;

@@ -45,6 +45,45 @@ constexpr NodeRow kRows[] = {
     {"focus", "direction up radius radius_factor radius_extent", "", ""},
     {"camera", "target position up near", "", ""},
     {"canvas", "background_color", "", ""},
+    {"primitives", "color label_color tooltip opacity label_opacity", "instances", "its primitives: the rows below"},
+    {"primitives_from_uri", "uri format", "references", ""},
+    {"primitive", "kind", "", "kinds: the rows below"},
+    {"primitive:tube", "kind start end radius dash_length color tooltip", "", ""},
+    {"primitive:arrow",
+     "kind start end direction length show_start_cap start_cap_length start_cap_radius show_end_cap end_cap_length "
+     "end_cap_radius show_tube tube_radius tube_dash_length color tooltip",
+     "",
+     "both heads are of one size"},
+    {"primitive:lines",
+     "kind vertices indices line_groups group_colors group_tooltips group_widths tooltip width color",
+     "",
+     "opaque"},
+    {"primitive:mesh",
+     "kind vertices indices triangle_groups group_colors group_tooltips tooltip color show_triangles show_wireframe "
+     "wireframe_width wireframe_color",
+     "",
+     ""},
+    {"primitive:label", "kind position text label_size label_color", "label_offset", "labels lie over what is drawn"},
+    {"primitive:distance_measurement",
+     "kind start end radius dash_length color label_template label_size label_auto_size_scale label_auto_size_min "
+     "label_color",
+     "",
+     ""},
+    {"primitive:angle_measurement",
+     "kind a b c label_template label_size label_auto_size_scale label_auto_size_min label_color show_vector "
+     "vector_color vector_radius show_section section_color section_radius section_radius_scale",
+     "start end radius dash_length color",
+     ""},
+    {"primitive:ellipse",
+     "kind center as_circle major_axis minor_axis major_axis_endpoint minor_axis_endpoint radius_major radius_minor "
+     "theta_start theta_end color tooltip",
+     "",
+     ""},
+    {"primitive:ellipsoid",
+     "kind center major_axis minor_axis major_axis_endpoint minor_axis_endpoint radius radius_extent color tooltip",
+     "",
+     ""},
+    {"primitive:box", "kind center extent show_faces face_color show_edges edge_radius edge_color tooltip", "", ""},
 };
 
 /// Whether a word is one of some with blanks between them.

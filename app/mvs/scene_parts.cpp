@@ -19,19 +19,14 @@
 namespace nacre::app::mvs {
 namespace {
 
-[[noreturn]] void fail(const Node& node, const std::string& why) {
+[[noreturn]] void refuseNode(const Node& node, const std::string& why) {
     throw Error("cannot draw scene", node.place, why);
-}
-
-std::string textOf(const Node& node, const char* name) {
-    const Json* value = node.param(name);
-    return value && value->is_string() ? value->get<std::string>() : std::string();
 }
 
 std::optional<std::int64_t> wholeOf(const Node& node, const char* name) {
     const Json* value = node.param(name);
     if (!value) return std::nullopt;
-    if (!value->is_number_integer()) fail(node, std::string(name) + " is no whole number");
+    if (!value->is_number_integer()) refuseNode(node, std::string(name) + " is no whole number");
     return value->get<std::int64_t>();
 }
 
@@ -39,10 +34,10 @@ std::array<int, 3> cellsOf(const Node& node, const char* name, int otherwise) {
     const Json* value = node.param(name);
     std::array<int, 3> cells{otherwise, otherwise, otherwise};
     if (!value) return cells;
-    if (!value->is_array() || value->size() != 3) fail(node, std::string(name) + " is no list of three whole numbers");
+    if (!value->is_array() || value->size() != 3) refuseNode(node, std::string(name) + " is no list of three whole numbers");
     for (std::size_t i = 0; i < 3; ++i) {
         if (!(*value)[i].is_number_integer() || std::abs((*value)[i].get<double>()) > 1000)
-            fail(node, std::string(name) + " is no list of three whole numbers within 1000");
+            refuseNode(node, std::string(name) + " is no list of three whole numbers within 1000");
         cells[i] = (*value)[i].get<int>();
     }
     return cells;
@@ -62,7 +57,7 @@ std::string blockOf(const Node& node, const std::string& text, const std::string
         ++number, ++found;
     }
     if (start == std::string::npos)
-        fail(node, header.empty() ? "the file has " + std::to_string(found) + " data blocks, none of number " +
+        refuseNode(node, header.empty() ? "the file has " + std::to_string(found) + " data blocks, none of number " +
                                         std::to_string(index)
                                   : "the file has no data block '" + printable(header) + "'");
     return text.substr(start, at - start);
@@ -70,12 +65,12 @@ std::string blockOf(const Node& node, const std::string& text, const std::string
 
 void placeAssemblyOf(const Node& node, Structure& s, SceneWarnings& warnings) {
     const Molecule& molecule = *s.molecule;
-    std::string id = textOf(node, "assembly_id");
+    std::string id = nodeText(node, "assembly_id");
     const std::size_t index = static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "assembly_index").value_or(0), 0));
     if (id.empty() && molecule.assemblies.empty())
         return warnings.add(node, "the file states no assemblies: its model is shown");
     if (id.empty() && index >= molecule.assemblies.size())
-        fail(node, "there is no assembly of index " + std::to_string(index));
+        refuseNode(node, "there is no assembly of index " + std::to_string(index));
     if (id.empty()) id = molecule.assemblies[index].id;
     Placement placement = placeAssembly(molecule, id);
     s.transforms = std::move(placement.transforms);
@@ -96,11 +91,11 @@ std::vector<double> numbersOf(const Node& node, const char* name, std::size_t co
     if (!value) return {};
     constexpr double kLargest = 1e6;
     if (!value->is_array() || value->size() != count)
-        fail(node, std::string(name) + " is no list of " + std::to_string(count) + " numbers");
+        refuseNode(node, std::string(name) + " is no list of " + std::to_string(count) + " numbers");
     std::vector<double> numbers;
     for (const Json& each : *value) {
         if (!each.is_number() || !(std::abs(each.get<double>()) <= kLargest))
-            fail(node, std::string(name) + " has a value that is no number within 1e6");
+            refuseNode(node, std::string(name) + " has a value that is no number within 1e6");
         numbers.push_back(each.get<double>());
     }
     return numbers;
@@ -134,6 +129,11 @@ const std::string& SceneFiles::bytes(const std::string& uri) {
     return known_.emplace(uri, std::move(bytes)).first->second;
 }
 
+std::string nodeText(const Node& node, const char* name) {
+    const Json* value = node.param(name);
+    return value && value->is_string() ? value->get<std::string>() : std::string();
+}
+
 std::optional<std::uint32_t> colorOf(const Json* value) {
     if (!value || !value->is_string()) return std::nullopt;
     try {
@@ -153,10 +153,10 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
     s.ref = node.ref;
     ReadOptions options = files.sources().reading;
     options.model = static_cast<int>(std::clamp<std::int64_t>(wholeOf(node, "model_index").value_or(0), 0, 1'000'000)) + 1;
-    const std::string format = lowerCase(textOf(parse, "format"));
+    const std::string format = lowerCase(nodeText(parse, "format"));
     if (format == "map" || format == "dx" || format == "dxbin")
-        fail(parse, "a density map has no structure");
-    const std::string header = textOf(node, "block_header");
+        refuseNode(parse, "a density map has no structure");
+    const std::string header = nodeText(node, "block_header");
     const std::size_t block = static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "block_index").value_or(0), 0));
     std::string bytes = files.bytes(uri);
     const bool binary = !bytes.empty() && (static_cast<unsigned char>(bytes[0]) & 0x80) != 0;
@@ -168,7 +168,7 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
         warnings.add(node, "of BinaryCIF the first block with atoms is read");
     s.molecule = std::make_unique<Molecule>(readMolecule(printable(uri, 200), std::move(bytes), options));
     s.atoms = std::make_unique<StructureAtoms>(*s.molecule);
-    const std::string type = textOf(node, "type");
+    const std::string type = nodeText(node, "type");
     if (type == "assembly") {
         placeAssemblyOf(node, s, warnings);
     } else if (type == "symmetry") {
@@ -196,7 +196,7 @@ glm::dmat4x3 motionOfNode(const Node& node) {
     const glm::dmat3 square = glm::transpose(turn) * turn;
     for (int i = 0; i < 9; ++i)
         if (!(std::abs(square[i / 3][i % 3] - (i % 4 == 0 ? 1.0 : 0.0)) <= 0.01))
-            fail(node, "its rotation stretches, skews or shrinks");
+            refuseNode(node, "its rotation stretches, skews or shrinks");
     return motion;
 }
 
@@ -231,14 +231,14 @@ std::vector<bool> selected(const Node& node, const Json* selector, const Structu
 
 std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Structure& structure, SceneFiles& files) {
     const bool fromUri = node.kind.ends_with("_from_uri");
-    const std::string uri = fromUri ? textOf(node, "uri") : structure.uri;
-    if (uri.empty()) fail(node, "it has no uri");
+    const std::string uri = fromUri ? nodeText(node, "uri") : structure.uri;
+    if (uri.empty()) refuseNode(node, "it has no uri");
     TablePlace place;
-    place.block = textOf(node, "block_header");
+    place.block = nodeText(node, "block_header");
     place.blockIndex = static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "block_index").value_or(0), 0));
-    place.category = textOf(node, "category_name");
-    const std::string named = textOf(node, "field_name");
-    return readAnnotations(printable(uri, 200), files.bytes(uri), place, textOf(node, "schema"),
+    place.category = nodeText(node, "category_name");
+    const std::string named = nodeText(node, "field_name");
+    return readAnnotations(printable(uri, 200), files.bytes(uri), place, nodeText(node, "schema"),
                            named.empty() ? field : named);
 }
 

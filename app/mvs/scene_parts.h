@@ -56,9 +56,17 @@ struct Structure {
     glm::dmat4x3 moved{1.0};                        ///< by transform nodes, after all else
     std::vector<glm::dmat4x3> instances;            ///< by instance nodes, instead of `moved`
     std::vector<SceneLayer> layers;                 ///< of its own atoms
-    std::vector<SceneLabel> labels, tooltips;
+    struct Text {
+        std::vector<std::uint32_t> atoms;  ///< ascending
+        std::string text;
+    };
+    std::vector<Text> labels, tooltips;
+    std::optional<std::uint32_t> labelColor;  ///< of its representations, if they have one colour
     std::string ref;
 };
+
+/// A parameter that is a text; empty if it is none.
+std::string nodeText(const Node& node, const char* name);
 
 /// A colour as MolViewSpec writes it, packed; empty if it is none.
 std::optional<std::uint32_t> colorOf(const Json* value);

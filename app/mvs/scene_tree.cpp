@@ -9,11 +9,11 @@
 namespace nacre::app::mvs {
 namespace {
 
-[[noreturn]] void fail(const std::string& name, const std::string& why) {
+[[noreturn]] void refuseScene(const std::string& name, const std::string& why) {
     throw Error("cannot read scene", name, why);
 }
 
-std::string textOf(const Json& object, const char* key) {
+std::string textAt(const Json& object, const char* key) {
     const auto found = object.find(key);
     return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
@@ -33,23 +33,23 @@ public:
 
     Node read(Json& json, const std::string& place) {
         if (!json.is_object() || !json.contains("kind") || !json["kind"].is_string())
-            fail(name_, place + " is no node: it has no \"kind\"");
-        if (++count_ > kMostNodes) fail(name_, "it has more than " + std::to_string(kMostNodes) + " nodes");
+            refuseScene(name_, place + " is no node: it has no \"kind\"");
+        if (++count_ > kMostNodes) refuseScene(name_, "it has more than " + std::to_string(kMostNodes) + " nodes");
         Node node;
         node.kind = json["kind"].get<std::string>();
-        node.ref = textOf(json, "ref");
+        node.ref = textAt(json, "ref");
         node.place = place;
         if (const auto params = json.find("params"); params != json.end() && !params->is_null()) {
-            if (!params->is_object()) fail(name_, place + ": its \"params\" are no object");
+            if (!params->is_object()) refuseScene(name_, place + ": its \"params\" are no object");
             node.params = std::move(*params);
         }
         const auto children = json.find("children");
         if (children == json.end() || children->is_null()) return node;
-        if (!children->is_array()) fail(name_, place + ": its \"children\" are no list");
+        if (!children->is_array()) refuseScene(name_, place + ": its \"children\" are no list");
         node.children.reserve(std::min(children->size(), kMostNodes));
         std::size_t number = 0;
         for (Json& child : *children) {
-            const std::string kind = child.is_object() ? textOf(child, "kind") : "";
+            const std::string kind = child.is_object() ? textAt(child, "kind") : "";
             node.children.push_back(
                 read(child, place + "/" + printable(kind.empty() ? "node" : kind) + " " + std::to_string(++number)));
         }
@@ -64,20 +64,20 @@ private:
 void takeMetadata(const Json& json, Snapshot& snapshot) {
     const auto metadata = json.find("metadata");
     if (metadata == json.end() || !metadata->is_object()) return;
-    snapshot.title = textOf(*metadata, "title");
-    snapshot.description = textOf(*metadata, "description");
-    snapshot.key = textOf(*metadata, "key");
+    snapshot.title = textAt(*metadata, "title");
+    snapshot.description = textAt(*metadata, "description");
+    snapshot.key = textAt(*metadata, "key");
     snapshot.lingerSeconds = secondsOf(*metadata, "linger_duration_ms");
     snapshot.transitionSeconds = secondsOf(*metadata, "transition_duration_ms");
 }
 
 Snapshot readSnapshot(Json& json, const std::string& place, TreeReader& reader, const std::string& name) {
     const auto root = json.is_object() ? json.find("root") : json.end();
-    if (!json.is_object() || root == json.end()) fail(name, place + " has no \"root\"");
+    if (!json.is_object() || root == json.end()) refuseScene(name, place + " has no \"root\"");
     Snapshot snapshot;
     takeMetadata(json, snapshot);
     snapshot.root = reader.read(*root, place.empty() ? "root" : place + "/root");
-    if (snapshot.root.kind != "root") fail(name, "its root is a \"" + printable(snapshot.root.kind) + "\"");
+    if (snapshot.root.kind != "root") refuseScene(name, "its root is a \"" + printable(snapshot.root.kind) + "\"");
     return snapshot;
 }
 
@@ -98,16 +98,24 @@ bool looksLikeScene(std::string_view text) {
     return tree && (text.find("\"kind\"") != std::string_view::npos);
 }
 
+Node parseNode(const std::string& text, const std::string& name) {
+    if (text.size() > kMostSceneBytes)
+        refuseScene(name, "it is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
+    Json json = parseJson<Json>(text);
+    if (json.is_discarded()) refuseScene(name, isTooDeep(text) ? "it is nested too deep" : "it is no JSON");
+    return TreeReader(name).read(json, name);
+}
+
 SceneTree parseScene(const std::string& text, const std::string& name) {
     if (text.size() > kMostSceneBytes)
-        fail(name, "it is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
+        refuseScene(name, "it is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
     Json json = parseJson<Json>(text);
-    if (json.is_discarded()) fail(name, isTooDeep(text) ? "it is nested too deep" : "it is no JSON");
-    if (!json.is_object()) fail(name, "it is no scene: no object");
+    if (json.is_discarded()) refuseScene(name, isTooDeep(text) ? "it is nested too deep" : "it is no JSON");
+    if (!json.is_object()) refuseScene(name, "it is no scene: no object");
     SceneTree tree;
     if (const auto metadata = json.find("metadata"); metadata != json.end() && metadata->is_object()) {
-        tree.title = textOf(*metadata, "title");
-        tree.version = textOf(*metadata, "version");
+        tree.title = textAt(*metadata, "title");
+        tree.version = textAt(*metadata, "version");
     }
     TreeReader reader(name);
     const auto snapshots = json.find("snapshots");
@@ -116,9 +124,9 @@ SceneTree parseScene(const std::string& text, const std::string& name) {
         tree.snapshots.push_back(readSnapshot(json, "", reader, name));
         return tree;
     }
-    if (snapshots->empty()) fail(name, "it has no snapshots");
+    if (snapshots->empty()) refuseScene(name, "it has no snapshots");
     if (snapshots->size() > kMostSnapshots)
-        fail(name, "it has more than " + std::to_string(kMostSnapshots) + " snapshots");
+        refuseScene(name, "it has more than " + std::to_string(kMostSnapshots) + " snapshots");
     for (Json& each : *snapshots)
         tree.snapshots.push_back(
             readSnapshot(each, "snapshot " + std::to_string(tree.snapshots.size() + 1), reader, name));

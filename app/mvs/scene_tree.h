@@ -44,4 +44,7 @@ bool looksLikeScene(std::string_view text);
 /// @param name  of the file, for messages @throws Error that names the place
 SceneTree parseScene(const std::string& text, const std::string& name);
 
+/// A node by itself, with its children, as a file of primitives has it. @throws Error
+Node parseNode(const std::string& text, const std::string& name);
+
 }  // namespace nacre::app::mvs
