@@ -16,7 +16,6 @@ namespace {
 // Mol* draws the balls of its scenes with 0.5 Å, whatever their element, and the sticks with half of that; ours have
 // 0.15 Å.
 constexpr float kBall = 0.5f, kStickScale = 0.25f / 0.15f;
-constexpr float kLineScale = 0.2f;  // of licorice, 0.25 Å
 constexpr std::uint32_t kDefaultColor = 0xffffffffu;
 
 bool isTrue(const Node& node, const char* name) {
@@ -54,9 +53,11 @@ bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneW
     } else if (type == "spacefill") {
         layer.style = Style::spacefill;
     } else if (type == "line") {
-        layer.style = Style::licorice;
-        layer.atomScale *= kLineScale;
-        layer.bondScale *= kLineScale;
+        layer.style = Style::line;
+    } else if (type == "backbone") {
+        layer.style = Style::backbone;
+    } else if (type == "carbohydrate") {
+        layer.style = Style::carbohydrate;
     } else {
         return false;
     }

@@ -8,11 +8,15 @@
 #include "engine/molecule/element.h"
 #include "engine/scene/atom_groups.h"
 #include "engine/scene/bond_drawing.h"
+#include "engine/scene/carbohydrates.h"
 #include "engine/scene/join_parts.h"
+#include "engine/scene/line_drawing.h"
 #include "engine/scene/mesh_scene.h"
 
 namespace nacre {
 namespace {
+
+constexpr std::size_t kMostWires = 10'000'000;
 
 /// Keeps those atoms of a layer that `wanted(slot)` says.
 template <typename Wanted>
@@ -90,7 +94,6 @@ Appearance appearanceOfLayer(const ResidueFacts& facts, const SceneLayer& layer)
     Appearance appearance;
     appearance.style = layer.style;
     appearance.seen = layer.atoms.size();
-    const std::vector<std::uint32_t> none(layer.atoms.size(), 0);
     const auto mesh = [&](const std::vector<std::uint32_t>& shown) {
         MeshAtoms atoms;
         for (std::size_t i = 0; i < layer.atoms.size(); ++i) {
@@ -106,11 +109,26 @@ Appearance appearanceOfLayer(const ResidueFacts& facts, const SceneLayer& layer)
         appearance.cartoon = mesh(atomsOfCartoon(facts, layer.atoms));
     } else if (layer.style == Style::surface) {
         appearance.surface = mesh(layer.atoms);
+    } else if (layer.style == Style::line) {
+        appearance.lines = mesh(layer.atoms);
+    } else if (layer.style == Style::carbohydrate) {
+        std::vector<std::uint32_t> sugars;
+        for (const std::uint32_t atom : layer.atoms)
+            if (isSugar(facts.molecule(), facts.molecule().atoms[atom].residue)) sugars.push_back(atom);
+        appearance.sugars = mesh(sugars);
     } else {
-        appearance.atoms = layer.atoms;
-        appearance.colors = layer.colors;
-        appearance.tints = none;
-        appearance.styles.assign(layer.atoms.size(), layer.style);
+        const bool backbone = layer.style == Style::backbone;
+        std::vector<bool> guides(backbone ? facts.molecule().atoms.size() : 0);
+        if (backbone)
+            for (const std::vector<std::uint32_t>& trace : guideTraces(facts))
+                for (const std::uint32_t atom : trace) guides[atom] = true;
+        for (std::size_t i = 0; i < layer.atoms.size(); ++i) {
+            if (backbone && !guides[layer.atoms[i]]) continue;
+            appearance.atoms.push_back(layer.atoms[i]);
+            appearance.colors.push_back(layer.colors[i]);
+        }
+        appearance.tints.assign(appearance.atoms.size(), 0);
+        appearance.styles.assign(appearance.atoms.size(), layer.style);
     }
     return appearance;
 }
@@ -129,9 +147,10 @@ Representation partOf(const ResidueFacts& facts, const SceneLayer& layer, const 
         part.sphereLooks.push_back({appearance.colors[i], index + 1});
     }
     if (!appearance.atoms.empty()) {
-        addBonds(molecule, appearance, DrawnOrders(facts, appearance, options), {}, nullptr, part);
+        addBonds(facts, appearance, DrawnOrders(facts, appearance, options), {}, nullptr, part);
         for (Cylinder& cylinder : part.cylinders) cylinder.radius *= layer.bondScale;
     }
+    if (!appearance.lines.atoms.empty()) addLines(molecule, appearance, options.lineWidth * static_cast<double>(layer.atomScale), nullptr, part);
     RepresentationOptions own = options;
     own.cartoon = layer.cartoon;
     own.surface = layer.surface;
@@ -166,8 +185,23 @@ void place(const Representation& part, std::uint32_t list, Representation& whole
         for (const Triangle& t : part.triangles)
             for (const std::uint32_t v : {t.a, t.b, t.c}) add(positionOf(part.meshVertices[v], t.step), 0.0f);
     });
+    const std::size_t wires = whole.wires.size();
     appendPart(whole, part);
     whole.drawnBonds += part.drawnBonds;
+    // Lines have no copies: each stands for itself.
+    whole.wires.resize(wires);
+    whole.wireLooks.resize(wires);
+    if (part.wires.size() * whole.copies.lists[list].size() > kMostWires)
+        throw Error("cannot draw scene", "", "the lines of its copies are more than " + std::to_string(kMostWires));
+    for (const std::uint32_t copy : whole.copies.lists[list]) {
+        const glm::dmat4x3& motion = whole.copies.transforms[copy];
+        for (Cylinder wire : part.wires) {
+            wire.a = glm::vec3(motion * glm::dvec4(wire.a, 1.0));
+            wire.b = glm::vec3(motion * glm::dvec4(wire.b, 1.0));
+            whole.wires.push_back(wire);
+        }
+        whole.wireLooks.insert(whole.wireLooks.end(), part.wireLooks.begin(), part.wireLooks.end());
+    }
 }
 
 std::uint32_t listOf(const Molecule& molecule, const SceneGuide& guide, std::uint32_t atom) {
