@@ -97,7 +97,8 @@ void checkThere(const std::string& path) {
 Molecule loadSceneFile(InputOptions input, const std::function<void(double)>& onDownload) {
     if (!input.trajectory.path.empty())
         throw Error("cannot read scene", input.path, "a scene stands still: it takes no --trajectory");
-    if (!input.further.empty()) throw Error("cannot read scene", input.path, "a scene stands alone: name no other INPUT");
+    if (!input.further.empty())
+        throw Error("cannot read scene", input.path, "a scene stands alone: name no other INPUT");
     if (input.addHydrogens) throw Error("cannot read scene", input.path, "its molecules take no hydrogens");
     if (!input.namedBy.empty()) input.path = namedPath(input);
     return loadScene(input, mvs::readSceneBytes(input.path), readWithin(memoryOf(input)), onDownload);

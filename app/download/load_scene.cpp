@@ -94,8 +94,9 @@ private:
                          [&](const std::string&, std::string got) { bytes = std::move(got); });
         } catch (const Error&) {
             if (input_.offline || input_.allowDownload) throw;
-            throw DownloadForbidden("cannot download", printable(url, 200),
-                                    scene_.name + " names it, and the cache does not hold it: --allow-download gets it");
+            throw DownloadForbidden(
+                "cannot download", printable(url, 200),
+                scene_.name + " names it, and the cache does not hold it: --allow-download gets it");
         }
         return bytes;
     }

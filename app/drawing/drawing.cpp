@@ -172,7 +172,8 @@ void Drawing::viewScene(const Molecule& molecule) {
     const SceneCamera* camera = sceneCamera(molecule, description_);
     seenByScene_ = camera != nullptr;
     if (!camera) return;
-    const bool ortho = description_.given.contains("projection") && description_.camera.projection == Projection::orthographic;
+    const bool ortho =
+        description_.given.contains("projection") && description_.camera.projection == Projection::orthographic;
     const double reach = std::max(scene_->radius, maps_.shown.radius);
     const SceneView seen =
         viewOf(*camera, description_.camera, ortho, reach, description_.size.width, description_.size.height);
@@ -242,8 +243,8 @@ LayerPicture Drawing::layers(Renderer& renderer) const {
 
 std::size_t Drawing::addWords(const RenderSettings& drawn, Picture& picture, WordMemory* memory) const {
     if (!words.any()) return 0;
-    return WordPainter().paint(words, drawn.view, description_.words.size, description_.words.color,
-                               drawn.background, picture, drawn.effects.clip, memory);
+    return WordPainter().paint(words, drawn.view, description_.words.size, description_.words.color, drawn.background,
+                               picture, drawn.effects.clip, memory);
 }
 
 }  // namespace nacre::app

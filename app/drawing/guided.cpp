@@ -9,7 +9,7 @@ Representation guidedSceneOf(const ResidueFacts& facts, std::span<const std::uin
                              const RepresentationOptions& look) {
     const SceneGuide& guide = *facts.molecule().guide;
     const GuidedLayers layers = guidedLayers(facts, drawn, look);
-    const Bounds frame = guide.camera           ? Bounds{guide.camera->target, guide.camera->radius}
+    const Bounds frame = guide.camera            ? Bounds{guide.camera->target, guide.camera->radius}
                          : layers.layers.empty() ? frameOfGuide(guide)
                                                  : boundsOf(facts.molecule(), layers.layers);
     return representLayers(facts, layers, look, frame);

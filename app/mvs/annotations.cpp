@@ -24,7 +24,7 @@ std::optional<std::string> cellOf(const Json& value) {
 void checkSize(const std::string& name, std::size_t rows, std::size_t columns) {
     if (rows > kMostAnnotationRows || rows * std::max<std::size_t>(columns, 1) > kMostAnnotationCells)
         refuseTable(name, "it has more than " + std::to_string(kMostAnnotationRows) + " rows or " +
-                       std::to_string(kMostAnnotationCells) + " values");
+                              std::to_string(kMostAnnotationCells) + " values");
 }
 
 /// A list of rows, each an object.

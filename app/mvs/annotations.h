@@ -22,9 +22,9 @@ struct AnnotationTable {
 
 /// Which table of a file.
 struct TablePlace {
-    std::string block;               ///< header of the data block; empty: by `blockIndex`
-    std::size_t blockIndex = 0;      ///< from 0
-    std::string category;            ///< without '_'; empty: the block's first
+    std::string block;           ///< header of the data block; empty: by `blockIndex`
+    std::size_t blockIndex = 0;  ///< from 0
+    std::string category;        ///< without '_'; empty: the block's first
 };
 
 /// The table of a text in CIF, BinaryCIF or JSON; the content decides which. Columns that are not wanted are passed

@@ -44,7 +44,8 @@ struct SceneArchive::Zip {
 
 bool looksLikeArchive(std::string_view bytes) { return bytes.starts_with("PK\x03\x04"); }
 
-SceneArchive::SceneArchive(std::string name, std::string bytes) : name_(std::move(name)), zip_(std::make_unique<Zip>()) {
+SceneArchive::SceneArchive(std::string name, std::string bytes)
+    : name_(std::move(name)), zip_(std::make_unique<Zip>()) {
     zip_->bytes = std::move(bytes);
     zip_error_t error;
     zip_error_init(&error);
@@ -82,11 +83,12 @@ std::string SceneArchive::read(const std::string& entry) const {
         !(facts.valid & ZIP_STAT_COMP_SIZE))
         refuseArchive(name_, "the size of '" + printable(entry) + "' is not stated");
     if (facts.size > kMostBytes || (facts.size > kFreely && facts.size / kMostRatio > facts.comp_size))
-        refuseArchive(name_, "'" + printable(entry) + "' inflates to " + std::to_string(facts.size) + " bytes, more than allowed");
+        refuseArchive(name_, "'" + printable(entry) + "' inflates to " + std::to_string(facts.size) +
+                                 " bytes, more than allowed");
     zip_file_t* file = zip_fopen_index(zip_->archive, found->second, 0);
     if (!file)
         refuseArchive(name_, "'" + printable(entry) + "' cannot be opened: " +
-                        printable(zip_error_strerror(zip_get_error(zip_->archive)), 100));
+                                 printable(zip_error_strerror(zip_get_error(zip_->archive)), 100));
     std::string bytes(facts.size, '\0');
     std::size_t at = 0;
     while (at < bytes.size()) {

@@ -21,7 +21,8 @@ namespace {
 /// First `second`, then `first`.
 glm::dmat4x3 after(const glm::dmat4x3& first, const glm::dmat4x3& second) {
     glm::dmat4x3 both;
-    for (int column = 0; column < 4; ++column) both[column] = first * glm::dvec4(second[column], column == 3 ? 1.0 : 0.0);
+    for (int column = 0; column < 4; ++column)
+        both[column] = first * glm::dvec4(second[column], column == 3 ? 1.0 : 0.0);
     return both;
 }
 
@@ -114,7 +115,8 @@ private:
             if (!row.group.empty()) place = groups.emplace(row.group, place).first->second;
             if (place == texts.size()) {
                 if (texts.size() == kMostTexts) {
-                    warnings_.add(node, "it has more than " + std::to_string(kMostTexts) + " texts; the others are left out");
+                    warnings_.add(node,
+                                  "it has more than " + std::to_string(kMostTexts) + " texts; the others are left out");
                     break;
                 }
                 texts.emplace_back(row.value, std::vector<bool>(s.molecule->atoms.size()));
@@ -186,7 +188,8 @@ private:
                     list.push_back(static_cast<std::uint32_t>(known - guide_->transforms.begin()));
                     if (known == guide_->transforms.end()) guide_->transforms.push_back(motion);
                     if (guide_->transforms.size() > kMostCopies)
-                        throw Error("cannot draw scene", name_, "it has more than " + std::to_string(kMostCopies) + " copies");
+                        throw Error("cannot draw scene", name_,
+                                    "it has more than " + std::to_string(kMostCopies) + " copies");
                 }
             std::sort(list.begin(), list.end());
             list.erase(std::unique(list.begin(), list.end()), list.end());

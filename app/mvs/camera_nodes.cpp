@@ -11,8 +11,8 @@
 namespace nacre::app::mvs {
 namespace {
 
-constexpr double kFarthest = 1e6;    // Å
-constexpr double kLeastRadius = 5;   // Å, of what is focused on
+constexpr double kFarthest = 1e6;   // Å
+constexpr double kLeastRadius = 5;  // Å, of what is focused on
 
 std::optional<glm::dvec3> vectorOf(const Node& node, const char* name) {
     const Json* value = node.param(name);
@@ -72,7 +72,8 @@ void CameraNodes::takeFocus(const Node& node, std::size_t structure, std::vector
 void CameraNodes::focusAll(const Node& node) { focuses_.push_back({&node, 0, {}, true}); }
 
 std::optional<SceneCamera> CameraNodes::camera(const Molecule& molecule, const SceneGuide& guide,
-                                               const std::vector<std::uint32_t>& firsts, SceneWarnings& warnings) const {
+                                               const std::vector<std::uint32_t>& firsts,
+                                               SceneWarnings& warnings) const {
     if (camera_) {
         if (!focuses_.empty()) warnings.add(*focuses_.front().node, "the scene's camera node overrides it");
         return camera_;
@@ -101,8 +102,8 @@ std::optional<SceneCamera> CameraNodes::camera(const Molecule& molecule, const S
         if (balls.empty()) continue;
         const Node& node = *focus.node;
         const Bounds bounds = extremeSphere(balls);
-        const double radius = numberOf(node, "radius", bounds.radius * numberOf(node, "radius_factor", 1) +
-                                                           numberOf(node, "radius_extent", 0));
+        const double radius = numberOf(
+            node, "radius", bounds.radius * numberOf(node, "radius_factor", 1) + numberOf(node, "radius_extent", 0));
         spheres.emplace_back(bounds.center, std::max(radius, 0.0));
         camera.direction = vectorOf(node, "direction").value_or(glm::dvec3(0, 0, -1));
         camera.up = vectorOf(node, "up").value_or(glm::dvec3(0, 1, 0));

@@ -215,9 +215,8 @@ AnnotationTable columnsOf(const std::string& name, const MsgpackValue& category,
     MsgpackElements each(*columns);
     for (MsgpackValue column; each.next(column);) {
         const std::string label = nameIn(column, "name");
-        const auto match = std::find_if(wanted.begin(), wanted.end(), [&](std::string_view one) {
-            return lowerCase(one) == lowerCase(label);
-        });
+        const auto match = std::find_if(wanted.begin(), wanted.end(),
+                                        [&](std::string_view one) { return lowerCase(one) == lowerCase(label); });
         const bool known = match != wanted.end() &&
                            std::find(table.columns.begin(), table.columns.end(), *match) == table.columns.end();
         if (!known) continue;

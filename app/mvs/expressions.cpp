@@ -24,16 +24,16 @@ struct NumberField {
     NumberOf field;
 };
 constexpr TextField kTexts[] = {
-    {"label_entity_id", &Expression::labelEntity},  {"label_asym_id", &Expression::labelChain},
-    {"auth_asym_id", &Expression::authChain},       {"pdbx_PDB_ins_code", &Expression::insertion},
-    {"label_atom_id", &Expression::labelAtom},      {"auth_atom_id", &Expression::authAtom},
-    {"type_symbol", &Expression::element},          {"label_comp_id", &Expression::component},
+    {"label_entity_id", &Expression::labelEntity}, {"label_asym_id", &Expression::labelChain},
+    {"auth_asym_id", &Expression::authChain},      {"pdbx_PDB_ins_code", &Expression::insertion},
+    {"label_atom_id", &Expression::labelAtom},     {"auth_atom_id", &Expression::authAtom},
+    {"type_symbol", &Expression::element},         {"label_comp_id", &Expression::component},
     {"auth_comp_id", &Expression::component}};
 constexpr NumberField kNumbers[] = {
-    {"label_seq_id", &Expression::label},          {"auth_seq_id", &Expression::auth},
-    {"beg_label_seq_id", &Expression::fromLabel},  {"end_label_seq_id", &Expression::toLabel},
-    {"beg_auth_seq_id", &Expression::fromAuth},    {"end_auth_seq_id", &Expression::toAuth},
-    {"residue_index", &Expression::residueIndex},  {"atom_id", &Expression::atomId},
+    {"label_seq_id", &Expression::label},         {"auth_seq_id", &Expression::auth},
+    {"beg_label_seq_id", &Expression::fromLabel}, {"end_label_seq_id", &Expression::toLabel},
+    {"beg_auth_seq_id", &Expression::fromAuth},   {"end_auth_seq_id", &Expression::toAuth},
+    {"residue_index", &Expression::residueIndex}, {"atom_id", &Expression::atomId},
     {"atom_index", &Expression::atomIndex}};
 
 std::int64_t wholeNumberOf(const Json& value) {
@@ -121,7 +121,8 @@ bool StructureAtoms::fits(const Expression& e, const Residue& residue, std::uint
         if (!equal(e.label, place) || !within(e.fromLabel, e.toLabel, place)) return false;
     }
     if (!equal(e.auth, residue.number) || !within(e.fromAuth, e.toAuth, residue.number)) return false;
-    if (e.insertion && *e.insertion != (residue.insertionCode ? std::string(1, residue.insertionCode) : "")) return false;
+    if (e.insertion && *e.insertion != (residue.insertionCode ? std::string(1, residue.insertionCode) : ""))
+        return false;
     return equal(e.residueIndex, index);
 }
 

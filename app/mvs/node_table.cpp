@@ -15,9 +15,7 @@ constexpr NodeRow kRows[] = {
     {"root", "", "", ""},
     {"download", "url", "", "files in the archive, beside the scene, of --mvs-map, or downloaded"},
     {"parse", "format", "", "every format that Nacre reads; the content decides"},
-    {"structure",
-     "type assembly_id assembly_index model_index block_index block_header radius ijk_min ijk_max",
-     "",
+    {"structure", "type assembly_id assembly_index model_index block_index block_header radius ijk_min ijk_max", "",
      "block_index and block_header: of CIF and SDF"},
     {"transform", "rotation translation matrix", "rotation_center", "rigid motions"},
     {"instance", "rotation translation matrix", "rotation_center", "rigid motions"},
@@ -53,36 +51,28 @@ constexpr NodeRow kRows[] = {
     {"primitive:arrow",
      "kind start end direction length show_start_cap start_cap_length start_cap_radius show_end_cap end_cap_length "
      "end_cap_radius show_tube tube_radius tube_dash_length color tooltip",
-     "",
-     "both heads are of one size"},
+     "", "both heads are of one size"},
     {"primitive:lines",
-     "kind vertices indices line_groups group_colors group_tooltips group_widths tooltip width color",
-     "",
-     "opaque"},
+     "kind vertices indices line_groups group_colors group_tooltips group_widths tooltip width color", "", "opaque"},
     {"primitive:mesh",
      "kind vertices indices triangle_groups group_colors group_tooltips tooltip color show_triangles show_wireframe "
      "wireframe_width wireframe_color",
-     "",
-     ""},
+     "", ""},
     {"primitive:label", "kind position text label_size label_color", "label_offset", "labels lie over what is drawn"},
     {"primitive:distance_measurement",
      "kind start end radius dash_length color label_template label_size label_auto_size_scale label_auto_size_min "
      "label_color",
-     "",
-     ""},
+     "", ""},
     {"primitive:angle_measurement",
      "kind a b c label_template label_size label_auto_size_scale label_auto_size_min label_color show_vector "
      "vector_color vector_radius show_section section_color section_radius section_radius_scale",
-     "start end radius dash_length color",
-     ""},
+     "start end radius dash_length color", ""},
     {"primitive:ellipse",
      "kind center as_circle major_axis minor_axis major_axis_endpoint minor_axis_endpoint radius_major radius_minor "
      "theta_start theta_end color tooltip",
-     "",
-     ""},
+     "", ""},
     {"primitive:ellipsoid",
-     "kind center major_axis minor_axis major_axis_endpoint minor_axis_endpoint radius radius_extent color tooltip",
-     "",
+     "kind center major_axis minor_axis major_axis_endpoint minor_axis_endpoint radius radius_extent color tooltip", "",
      ""},
     {"primitive:box", "kind center extent show_faces face_color show_edges edge_radius edge_color tooltip", "", ""},
 };
@@ -104,7 +94,8 @@ bool NodeRow::knows(std::string_view param) const { return isAmong(param, params
 std::span<const NodeRow> nodeRows() { return kRows; }
 
 const NodeRow* nodeRow(std::string_view kind) {
-    const auto found = std::find_if(std::begin(kRows), std::end(kRows), [&](const NodeRow& row) { return row.kind == kind; });
+    const auto found =
+        std::find_if(std::begin(kRows), std::end(kRows), [&](const NodeRow& row) { return row.kind == kind; });
     return found == std::end(kRows) ? nullptr : &*found;
 }
 

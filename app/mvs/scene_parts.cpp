@@ -34,7 +34,8 @@ std::array<int, 3> cellsOf(const Node& node, const char* name, int otherwise) {
     const Json* value = node.param(name);
     std::array<int, 3> cells{otherwise, otherwise, otherwise};
     if (!value) return cells;
-    if (!value->is_array() || value->size() != 3) refuseNode(node, std::string(name) + " is no list of three whole numbers");
+    if (!value->is_array() || value->size() != 3)
+        refuseNode(node, std::string(name) + " is no list of three whole numbers");
     for (std::size_t i = 0; i < 3; ++i) {
         if (!(*value)[i].is_number_integer() || std::abs((*value)[i].get<double>()) > 1000)
             refuseNode(node, std::string(name) + " is no list of three whole numbers within 1000");
@@ -58,15 +59,16 @@ std::string blockOf(const Node& node, const std::string& text, const std::string
     }
     if (start == std::string::npos)
         refuseNode(node, header.empty() ? "the file has " + std::to_string(found) + " data blocks, none of number " +
-                                        std::to_string(index)
-                                  : "the file has no data block '" + printable(header) + "'");
+                                              std::to_string(index)
+                                        : "the file has no data block '" + printable(header) + "'");
     return text.substr(start, at - start);
 }
 
 void placeAssemblyOf(const Node& node, Structure& s, SceneWarnings& warnings) {
     const Molecule& molecule = *s.molecule;
     std::string id = nodeText(node, "assembly_id");
-    const std::size_t index = static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "assembly_index").value_or(0), 0));
+    const std::size_t index =
+        static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "assembly_index").value_or(0), 0));
     if (id.empty() && molecule.assemblies.empty())
         return warnings.add(node, "the file states no assemblies: its model is shown");
     if (id.empty() && index >= molecule.assemblies.size())
@@ -152,12 +154,13 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
     s.uri = uri;
     s.ref = node.ref;
     ReadOptions options = files.sources().reading;
-    options.model = static_cast<int>(std::clamp<std::int64_t>(wholeOf(node, "model_index").value_or(0), 0, 1'000'000)) + 1;
+    options.model =
+        static_cast<int>(std::clamp<std::int64_t>(wholeOf(node, "model_index").value_or(0), 0, 1'000'000)) + 1;
     const std::string format = lowerCase(nodeText(parse, "format"));
-    if (format == "map" || format == "dx" || format == "dxbin")
-        refuseNode(parse, "a density map has no structure");
+    if (format == "map" || format == "dx" || format == "dxbin") refuseNode(parse, "a density map has no structure");
     const std::string header = nodeText(node, "block_header");
-    const std::size_t block = static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "block_index").value_or(0), 0));
+    const std::size_t block =
+        static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "block_index").value_or(0), 0));
     std::string bytes = files.bytes(uri);
     const bool binary = !bytes.empty() && (static_cast<unsigned char>(bytes[0]) & 0x80) != 0;
     if ((!header.empty() || block > 0) && !binary && format != "sdf")
@@ -189,7 +192,8 @@ glm::dmat4x3 motionOfNode(const Node& node) {
             for (int row = 0; row < 3; ++row) motion[column][row] = matrix[static_cast<std::size_t>(4 * column + row)];
     } else {
         const std::vector<double> turn = numbersOf(node, "rotation", 9), shift = numbersOf(node, "translation", 3);
-        for (std::size_t i = 0; i < turn.size(); ++i) motion[static_cast<int>(i / 3)][static_cast<int>(i % 3)] = turn[i];
+        for (std::size_t i = 0; i < turn.size(); ++i)
+            motion[static_cast<int>(i / 3)][static_cast<int>(i % 3)] = turn[i];
         for (std::size_t i = 0; i < shift.size(); ++i) motion[3][static_cast<int>(i)] = shift[i];
     }
     const glm::dmat3 turn(motion[0], motion[1], motion[2]);
@@ -246,7 +250,8 @@ void tellUnknown(const Node& node, SceneWarnings& warnings) {
     const NodeRow* row = nodeRow(node.kind);
     if (!row) return warnings.add(node, "nodes of this kind are not drawn");
     for (const auto& [key, value] : node.params.items())
-        if (!value.is_null() && !row->knows(key)) warnings.add(node, "its parameter '" + printable(key) + "' is not used");
+        if (!value.is_null() && !row->knows(key))
+            warnings.add(node, "its parameter '" + printable(key) + "' is not used");
 }
 
 }  // namespace nacre::app::mvs

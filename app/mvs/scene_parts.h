@@ -83,8 +83,7 @@ void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms
                        SceneFiles& files, SceneWarnings& warnings);
 
 /// The atoms of a selector: a name, an expression, or a list of expressions. By atom.
-std::vector<bool> selected(const Node& node, const Json* selector, const Structure& structure,
-                           SceneWarnings& warnings);
+std::vector<bool> selected(const Node& node, const Json* selector, const Structure& structure, SceneWarnings& warnings);
 
 /// The rows of an annotation node: *_from_uri or *_from_source. @param field  unless the node names another
 std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Structure& structure, SceneFiles& files);

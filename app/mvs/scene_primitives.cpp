@@ -36,7 +36,8 @@ bool flag(const Node& node, const char* name, bool otherwise) {
 
 glm::dvec3 vectorOf(const Node& node, const char* name, const Json& value) {
     glm::dvec3 v(0);
-    if (!value.is_array() || value.size() != 3) refusePrimitive(node, std::string(name) + " is no list of three numbers");
+    if (!value.is_array() || value.size() != 3)
+        refusePrimitive(node, std::string(name) + " is no list of three numbers");
     for (int i = 0; i < 3; ++i) {
         const Json& each = value[static_cast<std::size_t>(i)];
         if (!each.is_number() || !(std::abs(each.get<double>()) <= kFarthestPrimitive))
@@ -256,8 +257,12 @@ private:
         for (std::size_t i = 0; i < figure.groups.size(); ++i) {
             const Json* wide = ofGroup(node, "group_widths", figure.groups[i]);
             const double width = wide && wide->is_number() ? wide->get<double>() : number(node, "width", 1);
-            all_.lines.push_back({figure.points[figure.indices[2 * i]], figure.points[figure.indices[2 * i + 1]], 0,
-                                  std::clamp(width, 0.5, 50.0), {}, lookOfGroup(node, figure.groups[i])});
+            all_.lines.push_back({figure.points[figure.indices[2 * i]],
+                                  figure.points[figure.indices[2 * i + 1]],
+                                  0,
+                                  std::clamp(width, 0.5, 50.0),
+                                  {},
+                                  lookOfGroup(node, figure.groups[i])});
         }
     }
 
@@ -267,8 +272,7 @@ private:
         mesh.positions = std::move(figure.points);
         mesh.looks.clear();
         for (std::size_t i = 0; i < figure.groups.size(); ++i) {
-            mesh.triangles.push_back(
-                {figure.indices[3 * i], figure.indices[3 * i + 1], figure.indices[3 * i + 2]});
+            mesh.triangles.push_back({figure.indices[3 * i], figure.indices[3 * i + 1], figure.indices[3 * i + 2]});
             mesh.looks.push_back(lookOfGroup(node, figure.groups[i]));
         }
         mesh.faces = flag(node, "show_triangles", true);
@@ -286,7 +290,8 @@ private:
 
     void label(const Node& node) {
         const auto at = place(node, "position");
-        if (at && !nodeText(node, "text").empty()) addLabel(node, at->center, nodeText(node, "text"), number(node, "label_size", 1));
+        if (at && !nodeText(node, "text").empty())
+            addLabel(node, at->center, nodeText(node, "text"), number(node, "label_size", 1));
     }
 
     static std::string rounded(double value) {
@@ -374,10 +379,10 @@ private:
         const glm::dvec3 third = glm::cross(major, minor);
         if (!(glm::length(third) > 1e-9)) return warnings_.add(node, "its axes are no two directions");
         const glm::dvec3 radius = radii(node, "radius", center->radius) + radii(node, "radius_extent", 0);
-        all_.ellipsoids.push_back({center->center,
-                                   {glm::normalize(major) * radius.x, glm::normalize(minor) * radius.y,
-                                    glm::normalize(third) * radius.z},
-                                   look(node, "color", tooltipOf(node))});
+        all_.ellipsoids.push_back(
+            {center->center,
+             {glm::normalize(major) * radius.x, glm::normalize(minor) * radius.y, glm::normalize(third) * radius.z},
+             look(node, "color", tooltipOf(node))});
     }
 
     void box(const Node& node) {

@@ -206,17 +206,25 @@ std::vector<Option> reading() {
          .help = "Snapshot of a MolViewSpec scene, counted from 1; all: one picture each, or the whole movie",
          .topic = Topic::reading,
          .facet = Facet::input,
-         .parse = [](T text, P& d) { d.input.snapshot = text == "all" ? kAllSnapshots : static_cast<int>(parseInteger(text, 1, 10'000)); },
-         .print = [](const P& d) { return d.input.snapshot == kAllSnapshots ? "all" : std::to_string(d.input.snapshot); },
+         .parse =
+             [](T text, P& d) {
+                 d.input.snapshot = text == "all" ? kAllSnapshots : static_cast<int>(parseInteger(text, 1, 10'000));
+             },
+         .print =
+             [](const P& d) { return d.input.snapshot == kAllSnapshots ? "all" : std::to_string(d.input.snapshot); },
          .save = differing},
         {.key = "mvs-map",
          .syntax = "URL=PATH",
          .standard = "none",
-         .help = "File or folder to take what a MolViewSpec scene names by an address, or by one that begins so;\nrepeatable",
+         .help = "File or folder to take what a MolViewSpec scene names by an address, or by one that begins "
+                 "so;\nrepeatable",
          .topic = Topic::reading,
          .facet = Facet::input,
          .parse = parseSceneMap,
-         .print = [](const P& d) { return lines(d.input.sceneMaps, [](const SceneMap& map) { return map.url + "=" + map.path; }); },
+         .print =
+             [](const P& d) {
+                 return lines(d.input.sceneMaps, [](const SceneMap& map) { return map.url + "=" + map.path; });
+             },
          .kind = list},
         {.key = "add-hydrogens",
          .syntax = "on|off",

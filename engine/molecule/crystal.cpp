@@ -19,7 +19,7 @@ namespace {
 struct Crystal {
     gemmi::UnitCell cell;
     std::vector<gemmi::Op> operations;
-    glm::dvec3 middle{};  ///< of the atoms, Å
+    glm::dvec3 middle{};   ///< of the atoms, Å
     gemmi::Fractional at;  ///< the same, in parts of the cell
 };
 
@@ -51,8 +51,8 @@ glm::dmat4x3 motionOf(const Crystal& crystal, const gemmi::Op& operation, const 
     }
     const gemmi::Vec3 moved = fractional.apply(crystal.at);
     for (int i = 0; i < 3; ++i)
-        fractional.vec.at(i) += std::floor(crystal.at.at(i)) - std::floor(moved.at(i)) +
-                                cells[static_cast<std::size_t>(i)];
+        fractional.vec.at(i) +=
+            std::floor(crystal.at.at(i)) - std::floor(moved.at(i)) + cells[static_cast<std::size_t>(i)];
     const gemmi::Transform whole = crystal.cell.orth.combine(fractional).combine(crystal.cell.frac);
     glm::dmat4x3 motion(1.0);
     for (int i = 0; i < 3; ++i) {
@@ -131,9 +131,10 @@ std::vector<glm::dmat4x3> crystalMates(const Molecule& molecule, double distance
     for (const glm::dmat4x3& motion : crystalCopies(molecule, {-3, -3, -3}, {3, 3, 3})) {
         const glm::dvec3 middle = motion * glm::dvec4(crystal.middle, 1.0);
         if (glm::distance(middle, crystal.middle) > 2 * reach + distance) continue;
-        const bool near = mates.empty() || std::any_of(molecule.atoms.begin(), molecule.atoms.end(), [&](const Atom& atom) {
-                              return grid.isNear(motion * glm::dvec4(glm::dvec3(atom.position), 1.0));
-                          });
+        const bool near =
+            mates.empty() || std::any_of(molecule.atoms.begin(), molecule.atoms.end(), [&](const Atom& atom) {
+                return grid.isNear(motion * glm::dvec4(glm::dvec3(atom.position), 1.0));
+            });
         if (near) mates.push_back(motion);
     }
     return mates;

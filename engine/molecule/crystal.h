@@ -18,7 +18,8 @@ constexpr std::size_t kMostSymmetryCopies = 20'000;
 std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::array<int, 3>& low,
                                         const std::array<int, 3>& high);
 
-/// The copies of which an atom is within a distance (Å) of an atom of the molecule, itself first. @throws Error as above
+/// The copies of which an atom is within a distance (Å) of an atom of the molecule, itself first. @throws Error as
+/// above
 std::vector<glm::dmat4x3> crystalMates(const Molecule& molecule, double distance);
 
 }  // namespace nacre

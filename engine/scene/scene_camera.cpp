@@ -25,7 +25,8 @@ glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& otherwise) {
 glm::dmat3 rotationOf(const SceneCamera& camera) {
     const glm::dvec3 back = unit(-camera.direction, {0, 0, 1});
     glm::dvec3 right = glm::cross(camera.up, back);
-    if (glm::length(right) < 1e-9) right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), back);
+    if (glm::length(right) < 1e-9)
+        right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), back);
     right = glm::normalize(right);
     return glm::transpose(glm::dmat3(right, glm::cross(back, right), back));
 }

@@ -18,9 +18,9 @@ namespace nacre {
 /// Some atoms in one style. The same atoms may be in several layers.
 struct SceneLayer {
     Style style = Style::cartoon;
-    std::vector<std::uint32_t> atoms;   ///< indices into Molecule::atoms, ascending
-    std::vector<std::uint32_t> colors;  ///< same length: packed as in colors.h
-    std::vector<float> opacity;         ///< same length, 0 to 1; empty: opaque
+    std::vector<std::uint32_t> atoms;    ///< indices into Molecule::atoms, ascending
+    std::vector<std::uint32_t> colors;   ///< same length: packed as in colors.h
+    std::vector<float> opacity;          ///< same length, 0 to 1; empty: opaque
     float atomScale = 1, bondScale = 1;  ///< of the style's radii
     float ballRadius = 0;                ///< Å, of every atom; 0: by the style
     CartoonOptions cartoon;              ///< of Style::cartoon
@@ -44,7 +44,7 @@ struct SceneCamera {
 struct SceneGuide {
     std::vector<SceneLayer> layers;
     /// Where residues stand: each at all transforms of its list. Empty: once, where its atoms are.
-    std::vector<glm::dmat4x3> transforms;  ///< in the file's frame, rigid, no two the same
+    std::vector<glm::dmat4x3> transforms;           ///< in the file's frame, rigid, no two the same
     std::vector<std::vector<std::uint32_t>> lists;  ///< of transforms, ascending, no two the same
     std::vector<std::uint32_t> listOfResidue;       ///< by residue
     std::vector<SceneNote> tooltips;

@@ -150,7 +150,8 @@ Representation partOf(const ResidueFacts& facts, const SceneLayer& layer, const 
         addBonds(facts, appearance, DrawnOrders(facts, appearance, options), {}, nullptr, part);
         for (Cylinder& cylinder : part.cylinders) cylinder.radius *= layer.bondScale;
     }
-    if (!appearance.lines.atoms.empty()) addLines(molecule, appearance, options.lineWidth * static_cast<double>(layer.atomScale), nullptr, part);
+    if (!appearance.lines.atoms.empty())
+        addLines(molecule, appearance, options.lineWidth * static_cast<double>(layer.atomScale), nullptr, part);
     RepresentationOptions own = options;
     own.cartoon = layer.cartoon;
     own.surface = layer.surface;
@@ -170,8 +171,8 @@ void place(const Representation& part, std::uint32_t list, Representation& whole
         ballsOf([&](const glm::vec3& at, float) { box.add(at); });
         added.center = box.center();
         ballsOf([&](const glm::vec3& at, float radius) {
-            added.radius = std::max(
-                added.radius, glm::length(glm::dvec3(at) - added.center) + static_cast<double>(radius));
+            added.radius =
+                std::max(added.radius, glm::length(glm::dvec3(at) - added.center) + static_cast<double>(radius));
         });
         runs.push_back(added);
     };
@@ -221,8 +222,8 @@ double reachOf(const Representation& r) {
     for (const auto* runs : {&r.copies.spheres, &r.copies.cylinders, &r.copies.triangles})
         for (const PrimitiveRun& run : *runs)
             for (const std::uint32_t copy : r.copies.lists[run.list])
-                reach = std::max(
-                    reach, glm::length(r.copies.transforms[copy] * glm::dvec4(run.center, 1.0)) + run.radius);
+                reach =
+                    std::max(reach, glm::length(r.copies.transforms[copy] * glm::dvec4(run.center, 1.0)) + run.radius);
     return reach;
 }
 
@@ -290,10 +291,9 @@ Representation representLayers(const ResidueFacts& facts, const GuidedLayers& gu
     result.copies.lists = guide.lists;
     for (const SceneLayer& layer : guided.layers)
         for (std::uint32_t list = 0; list < lists; ++list) {
-            const SceneLayer own =
-                lists == 1 ? layer : filtered(layer, [&](std::size_t i) {
-                    return listOf(molecule, guide, layer.atoms[i]) == list;
-                });
+            const SceneLayer own = lists == 1 ? layer : filtered(layer, [&](std::size_t i) {
+                return listOf(molecule, guide, layer.atoms[i]) == list;
+            });
             if (own.atoms.empty()) continue;
             const Representation part = partOf(facts, own, options, result.center);
             guide.transforms.empty() ? appendPart(result, part) : place(part, list, result);

@@ -1,5 +1,6 @@
 #pragma once
-// What the header of a PDB file says of the whole: CRYST1, COMPND, SOURCE, EXPDTA, HETNAM and HETSYN (wwPDB format 3.3).
+// What the header of a PDB file says of the whole: CRYST1, COMPND, SOURCE, EXPDTA, HETNAM and HETSYN (wwPDB
+// format 3.3).
 
 #include <array>
 #include <map>
