@@ -93,6 +93,25 @@ bool NodeRow::knows(std::string_view param) const { return isAmong(param, params
 
 std::span<const NodeRow> nodeRows() { return kRows; }
 
+std::string nodeTable() {
+    const auto code = [](std::string_view words) {
+        std::string text;
+        while (!words.empty()) {
+            const std::size_t end = std::min(words.find(' '), words.size());
+            text += (text.empty() ? "`" : ", `") + std::string(words.substr(0, end)) + "`";
+            words.remove_prefix(std::min(end + 1, words.size()));
+        }
+        return text;
+    };
+    std::string table = "| node | parameters that are drawn | read without effect | remarks |\n|---|---|---|---|\n";
+    for (const NodeRow& row : kRows) {
+        std::string kind(row.kind);
+        if (const std::size_t colon = kind.find(':'); colon != std::string::npos) kind.replace(colon, 1, "`, `");
+        table += "| `" + kind + "` | " + code(row.params) + " | " + code(row.unused) + " | " + std::string(row.remark) + " |\n";
+    }
+    return table;
+}
+
 const NodeRow* nodeRow(std::string_view kind) {
     const auto found =
         std::find_if(std::begin(kRows), std::end(kRows), [&](const NodeRow& row) { return row.kind == kind; });

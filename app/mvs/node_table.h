@@ -3,6 +3,7 @@
 // the warnings of scenes come from here.
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct NodeRow {
 };
 
 std::span<const NodeRow> nodeRows();
+/// The rows as a table in Markdown, for the documentation.
+std::string nodeTable();
+
 /// Null: nodes of this kind are not drawn.
 const NodeRow* nodeRow(std::string_view kind);
 

@@ -78,7 +78,7 @@ const std::vector<Arrows> kArrows = {
      {"app/viewer/", "app/drawing/", "app/annotation/", "app/input/", "app/picture/", "app/files/", "engine/*.h",
       "engine/molecule/", "engine/scene/", "engine/volume/"}},
     {"app/cli/",
-     {"app/drawing/", "app/images/", "app/annotation/", "app/input/", "app/picture/", "app/files/", "app/movie/",
+     {"app/mvs/", "app/drawing/", "app/images/", "app/annotation/", "app/input/", "app/picture/", "app/files/", "app/movie/",
       "app/export/", "app/download/", "app/desktop/view_command.h", "app/desktop/view_options.h",
       "app/serve/serve_options.h", "app/serve/server.h", "engine/*.h", "engine/mesh/", "engine/molecule/",
       "engine/scene/", "engine/volume/", "nacre_commit.h"}},
