@@ -1,5 +1,7 @@
 #include "app/drawing/guided.h"
 
+#include <glm/gtc/quaternion.hpp>
+
 #include "engine/scene/scene_guide.h"
 #include "engine/scene/scene_layers.h"
 
@@ -31,6 +33,21 @@ void takeGuide(const Molecule& molecule, const PictureDescription& picture, Rend
     if (guide.background && !picture.given.contains("background") &&
         picture.background == PictureDescription{}.background)
         settings.background = *guide.background;
+}
+
+void takeSceneLook(const Molecule& molecule, double radius, PictureDescription& view) {
+    const SceneCamera* camera = sceneCamera(molecule, view);
+    if (!molecule.guide) return;
+    if (molecule.guide->background && view.background == PictureDescription{}.background)
+        view.background = *molecule.guide->background;
+    if (!camera) return;
+    const SceneView seen = viewOf(*camera, {}, false, radius, 100, 100);
+    view.camera = {};
+    view.camera.projection = Projection::perspective;
+    view.camera.fovDegrees = camera->fovDegrees;
+    view.camera.orientation = glm::quat_cast(seen.view.rotation);
+    const View whole = viewOf(view.camera, radius, 100, 100);
+    view.camera.zoom = seen.view.pixelsPerAngstrom / whole.pixelsPerAngstrom;
 }
 
 }  // namespace nacre::app

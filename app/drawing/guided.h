@@ -20,4 +20,8 @@ const SceneCamera* sceneCamera(const Molecule& molecule, const PictureDescriptio
 /// What a scene file says of settings that no option gives.
 void takeGuide(const Molecule& molecule, const PictureDescription& picture, RenderSettings& settings);
 
+/// Puts a scene file's camera and background into a view that has none of its own, for a hand that turns on from there.
+/// @param radius  that the camera goes by, Å about the scene's centre
+void takeSceneLook(const Molecule& molecule, double radius, PictureDescription& view);
+
 }  // namespace nacre::app
