@@ -69,10 +69,10 @@ bool isIdentity(const glm::dmat4x3& motion) {
     return true;
 }
 
-/// Atoms by cells of a grid, to ask which lie near a point.
-class Grid {
+/// Atoms by cells of a atomGrid, to ask which lie near a point.
+class AtomGrid {
 public:
-    Grid(const Molecule& molecule, double distance) : molecule_(molecule), distance_(distance), edge_(distance) {
+    AtomGrid(const Molecule& molecule, double distance) : molecule_(molecule), distance_(distance), edge_(distance) {
         for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
             cells_[cellOf(glm::dvec3(molecule.atoms[i].position))].push_back(i);
     }
@@ -126,14 +126,14 @@ std::vector<glm::dmat4x3> crystalMates(const Molecule& molecule, double distance
     double reach = 0;
     for (const Atom& atom : molecule.atoms)
         reach = std::max(reach, glm::distance(glm::dvec3(atom.position), crystal.middle));
-    const Grid grid(molecule, std::clamp(distance, 0.1, 1000.0));
+    const AtomGrid atomGrid(molecule, std::clamp(distance, 0.1, 1000.0));
     std::vector<glm::dmat4x3> mates;
     for (const glm::dmat4x3& motion : crystalCopies(molecule, {-3, -3, -3}, {3, 3, 3})) {
         const glm::dvec3 middle = motion * glm::dvec4(crystal.middle, 1.0);
         if (glm::distance(middle, crystal.middle) > 2 * reach + distance) continue;
         const bool near =
             mates.empty() || std::any_of(molecule.atoms.begin(), molecule.atoms.end(), [&](const Atom& atom) {
-                return grid.isNear(motion * glm::dvec4(glm::dvec3(atom.position), 1.0));
+                return atomGrid.isNear(motion * glm::dvec4(glm::dvec3(atom.position), 1.0));
             });
         if (near) mates.push_back(motion);
     }

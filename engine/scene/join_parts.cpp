@@ -4,11 +4,11 @@ namespace nacre {
 namespace {
 
 template <typename T>
-void append(std::vector<T>& list, const std::vector<T>& more) {
+void appendTo(std::vector<T>& list, const std::vector<T>& more) {
     list.insert(list.end(), more.begin(), more.end());
 }
 
-void appendTriangles(std::vector<Triangle>& list, const std::vector<Triangle>& more, std::uint32_t firstVertex) {
+void appendShifted(std::vector<Triangle>& list, const std::vector<Triangle>& more, std::uint32_t firstVertex) {
     for (Triangle t : more) {
         t.a += firstVertex, t.b += firstVertex, t.c += firstVertex;
         list.push_back(t);
@@ -18,12 +18,12 @@ void appendTriangles(std::vector<Triangle>& list, const std::vector<Triangle>& m
 }  // namespace
 
 void appendPart(Representation& whole, const Representation& part) {
-    append(whole.spheres, part.spheres);
-    append(whole.sphereLooks, part.sphereLooks);
-    append(whole.cylinders, part.cylinders);
-    append(whole.cylinderLooks, part.cylinderLooks);
-    append(whole.wires, part.wires);
-    append(whole.wireLooks, part.wireLooks);
+    appendTo(whole.spheres, part.spheres);
+    appendTo(whole.sphereLooks, part.sphereLooks);
+    appendTo(whole.cylinders, part.cylinders);
+    appendTo(whole.cylinderLooks, part.cylinderLooks);
+    appendTo(whole.wires, part.wires);
+    appendTo(whole.wireLooks, part.wireLooks);
     const auto vertices = static_cast<std::uint32_t>(whole.meshVertices.size()),
                looks = static_cast<std::uint32_t>(whole.meshLooks.size()),
                triangles = static_cast<std::uint32_t>(whole.triangles.size()),
@@ -32,9 +32,9 @@ void appendPart(Representation& whole, const Representation& part) {
         v.look += looks;
         whole.meshVertices.push_back(v);
     }
-    append(whole.meshLooks, part.meshLooks);
-    appendTriangles(whole.triangles, part.triangles, vertices);
-    appendTriangles(whole.coarseTriangles, part.coarseTriangles, vertices);
+    appendTo(whole.meshLooks, part.meshLooks);
+    appendShifted(whole.triangles, part.triangles, vertices);
+    appendShifted(whole.coarseTriangles, part.coarseTriangles, vertices);
     for (MeshRun run : part.meshes) {
         run.first += triangles;
         run.firstVertex += vertices, run.endVertex += vertices;

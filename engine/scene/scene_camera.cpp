@@ -12,18 +12,18 @@
 namespace nacre {
 namespace {
 
-constexpr double kNearest = 5;  // Å from the eye that planes stand at least, as in Mol*
-/// Å that primitives may stand out of a plane; less than kNearest, so that all of them are before the eye.
-constexpr double kRoom = 4;
+constexpr double kNearestPlane = 5;  // Å from the eye that planes stand at least, as in Mol*
+/// Å that primitives may stand out of a plane; less than kNearestPlane, so that all of them are before the eye.
+constexpr double kPlaneRoom = 4;
 
-glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& otherwise) {
+glm::dvec3 unitOf(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double length = glm::length(v);
     return length > 1e-9 && std::isfinite(length) ? v / length : otherwise;
 }
 
 /// Rows are the axes of the picture: right, up, to the viewer.
 glm::dmat3 rotationOf(const SceneCamera& camera) {
-    const glm::dvec3 back = unit(-camera.direction, {0, 0, 1});
+    const glm::dvec3 back = unitOf(-camera.direction, {0, 0, 1});
     glm::dvec3 right = glm::cross(camera.up, back);
     if (glm::length(right) < 1e-9)
         right = glm::cross(std::abs(back.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0), back);
@@ -103,13 +103,13 @@ SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, doub
         view.radius = reach;
         return result;
     }
-    const double before = std::min(camera.radius, distance - kNearest);  // the near plane, from the target
+    const double before = std::min(camera.radius, distance - kNearestPlane);  // the near plane, from the target
     view.projection = Projection::perspective;
     view.eyeDistance = distance;
     if (reach > before) result.clip.near = -before;
     if (reach > camera.radius) result.clip.far = camera.radius;
     // All depths are before the eye.
-    view.radius = std::min(reach, std::min(std::max(before, camera.radius) + kRoom, distance - (kNearest - kRoom) / 2));
+    view.radius = std::min(reach, std::min(std::max(before, camera.radius) + kPlaneRoom, distance - (kNearestPlane - kPlaneRoom) / 2));
     result.clip.far = std::min(result.clip.far, view.radius < reach ? view.radius : Clip::kNone);
     return result;
 }
@@ -120,7 +120,7 @@ void dropOutside(Representation& r, const SceneView& seen) {
     const glm::dvec3 away = -glm::dvec3(seen.view.rotation[0].z, seen.view.rotation[1].z, seen.view.rotation[2].z);
     const auto depth = [&](const glm::vec3& p) { return glm::dot(glm::dvec3(p), away); };
     const auto inside = [&](double low, double high) {
-        return high >= clip.near && low <= clip.far && low >= clip.near - kRoom && high <= clip.far + kRoom;
+        return high >= clip.near && low <= clip.far && low >= clip.near - kPlaneRoom && high <= clip.far + kPlaneRoom;
     };
     keepSpheres(r, [&](const Sphere& sphere) {
         const double at = depth(sphere.center), radius = static_cast<double>(sphere.radius);

@@ -46,7 +46,7 @@ SceneLayer newLayer(const ResidueFacts& facts, std::span<const std::uint32_t> dr
     return layer;
 }
 
-void recolor(const ResidueFacts& facts, const std::vector<bool>* chosen, const Coloring& coloring,
+void recolorLayers(const ResidueFacts& facts, const std::vector<bool>* chosen, const Coloring& coloring,
              const std::string& selection, GuidedLayers& result) {
     std::vector<std::uint32_t> atoms;
     for (const SceneLayer& layer : result.layers)
@@ -74,7 +74,7 @@ void recolor(const ResidueFacts& facts, const std::vector<bool>* chosen, const C
 void applyRule(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, const Rule& rule,
                const RepresentationOptions& options, GuidedLayers& result) {
     const std::vector<bool> chosen = selectAtoms(facts, rule.selection);
-    if (rule.action == Rule::Action::color) return recolor(facts, &chosen, rule.coloring, rule.selection.text, result);
+    if (rule.action == Rule::Action::color) return recolorLayers(facts, &chosen, rule.coloring, rule.selection.text, result);
     if (rule.action == Rule::Action::hide) {
         for (SceneLayer& layer : result.layers)
             layer = filtered(layer, [&](std::size_t i) { return !chosen[layer.atoms[i]]; });
@@ -133,7 +133,7 @@ Appearance appearanceOfLayer(const ResidueFacts& facts, const SceneLayer& layer)
     return appearance;
 }
 
-Representation partOf(const ResidueFacts& facts, const SceneLayer& layer, const RepresentationOptions& options,
+Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, const RepresentationOptions& options,
                       const glm::dvec3& center) {
     const Molecule& molecule = facts.molecule();
     const Appearance appearance = appearanceOfLayer(facts, layer);
@@ -163,7 +163,7 @@ Representation partOf(const ResidueFacts& facts, const SceneLayer& layer, const 
 }
 
 /// Puts a part behind a whole, with a run of copies of its own.
-void place(const Representation& part, std::uint32_t list, Representation& whole) {
+void placePart(const Representation& part, std::uint32_t list, Representation& whole) {
     const auto run = [&](std::vector<PrimitiveRun>& runs, std::size_t first, std::size_t count, const auto& ballsOf) {
         if (count == 0) return;
         PrimitiveRun added{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), list, {}, 0};
@@ -251,7 +251,7 @@ GuidedLayers guidedLayers(const ResidueFacts& facts, std::span<const std::uint32
                                                                   : 1.0;
         result.layers = {newLayer(facts, drawn, nullptr, *options.style, options.color, options, opacity)};
     }
-    if (options.color != Coloring(ColorScheme::element)) recolor(facts, nullptr, options.color, "all", result);
+    if (options.color != Coloring(ColorScheme::element)) recolorLayers(facts, nullptr, options.color, "all", result);
     for (const Rule& rule : options.rules)
         if (rule.on) applyRule(facts, drawn, rule, options, result);
     return result;
@@ -295,8 +295,8 @@ Representation representLayers(const ResidueFacts& facts, const GuidedLayers& gu
                 return listOf(molecule, guide, layer.atoms[i]) == list;
             });
             if (own.atoms.empty()) continue;
-            const Representation part = partOf(facts, own, options, result.center);
-            guide.transforms.empty() ? appendPart(result, part) : place(part, list, result);
+            const Representation part = layerPart(facts, own, options, result.center);
+            guide.transforms.empty() ? appendPart(result, part) : placePart(part, list, result);
             if (guide.transforms.empty()) result.drawnBonds += part.drawnBonds;
         }
     result.radius = std::max(reachOf(result), 1.0);
