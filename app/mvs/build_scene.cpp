@@ -147,6 +147,7 @@ private:
                 if (++layers_ > kMostLayers)
                     throw Error("cannot draw scene", child.place,
                                 "it has more than " + std::to_string(kMostLayers) + " representations");
+                if (!s.representation) s.representation = &child;
                 addRepresentation(child, drawn, s, files_, warnings_);
             }
             words(child, atoms, s);
@@ -234,8 +235,12 @@ private:
 
     /// Labels become primitives while structures still have their own atoms; tooltips those of the whole.
     void takeTexts(Structure& s, std::uint32_t firstAtom) {
+        std::vector<std::uint32_t> colors;
+        if (!s.labels.empty() && s.representation) colors = colorsOfAll(*s.representation, s, files_);
         for (const Structure::Text& label : s.labels)
-            guide_->primitives.labels.push_back(labelOf(label.text, label.atoms, s, std::nullopt));
+            guide_->primitives.labels.push_back(
+                labelOf(label.text, label.atoms, s,
+                        colors.empty() ? std::nullopt : std::optional<std::uint32_t>(colors[label.atoms.front()])));
         for (Structure::Text& tip : s.tooltips) {
             for (std::uint32_t& atom : tip.atoms) atom += firstAtom;
             guide_->tooltips.push_back({std::move(tip.atoms), std::move(tip.text)});

@@ -107,7 +107,8 @@ std::string nodeTable() {
     for (const NodeRow& row : kRows) {
         std::string kind(row.kind);
         if (const std::size_t colon = kind.find(':'); colon != std::string::npos) kind.replace(colon, 1, "`, `");
-        table += "| `" + kind + "` | " + code(row.params) + " | " + code(row.unused) + " | " + std::string(row.remark) + " |\n";
+        table += "| `" + kind + "` | " + code(row.params) + " | " + code(row.unused) + " | " + std::string(row.remark) +
+                 " |\n";
     }
     return table;
 }

@@ -98,6 +98,25 @@ void fade(const Node& node, const Structure& structure, SceneLayer& layer, Scene
         if (atoms[layer.atoms[i]]) layer.opacity[i] = value->get<float>();
 }
 
+/// Does what the colour and opacity nodes of a representation say, in their order.
+void paintChildren(const Node& node, const Structure& structure, SceneFiles& files, SceneLayer& layer,
+                   SceneWarnings& warnings) {
+    for (const Node& child : node.children) {
+        tellUnknown(child, warnings);
+        if (child.kind == "color") {
+            const auto color = colorOf(child.param("color"));
+            if (color)
+                paint(selected(child, child.param("selector"), structure, warnings), *color, layer);
+            else
+                warnings.add(child, "it names no colour");
+        } else if (child.kind == "color_from_uri" || child.kind == "color_from_source") {
+            paintRows(child, structure, files, layer, warnings);
+        } else if (child.kind == "opacity") {
+            fade(child, structure, layer, warnings);
+        }
+    }
+}
+
 }  // namespace
 
 void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms, Structure& structure,
@@ -115,20 +134,7 @@ void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms
     for (const std::uint32_t atom : atoms)
         if (!bare || !isHydrogen(structure.molecule->atoms[atom].element)) layer.atoms.push_back(atom);
     layer.colors.assign(layer.atoms.size(), kDefaultColor);
-    for (const Node& child : node.children) {
-        tellUnknown(child, warnings);
-        if (child.kind == "color") {
-            const auto color = colorOf(child.param("color"));
-            if (color)
-                paint(selected(child, child.param("selector"), structure, warnings), *color, layer);
-            else
-                warnings.add(child, "it names no colour");
-        } else if (child.kind == "color_from_uri" || child.kind == "color_from_source") {
-            paintRows(child, structure, files, layer, warnings);
-        } else if (child.kind == "opacity") {
-            fade(child, structure, layer, warnings);
-        }
-    }
+    paintChildren(node, structure, files, layer, warnings);
     // What is not to be seen at all is not drawn.
     SceneLayer seen = layer;
     if (!layer.opacity.empty()) {
@@ -141,6 +147,16 @@ void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms
         }
     }
     if (!seen.atoms.empty()) structure.layers.push_back(std::move(seen));
+}
+
+std::vector<std::uint32_t> colorsOfAll(const Node& representation, const Structure& structure, SceneFiles& files) {
+    SceneLayer all;
+    all.atoms.resize(structure.molecule->atoms.size());
+    for (std::uint32_t i = 0; i < all.atoms.size(); ++i) all.atoms[i] = i;
+    all.colors.assign(all.atoms.size(), kDefaultColor);
+    SceneWarnings known;  // they were said of the representation itself
+    paintChildren(representation, structure, files, all, known);
+    return std::move(all.colors);
 }
 
 }  // namespace nacre::app::mvs

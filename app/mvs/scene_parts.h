@@ -61,7 +61,7 @@ struct Structure {
         std::string text;
     };
     std::vector<Text> labels, tooltips;
-    std::optional<std::uint32_t> labelColor;  ///< of its representations, if they have one colour
+    const Node* representation = nullptr;  ///< its first: labels have its colours
     std::string ref;
 };
 
@@ -81,6 +81,9 @@ glm::dmat4x3 motionOfNode(const Node& node);
 /// Fills in the layers that a representation node stands for. @param atoms  of the component, ascending
 void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms, Structure& structure,
                        SceneFiles& files, SceneWarnings& warnings);
+
+/// The colours that a representation's nodes give every atom of the structure.
+std::vector<std::uint32_t> colorsOfAll(const Node& representation, const Structure& structure, SceneFiles& files);
 
 /// The atoms of a selector: a name, an expression, or a list of expressions. By atom.
 std::vector<bool> selected(const Node& node, const Json* selector, const Structure& structure, SceneWarnings& warnings);

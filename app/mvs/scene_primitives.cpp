@@ -441,7 +441,8 @@ Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32
     Primitives::Label label;
     label.at = extremeSphere(points).center;
     label.text = withoutMarkup(text);
-    label.size = std::cbrt(static_cast<double>(heavy > 0 ? heavy : atoms.size()));
+    constexpr double kEm = 0.6;  // Å, measured in Mol*'s pictures
+    label.size = kEm * std::cbrt(static_cast<double>(heavy > 0 ? heavy : atoms.size()));
     label.color = color;
     return label;
 }

@@ -90,9 +90,8 @@ private:
                 return;
             }
         }
-        list.push_back({{"auth_asym_id", chain},
-                        {"beg_auth_seq_id", residue.number},
-                        {"end_auth_seq_id", residue.number}});
+        list.push_back(
+            {{"auth_asym_id", chain}, {"beg_auth_seq_id", residue.number}, {"end_auth_seq_id", residue.number}});
     }
 
     const Molecule& molecule_;
@@ -102,10 +101,10 @@ private:
 /// Colours of a layer: the most frequent one for all, the others for their atoms.
 void addColors(const SceneLayer& layer, const Expressions& expressions, Out& children) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> byColor;
-    for (std::size_t i = 0; i < layer.atoms.size(); ++i) byColor[layer.colors[i] | 0xff000000u].push_back(layer.atoms[i]);
-    const auto most = std::max_element(byColor.begin(), byColor.end(), [](const auto& a, const auto& b) {
-        return a.second.size() < b.second.size();
-    });
+    for (std::size_t i = 0; i < layer.atoms.size(); ++i)
+        byColor[layer.colors[i] | 0xff000000u].push_back(layer.atoms[i]);
+    const auto most = std::max_element(byColor.begin(), byColor.end(),
+                                       [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
     children.push_back(nodeOf("color", {{"color", hexOf(most->first)}}));
     for (const auto& [color, atoms] : byColor)
         if (color != most->first)
@@ -116,7 +115,8 @@ Out componentOf(const SceneLayer& layer, const Expressions& expressions) {
     Out children = Out::array();
     addColors(layer, expressions, children);
     if (!layer.opacity.empty() && layer.opacity.front() < 1)
-        children.push_back(nodeOf("opacity", {{"opacity", std::round(static_cast<double>(layer.opacity.front()) * 1e3) / 1e3}}));
+        children.push_back(
+            nodeOf("opacity", {{"opacity", std::round(static_cast<double>(layer.opacity.front()) * 1e3) / 1e3}}));
     Out params{{"type", layer.cartoon.putty && layer.style == Style::cartoon ? "putty" : typeOf(layer.style)}};
     if (layer.style == Style::cartoon && layer.cartoon.helices != HelixForm::ribbon) params["tubular_helices"] = true;
     Out representation = nodeOf("representation", std::move(params));
@@ -132,7 +132,8 @@ const char* formatOf(const Molecule& molecule) {
     return format == "pdb" ? "pdb" : "mmcif";
 }
 
-std::vector<std::string> notesOf(const PictureDescription& d, const Molecule& molecule, std::span<const SceneLayer> layers) {
+std::vector<std::string> notesOf(const PictureDescription& d, const Molecule& molecule,
+                                 std::span<const SceneLayer> layers) {
     std::vector<std::string> notes;
     const auto add = [&](bool there, const char* what) {
         if (there) notes.push_back(std::string(what) + " are left out: MolViewSpec has no words for them");
@@ -147,7 +148,8 @@ std::vector<std::string> notesOf(const PictureDescription& d, const Molecule& mo
     add(!d.maps.files.empty(), "density maps");
     add(!d.input.further.empty(), "further INPUTs");
     add(!d.input.trajectory.path.empty(), "trajectories");
-    add(std::any_of(layers.begin(), layers.end(), [](const SceneLayer& layer) { return layer.style == Style::licorice; }),
+    add(std::any_of(layers.begin(), layers.end(),
+                    [](const SceneLayer& layer) { return layer.style == Style::licorice; }),
         "the widths of licorice");
     const std::string& format = molecule.file.format;
     if (format != "pdb" && format != "mmcif" && format != "bcif")

@@ -47,7 +47,7 @@ SceneLayer newLayer(const ResidueFacts& facts, std::span<const std::uint32_t> dr
 }
 
 void recolorLayers(const ResidueFacts& facts, const std::vector<bool>* chosen, const Coloring& coloring,
-             const std::string& selection, GuidedLayers& result) {
+                   const std::string& selection, GuidedLayers& result) {
     std::vector<std::uint32_t> atoms;
     for (const SceneLayer& layer : result.layers)
         std::copy_if(layer.atoms.begin(), layer.atoms.end(), std::back_inserter(atoms),
@@ -74,7 +74,8 @@ void recolorLayers(const ResidueFacts& facts, const std::vector<bool>* chosen, c
 void applyRule(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, const Rule& rule,
                const RepresentationOptions& options, GuidedLayers& result) {
     const std::vector<bool> chosen = selectAtoms(facts, rule.selection);
-    if (rule.action == Rule::Action::color) return recolorLayers(facts, &chosen, rule.coloring, rule.selection.text, result);
+    if (rule.action == Rule::Action::color)
+        return recolorLayers(facts, &chosen, rule.coloring, rule.selection.text, result);
     if (rule.action == Rule::Action::hide) {
         for (SceneLayer& layer : result.layers)
             layer = filtered(layer, [&](std::size_t i) { return !chosen[layer.atoms[i]]; });
@@ -134,7 +135,7 @@ Appearance appearanceOfLayer(const ResidueFacts& facts, const SceneLayer& layer)
 }
 
 Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, const RepresentationOptions& options,
-                      const glm::dvec3& center) {
+                         const glm::dvec3& center) {
     const Molecule& molecule = facts.molecule();
     const Appearance appearance = appearanceOfLayer(facts, layer);
     Representation part;
@@ -255,6 +256,38 @@ GuidedLayers guidedLayers(const ResidueFacts& facts, std::span<const std::uint32
     for (const Rule& rule : options.rules)
         if (rule.on) applyRule(facts, drawn, rule, options, result);
     return result;
+}
+
+std::vector<SceneLayer> layersOf(const Appearance& appearance, const RepresentationOptions& options) {
+    std::vector<SceneLayer> layers;
+    const auto layerOf = [&](Style style) -> SceneLayer& {
+        const auto found =
+            std::find_if(layers.begin(), layers.end(), [&](const SceneLayer& layer) { return layer.style == style; });
+        if (found != layers.end()) return *found;
+        SceneLayer& layer = layers.emplace_back();
+        layer.style = style;
+        layer.cartoon = options.cartoon;
+        layer.surface = options.surface;
+        return layer;
+    };
+    const auto addMesh = [&](Style style, const MeshAtoms& mesh) {
+        if (mesh.atoms.empty()) return;
+        SceneLayer& layer = layerOf(style);
+        layer.atoms = mesh.atoms;
+        layer.colors = mesh.colors;
+        if (std::any_of(mesh.opacity.begin(), mesh.opacity.end(), [](double opacity) { return opacity < 1; }))
+            for (const double opacity : mesh.opacity) layer.opacity.push_back(static_cast<float>(opacity));
+    };
+    addMesh(Style::cartoon, appearance.cartoon);
+    addMesh(Style::surface, appearance.surface);
+    addMesh(Style::line, appearance.lines);
+    addMesh(Style::carbohydrate, appearance.sugars);
+    for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
+        SceneLayer& layer = layerOf(appearance.styles[i]);
+        layer.atoms.push_back(appearance.atoms[i]);
+        layer.colors.push_back(appearance.colors[i]);
+    }
+    return layers;
 }
 
 Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers) {

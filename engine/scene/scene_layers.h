@@ -17,6 +17,9 @@ struct GuidedLayers {
 GuidedLayers guidedLayers(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                           const RepresentationOptions& options);
 
+/// What an appearance shows, as layers: one per style, with its colours.
+std::vector<SceneLayer> layersOf(const Appearance& appearance, const RepresentationOptions& options);
+
 /// The sphere about all that layers show, in all copies; of 1 Å at the origin if they show nothing.
 Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers);
 
