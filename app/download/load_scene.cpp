@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const std::string& uri, const std::string& why) {
-    throw Error("cannot read what a scene names", printable(uri, 200), why);
+    throw Error("cannot read what a scene names", nacre::printable(uri, 200), why);
 }
 
 std::string fileBytes(const std::string& uri, const fs::path& path, std::size_t most) {
@@ -90,12 +90,12 @@ private:
                       static_cast<unsigned long long>(hash.low64));
         std::string bytes;
         try {
-            downloadFile(printable(url, 200), std::string("mvs-") + digits.data(), url, settings,
+            downloadFile(nacre::printable(url, 200), std::string("mvs-") + digits.data(), url, settings,
                          [&](const std::string&, std::string got) { bytes = std::move(got); });
         } catch (const Error&) {
             if (input_.offline || input_.allowDownload) throw;
             throw DownloadForbidden(
-                "cannot download", printable(url, 200),
+                "cannot download", nacre::printable(url, 200),
                 scene_.name + " names it, and the cache does not hold it: --allow-download gets it");
         }
         return bytes;

@@ -48,7 +48,7 @@ AnnotationTable fromColumns(const std::string& name, const Json& json, const std
     AnnotationTable table;
     std::size_t rows = 0;
     for (const auto& [key, values] : json.items()) {
-        if (!values.is_array()) refuseTable(name, "\"" + printable(key) + "\" is no list");
+        if (!values.is_array()) refuseTable(name, "\"" + nacre::printable(key) + "\" is no list");
         if (rows != 0 && values.size() != rows) refuseTable(name, "its columns differ in length");
         rows = values.size();
     }
@@ -88,7 +88,7 @@ AnnotationTable readTable(const std::string& name, const std::string& bytes, con
 std::vector<AnnotationRow> readAnnotations(const std::string& name, const std::string& bytes, const TablePlace& place,
                                            std::string_view schema, const std::string& field) {
     const std::vector<std::string_view>* fields = fieldsOfSchema(schema);
-    if (!fields) refuseTable(name, "there is no schema '" + printable(schema) + "'");
+    if (!fields) refuseTable(name, "there is no schema '" + nacre::printable(schema) + "'");
     std::vector<std::string_view> wanted = *fields;
     wanted.push_back("group_id");
     if (std::find(wanted.begin(), wanted.end(), field) == wanted.end()) wanted.push_back(field);

@@ -55,7 +55,7 @@ SceneArchive::SceneArchive(std::string name, std::string bytes)
     zip_error_fini(&error);
     if (!zip_->archive) {
         if (source) zip_source_free(source);
-        refuseArchive(name_, "it is no zip: " + printable(why, 100));
+        refuseArchive(name_, "it is no zip: " + nacre::printable(why, 100));
     }
     const zip_int64_t count = zip_get_num_entries(zip_->archive, 0);
     if (count > kMostEntries) refuseArchive(name_, "it has more than " + std::to_string(kMostEntries) + " entries");
@@ -64,7 +64,7 @@ SceneArchive::SceneArchive(std::string name, std::string bytes)
         if (!entry) refuseArchive(name_, "an entry has no name");
         const std::string_view path = entry;
         if (path.ends_with("/")) continue;
-        if (!isInside(path)) refuseArchive(name_, "the entry '" + printable(path) + "' leads out of it");
+        if (!isInside(path)) refuseArchive(name_, "the entry '" + nacre::printable(path) + "' leads out of it");
         zip_->entries.emplace(path, static_cast<zip_uint64_t>(i));
     }
     if (!holds("index.mvsj")) refuseArchive(name_, "it is a zip without index.mvsj");
@@ -76,19 +76,19 @@ bool SceneArchive::holds(const std::string& entry) const { return zip_->entries.
 
 std::string SceneArchive::read(const std::string& entry) const {
     const auto found = zip_->entries.find(entry);
-    if (found == zip_->entries.end()) refuseArchive(name_, "it has no entry '" + printable(entry) + "'");
+    if (found == zip_->entries.end()) refuseArchive(name_, "it has no entry '" + nacre::printable(entry) + "'");
     zip_stat_t facts;
     zip_stat_init(&facts);
     if (zip_stat_index(zip_->archive, found->second, 0, &facts) != 0 || !(facts.valid & ZIP_STAT_SIZE) ||
         !(facts.valid & ZIP_STAT_COMP_SIZE))
-        refuseArchive(name_, "the size of '" + printable(entry) + "' is not stated");
+        refuseArchive(name_, "the size of '" + nacre::printable(entry) + "' is not stated");
     if (facts.size > kMostBytes || (facts.size > kFreely && facts.size / kMostRatio > facts.comp_size))
-        refuseArchive(name_, "'" + printable(entry) + "' inflates to " + std::to_string(facts.size) +
+        refuseArchive(name_, "'" + nacre::printable(entry) + "' inflates to " + std::to_string(facts.size) +
                                  " bytes, more than allowed");
     zip_file_t* file = zip_fopen_index(zip_->archive, found->second, 0);
     if (!file)
-        refuseArchive(name_, "'" + printable(entry) + "' cannot be opened: " +
-                                 printable(zip_error_strerror(zip_get_error(zip_->archive)), 100));
+        refuseArchive(name_, "'" + nacre::printable(entry) + "' cannot be opened: " +
+                                 nacre::printable(zip_error_strerror(zip_get_error(zip_->archive)), 100));
     std::string bytes(facts.size, '\0');
     std::size_t at = 0;
     while (at < bytes.size()) {
@@ -97,7 +97,7 @@ std::string SceneArchive::read(const std::string& entry) const {
         at += static_cast<std::size_t>(got);
     }
     const bool whole = zip_fclose(file) == 0 && at == bytes.size();
-    if (!whole) refuseArchive(name_, "'" + printable(entry) + "' is damaged");
+    if (!whole) refuseArchive(name_, "'" + nacre::printable(entry) + "' is damaged");
     return bytes;
 }
 

@@ -255,7 +255,7 @@ private:
             if (node->kind == "primitives_from_uri") {
                 const std::string uri = nodeText(*node, "uri");
                 if (uri.empty()) throw Error("cannot draw scene", node->place, "it has no uri");
-                loaded = parseNode(files_.bytes(uri), printable(uri, 200));
+                loaded = parseNode(files_.bytes(uri), nacre::printable(uri, 200));
                 node = &loaded;
             }
             guide_->primitives.append(readPrimitives(*node, own, structures_, warnings_));

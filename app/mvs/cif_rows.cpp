@@ -91,7 +91,7 @@ public:
         }
         if (!found_)
             cannot(name_, category_.empty() ? "it has no such block, or nothing in it"
-                                            : "it has no category _" + printable(category_) + " in that block");
+                                            : "it has no category _" + nacre::printable(category_) + " in that block");
         return std::move(table_);
     }
 
@@ -232,7 +232,7 @@ AnnotationTable columnsOf(const std::string& name, const MsgpackValue& category,
                 row.push_back(cell.missing() ? std::nullopt : std::optional<std::string>(cell.text(buffer)));
             }
         } catch (const PackedFault& fault) {
-            cannot(name, "column " + printable(label) + ": " + printable(fault.what(), 200));
+            cannot(name, "column " + nacre::printable(label) + ": " + nacre::printable(fault.what(), 200));
         }
     }
     return table;
@@ -257,7 +257,7 @@ AnnotationTable readBinary(const std::string& name, const std::string& bytes, co
             if (place.category.empty() || label == lowerCase(place.category)) return columnsOf(name, category, wanted);
         }
     }
-    cannot(name, "it has no category _" + printable(place.category) + " in that block");
+    cannot(name, "it has no category _" + nacre::printable(place.category) + " in that block");
 }
 
 }  // namespace

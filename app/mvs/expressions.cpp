@@ -43,7 +43,7 @@ std::int64_t wholeNumberOf(const Json& value) {
         return static_cast<std::int64_t>(value.get<double>());
     if (value.is_string())
         if (const auto number = parseInteger(value.get<std::string>())) return *number;
-    throw std::invalid_argument("a whole number is needed, not " + printable(value.dump(-1, ' ', true)));
+    throw std::invalid_argument("a whole number is needed, not " + nacre::printable(value.dump(-1, ' ', true)));
 }
 
 bool equal(const std::optional<std::int64_t>& wanted, std::int64_t value) { return !wanted || *wanted == value; }

@@ -77,7 +77,7 @@ void paintRows(const Node& node, const Structure& structure, SceneFiles& files, 
         const Json value(row.value);
         const auto color = colorOf(&value);
         if (!color) {
-            warnings.add(node, "there is no colour '" + printable(row.value) + "'");
+            warnings.add(node, "there is no colour '" + nacre::printable(row.value) + "'");
             continue;
         }
         std::vector<bool> atoms(structure.molecule->atoms.size());
@@ -125,11 +125,11 @@ void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms
     const std::string name = type && type->is_string() ? type->get<std::string>() : "";
     SceneLayer layer;
     if (!setStyle(node, name, layer, warnings))
-        return warnings.add(node, "there is no representation '" + printable(name) + "': it is left out");
+        return warnings.add(node, "there is no representation '" + nacre::printable(name) + "': it is left out");
     if (const NodeRow* row = nodeRow("representation:" + name))
         for (const auto& [key, value] : node.params.items())
             if (!value.is_null() && !row->knows(key))
-                warnings.add(node, "its parameter '" + printable(key) + "' is not used");
+                warnings.add(node, "its parameter '" + nacre::printable(key) + "' is not used");
     const bool bare = isTrue(node, "ignore_hydrogens");
     for (const std::uint32_t atom : atoms)
         if (!bare || !isHydrogen(structure.molecule->atoms[atom].element)) layer.atoms.push_back(atom);

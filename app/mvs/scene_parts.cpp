@@ -60,7 +60,7 @@ std::string blockOf(const Node& node, const std::string& text, const std::string
     if (start == std::string::npos)
         refuseNode(node, header.empty() ? "the file has " + std::to_string(found) + " data blocks, none of number " +
                                               std::to_string(index)
-                                        : "the file has no data block '" + printable(header) + "'");
+                                        : "the file has no data block '" + nacre::printable(header) + "'");
     return text.substr(start, at - start);
 }
 
@@ -124,10 +124,10 @@ const std::string& SceneFiles::bytes(const std::string& uri) {
     if (known_.size() >= kMostFiles)
         throw Error("cannot draw scene", "", "it names more than " + std::to_string(kMostFiles) + " files");
     std::string bytes = sources_.fetch(uri);
-    if (!compressionOf(bytes).empty()) bytes = decompress(printable(uri, 200), bytes, sources_.reading.maxBytes);
+    if (!compressionOf(bytes).empty()) bytes = decompress(nacre::printable(uri, 200), bytes, sources_.reading.maxBytes);
     held_ += bytes.size();
     if (held_ > sources_.reading.maxBytes)
-        throw Error("cannot draw scene", printable(uri, 200), "its files together are too large");
+        throw Error("cannot draw scene", nacre::printable(uri, 200), "its files together are too large");
     return known_.emplace(uri, std::move(bytes)).first->second;
 }
 
@@ -169,7 +169,7 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
         options.model = static_cast<int>(std::min<std::size_t>(block, 1'000'000)) + 1;
     else if (!header.empty() || block > 0)
         warnings.add(node, "of BinaryCIF the first block with atoms is read");
-    s.molecule = std::make_unique<Molecule>(readMolecule(printable(uri, 200), std::move(bytes), options));
+    s.molecule = std::make_unique<Molecule>(readMolecule(nacre::printable(uri, 200), std::move(bytes), options));
     s.atoms = std::make_unique<StructureAtoms>(*s.molecule);
     const std::string type = nodeText(node, "type");
     if (type == "assembly") {
@@ -180,7 +180,7 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
         const Json* radius = node.param("radius");
         placeCopies(crystalMates(*s.molecule, radius && radius->is_number() ? radius->get<double>() : 5.0), s);
     } else if (type != "model") {
-        warnings.add(node, "there is no structure type '" + printable(type) + "': its model is shown");
+        warnings.add(node, "there is no structure type '" + nacre::printable(type) + "': its model is shown");
     }
     return s;
 }
@@ -213,9 +213,9 @@ std::vector<bool> selected(const Node& node, const Json* selector, const Structu
         for (const auto& [key, value] : json.items()) {
             try {
                 if (!setField(expression, key, value))
-                    warnings.add(node, "there is no selector field '" + printable(key) + "'");
+                    warnings.add(node, "there is no selector field '" + nacre::printable(key) + "'");
             } catch (const std::invalid_argument& why) {
-                throw Error("cannot draw scene", node.place, printable(key) + ": " + why.what());
+                throw Error("cannot draw scene", node.place, nacre::printable(key) + ": " + why.what());
             }
         }
         structure.atoms->add(expression, atoms);
@@ -224,7 +224,7 @@ std::vector<bool> selected(const Node& node, const Json* selector, const Structu
         atoms.assign(atoms.size(), true);
     } else if (selector->is_string()) {
         if (auto kind = structure.atoms->ofKind(selector->get<std::string>())) return *kind;
-        warnings.add(node, "there is no selector '" + printable(selector->get<std::string>()) + "'");
+        warnings.add(node, "there is no selector '" + nacre::printable(selector->get<std::string>()) + "'");
     } else if (selector->is_array()) {
         for (const Json& each : *selector) add(each);
     } else {
@@ -242,7 +242,7 @@ std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Str
     place.blockIndex = static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "block_index").value_or(0), 0));
     place.category = nodeText(node, "category_name");
     const std::string named = nodeText(node, "field_name");
-    return readAnnotations(printable(uri, 200), files.bytes(uri), place, nodeText(node, "schema"),
+    return readAnnotations(nacre::printable(uri, 200), files.bytes(uri), place, nodeText(node, "schema"),
                            named.empty() ? field : named);
 }
 
@@ -251,7 +251,7 @@ void tellUnknown(const Node& node, SceneWarnings& warnings) {
     if (!row) return warnings.add(node, "nodes of this kind are not drawn");
     for (const auto& [key, value] : node.params.items())
         if (!value.is_null() && !row->knows(key))
-            warnings.add(node, "its parameter '" + printable(key) + "' is not used");
+            warnings.add(node, "its parameter '" + nacre::printable(key) + "' is not used");
 }
 
 }  // namespace nacre::app::mvs

@@ -100,10 +100,10 @@ private:
     void one(const Node& node) {
         const std::string kind = nodeText(node, "kind");
         const NodeRow* row = nodeRow("primitive:" + kind);
-        if (!row) return warnings_.add(node, "there is no primitive '" + printable(kind) + "': it is left out");
+        if (!row) return warnings_.add(node, "there is no primitive '" + nacre::printable(kind) + "': it is left out");
         for (const auto& [key, value] : node.params.items())
             if (!value.is_null() && !row->knows(key))
-                warnings_.add(node, "its parameter '" + printable(key) + "' is not used");
+                warnings_.add(node, "its parameter '" + nacre::printable(key) + "' is not used");
         if (kind == "tube") tube(node);
         if (kind == "arrow") arrow(node);
         if (kind == "lines") lines(node);
@@ -149,7 +149,7 @@ private:
             const auto found = std::find_if(structures_.begin(), structures_.end(),
                                             [&](const Structure& s) { return s.ref == ref->get<std::string>(); });
             if (found == structures_.end())
-                refusePrimitive(node, "there is no structure '" + printable(ref->get<std::string>()) + "'");
+                refusePrimitive(node, "there is no structure '" + nacre::printable(ref->get<std::string>()) + "'");
             structure = &*found;
         }
         if (!structure) refusePrimitive(node, std::string(name) + " names atoms, and the scene has no structure");
