@@ -70,6 +70,7 @@ private:
         for (const Node& child : node.children) {
             tellUnknown(child, warnings_);
             if (child.kind == "structure") structure(node, child, url);
+            if (child.kind == "volume") warnings_.add(child, "density maps of scenes are left out");
         }
     }
 

@@ -44,6 +44,9 @@ constexpr NodeRow kRows[] = {
     {"focus", "direction up radius radius_factor radius_extent", "", ""},
     {"camera", "target position up near", "", ""},
     {"canvas", "background_color", "", ""},
+    {"volume", "", "channel_id", "left out with a warning: draw maps with --map"},
+    {"volume_representation", "", "type", "likewise"},
+    {"volume_representation:isosurface", "", "type relative_isovalue absolute_isovalue show_wireframe show_faces", "likewise"},
     {"primitives", "color label_color tooltip opacity label_opacity", "instances", "its primitives: the rows below"},
     {"primitives_from_uri", "uri format", "references", ""},
     {"primitive", "kind", "", "kinds: the rows below"},
@@ -94,21 +97,22 @@ bool NodeRow::knows(std::string_view param) const { return isAmong(param, params
 std::span<const NodeRow> nodeRows() { return kRows; }
 
 std::string nodeTable() {
-    const auto code = [](std::string_view words) {
-        std::string text;
+    std::string table = "| node | parameter | drawn | remark |\n|---|---|---|---|\n";
+    const auto add = [&](const NodeRow& row, std::string_view words, const char* drawn) {
+        std::string kind(row.kind);
+        if (const std::size_t colon = kind.find(':'); colon != std::string::npos) kind.replace(colon, 1, " ");
         while (!words.empty()) {
             const std::size_t end = std::min(words.find(' '), words.size());
-            text += (text.empty() ? "`" : ", `") + std::string(words.substr(0, end)) + "`";
+            table += "| " + kind + " | `" + std::string(words.substr(0, end)) + "` | " + drawn + " | |\n";
             words.remove_prefix(std::min(end + 1, words.size()));
         }
-        return text;
     };
-    std::string table = "| node | parameters that are drawn | read without effect | remarks |\n|---|---|---|---|\n";
     for (const NodeRow& row : kRows) {
         std::string kind(row.kind);
-        if (const std::size_t colon = kind.find(':'); colon != std::string::npos) kind.replace(colon, 1, "`, `");
-        table += "| `" + kind + "` | " + code(row.params) + " | " + code(row.unused) + " | " + std::string(row.remark) +
-                 " |\n";
+        if (const std::size_t colon = kind.find(':'); colon != std::string::npos) kind.replace(colon, 1, " ");
+        table += "| " + kind + " | | " + (row.kind.starts_with("volume") ? "no" : "yes") + " | " + std::string(row.remark) + " |\n";
+        add(row, row.params, "yes");
+        add(row, row.unused, "no");
     }
     return table;
 }
