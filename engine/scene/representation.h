@@ -109,9 +109,6 @@ struct Representation {
 Representation represent(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                          const RepresentationOptions& options, const std::optional<Bounds>& frame = {});
 
-/// @throws Error if what is drawn lies over one another more than 10,000 times: a picture must not take hours
-void refuseCrowd(const Representation& representation);
-
 /// A molecule whose atoms move: selected, styled and coloured once, by the first positions, with one camera. Selections
 /// by distance keep their first atoms.
 class MovingScene {

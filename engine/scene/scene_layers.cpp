@@ -9,6 +9,7 @@
 #include "engine/scene/atom_groups.h"
 #include "engine/scene/bond_drawing.h"
 #include "engine/scene/carbohydrates.h"
+#include "engine/scene/crowd.h"
 #include "engine/scene/join_parts.h"
 #include "engine/scene/line_drawing.h"
 #include "engine/scene/mesh_scene.h"
