@@ -112,7 +112,7 @@ private:
 Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptions& reading,
                    const std::function<void(double)>& onDownload) {
     const mvs::SceneFile scene(input.path, std::move(bytes));
-    const std::size_t snapshot = static_cast<std::size_t>(input.snapshot == kAllSnapshots ? 1 : input.snapshot) - 1;
+    const std::size_t snapshot = static_cast<std::size_t>(input.snapshot) - 1;
     return mvs::buildScene(scene.tree, snapshot, scene.name, {SceneFetch(input, scene, reading, onDownload), reading});
 }
 

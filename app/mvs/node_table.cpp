@@ -46,7 +46,8 @@ constexpr NodeRow kRows[] = {
     {"canvas", "background_color", "", ""},
     {"volume", "", "channel_id", "left out with a warning: draw maps with --map"},
     {"volume_representation", "", "type", "likewise"},
-    {"volume_representation:isosurface", "", "type relative_isovalue absolute_isovalue show_wireframe show_faces", "likewise"},
+    {"volume_representation:isosurface", "", "type relative_isovalue absolute_isovalue show_wireframe show_faces",
+     "likewise"},
     {"primitives", "color label_color tooltip opacity label_opacity", "instances", "its primitives: the rows below"},
     {"primitives_from_uri", "uri format", "references", ""},
     {"primitive", "kind", "", "kinds: the rows below"},
@@ -110,7 +111,8 @@ std::string nodeTable() {
     for (const NodeRow& row : kRows) {
         std::string kind(row.kind);
         if (const std::size_t colon = kind.find(':'); colon != std::string::npos) kind.replace(colon, 1, " ");
-        table += "| " + kind + " | | " + (row.kind.starts_with("volume") ? "no" : "yes") + " | " + std::string(row.remark) + " |\n";
+        table += "| " + kind + " | | " + (row.kind.starts_with("volume") ? "no" : "yes") + " | " +
+                 std::string(row.remark) + " |\n";
         add(row, row.params, "yes");
         add(row, row.unused, "no");
     }

@@ -50,8 +50,8 @@ public:
         std::size_t number = 0;
         for (Json& child : *children) {
             const std::string kind = child.is_object() ? textAt(child, "kind") : "";
-            node.children.push_back(
-                read(child, place + "/" + nacre::printable(kind.empty() ? "node" : kind) + " " + std::to_string(++number)));
+            node.children.push_back(read(
+                child, place + "/" + nacre::printable(kind.empty() ? "node" : kind) + " " + std::to_string(++number)));
         }
         return node;
     }
@@ -77,7 +77,8 @@ Snapshot readSnapshot(Json& json, const std::string& place, TreeReader& reader, 
     Snapshot snapshot;
     takeMetadata(json, snapshot);
     snapshot.root = reader.read(*root, place.empty() ? "root" : place + "/root");
-    if (snapshot.root.kind != "root") refuseScene(name, "its root is a \"" + nacre::printable(snapshot.root.kind) + "\"");
+    if (snapshot.root.kind != "root")
+        refuseScene(name, "its root is a \"" + nacre::printable(snapshot.root.kind) + "\"");
     return snapshot;
 }
 

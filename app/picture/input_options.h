@@ -35,8 +35,6 @@ struct SceneMap {
     friend bool operator==(const SceneMap&, const SceneMap&) = default;
 };
 
-constexpr int kAllSnapshots = 0;
-
 /// The INPUT of some atoms is laid onto others with them.
 struct FitOptions {
     Selection moving, fixed;
@@ -55,7 +53,7 @@ struct InputOptions {
     std::string namedBy;         ///< a saved view's file that names `path`; empty: the user does. See load_molecule.h
     std::string hash;            ///< of its content, as that view states it; empty: it does not. See fileHash()
     bool allowDownload = false;  ///< what a view names may be downloaded
-    int snapshot = 1;            ///< of a scene, counted from 1, or kAllSnapshots
+    int snapshot = 1;            ///< of a scene, counted from 1
     std::vector<SceneMap> sceneMaps;  ///< for scenes
     bool sceneFiles = true;           ///< a scene may name files of its folder
     TrajectoryOptions trajectory;

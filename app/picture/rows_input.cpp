@@ -201,18 +201,15 @@ std::vector<Option> reading() {
          .save = always,
          .number = Option::Number::whole},
         {.key = "snapshot",
-         .syntax = "N|all",
+         .syntax = "N",
          .standard = "1",
-         .help = "Snapshot of a MolViewSpec scene, counted from 1; all: one picture each, or the whole movie",
+         .help = "Snapshot of a MolViewSpec scene, counted from 1",
          .topic = Topic::reading,
          .facet = Facet::input,
-         .parse =
-             [](T text, P& d) {
-                 d.input.snapshot = text == "all" ? kAllSnapshots : static_cast<int>(parseInteger(text, 1, 10'000));
-             },
-         .print =
-             [](const P& d) { return d.input.snapshot == kAllSnapshots ? "all" : std::to_string(d.input.snapshot); },
-         .save = differing},
+         .parse = [](T text, P& d) { d.input.snapshot = static_cast<int>(parseInteger(text, 1, 10'000)); },
+         .print = [](const P& d) { return std::to_string(d.input.snapshot); },
+         .save = differing,
+         .number = Option::Number::whole},
         {.key = "mvs-map",
          .syntax = "URL=PATH",
          .standard = "none",

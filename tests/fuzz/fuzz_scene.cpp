@@ -1,5 +1,5 @@
-// libFuzzer target for MolViewSpec scenes: JSON or an archive, with a structure in place of all that it names. Any bytes
-// are drawn or refused by one of the exceptions that the program shows.
+// libFuzzer target for MolViewSpec scenes: JSON or an archive, with a structure in place of all that it names. Any
+// bytes are drawn or refused by one of the exceptions that the program shows.
 
 #include <stdexcept>
 #include <string>

@@ -66,7 +66,7 @@ const std::vector<Arrows> kArrows = {
      {"app/mvs/", "app/input/", "app/picture/", "app/files/", "engine/*.h", "engine/molecule/", "engine/storage/",
       "engine/volume/"}},
     {"app/download/molecule_sources.",
-     {"app/download/", "app/viewer/", "app/drawing/", "app/input/", "app/picture/", "app/files/", "engine/*.h"}},
+     {"app/mvs/", "app/download/", "app/viewer/", "app/drawing/", "app/input/", "app/picture/", "app/files/", "engine/*.h"}},
     {"app/viewer/",
      {"app/drawing/", "app/annotation/", "app/input/", "app/picture/", "app/files/", "engine/*.h", "engine/molecule/",
       "engine/scene/", "engine/volume/"}},
