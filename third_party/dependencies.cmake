@@ -55,6 +55,15 @@ endif()
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
+if(NACRE_APPS)
+    # Debian's configuration of libzip asks for its programs, too.
+    find_path(ZIP_INCLUDE_DIR zip.h REQUIRED)
+    find_library(ZIP_LIBRARY zip REQUIRED)
+    add_library(zip::zip INTERFACE IMPORTED)
+    target_include_directories(zip::zip SYSTEM INTERFACE ${ZIP_INCLUDE_DIR})
+    target_link_libraries(zip::zip INTERFACE ${ZIP_LIBRARY})
+endif()
+
 if(NACRE_APPS OR NACRE_TESTS)
     find_path(NLOHMANN_JSON_INCLUDE_DIR nlohmann/json.hpp REQUIRED)
     add_library(nlohmann::headers INTERFACE IMPORTED)

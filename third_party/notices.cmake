@@ -14,6 +14,7 @@ set(NACRE_PARTS
     "Zstandard|BSD-3-Clause|libzstd-dev|zstd|https://github.com/facebook/zstd"
     "Expat|MIT|libexpat1-dev|expat|https://github.com/libexpat/libexpat"
     "xxHash|BSD-2-Clause|libxxhash-dev|xxhash|https://github.com/Cyan4973/xxHash"
+    "libzip|BSD-3-Clause|libzip-dev|libzip|https://libzip.org"
     "JSON for Modern C++|MIT|nlohmann-json3-dev|nlohmann-json|https://github.com/nlohmann/json"
     "DejaVu fonts|Bitstream Vera|fonts-dejavu-core||https://dejavu-fonts.github.io"
     "FreeType|FTL|libfreetype-dev|freetype|https://freetype.org"

@@ -13,9 +13,12 @@
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
 #include "app/files/output_file.h"
+#include "app/mvs/write_scene.h"
 #include "engine/mesh/mesh_measures.h"
+#include "engine/molecule/drawn_atoms.h"
 #include "engine/renderer.h"
 #include "engine/scene/chunks.h"
+#include "engine/scene/scene_layers.h"
 
 namespace nacre::app {
 namespace {
@@ -50,6 +53,25 @@ BakedOcclusion bakedOcclusion(const ExportCommandOptions& options, Representatio
     return renderer.bakedOcclusion(settings);
 }
 
+/// The picture in MolViewSpec's words; notes say what those leave out.
+void writeMolViewSpec(const Molecule& molecule, const ExportCommandOptions& options, OutputFile& file) {
+    const PictureDescription& picture = options.picture;
+    const ResidueFacts facts(molecule);
+    const std::vector<std::uint32_t> drawn = drawnAtoms(molecule, picture.drawn);
+    const std::vector<SceneLayer> layers = molecule.guide
+                                               ? guidedLayers(facts, drawn, picture.look).layers
+                                               : layersOf(appearanceOf(facts, drawn, picture.look), picture.look);
+    const Representation scene = sceneOf(facts, picture.input.path, picture.drawn, picture.look, {}, true);
+    SceneCamera camera;
+    constexpr double kFill = 0.95;  // of the picture's side, as without a camera
+    camera.target = scene.center;
+    camera.radius = scene.radius / kFill;
+    if (molecule.guide && molecule.guide->camera) camera = *molecule.guide->camera;
+    const mvs::WrittenScene written = mvs::writeScene(facts, picture, layers, camera);
+    for (const std::string& note : written.notes) sayNote(note);
+    writeText(file, written.json);
+}
+
 }  // namespace
 
 void exportCommand(const ExportCommandOptions& options) {
@@ -62,6 +84,7 @@ void exportCommand(const ExportCommandOptions& options) {
         loadMolecule(options.picture.input, downloadProgress(progress), [&](double share) { progress.advance(share); });
     loadMaps(options.picture, downloadProgress(progress));
     progress.begin("building the scene");
+    if (extensionOf(options.picture.output) == ".mvsj") return writeMolViewSpec(molecule, options, file);
     Representation scene = sceneOf(molecule, options.picture.input.path, options.picture.drawn, options.picture.look,
                                    frameOfPrimitives(molecule, options.picture), options.picture.drawsBeside());
     addMapSurfaces(molecule, options.picture, scene);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/cli/option_words.h"
+#include "app/mvs/node_table.h"
 #include "app/picture/options.h"
 #include "engine/molecule/nearest_word.h"
 
@@ -77,6 +78,7 @@ bool isHelpTopic(const std::string& name) {
 std::string helpTopic(const std::string& name, std::span<const CommandSpec> commands) {
     if (name == "reference") return referencePage();
     if (name == "keywords") return pythonKeywords();
+    if (name == "molviewspec") return mvs::nodeTable();
     const std::string spelt = name == "colours" || name == "colour" || name == "color" ? "colors" : name;
     const auto topic =
         std::find_if(std::begin(kTopics), std::end(kTopics), [&](const HelpTopic& t) { return spelt == t.name; });

@@ -71,9 +71,11 @@ void addExport(CommandSpec& command, ExportCommandOptions& options) {
     addPicture(command, picture, kReading | kAppearance);
     command.options.front().required = true;
     command
-        .value("-o,--output", "FILE", "", "The file: .glb (glTF 2.0), .ply, .stl or .obj",
+        .value("-o,--output", "FILE", "", "The file: .glb (glTF 2.0), .ply, .stl, .obj, or .mvsj (MolViewSpec)",
                [&](const std::string& text) {
-                   if (!isSceneName(text)) refuseEnding(text, sceneEndings());
+                   std::vector<std::string> endings = sceneEndings();
+                   endings.push_back(".mvsj");
+                   if (!isSceneName(text) && extensionOf(text) != ".mvsj") refuseEnding(text, endings);
                    picture.output = text;
                })
         .required = true;

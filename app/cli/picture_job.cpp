@@ -106,7 +106,7 @@ void PictureJob::drawInParts(Renderer& renderer) {
     if (drawing_.words.any()) {
         painter.emplace();
         Marks marks = painter->layOut(drawing_.words, view, options_.words.size, options_.words.color,
-                                      options_.background, settings.effects.clip);
+                                      settings.background, settings.effects.clip);
         sayCrowded(marks.crowded);
         picture.setMarks(*painter, std::move(marks));
     }

@@ -178,7 +178,7 @@ HttpLimits httpLimits(const Environment& environment) {
 namespace {
 
 DiskCache downloadCache(const DownloadSettings& settings) {
-    return {settings.cacheFolder, kDownloadCacheBytes, {"pdb-", "pubchem-", "afdb-", "emdb-"}};
+    return {settings.cacheFolder, kDownloadCacheBytes, {"pdb-", "pubchem-", "afdb-", "emdb-", "mvs-"}};
 }
 
 void requireOnline(const std::string& input, const DiskCache& cache, const DownloadSettings& settings) {

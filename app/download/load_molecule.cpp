@@ -3,12 +3,14 @@
 #include <filesystem>
 
 #include "app/download/download.h"
+#include "app/download/load_scene.h"
 #include "app/files/cache_folder.h"
 #include "app/files/messages.h"
 #include "app/input/input_files.h"
 #include "app/input/join_inputs.h"
 #include "app/input/read_input.h"
 #include "app/input/trajectory_input.h"
+#include "app/mvs/scene_file.h"
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
 
@@ -91,10 +93,22 @@ void checkThere(const std::string& path) {
     throw InputMissing(path, meant.empty() ? meant : " (did you mean '" + meant + "'?)");
 }
 
+/// A scene brings molecules of its own, and the way they are shown.
+Molecule loadSceneFile(InputOptions input, const std::function<void(double)>& onDownload) {
+    if (!input.trajectory.path.empty())
+        throw Error("cannot read scene", input.path, "a scene stands still: it takes no --trajectory");
+    if (!input.further.empty())
+        throw Error("cannot read scene", input.path, "a scene stands alone: name no other INPUT");
+    if (input.addHydrogens) throw Error("cannot read scene", input.path, "its molecules take no hydrogens");
+    if (!input.namedBy.empty()) input.path = namedPath(input);
+    return loadScene(input, mvs::readSceneBytes(input.path), readWithin(memoryOf(input)), onDownload);
+}
+
 Molecule loadStructure(const InputOptions& input, const std::function<void(double)>& onDownload,
                        const std::function<void(double)>& onModel) {
     if (const auto id = parseDatabaseId(input.path))
         return completed(input, loadDownload(input, *id, onDownload, onModel));
+    if (!input.format && mvs::isSceneFile(filePathOf(input))) return loadSceneFile(input, onDownload);
     if (!input.namedBy.empty()) return loadNamed(input, onModel);
     checkThere(input.path);
     return readLocally(input, memoryOf(input), {}, onModel);

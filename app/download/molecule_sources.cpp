@@ -11,6 +11,7 @@
 #include "app/files/printable.h"
 #include "app/input/input_files.h"
 #include "app/input/trajectory_input.h"
+#include "app/mvs/scene_file.h"
 #include "app/viewer/local_molecules.h"
 #include "engine/error.h"
 
@@ -59,7 +60,10 @@ Sources windowSources(const InputOptions& first) {
         try {
             return loadMolecule(input, onDownload);
         } catch (const DownloadForbidden&) {
-            throw Question("This view downloads " + downloadsOf(input), "Download", [allowed] { *allowed = true; });
+            const std::string downloads = downloadsOf(input);
+            throw Question(
+                downloads.empty() ? "This scene downloads the files that it names" : "This view downloads " + downloads,
+                "Download", [allowed] { *allowed = true; });
         }
     };
     all.build = sceneOfView;
@@ -85,7 +89,8 @@ Sources phoneSources(const InputOptions& first, const std::function<std::string(
     Sources all = localMolecules(readFile);
     const Sources downloads = windowSources(first);
     all.read = [local = all.read, fetched = downloads.read](const PictureDescription& view) {
-        return parseDatabaseId(view.input.path) ? fetched(view) : local(view);
+        const bool ours = parseDatabaseId(view.input.path) || mvs::isSceneFile(view.input.path);
+        return ours ? fetched(view) : local(view);
     };
     all.maps = downloads.maps;
     all.progress = downloads.progress;

@@ -4,6 +4,7 @@
 
 #include "app/annotation/painter.h"
 #include "app/drawing/aim.h"
+#include "app/drawing/guided.h"
 #include "app/drawing/idle_options.h"
 #include "app/drawing/map_layers.h"
 #include "app/drawing/scenes.h"
@@ -113,7 +114,8 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
     // What is left out since it hides something depends on the view, too; whether every atom may be hidden.
     const bool another = !scene_ || (parts & (Facet::input | Facet::frame | Facet::scene)) != 0 ||
                          description.drawsBeside() != description_.drawsBeside() || (molecule.atoms.empty() && parts) ||
-                         uncoveredBy(description.aim) || uncoveredBy(description_.aim);
+                         uncoveredBy(description.aim) || uncoveredBy(description_.aim) ||
+                         (cutsScene_ && has(parts, Facet::view));
     description_ = description;
     if (another) {
         scene_.emplace();
@@ -139,9 +141,12 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
     if (reach > framed) reachTo(settings.view, reach);
     depthShift_ = depthFrom() - depthOfFirst;
     run.zoom = aim.camera.zoom;
+    takeGuide(molecule, description_, settings);
+    viewScene(molecule);
     uncoverTarget(aim, description_.aim, facts, *scene_, settings, run);
     run.clip = clipText(settings.effects.clip);
-    warnings = scene_->warnings;
+    warnings = molecule.guide ? molecule.guide->warnings : std::vector<std::string>();
+    warnings.insert(warnings.end(), scene_->warnings.begin(), scene_->warnings.end());
     warnings.insert(warnings.end(), maps_.warnings.begin(), maps_.warnings.end());
     if (description_.debug == DebugView::none) putWords(facts);
     for (std::string& idle : idleOptions(description_, *scene_, settings.effects, scene_->radius))
@@ -161,6 +166,26 @@ void Drawing::placeWordsIn(const Representation& scene, const ResidueFacts& fact
         words.legends.insert(words.legends.end(), maps_.shown.legends.begin(), maps_.shown.legends.end());
 }
 
+/// Sees a scene file's molecule from where its camera stands.
+void Drawing::viewScene(const Molecule& molecule) {
+    cutsScene_ = false;
+    const SceneCamera* camera = sceneCamera(molecule, description_);
+    seenByScene_ = camera != nullptr;
+    if (!camera) return;
+    const bool ortho =
+        description_.given.contains("projection") && description_.camera.projection == Projection::orthographic;
+    const double reach = std::max(scene_->radius, maps_.shown.radius);
+    const SceneView seen =
+        viewOf(*camera, description_.camera, ortho, reach, description_.size.width, description_.size.height);
+    settings.view = seen.view;
+    Clip& clip = settings.effects.clip;
+    clip.near = std::max(clip.near, seen.clip.near);
+    clip.far = std::min(clip.far, seen.clip.far);
+    cutsScene_ = seen.clip.on();
+    dropOutside(*scene_, seen);
+    dropOutside(maps_.shown, seen);
+}
+
 /// Words of what is left out since it hides something go with it.
 void Drawing::putWords(const ResidueFacts& facts) {
     const bool some = !run.uncovers.empty();
@@ -174,7 +199,7 @@ void Drawing::putWords(const ResidueFacts& facts) {
 
 /// Moves the molecule clear of the words beside it, unless the view shows a part of it.
 void Drawing::makeRoom() {
-    if (!words.any() || description_.aim.placed || description_.aim.zoomTo) return;
+    if (!words.any() || seenByScene_ || description_.aim.placed || description_.aim.zoomTo) return;
     constexpr std::size_t kMany = 200000;  // spheres and vertices: their sphere is nearly as good
     View& view = settings.view;
     std::vector<glm::dvec4> balls{{0, 0, 0, view.radius}};
@@ -218,8 +243,8 @@ LayerPicture Drawing::layers(Renderer& renderer) const {
 
 std::size_t Drawing::addWords(const RenderSettings& drawn, Picture& picture, WordMemory* memory) const {
     if (!words.any()) return 0;
-    return WordPainter().paint(words, drawn.view, description_.words.size, description_.words.color,
-                               description_.background, picture, drawn.effects.clip, memory);
+    return WordPainter().paint(words, drawn.view, description_.words.size, description_.words.color, drawn.background,
+                               picture, drawn.effects.clip, memory);
 }
 
 }  // namespace nacre::app

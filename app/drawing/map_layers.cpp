@@ -13,6 +13,7 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/scene/colors.h"
 #include "engine/scene/map_scene.h"
+#include "engine/scene/scene_guide.h"
 
 namespace nacre::app {
 namespace {
@@ -202,7 +203,10 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, con
                                       (around.places.empty() ? "" : " near these atoms"));
         for (const std::string& warning : map->warnings) layers.warnings.push_back(map->name + ": " + warning);
     }
-    if (!d.primitives.empty()) addGeometry(primitivesOf(d.primitives, molecule), layers);
+    Primitives beside;
+    if (!d.primitives.empty()) beside = primitivesOf(d.primitives, molecule);
+    if (molecule.guide) beside.append(molecule.guide->primitives);
+    if (!beside.empty()) addGeometry(std::move(beside), layers);
     return layers;
 }
 

@@ -1,5 +1,6 @@
 #include "app/drawing/scenes.h"
 
+#include "app/drawing/guided.h"
 #include "app/drawing/map_layers.h"
 #include "app/input/color_file.h"
 #include "engine/error.h"
@@ -47,8 +48,10 @@ Representation sceneOf(const ResidueFacts& facts, const std::string& name, const
                        const RepresentationOptions& asked, const std::optional<Bounds>& frame, bool orNothing) {
     const RepresentationOptions look = withTables(asked);
     const Molecule& molecule = facts.molecule();
+    if (molecule.guide && molecule.atoms.empty()) return nothingOf(facts, {}, frameOfGuide(*molecule.guide));
     if (orNothing && molecule.atoms.empty()) return nothingOf(facts, {}, frame);
     const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, name, drawnOptions);
+    if (molecule.guide) return guidedSceneOf(facts, drawn, look);
     if (orNothing && appearanceOf(facts, drawn, look).seen == 0) return nothingOf(facts, drawn, frame);
     Representation scene = represent(facts, drawn, look, frame ? frame : sharedFrame(facts, drawnOptions, look));
     if (!look.ownFrame && !molecule.othersMissing.empty())

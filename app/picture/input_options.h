@@ -29,6 +29,12 @@ struct FurtherInput {
     friend bool operator==(const FurtherInput&, const FurtherInput&) = default;
 };
 
+/// What a scene names is taken from somewhere else: an address, or the beginning of some, and a file or folder.
+struct SceneMap {
+    std::string url, path;
+    friend bool operator==(const SceneMap&, const SceneMap&) = default;
+};
+
 /// The INPUT of some atoms is laid onto others with them.
 struct FitOptions {
     Selection moving, fixed;
@@ -47,6 +53,9 @@ struct InputOptions {
     std::string namedBy;         ///< a saved view's file that names `path`; empty: the user does. See load_molecule.h
     std::string hash;            ///< of its content, as that view states it; empty: it does not. See fileHash()
     bool allowDownload = false;  ///< what a view names may be downloaded
+    int snapshot = 1;            ///< of a scene, counted from 1
+    std::vector<SceneMap> sceneMaps;  ///< for scenes
+    bool sceneFiles = true;           ///< a scene may name files of its folder
     TrajectoryOptions trajectory;
     std::string name;                             ///< for selections, with further inputs; empty: by its path
     std::vector<FurtherInput> further;            ///< read as this one is

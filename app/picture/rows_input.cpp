@@ -143,6 +143,16 @@ void parseFormatName(T text, P& d) {
 
 std::string printModel(const P& d) { return d.input.model == kAllModels ? "all" : std::to_string(d.input.model); }
 
+void parseSceneMap(T text, P& d) {
+    addTo(d.input.sceneMaps, text, kMostInputs, [](T map) {
+        // An address may hold '=' itself: the last one divides.
+        const std::size_t end = map.rfind('=');
+        if (end == T::npos || end == 0 || end + 1 == map.size())
+            throw std::invalid_argument("'" + std::string(map) + "' is no URL=PATH");
+        return SceneMap{std::string(map.substr(0, end)), std::string(map.substr(end + 1))};
+    });
+}
+
 std::vector<Option> reading() {
     return {
         {.key = "cache",
@@ -190,6 +200,29 @@ std::vector<Option> reading() {
          .print = printModel,
          .save = always,
          .number = Option::Number::whole},
+        {.key = "snapshot",
+         .syntax = "N",
+         .standard = "1",
+         .help = "Snapshot of a MolViewSpec scene, counted from 1",
+         .topic = Topic::reading,
+         .facet = Facet::input,
+         .parse = [](T text, P& d) { d.input.snapshot = static_cast<int>(parseInteger(text, 1, 10'000)); },
+         .print = [](const P& d) { return std::to_string(d.input.snapshot); },
+         .save = differing,
+         .number = Option::Number::whole},
+        {.key = "mvs-map",
+         .syntax = "URL=PATH",
+         .standard = "none",
+         .help = "File or folder to take what a MolViewSpec scene names by an address, or by one that begins "
+                 "so;\nrepeatable",
+         .topic = Topic::reading,
+         .facet = Facet::input,
+         .parse = parseSceneMap,
+         .print =
+             [](const P& d) {
+                 return lines(d.input.sceneMaps, [](const SceneMap& map) { return map.url + "=" + map.path; });
+             },
+         .kind = list},
         {.key = "add-hydrogens",
          .syntax = "on|off",
          .standard = "=",

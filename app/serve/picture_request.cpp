@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr Topics kServers = Topic::device | Topic::path | Topic::validation | Topic::files | Topic::view |
                             Topic::trajectory | Topic::debug | Topic::frame;
 /// Reading options reserved to the server.
-constexpr std::string_view kServerKeys[] = {"cache", "offline", "memory", "occlusion-memory"};
+constexpr std::string_view kServerKeys[] = {"cache", "offline", "memory", "occlusion-memory", "mvs-map"};
 
 /// Where an input is, if a request may have it. @throws Problem
 std::string placeOf(const std::string& input, const ServeOptions& options, const std::string& uploads) {
@@ -168,6 +168,10 @@ PictureRequest pictureRequest(const Query& query, const std::string& body, const
         d.input.cache = options.picture.input.cache;
         d.input.offline = options.picture.input.offline || !options.picture.input.allowDownload;
         d.input.memoryMegabytes = options.picture.input.memoryMegabytes;
+        // Scenes: what they name by an address, by the server's rules, and no files of its own.
+        d.input.allowDownload = options.picture.input.allowDownload;
+        d.input.sceneMaps = options.picture.input.sceneMaps;
+        d.input.sceneFiles = body.empty() && !options.root.empty() && !d.input.path.starts_with(uploads + "/");
         d.occlusion.megabytes = options.picture.occlusion.megabytes;
         d.device = options.picture.device;
         completePicture(d);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/drawing/guided.h"
 #include "app/drawing/scenes.h"
 #include "app/input/trajectory_input.h"
 #include "app/picture/options.h"
@@ -59,6 +60,7 @@ Document Loader::load(const Job& job) const {
     }
     document.maps = mapLayersOf(*document.molecule, document.view, document.scene.center);
     document.radius = std::max(document.radius, document.maps.frame);
+    if (job.first) takeSceneLook(*document.molecule, document.radius, document.view);
     return document;
 }
 

@@ -44,6 +44,7 @@ void applyPreset(const Preset& preset, PictureDescription& view) {
 
 void firstLook(const Molecule& molecule, PictureDescription& view) {
     RepresentationOptions& look = view.look;
+    if (molecule.guide) return;  // a scene says how it is drawn
     if (look.style || !look.rules.empty() || look.color != Coloring()) return;
     std::size_t aminoAcids = 0;
     for (const ChainSummary& chain : summariseChains(molecule)) aminoAcids += chain.aminoAcids;

@@ -160,7 +160,12 @@ Reading::Arrival Reading::arrive(Document document) {
         wanted.look.style = there.look.style;
         wanted.look.color = there.look.color;
     }
-    if (!std::exchange(first_, false) && !arrival.step && !arrival.restored) {
+    const bool first = std::exchange(first_, false);
+    if (stage_.document.molecule->guide && !arrival.step && !arrival.restored) {
+        wanted.background = there.background;
+        if (first) stage_.motion.set(there.camera);
+    }
+    if (!first && !arrival.step && !arrival.restored) {
         wanted.look.rules = there.look.rules;
         wanted.words = there.words;
         stage_.motion.set(there.camera);

@@ -52,7 +52,7 @@ struct Atom {
 enum class SecondaryStructure : std::uint8_t { none, helix, strand };
 
 /// What the file says that a residue is part of; `unknown` also where it says nothing.
-enum class EntityKind : std::uint8_t { unknown, protein, nucleic, nonPolymer, water };
+enum class EntityKind : std::uint8_t { unknown, protein, nucleic, nonPolymer, branched, water };
 
 constexpr std::int32_t kNoLabelNumber = INT32_MIN;
 
@@ -131,7 +131,11 @@ struct FileSummary {
     std::map<std::string, std::string> componentNames;  ///< of non-standard residues: "478": "amprenavir"
     bool confidence = false;                      ///< the file is a prediction whose B factors are confidence (pLDDT)
     std::optional<std::array<glm::vec3, 3>> box;  ///< vectors of the simulation box, Å (GRO)
+    std::optional<std::array<double, 6>> cell;    ///< of a crystal: three lengths, Å, and three angles, degrees
+    std::string spaceGroup;                       ///< Hermann-Mauguin, "P 21 21 21"; empty: not stated
 };
+
+struct SceneGuide;
 
 /// One model of one file, or all of them: every atom record in the file's order, so that an atom's 1-based position is
 /// its id.
@@ -148,12 +152,14 @@ struct Molecule {
     bool statesSecondaryStructure = false;  ///< the file states helices or strands of residues that exist
     std::vector<float> partialCharges;      ///< by atom, elementary charges; empty if the format has none
     std::vector<float> radii;               ///< by atom, Å, as PQR states them; empty otherwise
+    std::vector<std::int32_t> serials;      ///< by atom, its number in mmCIF (_atom_site.id); empty: 1, 2, 3, ...
     std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number
     bool modelsAreInputs = false;           ///< what chains call models are several molecules that stand together
     std::vector<std::string> inputs;        ///< names of those, in the order of their models; empty: there is one
     OtherModels others;         ///< if they were asked for: the file's other models, for a camera that all share
     std::string othersMissing;  ///< why they are not there though there are some; empty: they are, or none is
     FileSummary file;
+    std::shared_ptr<const SceneGuide> guide;  ///< how a scene file has it drawn (scene_guide.h); null: no file says
 };
 
 }  // namespace nacre

@@ -90,7 +90,8 @@ public:
         if (residue.entityKind == EntityKind::nucleic) return ResidueKind::nucleic;
         if (residue.entityKind == EntityKind::water) return ResidueKind::water;
         const ResidueKind kind = kindByName(index);
-        return residue.entityKind == EntityKind::nonPolymer && isPolymer(kind) ? ResidueKind::ligand : kind;
+        const bool small = residue.entityKind == EntityKind::nonPolymer || residue.entityKind == EntityKind::branched;
+        return small && isPolymer(kind) ? ResidueKind::ligand : kind;
     }
 
     bool hasAll(const Residue& residue, std::initializer_list<std::string_view> names) const {

@@ -62,8 +62,8 @@ std::optional<TableMatch> matchOf(const ResidueFacts& facts, const Coloring& col
                                   std::vector<std::string>& warnings) {
     if (coloring.scheme != ColorScheme::table || !coloring.table) return std::nullopt;
     TableMatch match = matchTable(facts, *coloring.table);
-    constexpr std::size_t kLongestName = 80;  // a source may be the table itself
-    const std::string name = coloring.source.size() <= kLongestName ? coloring.source : "the table of colours";
+    constexpr std::size_t kLongestSource = 80;  // a source may be the table itself
+    const std::string name = coloring.source.size() <= kLongestSource ? coloring.source : "the table of colours";
     if (match.idle > 0)
         warnings.push_back(std::to_string(match.idle) + " of " + std::to_string(coloring.table->rows.size()) +
                            " rows of " + name + " match no atoms (the first: " + coloring.table->rowWord + " " +

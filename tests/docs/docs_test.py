@@ -3,6 +3,7 @@
 import functools
 import itertools
 import json
+import os
 import pathlib
 import re
 import shlex
@@ -175,6 +176,35 @@ class Pages(unittest.TestCase):
         help_text = subprocess.run([PROGRAM, "render", "--help"], capture_output=True, text=True, check=True).stdout
         offered = set(re.findall(r"^  (?:-\w,)?(--[a-z][a-z-]+)", help_text, re.MULTILINE))
         self.assertEqual(offered - {"--help", "--quiet", "--verbose"}, set(re.findall(r"^\*\*`(--[a-z-]+)", written, re.MULTILINE)))
+
+    def test_the_nodes_of_scenes_are_those_of_the_program(self):
+        page = (SOURCE / "docs/molviewspec.md").read_text()
+        written = page.partition("<!-- nodes -->\n")[2].partition("<!-- /nodes -->")[0]
+        self.assertEqual(written.strip(), program("help", "molviewspec").strip(), "nacre help molviewspec")
+
+    def test_every_node_and_parameter_of_the_schema_is_in_that_table(self):
+        data = pathlib.Path(os.environ.get("NACRE_DATA", SOURCE / "../shared/data"))
+        schema = data / "mvs/molviewspec-v1-openapi-schema.json"
+        if not schema.exists():
+            self.skipTest("no schema: neither NACRE_DATA nor ../shared/data beside the tree holds it")
+        told = {tuple(cell.strip("`") for cell in cells(row)[:2])
+                for row in program("help", "molviewspec").splitlines()[2:]}
+        kinds = {"BallAndStick": "representation ball_and_stick", "Cartoon": "representation cartoon",
+                 "Spacefill": "representation spacefill", "Surface": "representation surface",
+                 "Carbohydrate": "representation carbohydrate", "PrimitiveLabel": "primitive label",
+                 "AngleMeasurement": "primitive angle_measurement",
+                 "DistanceMeasurement": "primitive distance_measurement",
+                 "VolumeIsoSurface": "volume_representation isosurface"}
+        for kind in ("Arrow", "Box", "Ellipse", "Ellipsoid", "Lines", "Mesh", "Tube"):
+            kinds[kind] = "primitive " + kind.lower()
+        for name, node in json.loads(schema.read_text())["components"]["schemas"].items():
+            if not name.endswith("Params") or name.startswith("_"):
+                continue
+            plain = name.removesuffix("Params").removesuffix("Inline")
+            kind = kinds.get(plain, re.sub(r"(?<=.)([A-Z])", r"_\1", plain).lower())
+            self.assertIn((kind, ""), told, name)
+            for parameter in node.get("properties", {}):
+                self.assertIn((kind, parameter), told, f"{name}: {parameter}")
 
     def test_options_of_movies_are_those_of_the_program(self):
         named = set(re.findall(r"--[a-z][a-z-]+", (SOURCE / "docs/movies.md").read_text()))

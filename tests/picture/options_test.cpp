@@ -24,6 +24,8 @@ const std::map<std::string_view, std::string>& otherValues() {
                                                                  {"memory", "100"},
                                                                  {"format", "pdb"},
                                                                  {"model", "all"},
+                                                                 {"snapshot", "2"},
+                                                                 {"mvs-map", "https://a.b/=c"},
                                                                  {"trajectory", "md.xtc"},
                                                                  {"trajectory-hash", "5-cd"},
                                                                  {"frame", "7"},

@@ -53,7 +53,8 @@ const std::array<const char*, MmcifAtoms::columnCount> MmcifAtoms::kNames = {"ca
                                                                              "b_iso_or_equiv",
                                                                              "pdbx_formal_charge",
                                                                              "pdbx_pdb_model_num",
-                                                                             "label_entity_id"};
+                                                                             "label_entity_id",
+                                                                             "id"};
 
 bool MmcifAtoms::isKept(std::string_view column) {
     return std::any_of(kNames.begin(), kNames.end(), [&](const char* name) { return column == name; });
@@ -102,7 +103,21 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
         if (column_[entity] >= 0) last.entity = entityIndex(cell(cells, entity));
         if (column_[labelSeq] >= 0) last.labelNumber = wholeNumber(cell(cells, labelSeq)).value_or(kNoLabelNumber);
     }
+    noteSerial(cell(cells, serial), builder.molecule());
     countChains(cells);
+}
+
+/// Most files number their atoms 1, 2, 3, ...: then nothing is kept.
+void MmcifAtoms::noteSerial(const MmcifCell& given, Molecule& molecule) {
+    const std::size_t count = molecule.atoms.size();
+    const auto number = given.integer();
+    const bool fits = number && *number >= INT32_MIN && *number <= INT32_MAX;
+    const auto value = static_cast<std::int32_t>(fits ? *number : static_cast<std::int64_t>(count));
+    if (molecule.serials.empty()) {
+        if (value == static_cast<std::int32_t>(count)) return;
+        for (std::size_t i = 1; i < count; ++i) molecule.serials.push_back(static_cast<std::int32_t>(i));
+    }
+    molecule.serials.push_back(value);
 }
 
 /// A BinaryCIF file names a text once, however long, and a million rows may refer to it.

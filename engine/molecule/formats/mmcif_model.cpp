@@ -93,6 +93,7 @@ bool MmcifModel::isKept(std::string_view category) {
                                                  "ma_qa_metric",
                                                  "em_3d_reconstruction",
                                                  "cell",
+                                                 "symmetry",
                                                  "symmetry_equiv",
                                                  "space_group_symop",
                                                  "chemical",
@@ -178,10 +179,11 @@ std::vector<EntityKind> MmcifModel::entityKinds() {
     const MmcifTable &entities = tables_["entity"], &polymers = tables_["entity_poly"];
     for (std::size_t row = 0; row < entities.rows(); ++row) {
         const std::string type = lowerCase(entities.get(row, {"type"}).value_or(""));
-        const bool small = type == "non-polymer" || type == "branched" || type == "macrolide";
-        kinds[entities.get(row, {"id"}).value_or("")] = small             ? EntityKind::nonPolymer
-                                                        : type == "water" ? EntityKind::water
-                                                                          : EntityKind::unknown;
+        const bool small = type == "non-polymer" || type == "macrolide";
+        kinds[entities.get(row, {"id"}).value_or("")] = small                ? EntityKind::nonPolymer
+                                                        : type == "branched" ? EntityKind::branched
+                                                        : type == "water"    ? EntityKind::water
+                                                                             : EntityKind::unknown;
     }
     for (std::size_t row = 0; row < polymers.rows(); ++row) {
         const std::string type = lowerCase(polymers.get(row, {"type"}).value_or(""));
@@ -274,7 +276,23 @@ void MmcifModel::nameParts(Molecule& molecule) {
     }
 }
 
+void MmcifModel::summariseCrystal(FileSummary& file) {
+    static constexpr const char* kColumns[6] = {"length_a",    "length_b",   "length_c",
+                                                "angle_alpha", "angle_beta", "angle_gamma"};
+    const MmcifTable &cell = tables_["cell"], &symmetry = tables_["symmetry"];
+    if (cell.rows() == 0) return;
+    std::array<double, 6> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto value = parseNumber(withoutUncertainty(cell.get(0, {kColumns[i]}).value_or("")));
+        if (!value || !(*value > 0 && *value < (i < 3 ? 1e6 : 180))) return;
+        values[i] = *value;
+    }
+    file.cell = values;
+    if (symmetry.rows() > 0) file.spaceGroup = symmetry.get(0, {"space_group_name_h-m"}).value_or("");
+}
+
 void MmcifModel::summarise(FileSummary& file, const char* titleOf) {
+    summariseCrystal(file);
     setTitle(file, tables_[titleOf]);
     for (const auto& [category, column] :
          {std::pair("refine", "ls_d_res_high"), std::pair("em_3d_reconstruction", "resolution")}) {

@@ -87,6 +87,7 @@ private:
         charge,
         model,
         entity,
+        serial,
         columnCount
     };
     static const std::array<const char*, columnCount> kNames;
@@ -105,6 +106,7 @@ private:
     int modelIndex(std::string_view number);
     float coordinate(const MmcifCell* cells, int axis, std::uint64_t line) const;
     float property(const MmcifCell& cell, float otherwise, MoleculeBuilder& builder);
+    static void noteSerial(const MmcifCell& given, Molecule& molecule);
     void countChains(const MmcifCell* cells);
     std::uint32_t entityIndex(const MmcifCell& given);
     void refuseLongCells(const MmcifCell* cells, std::uint64_t line) const;
@@ -154,6 +156,7 @@ private:
     std::vector<EntityKind> entityKinds();
     void finishModels(FileSummary& file);
     void summarise(FileSummary& file, const char* titleOf);
+    void summariseCrystal(FileSummary& file);
     void nameParts(Molecule& molecule);
 
     std::deque<MoleculeBuilder> builders_;  ///< of the wanted models

@@ -1,5 +1,6 @@
 #include "engine/molecule/formats/pdb_header.h"
 
+#include <array>
 #include <functional>
 
 #include "engine/molecule/formats/pdb_fields.h"
@@ -37,7 +38,9 @@ void Header::add(std::string_view line) {
     // Old files number their lines at the right: "1HPV   3".
     const bool numbered = !entry_.empty() && nacre::trim(columns(line, 73, 76)) == entry_;
     const std::size_t last = numbered ? 72 : 80;
-    if (startsWith(line, "COMPND")) {
+    if (startsWith(line, "CRYST1")) {
+        takeCrystal(line);
+    } else if (startsWith(line, "COMPND")) {
         join(compound_, nacre::trim(columns(line, 11, last)), kMostText);
     } else if (startsWith(line, "SOURCE")) {
         join(source_, nacre::trim(columns(line, 11, last)), kMostText);
@@ -51,7 +54,24 @@ void Header::add(std::string_view line) {
     }
 }
 
+void Header::takeCrystal(std::string_view line) {
+    static constexpr std::array<std::pair<std::size_t, std::size_t>, 6> kColumns{
+        {{7, 15}, {16, 24}, {25, 33}, {34, 40}, {41, 47}, {48, 54}}};
+    std::array<double, 6> values{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto value = parseNumber(columns(line, kColumns[i].first, kColumns[i].second));
+        if (!value || !(*value > 0 && *value < (i < 3 ? 1e6 : 180))) return;
+        values[i] = *value;
+    }
+    // What has no crystal says 1 1 1 90 90 90.
+    if (values[0] <= 1 && values[1] <= 1 && values[2] <= 1) return;
+    cell_ = values;
+    spaceGroup_ = nacre::trim(columns(line, 56, 66));
+}
+
 void Header::resolve(FileSummary& file) const {
+    file.cell = cell_;
+    file.spaceGroup = spaceGroup_;
     std::string molecule;
     eachToken(compound_, [&](std::string_view key, std::string_view value) {
         if (key == "MOLECULE") molecule = plainCase(value, true);

@@ -1,7 +1,10 @@
 #pragma once
-// What the header of a PDB file says of the whole: COMPND, SOURCE, EXPDTA, HETNAM and HETSYN (wwPDB format 3.3).
+// What the header of a PDB file says of the whole: CRYST1, COMPND, SOURCE, EXPDTA, HETNAM and HETSYN (wwPDB
+// format 3.3).
 
+#include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,6 +21,10 @@ public:
 
 private:
     static constexpr std::size_t kMostText = 1 << 20;  ///< bytes of each
+    void takeCrystal(std::string_view line);
+
+    std::optional<std::array<double, 6>> cell_;
+    std::string spaceGroup_;
     std::string entry_, compound_, source_, method_;
     std::map<std::string, std::string> names_, synonyms_;  ///< by the component's name
 };

@@ -1,0 +1,18 @@
+#pragma once
+// MolViewSpec scenes as INPUT: what they name comes from their archive, their folder, a map, the cache or the network.
+
+#include <functional>
+#include <string>
+
+#include "app/picture/input_options.h"
+#include "engine/molecule/molecule.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+
+/// The molecule of a scene, with its guide. What a scene names by an address is downloaded only if that is allowed;
+/// files must stand in its folder. @param bytes  of the scene's file @throws Error
+Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptions& reading,
+                   const std::function<void(double)>& onDownload = {});
+
+}  // namespace nacre::app

@@ -1,0 +1,117 @@
+#include "app/mvs/annotations.h"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "app/files/json_text.h"
+#include "app/mvs/cif_rows.h"
+#include "engine/error.h"
+#include "engine/molecule/text.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+[[noreturn]] void refuseTable(const std::string& name, const std::string& why) {
+    throw Error("cannot read annotations", name, why);
+}
+
+std::optional<std::string> cellOf(const Json& value) {
+    if (value.is_null()) return std::nullopt;
+    return value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', true);
+}
+
+void checkSize(const std::string& name, std::size_t rows, std::size_t columns) {
+    if (rows > kMostAnnotationRows || rows * std::max<std::size_t>(columns, 1) > kMostAnnotationCells)
+        refuseTable(name, "it has more than " + std::to_string(kMostAnnotationRows) + " rows or " +
+                              std::to_string(kMostAnnotationCells) + " values");
+}
+
+/// A list of rows, each an object.
+AnnotationTable fromRows(const std::string& name, const Json& json, const std::vector<std::string_view>& wanted) {
+    AnnotationTable table;
+    table.columns.assign(wanted.begin(), wanted.end());
+    checkSize(name, json.size(), table.columns.size());
+    for (const Json& row : json) {
+        if (!row.is_object()) refuseTable(name, "row " + std::to_string(table.rows.size() + 1) + " is no object");
+        auto& cells = table.rows.emplace_back();
+        for (const std::string& column : table.columns) {
+            const auto found = row.find(column);
+            cells.push_back(found == row.end() ? std::nullopt : cellOf(*found));
+        }
+    }
+    return table;
+}
+
+/// An object of columns, each a list.
+AnnotationTable fromColumns(const std::string& name, const Json& json, const std::vector<std::string_view>& wanted) {
+    AnnotationTable table;
+    std::size_t rows = 0;
+    for (const auto& [key, values] : json.items()) {
+        if (!values.is_array()) refuseTable(name, "\"" + nacre::printable(key) + "\" is no list");
+        if (rows != 0 && values.size() != rows) refuseTable(name, "its columns differ in length");
+        rows = values.size();
+    }
+    for (const std::string_view column : wanted)
+        if (json.contains(std::string(column))) table.columns.emplace_back(column);
+    checkSize(name, rows, table.columns.size());
+    table.rows.resize(rows);
+    for (const std::string& column : table.columns) {
+        std::size_t i = 0;
+        for (const Json& value : json[column]) table.rows[i++].push_back(cellOf(value));
+    }
+    return table;
+}
+
+AnnotationTable fromJson(const std::string& name, const std::string& text,
+                         const std::vector<std::string_view>& wanted) {
+    if (text.size() > kMostSceneBytes)
+        refuseTable(name, "it is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
+    const Json json = parseJson<Json>(text);
+    if (json.is_discarded()) refuseTable(name, "it is no JSON");
+    if (json.is_array()) return fromRows(name, json, wanted);
+    if (!json.is_object()) refuseTable(name, "it is neither a list of rows nor an object of columns");
+    const bool columns = std::any_of(json.begin(), json.end(), [](const Json& value) { return value.is_array(); });
+    return columns ? fromColumns(name, json, wanted) : fromRows(name, Json::array({json}), wanted);
+}
+
+}  // namespace
+
+AnnotationTable readTable(const std::string& name, const std::string& bytes, const TablePlace& place,
+                          const std::vector<std::string_view>& wanted) {
+    const std::size_t start = bytes.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+    if (start == std::string::npos) refuseTable(name, "it is empty");
+    if (bytes[start] == '{' || bytes[start] == '[') return fromJson(name, bytes, wanted);
+    return readCifTable(name, bytes, place, wanted);
+}
+
+std::vector<AnnotationRow> readAnnotations(const std::string& name, const std::string& bytes, const TablePlace& place,
+                                           std::string_view schema, const std::string& field) {
+    const std::vector<std::string_view>* fields = fieldsOfSchema(schema);
+    if (!fields) refuseTable(name, "there is no schema '" + nacre::printable(schema) + "'");
+    std::vector<std::string_view> wanted = *fields;
+    wanted.push_back("group_id");
+    if (std::find(wanted.begin(), wanted.end(), field) == wanted.end()) wanted.push_back(field);
+    const AnnotationTable table = readTable(name, bytes, place, wanted);
+    std::vector<AnnotationRow> rows;
+    rows.reserve(table.rows.size());
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        AnnotationRow& row = rows.emplace_back();
+        for (std::size_t c = 0; c < table.columns.size(); ++c) {
+            const auto& cell = table.rows[i][c];
+            const std::string& column = table.columns[c];
+            if (!cell) continue;
+            if (column == field) row.value = *cell, row.hasValue = true;
+            if (column == "group_id") row.group = *cell;
+            if (std::find(fields->begin(), fields->end(), column) == fields->end()) continue;
+            try {
+                setField(row.expression, column, Json(*cell));
+            } catch (const std::invalid_argument& why) {
+                refuseTable(name, "row " + std::to_string(i + 1) + ", " + column + ": " + why.what());
+            }
+        }
+    }
+    return rows;
+}
+
+}  // namespace nacre::app::mvs

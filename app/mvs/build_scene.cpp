@@ -1,0 +1,344 @@
+#include "app/mvs/build_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <map>
+#include <set>
+
+#include "app/mvs/camera_nodes.h"
+#include "app/mvs/node_table.h"
+#include "app/mvs/scene_parts.h"
+#include "app/mvs/scene_primitives.h"
+#include "engine/error.h"
+#include "engine/molecule/join_models.h"
+#include "engine/molecule/text.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+/// First `second`, then `first`.
+glm::dmat4x3 after(const glm::dmat4x3& first, const glm::dmat4x3& second) {
+    glm::dmat4x3 both;
+    for (int column = 0; column < 4; ++column)
+        both[column] = first * glm::dvec4(second[column], column == 3 ? 1.0 : 0.0);
+    return both;
+}
+
+bool isStill(const glm::dmat4x3& motion) { return motion == glm::dmat4x3(1.0); }
+
+class SceneBuilder {
+public:
+    SceneBuilder(const std::string& name, const SceneSources& sources) : name_(name), files_(sources) {}
+
+    Molecule build(const Snapshot& snapshot) {
+        guide_ = std::make_shared<SceneGuide>();
+        for (const Node& node : snapshot.root.children) root(node);
+        guide_->title = snapshot.title;
+        return joined();
+    }
+
+private:
+    void root(const Node& node) {
+        tellUnknown(node, warnings_);
+        if (node.kind == "download") download(node);
+        if (node.kind == "camera") camera_.takeCamera(node, warnings_);
+        if (node.kind == "canvas") canvas(node);
+        if (node.kind == "focus") camera_.focusAll(node);
+        if (node.kind.starts_with("primitives")) groups_.push_back({&node, kNoStructure});
+    }
+
+    void canvas(const Node& node) {
+        const auto color = colorOf(node.param("background_color"));
+        if (!color) return warnings_.add(node, "it names no colour");
+        std::array<float, 4> background{0, 0, 0, 1};
+        for (std::size_t i = 0; i < 3; ++i) background[i] = static_cast<float>(*color >> (8 * i) & 0xff) / 255.0f;
+        guide_->background = background;
+    }
+
+    void download(const Node& node) {
+        const std::string url = nodeText(node, "url");
+        if (url.empty()) throw Error("cannot draw scene", node.place, "it has no url");
+        for (const Node& child : node.children) {
+            tellUnknown(child, warnings_);
+            if (child.kind == "parse") parse(child, url);
+        }
+    }
+
+    void parse(const Node& node, const std::string& url) {
+        for (const Node& child : node.children) {
+            tellUnknown(child, warnings_);
+            if (child.kind == "structure") structure(node, child, url);
+            if (child.kind == "volume") warnings_.add(child, "density maps of scenes are left out");
+        }
+    }
+
+    void structure(const Node& parse, const Node& node, const std::string& url) {
+        if (structures_.size() == kMostStructures)
+            throw Error("cannot draw scene", node.place,
+                        "it has more than " + std::to_string(kMostStructures) + " structures");
+        structures_.push_back(readStructure(parse, node, url, files_, warnings_));
+        Structure& s = structures_.back();
+        const std::vector<bool> all(s.molecule->atoms.size(), true);
+        for (const Node& child : node.children) {
+            tellUnknown(child, warnings_);
+            if (child.kind == "transform") s.moved = after(motionOfNode(child), s.moved);
+            if (child.kind == "instance") s.instances.push_back(motionOfNode(child));
+            if (child.kind.starts_with("component")) component(child, s);
+            words(child, all, s);
+            if (child.kind.starts_with("primitives")) groups_.push_back({&child, structures_.size() - 1});
+        }
+    }
+
+    /// Labels, tooltips and focus of some atoms of a structure.
+    void words(const Node& node, const std::vector<bool>& atoms, Structure& s) {
+        if (node.kind == "label" || node.kind == "tooltip")
+            addText(atoms, nodeText(node, "text"), s, node.kind == "label" ? s.labels : s.tooltips);
+        if (node.kind.starts_with("label_from_")) addTexts(node, "label", s, s.labels);
+        if (node.kind.starts_with("tooltip_from_")) addTexts(node, "tooltip", s, s.tooltips);
+        if (node.kind == "focus") camera_.takeFocus(node, structures_.size() - 1, s.atoms->drawnOf(atoms));
+    }
+
+    static void addText(const std::vector<bool>& atoms, const std::string& text, const Structure& s,
+                        std::vector<Structure::Text>& labels) {
+        Structure::Text label{s.atoms->drawnOf(atoms), text};
+        if (!label.atoms.empty() && !text.empty()) labels.push_back(std::move(label));
+    }
+
+    /// One text for each group of rows.
+    void addTexts(const Node& node, const char* field, Structure& s, std::vector<Structure::Text>& labels) {
+        std::vector<std::pair<std::string, std::vector<bool>>> texts;
+        std::map<std::string, std::size_t> groups;
+        for (const AnnotationRow& row : rowsOf(node, field, s, files_)) {
+            if (!row.hasValue) continue;
+            std::size_t place = texts.size();
+            if (!row.group.empty()) place = groups.emplace(row.group, place).first->second;
+            if (place == texts.size()) {
+                if (texts.size() == kMostTexts) {
+                    warnings_.add(node,
+                                  "it has more than " + std::to_string(kMostTexts) + " texts; the others are left out");
+                    break;
+                }
+                texts.emplace_back(row.value, std::vector<bool>(s.molecule->atoms.size()));
+            }
+            s.atoms->add(row.expression, texts[place].second);
+        }
+        for (const auto& [text, atoms] : texts) addText(atoms, text, s, labels);
+    }
+
+    void component(const Node& node, Structure& s) {
+        std::vector<bool> atoms;
+        if (node.kind == "component") {
+            atoms = selected(node, node.param("selector"), s, warnings_);
+        } else {
+            const Json* wanted = node.param("field_values");
+            atoms.assign(s.molecule->atoms.size(), false);
+            for (const AnnotationRow& row : rowsOf(node, "component", s, files_)) {
+                const bool chosen = !wanted || (row.hasValue && wanted->is_array() &&
+                                                std::find(wanted->begin(), wanted->end(), row.value) != wanted->end());
+                if (chosen) s.atoms->add(row.expression, atoms);
+            }
+        }
+        const std::vector<std::uint32_t> drawn = s.atoms->drawnOf(atoms);
+        if (drawn.empty()) warnings_.add(node, "it matches no atoms");
+        for (const Node& child : node.children) {
+            tellUnknown(child, warnings_);
+            if (child.kind == "representation") {
+                if (++layers_ > kMostLayers)
+                    throw Error("cannot draw scene", child.place,
+                                "it has more than " + std::to_string(kMostLayers) + " representations");
+                if (!s.representation) s.representation = &child;
+                addRepresentation(child, drawn, s, files_, warnings_);
+            }
+            words(child, atoms, s);
+        }
+    }
+
+    /// Where a structure stands: at all its copies, each moved by its transform or by each of its instances.
+    static std::vector<glm::dmat4x3> motionsOf(const Structure& s, const glm::dmat4x3& copy) {
+        if (s.instances.empty()) return {after(s.moved, copy)};
+        std::vector<glm::dmat4x3> motions;
+        for (const glm::dmat4x3& instance : s.instances) motions.push_back(after(instance, after(s.moved, copy)));
+        return motions;
+    }
+
+    /// Whether no structure has copies: then atoms are put where they are to stand.
+    bool single() const {
+        return std::all_of(structures_.begin(), structures_.end(), [](const Structure& s) {
+            return s.transforms.size() + s.instances.size() <= 1 &&
+                   std::none_of(s.listOfSubchain.begin(), s.listOfSubchain.end(),
+                                [](std::uint32_t list) { return list == UINT32_MAX; });
+        });
+    }
+
+    static void putAtoms(Structure& s) {
+        const glm::dmat4x3 copy = s.transforms.empty() ? glm::dmat4x3(1.0) : s.transforms.front();
+        const glm::dmat4x3 motion = motionsOf(s, copy).front();
+        if (isStill(motion)) return;
+        for (Atom& atom : s.molecule->atoms)
+            atom.position = glm::vec3(motion * glm::dvec4(glm::dvec3(atom.position), 1.0));
+    }
+
+    /// The copies of a structure among those of the scene. @param firstResidue  of it in the joined molecule
+    void placeCopies(const Structure& s) {
+        const auto add = [&](const std::vector<glm::dmat4x3>& copies) {
+            std::vector<std::uint32_t> list;
+            for (const glm::dmat4x3& copy : copies)
+                for (const glm::dmat4x3& motion : motionsOf(s, copy)) {
+                    const auto known = std::find(guide_->transforms.begin(), guide_->transforms.end(), motion);
+                    list.push_back(static_cast<std::uint32_t>(known - guide_->transforms.begin()));
+                    if (known == guide_->transforms.end()) guide_->transforms.push_back(motion);
+                    if (guide_->transforms.size() > kMostCopies)
+                        throw Error("cannot draw scene", name_,
+                                    "it has more than " + std::to_string(kMostCopies) + " copies");
+                }
+            std::sort(list.begin(), list.end());
+            list.erase(std::unique(list.begin(), list.end()), list.end());
+            const auto known = std::find(guide_->lists.begin(), guide_->lists.end(), list);
+            const auto place = static_cast<std::uint32_t>(known - guide_->lists.begin());
+            if (known == guide_->lists.end()) guide_->lists.push_back(list);
+            return place;
+        };
+        std::vector<std::uint32_t> places;
+        if (s.transforms.empty()) places.push_back(add({glm::dmat4x3(1.0)}));
+        for (const std::vector<std::uint32_t>& list : s.lists) {
+            std::vector<glm::dmat4x3> copies;
+            for (const std::uint32_t copy : list) copies.push_back(s.transforms[copy]);
+            places.push_back(add(copies));
+        }
+        for (const Residue& residue : s.molecule->residues) {
+            const std::uint32_t list =
+                residue.subchain < s.listOfSubchain.size() ? s.listOfSubchain[residue.subchain] : 0;
+            guide_->listOfResidue.push_back(list == UINT32_MAX ? UINT32_MAX : places[list]);
+        }
+    }
+
+    /// Atoms of a structure that its assembly leaves out are in no layer.
+    static void dropUnplaced(Structure& s) {
+        if (s.listOfSubchain.empty()) return;
+        const auto isPlaced = [&](std::uint32_t atom) {
+            const Residue& residue = s.molecule->residues[s.molecule->atoms[atom].residue];
+            return residue.subchain >= s.listOfSubchain.size() || s.listOfSubchain[residue.subchain] != UINT32_MAX;
+        };
+        for (SceneLayer& layer : s.layers) {
+            SceneLayer kept = layer;
+            kept.atoms.clear(), kept.colors.clear(), kept.opacity.clear();
+            for (std::size_t i = 0; i < layer.atoms.size(); ++i) {
+                if (!isPlaced(layer.atoms[i])) continue;
+                kept.atoms.push_back(layer.atoms[i]);
+                kept.colors.push_back(layer.colors[i]);
+                if (!layer.opacity.empty()) kept.opacity.push_back(layer.opacity[i]);
+            }
+            layer = std::move(kept);
+        }
+    }
+
+    /// Labels become primitives while structures still have their own atoms; tooltips those of the whole.
+    void takeTexts(Structure& s, std::uint32_t firstAtom) {
+        std::vector<std::uint32_t> colors;
+        if (!s.labels.empty() && s.representation) colors = colorsOfAll(*s.representation, s, files_);
+        for (const Structure::Text& label : s.labels)
+            guide_->primitives.labels.push_back(
+                labelOf(label.text, label.atoms, s,
+                        colors.empty() ? std::nullopt : std::optional<std::uint32_t>(colors[label.atoms.front()])));
+        for (Structure::Text& tip : s.tooltips) {
+            for (std::uint32_t& atom : tip.atoms) atom += firstAtom;
+            guide_->tooltips.push_back({std::move(tip.atoms), std::move(tip.text)});
+        }
+    }
+
+    void takePrimitives() {
+        for (const Group& group : groups_) {
+            const Structure* own = group.structure == kNoStructure ? nullptr : &structures_[group.structure];
+            Node loaded;
+            const Node* node = group.node;
+            if (node->kind == "primitives_from_uri") {
+                const std::string uri = nodeText(*node, "uri");
+                if (uri.empty()) throw Error("cannot draw scene", node->place, "it has no uri");
+                loaded = parseNode(files_.bytes(uri), nacre::printable(uri, 200));
+                node = &loaded;
+            }
+            guide_->primitives.append(readPrimitives(*node, own, structures_, warnings_));
+        }
+    }
+
+    Molecule withoutStructures() {
+        if (guide_->primitives.empty()) throw Error("cannot draw scene", name_, "it shows nothing");
+        Molecule none;
+        none.file.format = "mvs";
+        finish(none, {});
+        return none;
+    }
+
+    void finish(Molecule& molecule, const std::vector<std::uint32_t>& firsts) {
+        guide_->camera = camera_.camera(molecule, *guide_, firsts, warnings_);
+        guide_->warnings = warnings_.take();
+        molecule.guide = guide_;
+    }
+
+    /// All structures as one molecule, with the guide to it.
+    Molecule joined() {
+        takePrimitives();
+        if (structures_.empty()) return withoutStructures();
+        const bool once = single();
+        std::vector<Molecule> molecules;
+        std::vector<std::uint32_t> firsts;
+        std::uint32_t atoms = 0;
+        for (std::size_t i = 0; i < structures_.size(); ++i) {
+            Structure& s = structures_[i];
+            takeTexts(s, atoms);
+            once ? putAtoms(s) : placeCopies(s);
+            dropUnplaced(s);
+            for (SceneLayer& layer : s.layers) {
+                for (std::uint32_t& atom : layer.atoms) atom += atoms;
+                guide_->layers.push_back(std::move(layer));
+            }
+            firsts.push_back(atoms);
+            atoms += static_cast<std::uint32_t>(s.molecule->atoms.size());
+            s.atoms.reset();
+            molecules.push_back(std::move(*s.molecule));
+        }
+        if (molecules.size() > 1)
+            for (std::size_t i = 0; i < molecules.size(); ++i)
+                for (Chain& chain : molecules[i].chains) chain.model = static_cast<int>(i + 1);
+        const std::size_t count = molecules.size();
+        const FileSummary file = molecules.front().file;
+        Molecule whole = count == 1 ? std::move(molecules.front())
+                                    : joinModels(name_, std::move(molecules), files_.sources().reading.maxAtoms);
+        if (count > 1) {
+            whole.modelsAreInputs = true;
+            whole.assemblies.clear();
+            whole.serials.clear();
+        }
+        finish(whole, firsts);
+        return whole;
+    }
+
+    static constexpr std::size_t kMostTexts = 2000, kMostCopies = 20'000;
+    const std::string& name_;
+    SceneFiles files_;
+    SceneWarnings warnings_;
+    std::shared_ptr<SceneGuide> guide_;
+    std::vector<Structure> structures_;
+    CameraNodes camera_;
+    struct Group {
+        const Node* node;
+        std::size_t structure;  ///< or kNoStructure
+    };
+    static constexpr std::size_t kNoStructure = SIZE_MAX;
+    std::vector<Group> groups_;  ///< of primitives
+    std::size_t layers_ = 0;
+};
+
+}  // namespace
+
+Molecule buildScene(const SceneTree& tree, std::size_t snapshot, const std::string& name, const SceneSources& sources) {
+    if (snapshot >= tree.snapshots.size())
+        throw Error("cannot draw scene", name,
+                    "there is no snapshot " + std::to_string(snapshot + 1) + "; it has " +
+                        std::to_string(tree.snapshots.size()));
+    return SceneBuilder(name, sources).build(tree.snapshots[snapshot]);
+}
+
+}  // namespace nacre::app::mvs

@@ -1,0 +1,27 @@
+#pragma once
+// From the tree of a MolViewSpec scene to one molecule with a guide (scene_guide.h): its structures joined, each node
+// done as far as Nacre can. What it cannot do becomes a warning that names the node's place.
+
+#include <functional>
+#include <string>
+
+#include "app/mvs/scene_tree.h"
+#include "engine/molecule/molecule.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app::mvs {
+
+struct SceneSources {
+    /// The bytes of what a node names, as they were fetched. @throws Error
+    std::function<std::string(const std::string& uri)> fetch;
+    ReadOptions reading;
+};
+
+constexpr std::size_t kMostStructures = 1000;
+constexpr std::size_t kMostLayers = 10'000;
+
+/// @param snapshot  from 0 @param name  of the file, for messages
+/// @throws Error
+Molecule buildScene(const SceneTree& tree, std::size_t snapshot, const std::string& name, const SceneSources& sources);
+
+}  // namespace nacre::app::mvs

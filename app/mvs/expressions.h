@@ -1,0 +1,59 @@
+#pragma once
+// Which atoms of a structure a MolViewSpec selector means.
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/mvs/scene_tree.h"
+#include "engine/molecule/residue_facts.h"
+
+namespace nacre::app::mvs {
+
+/// A component expression: every field that is given must fit. Numbers are inclusive bounds.
+struct Expression {
+    std::optional<std::string> labelEntity, labelChain, authChain, insertion, labelAtom, authAtom, element, component;
+    std::optional<std::int64_t> label, auth, fromLabel, toLabel, fromAuth, toAuth, residueIndex, atomId, atomIndex;
+
+    bool empty() const;
+    bool ofAtoms() const { return labelAtom || authAtom || element || atomId || atomIndex; }
+};
+
+/// Sets a field by its name in the schema. @returns whether there is such a field
+/// @throws std::invalid_argument for a value that does not fit it, with the reason
+bool setField(Expression& expression, std::string_view field, const Json& value);
+
+/// The fields of a schema of annotations ("residue_range"); null: there is no such schema.
+const std::vector<std::string_view>* fieldsOfSchema(std::string_view schema);
+
+/// The atoms of one structure, by their names.
+class StructureAtoms {
+public:
+    /// @param molecule  outlives this
+    explicit StructureAtoms(const Molecule& molecule);
+
+    /// Indices of atoms that are drawn of the structure (one conformer, waters too), ascending.
+    const std::vector<std::uint32_t>& all() const { return drawn_; }
+    /// Adds the atoms that an expression means to a set by atom. @throws Error if the work is too much
+    void add(const Expression& expression, std::vector<bool>& atoms) const;
+    /// "polymer", "ligand", ...; empty if there is no such name.
+    std::optional<std::vector<bool>> ofKind(std::string_view name) const;
+    /// The drawn atoms of a set.
+    std::vector<std::uint32_t> drawnOf(const std::vector<bool>& atoms) const;
+    const Molecule& molecule() const { return facts_.molecule(); }
+    const ResidueFacts& facts() const { return facts_; }
+
+private:
+    bool fits(const Expression& e, const Residue& residue, std::uint32_t index) const;
+    bool fits(const Expression& e, std::uint32_t atom) const;
+
+    ResidueFacts facts_;
+    std::vector<std::uint32_t> drawn_;
+    std::map<std::string, std::vector<std::uint32_t>, std::less<>> ofLabelChain_, ofAuthChain_;  ///< residues
+    mutable std::uint64_t visits_ = 0;
+};
+
+}  // namespace nacre::app::mvs

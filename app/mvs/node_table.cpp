@@ -1,0 +1,128 @@
+#include "app/mvs/node_table.h"
+
+#include <algorithm>
+
+namespace nacre::app::mvs {
+namespace {
+
+constexpr std::string_view kUri = "uri format schema category_name field_name block_header block_index";
+constexpr std::string_view kUriValues =
+    "uri format schema category_name field_name block_header block_index field_values";
+constexpr std::string_view kSource = "schema category_name field_name block_header block_index";
+constexpr std::string_view kSourceValues = "schema category_name field_name block_header block_index field_values";
+
+constexpr NodeRow kRows[] = {
+    {"root", "", "", ""},
+    {"download", "url", "", "files in the archive, beside the scene, of --mvs-map, or downloaded"},
+    {"parse", "format", "", "every format that Nacre reads; the content decides"},
+    {"structure", "type assembly_id assembly_index model_index block_index block_header radius ijk_min ijk_max", "",
+     "block_index and block_header: of CIF and SDF"},
+    {"transform", "rotation translation matrix", "rotation_center", "rigid motions"},
+    {"instance", "rotation translation matrix", "rotation_center", "rigid motions"},
+    {"component", "selector", "", ""},
+    {"component_from_uri", kUriValues, "", ""},
+    {"component_from_source", kSourceValues, "", ""},
+    {"representation", "type", "", "types: the rows below"},
+    {"representation:cartoon", "type tubular_helices", "size_factor", ""},
+    {"representation:ball_and_stick", "type ignore_hydrogens size_factor", "", "of opacity: drawn opaque"},
+    {"representation:spacefill", "type ignore_hydrogens size_factor", "", "of opacity: drawn opaque"},
+    {"representation:surface", "type ignore_hydrogens surface_type", "size_factor", ""},
+    {"representation:line", "type ignore_hydrogens size_factor", "", ""},
+    {"representation:backbone", "type size_factor", "", ""},
+    {"representation:carbohydrate", "type", "size_factor", "SNFG symbols in their own colours"},
+    {"representation:putty", "type", "size_factor size_theme", ""},
+    {"color", "color selector", "", ""},
+    {"color_from_uri", kUri, "", ""},
+    {"color_from_source", kSource, "", ""},
+    {"opacity", "opacity selector", "", "of cartoons and surfaces"},
+    {"label", "text", "", ""},
+    {"label_from_uri", kUri, "", ""},
+    {"label_from_source", kSource, "", ""},
+    {"tooltip", "text", "", "shown in windows"},
+    {"tooltip_from_uri", kUri, "", "shown in windows"},
+    {"tooltip_from_source", kSource, "", "shown in windows"},
+    {"focus", "direction up radius radius_factor radius_extent", "", ""},
+    {"camera", "target position up near", "", ""},
+    {"canvas", "background_color", "", ""},
+    {"volume", "", "channel_id", "left out with a warning: draw maps with --map"},
+    {"volume_representation", "", "type", "likewise"},
+    {"volume_representation:isosurface", "", "type relative_isovalue absolute_isovalue show_wireframe show_faces",
+     "likewise"},
+    {"primitives", "color label_color tooltip opacity label_opacity", "instances", "its primitives: the rows below"},
+    {"primitives_from_uri", "uri format", "references", ""},
+    {"primitive", "kind", "", "kinds: the rows below"},
+    {"primitive:tube", "kind start end radius dash_length color tooltip", "", ""},
+    {"primitive:arrow",
+     "kind start end direction length show_start_cap start_cap_length start_cap_radius show_end_cap end_cap_length "
+     "end_cap_radius show_tube tube_radius tube_dash_length color tooltip",
+     "", "both heads are of one size"},
+    {"primitive:lines",
+     "kind vertices indices line_groups group_colors group_tooltips group_widths tooltip width color", "", "opaque"},
+    {"primitive:mesh",
+     "kind vertices indices triangle_groups group_colors group_tooltips tooltip color show_triangles show_wireframe "
+     "wireframe_width wireframe_color",
+     "", ""},
+    {"primitive:label", "kind position text label_size label_color", "label_offset", "labels lie over what is drawn"},
+    {"primitive:distance_measurement",
+     "kind start end radius dash_length color label_template label_size label_auto_size_scale label_auto_size_min "
+     "label_color",
+     "", ""},
+    {"primitive:angle_measurement",
+     "kind a b c label_template label_size label_auto_size_scale label_auto_size_min label_color show_vector "
+     "vector_color vector_radius show_section section_color section_radius section_radius_scale",
+     "start end radius dash_length color", ""},
+    {"primitive:ellipse",
+     "kind center as_circle major_axis minor_axis major_axis_endpoint minor_axis_endpoint radius_major radius_minor "
+     "theta_start theta_end color tooltip",
+     "", ""},
+    {"primitive:ellipsoid",
+     "kind center major_axis minor_axis major_axis_endpoint minor_axis_endpoint radius radius_extent color tooltip", "",
+     ""},
+    {"primitive:box", "kind center extent show_faces face_color show_edges edge_radius edge_color tooltip", "", ""},
+};
+
+/// Whether a word is one of some with blanks between them.
+bool isAmong(std::string_view word, std::string_view words) {
+    while (!words.empty()) {
+        const std::size_t end = std::min(words.find(' '), words.size());
+        if (words.substr(0, end) == word) return true;
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    return false;
+}
+
+}  // namespace
+
+bool NodeRow::knows(std::string_view param) const { return isAmong(param, params); }
+
+std::span<const NodeRow> nodeRows() { return kRows; }
+
+std::string nodeTable() {
+    std::string table = "| node | parameter | drawn | remark |\n|---|---|---|---|\n";
+    const auto add = [&](const NodeRow& row, std::string_view words, const char* drawn) {
+        std::string kind(row.kind);
+        if (const std::size_t colon = kind.find(':'); colon != std::string::npos) kind.replace(colon, 1, " ");
+        while (!words.empty()) {
+            const std::size_t end = std::min(words.find(' '), words.size());
+            table += "| " + kind + " | `" + std::string(words.substr(0, end)) + "` | " + drawn + " | |\n";
+            words.remove_prefix(std::min(end + 1, words.size()));
+        }
+    };
+    for (const NodeRow& row : kRows) {
+        std::string kind(row.kind);
+        if (const std::size_t colon = kind.find(':'); colon != std::string::npos) kind.replace(colon, 1, " ");
+        table += "| " + kind + " | | " + (row.kind.starts_with("volume") ? "no" : "yes") + " | " +
+                 std::string(row.remark) + " |\n";
+        add(row, row.params, "yes");
+        add(row, row.unused, "no");
+    }
+    return table;
+}
+
+const NodeRow* nodeRow(std::string_view kind) {
+    const auto found =
+        std::find_if(std::begin(kRows), std::end(kRows), [&](const NodeRow& row) { return row.kind == kind; });
+    return found == std::end(kRows) ? nullptr : &*found;
+}
+
+}  // namespace nacre::app::mvs

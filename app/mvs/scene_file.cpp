@@ -1,0 +1,53 @@
+#include "app/mvs/scene_file.h"
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+
+#include "engine/error.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+constexpr std::uint64_t kMostArchiveBytes = 512ull << 20;
+
+}  // namespace
+
+bool isScene(std::string_view bytes) { return looksLikeArchive(bytes) || looksLikeScene(bytes); }
+
+bool isSceneFile(const std::string& path) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return false;
+    std::ifstream file(path, std::ios::binary);
+    std::array<char, 4096> start{};
+    file.read(start.data(), start.size());
+    const std::string_view head(start.data(), static_cast<std::size_t>(file.gcount()));
+    if (looksLikeArchive(head)) return true;
+    const std::size_t first = head.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos || head[first] != '{') return false;
+    if (head.find("\"data_") < 64 || std::filesystem::file_size(path, error) > kMostSceneBytes) return false;
+    return looksLikeScene(readSceneBytes(path));
+}
+
+std::string readSceneBytes(const std::string& path) {
+    std::error_code error;
+    const std::uint64_t size = std::filesystem::file_size(path, error);
+    if (error) throw Error("cannot read scene", path, error.message());
+    if (size > kMostArchiveBytes)
+        throw Error("cannot read scene", path, "it is larger than " + std::to_string(kMostArchiveBytes >> 20) + " MiB");
+    std::string bytes(size, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(bytes.data(), static_cast<std::streamsize>(size));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    return bytes;
+}
+
+SceneFile::SceneFile(const std::string& itsName, std::string bytes) : name(itsName) {
+    if (looksLikeArchive(bytes)) {
+        archive = std::make_unique<SceneArchive>(name, std::move(bytes));
+        bytes = archive->read("index.mvsj");
+    }
+    tree = parseScene(bytes, name);
+}
+
+}  // namespace nacre::app::mvs

@@ -1,0 +1,30 @@
+#pragma once
+// A MolViewSpec scene as it comes: JSON, or an archive. Content decides, not the name.
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "app/mvs/archive.h"
+#include "app/mvs/scene_tree.h"
+
+namespace nacre::app::mvs {
+
+/// Whether bytes are a scene. @param whole  they are all of the file
+bool isScene(std::string_view bytes);
+/// Whether a file is one; false if it cannot be read. Little is read of what begins otherwise.
+bool isSceneFile(const std::string& path);
+
+struct SceneFile {
+    std::string name;
+    SceneTree tree;
+    std::unique_ptr<SceneArchive> archive;  ///< null: it is JSON alone
+
+    /// @throws Error
+    SceneFile(const std::string& name, std::string bytes);
+};
+
+/// The whole of a file. @throws Error if it cannot be read or is larger than a scene may be
+std::string readSceneBytes(const std::string& path);
+
+}  // namespace nacre::app::mvs

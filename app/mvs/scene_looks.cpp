@@ -1,0 +1,162 @@
+// Representations of a component: their style, colours and opacity.
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/mvs/node_table.h"
+#include "app/mvs/scene_parts.h"
+#include "engine/error.h"
+#include "engine/molecule/element.h"
+#include "engine/molecule/text.h"
+#include "engine/scene/colors.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+// Mol* draws the balls of its scenes with 0.5 Å, whatever their element, and the sticks with half of that; ours have
+// 0.15 Å.
+constexpr float kBall = 0.5f, kStickScale = 0.25f / 0.15f;
+constexpr std::uint32_t kDefaultColor = 0xffffffffu;
+
+bool isTrue(const Node& node, const char* name) {
+    const Json* value = node.param(name);
+    return value && value->is_boolean() && value->get<bool>();
+}
+
+float factorOf(const Node& node, SceneWarnings& warnings) {
+    const Json* value = node.param("size_factor");
+    if (!value) return 1;
+    const double factor = value->is_number() ? value->get<double>() : 0;
+    if (factor > 0 && factor <= 100) return static_cast<float>(factor);
+    warnings.add(node, "size_factor is no number between 0 and 100");
+    return 1;
+}
+
+/// @returns whether the type is one that is drawn
+bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneWarnings& warnings) {
+    const float factor = factorOf(node, warnings);
+    layer.atomScale = layer.bondScale = factor;
+    if (type == "cartoon") {
+        layer.style = Style::cartoon;
+        if (isTrue(node, "tubular_helices")) layer.cartoon.helices = HelixForm::tube;
+    } else if (type == "putty") {
+        layer.style = Style::cartoon;
+        layer.cartoon.putty = true;
+    } else if (type == "surface") {
+        layer.style = Style::surface;
+        const Json* kind = node.param("surface_type");
+        if (kind && *kind == "gaussian") layer.surface.kind = SurfaceKind::gaussian;
+    } else if (type == "ball_and_stick") {
+        layer.style = Style::ballAndStick;
+        layer.ballRadius = kBall;
+        layer.bondScale *= kStickScale;
+    } else if (type == "spacefill") {
+        layer.style = Style::spacefill;
+    } else if (type == "line") {
+        layer.style = Style::line;
+    } else if (type == "backbone") {
+        layer.style = Style::backbone;
+    } else if (type == "carbohydrate") {
+        layer.style = Style::carbohydrate;
+    } else {
+        return false;
+    }
+    return true;
+}
+
+/// Colours the atoms of a layer that a set holds.
+void paint(const std::vector<bool>& atoms, std::uint32_t color, SceneLayer& layer) {
+    for (std::size_t i = 0; i < layer.atoms.size(); ++i)
+        if (atoms[layer.atoms[i]]) layer.colors[i] = color;
+}
+
+void paintRows(const Node& node, const Structure& structure, SceneFiles& files, SceneLayer& layer,
+               SceneWarnings& warnings) {
+    for (const AnnotationRow& row : rowsOf(node, "color", structure, files)) {
+        if (!row.hasValue) continue;
+        const Json value(row.value);
+        const auto color = colorOf(&value);
+        if (!color) {
+            warnings.add(node, "there is no colour '" + nacre::printable(row.value) + "'");
+            continue;
+        }
+        std::vector<bool> atoms(structure.molecule->atoms.size());
+        structure.atoms->add(row.expression, atoms);
+        paint(atoms, *color, layer);
+    }
+}
+
+void fade(const Node& node, const Structure& structure, SceneLayer& layer, SceneWarnings& warnings) {
+    const Json* value = node.param("opacity");
+    if (!value || !value->is_number() || !(value->get<double>() >= 0 && value->get<double>() <= 1))
+        return warnings.add(node, "its opacity is no number from 0 to 1");
+    if (layer.style != Style::cartoon && layer.style != Style::surface)
+        return warnings.add(node, "atoms and bonds are drawn opaque");
+    const std::vector<bool> atoms = selected(node, node.param("selector"), structure, warnings);
+    if (layer.opacity.empty()) layer.opacity.assign(layer.atoms.size(), 1.0f);
+    for (std::size_t i = 0; i < layer.atoms.size(); ++i)
+        if (atoms[layer.atoms[i]]) layer.opacity[i] = value->get<float>();
+}
+
+/// Does what the colour and opacity nodes of a representation say, in their order.
+void paintChildren(const Node& node, const Structure& structure, SceneFiles& files, SceneLayer& layer,
+                   SceneWarnings& warnings) {
+    for (const Node& child : node.children) {
+        tellUnknown(child, warnings);
+        if (child.kind == "color") {
+            const auto color = colorOf(child.param("color"));
+            if (color)
+                paint(selected(child, child.param("selector"), structure, warnings), *color, layer);
+            else
+                warnings.add(child, "it names no colour");
+        } else if (child.kind == "color_from_uri" || child.kind == "color_from_source") {
+            paintRows(child, structure, files, layer, warnings);
+        } else if (child.kind == "opacity") {
+            fade(child, structure, layer, warnings);
+        }
+    }
+}
+
+}  // namespace
+
+void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms, Structure& structure,
+                       SceneFiles& files, SceneWarnings& warnings) {
+    const Json* type = node.param("type");
+    const std::string name = type && type->is_string() ? type->get<std::string>() : "";
+    SceneLayer layer;
+    if (!setStyle(node, name, layer, warnings))
+        return warnings.add(node, "there is no representation '" + nacre::printable(name) + "': it is left out");
+    if (const NodeRow* row = nodeRow("representation:" + name))
+        for (const auto& [key, value] : node.params.items())
+            if (!value.is_null() && !row->knows(key))
+                warnings.add(node, "its parameter '" + nacre::printable(key) + "' is not used");
+    const bool bare = isTrue(node, "ignore_hydrogens");
+    for (const std::uint32_t atom : atoms)
+        if (!bare || !isHydrogen(structure.molecule->atoms[atom].element)) layer.atoms.push_back(atom);
+    layer.colors.assign(layer.atoms.size(), kDefaultColor);
+    paintChildren(node, structure, files, layer, warnings);
+    // What is not to be seen at all is not drawn.
+    SceneLayer seen = layer;
+    if (!layer.opacity.empty()) {
+        seen.atoms.clear(), seen.colors.clear(), seen.opacity.clear();
+        for (std::size_t i = 0; i < layer.atoms.size(); ++i) {
+            if (static_cast<double>(layer.opacity[i]) < kLeastOpacity) continue;
+            seen.atoms.push_back(layer.atoms[i]);
+            seen.colors.push_back(layer.colors[i]);
+            seen.opacity.push_back(layer.opacity[i]);
+        }
+    }
+    if (!seen.atoms.empty()) structure.layers.push_back(std::move(seen));
+}
+
+std::vector<std::uint32_t> colorsOfAll(const Node& representation, const Structure& structure, SceneFiles& files) {
+    SceneLayer all;
+    all.atoms.resize(structure.molecule->atoms.size());
+    for (std::uint32_t i = 0; i < all.atoms.size(); ++i) all.atoms[i] = i;
+    all.colors.assign(all.atoms.size(), kDefaultColor);
+    SceneWarnings known;  // they were said of the representation itself
+    paintChildren(representation, structure, files, all, known);
+    return std::move(all.colors);
+}
+
+}  // namespace nacre::app::mvs

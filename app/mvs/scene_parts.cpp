@@ -1,0 +1,258 @@
+#include "app/mvs/scene_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <stdexcept>
+
+#include "app/mvs/node_table.h"
+#include "app/picture/appearance_values.h"
+#include "app/picture/srgb.h"
+#include "engine/error.h"
+#include "engine/molecule/crystal.h"
+#include "engine/molecule/formats/decompress.h"
+#include "engine/molecule/text.h"
+#include "engine/scene/copies.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+[[noreturn]] void refuseNode(const Node& node, const std::string& why) {
+    throw Error("cannot draw scene", node.place, why);
+}
+
+std::optional<std::int64_t> wholeOf(const Node& node, const char* name) {
+    const Json* value = node.param(name);
+    if (!value) return std::nullopt;
+    if (!value->is_number_integer()) refuseNode(node, std::string(name) + " is no whole number");
+    return value->get<std::int64_t>();
+}
+
+std::array<int, 3> cellsOf(const Node& node, const char* name, int otherwise) {
+    const Json* value = node.param(name);
+    std::array<int, 3> cells{otherwise, otherwise, otherwise};
+    if (!value) return cells;
+    if (!value->is_array() || value->size() != 3)
+        refuseNode(node, std::string(name) + " is no list of three whole numbers");
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (!(*value)[i].is_number_integer() || std::abs((*value)[i].get<double>()) > 1000)
+            refuseNode(node, std::string(name) + " is no list of three whole numbers within 1000");
+        cells[i] = (*value)[i].get<int>();
+    }
+    return cells;
+}
+
+/// Where the data block of that name or number begins and ends in a text of CIF.
+std::string blockOf(const Node& node, const std::string& text, const std::string& header, std::size_t index) {
+    std::size_t found = 0, number = 0, start = std::string::npos, at = 0;
+    bool inText = false;
+    for (; at < text.size(); at = std::min(text.find('\n', at), text.size() - 1) + 1) {
+        if (text[at] == ';') inText = !inText;
+        if (inText || lowerCase(std::string_view(text).substr(at, 5)) != "data_") continue;
+        if (start != std::string::npos) break;
+        const std::size_t end = text.find_first_of(" \t\r\n", at);
+        const std::string name = text.substr(at + 5, end == std::string::npos ? end : end - at - 5);
+        if (header.empty() ? number == index : lowerCase(name) == lowerCase(header)) start = at;
+        ++number, ++found;
+    }
+    if (start == std::string::npos)
+        refuseNode(node, header.empty() ? "the file has " + std::to_string(found) + " data blocks, none of number " +
+                                              std::to_string(index)
+                                        : "the file has no data block '" + nacre::printable(header) + "'");
+    return text.substr(start, at - start);
+}
+
+void placeAssemblyOf(const Node& node, Structure& s, SceneWarnings& warnings) {
+    const Molecule& molecule = *s.molecule;
+    std::string id = nodeText(node, "assembly_id");
+    const std::size_t index =
+        static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "assembly_index").value_or(0), 0));
+    if (id.empty() && molecule.assemblies.empty())
+        return warnings.add(node, "the file states no assemblies: its model is shown");
+    if (id.empty() && index >= molecule.assemblies.size())
+        refuseNode(node, "there is no assembly of index " + std::to_string(index));
+    if (id.empty()) id = molecule.assemblies[index].id;
+    Placement placement = placeAssembly(molecule, id);
+    s.transforms = std::move(placement.transforms);
+    s.lists = std::move(placement.lists);
+    s.listOfSubchain = std::move(placement.listOfSubchain);
+}
+
+void placeCopies(std::vector<glm::dmat4x3> copies, Structure& s) {
+    s.transforms = std::move(copies);
+    std::vector<std::uint32_t> all(s.transforms.size());
+    for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+    s.lists = {all};
+    s.listOfSubchain.assign(std::max<std::size_t>(s.molecule->subchains.size(), 1), 0);
+}
+
+std::vector<double> numbersOf(const Node& node, const char* name, std::size_t count) {
+    const Json* value = node.param(name);
+    if (!value) return {};
+    constexpr double kLargest = 1e6;
+    if (!value->is_array() || value->size() != count)
+        refuseNode(node, std::string(name) + " is no list of " + std::to_string(count) + " numbers");
+    std::vector<double> numbers;
+    for (const Json& each : *value) {
+        if (!each.is_number() || !(std::abs(each.get<double>()) <= kLargest))
+            refuseNode(node, std::string(name) + " has a value that is no number within 1e6");
+        numbers.push_back(each.get<double>());
+    }
+    return numbers;
+}
+
+}  // namespace
+
+void SceneWarnings::add(const std::string& text) {
+    if (!known_.insert(text).second) return;
+    if (texts_.size() < kMost)
+        texts_.push_back(text);
+    else
+        ++more_;
+}
+
+std::vector<std::string> SceneWarnings::take() {
+    if (more_ > 0) texts_.push_back("and " + std::to_string(more_) + " more such things of the scene");
+    return std::move(texts_);
+}
+
+const std::string& SceneFiles::bytes(const std::string& uri) {
+    if (const auto known = known_.find(uri); known != known_.end()) return known->second;
+    constexpr std::size_t kMostFiles = 1000;
+    if (known_.size() >= kMostFiles)
+        throw Error("cannot draw scene", "", "it names more than " + std::to_string(kMostFiles) + " files");
+    std::string bytes = sources_.fetch(uri);
+    if (!compressionOf(bytes).empty()) bytes = decompress(nacre::printable(uri, 200), bytes, sources_.reading.maxBytes);
+    held_ += bytes.size();
+    if (held_ > sources_.reading.maxBytes)
+        throw Error("cannot draw scene", nacre::printable(uri, 200), "its files together are too large");
+    return known_.emplace(uri, std::move(bytes)).first->second;
+}
+
+std::string nodeText(const Node& node, const char* name) {
+    const Json* value = node.param(name);
+    return value && value->is_string() ? value->get<std::string>() : std::string();
+}
+
+std::optional<std::uint32_t> colorOf(const Json* value) {
+    if (!value || !value->is_string()) return std::nullopt;
+    try {
+        const std::array<float, 4> color = parseColor(value->get<std::string>());
+        std::uint32_t packed = 0xff000000u;
+        for (std::size_t i = 0; i < 3; ++i) packed |= static_cast<std::uint32_t>(toByte(color[i])) << (8 * i);
+        return packed;
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;
+    }
+}
+
+Structure readStructure(const Node& parse, const Node& node, const std::string& uri, SceneFiles& files,
+                        SceneWarnings& warnings) {
+    Structure s;
+    s.uri = uri;
+    s.ref = node.ref;
+    ReadOptions options = files.sources().reading;
+    options.model =
+        static_cast<int>(std::clamp<std::int64_t>(wholeOf(node, "model_index").value_or(0), 0, 1'000'000)) + 1;
+    const std::string format = lowerCase(nodeText(parse, "format"));
+    if (format == "map" || format == "dx" || format == "dxbin") refuseNode(parse, "a density map has no structure");
+    const std::string header = nodeText(node, "block_header");
+    const std::size_t block =
+        static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "block_index").value_or(0), 0));
+    std::string bytes = files.bytes(uri);
+    const bool binary = !bytes.empty() && (static_cast<unsigned char>(bytes[0]) & 0x80) != 0;
+    if ((!header.empty() || block > 0) && !binary && format != "sdf")
+        bytes = blockOf(node, bytes, header, block);
+    else if (format == "sdf" && block > 0)
+        options.model = static_cast<int>(std::min<std::size_t>(block, 1'000'000)) + 1;
+    else if (!header.empty() || block > 0)
+        warnings.add(node, "of BinaryCIF the first block with atoms is read");
+    s.molecule = std::make_unique<Molecule>(readMolecule(nacre::printable(uri, 200), std::move(bytes), options));
+    s.atoms = std::make_unique<StructureAtoms>(*s.molecule);
+    const std::string type = nodeText(node, "type");
+    if (type == "assembly") {
+        placeAssemblyOf(node, s, warnings);
+    } else if (type == "symmetry") {
+        placeCopies(crystalCopies(*s.molecule, cellsOf(node, "ijk_min", -1), cellsOf(node, "ijk_max", 1)), s);
+    } else if (type == "symmetry_mates") {
+        const Json* radius = node.param("radius");
+        placeCopies(crystalMates(*s.molecule, radius && radius->is_number() ? radius->get<double>() : 5.0), s);
+    } else if (type != "model") {
+        warnings.add(node, "there is no structure type '" + nacre::printable(type) + "': its model is shown");
+    }
+    return s;
+}
+
+glm::dmat4x3 motionOfNode(const Node& node) {
+    glm::dmat4x3 motion(1.0);
+    if (const std::vector<double> matrix = numbersOf(node, "matrix", 16); !matrix.empty()) {
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 3; ++row) motion[column][row] = matrix[static_cast<std::size_t>(4 * column + row)];
+    } else {
+        const std::vector<double> turn = numbersOf(node, "rotation", 9), shift = numbersOf(node, "translation", 3);
+        for (std::size_t i = 0; i < turn.size(); ++i)
+            motion[static_cast<int>(i / 3)][static_cast<int>(i % 3)] = turn[i];
+        for (std::size_t i = 0; i < shift.size(); ++i) motion[3][static_cast<int>(i)] = shift[i];
+    }
+    const glm::dmat3 turn(motion[0], motion[1], motion[2]);
+    const glm::dmat3 square = glm::transpose(turn) * turn;
+    for (int i = 0; i < 9; ++i)
+        if (!(std::abs(square[i / 3][i % 3] - (i % 4 == 0 ? 1.0 : 0.0)) <= 0.01))
+            refuseNode(node, "its rotation stretches, skews or shrinks");
+    return motion;
+}
+
+std::vector<bool> selected(const Node& node, const Json* selector, const Structure& structure,
+                           SceneWarnings& warnings) {
+    std::vector<bool> atoms(structure.molecule->atoms.size());
+    const auto add = [&](const Json& json) {
+        if (!json.is_object()) return warnings.add(node, "an expression of its selector is no object");
+        Expression expression;
+        for (const auto& [key, value] : json.items()) {
+            try {
+                if (!setField(expression, key, value))
+                    warnings.add(node, "there is no selector field '" + nacre::printable(key) + "'");
+            } catch (const std::invalid_argument& why) {
+                throw Error("cannot draw scene", node.place, nacre::printable(key) + ": " + why.what());
+            }
+        }
+        structure.atoms->add(expression, atoms);
+    };
+    if (!selector) {
+        atoms.assign(atoms.size(), true);
+    } else if (selector->is_string()) {
+        if (auto kind = structure.atoms->ofKind(selector->get<std::string>())) return *kind;
+        warnings.add(node, "there is no selector '" + nacre::printable(selector->get<std::string>()) + "'");
+    } else if (selector->is_array()) {
+        for (const Json& each : *selector) add(each);
+    } else {
+        add(*selector);
+    }
+    return atoms;
+}
+
+std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Structure& structure, SceneFiles& files) {
+    const bool fromUri = node.kind.ends_with("_from_uri");
+    const std::string uri = fromUri ? nodeText(node, "uri") : structure.uri;
+    if (uri.empty()) refuseNode(node, "it has no uri");
+    TablePlace place;
+    place.block = nodeText(node, "block_header");
+    place.blockIndex = static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "block_index").value_or(0), 0));
+    place.category = nodeText(node, "category_name");
+    const std::string named = nodeText(node, "field_name");
+    return readAnnotations(nacre::printable(uri, 200), files.bytes(uri), place, nodeText(node, "schema"),
+                           named.empty() ? field : named);
+}
+
+void tellUnknown(const Node& node, SceneWarnings& warnings) {
+    const NodeRow* row = nodeRow(node.kind);
+    if (!row) return warnings.add(node, "nodes of this kind are not drawn");
+    if (node.kind == "representation") return;  // each of its types has parameters of its own
+    for (const auto& [key, value] : node.params.items())
+        if (!value.is_null() && !row->knows(key))
+            warnings.add(node, "its parameter '" + nacre::printable(key) + "' is not used");
+}
+
+}  // namespace nacre::app::mvs

@@ -1,0 +1,97 @@
+#pragma once
+// What a scene is built of while its tree is walked. Used by build_scene.cpp.
+
+#include <array>
+#include <functional>
+#include <glm/mat4x3.hpp>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/mvs/annotations.h"
+#include "app/mvs/build_scene.h"
+#include "app/mvs/expressions.h"
+#include "engine/scene/scene_guide.h"
+
+namespace nacre::app::mvs {
+
+/// Warnings of a scene, bounded in number.
+class SceneWarnings {
+public:
+    void add(const Node& node, const std::string& why) { add(node.place + ": " + why); }
+    void add(const std::string& text);
+    std::vector<std::string> take();
+
+private:
+    static constexpr std::size_t kMost = 50;
+    std::vector<std::string> texts_;
+    std::set<std::string> known_;
+    std::size_t more_ = 0;
+};
+
+/// What was fetched, once per name; inflated.
+class SceneFiles {
+public:
+    explicit SceneFiles(const SceneSources& sources) : sources_(sources) {}
+    /// @throws Error
+    const std::string& bytes(const std::string& uri);
+    const SceneSources& sources() const { return sources_; }
+
+private:
+    const SceneSources& sources_;
+    std::map<std::string, std::string> known_;
+    std::size_t held_ = 0;
+};
+
+/// One structure node: a molecule of its own until all are joined.
+struct Structure {
+    std::string uri;  ///< of its file
+    std::unique_ptr<Molecule> molecule;
+    std::unique_ptr<StructureAtoms> atoms;
+    std::vector<glm::dmat4x3> transforms;           ///< of copies; empty: it stands where it is
+    std::vector<std::vector<std::uint32_t>> lists;  ///< of transforms
+    std::vector<std::uint32_t> listOfSubchain;      ///< UINT32_MAX: not shown
+    glm::dmat4x3 moved{1.0};                        ///< by transform nodes, after all else
+    std::vector<glm::dmat4x3> instances;            ///< by instance nodes, instead of `moved`
+    std::vector<SceneLayer> layers;                 ///< of its own atoms
+    struct Text {
+        std::vector<std::uint32_t> atoms;  ///< ascending
+        std::string text;
+    };
+    std::vector<Text> labels, tooltips;
+    const Node* representation = nullptr;  ///< its first: labels have its colours
+    std::string ref;
+};
+
+/// A parameter that is a text; empty if it is none.
+std::string nodeText(const Node& node, const char* name);
+
+/// A colour as MolViewSpec writes it, packed; empty if it is none.
+std::optional<std::uint32_t> colorOf(const Json* value);
+
+/// Reads the structure that a node asks for. @throws Error
+Structure readStructure(const Node& parse, const Node& node, const std::string& uri, SceneFiles& files,
+                        SceneWarnings& warnings);
+
+/// The motion of a transform node, or of an instance node. @throws Error unless it is rigid and near
+glm::dmat4x3 motionOfNode(const Node& node);
+
+/// Fills in the layers that a representation node stands for. @param atoms  of the component, ascending
+void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms, Structure& structure,
+                       SceneFiles& files, SceneWarnings& warnings);
+
+/// The colours that a representation's nodes give every atom of the structure.
+std::vector<std::uint32_t> colorsOfAll(const Node& representation, const Structure& structure, SceneFiles& files);
+
+/// The atoms of a selector: a name, an expression, or a list of expressions. By atom.
+std::vector<bool> selected(const Node& node, const Json* selector, const Structure& structure, SceneWarnings& warnings);
+
+/// The rows of an annotation node: *_from_uri or *_from_source. @param field  unless the node names another
+std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Structure& structure, SceneFiles& files);
+
+/// Tells of parameters that nobody asks for. @param known  those that the node has
+void tellUnknown(const Node& node, SceneWarnings& warnings);
+
+}  // namespace nacre::app::mvs

@@ -1,0 +1,459 @@
+#include "app/mvs/scene_primitives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "app/mvs/node_table.h"
+#include "engine/error.h"
+#include "engine/molecule/element.h"
+#include "engine/molecule/text.h"
+#include "engine/scene/scene_camera.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+constexpr std::uint32_t kWhite = 0xffffffffu;
+
+[[noreturn]] void refusePrimitive(const Node& node, const std::string& why) {
+    throw Error("cannot draw scene", node.place, why);
+}
+
+double number(const Node& node, const char* name, double otherwise) {
+    const Json* value = node.param(name);
+    if (!value) return otherwise;
+    if (!value->is_number() || !(std::abs(value->get<double>()) <= kFarthestPrimitive))
+        refusePrimitive(node, std::string(name) + " is no number within 1e6");
+    return value->get<double>();
+}
+
+bool flag(const Node& node, const char* name, bool otherwise) {
+    const Json* value = node.param(name);
+    return value && value->is_boolean() ? value->get<bool>() : otherwise;
+}
+
+glm::dvec3 vectorOf(const Node& node, const char* name, const Json& value) {
+    glm::dvec3 v(0);
+    if (!value.is_array() || value.size() != 3)
+        refusePrimitive(node, std::string(name) + " is no list of three numbers");
+    for (int i = 0; i < 3; ++i) {
+        const Json& each = value[static_cast<std::size_t>(i)];
+        if (!each.is_number() || !(std::abs(each.get<double>()) <= kFarthestPrimitive))
+            refusePrimitive(node, std::string(name) + " has a value that is no number within 1e6");
+        v[i] = each.get<double>();
+    }
+    return v;
+}
+
+std::vector<double> numbers(const Node& node, const char* name) {
+    const Json* value = node.param(name);
+    if (!value) return {};
+    if (!value->is_array()) refusePrimitive(node, std::string(name) + " is no list");
+    std::vector<double> list;
+    list.reserve(value->size());
+    for (const Json& each : *value) {
+        if (!each.is_number() || !(std::abs(each.get<double>()) <= 1e9))
+            refusePrimitive(node, std::string(name) + " has a value that is no number");
+        list.push_back(each.get<double>());
+    }
+    return list;
+}
+
+std::string replaced(std::string text, std::string_view what, const std::string& by) {
+    if (const std::size_t at = text.find(what); at != std::string::npos) text.replace(at, what.size(), by);
+    return text;
+}
+
+/// One group of primitives as it is read.
+class PrimitiveGroup {
+public:
+    PrimitiveGroup(const Node& group, const Structure* own, std::span<const Structure> structures,
+                   SceneWarnings& warnings)
+        : group_(group), own_(own), structures_(structures), warnings_(warnings) {
+        if (!own_ && !structures.empty()) own_ = &structures.front();
+        color_ = colorOf(group.param("color")).value_or(kWhite);
+        labelColor_ = colorOf(group.param("label_color")).value_or(kWhite);
+        opacity_ = std::clamp(number(group, "opacity", 1), 0.0, 1.0);
+        tooltip_ = nodeText(group, "tooltip");
+    }
+
+    Primitives read() {
+        for (const Node& node : group_.children) {
+            if (node.kind != "primitive") {
+                if (node.kind != "focus") tellUnknown(node, warnings_);
+                continue;
+            }
+            one(node);
+        }
+        if (opacity_ < kLeastOpacity) {
+            const auto labels = std::move(all_.labels);
+            all_ = {};
+            all_.labels = labels;
+        }
+        if (number(group_, "label_opacity", 1) < kLeastOpacity) all_.labels.clear();
+        return std::move(all_);
+    }
+
+private:
+    void one(const Node& node) {
+        const std::string kind = nodeText(node, "kind");
+        const NodeRow* row = nodeRow("primitive:" + kind);
+        if (!row) return warnings_.add(node, "there is no primitive '" + nacre::printable(kind) + "': it is left out");
+        for (const auto& [key, value] : node.params.items())
+            if (!value.is_null() && !row->knows(key))
+                warnings_.add(node, "its parameter '" + nacre::printable(key) + "' is not used");
+        if (kind == "tube") tube(node);
+        if (kind == "arrow") arrow(node);
+        if (kind == "lines") lines(node);
+        if (kind == "mesh") mesh(node);
+        if (kind == "label") label(node);
+        if (kind == "distance_measurement") distance(node);
+        if (kind == "angle_measurement") angle(node);
+        if (kind == "ellipse") ellipse(node);
+        if (kind == "ellipsoid") ellipsoid(node);
+        if (kind == "box") box(node);
+    }
+
+    PrimitiveLook look(const Node& node, const char* colorName, const std::string& note) {
+        PrimitiveLook look;
+        look.color = colorOf(node.param(colorName)).value_or(color_);
+        look.opacity = std::max(opacity_, kLeastOpacity);
+        look.note = noteOf(note);
+        return look;
+    }
+    std::uint32_t noteOf(const std::string& text) {
+        if (text.empty()) return 0;
+        if (all_.notes.empty() || all_.notes.back() != text) all_.notes.push_back(text);
+        return static_cast<std::uint32_t>(all_.notes.size());
+    }
+    std::string tooltipOf(const Node& node) const {
+        const std::string own = nodeText(node, "tooltip");
+        return own.empty() ? tooltip_ : own;
+    }
+
+    /// Where a position is; empty if its expression matches no atom.
+    std::optional<PlaceBounds> place(const Node& node, const char* name) {
+        const Json* value = node.param(name);
+        if (!value) return std::nullopt;
+        if (value->is_array()) {
+            const glm::dvec3 point = vectorOf(node, name, *value);
+            return PlaceBounds{point, point, point, 0};
+        }
+        if (!value->is_object()) refusePrimitive(node, std::string(name) + " is neither a point nor an expression");
+        const Structure* structure = own_;
+        const Json* expressions = value;
+        if (const auto listed = value->find("expressions"); listed != value->end()) expressions = &*listed;
+        if (const auto ref = value->find("structure_ref"); ref != value->end() && ref->is_string()) {
+            const auto found = std::find_if(structures_.begin(), structures_.end(),
+                                            [&](const Structure& s) { return s.ref == ref->get<std::string>(); });
+            if (found == structures_.end())
+                refusePrimitive(node, "there is no structure '" + nacre::printable(ref->get<std::string>()) + "'");
+            structure = &*found;
+        }
+        if (!structure) refusePrimitive(node, std::string(name) + " names atoms, and the scene has no structure");
+        return boundsOfAtoms(node, *expressions, *structure);
+    }
+
+    std::optional<PlaceBounds> boundsOfAtoms(const Node& node, const Json& selector, const Structure& structure) {
+        const std::vector<std::uint32_t> atoms =
+            structure.atoms->drawnOf(selected(node, &selector, structure, warnings_));
+        if (atoms.empty()) {
+            warnings_.add(node, "its place matches no atoms: it is left out");
+            return std::nullopt;
+        }
+        const glm::dmat4x3 motion = firstMotionOf(structure);
+        std::vector<glm::dvec4> points;
+        Box box;
+        for (const std::uint32_t atom : atoms) {
+            const glm::dvec3 at = motion * glm::dvec4(glm::dvec3(structure.molecule->atoms[atom].position), 1.0);
+            points.emplace_back(at, 0.0);
+            box.add(at);
+        }
+        const Bounds bounds = extremeSphere(points);
+        return PlaceBounds{bounds.center, box.low, box.high, bounds.radius};
+    }
+
+    static PrimitiveDashes dashes(double length) {
+        return length > 0 ? PrimitiveDashes{length, length} : PrimitiveDashes{};
+    }
+
+    void tube(const Node& node) {
+        const auto a = place(node, "start"), b = place(node, "end");
+        if (!a || !b) return;
+        all_.lines.push_back({a->center, b->center, number(node, "radius", 0.05), 1.5,
+                              dashes(number(node, "dash_length", 0)), look(node, "color", tooltipOf(node))});
+    }
+
+    void arrow(const Node& node) {
+        const auto a = place(node, "start");
+        if (!a) return;
+        glm::dvec3 end = a->center;
+        if (const auto b = place(node, "end"))
+            end = b->center;
+        else if (const Json* direction = node.param("direction"))
+            end += vectorOf(node, "direction", *direction);
+        else
+            return warnings_.add(node, "it has neither end nor direction");
+        if (const double length = number(node, "length", 0); length > 0 && glm::distance(end, a->center) > 1e-9)
+            end = a->center + glm::normalize(end - a->center) * length;
+        Primitives::Arrow arrow;
+        arrow.from = a->center;
+        arrow.to = end;
+        const double radius = number(node, "tube_radius", 0.05);
+        arrow.radius = flag(node, "show_tube", true) ? radius : 0;
+        arrow.headAtFrom = flag(node, "show_start_cap", false);
+        arrow.headAtTo = flag(node, "show_end_cap", false);
+        const char* side = arrow.headAtTo || !arrow.headAtFrom ? "end" : "start";
+        const std::string name(side);
+        arrow.headRadius = number(node, (name + "_cap_radius").c_str(), 2 * radius);
+        arrow.headLength = number(node, (name + "_cap_length").c_str(), 2 * arrow.headRadius);
+        arrow.dashes = dashes(number(node, "tube_dash_length", 0));
+        arrow.look = look(node, "color", tooltipOf(node));
+        all_.arrows.push_back(arrow);
+    }
+
+    /// The value of a group in an object by numbers.
+    static const Json* ofGroup(const Node& node, const char* name, std::int64_t group) {
+        const Json* map = node.param(name);
+        if (!map || !map->is_object()) return nullptr;
+        const auto found = map->find(std::to_string(group));
+        return found == map->end() ? nullptr : &*found;
+    }
+
+    struct Indexed {
+        std::vector<glm::dvec3> points;
+        std::vector<std::uint32_t> indices;
+        std::vector<std::int64_t> groups;  ///< of each line or triangle
+    };
+    Indexed indexed(const Node& node, std::size_t each, const char* groupsName) {
+        const std::vector<double> vertices = numbers(node, "vertices"), indices = numbers(node, "indices"),
+                                  groups = numbers(node, groupsName);
+        if (vertices.size() % 3 != 0 || indices.size() % each != 0)
+            refusePrimitive(node, "its vertices or indices are no whole number of points or figures");
+        Indexed result;
+        for (std::size_t i = 0; i < vertices.size(); i += 3)
+            result.points.emplace_back(vertices[i], vertices[i + 1], vertices[i + 2]);
+        for (const double index : indices) {
+            if (!(index >= 0 && index < static_cast<double>(result.points.size())))
+                refusePrimitive(node, "an index names a vertex that is not there");
+            result.indices.push_back(static_cast<std::uint32_t>(index));
+        }
+        for (std::size_t i = 0; i < indices.size() / each; ++i)
+            result.groups.push_back(i < groups.size() ? static_cast<std::int64_t>(groups[i])
+                                                      : static_cast<std::int64_t>(i));
+        return result;
+    }
+    PrimitiveLook lookOfGroup(const Node& node, std::int64_t group) {
+        const Json* tip = ofGroup(node, "group_tooltips", group);
+        PrimitiveLook own = look(node, "color", tip && tip->is_string() ? tip->get<std::string>() : tooltipOf(node));
+        if (const auto color = colorOf(ofGroup(node, "group_colors", group))) own.color = *color;
+        return own;
+    }
+
+    void lines(const Node& node) {
+        const Indexed figure = indexed(node, 2, "line_groups");
+        for (std::size_t i = 0; i < figure.groups.size(); ++i) {
+            const Json* wide = ofGroup(node, "group_widths", figure.groups[i]);
+            const double width = wide && wide->is_number() ? wide->get<double>() : number(node, "width", 1);
+            all_.lines.push_back({figure.points[figure.indices[2 * i]],
+                                  figure.points[figure.indices[2 * i + 1]],
+                                  0,
+                                  std::clamp(width, 0.5, 50.0),
+                                  {},
+                                  lookOfGroup(node, figure.groups[i])});
+        }
+    }
+
+    void mesh(const Node& node) {
+        Indexed figure = indexed(node, 3, "triangle_groups");
+        Primitives::Mesh mesh;
+        mesh.positions = std::move(figure.points);
+        mesh.looks.clear();
+        for (std::size_t i = 0; i < figure.groups.size(); ++i) {
+            mesh.triangles.push_back({figure.indices[3 * i], figure.indices[3 * i + 1], figure.indices[3 * i + 2]});
+            mesh.looks.push_back(lookOfGroup(node, figure.groups[i]));
+        }
+        mesh.faces = flag(node, "show_triangles", true);
+        if (flag(node, "show_wireframe", false)) {
+            mesh.wires = look(node, node.param("wireframe_color") ? "wireframe_color" : "color", "");
+            mesh.wireWidth = std::clamp(number(node, "wireframe_width", 1), 0.5, 50.0);
+        }
+        if (!mesh.triangles.empty()) all_.meshes.push_back(std::move(mesh));
+    }
+
+    void addLabel(const Node& node, const glm::dvec3& at, const std::string& text, double size) {
+        all_.labels.push_back(
+            {at, withoutMarkup(text), size, colorOf(node.param("label_color")).value_or(labelColor_)});
+    }
+
+    void label(const Node& node) {
+        const auto at = place(node, "position");
+        if (at && !nodeText(node, "text").empty())
+            addLabel(node, at->center, nodeText(node, "text"), number(node, "label_size", 1));
+    }
+
+    static std::string rounded(double value) {
+        char text[40];
+        std::snprintf(text, sizeof text, "%.2f", value);
+        return text;
+    }
+    std::string measured(const Node& node, std::string_view field, const std::string& value) const {
+        const Json* given = node.param("label_template");
+        return given && given->is_string() ? replaced(given->get<std::string>(), field, value) : value;
+    }
+    double labelSize(const Node& node, double length, double scale) const {
+        const Json* size = node.param("label_size");
+        if (size && size->is_number()) return number(node, "label_size", 1);
+        return std::max(length * number(node, "label_auto_size_scale", scale), number(node, "label_auto_size_min", 0));
+    }
+
+    void distance(const Node& node) {
+        const auto a = place(node, "start"), b = place(node, "end");
+        if (!a || !b) return;
+        const double length = glm::distance(a->center, b->center);
+        const std::string text = measured(node, "{{distance}}", rounded(length) + " Å");
+        all_.lines.push_back({a->center, b->center, number(node, "radius", 0.05), 1.5,
+                              dashes(number(node, "dash_length", 0)), look(node, "color", text)});
+        addLabel(node, (a->center + b->center) / 2.0, text, labelSize(node, length, 0.1));
+    }
+
+    void angle(const Node& node) {
+        const auto a = place(node, "a"), b = place(node, "b"), c = place(node, "c");
+        if (!a || !b || !c) return;
+        const glm::dvec3 ba = a->center - b->center, bc = c->center - b->center;
+        const double shorter = std::min(glm::length(ba), glm::length(bc));
+        if (!(shorter > 1e-6)) return;
+        const glm::dvec3 u = glm::normalize(ba), v = glm::normalize(bc);
+        const double turn = std::acos(std::clamp(glm::dot(u, v), -1.0, 1.0));
+        const std::string text = measured(node, "{{angle}}", rounded(turn * 180 / std::numbers::pi) + "°");
+        const double radius = number(node, "section_radius", shorter * number(node, "section_radius_scale", 0.33));
+        if (flag(node, "show_vector", true)) {
+            const double thick = number(node, "vector_radius", 0.05);
+            for (const glm::dvec3& end : {a->center, c->center})
+                all_.lines.push_back({b->center, end, thick, 1.5, {thick, thick}, look(node, "vector_color", text)});
+        }
+        glm::dvec3 across = v - u * glm::dot(u, v);
+        if (flag(node, "show_section", true) && glm::length(across) > 1e-9) {
+            across = glm::normalize(across);
+            all_.ellipses.push_back(
+                {b->center, u * radius, across * radius, 0, turn, look(node, "section_color", text)});
+        }
+        const glm::dvec3 middle = glm::length(u + v) > 1e-9 ? glm::normalize(u + v) : u;
+        addLabel(node, b->center + middle * radius, text, labelSize(node, radius, 0.33));
+    }
+
+    /// An axis by its end or itself.
+    std::optional<glm::dvec3> axis(const Node& node, const std::string& name, const glm::dvec3& center,
+                                   std::optional<glm::dvec3> otherwise) {
+        if (const auto end = place(node, (name + "_endpoint").c_str())) return end->center - center;
+        if (const Json* given = node.param(name.c_str())) return vectorOf(node, name.c_str(), *given);
+        return otherwise;
+    }
+
+    void ellipse(const Node& node) {
+        const auto center = place(node, "center");
+        if (!center) return;
+        auto major = axis(node, "major_axis", center->center, {}), minor = axis(node, "minor_axis", center->center, {});
+        if (!major || !minor || !(glm::length(*major) > 1e-9) || !(glm::length(*minor) > 1e-9))
+            return warnings_.add(node, "it has no two axes");
+        const double large = number(node, "radius_major", glm::length(*major));
+        const double small = flag(node, "as_circle", false) ? large : number(node, "radius_minor", glm::length(*minor));
+        all_.ellipses.push_back({center->center, glm::normalize(*major) * large, glm::normalize(*minor) * small,
+                                 number(node, "theta_start", 0), number(node, "theta_end", 2 * std::numbers::pi),
+                                 look(node, "color", tooltipOf(node))});
+    }
+
+    glm::dvec3 radii(const Node& node, const char* name, double otherwise) {
+        const Json* value = node.param(name);
+        if (!value) return glm::dvec3(otherwise);
+        return value->is_array() ? vectorOf(node, name, *value) : glm::dvec3(number(node, name, otherwise));
+    }
+
+    void ellipsoid(const Node& node) {
+        const auto center = place(node, "center");
+        if (!center) return;
+        const glm::dvec3 major = axis(node, "major_axis", center->center, glm::dvec3(1, 0, 0)).value();
+        const glm::dvec3 minor = axis(node, "minor_axis", center->center, glm::dvec3(0, 1, 0)).value();
+        const glm::dvec3 third = glm::cross(major, minor);
+        if (!(glm::length(third) > 1e-9)) return warnings_.add(node, "its axes are no two directions");
+        const glm::dvec3 radius = radii(node, "radius", center->radius) + radii(node, "radius_extent", 0);
+        all_.ellipsoids.push_back(
+            {center->center,
+             {glm::normalize(major) * radius.x, glm::normalize(minor) * radius.y, glm::normalize(third) * radius.z},
+             look(node, "color", tooltipOf(node))});
+    }
+
+    void box(const Node& node) {
+        const auto center = place(node, "center");
+        if (!center) return;
+        glm::dvec3 half = (center->high - center->low) / 2.0;
+        if (const Json* extent = node.param("extent")) half += vectorOf(node, "extent", *extent);
+        Primitives::Box box;
+        box.center = (center->low + center->high) / 2.0;
+        box.axes = {glm::dvec3(half.x, 0, 0), glm::dvec3(0, half.y, 0), glm::dvec3(0, 0, half.z)};
+        box.faces.reset();
+        if (flag(node, "show_faces", true)) box.faces = look(node, "face_color", tooltipOf(node));
+        if (flag(node, "show_edges", false)) box.edges = look(node, "edge_color", tooltipOf(node));
+        box.edgeRadius = number(node, "edge_radius", 0.1);
+        if (box.faces || box.edges) all_.boxes.push_back(box);
+    }
+
+    const Node& group_;
+    const Structure* own_;
+    std::span<const Structure> structures_;
+    SceneWarnings& warnings_;
+    std::uint32_t color_ = kWhite, labelColor_ = kWhite;
+    double opacity_ = 1;
+    std::string tooltip_;
+    Primitives all_;
+};
+
+}  // namespace
+
+Primitives readPrimitives(const Node& group, const Structure* own, std::span<const Structure> structures,
+                          SceneWarnings& warnings) {
+    return PrimitiveGroup(group, own, structures, warnings).read();
+}
+
+glm::dmat4x3 firstMotionOf(const Structure& s) {
+    const auto after = [](const glm::dmat4x3& first, const glm::dmat4x3& second) {
+        glm::dmat4x3 both;
+        for (int column = 0; column < 4; ++column)
+            both[column] = first * glm::dvec4(second[column], column == 3 ? 1.0 : 0.0);
+        return both;
+    };
+    const glm::dmat4x3 copy = s.transforms.empty() ? glm::dmat4x3(1.0) : s.transforms.front();
+    const glm::dmat4x3 moved = after(s.moved, copy);
+    return s.instances.empty() ? moved : after(s.instances.front(), moved);
+}
+
+Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& s,
+                          std::optional<std::uint32_t> color) {
+    const glm::dmat4x3 motion = firstMotionOf(s);
+    std::vector<glm::dvec4> points;
+    std::size_t heavy = 0;
+    for (const std::uint32_t atom : atoms) {
+        points.emplace_back(motion * glm::dvec4(glm::dvec3(s.molecule->atoms[atom].position), 1.0), 0.0);
+        if (!isHydrogen(s.molecule->atoms[atom].element)) ++heavy;
+    }
+    Primitives::Label label;
+    label.at = extremeSphere(points).center;
+    label.text = withoutMarkup(text);
+    constexpr double kEm = 0.6;  // Å, measured in Mol*'s pictures
+    label.size = kEm * std::cbrt(static_cast<double>(heavy > 0 ? heavy : atoms.size()));
+    label.color = color;
+    return label;
+}
+
+std::string withoutMarkup(std::string_view text) {
+    std::string plain;
+    for (const char c : text) {
+        if (c == '_' || c == '^' || c == '\\' || c == '{' || c == '}') plain += '\\';
+        plain += c == '\n' ? ' ' : c;
+    }
+    return plain;
+}
+
+}  // namespace nacre::app::mvs

@@ -1,0 +1,35 @@
+#pragma once
+// The primitives of a scene: nodes `primitives` and `primitives_from_uri`.
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "app/mvs/scene_parts.h"
+#include "engine/scene/primitives.h"
+
+namespace nacre::app::mvs {
+
+/// What a position may be: a point, or the atoms of an expression.
+struct PlaceBounds {
+    glm::dvec3 center{}, low{}, high{};
+    double radius = 0;
+};
+
+/// Reads the primitives of a group. @param own  the structure that the group is of; null: none
+/// @param structures  by whose `ref` expressions name them @throws Error
+Primitives readPrimitives(const Node& group, const Structure* own, std::span<const Structure> structures,
+                          SceneWarnings& warnings);
+
+/// The label of some atoms, as Mol* sizes it: the cube root of how many they are.
+/// @param atoms  of the structure, ascending, at least one
+Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& structure,
+                          std::optional<std::uint32_t> color);
+
+/// Where an atom of a structure stands first: by its copies, transforms and instances.
+glm::dmat4x3 firstMotionOf(const Structure& structure);
+
+/// Plain text as labels take it, safe from being read as markup.
+std::string withoutMarkup(std::string_view text);
+
+}  // namespace nacre::app::mvs

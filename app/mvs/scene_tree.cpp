@@ -1,0 +1,137 @@
+#include "app/mvs/scene_tree.h"
+
+#include <algorithm>
+
+#include "app/files/json_text.h"
+#include "engine/error.h"
+#include "engine/molecule/text.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+[[noreturn]] void refuseScene(const std::string& name, const std::string& why) {
+    throw Error("cannot read scene", name, why);
+}
+
+std::string textAt(const Json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+double secondsOf(const Json& object, const char* key) {
+    const auto found = object.find(key);
+    if (found == object.end() || !found->is_number()) return 0;
+    constexpr double kLongest = 3'600'000;  // ms
+    const double ms = found->get<double>();
+    return ms >= 0 && ms <= kLongest ? ms / 1000 : 0;
+}
+
+/// Moves a JSON tree into nodes, and counts them.
+class TreeReader {
+public:
+    explicit TreeReader(const std::string& name) : name_(name) {}
+
+    Node read(Json& json, const std::string& place) {
+        if (!json.is_object() || !json.contains("kind") || !json["kind"].is_string())
+            refuseScene(name_, place + " is no node: it has no \"kind\"");
+        if (++count_ > kMostNodes) refuseScene(name_, "it has more than " + std::to_string(kMostNodes) + " nodes");
+        Node node;
+        node.kind = json["kind"].get<std::string>();
+        node.ref = textAt(json, "ref");
+        node.place = place;
+        if (const auto params = json.find("params"); params != json.end() && !params->is_null()) {
+            if (!params->is_object()) refuseScene(name_, place + ": its \"params\" are no object");
+            node.params = std::move(*params);
+        }
+        const auto children = json.find("children");
+        if (children == json.end() || children->is_null()) return node;
+        if (!children->is_array()) refuseScene(name_, place + ": its \"children\" are no list");
+        node.children.reserve(std::min(children->size(), kMostNodes));
+        std::size_t number = 0;
+        for (Json& child : *children) {
+            const std::string kind = child.is_object() ? textAt(child, "kind") : "";
+            node.children.push_back(read(
+                child, place + "/" + nacre::printable(kind.empty() ? "node" : kind) + " " + std::to_string(++number)));
+        }
+        return node;
+    }
+
+private:
+    const std::string& name_;
+    std::size_t count_ = 0;
+};
+
+void takeMetadata(const Json& json, Snapshot& snapshot) {
+    const auto metadata = json.find("metadata");
+    if (metadata == json.end() || !metadata->is_object()) return;
+    snapshot.title = textAt(*metadata, "title");
+    snapshot.description = textAt(*metadata, "description");
+    snapshot.key = textAt(*metadata, "key");
+    snapshot.lingerSeconds = secondsOf(*metadata, "linger_duration_ms");
+    snapshot.transitionSeconds = secondsOf(*metadata, "transition_duration_ms");
+}
+
+Snapshot readSnapshot(Json& json, const std::string& place, TreeReader& reader, const std::string& name) {
+    const auto root = json.is_object() ? json.find("root") : json.end();
+    if (!json.is_object() || root == json.end()) refuseScene(name, place + " has no \"root\"");
+    Snapshot snapshot;
+    takeMetadata(json, snapshot);
+    snapshot.root = reader.read(*root, place.empty() ? "root" : place + "/root");
+    if (snapshot.root.kind != "root")
+        refuseScene(name, "its root is a \"" + nacre::printable(snapshot.root.kind) + "\"");
+    return snapshot;
+}
+
+}  // namespace
+
+const Json* Node::param(const char* name) const {
+    const auto found = params.find(name);
+    return found == params.end() || found->is_null() ? nullptr : &*found;
+}
+
+bool looksLikeScene(std::string_view text) {
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    if (start == std::string_view::npos || text[start] != '{') return false;
+    const std::size_t key = text.find_first_not_of(" \t\r\n", start + 1);
+    // mmJSON begins with its data block, and may be large.
+    if (key == std::string_view::npos || text.substr(key).starts_with("\"data_")) return false;
+    const bool tree = text.find("\"root\"") != std::string_view::npos;
+    return tree && (text.find("\"kind\"") != std::string_view::npos);
+}
+
+Node parseNode(const std::string& text, const std::string& name) {
+    if (text.size() > kMostSceneBytes)
+        refuseScene(name, "it is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
+    Json json = parseJson<Json>(text);
+    if (json.is_discarded()) refuseScene(name, isTooDeep(text) ? "it is nested too deep" : "it is no JSON");
+    return TreeReader(name).read(json, name);
+}
+
+SceneTree parseScene(const std::string& text, const std::string& name) {
+    if (text.size() > kMostSceneBytes)
+        refuseScene(name, "it is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
+    Json json = parseJson<Json>(text);
+    if (json.is_discarded()) refuseScene(name, isTooDeep(text) ? "it is nested too deep" : "it is no JSON");
+    if (!json.is_object()) refuseScene(name, "it is no scene: no object");
+    SceneTree tree;
+    if (const auto metadata = json.find("metadata"); metadata != json.end() && metadata->is_object()) {
+        tree.title = textAt(*metadata, "title");
+        tree.version = textAt(*metadata, "version");
+    }
+    TreeReader reader(name);
+    const auto snapshots = json.find("snapshots");
+    tree.several = snapshots != json.end() && snapshots->is_array();
+    if (!tree.several) {
+        tree.snapshots.push_back(readSnapshot(json, "", reader, name));
+        return tree;
+    }
+    if (snapshots->empty()) refuseScene(name, "it has no snapshots");
+    if (snapshots->size() > kMostSnapshots)
+        refuseScene(name, "it has more than " + std::to_string(kMostSnapshots) + " snapshots");
+    for (Json& each : *snapshots)
+        tree.snapshots.push_back(
+            readSnapshot(each, "snapshot " + std::to_string(tree.snapshots.size() + 1), reader, name));
+    return tree;
+}
+
+}  // namespace nacre::app::mvs

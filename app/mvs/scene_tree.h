@@ -1,0 +1,50 @@
+#pragma once
+// The tree of a MolViewSpec scene: nodes with parameters and children, bounded before anything is done by it.
+// Format: github.com/molstar/mol-view-spec, schema of version 1.2.
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace nacre::app::mvs {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kMostSceneBytes = std::size_t{32} << 20;  ///< of a scene's JSON
+constexpr std::size_t kMostNodes = 100'000;
+constexpr std::size_t kMostSnapshots = 10'000;
+
+struct Node {
+    std::string kind;
+    Json params = Json::object();
+    std::vector<Node> children;
+    std::string ref;    ///< by which others name it; may be empty
+    std::string place;  ///< for messages: "root/download 1/parse 1"
+
+    const Json* param(const char* name) const;
+};
+
+struct Snapshot {
+    Node root;
+    std::string title, description, key;
+    double lingerSeconds = 0, transitionSeconds = 0;
+};
+
+struct SceneTree {
+    std::string title, version;
+    std::vector<Snapshot> snapshots;  ///< at least one
+    bool several = false;             ///< the file is a list of snapshots
+};
+
+/// Whether a text is a scene, told by its first keys without parsing it whole.
+bool looksLikeScene(std::string_view text);
+
+/// @param name  of the file, for messages @throws Error that names the place
+SceneTree parseScene(const std::string& text, const std::string& name);
+
+/// A node by itself, with its children, as a file of primitives has it. @throws Error
+Node parseNode(const std::string& text, const std::string& name);
+
+}  // namespace nacre::app::mvs

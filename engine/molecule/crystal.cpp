@@ -1,0 +1,143 @@
+#include "engine/molecule/crystal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gemmi/symmetry.hpp>
+#include <gemmi/unitcell.hpp>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <map>
+#include <tuple>
+
+#include "engine/error.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+namespace {
+
+struct Crystal {
+    gemmi::UnitCell cell;
+    std::vector<gemmi::Op> operations;
+    glm::dvec3 middle{};   ///< of the atoms, Å
+    gemmi::Fractional at;  ///< the same, in parts of the cell
+};
+
+Crystal crystalOf(const Molecule& molecule) {
+    const auto fail = [](const std::string& why) -> void { throw Error("cannot build symmetry", "", why); };
+    const FileSummary& file = molecule.file;
+    if (!file.cell) fail("the file states no unit cell");
+    const gemmi::SpaceGroup* group = gemmi::find_spacegroup_by_name(file.spaceGroup);
+    if (!group)
+        fail(file.spaceGroup.empty() ? "the file states no space group"
+                                     : "there is no space group '" + printable(file.spaceGroup) + "'");
+    Crystal crystal;
+    const std::array<double, 6>& c = *file.cell;
+    crystal.cell.set(c[0], c[1], c[2], c[3], c[4], c[5]);
+    if (!(crystal.cell.volume > 1e-6 && std::isfinite(crystal.cell.volume))) fail("the unit cell has no volume");
+    for (const gemmi::Op operation : group->operations()) crystal.operations.push_back(operation);
+    for (const Atom& atom : molecule.atoms)
+        crystal.middle += glm::dvec3(atom.position) / static_cast<double>(molecule.atoms.size());
+    crystal.at = crystal.cell.fractionalize({crystal.middle.x, crystal.middle.y, crystal.middle.z});
+    return crystal;
+}
+
+/// An operation as a motion in space, into the cell of the middle plus some cells.
+glm::dmat4x3 motionOf(const Crystal& crystal, const gemmi::Op& operation, const std::array<int, 3>& cells) {
+    gemmi::Transform fractional;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) fractional.mat[i][j] = double(operation.rot[i][j]) / gemmi::Op::DEN;
+        fractional.vec.at(i) = double(operation.tran[i]) / gemmi::Op::DEN;
+    }
+    const gemmi::Vec3 moved = fractional.apply(crystal.at);
+    for (int i = 0; i < 3; ++i)
+        fractional.vec.at(i) +=
+            std::floor(crystal.at.at(i)) - std::floor(moved.at(i)) + cells[static_cast<std::size_t>(i)];
+    const gemmi::Transform whole = crystal.cell.orth.combine(fractional).combine(crystal.cell.frac);
+    glm::dmat4x3 motion(1.0);
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) motion[j][i] = whole.mat[i][j];
+        motion[3][i] = whole.vec.at(i);
+    }
+    return motion;
+}
+
+bool isIdentity(const glm::dmat4x3& motion) {
+    const glm::dmat4x3 still(1.0);
+    for (int column = 0; column < 4; ++column)
+        if (glm::length(motion[column] - still[column]) > 1e-6) return false;
+    return true;
+}
+
+/// Atoms by cells of a atomGrid, to ask which lie near a point.
+class AtomGrid {
+public:
+    AtomGrid(const Molecule& molecule, double distance) : molecule_(molecule), distance_(distance), edge_(distance) {
+        for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
+            cells_[cellOf(glm::dvec3(molecule.atoms[i].position))].push_back(i);
+    }
+    bool isNear(const glm::dvec3& p) const {
+        const auto [x, y, z] = cellOf(p);
+        for (long i = x - 1; i <= x + 1; ++i)
+            for (long j = y - 1; j <= y + 1; ++j)
+                for (long k = z - 1; k <= z + 1; ++k) {
+                    const auto found = cells_.find({i, j, k});
+                    if (found == cells_.end()) continue;
+                    for (const std::uint32_t atom : found->second)
+                        if (glm::distance(glm::dvec3(molecule_.atoms[atom].position), p) <= distance_) return true;
+                }
+        return false;
+    }
+
+private:
+    using Cell = std::tuple<long, long, long>;
+    Cell cellOf(const glm::dvec3& p) const {
+        const auto at = [&](double v) { return static_cast<long>(std::floor(v / edge_)); };
+        return {at(p.x), at(p.y), at(p.z)};
+    }
+    const Molecule& molecule_;
+    double distance_, edge_;
+    std::map<Cell, std::vector<std::uint32_t>> cells_;
+};
+
+}  // namespace
+
+std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::array<int, 3>& low,
+                                        const std::array<int, 3>& high) {
+    const Crystal crystal = crystalOf(molecule);
+    double count = static_cast<double>(crystal.operations.size());
+    for (std::size_t i = 0; i < 3; ++i) count *= std::max(0.0, static_cast<double>(high[i]) - low[i] + 1);
+    if (count > static_cast<double>(kMostSymmetryCopies))
+        throw Error("cannot build symmetry", "",
+                    "its cells hold more than " + std::to_string(kMostSymmetryCopies) + " copies");
+    std::vector<glm::dmat4x3> copies{glm::dmat4x3(1.0)};
+    for (const gemmi::Op& operation : crystal.operations)
+        for (int i = low[0]; i <= high[0]; ++i)
+            for (int j = low[1]; j <= high[1]; ++j)
+                for (int k = low[2]; k <= high[2]; ++k) {
+                    const glm::dmat4x3 motion = motionOf(crystal, operation, {i, j, k});
+                    if (!isIdentity(motion)) copies.push_back(motion);
+                }
+    return copies;
+}
+
+std::vector<glm::dmat4x3> crystalMates(const Molecule& molecule, double distance) {
+    const Crystal crystal = crystalOf(molecule);
+    double reach = 0;
+    for (const Atom& atom : molecule.atoms)
+        reach = std::max(reach, glm::distance(glm::dvec3(atom.position), crystal.middle));
+    const AtomGrid atomGrid(molecule, std::clamp(distance, 0.1, 1000.0));
+    std::vector<glm::dmat4x3> mates;
+    for (const glm::dmat4x3& motion : crystalCopies(molecule, {-3, -3, -3}, {3, 3, 3})) {
+        const glm::dvec3 middle = motion * glm::dvec4(crystal.middle, 1.0);
+        if (glm::distance(middle, crystal.middle) > 2 * reach + distance) continue;
+        const bool near =
+            mates.empty() || std::any_of(molecule.atoms.begin(), molecule.atoms.end(), [&](const Atom& atom) {
+                return atomGrid.isNear(motion * glm::dvec4(glm::dvec3(atom.position), 1.0));
+            });
+        if (near) mates.push_back(motion);
+    }
+    return mates;
+}
+
+}  // namespace nacre

@@ -1,0 +1,25 @@
+#pragma once
+// Symmetry of a crystal: where the copies of a molecule stand around it.
+
+#include <array>
+#include <glm/mat4x3.hpp>
+#include <vector>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+constexpr std::size_t kMostSymmetryCopies = 20'000;
+
+/// The copies in a range of cells, the molecule itself first. Cells are counted from the one that the molecule's middle
+/// is in, and a copy belongs to the cell that its middle is in.
+/// @param low, high  first and last cell along each axis
+/// @throws Error if the file states no cell or no space group, or the copies are too many
+std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::array<int, 3>& low,
+                                        const std::array<int, 3>& high);
+
+/// The copies of which an atom is within a distance (Å) of an atom of the molecule, itself first. @throws Error as
+/// above
+std::vector<glm::dmat4x3> crystalMates(const Molecule& molecule, double distance);
+
+}  // namespace nacre

@@ -1,0 +1,30 @@
+#pragma once
+// The view of a scene file's camera.
+
+#include "engine/effects.h"
+#include "engine/scene/camera.h"
+#include "engine/scene/representation.h"
+#include "engine/scene/scene_guide.h"
+
+namespace nacre {
+
+struct SceneView {
+    View view;  ///< about the camera's target
+    Clip clip;  ///< planes of the camera: Å from the target, away from the viewer
+};
+
+/// The view of a camera, turned and zoomed further as a user asks. Its depths hold what the planes leave.
+/// @param hand   rotation in degrees, zoom and pan; its projection and angle are not asked for
+/// @param ortho  instead of perspective, in the same scale at the target
+/// @param reach  Å from the target that anything drawn has at most
+SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, double reach, std::uint32_t width,
+                 std::uint32_t height);
+
+/// Leaves out what is wholly before or behind the planes: an eye may stand among atoms. Not of a scene with copies.
+void dropOutside(Representation& scene, const SceneView& view);
+
+/// The least sphere about some balls, nearly: the mean of their extreme points in 98 directions, and what holds them
+/// (T. Larsson, Fast and Tight Fitting Bounding Spheres, SIGRAD 2008). @param balls  centre and radius; at least one
+Bounds extremeSphere(std::span<const glm::dvec4> balls);
+
+}  // namespace nacre

@@ -1,0 +1,249 @@
+// MolViewSpec scenes without a device: trees, selectors, annotations, archives, and what a scene becomes.
+
+#include <gtest/gtest.h>
+#include <zip.h>
+
+#include <cmath>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "app/mvs/annotations.h"
+#include "app/mvs/build_scene.h"
+#include "app/mvs/node_table.h"
+#include "app/mvs/scene_file.h"
+#include "engine/error.h"
+#include "engine/scene/scene_guide.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+/// Two residues of chain A (label A), a ligand B and a water C, as mmCIF has them.
+const char* const kStructure = R"(data_TEST
+_cell.length_a 30
+_cell.length_b 40
+_cell.length_c 50
+_cell.angle_alpha 90
+_cell.angle_beta 90
+_cell.angle_gamma 90
+_symmetry.space_group_name_H-M 'P 21 21 21'
+loop_
+_entity.id
+_entity.type
+1 polymer
+2 non-polymer
+3 water
+loop_
+_entity_poly.entity_id
+_entity_poly.type
+1 polypeptide(L)
+loop_
+_atom_site.group_PDB
+_atom_site.id
+_atom_site.type_symbol
+_atom_site.label_atom_id
+_atom_site.label_comp_id
+_atom_site.label_asym_id
+_atom_site.label_entity_id
+_atom_site.label_seq_id
+_atom_site.auth_seq_id
+_atom_site.auth_asym_id
+_atom_site.Cartn_x
+_atom_site.Cartn_y
+_atom_site.Cartn_z
+ATOM 11 N N ALA A 1 1 101 X 1 2 3
+ATOM 12 C CA ALA A 1 1 101 X 2 2 3
+ATOM 13 C C ALA A 1 1 101 X 3 2 3
+ATOM 14 O O ALA A 1 1 101 X 3 3 3
+ATOM 15 N N GLY A 1 2 102 X 4 2 3
+ATOM 16 C CA GLY A 1 2 102 X 5 2 3
+HETATM 17 C C1 LIG B 2 . 200 X 9 2 3
+HETATM 18 O O1 LIG B 2 . 200 X 10 2 3
+HETATM 19 O O HOH C 3 . 301 X 1 9 3
+)";
+
+std::string scene(const std::string& children, const std::string& more = "", const std::string& type = R"("model")") {
+    return R"({"root": {"kind": "root", "children": [{"kind": "download", "params": {"url": "a.cif"}, "children": [
+        {"kind": "parse", "params": {"format": "mmcif"}, "children": [
+        {"kind": "structure", "params": {"type": )" +
+           type + R"(}, "children": [)" + children + "]}]}]}" + more + R"(]}, "metadata": {"version": "1"}})";
+}
+
+std::string component(const std::string& selector, const std::string& children) {
+    return R"({"kind": "component", "params": {"selector": )" + selector + R"(}, "children": [)" + children + "]}";
+}
+
+std::string balls(const std::string& children = "") {
+    return R"({"kind": "representation", "params": {"type": "ball_and_stick"}, "children": [)" + children + "]}";
+}
+
+Molecule built(const std::string& json, const std::string& annotations = "") {
+    const SceneTree tree = parseScene(json, "scene.mvsj");
+    SceneSources sources;
+    sources.fetch = [&](const std::string& uri) {
+        if (uri == "a.cif") return std::string(kStructure);
+        if (uri == "b.json") return annotations;
+        throw Error("cannot fetch", uri, "there is none");
+    };
+    return buildScene(tree, 0, "scene.mvsj", sources);
+}
+
+std::vector<std::uint32_t> atomsOf(const std::string& selector) {
+    const Molecule molecule = built(scene(component(selector, balls())));
+    return molecule.guide->layers.empty() ? std::vector<std::uint32_t>() : molecule.guide->layers.front().atoms;
+}
+
+using Atoms = std::vector<std::uint32_t>;
+
+TEST(SceneSelectors, StaticNamesFollowEntities) {
+    EXPECT_EQ(atomsOf(R"("polymer")"), (Atoms{0, 1, 2, 3, 4, 5}));
+    EXPECT_EQ(atomsOf(R"("protein")"), (Atoms{0, 1, 2, 3, 4, 5}));
+    EXPECT_EQ(atomsOf(R"("ligand")"), (Atoms{6, 7}));
+    EXPECT_EQ(atomsOf(R"("water")"), (Atoms{8}));
+    EXPECT_EQ(atomsOf(R"("nucleic")"), Atoms());
+    EXPECT_EQ(atomsOf(R"("all")").size(), 9u);
+}
+
+TEST(SceneSelectors, ExpressionsTakeEveryField) {
+    EXPECT_EQ(atomsOf(R"({"label_asym_id": "B"})"), (Atoms{6, 7}));
+    EXPECT_EQ(atomsOf(R"({"auth_asym_id": "X", "auth_seq_id": 102})"), (Atoms{4, 5}));
+    EXPECT_EQ(atomsOf(R"({"label_asym_id": "A", "label_seq_id": 1})"), (Atoms{0, 1, 2, 3}));
+    EXPECT_EQ(atomsOf(R"({"beg_label_seq_id": 2, "end_label_seq_id": 9})"), (Atoms{4, 5}));
+    EXPECT_EQ(atomsOf(R"({"beg_auth_seq_id": 102, "end_auth_seq_id": 200})"), (Atoms{4, 5, 6, 7}));
+    EXPECT_EQ(atomsOf(R"({"label_entity_id": "2"})"), (Atoms{6, 7}));
+    EXPECT_EQ(atomsOf(R"({"label_atom_id": "CA"})"), (Atoms{1, 5}));
+    EXPECT_EQ(atomsOf(R"({"type_symbol": "O"})"), (Atoms{3, 7, 8}));
+    EXPECT_EQ(atomsOf(R"({"atom_id": 12})"), (Atoms{1}));
+    EXPECT_EQ(atomsOf(R"({"atom_index": 2})"), (Atoms{2}));
+    EXPECT_EQ(atomsOf(R"({"residue_index": 1})"), (Atoms{4, 5}));
+    EXPECT_EQ(atomsOf(R"([{"atom_id": 12}, {"label_asym_id": "B"}])"), (Atoms{1, 6, 7}));
+}
+
+TEST(SceneColors, LaterNodesOverrideEarlierOnes) {
+    const Molecule molecule =
+        built(scene(component(R"("polymer")", balls(R"({"kind": "color", "params": {"color": "green"}},
+                                 {"kind": "color", "params": {"selector": {"label_seq_id": 2}, "color": "#6688ff"}})"))));
+    const SceneLayer& layer = molecule.guide->layers.at(0);
+    EXPECT_EQ(layer.colors[0], 0xff008000u);
+    EXPECT_EQ(layer.colors[5], 0xffff8866u);
+}
+
+TEST(SceneColors, WithoutANodeTheyAreWhiteAndAnnotationsMayBeRowsOrColumns) {
+    EXPECT_EQ(built(scene(component(R"("polymer")", balls()))).guide->layers.at(0).colors[0], 0xffffffffu);
+    const std::string node = R"({"kind": "color_from_uri", "params":
+        {"uri": "b.json", "format": "json", "schema": "residue_range"}})";
+    for (const char* annotations :
+         {R"([{"label_asym_id": "A", "beg_label_seq_id": 2, "end_label_seq_id": 2, "color": "red"}])",
+          R"({"label_asym_id": ["A"], "beg_label_seq_id": [2], "end_label_seq_id": [2], "color": ["red"]})",
+          "loop_\n_t.label_asym_id\n_t.beg_label_seq_id\n_t.end_label_seq_id\n_t.color\nA 2 2 red\n"}) {
+        const Molecule molecule = built(scene(component(R"("polymer")", balls(node))), annotations);
+        EXPECT_EQ(molecule.guide->layers.at(0).colors[0], 0xffffffffu);
+        EXPECT_EQ(molecule.guide->layers.at(0).colors[4], 0xff0000ffu) << annotations;
+    }
+}
+
+TEST(SceneStructures, TransformsMoveAtomsAndSymmetryMakesCopies) {
+    const Molecule moved = built(scene(R"({"kind": "transform", "params": {"rotation": [0,1,0,-1,0,0,0,0,1],
+        "translation": [10, 0, 0]}},)" +
+                                       component(R"("all")", balls())));
+    EXPECT_NEAR(glm::distance(moved.atoms[0].position, glm::vec3(8, 1, 3)), 0, 1e-5);  // (1, 2, 3) turned, then shifted
+    const Molecule crystal =
+        built(scene(component(R"("all")", balls()), "", R"("symmetry", "ijk_min": [0,0,0], "ijk_max": [0,0,0])"));
+    EXPECT_EQ(crystal.guide->transforms.size(), 4u);  // of P 21 21 21
+    EXPECT_EQ(built(scene(component(R"("all")", balls()), "", R"("symmetry")")).guide->transforms.size(), 108u);
+}
+
+TEST(SceneCamera, PositionIsThatOfACameraToWhichHalfItsDistanceFillsThePicture) {
+    const Molecule molecule =
+        built(scene(component(R"("all")", balls()),
+                    R"(,{"kind": "camera", "params": {"target": [0,0,0], "position": [0,0,20], "up": [0,1,0]}})"));
+    ASSERT_TRUE(molecule.guide->camera);
+    EXPECT_NEAR(molecule.guide->camera->distance, 10 / std::sin(std::numbers::pi / 8), 1e-9);
+    EXPECT_NEAR(molecule.guide->camera->radius, 10, 1e-12);
+}
+
+TEST(SceneCamera, FocusHasALeastRadius) {
+    const Molecule molecule = built(scene(component(R"({"label_asym_id": "B"})", balls() + R"(,{"kind": "focus"})")));
+    ASSERT_TRUE(molecule.guide->camera);
+    EXPECT_NEAR(molecule.guide->camera->radius, 5, 1e-12);
+    EXPECT_NEAR(glm::distance(molecule.guide->camera->target, glm::dvec3(9.5, 2, 3)), 0,
+                0.1);  // of ties the first counts
+}
+
+TEST(SceneWarning, UnknownThingsNameTheirPlace) {
+    const Molecule molecule =
+        built(scene(component(R"("all")", R"({"kind": "hologram"},)" +
+                                              balls(R"({"kind": "color", "params": {"color": "red", "mood": 1}})"))));
+    const std::vector<std::string>& warnings = molecule.guide->warnings;
+    ASSERT_EQ(warnings.size(), 2u);
+    EXPECT_EQ(warnings[0],
+              "root/download 1/parse 1/structure 1/component 1/hologram 1: nodes of this kind are not drawn");
+    EXPECT_EQ(warnings[1],
+              "root/download 1/parse 1/structure 1/component 1/representation 2/color 1: its parameter 'mood' is not "
+              "used");
+}
+
+TEST(SceneRefusals, OneLineEach) {
+    const auto refused = [](const std::string& json) {
+        try {
+            built(json);
+        } catch (const Error& error) {
+            return std::string(error.what()).find('\n') == std::string::npos;
+        }
+        return false;
+    };
+    EXPECT_TRUE(refused("{"));
+    EXPECT_TRUE(refused(R"({"root": {"kind": "download"}})"));
+    EXPECT_TRUE(refused(std::string(200, '[')));
+    EXPECT_TRUE(refused(
+        scene(R"({"kind": "transform", "params": {"translation": [1e300, 0, 0]}},)" + component(R"("all")", balls()))));
+    EXPECT_TRUE(refused(scene(R"({"kind": "transform", "params": {"rotation": [2,0,0,0,1,0,0,0,1]}},)" +
+                              component(R"("all")", balls()))));
+    EXPECT_TRUE(refused(scene(component(R"("all")", balls()), "",
+                              R"("symmetry", "ijk_min": [-900,-900,-900], "ijk_max": [900,900,900])")));
+}
+
+std::string zipOf(const std::vector<std::pair<std::string, std::string>>& entries) {
+    zip_error_t error;
+    zip_error_init(&error);
+    zip_source_t* out = zip_source_buffer_create(nullptr, 0, 0, &error);
+    zip_source_keep(out);
+    zip_t* archive = zip_open_from_source(out, ZIP_TRUNCATE, &error);
+    for (const auto& [name, bytes] : entries)
+        zip_file_add(archive, name.c_str(), zip_source_buffer(archive, bytes.data(), bytes.size(), 0), 0);
+    EXPECT_EQ(zip_close(archive), 0);
+    zip_source_open(out);
+    zip_stat_t facts;
+    zip_source_stat(out, &facts);
+    std::string bytes(facts.size, '\0');
+    zip_source_read(out, bytes.data(), bytes.size());
+    zip_source_close(out);
+    zip_source_free(out);
+    return bytes;
+}
+
+TEST(SceneArchives, HoldTheirFilesAndNothingElse) {
+    const std::string index = scene(component(R"("all")", balls()));
+    const SceneFile file("a.mvsx", zipOf({{"index.mvsj", index}, {"a.cif", kStructure}}));
+    ASSERT_TRUE(file.archive);
+    EXPECT_EQ(file.archive->read("a.cif"), kStructure);
+    EXPECT_THROW(file.archive->read("b.cif"), Error);
+    EXPECT_THROW(SceneFile("a.mvsx", zipOf({{"a.cif", kStructure}})), Error);
+    EXPECT_THROW(SceneFile("a.mvsx", zipOf({{"index.mvsj", index}, {"../a.cif", kStructure}})), Error);
+    EXPECT_THROW(SceneFile("a.mvsx", "PK\x03\x04 and no more"), Error);
+}
+
+TEST(SceneArchives, BombsAreRefusedByTheirStatedSizes) {
+    const SceneFile file("a.mvsx", zipOf({{"index.mvsj", scene(component(R"("all")", balls()))},
+                                          {"zeros", std::string(64 << 20, '\0')}}));
+    EXPECT_THROW(file.archive->read("zeros"), Error);
+}
+
+TEST(SceneNodes, EveryRowIsFoundByItsKind) {
+    for (const NodeRow& row : nodeRows()) EXPECT_EQ(nodeRow(row.kind), &row);
+    EXPECT_TRUE(nodeRow("camera")->knows("target"));
+    EXPECT_FALSE(nodeRow("camera")->knows("tar"));
+}
+
+}  // namespace
+}  // namespace nacre::app::mvs
