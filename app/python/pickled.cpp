@@ -115,7 +115,7 @@ void parts(Archive& archive, Parts& all) {
 template <typename Archive, typename M>
 void all(Archive& archive, M& molecule) {
     auto& [atoms, residues, chains, subchains, bonds, assemblies, entities, statesSecondaryStructure, partialCharges,
-           radii, warnings, modelsAreInputs, inputs, others, othersMissing, file] = molecule;
+           radii, serials, warnings, modelsAreInputs, inputs, others, othersMissing, file, guide] = molecule;
     const auto texts = [&](auto& list) { archive.list(list, [&](auto& text) { archive.text(text); }); };
     archive.plains(atoms);
     archive.plains(residues);
@@ -136,13 +136,15 @@ void all(Archive& archive, M& molecule) {
     archive.plain(statesSecondaryStructure);
     archive.plains(partialCharges);
     archive.plains(radii);
+    archive.plains(serials);
     texts(warnings);
     archive.plain(modelsAreInputs);
     texts(inputs);
     archive.text(othersMissing);
     auto& [format, title, models, records, totalAtomsAllModels, totalAtomsAllRecords, totalBondsAllRecords, stated,
            bondsAllModels, conectUniquePairs, itsChains, chainsAuth, chainsLabel, biomtOperators, itsAssemblies,
-           operators, resolution, organism, method, chainNames, componentNames, confidence, box] = file;
+           operators, resolution, organism, method, chainNames, componentNames, confidence, box, cell, spaceGroup] =
+        file;
     archive.text(format);
     archive.text(title);
     archive.text(organism);
@@ -156,6 +158,8 @@ void all(Archive& archive, M& molecule) {
     maybe(archive, resolution);
     archive.plain(confidence);
     maybe(archive, box);
+    maybe(archive, cell);
+    archive.text(spaceGroup);
     static_cast<void>(others);  // by its functions, below
 }
 
@@ -193,6 +197,7 @@ Molecule read(Reader& reader, bool whole) {
 }  // namespace
 
 std::string pickled(const Molecule& molecule) {
+    if (molecule.guide) throw Error("cannot pickle", "a scene", "pickle the path of its file");
     Writer writer;
     writer.text(heading());
     write(writer, molecule);

@@ -135,7 +135,7 @@ class ServeTest(unittest.TestCase):
     def test_nothing_outside_the_root_is_read(self):
         for name in ("../secret.pdb", "link.pdb", str(self.folder / "secret.pdb"), "none.pdb", "."):
             self.refused("picture?input=" + urllib.parse.quote(name), 404, "there is no input")
-        self.refused("picture?input=upload:../../x", 404, "not held")
+        self.refused("picture?input=upload:../../x", 404, "no longer stored")
 
     def test_what_is_wrong(self):
         self.refused("picture", 400, "INPUT is required")
