@@ -36,7 +36,8 @@ TEST(DensityMap, AtAtomsIsAsGemmiInterpolatesIt) {
         covered += value > map.statistics.mean + 1.5 * map.statistics.rms;
     }
     EXPECT_NEAR(ours / theirs, 1, 0.01);
-    EXPECT_GT(static_cast<double>(covered) / static_cast<double>(molecule.atoms.size()), 0.7) << "of atoms at 1.5 sigma";
+    EXPECT_GT(static_cast<double>(covered) / static_cast<double>(molecule.atoms.size()), 0.7)
+        << "of atoms at 1.5 sigma";
 }
 
 }  // namespace
