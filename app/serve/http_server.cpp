@@ -15,7 +15,8 @@
 namespace nacre::app {
 namespace {
 
-constexpr std::size_t kRequests = 1000;  // of a connection
+constexpr std::size_t kRequests = 1000;                    // of a connection
+constexpr std::size_t kMostRead = std::size_t{128} << 20;  // bytes of a body, of which one that is too large is skipped
 constexpr int kSliceMs = 250;            // after which a wait looks whether the server stops
 
 }  // namespace
@@ -36,7 +37,8 @@ public:
     }
 
     /// The request's head was read.
-    void takeHead(const httplib::Request& request) {
+    void takeHead(httplib::Request& request) {
+        request.ranges.clear();  // pictures are sent whole; many ranges of one would take its size many times
         headRead_ = true;
         start_ = Clock::now();
         received_ = 0;
@@ -67,6 +69,10 @@ public:
         std::memcpy(to, buffer_.data() + first_, taken);
         first_ += taken;
         received_ += taken;
+        sent_ = 0;  // after "100 Continue" the answer is still to come
+        // httplib reads lines byte by byte, into a buffer that grows.
+        line_ = size == 1 && *to != '\n' ? line_ + 1 : 0;
+        if (line_ > kMostHeadBytes) return -1;
         return static_cast<ssize_t>(taken);
     }
 
@@ -106,7 +112,7 @@ private:
     }
 
     bool fill() {
-        if (!headRead_ && received_ >= kMostHeadBytes) return false;
+        if (received_ >= (headRead_ ? kMostRead : kMostHeadBytes)) return false;
         if (!wait(POLLIN, left(headRead_ ? received_ : 0))) return false;
         const ssize_t got = ::recv(socket_, buffer_.data(), buffer_.size(), MSG_DONTWAIT);
         first_ = 0;
@@ -119,6 +125,7 @@ private:
     Clock::time_point start_ = Clock::now();
     bool headRead_ = false;
     std::size_t received_ = 0, sent_ = 0, expected_ = 0;
+    std::size_t line_ = 0;  // bytes of the line that is being read
     std::array<char, 16384> buffer_{};
     std::size_t first_ = 0, last_ = 0;
 };

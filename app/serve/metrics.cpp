@@ -35,6 +35,11 @@ void Metrics::hit() {
     ++hits_;
 }
 
+void Metrics::drawn() {
+    const std::lock_guard lock(turn_);
+    ++drawn_;
+}
+
 std::string Metrics::text(std::size_t waiting) const {
     const std::lock_guard lock(turn_);
     std::ostringstream text;
@@ -43,6 +48,8 @@ std::string Metrics::text(std::size_t waiting) const {
         text << "nacre_requests_total{status=\"" << status << "\"} " << number << '\n';
     text << "# HELP nacre_cache_hits_total Pictures served from the disk cache.\n# TYPE nacre_cache_hits_total counter\n"
          << "nacre_cache_hits_total " << hits_ << '\n'
+         << "# HELP nacre_pictures_drawn_total Pictures drawn.\n# TYPE nacre_pictures_drawn_total counter\n"
+         << "nacre_pictures_drawn_total " << drawn_ << '\n'
          << "# HELP nacre_sent_bytes_total Bytes of bodies sent.\n# TYPE nacre_sent_bytes_total counter\n"
          << "nacre_sent_bytes_total " << bytes_ << '\n'
          << "# HELP nacre_waiting_requests Requests that wait for a worker.\n# TYPE nacre_waiting_requests gauge\n"

@@ -14,6 +14,7 @@ public:
     void answered(int status, std::uint64_t bytes);
     void took(double seconds);
     void hit();
+    void drawn();
     /// Text format 0.0.4. @param waiting  number of waiting requests
     std::string text(std::size_t waiting) const;
 
@@ -23,7 +24,7 @@ private:
     std::map<int, std::uint64_t> requests_;  ///< by status
     std::array<std::uint64_t, kBounds.size() + 1> durations_{};
     double seconds_ = 0;
-    std::uint64_t bytes_ = 0, hits_ = 0;
+    std::uint64_t bytes_ = 0, hits_ = 0, drawn_ = 0;
 };
 
 }  // namespace nacre::app

@@ -23,6 +23,8 @@
 #include "app/serve/page.h"
 #include "app/serve/picture_store.h"
 #include "app/serve/problem.h"
+#include "app/serve/request_head.h"
+#include "app/serve/shared_pictures.h"
 #include "app/serve/uploads.h"
 #include "app/serve/workers.h"
 #include "engine/error.h"
@@ -36,46 +38,7 @@ using httplib::Response;
 
 constexpr std::size_t kConnections = 256;                    // threads that read requests and wait for pictures
 constexpr std::size_t kMostBodies = std::size_t{512} << 20;  // bytes, of all requests together
-
-std::string unescaped(std::string_view text) {
-    std::string plain;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        unsigned code = 0;
-        if (text[i] == '%' && i + 2 < text.size() &&
-            std::sscanf(std::string(text.substr(i + 1, 2)).c_str(), "%2x", &code) == 1) {
-            plain += static_cast<char>(code);
-            i += 2;
-        } else {
-            plain += text[i] == '+' ? ' ' : text[i];
-        }
-    }
-    return plain;
-}
-
-/// Keys and values in their order, which httplib's own table loses.
-Query queryOf(const Request& request) {
-    Query query;
-    const std::size_t mark = request.target.find('?');
-    if (mark == std::string::npos) return query;
-    std::istringstream pairs(request.target.substr(mark + 1));
-    for (std::string pair; std::getline(pairs, pair, '&');) {
-        const std::size_t equals = std::min(pair.find('='), pair.size());
-        if (equals > 0)
-            query.emplace_back(unescaped(std::string_view(pair).substr(0, equals)),
-                               unescaped(std::string_view(pair).substr(std::min(equals + 1, pair.size()))));
-    }
-    return query;
-}
-
-/// Takes a key out of a query. @returns its last value
-std::string taken(Query& query, const std::string& key) {
-    std::string value;
-    std::erase_if(query, [&](const auto& pair) {
-        if (pair.first == key) value = pair.second;
-        return pair.first == key;
-    });
-    return value;
-}
+const std::string kTooLarge = "a body has at most " + std::to_string(kMostBodyBytes >> 20) + " MiB";
 
 std::string mediaType(const std::string& extension) {
     if (extension == ".png") return "image/png";
@@ -133,6 +96,7 @@ struct Server::Parts {
             const int yes = 1;
             setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
         });
+        http.set_default_headers({{"X-Content-Type-Options", "nosniff"}});
         addRoutes();
         if (options.port == 0)
             bound = http.bind_to_any_port(options.address.c_str());
@@ -145,6 +109,13 @@ struct Server::Parts {
     }
 
     void addRoutes() {
+        http.set_pre_routing_handler([local = isLoopback(options.address)](const Request& request, Response& response) {
+            const std::optional<Problem> refusal = refusalOf(request, local);
+            if (!refusal) return httplib::Server::HandlerResponse::Unhandled;
+            if (refusal->status == 405) response.set_header("Allow", methodsOf(request.path));
+            tell(*refusal, response);
+            return httplib::Server::HandlerResponse::Handled;
+        });
         http.Get("/", [](const Request&, Response& response) {
             response.set_header(
                 "Content-Security-Policy",
@@ -179,15 +150,22 @@ struct Server::Parts {
                  }));
         http.set_error_handler([](const Request& request, Response& response) {
             if (!response.body.empty()) return;
-            const std::string detail = response.status == 404 ? "there is no " + request.path
-                                       : response.status == 413
-                                           ? "a body has at most " + std::to_string(kMostBodyBytes >> 20) + " MiB"
-                                           : titleOf(response.status);
-            response.set_content(problemJson(response.status, detail), "application/problem+json");
+            const std::string detail = response.status == 404   ? "there is no " + request.path
+                                       : response.status == 413 ? kTooLarge
+                                                                : titleOf(response.status);
+            tell(Problem(response.status, detail), response);
         });
         http.set_logger([this](const Request&, const Response& response) {
             metrics.answered(response.status, response.body.size());
         });
+    }
+
+    static void tell(const Problem& problem, Response& response) {
+        for (const char* ofPicture : {"ETag", "Cache-Control", "Nacre-Warning"}) response.headers.erase(ofPicture);
+        response.status = problem.status;
+        response.set_header("Cache-Control", "no-store");
+        if (problem.status == 429 || problem.status == 503) response.set_header("Retry-After", "1");
+        response.set_content(problemJson(problem.status, problem.what()), "application/problem+json");
     }
 
     using Handler = std::function<void(const Request&, Response&)>;
@@ -198,16 +176,11 @@ struct Server::Parts {
             try {
                 handler(request, response);
             } catch (const Problem& problem) {
-                response.headers.clear();  // of a picture
-                response.status = problem.status;
-                response.set_header("Cache-Control", "no-store");
-                response.set_content(problemJson(problem.status, problem.what()), "application/problem+json");
+                tell(problem, response);
             } catch (const std::exception& error) {
-                response.status = 500;
-                response.set_content(problemJson(500, error.what()), "application/problem+json");
+                tell(Problem(500, error.what()), response);
             }
             metrics.took(millisecondsSince(start) / 1000);
-            if (response.status == 429 || response.status == 503) response.set_header("Retry-After", "1");
         };
     }
 
@@ -216,22 +189,29 @@ struct Server::Parts {
     httplib::Server::HandlerWithContentReader withBody(BodyHandler handler) {
         return [this, handler = std::move(handler)](const Request& request, Response& response,
                                                     const httplib::ContentReader& read) {
+            std::size_t received = 0;
+            const auto leave = [&](void*) { bodies -= received; };
+            const std::unique_ptr<void, decltype(leave)> held(this, leave);
             std::string body;
             bool room = true;
             const bool whole = read([&](const char* data, std::size_t size) {
+                received += size;
                 room = (bodies += size) <= kMostBodies;
+                if (!room || received > kMostBodyBytes) return false;
                 body.append(data, size);
-                return room && body.size() <= kMostBodyBytes;
+                return true;
             });
-            const std::size_t received = body.size();
-            const auto leave = [&](void*) { bodies -= received; };
-            const std::unique_ptr<void, decltype(leave)> held(this, leave);
-            if (!whole) {
-                response.status = !room ? 503 : body.size() > kMostBodyBytes || response.status == 413 ? 413 : 400;
-                if (!room) response.set_header("Retry-After", "1");
-                return;  // the error handler says why
+            if (whole) {
+                answer([&](const Request& whose, Response& to) { handler(whose, body, to); })(request, response);
+                return;
             }
-            answer([&](const Request& whose, Response& to) { handler(whose, body, to); })(request, response);
+            const bool large = received > kMostBodyBytes || response.status == 413;
+            if (!room)
+                tell(Problem(503, "other requests' bodies fill the memory"), response);
+            else if (large)
+                tell(Problem(413, kTooLarge), response);
+            else if (response.status < 400)
+                tell(Problem(400, "the body ends early, or is not encoded as its head says"), response);
         };
     }
 
@@ -258,16 +238,33 @@ struct Server::Parts {
         } else {
             response.set_header("Cache-Control", "no-store");
         }
-        try {
+        const auto draw = [&] {
             ServedPicture picture = workers.draw(asked, moving ? session : "");
+            metrics.drawn();
             if (body.empty() && !moving) store.keep(name, picture.bytes);
-            for (const std::string& warning : picture.warnings)
-                response.set_header("Nacre-Warning", printable(without(warning, asked.description.input.path)));
-            response.set_content(std::move(picture.bytes), mediaType(extension));
+            return picture;
+        };
+        try {
+            // A body's place is its own, so it is never shared.
+            const SharedPictures::Shared picture =
+                moving ? std::make_shared<const ServedPicture>(draw()) : shared.get(name, draw);
+            addWarnings(*picture, asked.description.input.path, response);
+            response.set_content(picture->bytes, mediaType(extension));
         } catch (const Problem& problem) {
             const bool known = asked.description.input.path.find(':') != std::string::npos;
             throw Problem(problem.status,
                           known ? problem.what() : without(problem.what(), asked.description.input.path));
+        }
+    }
+
+    /// As headers, of which proxies take some kilobytes.
+    static void addWarnings(const ServedPicture& picture, const std::string& place, Response& response) {
+        constexpr std::size_t kMost = 2048;
+        std::size_t bytes = 0;
+        for (const std::string& warning : picture.warnings) {
+            const std::string text = printable(without(warning, place));
+            if ((bytes += text.size()) > kMost) return response.set_header("Nacre-Warning", "...");
+            response.set_header("Nacre-Warning", text);
         }
     }
 
@@ -277,16 +274,23 @@ struct Server::Parts {
         info.picture = asked.description;
         info.paths = {asked.description.input.path};
         info.json = true;
-        std::ostringstream text;
+        const std::string place = info.paths.front();
+        const bool file = place.find(':') == std::string::npos;
         try {
-            const std::lock_guard lock(oneInfo);
-            const HeardMessages heard;
-            infoCommand(info, text);
-        } catch (const Error& error) {
-            throw Problem(422, without(error.what(), info.paths.front()));
+            const std::string told = workers.run([info] {
+                std::ostringstream text;
+                const HeardMessages heard;
+                try {
+                    infoCommand(info, text);
+                } catch (const Error& error) {
+                    throw unreadable(error, info.paths.front());
+                }
+                return text.str();
+            });
+            response.set_content(file ? without(told, place) : told, "application/json");
+        } catch (const Problem& problem) {
+            throw Problem(problem.status, file ? without(problem.what(), place) : problem.what());
         }
-        const bool file = info.paths.front().find(':') == std::string::npos;
-        response.set_content(file ? without(text.str(), info.paths.front()) : text.str(), "application/json");
     }
 
     /// Everything else that decides a picture's bytes.
@@ -305,7 +309,7 @@ struct Server::Parts {
     Metrics metrics;
     PictureStore store;
     Uploads uploads;
-    std::mutex oneInfo;
+    SharedPictures shared;
     Workers workers;
     int bound = 0;
 };

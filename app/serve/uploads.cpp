@@ -32,11 +32,16 @@ std::string Uploads::keep(const std::string& body) {
     } catch (const Error&) {
         throw Problem(503, "no room for the structure");
     }
-    std::erase(names_, name);
-    names_.push_back(name);
-    while (names_.size() > kMost) {
-        std::remove((folder_ + "/" + names_.front()).c_str());
-        names_.pop_front();
+    std::erase_if(kept_, [&](const Kept& one) {
+        if (one.name == name) bytes_ -= one.bytes;
+        return one.name == name;
+    });
+    kept_.push_back({name, body.size()});
+    bytes_ += body.size();
+    while (kept_.size() > kMost || bytes_ > kMostBytes) {
+        std::remove((folder_ + "/" + kept_.front().name).c_str());
+        bytes_ -= kept_.front().bytes;
+        kept_.pop_front();
     }
     return "upload:" + name;
 }

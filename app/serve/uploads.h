@@ -18,10 +18,16 @@ public:
     std::string keep(const std::string& body);
 
 private:
+    struct Kept {
+        std::string name;
+        std::size_t bytes;
+    };
     static constexpr std::size_t kMost = 32;
+    static constexpr std::size_t kMostBytes = std::size_t{512} << 20;
     std::string folder_;
     std::mutex turn_;
-    std::deque<std::string> names_;
+    std::deque<Kept> kept_;
+    std::size_t bytes_ = 0;  ///< of all of them
 };
 
 }  // namespace nacre::app

@@ -15,7 +15,6 @@
 #include "app/files/messages.h"
 #include "app/files/spare_memory.h"
 #include "app/images/image_file.h"
-#include "app/serve/problem.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -67,8 +66,7 @@ public:
         try {
             return loadMolecule(input);
         } catch (const Error& error) {
-            const bool missing = parseDatabaseId(input.path) || dynamic_cast<const InputMissing*>(&error);
-            throw Problem(missing ? 404 : 422, error.what());
+            throw unreadable(error, input.path);
         }
     }
 
@@ -106,6 +104,11 @@ private:
     Drawing drawing_;
 };
 
+Problem unreadable(const std::exception& error, const std::string& place) {
+    const bool missing = parseDatabaseId(place) || dynamic_cast<const InputMissing*>(&error);
+    return {missing ? 404 : 422, error.what()};
+}
+
 Workers::Workers(const ServeOptions& options) : options_(options) {
     for (int i = 0; i < options.workers; ++i) workers_.push_back(std::make_unique<Worker>(options.picture.device));
     for (const std::unique_ptr<Worker>& worker : workers_) threads_.emplace_back([&] { work(*worker); });
@@ -132,13 +135,24 @@ ServedPicture Workers::draw(const PictureRequest& request, const std::string& ne
     const auto task = std::make_shared<Task>();
     task->request = request;
     task->newest = newest;
+    return result(task);
+}
+
+std::string Workers::run(std::function<std::string()> work) {
+    const auto task = std::make_shared<Task>();
+    task->work = std::move(work);
+    return result(task).bytes;
+}
+
+ServedPicture Workers::result(const std::shared_ptr<Task>& task) {
     std::future<ServedPicture> picture = task->promise.get_future();
     {
         const std::lock_guard lock(turn_);
         if (stopping_) throw Problem(503, "the server stops");
-        if (!newest.empty()) {
-            const auto older = std::find_if(tasks_.begin(), tasks_.end(),
-                                            [&](const std::shared_ptr<Task>& one) { return one->newest == newest; });
+        if (!task->newest.empty()) {
+            const auto older =
+                std::find_if(tasks_.begin(), tasks_.end(),
+                             [&](const std::shared_ptr<Task>& one) { return one->newest == task->newest; });
             if (older != tasks_.end()) {
                 (*older)->promise.set_exception(std::make_exception_ptr(Problem(429, "a newer request replaced it")));
                 tasks_.erase(older);
@@ -153,7 +167,7 @@ ServedPicture Workers::draw(const PictureRequest& request, const std::string& ne
         return picture.get();
     const std::lock_guard lock(turn_);
     task->given = true;
-    throw Problem(503, "the picture took longer than " + std::to_string(static_cast<int>(options_.seconds)) + " s");
+    throw Problem(503, "the answer took longer than " + std::to_string(static_cast<int>(options_.seconds)) + " s");
 }
 
 /// A task for a worker: the first that waits for its molecule, else the first whose molecule no other idle one has.
@@ -194,7 +208,7 @@ void Workers::work(Worker& worker) {
             if (task->given) continue;
         }
         try {
-            task->promise.set_value(worker.draw(task->request));
+            task->promise.set_value(task->work ? ServedPicture{task->work(), {}} : worker.draw(task->request));
         } catch (const Problem&) {
             task->promise.set_exception(std::current_exception());
         } catch (const std::bad_alloc&) {

@@ -4,6 +4,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <functional>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "app/serve/picture_request.h"
+#include "app/serve/problem.h"
 
 namespace nacre::app {
 
@@ -21,6 +23,9 @@ struct ServedPicture {
     std::string bytes;
     std::vector<std::string> warnings;
 };
+
+/// The problem of an input that cannot be read. @param place  its file or identifier
+Problem unreadable(const std::exception& error, const std::string& place);
 
 class Workers {
 public:
@@ -35,17 +40,22 @@ public:
     /// @param newest  not empty: identifies the client. Its older waiting request gets 429
     ServedPicture draw(const PictureRequest& request, const std::string& newest = {});
 
+    /// Runs something else in its turn, within the same limits. @throws Problem as above
+    std::string run(std::function<std::string()> work);
+
     std::size_t waiting() const;
 
 private:
     struct Task {
         PictureRequest request;
+        std::function<std::string()> work;  ///< instead of the request
         std::string newest;
         std::promise<ServedPicture> promise;
         bool given = false;  ///< the client gave up
     };
     class Worker;
 
+    ServedPicture result(const std::shared_ptr<Task>& task);
     void work(Worker& worker);
     std::optional<std::size_t> choice(const Worker& worker) const;
     std::shared_ptr<Task> next(Worker& worker);

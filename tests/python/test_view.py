@@ -1,5 +1,8 @@
 """Structure.view(): its page, its answers, and the cell of a notebook in headless Chromium."""
 import base64
+import contextlib
+import html
+import http.server
 import json
 import os
 import pathlib
@@ -7,6 +10,7 @@ import re
 import shutil
 import socket
 import subprocess
+import threading
 import time
 import urllib.error
 import urllib.parse
@@ -86,6 +90,28 @@ def test_without_a_browser_it_is_a_picture(dna):
     assert "visibility:hidden" in bundle["text/html"]  # until it has drawn
 
 
+def test_a_page_that_is_loaded_again_shows_what_was_seen(dna):
+    view = dna.view(style="licorice", zoom=3)
+    first = view.url
+    assert b"zoom=3" in ask(first)[2]
+    ask(first.partition("?")[0] + "picture?size=32x32&style=licorice&zoom=1.25&orientation=0.6,0.8,0,0")
+    page = ask(first)[2].decode()
+    query = urllib.parse.parse_qs(html.unescape(re.search('data-query="([^"]*)"', page).group(1)))
+    assert (query["zoom"], query["orientation"]) == (["1.25"], ["0.6,0.8,0,0"])
+
+
+def test_the_token_stays_secret(dna, capfd):
+    view = dna.view()
+    request = urllib.request.urlopen(view.url, timeout=60)
+    # No address of the page goes to whoever is linked from it, into a cache, or into a log.
+    assert request.headers["Referrer-Policy"] == "no-referrer" and request.headers["Cache-Control"] == "no-store"
+    assert request.headers["Access-Control-Allow-Origin"] is None
+    assert len(urllib.parse.urlsplit(view.url).path) >= 32
+    for wrong in ("", "x", view._token[:-1], view._token + "x", view._token.swapcase(), "%00" + view._token, "\u00e4"):
+        assert ask(view.url.replace(view._token, urllib.parse.quote(wrong)))[0] == 404
+    assert view._token not in "".join(capfd.readouterr())
+
+
 NOTEBOOK = pathlib.Path(os.environ.get("NACRE_SOURCE", ".")) / "docs/python/view.ipynb"
 
 
@@ -94,14 +120,93 @@ def wait_for(browser, condition, seconds=90):
     return WebDriverWait(browser, seconds).until(condition)
 
 
+@contextlib.contextmanager
+def chromium():
+    pytest.importorskip("selenium")
+    if not shutil.which("chromedriver"):
+        pytest.skip("chromedriver is not installed")
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+
+    options = webdriver.ChromeOptions()
+    for word in ("--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=1100,1000"):
+        options.add_argument(word)
+    browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+    try:
+        yield browser
+    finally:
+        if os.environ.get("NACRE_SCREENSHOT"):
+            browser.save_screenshot(os.environ["NACRE_SCREENSHOT"])
+        browser.quit()
+
+
+# JupyterLab puts a trusted output's HTML in an element, makes its scripts anew so that they run, and attaches it; cells
+# out of sight are detached. There is nothing else that classic Notebook has: no jQuery, no require, no IPython.
+LAB = b"""<!doctype html><div id="cell"></div><script>
+fetch("repr").then(answer => answer.text()).then(html => {
+  window.host = document.createElement("div");
+  host.innerHTML = html;
+  for (const old of host.querySelectorAll("script")) {
+    const script = document.createElement("script");
+    script.textContent = old.textContent;
+    old.replaceWith(script);
+  }
+  document.getElementById("cell").append(host);
+});</script>"""
+
+
+def test_the_html_alone_turns(dna):
+    """As JupyterLab shows it, which Debian does not have."""
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+
+    view = dna.view(size=(400, 300), style="ball-and-stick")
+    answers = {"/": LAB, "/repr": view._repr_mimebundle_()["text/html"].encode()}
+
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def log_message(self, *_):
+            pass
+
+        def do_GET(self):
+            self.send_response(200 if self.path in answers else 404)
+            self.send_header("Content-Type", "text/html; charset=utf-8")
+            self.end_headers()
+            self.wfile.write(answers.get(self.path, b""))
+
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        with chromium() as browser:
+            browser.get(f"http://127.0.0.1:{server.server_port}/")
+
+            def shown():
+                frame = wait_for(browser, lambda b: b.find_elements(By.CSS_SELECTOR, "iframe[src*='127.0.0.1']"))[0]
+                wait_for(browser, lambda b: b.execute_script("return arguments[0].style.visibility", frame) == "visible")
+                return frame
+
+            browser.switch_to.frame(shown())
+            before = int(browser.execute_script("return document.body.dataset.pictures"))
+            ActionChains(browser).click_and_hold(browser.find_element(By.ID, "stage")).move_by_offset(60, 20).release().perform()
+            wait_for(browser, lambda b: b.execute_script("return document.body.dataset.state === 'rest' && "
+                                                         "Number(document.body.dataset.pictures) > arguments[0]", before))
+            browser.switch_to.default_content()
+            turned = view.description["orientation"]
+            assert abs(turned[0]) < 0.999
+            # Out of sight and back: the frame is loaded again.
+            browser.execute_script("host.remove(); view = host; setTimeout(() => document.getElementById('cell').append(view), 100)")
+            browser.switch_to.frame(shown())
+            wait_for(browser, lambda b: b.execute_script("return document.body.dataset.state === 'rest'"))
+            assert view.description["orientation"] == pytest.approx(turned, abs=1e-5)
+    finally:
+        server.shutdown()
+        server.server_close()
+
+
 @pytest.fixture
 def notebook(tmp_path):
     """The address of Debian's notebook server in a folder with view.ipynb."""
     if not shutil.which("jupyter-notebook"):
         pytest.skip("jupyter-notebook is not installed (tools/packages_dev.txt)")
-    pytest.importorskip("selenium")
-    if not shutil.which("chromedriver"):
-        pytest.skip("chromedriver is not installed")
     shutil.copy(NOTEBOOK, tmp_path)
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
@@ -125,16 +230,10 @@ def notebook(tmp_path):
 
 
 def test_a_cell_turns(notebook):
-    from selenium import webdriver
-    from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
 
-    options = webdriver.ChromeOptions()
-    for word in ("--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=1100,1000"):
-        options.add_argument(word)
-    browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-    try:
+    with chromium() as browser:
         browser.get(notebook)
         wait_for(browser, lambda b: b.execute_script(
             "return window.Jupyter && Jupyter.notebook && Jupyter.notebook.kernel && Jupyter.notebook.kernel.is_connected()"))
@@ -167,7 +266,3 @@ def test_a_cell_turns(notebook):
         assert "image/png" in movie or "text/html" in movie
         assert wait_for(browser, lambda b: b.execute_script(
             "const i = Jupyter.notebook.get_cell(3).output_area.element.find('img')[0]; return i && i.naturalWidth"))
-    finally:
-        if os.environ.get("NACRE_SCREENSHOT"):
-            browser.save_screenshot(os.environ["NACRE_SCREENSHOT"])
-        browser.quit()

@@ -10,7 +10,6 @@ import re
 import resource
 import shutil
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
@@ -18,40 +17,14 @@ import threading
 import time
 import unittest
 
-from served import PDB, Server
+from served import PDB, ROOM, Client, Server
 
 PROGRAM, FAULTS = sys.argv.pop(1), sys.argv.pop(1)
-ROOM = "HTTP/1.1\r\nHost: nacre\r\n"
 
 
 def needs(*programs):
     missing = [program for program in programs if not shutil.which(program)]
     return unittest.skipIf(missing, f"{', '.join(missing)} not installed")
-
-
-class Client:
-    """A socket, and what comes of it."""
-
-    def __init__(self, port, timeout=60):
-        self.socket = socket.create_connection(("127.0.0.1", port), timeout)
-
-    def send(self, text):
-        self.socket.sendall(text if isinstance(text, bytes) else text.encode())
-        return self
-
-    def rest(self):
-        """What is sent until the other end closes."""
-        data = b""
-        try:
-            while piece := self.socket.recv(65536):
-                data += piece
-        except ConnectionResetError:
-            pass
-        self.socket.close()
-        return data
-
-    def cut(self):
-        self.socket.close()
 
 
 class LoadTest(unittest.TestCase):

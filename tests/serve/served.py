@@ -3,6 +3,7 @@ import os
 import pathlib
 import re
 import signal
+import socket
 import subprocess
 import urllib.error
 import urllib.request
@@ -11,6 +12,33 @@ PDB = ("ATOM      1  N   GLY A   1       0.000   0.000   0.000  1.00  0.00      
        "ATOM      2  CA  GLY A   1       1.450   0.000   0.000  1.00  0.00           C\n"
        "ATOM      3  C   GLY A   1       2.000   1.420   0.000  1.00  0.00           C\n"
        "ATOM      4  O   GLY A   1       1.250   2.390   0.000  1.00  0.00           O\nEND\n")
+
+ROOM = "HTTP/1.1\r\nHost: localhost\r\n"
+
+
+class Client:
+    """A socket, and what comes of it."""
+
+    def __init__(self, port, timeout=60):
+        self.socket = socket.create_connection(("127.0.0.1", port), timeout)
+
+    def send(self, text):
+        self.socket.sendall(text if isinstance(text, bytes) else text.encode())
+        return self
+
+    def rest(self):
+        """What is sent until the other end closes."""
+        data = b""
+        try:
+            while piece := self.socket.recv(65536):
+                data += piece
+        except ConnectionResetError:
+            pass
+        self.socket.close()
+        return data
+
+    def cut(self):
+        self.socket.close()
 
 
 class Server:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import hmac
 import html
 import http.server
 import json
@@ -52,14 +53,18 @@ class View:
         self.structure.save(path, **({"size": self.size} | self.description | options))
 
     @property
+    def _query(self):
+        """The page's query: what is seen now."""
+        shown = [(key, _text(value)) for key, value in self.description.items()
+                 if key in _CAMERA or key in _FIELDS and isinstance(value, str)]
+        return urllib.parse.urlencode([("input", self.structure.name), *shown])
+
+    @property
     def url(self):
         """The page's address. It answers on this machine alone, to whoever knows the token in it."""
         if self._token is None:
             self._token = _server().add(self)
-        shown = [(key, _text(value)) for key, value in self.description.items()
-                 if key in _CAMERA or key in _FIELDS and isinstance(value, str)]
-        query = urllib.parse.urlencode([("input", self.structure.name), *shown])
-        return f"http://127.0.0.1:{_server().server_port}/{self._token}/?{query}"
+        return f"http://127.0.0.1:{_server().server_port}/{self._token}/?{self._query}"
 
     def __repr__(self):
         return f"<nacre.View of {self.structure.name!r}>"
@@ -136,12 +141,15 @@ class _Handler(http.server.BaseHTTPRequestHandler):
         _, token, *rest = place.path.split("/")
         # A page elsewhere that calls a name of its own 127.0.0.1 sends that name.
         host = self.headers.get("Host", "").rsplit(":", 1)[0]
-        view = self.server.views.get(token) if host in ("127.0.0.1", "localhost") else None
+        view = self.server.view(token) if host in ("127.0.0.1", "localhost") else None
         if view is None or len(rest) != 1:
             return self._problem(404, "no such view: run its cell again")
         try:
             if rest[0] == "":
-                return self._send(200, "text/html; charset=utf-8", self.server.page)
+                # A notebook that loads the page anew, as JupyterLab does with cells that come back into sight, shows
+                # what was seen last, whatever its cell says.
+                body = f'<body class="cell" data-query="{html.escape(view._query, quote=True)}">'
+                return self._send(200, "text/html; charset=utf-8", self.server.page.replace(b"<body>", body.encode(), 1))
             if rest[0] == "options":
                 return self._send(200, "application/schema+json", _nacre.option_schema().encode())
             if rest[0] == "info":
@@ -162,7 +170,15 @@ class _Server(http.server.ThreadingHTTPServer):
         super().__init__(("127.0.0.1", 0), _Handler)
         self.process, self.views = os.getpid(), {}
         with open(os.path.join(os.path.dirname(__file__), "page.html"), "rb") as file:
-            self.page = file.read().replace(b"<body>", b'<body class="cell">', 1)
+            self.page = file.read()
+
+    def view(self, token):
+        """The view with a token, or None; it takes the same time for every wrong token."""
+        found = None
+        for known, view in list(self.views.items()):
+            if hmac.compare_digest(known.encode(), token.encode("utf-8", "replace")):
+                found = view
+        return found
 
     def add(self, view):
         token = secrets.token_urlsafe(24)
