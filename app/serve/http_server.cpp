@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kRequests = 1000;                    // of a connection
 constexpr std::size_t kMostRead = std::size_t{128} << 20;  // bytes of a body, of which one that is too large is skipped
-constexpr int kSliceMs = 250;            // after which a wait looks whether the server stops
+constexpr int kSliceMs = 250;                              // after which a wait looks whether the server stops
 
 }  // namespace
 

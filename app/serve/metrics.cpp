@@ -46,17 +46,18 @@ std::string Metrics::text(std::size_t waiting) const {
     text << "# HELP nacre_requests_total Requests answered, by status.\n# TYPE nacre_requests_total counter\n";
     for (const auto& [status, number] : requests_)
         text << "nacre_requests_total{status=\"" << status << "\"} " << number << '\n';
-    text << "# HELP nacre_cache_hits_total Pictures served from the disk cache.\n# TYPE nacre_cache_hits_total counter\n"
-         << "nacre_cache_hits_total " << hits_ << '\n'
-         << "# HELP nacre_pictures_drawn_total Pictures drawn.\n# TYPE nacre_pictures_drawn_total counter\n"
-         << "nacre_pictures_drawn_total " << drawn_ << '\n'
-         << "# HELP nacre_sent_bytes_total Bytes of bodies sent.\n# TYPE nacre_sent_bytes_total counter\n"
-         << "nacre_sent_bytes_total " << bytes_ << '\n'
-         << "# HELP nacre_waiting_requests Requests that wait for a worker.\n# TYPE nacre_waiting_requests gauge\n"
-         << "nacre_waiting_requests " << waiting << '\n'
-         << "# HELP process_resident_memory_bytes Resident memory.\n# TYPE process_resident_memory_bytes gauge\n"
-         << "process_resident_memory_bytes " << residentBytes() << '\n'
-         << "# HELP nacre_request_seconds Time to answer a request.\n# TYPE nacre_request_seconds histogram\n";
+    text
+        << "# HELP nacre_cache_hits_total Pictures served from the disk cache.\n# TYPE nacre_cache_hits_total counter\n"
+        << "nacre_cache_hits_total " << hits_ << '\n'
+        << "# HELP nacre_pictures_drawn_total Pictures drawn.\n# TYPE nacre_pictures_drawn_total counter\n"
+        << "nacre_pictures_drawn_total " << drawn_ << '\n'
+        << "# HELP nacre_sent_bytes_total Bytes of bodies sent.\n# TYPE nacre_sent_bytes_total counter\n"
+        << "nacre_sent_bytes_total " << bytes_ << '\n'
+        << "# HELP nacre_waiting_requests Requests that wait for a worker.\n# TYPE nacre_waiting_requests gauge\n"
+        << "nacre_waiting_requests " << waiting << '\n'
+        << "# HELP process_resident_memory_bytes Resident memory.\n# TYPE process_resident_memory_bytes gauge\n"
+        << "process_resident_memory_bytes " << residentBytes() << '\n'
+        << "# HELP nacre_request_seconds Time to answer a request.\n# TYPE nacre_request_seconds histogram\n";
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < kBounds.size(); ++i)
         text << "nacre_request_seconds_bucket{le=\"" << kBounds[i] << "\"} " << (sum += durations_[i]) << '\n';

@@ -7,7 +7,9 @@
 namespace nacre::app {
 namespace {
 
-bool isControl(char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\r' && c != '\t') || c == 0x7f; }
+bool isControl(char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\r' && c != '\t') || c == 0x7f;
+}
 
 std::string unescaped(std::string_view text) {
     std::string plain;
@@ -18,7 +20,8 @@ std::string unescaped(std::string_view text) {
             const std::string_view digits = text.substr(i + 1, 2);
             const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
             if (digits.size() < 2 || error != std::errc() || end != digits.data() + 2)
-                throw Problem(400, "'%" + std::string(digits) + "' is no percent-encoded character (write '%25' for '%')");
+                throw Problem(400,
+                              "'%" + std::string(digits) + "' is no percent-encoded character (write '%25' for '%')");
             c = static_cast<char>(code);
             i += 2;
         }

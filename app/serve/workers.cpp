@@ -150,9 +150,9 @@ ServedPicture Workers::result(const std::shared_ptr<Task>& task) {
         const std::lock_guard lock(turn_);
         if (stopping_) throw Problem(503, "the server stops");
         if (!task->newest.empty()) {
-            const auto older =
-                std::find_if(tasks_.begin(), tasks_.end(),
-                             [&](const std::shared_ptr<Task>& one) { return one->newest == task->newest; });
+            const auto older = std::find_if(tasks_.begin(), tasks_.end(), [&](const std::shared_ptr<Task>& one) {
+                return one->newest == task->newest;
+            });
             if (older != tasks_.end()) {
                 (*older)->promise.set_exception(std::make_exception_ptr(Problem(429, "a newer request replaced it")));
                 tasks_.erase(older);

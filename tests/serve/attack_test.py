@@ -222,10 +222,11 @@ class AttackTest(unittest.TestCase):
         port = self.server.port
         for host in ("localhost", f"localhost:{port}", "LOCALHOST", f"127.0.0.1:{port}", "[::1]", f"[::1]:{port}"):
             self.assertEqual(self.raw(f"GET /health HTTP/1.1\r\nHost: {host}\r\n{CLOSE}").status, 200, host)
-        for host in ("evil.example", f"evil.example:{port}", "127.0.0.1.evil.example", "localhost.evil.example", "evil@localhost.x", "",
+        for host in ("evil.example", f"evil.example:{port}", "127.0.0.1.evil.example", "localhost.evil.example", "evil@localhost.x",
                      "10.0.0.1", "0.0.0.0", "[::2]"):
             self.refused(self.raw(f"GET /picture?input=gly.pdb HTTP/1.1\r\nHost: {host}\r\n{CLOSE}"), 421, "this machine")
-        self.refused(self.raw(f"GET /health HTTP/1.1\r\n{CLOSE}"), 400, "Host")
+        for none in ("", "Host:\r\n"):
+            self.refused(self.raw(f"GET /health HTTP/1.1\r\n{none}{CLOSE}"), 400, "Host")
         self.refused(self.raw(f"GET /health HTTP/1.1\r\nHost: localhost\r\nHost: evil\r\n{CLOSE}"), 400, "Host")
         body = f"Content-Length: {len(PDB)}\r\n{CLOSE}{PDB}"
         for site, status in (("cross-site", 403), ("same-origin", 200), ("none", 200)):
