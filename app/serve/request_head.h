@@ -1,11 +1,10 @@
 #pragma once
 // A request's head: what is refused before anything of it is read, and what its target asks for.
 
-#include <httplib.h>
-
 #include <optional>
 #include <string>
 
+#include "app/serve/http_server.h"
 #include "app/serve/picture_request.h"
 #include "app/serve/problem.h"
 
