@@ -50,6 +50,11 @@ std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
            std::to_string(caps.driverVersion) + ", " + std::to_string(caps.maxImageSize);
 }
 
+/// Whether an atlas has anything to hold: wires have no occlusion.
+bool hasPatches(const Representation& scene) {
+    return !scene.spheres.empty() || !scene.cylinders.empty() || !scene.meshVertices.empty();
+}
+
 }  // namespace
 
 std::shared_ptr<Bake> SceneOcclusion::there() const {
@@ -93,7 +98,7 @@ void SceneOcclusion::begin(const OcclusionSettings& settings) {
 void SceneOcclusion::prepare(const OcclusionSettings& settings) {
     const Wanted wanted{settings.directions, settings.bytes, settings.maps, settings.detail};
     if (settings.directions == 0 || (!is<Idle>() && wanted_ == wanted)) return;
-    if (scene_.buffers == nullptr || scene_.buffers->empty()) return;  // no atlas of no patches
+    if (scene_.buffers == nullptr || !hasPatches(*scene_.representation)) return;
     std::shared_ptr<Bake> shown = wanted_ == wanted ? std::move(before_) : nullptr;
     drop();
     before_ = std::move(shown);

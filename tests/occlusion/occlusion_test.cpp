@@ -74,6 +74,20 @@ TEST(Occlusion, OfMoreAtomsThanPatchesFitIsOneValueAnAtom) {
     EXPECT_NEAR(sumCoarse / sumFine, 1.0, 0.25);
 }
 
+TEST(Occlusion, OfLinesAloneHasNoAtlas) {
+    const Representation r = scene("sample:glucose", Style::line);
+    ValidatedRenderer renderer(Visibility::encoded);
+    renderer->setScene(r);
+    RenderSettings s = settings(r, 64, Projection::orthographic);
+    s.occlusion.directions = 0;
+    const Picture off = renderer->render(s);
+    s.occlusion.directions = 16;
+    const Picture on = renderer->render(s);
+    EXPECT_EQ(on.rgba, off.rgba);
+    EXPECT_EQ(renderer->stats().occlusion.directions, 0);
+    EXPECT_EQ(renderer->advanceOcclusion(s, 1), 1);
+}
+
 TEST(Occlusion, OnAndOffDrawTheSameSurface) {
     const Representation r = scene("sample:dna", Style::spacefill);
     ValidatedRenderer renderer(Visibility::encoded);
