@@ -137,10 +137,15 @@ void addHalogenBond(InteractionSearch& search, const HalogenEnd& donor, const Ha
     found.angles = {{"donor", atDonor}, {"acceptor", atAcceptor}};
 }
 
-/// Mol*: nitrogen and other metals hold transition metals alone.
+/// PLIP: water, receptors and the metal's own ligand hold it. Mol*: nitrogen and other metals hold transition metals
+/// alone.
 bool mayHold(const InteractionSearch& search, std::uint32_t metal, std::uint32_t binder) {
     if (binder == metal) return false;
-    if (isPlip(search)) return true;
+    if (isPlip(search)) {
+        const std::uint32_t own = search.residue(metal), other = search.residue(binder);
+        return search.features.waterOxygen[binder] || search.allowed(metal, binder) ||
+               search.features.unit[own] == search.features.unit[other];
+    }
     const Element held = search.molecule.atoms[metal].element, e = search.molecule.atoms[binder].element;
     if (isMetal(e)) return binder > metal && isTransitionMetal(held);
     return e != kNitrogen || isTransitionMetal(held);

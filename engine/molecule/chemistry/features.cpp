@@ -69,7 +69,6 @@ Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry) {
     Features features;
     const std::vector<ResidueKind> kinds = residueKinds(molecule);
     features.receptor.resize(kinds.size());
-    features.macromolecule.resize(kinds.size());
     features.waterOxygen.resize(molecule.atoms.size());
     for (std::size_t r = 0; r < kinds.size(); ++r) {
         const Residue& residue = molecule.residues[r];
@@ -77,7 +76,6 @@ Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry) {
         const std::string_view name = residue.name.view();
         features.receptor[r] =
             kinds[r] == ResidueKind::protein && (!hetero || name == "PCA" || name == "HYP");  // as Open Babel's table
-        features.macromolecule[r] = features.receptor[r] || kinds[r] == ResidueKind::nucleic;
         for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
             if (!chemistry.present[i]) continue;
             const Element e = molecule.atoms[i].element;
@@ -135,7 +133,6 @@ Features featuresAround(const Features& features, const Molecule& molecule, cons
     near.waterOxygen = features.waterOxygen;
     near.unit = features.unit;
     near.receptor = features.receptor;
-    near.macromolecule = features.macromolecule;
     return near;
 }
 

@@ -39,11 +39,10 @@ struct Features {
     std::vector<std::uint32_t> rings;  ///< indices into Chemistry::rings
     std::vector<HalogenEnd> halogens, halogenAcceptors;
     std::vector<std::uint32_t> metals, metalBinders;
-    std::vector<std::uint32_t> waters;        ///< oxygens
-    std::vector<std::uint8_t> waterOxygen;    ///< by atom
-    std::vector<std::uint32_t> unit;          ///< by residue: the first residue of the same ligand; PLIP's definition
-    std::vector<std::uint8_t> receptor;       ///< by residue: an amino acid that is not HETATM
-    std::vector<std::uint8_t> macromolecule;  ///< by residue: a receptor, or a nucleotide
+    std::vector<std::uint32_t> waters;      ///< oxygens
+    std::vector<std::uint8_t> waterOxygen;  ///< by atom
+    std::vector<std::uint32_t> unit;        ///< by residue: the first residue of the same ligand; PLIP's definition
+    std::vector<std::uint8_t> receptor;     ///< by residue: an amino acid that is not HETATM
 };
 
 Features molstarFeatures(const Molecule& molecule, const Chemistry& chemistry);

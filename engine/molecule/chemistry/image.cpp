@@ -79,7 +79,7 @@ Features withImage(const Features& features, const Chemistry& chemistry) {
     });
     repeat(both.rings, [&](std::uint32_t& ring) { ring += rings; });
     repeat(both.unit, [&](std::uint32_t& unit) { unit += residues; });
-    for (std::vector<std::uint8_t>* list : {&both.waterOxygen, &both.receptor, &both.macromolecule}) repeat(*list);
+    for (std::vector<std::uint8_t>* list : {&both.waterOxygen, &both.receptor}) repeat(*list);
     return both;
 }
 

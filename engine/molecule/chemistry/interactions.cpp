@@ -84,7 +84,7 @@ bool InteractionSearch::apart(std::uint32_t first, std::uint32_t second) const {
 
 bool InteractionSearch::allowed(std::uint32_t first, std::uint32_t second) const {
     if (!plipReceptors) return true;
-    return features.macromolecule[residue(first)] || features.macromolecule[residue(second)];
+    return features.receptor[residue(first)] || features.receptor[residue(second)];
 }
 
 glm::dvec3 InteractionSearch::middle(const std::vector<std::uint32_t>& atoms) const {

@@ -21,7 +21,10 @@ public:
         : molecule_(molecule), chemistry_(chemistry), features_(sharedFeatures(molecule, chemistry)) {}
 
     Features run() {
+        // The program takes sodium's symbol for the PDBQT type of a nitrogen: it reports no sodium.
+        std::erase_if(features_.metals, [&](std::uint32_t metal) { return element(metal) == kSodium; });
         countMetalBonds();
+        addUnits();
         for (std::uint32_t i = 0; i < chemistry_.present.size(); ++i) {
             if (!chemistry_.present[i] || features_.waterOxygen[i]) continue;
             addPolar(i);
@@ -34,7 +37,6 @@ public:
         addSideChains();
         for (std::uint32_t r = 0; r < chemistry_.rings.size(); ++r)
             if (isFlatRing(chemistry_.rings[r])) features_.rings.push_back(r);
-        addUnits();
         return std::move(features_);
     }
 
@@ -165,9 +167,38 @@ private:
                 return static_cast<std::uint8_t>(std::clamp(valence, 0, 1));
             }
         }
+        if (const auto guanine = hydrogensOfGuanine(atom)) return *guanine;
         for (const Neighbour& n : chemistry_.of(atom))  // nitro groups and N-oxides
             if (e == kOxygen && element(n.atom) == kNitrogen && orders(n.atom) >= 4) return 0;
         return static_cast<std::uint8_t>(std::clamp(valence - orders(atom), 0, 3));
+    }
+
+    /// Open Babel moves the hydrogen of guanine's N1 to N3, and that of isocytosines likewise: from the nitrogen beside
+    /// the carbonyl to the other neighbour of the carbon that bears the amine. Nothing if the atom is none of the two.
+    std::optional<std::uint8_t> hydrogensOfGuanine(std::uint32_t atom) const {
+        if (element(atom) != kNitrogen || heavyNeighbours(molecule_, chemistry_, atom).size() != 2) return std::nullopt;
+        for (const Neighbour& n : chemistry_.of(atom)) {
+            if (element(n.atom) != kCarbon || !chemistry_.aromaticAtom[n.atom]) continue;
+            std::optional<std::uint32_t> other;
+            bool amine = false;
+            for (const std::uint32_t m : neighboursOf(n.atom, kNitrogen)) {
+                const std::size_t heavy = heavyNeighbours(molecule_, chemistry_, m).size();
+                amine = amine || heavy == 1;
+                if (m != atom && heavy == 2) other = m;
+            }
+            if (amine && other && besideCarbonyl(atom) != besideCarbonyl(*other)) return besideCarbonyl(atom) ? 0 : 1;
+        }
+        return std::nullopt;
+    }
+
+    bool besideCarbonyl(std::uint32_t nitrogen) const {
+        const auto carbons = neighboursOf(nitrogen, kCarbon);
+        return std::any_of(carbons.begin(), carbons.end(), [&](std::uint32_t carbon) {
+            const auto oxygens = neighboursOf(carbon, kOxygen);
+            return std::any_of(oxygens.begin(), oxygens.end(), [&](std::uint32_t oxygen) {
+                return heavyNeighbours(molecule_, chemistry_, oxygen).size() == 1;
+            });
+        });
     }
 
     /// Whether an atom of histidine lies higher (z) than CD2 of the same residue.
@@ -183,6 +214,7 @@ private:
     /// Open Babel bonds metals to all that is near enough; such a bond takes the place of a hydrogen.
     void countMetalBonds() {
         metalBonds_.assign(molecule_.atoms.size(), 0);
+        ownMetal_.assign(molecule_.atoms.size(), 0);
         std::vector<glm::vec3> places;
         float largest = 0;
         for (const std::uint32_t metal : features_.metals) {
@@ -198,7 +230,9 @@ private:
                 const std::uint32_t metal = features_.metals[index];
                 const double most =
                     static_cast<double>(covalentRadius(element(metal)) + covalentRadius(element(i))) + kTolerance;
-                if (squared < most * most) ++metalBonds_[i];
+                if (squared >= most * most) return;
+                ++metalBonds_[i];
+                ownMetal_[i] += molecule_.atoms[metal].residue == molecule_.atoms[i].residue;
             });
         }
     }
@@ -212,12 +246,20 @@ private:
         if (accepts(atom, lacking)) features_.acceptors.push_back(atom);
     }
 
+    /// Bonds of a ligand's atom within the ligand, those to its metal included.
+    std::size_t bondsInLigand(std::uint32_t atom) const {
+        const std::uint32_t unit = features_.unit[molecule_.atoms[atom].residue];
+        const auto around = heavyNeighbours(molecule_, chemistry_, atom);
+        const auto same = [&](std::uint32_t n) { return features_.unit[molecule_.atoms[n].residue] == unit; };
+        return static_cast<std::size_t>(std::count_if(around.begin(), around.end(), same)) + ownMetal_[atom];
+    }
+
     /// Open Babel's IsHbondAcceptor(), which sees hydrogens on the receptor and none on ligands.
     bool accepts(std::uint32_t atom, std::uint8_t lacking) const {
         const Element e = element(atom);
         const std::size_t heavy = heavyNeighbours(molecule_, chemistry_, atom).size();
         if (e == kNitrogen) {
-            const std::size_t bonds = receptor(atom) ? chemistry_.of(atom).size() + lacking : heavy;
+            const std::size_t bonds = receptor(atom) ? chemistry_.of(atom).size() + lacking : bondsInLigand(atom);
             return !((bonds == 4 && chemistry_.hybrid[atom] == 3) || (bonds == 3 && chemistry_.hybrid[atom] == 2));
         }
         if (e != kOxygen || chemistry_.aromaticAtom[atom]) return false;
@@ -332,6 +374,7 @@ private:
     const Chemistry& chemistry_;
     Features features_;
     std::vector<std::uint8_t> metalBonds_;  // by atom
+    std::vector<std::uint8_t> ownMetal_;    // of these, to metals of the same residue
 };
 
 }  // namespace

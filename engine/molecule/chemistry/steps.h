@@ -15,6 +15,7 @@ enum : Element {
     kNitrogen = 7,
     kOxygen = 8,
     kFluorine = 9,
+    kSodium = 11,
     kSilicon = 14,
     kPhosphorus = 15,
     kSulphur = 16,
