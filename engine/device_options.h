@@ -39,6 +39,14 @@ enum class ImpostorShape {
 /// The formats that can hold encoded depth, finest first (engine/graph/encoded_format.h).
 enum class EncodedDepth { automatic, r32f, rgba16f, rg16f, a2b10g10r10, rgba8 };
 
+/// Samples per pixel of a frame in motion, averaged before they leave the tile. A window at rest always has more,
+/// whatever this says.
+enum class Multisampling {
+    automatic,  ///< of frames in motion, where the device's capabilities make it cheap
+    off,
+    four,  ///< also in pictures without supersampling
+};
+
 /// A window to draw into. The engine knows no window system: the application creates the surface.
 struct SurfaceSource {
     std::vector<std::string> instanceExtensions;     ///< needed by `create`, VK_KHR_surface included
@@ -58,7 +66,8 @@ struct DeviceOptions {
     std::string device;     ///< number in `nacre devices`, or part of the name; empty: the best one
     Visibility visibility = Visibility::automatic;
     EncodedDepth encoded = EncodedDepth::automatic;
-    SurfaceSource surface = {};                 ///< no `create`: no window
+    Multisampling multisampling = Multisampling::automatic;  ///< `four`: @throws Error where the path cannot
+    SurfaceSource surface = {};                              ///< no `create`: no window
     std::vector<std::byte> pipelineCache = {};  ///< from Renderer::pipelineCache(); ignored if from another device
     /// Folder for results of self-tests (self_test.h), which run if `visibility` is automatic. Empty: no self-test.
     /// Software devices need none: the program's own tests cover their paths.

@@ -6,6 +6,7 @@
 #include "engine/device_options.h"
 #include "engine/graph/encoded_format.h"
 #include "engine/graph/plan.h"
+#include "engine/graph/visibility.h"
 
 namespace nacre {
 
@@ -15,6 +16,7 @@ struct DevicePlan {
     Visibility visibility{};  ///< the chosen path
     std::string why;          ///< reason for `visibility`
     graph::EncodedFormat encoded;
+    graph::SampleChoice motion;  ///< of a window's frames in motion
 };
 
 /// Opens the device that the options name. @throws Error like Renderer

@@ -29,10 +29,12 @@ struct LayerPicture {
 };
 
 struct DeviceInfo {
-    std::string name, driver, type;  ///< type: "discrete", "integrated", "virtual", "software", "other"
-    std::string apiVersion;          ///< "1.3.230"
-    std::string visibility, why;     ///< the path of `automatic` on this device, and the reason
-    std::string encodedFormat;       ///< "R32F", "R32F in raster order"
+    std::string name, driver, type;   ///< type: "discrete", "integrated", "virtual", "software", "other"
+    std::string apiVersion;           ///< "1.3.230"
+    std::string visibility, why;      ///< the path of `automatic` on this device, and the reason
+    std::uint32_t motionSamples = 1;  ///< per pixel of a window's frames in motion
+    std::string motionWhy;            ///< the reason
+    std::string encodedFormat;        ///< "R32F", "R32F in raster order"
     bool lazyMemory = false;
     bool timestamps = false;       ///< passes can be timed
     bool rasterOrder = false;      ///< fragments can read their own attachment in raster order

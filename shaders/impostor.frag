@@ -3,11 +3,17 @@
 //   CYLINDER, TRIANGLE   the primitive; otherwise a sphere
 //   INPUT / SAMPLED / FRAGDEPTH   where the nearest depth is: an input attachment, a texture, the depth buffer
 //   ORDERED       an attachment that this pass itself keeps, read in raster order
+//   MULTISAMPLED  with FRAGDEPTH or ORDERED: four samples of a pixel, covered exactly, in one fragment
 //   SETTLE        with INPUT or SAMPLED: encoded depth is coarse, the depth buffer settles what it leaves open
 //   SURFACE / IDENTITY            layers instead of colour
 #extension GL_GOOGLE_include_directive : require
 #include "common/primitive.glsl"
 #include "common/mesh.glsl"
+#ifdef MULTISAMPLED
+#include "common/multisample.glsl"
+vec2 place_;
+#define PLACE place_
+#endif
 #include "common/surface.glsl"
 #include "common/encoding.glsl"
 #include "common/count.glsl"
@@ -48,9 +54,13 @@ layout(early_fragment_tests) in;
 layout(input_attachment_index = 0, set = 0, binding = 3) uniform subpassInput nearest;
 vec4 nearestDepth() { return subpassLoad(nearest); }
 #elif defined(ORDERED)
-layout(input_attachment_index = 0, set = 0, binding = 3) uniform subpassInput nearest;
 layout(location = 1) out vec4 nearestOut;
+#ifdef MULTISAMPLED
+layout(input_attachment_index = 0, set = 0, binding = 3) uniform subpassInputMS nearest;
+#else
+layout(input_attachment_index = 0, set = 0, binding = 3) uniform subpassInput nearest;
 vec4 nearestDepth() { return subpassLoad(nearest); }
+#endif
 #elif defined(SAMPLED)
 layout(set = 0, binding = 3) uniform sampler2D nearest;
 vec4 nearestDepth() { return texelFetch(nearest, ivec2(gl_FragCoord.xy), 0); }
@@ -58,10 +68,24 @@ vec4 nearestDepth() { return texelFetch(nearest, ivec2(gl_FragCoord.xy), 0); }
 
 void main() {
     countFragment();
+#ifdef MULTISAMPLED
+    int covered;
+    place_ = placeOfCovered(covered);
+    Hit hit = primitiveHitAt(place_);
+    float d = encodedDepth(hit.order);
+#ifdef ORDERED
+    bvec4 behind = greaterThan(vec4(d), vec4(subpassLoad(nearest, 0).x, subpassLoad(nearest, 1).x,
+                                             subpassLoad(nearest, 2).x, subpassLoad(nearest, 3).x));
+    covered &= ~int(dot(vec4(behind), vec4(1.0, 2.0, 4.0, 8.0)));
+#endif
+    bool seen = hit.inside && covered != 0;
+    gl_SampleMask[0] = covered;
+#else
     Hit hit = primitiveHit();
     float d = encodedDepth(hit.order);
     bool seen = hit.inside;
-#ifndef FRAGDEPTH
+#endif
+#if !defined(FRAGDEPTH) && !defined(MULTISAMPLED)
     bool front = isFrontmost(d, nearestDepth());
     seen = seen && front;  // no branch: one way out of the shader
 #endif

@@ -6,6 +6,7 @@
 
 // Corner radius of the plate in sphere radii; it is sqrt(1 - rim^2) in front of the centre.
 layout(constant_id = kRimId) const float kRim = 0.98516;
+layout(constant_id = kPlateRoomId) const float kRoom = 0.0;  // pixels
 
 layout(location = 0) in vec4 inSphere;
 layout(location = 3) in vec3 inCorner;  // engine/passes/corners.h
@@ -17,7 +18,7 @@ void main() {
     float Z = view.origin - center.z - inSphere.w * (kShrunk * sqrt(1.0 - kRim * kRim));
     float magnify = kPerspective ? view.origin / Z : 1.0;
     // The rasteriser may move a corner by the snap margin: draw that much less, or nothing.
-    float reach = max(inSphere.w * (kShrunk * kRim) - view.snap / magnify * 1.5, 0.0);
+    float reach = max(inSphere.w * (kShrunk * kRim) - (view.snap * 1.5 + view.pixel * kRoom) / magnify, 0.0);
     if (kClip && (Z < view.clipNear || Z > view.clipFar)) reach = 0.0;
     gl_Position = clipPosition((center.xy + inCorner.xy * reach) * magnify, encodedDepth(Z));
 }

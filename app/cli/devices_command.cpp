@@ -47,10 +47,11 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
     if (!options.json) {
         for (std::size_t i = 0; i < devices.size(); ++i) {
             out << i << "  " << describe(devices[i]) << '\n'
-                << "   visibility " << devices[i].visibility << ": " << devices[i].why << "; encoded depth "
-                << devices[i].encodedFormat << "; lazy memory " << (devices[i].lazyMemory ? "yes" : "no")
-                << "; timestamps " << (devices[i].timestamps ? "yes" : "no") << "; merge feedback "
-                << (devices[i].mergeFeedback ? "yes" : "no") << "; render passes by "
+                << "   visibility " << devices[i].visibility << ": " << devices[i].why << "; "
+                << devices[i].motionSamples << (devices[i].motionSamples == 1 ? " sample" : " samples")
+                << " per pixel in motion; encoded depth " << devices[i].encodedFormat << "; lazy memory "
+                << (devices[i].lazyMemory ? "yes" : "no") << "; timestamps " << (devices[i].timestamps ? "yes" : "no")
+                << "; merge feedback " << (devices[i].mergeFeedback ? "yes" : "no") << "; render passes by "
                 << (devices[i].localRead ? "dynamic rendering with local reads" : "VkRenderPass") << '\n';
             if (!devices[i].selfTest.empty()) out << "   self-test: " << devices[i].selfTest << '\n';
             if (!devices[i].knownAs.empty())

@@ -24,7 +24,6 @@ constexpr OtherName kOtherNames[] = {
     {"duration", "--seconds"},
     {"edges", "--contours"},
     {"framerate", "--fps"},
-    {"msaa", "--supersample"},
     {"out", "--output"},
     {"outfile", "--output"},
     {"outline", "--contours"},

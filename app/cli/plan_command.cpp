@@ -35,6 +35,7 @@ void chooseBySet(const PlanOptions& options, PlanReport& report) {
         throw Error("cannot draw by tiles", set.plan.name, "it is unknown whether its subgroups exchange values");
     report.why = automatic ? choice.why : "asked for";
     report.encoded = set.encoded;
+    report.motion = graph::chooseSamples(set.kind, report.visibility, set.plan);
     if (options.picture.device.encoded == EncodedDepth::automatic) return;
     // Formats are sorted finest first: a device blends its own and all coarser ones.
     const graph::EncodedFormat& wanted = formatOf(options.picture.device.encoded);
@@ -50,6 +51,21 @@ void chooseByDevice(const PlanOptions& options, PlanReport& report) {
     report.visibility = device.visibility;
     report.why = device.why;
     report.encoded = device.encoded;
+    report.motion = device.motion;
+}
+
+/// What is asked for instead of what suits the device.
+void askSamples(const PlanOptions& options, PlanReport& report, const SceneCounts& counts) {
+    const Multisampling wanted = options.picture.device.multisampling;
+    const std::string alone = lacksSamples(options.picture.effects, counts.translucent > 0);
+    if (wanted == Multisampling::off) report.motion = {1, "asked for"};
+    if (wanted == Multisampling::automatic && report.motion.samples > 1 && !alone.empty()) report.motion = {1, alone};
+    if (wanted != Multisampling::four) return;
+    std::string lacks = graph::lacksMultisampling(report.visibility, report.plannedWith);
+    if (lacks.empty()) lacks = alone;
+    if (lacks.empty() && options.edges) lacks = "--supersample auto takes 16: leave it out";
+    if (!lacks.empty()) throw Error("cannot draw 4 samples per pixel", report.caps, lacks);
+    report.motion = {graph::kMultisamples, "asked for"};
 }
 
 /// Submitted primitives of the given scene.
@@ -73,8 +89,9 @@ struct PlannedFrame {
 };
 
 /// The frame as some effects have it, by what the report says of device and path.
+/// @param multisamples  of a pixel, resolved on the tile
 PlannedFrame framePlanned(const PlanOptions& options, const PlanReport& report, const SceneCounts& counts,
-                          const Effects& effects) {
+                          const Effects& effects, std::uint32_t multisamples = 1) {
     const bool rims = effects.rims();
     const Visibility visibility = rims ? Visibility::deferred : report.visibility;
     ScreenOptions screen{report.extent, visibility, report.encoded, {VK_FORMAT_R8_UNORM, {1024, 1024}}, {}};
@@ -86,7 +103,8 @@ PlannedFrame framePlanned(const PlanOptions& options, const PlanReport& report, 
     screen.edges = options.edges && visibility == Visibility::tiles && counts.translucent == 0;
     constexpr std::uint32_t kShadowPixels = 1024;  // of all but the largest scenes
     screen.shadowPixels = effects.shadow.strength > 0 ? kShadowPixels : 0;
-    const std::uint32_t samples = options.edges && !screen.edges ? RenderSettings::kEdgeSamples : 1;
+    screen.samples = multisamples;
+    const std::uint32_t samples = options.edges && !screen.edges ? RenderSettings::kEdgeSamples : multisamples;
     PlannedFrame planned{visibility, samples, screenFrame(screen), {}};
     for (const graph::Image target : planned.frame.targets) planned.frame.graph.output(target);
     planned.plan = graph::compile(planned.frame.graph, report.plannedWith);
@@ -104,11 +122,12 @@ std::vector<EffectCost> costsOf(const PlanOptions& options, const PlanReport& re
         const char* name;
         Effects effects;
         std::uint64_t translucent;
+        std::uint32_t multisamples = 1;
     };
     const Effects& asked = options.picture.effects;
     std::vector<Alone> alone;
     const auto add = [&](const char* name, auto change) {
-        alone.push_back({name, {}, 0});
+        alone.push_back({name, {}, 0, 1});
         change(alone.back().effects);
     };
     if (asked.contours.width > 0) add("contours", [&](Effects& e) { e.contours.width = asked.contours.width; });
@@ -118,7 +137,8 @@ std::vector<EffectCost> costsOf(const PlanOptions& options, const PlanReport& re
     if (asked.shadow.strength > 0 && options.picture.lighting)
         add("shadow", [&](Effects& e) { e.shadow = asked.shadow; });
     if (asked.clip.on()) add("clip", [&](Effects& e) { e.clip = asked.clip; });
-    if (counts.translucent > 0) alone.push_back({opacityOption(options.picture.look), {}, counts.translucent});
+    if (counts.translucent > 0) alone.push_back({opacityOption(options.picture.look), {}, counts.translucent, 1});
+    if (report.motion.samples > 1) alone.push_back({"msaa 4", {}, 0, report.motion.samples});
     SceneCounts opaque = counts;
     opaque.translucent = 0;
     const PlannedFrame none = framePlanned(options, report, opaque, {});
@@ -127,10 +147,10 @@ std::vector<EffectCost> costsOf(const PlanOptions& options, const PlanReport& re
         return std::any_of(passes.begin(), passes.end(), [&](const graph::PassDecl& p) { return p.name == pass; });
     };
     std::vector<EffectCost> costs;
-    for (const auto& [name, effects, translucent] : alone) {
+    for (const auto& [name, effects, translucent, multisamples] : alone) {
         SceneCounts scene = opaque;
         scene.translucent = translucent;
-        const PlannedFrame with = framePlanned(options, report, scene, effects);
+        const PlannedFrame with = framePlanned(options, report, scene, effects, multisamples);
         const auto more = [](std::uint64_t a, std::uint64_t b) {
             return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);
         };
@@ -163,13 +183,16 @@ PlanReport planReport(const PlanOptions& options) {
     graph::PlanCaps& caps = report.plannedWith;
     caps.merge = caps.merge && options.merge;
     const bool scene = !options.picture.input.path.empty();
-    const SceneCounts counts = scene ? countsOfInput(options) : SceneCounts();
+    SceneCounts counts = scene ? countsOfInput(options) : SceneCounts();
+    askSamples(options, report, counts);
     report.costs = costsOf(options, report, counts);
     Effects effects = options.picture.effects;
     if (!options.picture.lighting) effects.shadow = {};
     if (effects.rims() && report.visibility != Visibility::deferred)
         report.why = "lines and halos ask which primitive a pixel shows";
-    PlannedFrame planned = framePlanned(options, report, counts, effects);
+    const bool sampled = options.picture.device.multisampling == Multisampling::four;
+    counts.flat = counts.flat || sampled;
+    PlannedFrame planned = framePlanned(options, report, counts, effects, sampled ? report.motion.samples : 1);
     report.visibility = planned.visibility;
     report.samples = planned.samples;
     report.frame = std::move(planned.frame);
@@ -205,6 +228,7 @@ std::vector<NamedUse> usesOf(const PlanReport& report, const graph::RenderPassPl
             else if (use.verb == graph::Verb::reads)
                 uses.push_back({g.buffers()[use.resource].name, "buffer", false});
     for (const std::uint32_t a : subpass.colors) uses.push_back({nameAt(a), "write", true});
+    if (subpass.resolve >= 0) uses.push_back({nameAt(static_cast<std::uint32_t>(subpass.resolve)), "resolve", true});
     return uses;
 }
 

@@ -35,13 +35,14 @@ struct PlanReport {
     graph::Plan plan, unmerged;
     graph::Graph paperGraph;
     graph::Plan paper;
+    graph::SampleChoice motion{};          ///< of a window's frames in motion
     std::uint32_t samples = 1;             ///< of such a frame that a pixel of a picture has
     std::vector<PassGeometry> geometry{};  ///< of the scene that was given
     std::vector<MeshLevelCount> meshLevels{};
     std::vector<EffectCost> costs{};  ///< of the effects that are on
 };
 
-/// @throws Error if there is no such device, or it cannot encode depth as asked for
+/// @throws Error if there is no such device, or it cannot encode depth or take samples as asked for
 PlanReport planReport(const PlanOptions& options);
 
 std::string planText(const PlanReport& report);

@@ -40,6 +40,7 @@ Json renderPassJson(const PlanReport& report, const graph::RenderPassPlan& pass)
                                        {"format", graph::formatName(a.format)},
                                        {"load", loadName(a.load)},
                                        {"store", storeName(a.store)},
+                                       {"samples", a.samples},
                                        {"transient", a.transient},
                                        {"bytes", bytesOf(g.images()[a.image])}});
     for (const graph::Dependency& d : pass.dependencies)
@@ -119,6 +120,7 @@ std::string planJson(const PlanReport& report) {
               {"why", report.why},
               {"size", {report.extent.width, report.extent.height}},
               {"samples", report.samples},
+              {"motion", {{"samples", report.motion.samples}, {"why", report.motion.why}}},
               {"merge", report.plannedWith.merge},
               {"compute_passes", Json::array()},
               {"render_passes", Json::array()},

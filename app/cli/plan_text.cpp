@@ -50,7 +50,8 @@ void renderPassText(std::ostream& out, const PlanReport& report, const graph::Re
     bool depth = false;
     for (const graph::Attachment& a : pass.attachments) {
         depth = depth || graph::isDepthFormat(a.format);
-        rows.push_back({g.images()[a.image].name, graph::formatName(a.format),
+        const std::string samples = a.samples > 1 ? ", " + std::to_string(a.samples) + " samples" : std::string();
+        rows.push_back({g.images()[a.image].name, graph::formatName(a.format) + samples,
                         a.load == graph::Load::clear  ? "clear"
                         : a.load == graph::Load::load ? "load"
                                                       : "-",
@@ -208,6 +209,8 @@ std::string planText(const PlanReport& report) {
     std::ostringstream out;
     out << report.caps << ", " << report.extent.width << "x" << report.extent.height << '\n'
         << "visibility " << visibilityName(report.visibility) << ": " << report.why << "\n";
+    out << "frames in motion: " << report.motion.samples << (report.motion.samples == 1 ? " sample" : " samples")
+        << " per pixel (" << report.motion.why << ")\n";
     if (report.samples > 1) out << "each pixel of a picture is the mean of " << report.samples << " samples\n";
     out << '\n';
     for (const graph::Step& step : report.plan.steps) {

@@ -69,6 +69,8 @@ void checkDebug(const PictureDescription& picture) {
 }
 
 void checkSize(const PictureDescription& picture, std::uint64_t most) {
+    if (picture.device.multisampling == Multisampling::four && picture.supersample != 1)
+        throw UsageError("--msaa 4 is for pictures of one sample per pixel: add --supersample 1");
     try {
         checkSamples(picture.size, picture.supersample, most);
     } catch (const std::invalid_argument& error) {

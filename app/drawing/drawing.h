@@ -84,8 +84,8 @@ private:
     std::optional<Representation> scene_;
     MapLayers maps_;
     std::uint64_t number_ = 0;  ///< of scene_ with maps_
-    bool seenByScene_ = false;   ///< from where a scene file's camera stands
-    bool cutsScene_ = false;     ///< scene_ lacks what that camera's planes cut away
+    bool seenByScene_ = false;  ///< from where a scene file's camera stands
+    bool cutsScene_ = false;    ///< scene_ lacks what that camera's planes cut away
     double radius_ = 0;         ///< that the camera goes by, Å
     /// How far the plane or the eye that depths count from stands behind that of the trajectory's first frame, Å.
     double depthShift_ = 0;

@@ -13,6 +13,8 @@ nlohmann::ordered_json deviceJson(const DeviceInfo& device) {
             {"driver", device.driver},
             {"visibility", device.visibility},
             {"why", device.why},
+            {"motion_samples", device.motionSamples},
+            {"motion_why", device.motionWhy},
             {"encoded_format", device.encodedFormat},
             {"lazy_memory", device.lazyMemory},
             {"timestamps", device.timestamps},

@@ -49,7 +49,9 @@ void checkNotForked() {
 }
 
 /// Options that decide the device.
-auto deviceKey(const DeviceOptions& d) { return std::tuple(d.device, d.visibility, d.encoded, d.validate); }
+auto deviceKey(const DeviceOptions& d) {
+    return std::tuple(d.device, d.visibility, d.multisampling, d.encoded, d.validate);
+}
 
 /// The renderer, made for the first picture and kept; one thread at a time draws. Each structure keeps its scene.
 class Shared {

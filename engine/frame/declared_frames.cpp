@@ -24,9 +24,9 @@ auto membersOf(const ScreenTarget& t) {
 
 auto membersOf(const ScreenOptions& o) {
     const auto& [extent, visibility, encoded, atlas, targets, prepass, name, shaded, edges, rims, shadow, layers,
-                 layersByTiles] = o;
+                 samples, layersByTiles] = o;
     return std::tuple(extent, visibility, membersOf(encoded), atlas, targets.size(), prepass, std::string_view(name),
-                      shaded, edges, rims, shadow, layers, layersByTiles);
+                      shaded, edges, rims, shadow, layers, samples, layersByTiles);
 }
 
 auto membersOf(const FrameShape& s) {

@@ -74,7 +74,7 @@ SceneCounts countsOf(Representation r, const View& view, double meshError) {
 
 void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const graph::GeometryCaps& caps,
                   PlateShape plates, ImpostorShape impostor, std::vector<PassGeometry>& list) {
-    const Shape sphere = impostorOf(passes::chooseImpostor(impostor, caps, counts.radiusPixels, counts.perspective));
+    const Shape sphere = impostorOf(passes::chooseImpostor(impostor, caps, counts.radiusPixels, counts.flat));
     const Shape cylinder = polygon(4), triangle = polygon(3);
     Shape plate;
     for (const passes::Plate& p : passes::platesOf(passes::choosePlates(plates, caps, counts.radiusPixels)))

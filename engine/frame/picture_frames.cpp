@@ -8,6 +8,7 @@
 #include "engine/error.h"
 #include "engine/frame/geometry.h"
 #include "engine/frame/picture.h"
+#include "engine/graph/visibility.h"
 #include "engine/milliseconds.h"
 #include "engine/passes/read_back.h"
 #include "engine/scene/tile_lists.h"
@@ -108,9 +109,20 @@ void addCounts(std::vector<PassCount>& sum, const std::vector<PassCount>& counts
 
 }  // namespace
 
-std::span<const ScreenTarget> PictureFrames::pictureTargets(const RenderSettings& settings) const {
+/// Samples of a picture that is drawn without supersampling. @throws Error if the device's options ask for more than
+/// these settings can have
+PictureFrames::Samples PictureFrames::singleOrResolved(const RenderSettings& settings) const {
+    if (!device_.caps().samplesPictures || settings.supersample != 1) return Samples::one;
+    if (const std::string lacks = frames_.lacksSamples(settings); !lacks.empty())
+        throw Error("cannot draw 4 samples per pixel", "--msaa 4", lacks);
+    return Samples::resolved;
+}
+
+std::span<const ScreenTarget> PictureFrames::pictureTargets(const RenderSettings& settings, Samples samples) const {
     if (isFine(settings)) return kFineTargets;
-    return device_.caps().tiles.shade && !frames_.translucent() ? kCodedTargets : kScreenTargets;
+    // The device averages linear colours: no shader codes them.
+    return samples != Samples::resolved && device_.caps().tiles.shade && !frames_.translucent() ? kCodedTargets
+                                                                                                : kScreenTargets;
 }
 
 const std::shared_ptr<DeclaredFrame>& PictureFrames::declare(const SeenFrame& seen) {
@@ -124,8 +136,17 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     if (settings.tuning.countFragments) fragments = std::make_shared<passes::FragmentCounter>(device_);
     const FrameEnd end = readBack ? FrameEnd::readBack : FrameEnd::left;
     const bool edges = samples == Samples::edges;
-    SeenFrame seen =
-        frames_.see({settings, atlas, view, targets, name, end, fragments, edges, {}, samples == Samples::block});
+    SeenFrame seen = frames_.see({settings,
+                                  atlas,
+                                  view,
+                                  targets,
+                                  name,
+                                  end,
+                                  fragments,
+                                  edges,
+                                  {},
+                                  samples == Samples::block,
+                                  samples == Samples::resolved ? graph::kMultisamples : 1});
     const std::shared_ptr<DeclaredFrame> declared = declare(seen);
     SceneFrames::bind(*declared, seen);
     Drawn drawn;
@@ -221,8 +242,10 @@ Picture PictureFrames::sampledPicture(const RenderSettings& settings, const pass
                                       std::uint32_t n) {
     const View view = scaled(wanted.view, n);
     checkSize(view);
-    stats_.samples = n * n;
-    return resolved(draw(settings, atlas, view, pictureTargets(settings), true, "screen"), settings, wanted, n);
+    const Samples samples = singleOrResolved(settings);
+    stats_.samples = n * n * (samples == Samples::resolved ? graph::kMultisamples : 1);
+    return resolved(draw(settings, atlas, view, pictureTargets(settings, samples), true, "screen", samples), settings,
+                    wanted, n);
 }
 
 /// As many samples on a grid, in blocks, so that memory does not grow with the picture. A frame for each sample would
@@ -286,11 +309,12 @@ void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& a
     const View view = scaled(settings.view, n);
     checkSize(view);
     stats_.frames = 1;
-    stats_.samples = edges ? RenderSettings::kEdgeSamples : n * n;
+    const Samples single = singleOrResolved(settings);
+    stats_.samples = edges ? RenderSettings::kEdgeSamples : single == Samples::resolved ? graph::kMultisamples : n * n;
     const bool inFrame = edges && drawsEdges(settings);
     const auto drawn = [&] {
-        const Samples samples = inFrame ? Samples::edges : Samples::one;
-        return draw(settings, atlas, view, pictureTargets(settings), false, "screen", samples).edges;
+        const Samples samples = inFrame ? Samples::edges : single;
+        return draw(settings, atlas, view, pictureTargets(settings, samples), false, "screen", samples).edges;
     };
     const graph::Extent image = imageExtent(view);
     if (edges && !(inFrame && drawn()))

@@ -30,7 +30,6 @@ public:
     const std::string& planText() const;
 
 private:
-    std::span<const ScreenTarget> pictureTargets(const RenderSettings& settings) const;
     /// What is drawn of a picture, and which pixels of that are wanted.
     struct Wanted {
         View view;
@@ -45,11 +44,14 @@ private:
     /// Of a frame's pixels.
     enum class Samples : std::uint8_t {
         one,
-        edges,  ///< kEdgeSamples where edges run
-        block,  ///< kBlockSamples x kBlockSamples pixels are one of the picture
+        edges,     ///< kEdgeSamples where edges run
+        block,     ///< kBlockSamples x kBlockSamples pixels are one of the picture
+        resolved,  ///< kMultisamples, which the render pass averages
     };
+    std::span<const ScreenTarget> pictureTargets(const RenderSettings& settings, Samples samples = Samples::one) const;
     Drawn draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                std::span<const ScreenTarget> targets, bool readBack, const char* name, Samples samples = Samples::one);
+    Samples singleOrResolved(const RenderSettings& settings) const;
     bool drawsEdges(const RenderSettings& settings) const;  ///< in the frame itself
     void checkSize(const View& view) const;
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);

@@ -89,7 +89,8 @@ graph::Work Recorder::encodedDepthInOrder(Image atlas, Image nearest) const {
 }
 
 graph::Work Recorder::impostors(Output output, NearestFrom from, Image atlas, std::optional<Image> nearest) const {
-    return of([=](const auto& c, const SceneView&) {
+    return of([=](const auto& c, const SceneView& scene) {
+        if (scene.samples > 1) return passes::multisampledColor(readsOf(c, from, atlas, nearest));
         return passes::impostorColor(output, readsOf(c, from, atlas, nearest));
     });
 }

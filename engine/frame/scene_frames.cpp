@@ -48,6 +48,12 @@ void SceneFrames::checkBlending(VkFormat format) const {
                 "it does not blend 32 bits per channel, which layers and 16-bit pictures need; use 8 bits");
 }
 
+std::string SceneFrames::lacksSamples(const RenderSettings& settings) const {
+    if (settings.debug != DebugView::none) return "debug views show single samples";
+    if (settings.fine) return "16 bits per channel and sample do not fit the tile";
+    return nacre::lacksSamples(settings.effects, translucent());
+}
+
 bool SceneFrames::hides(const passes::SceneView& seen, const RenderSettings& settings) {
     return settings.tuning.cull && seen.copies.sphereCount() >= settings.tuning.hideFrom;
 }
@@ -127,7 +133,7 @@ void SceneFrames::count(SeenFrame& seen) {
     counts.cylinders = view.copies.cylinderCount();
     counts.triangles = view.copies.triangleCount();
     counts.radiusPixels = view.radiusPixels;
-    counts.perspective = view.perspective;
+    counts.flat = view.flat();
     counts.translucent = view.translucent ? view.translucent->copies.triangleCount() : 0;
     if (view.tiles) counts.lists = passes::countsOf(view.tiles->lists);
 }
@@ -181,6 +187,8 @@ SeenFrame SceneFrames::see(const FrameRequest& request) {
     options.prepass = plates && graph::platesReject(options.visibility, device_.caps().plan);
     options.shadowPixels = shadowPixels(settings);
     options.rims = rims;
+    options.samples = isPicture(request) && lacksSamples(settings).empty() ? request.samples : 1;
+    view.samples = options.samples;
     options.translucentLayers = layered ? kTranslucentLayers : 0;
     count(seen);
     return seen;

@@ -25,7 +25,8 @@ struct FrameRequest {
     /// SceneCounts::radiusPixels of the previous window frame, or 0. Hysteresis: small zooms in and out keep their
     /// pipelines.
     std::optional<double> radiusBefore = {};
-    bool subsamples = false;  ///< kBlockSamples x kBlockSamples of its pixels are one of a picture
+    bool subsamples = false;    ///< kBlockSamples x kBlockSamples of its pixels are one of a picture
+    std::uint32_t samples = 1;  ///< per pixel, unless lacksSamples() has a reason against it
 };
 
 /// A scene as a frame shows it.
@@ -57,6 +58,9 @@ public:
     bool drawsEdges() const {
         return device_.caps().visibility == Visibility::tiles && device_.caps().tiles.drawsEdges && !translucent();
     }
+
+    /// Why a frame by these settings has one sample of a pixel, whatever the device can. Empty: it can have more.
+    std::string lacksSamples(const RenderSettings& settings) const;
 
     /// Whether one looks through some of the scene: colours are blended then, and coded by no shader.
     bool translucent() const { return !scene_->translucent.empty(); }

@@ -15,6 +15,14 @@ graph::Image ScreenFrame::add(const ScreenTarget& target, graph::Extent extent) 
     return targets.back();
 }
 
+graph::PassBuilder& ScreenFrame::draw(graph::PassBuilder& pass, const ScreenTarget& target,
+                                      const ScreenOptions& options) {
+    const graph::Image image = add(target, options.extent);
+    if (options.samples == 1) return pass.color(image, target.clear);
+    samples = graph.image(std::string(target.image) + " samples", {target.format, options.extent, options.samples});
+    return pass.color(*samples, target.clear).resolve(image);
+}
+
 graph::PassBuilder& ScreenFrame::lit(graph::PassBuilder& pass) const {
     pass.samples(atlas);
     return shadow ? pass.samples(*shadow) : pass;
@@ -55,8 +63,7 @@ void declareFragdepth(ScreenFrame& f, const ScreenOptions& options, const Record
     std::optional<Clear> clear;
     options.prepass ? addPrepass(f, draw) : void(clear = Clear{1.0f});
     for (const ScreenTarget& target : options.targets) {
-        f.lit(f.graph.graphics(target.pass).depth(f.depth, clear))
-            .color(f.add(target, options.extent), target.clear)
+        f.draw(f.lit(f.graph.graphics(target.pass).depth(f.depth, clear)), target, options)
             .record(draw.impostors(target.output, NearestFrom::depthBuffer, f.atlas));
         clear.reset();
     }
@@ -96,14 +103,12 @@ void declareDeferred(ScreenFrame& f, const ScreenOptions& options, const Recorde
 /// Nearest depth is read and written as an attachment in raster order: no blending, no second pass over the impostors.
 void declareRasterOrder(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
     addPrepass(f, draw);
-    f.nearest = f.graph.image("nearest depth", {VK_FORMAT_R32_SFLOAT, options.extent});
+    f.nearest = f.graph.image("nearest depth", {VK_FORMAT_R32_SFLOAT, options.extent, options.samples});
     constexpr std::uint32_t kNarrow = 8;  // bytes of colour: the depth beside it fits every tile
     if (options.targets.size() == 1 && graph::bytesPerTexel(options.targets[0].format) <= kNarrow) {
         // It keeps the nearest depth itself.
         const ScreenTarget& target = options.targets[0];
-        const graph::Image image = f.add(target, options.extent);
-        f.lit(f.graph.graphics(target.pass).depthTest(f.depth))
-            .color(image, target.clear)
+        f.draw(f.lit(f.graph.graphics(target.pass).depthTest(f.depth)), target, options)
             .ordered(f.nearest, Clear{1.0f})
             .record(draw.impostors(target.output, NearestFrom::ownAttachment, f.atlas, f.nearest));
         return;
@@ -171,7 +176,7 @@ void declareTranslucentColors(ScreenFrame& f, const ScreenOptions& options, cons
 ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder) {
     ScreenFrame frame;
     frame.graph = graph::Graph(options.name);
-    frame.depth = frame.nearest = frame.graph.image("depth", {VK_FORMAT_D32_SFLOAT, options.extent});
+    frame.depth = frame.nearest = frame.graph.image("depth", {VK_FORMAT_D32_SFLOAT, options.extent, options.samples});
     frame.atlas = frame.graph.importImage(
         "occlusion atlas", options.atlas,
         {VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
@@ -201,6 +206,12 @@ ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder) 
     }
     declareTranslucentColors(frame, options, recorder);
     return frame;
+}
+
+std::string lacksSamples(const Effects& effects, bool translucent) {
+    if (effects.rims() || effects.contours.width > 0) return "outlines and halos have one sample per pixel";
+    if (translucent) return "translucent surfaces have one sample per pixel";
+    return {};
 }
 
 graph::Graph paperFrame(graph::Extent extent) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/device_options.h"
+#include "engine/effects.h"
 #include "engine/frame/recorder.h"
 #include "engine/graph/encoded_format.h"
 #include "engine/graph/graph.h"
@@ -58,6 +59,7 @@ struct ScreenOptions {
     bool rims = false;                    ///< of `deferred`, and of `tiles` that shade: halos, or lines by groups
     std::uint32_t shadowPixels = 0;       ///< across the map of what the light sees; 0: there are no shadows
     std::uint32_t translucentLayers = 0;  ///< over the first target, which is colour; 0: all is opaque
+    std::uint32_t samples = 1;            ///< of a pixel, for a target whose colour is resolved to it
     bool layersByTiles = false;           ///< of `tiles`: compute finds them, too
 };
 
@@ -65,8 +67,8 @@ struct ScreenOptions {
 struct SceneCounts {
     std::uint64_t spheres = 0, cylinders = 0, triangles = 0;  ///< in all copies
     double radiusPixels = 0;                                  ///< mean radius of the spheres
-    bool perspective = false;
-    std::uint64_t translucent = 0;  ///< triangles beside the others, which one looks through
+    bool flat = false;                                        ///< no impostor leans
+    std::uint64_t translucent = 0;                            ///< triangles beside the others, which one looks through
     std::vector<MeshLevelCount> meshLevels{};
     TileCounts lists{};  ///< tile lists
 };
@@ -79,6 +81,7 @@ struct ScreenFrame {
     graph::Buffer numbers;                      ///< imported, of `tiles`: numbers of primitives, or their colours
     std::optional<graph::Buffer> edges;         ///< imported, of `tiles`: what they need beside that
     std::optional<graph::Image> shadow;         ///< what the light sees
+    std::optional<graph::Image> samples;        ///< that the first target is the mean of
     std::vector<graph::Image> targets;          ///< none where compute shades: `numbers` are the picture
     std::vector<graph::Image> layers;           ///< numbers of translucent triangles, of the nearest first
     std::optional<graph::Buffer> layerNumbers;  ///< the same where tiles find them, imported
@@ -88,9 +91,14 @@ struct ScreenFrame {
 
     /// The pass samples the shadow map. @returns the pass
     graph::PassBuilder& lit(graph::PassBuilder& pass) const;
+    /// The image of a target, which a pass clears and draws to, by `samples` of each pixel. @returns the pass
+    graph::PassBuilder& draw(graph::PassBuilder& pass, const ScreenTarget& target, const ScreenOptions& options);
     /// The image of a target. @returns it
     graph::Image add(const ScreenTarget& target, graph::Extent extent);
 };
+
+/// Why a frame with these effects has one sample of a pixel, whatever the device can. Empty: it can have more.
+std::string lacksSamples(const Effects& effects, bool translucent);
 
 /// Declares the frame. Targets are not marked as outputs: what becomes of them is the caller's to declare.
 /// @param recorder  what the passes record; by default nothing: the frame is only looked at

@@ -108,14 +108,17 @@ graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, bool
     return sum;
 }
 
-void WindowFrames::addOverlay(graph::Graph& frame, graph::Image window) const {
+/// @param samples  of the window that are resolved to it behind the overlay, if there are any
+void WindowFrames::addOverlay(graph::Graph& frame, graph::Image window, std::optional<graph::Image> samples) const {
     const auto draw = [this](gpu::PassContext& c) {
         overlay_.draw(c, *slot_, *overlaid_, swapchain_.upright(), swapchain_.quarterTurns(), coded());
     };
     const auto want = [this](gpu::PipelineContext& c) {
         passes::OverlayPass::want(c, swapchain_.quarterTurns(), coded());
     };
-    frame.graphics("overlay").color(window).record({draw, want});
+    graph::PassBuilder pass = frame.graphics("overlay");
+    samples ? pass.color(*samples).resolve(window) : pass.color(window);
+    pass.record({draw, want});
 }
 
 /// Makes the pipelines for smaller pictures, samples and their sum before the first of them is drawn.
@@ -159,7 +162,8 @@ void WindowFrames::declareEnd(ScreenFrame& frame, const FrameShape& shape) {
             break;
     }
     if (frame.sum) frame.targets.push_back(addPicture(g, *frame.sum, 1));
-    if (shape.overlay) addOverlay(g, frame.targets.back());
+    const bool direct = shape.end == FrameEnd::window;
+    if (shape.overlay) addOverlay(g, frame.targets.back(), direct ? frame.samples : std::nullopt);
 }
 
 /// The image that sums samples, of the window's size.
@@ -203,7 +207,9 @@ SeenFrame WindowFrames::see(const RenderSettings& settings, const passes::Atlas&
                             end,
                             nullptr,
                             false,
-                            radiusBefore});
+                            radiusBefore,
+                            false,
+                            device_.caps().motion.samples});
     }
     seen.shape.window = swapchain_.extent();
     seen.shape.overlay = frame.overlay && !frame.overlay->batches.empty();
@@ -224,6 +230,17 @@ void WindowFrames::prepareScene(const RenderSettings& settings, const WindowFram
     executor_.prepare(wanted.frame.graph, wanted.plan);
 }
 
+/// Makes the pipelines of a window at rest while frames in motion, which have several samples, use others.
+void WindowFrames::prepareRest(const RenderSettings& settings, const passes::Atlas& atlas) {
+    WindowFrame still;
+    still.quality = Quality::refined;
+    still.samples = RenderSettings::kEdgeSamples;
+    const SeenFrame seen = see(settings, atlas, still, counts_.radiusPixels);
+    DeclaredFrame& wanted = declared(seen);
+    SceneFrames::bind(wanted, seen);
+    executor_.prepare(wanted.frame.graph, wanted.plan);
+}
+
 /// Draws the frame into the image that the slot has.
 void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                           const WindowFrame& frame) {
@@ -231,6 +248,7 @@ void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, 
     if (seen.view) counts_ = seen.counts;
     slot.held = seen.view;
     DeclaredFrame& declared = this->declared(seen);
+    if (seen.shape.options.samples > 1) restWanted_ = std::exchange(multisampled_, &declared) != &declared;
     declared.imports.clear();
     if (seen.view) SceneFrames::bind(declared, seen);
     declared.imports.bind(declared.frame.targets.back(), swapchain_.image(*slot.image));
@@ -282,6 +300,7 @@ FrameOutcome WindowFrames::present(const RenderSettings& settings, const passes:
         if (frame.quality == Quality::refined) summed_ = frame.sample + 1;
         swapchain_.present(index);
         if (!std::exchange(preparedOthers_, true)) prepareOthers();
+        if (std::exchange(restWanted_, false)) prepareRest(settings, atlas);
         return FrameOutcome::shown;
     }
     return FrameOutcome::resized;  // faster than it can be followed: again at the next frame

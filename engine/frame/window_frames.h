@@ -45,9 +45,10 @@ private:
     void declareEnd(ScreenFrame& frame, const FrameShape& shape);
     void makeSum();
     void prepareOthers();
+    void prepareRest(const RenderSettings& settings, const passes::Atlas& atlas);
     graph::Image addSum(graph::Graph& frame, graph::Image sample, bool first) const;
     graph::Image addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples) const;
-    void addOverlay(graph::Graph& frame, graph::Image window) const;
+    void addOverlay(graph::Graph& frame, graph::Image window, std::optional<graph::Image> samples) const;
     bool coded() const;
     VkFormat pictureFormat() const;
 
@@ -65,7 +66,9 @@ private:
     float share_ = 1;  ///< weight of one sample of the shown sum
     const Overlay* overlaid_ = nullptr;
     const gpu::FrameSlot* slot_ = nullptr;
-    gpu::Image sum_;  ///< of the refined picture's samples
+    gpu::Image sum_;                               ///< of the refined picture's samples
+    const DeclaredFrame* multisampled_ = nullptr;  ///< the last frame of several samples per pixel
+    bool restWanted_ = false;                      ///< pipelines of a window at rest, beside those
     bool preparedOthers_ = false;
     std::uint32_t summed_ = 0;  ///< samples in it, including those in flight; 0: invalid
 };

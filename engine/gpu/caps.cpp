@@ -182,6 +182,20 @@ graph::DriverIdentity identityOf(const vk::raii::PhysicalDevice& device) {
     return identity;
 }
 
+namespace {
+
+void chooseMotion(Caps& caps, graph::DeviceKind kind, Multisampling wanted) {
+    caps.motion = graph::chooseSamples(kind, caps.visibility, caps.plan);
+    if (wanted == Multisampling::automatic) return;
+    if (wanted == Multisampling::off) return void(caps.motion = {1, "asked for"});
+    if (const std::string lacks = graph::lacksMultisampling(caps.visibility, caps.plan); !lacks.empty())
+        throw Error("cannot draw 4 samples per pixel", caps.deviceName, lacks);
+    caps.motion = {graph::kMultisamples, "asked for"};
+    caps.samplesPictures = true;
+}
+
+}  // namespace
+
 Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options) {
     const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceIDProperties>();
     const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
@@ -225,6 +239,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.dispatchesApart = graph::has(graph::Quirk::dispatchesApart, identity);
     caps.plan.maxColorAttachments = std::min(properties.limits.maxColorAttachments, 8u);
     caps.plan.maxInputAttachments = std::min(properties.limits.maxPerStageDescriptorInputAttachments, 8u);
+    caps.plan.placesSamples = properties.limits.standardSampleLocations;
     applyEnvironment(caps.plan);
     caps.encoded = encodedFormatOf(device, options.encoded, caps.plan.rasterOrder);
     caps.encodedMaps = caps.encoded.ordered ? blendedFormatOf(device, EncodedDepth::automatic) : caps.encoded;
@@ -246,6 +261,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
                         : "VK_EXT_rasterization_order_attachment_access is missing");
     if (caps.visibility == Visibility::tiles && !caps.plan.tiles)
         throw Error("cannot draw by tiles", caps.deviceName, caps.tiles.lacks);
+    chooseMotion(caps, known.kind, options.multisampling);
     return caps;
 }
 

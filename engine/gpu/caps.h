@@ -9,6 +9,7 @@
 #include "engine/graph/encoded_format.h"
 #include "engine/graph/known_drivers.h"
 #include "engine/graph/plan.h"
+#include "engine/graph/visibility.h"
 
 namespace nacre::gpu {
 
@@ -47,8 +48,10 @@ struct Caps {
     std::string driverKey;  ///< device, driver and driver version as hexadecimal digits
     Visibility visibility = Visibility::encoded;
     std::string visibilityReason;
-    std::string capabilitySet;  ///< what the plan's caps started from
-    graph::Fact knownAs{};      ///< what the table of drivers says of it; null where it has no row
+    graph::SampleChoice motion;    ///< of a window's frames in motion
+    bool samplesPictures = false;  ///< pictures of one sample per pixel have as many
+    std::string capabilitySet;     ///< what the plan's caps started from
+    graph::Fact knownAs{};         ///< what the table of drivers says of it; null where it has no row
 };
 
 /// What a device reports about itself, for the tables of known drivers.

@@ -30,6 +30,8 @@ DeviceInfo gpu::infoOf(const Caps& caps) {
                       std::to_string(VK_API_VERSION_PATCH(caps.apiVersion));
     info.visibility = visibilityName(caps.visibility);
     info.why = caps.visibilityReason;
+    info.motionSamples = caps.motion.samples;
+    info.motionWhy = caps.motion.why;
     info.encodedFormat = graph::formatName(caps.encoded.format) + (caps.encoded.ordered ? " in raster order" : "");
     info.lazyMemory = caps.plan.transient;
     info.timestamps = caps.timestampBits > 0;

@@ -7,7 +7,7 @@ namespace nacre {
 DevicePlan planOf(const DeviceOptions& options) {
     const gpu::Device device(options);
     const gpu::Caps& caps = device.caps();
-    return {caps.deviceName, caps.plan, caps.visibility, caps.visibilityReason, caps.encoded};
+    return {caps.deviceName, caps.plan, caps.visibility, caps.visibilityReason, caps.encoded, caps.motion};
 }
 
 }  // namespace nacre

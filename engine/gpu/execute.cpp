@@ -121,6 +121,7 @@ void Executor::recordRenderPass(Recording& recording, std::size_t step, PassCont
     const graph::RenderPassPlan& pass = recording.plan_.steps[step].renderPass;
     std::optional<DynamicRendering> dynamic;
     context.extent = pass.extent;
+    context.samples = pass.samples;
     context.renderPass = nullptr;
     context.rendering = {};
     context.inputLayout = vk::ImageLayout::eShaderReadOnlyOptimal;
@@ -234,6 +235,7 @@ void Executor::prepare(const graph::Graph& graph, const graph::Plan& plan) {
         if (plan.steps[i].kind == graph::PassKind::compute) ask(plan.steps[i].pass);
         const bool dynamic = DynamicRendering::takes(device_, pass);
         context.extent = pass.extent;
+        context.samples = pass.samples;
         for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
             context.renderPass = dynamic ? nullptr : renderPass(pass, recording.renderPasses_[i].name).ofPipelines;
             if (dynamic) context.rendering = DynamicRendering(device_, pass, images, none).formatsOf(s);

@@ -23,6 +23,7 @@ struct PipelineContext {
     std::uint32_t subpass = 0;
     RenderingFormats rendering{};  ///< of these
     std::uint32_t colorCount = 0;  ///< colour attachments of the subpass
+    std::uint32_t samples = 1;     ///< of them
     graph::Extent extent{};
     bool inputIsSampled = false;  ///< inputs are read as textures
 
@@ -34,6 +35,7 @@ struct PipelineContext {
         p.subpass = subpass;
         p.rendering = rendering;
         p.colorCount = colorCount;
+        p.samples = samples;
         return p;
     }
 };

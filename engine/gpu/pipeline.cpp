@@ -93,7 +93,7 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
     vk::PipelineRasterizationStateCreateInfo raster;
     raster.cullMode = vk::CullModeFlagBits::eNone;
     raster.lineWidth = 1.0f;
-    const vk::PipelineMultisampleStateCreateInfo samples;
+    const vk::PipelineMultisampleStateCreateInfo samples({}, static_cast<vk::SampleCountFlagBits>(d.samples));
     const vk::PipelineDepthStencilStateCreateInfo depth({}, d.depth != DepthUse::none, d.depth == DepthUse::write,
                                                         vk::CompareOp::eLessOrEqual);
     std::vector<vk::PipelineColorBlendAttachmentState> blends;
@@ -166,8 +166,9 @@ bool samePipeline(const GraphicsPipeline& a, const GraphicsPipeline& b) {
     return sameTable(a.vertex, b.vertex) && sameTable(a.fragment, b.fragment) && a.constants == b.constants &&
            sameTable(a.streams.bindings, b.streams.bindings) && sameTable(a.streams.attributes, b.streams.attributes) &&
            a.layout == b.layout && a.renderPass == b.renderPass && a.subpass == b.subpass &&
-           a.rendering == b.rendering && a.colorCount == b.colorCount && a.colorsWritten == b.colorsWritten &&
-           a.depth == b.depth && a.blend == b.blend && a.ordered == b.ordered && a.strip == b.strip;
+           a.rendering == b.rendering && a.colorCount == b.colorCount && a.samples == b.samples &&
+           a.colorsWritten == b.colorsWritten && a.depth == b.depth && a.blend == b.blend && a.ordered == b.ordered &&
+           a.strip == b.strip;
 }
 
 bool samePipeline(const ComputePipeline& a, const ComputePipeline& b) {

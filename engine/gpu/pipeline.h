@@ -65,6 +65,7 @@ struct GraphicsPipeline {
     std::uint32_t subpass = 0;
     RenderingFormats rendering;       ///< where there is no render pass
     std::uint32_t colorCount = 0;     ///< of the subpass
+    std::uint32_t samples = 1;        ///< of a pixel; a fragment is one all the same
     std::uint32_t colorsWritten = 0;  ///< of the pass; the others are masked
     DepthUse depth = DepthUse::none;
     Blend blend = Blend::replace;

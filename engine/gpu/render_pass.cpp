@@ -12,7 +12,7 @@ vk::AttachmentReference2 reference(std::uint32_t attachment, graph::Verb verb, V
 }
 
 struct References {
-    std::vector<vk::AttachmentReference2> colors, inputs;
+    std::vector<vk::AttachmentReference2> colors, inputs, resolves;
     vk::AttachmentReference2 depth;
 };
 
@@ -57,7 +57,7 @@ vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPas
     std::vector<vk::AttachmentDescription2> attachments;
     for (const graph::Attachment& a : plan.attachments)
         attachments.emplace_back(vk::AttachmentDescriptionFlags{}, static_cast<vk::Format>(a.format),
-                                 static_cast<vk::SampleCountFlagBits>(plan.samples), loadOp(a.load), storeOp(a.store),
+                                 static_cast<vk::SampleCountFlagBits>(a.samples), loadOp(a.load), storeOp(a.store),
                                  vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eDontCare,
                                  static_cast<vk::ImageLayout>(a.initialLayout),
                                  static_cast<vk::ImageLayout>(a.finalLayout));
@@ -82,6 +82,12 @@ vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPas
         if (subpass.ordered) flags = vk::SubpassDescriptionFlagBits::eRasterizationOrderAttachmentColorAccessEXT;
         vk::SubpassDescription2 description(flags, vk::PipelineBindPoint::eGraphics, 0, r.inputs, r.colors);
         if (subpass.depth >= 0) description.pDepthStencilAttachment = &r.depth;
+        if (subpass.resolve >= 0) {
+            const auto to = static_cast<std::uint32_t>(subpass.resolve);
+            r.resolves.assign(r.colors.size(), vk::AttachmentReference2(VK_ATTACHMENT_UNUSED));
+            r.resolves[0] = reference(to, graph::Verb::resolve, plan.attachments[to].format);
+            description.pResolveAttachments = r.resolves.data();
+        }
         description.preserveAttachmentCount = static_cast<std::uint32_t>(subpass.preserve.size());
         description.pPreserveAttachments = subpass.preserve.data();
         subpasses.push_back(description);

@@ -68,6 +68,7 @@ enum class Verb : std::uint8_t {
     depthTest,   // attachment, tested only
     color,       // attachment, written (and blended)
     ordered,     // attachment, read and written at the pixel's own place, fragment after fragment in raster order
+    resolve,     // attachment of one sample, which the subpass leaves the mean of its first colour's samples in
     input,       // read at the pixel's own place
     samples,     // texture
     reads,       // buffer: storage or uniform, read
@@ -77,8 +78,8 @@ enum class Verb : std::uint8_t {
     copiesTo,    // transfer target
 };
 constexpr bool isWrite(Verb verb) {
-    return verb == Verb::depth || verb == Verb::color || verb == Verb::ordered || verb == Verb::writes ||
-           verb == Verb::copiesTo;
+    return verb == Verb::depth || verb == Verb::color || verb == Verb::ordered || verb == Verb::resolve ||
+           verb == Verb::writes || verb == Verb::copiesTo;
 }
 constexpr bool isAttachment(Verb verb) { return verb <= Verb::input; }
 const char* verbName(Verb verb);
@@ -137,6 +138,7 @@ public:
     PassBuilder& depthTest(Image image) { return use(Verb::depthTest, image); }
     PassBuilder& color(Image image, std::optional<Clear> clear = {}) { return use(Verb::color, image, clear); }
     PassBuilder& ordered(Image image, std::optional<Clear> clear = {}) { return use(Verb::ordered, image, clear); }
+    PassBuilder& resolve(Image image) { return use(Verb::resolve, image); }
     PassBuilder& input(Image image) { return use(Verb::input, image); }
     PassBuilder& samples(Image image) { return use(Verb::samples, image); }
     PassBuilder& copiesFrom(Image image) { return use(Verb::copiesFrom, image); }

@@ -30,6 +30,7 @@ struct PlanCaps {
     bool loadsUniforms = false;             ///< each invocation loads uniforms for itself
     bool conservativeDepth = true;          ///< depth_greater lets the test reject before the fragment shader
     bool storeAll = false;                  ///< every attachment is stored, to look at it in a capture
+    bool placesSamples = true;              ///< a pixel's samples stand where the specification proposes
     bool storeNone = false;                 ///< VK_EXT_load_store_op_none: a tested depth buffer is not stored again
     std::uint32_t tileBytesPerPixel = 16;   ///< colour + input attachments of one render pass
     std::uint32_t maxColorAttachments = 4;  ///< of one subpass
@@ -44,6 +45,7 @@ enum class Store : std::uint8_t { store, dontCare, none };
 struct Attachment {
     std::uint32_t image = 0;  ///< index into Graph::images()
     VkFormat format{};
+    std::uint32_t samples = 1;
     Load load{};
     Store store{};
     bool transient = false;
@@ -59,7 +61,8 @@ struct Subpass {
     std::vector<std::uint32_t> colors;
     std::vector<std::uint32_t> inputs;
     std::vector<std::uint32_t> preserve;
-    std::int32_t depth = -1;  ///< -1: none
+    std::int32_t depth = -1;    ///< -1: none
+    std::int32_t resolve = -1;  ///< gets the mean of the first colour's samples; -1: none
     bool depthWrite = false;
     bool ordered = false;  ///< attachments used as colour and input are read in raster order
     friend bool operator==(const Subpass&, const Subpass&) = default;
@@ -75,11 +78,11 @@ struct Dependency {
 
 struct RenderPassPlan {
     Extent extent;
-    std::uint32_t layers = 1, samples = 1;
+    std::uint32_t layers = 1, samples = 1;  ///< samples: of all attachments but those that others are resolved to
     std::vector<Attachment> attachments;
     std::vector<Subpass> subpasses;
     std::vector<Dependency> dependencies;
-    std::uint32_t tileBytesPerPixel = 0;  ///< colour and input attachments; depth beside it
+    std::uint32_t tileBytesPerPixel = 0;  ///< colour and input attachments, all samples; depth beside it
     friend bool operator==(const RenderPassPlan&, const RenderPassPlan&) = default;
 };
 

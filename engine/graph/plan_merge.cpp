@@ -40,7 +40,7 @@ private:
         Step step;
         step.kind = PassKind::graphics;
         for (const Use& use : pass.uses)
-            if (use.isImage && isAttachment(use.verb)) {
+            if (use.isImage && isAttachment(use.verb) && use.verb != Verb::resolve) {
                 const ImageDesc& desc = graph_.images()[use.resource].desc;
                 step.renderPass.extent = desc.extent;
                 step.renderPass.samples = desc.samples;
@@ -57,7 +57,8 @@ private:
             if (crossesPixels(use)) return false;
             if (!use.isImage || !isAttachment(use.verb)) continue;
             const ImageDesc& desc = graph_.images()[use.resource].desc;
-            if (desc.extent != current().extent || desc.samples != current().samples || desc.layers != current().layers)
+            const std::uint32_t samples = use.verb == Verb::resolve ? 1 : current().samples;
+            if (desc.extent != current().extent || desc.samples != samples || desc.layers != current().layers)
                 return false;
             const std::int32_t at = find(use.resource);
             if (at >= 0) {
@@ -69,12 +70,18 @@ private:
             } else if (isDepthFormat(desc.format)) {
                 if (hasDepth()) return false;  // another depth image
             } else {
-                bytes += bytesPerTexel(desc.format);
+                bytes += tileBytes(use);
             }
         }
         // A pass reads all its inputs in one way.
         if (!shares || bytes > caps_.tileBytesPerPixel || (inputOnTile && inputInMemory)) return false;
         return caps_.tileSubpasses || sharesSubpass(pass);
+    }
+
+    /// What an image takes on the tile. What others are resolved to leaves the tile as it is made.
+    std::uint32_t tileBytes(const Use& use) const {
+        const ImageDesc& desc = graph_.images()[use.resource].desc;
+        return use.verb == Verb::resolve || isDepthFormat(desc.format) ? 0 : bytesPerTexel(desc.format) * desc.samples;
     }
 
     bool hasDepth() {
@@ -110,6 +117,7 @@ private:
         const bool sameColors = std::equal(colors.begin(), colors.end(), last.colors.begin(), last.colors.end(),
                                            [](auto x, auto y) { return x == static_cast<std::int32_t>(y); });
         if (!sameColors && !colors.empty() && !last.colors.empty()) return false;
+        if (!colors.empty() && !last.colors.empty() && !resolvesAlike(pass, last)) return false;
         for (const Use& use : pass.uses) {
             if (!use.isImage || !isAttachment(use.verb)) continue;
             // Raster order is a property of the whole subpass: such a pass gets its own.
@@ -124,15 +132,27 @@ private:
         return true;
     }
 
+    /// A subpass resolves once, behind all of its passes.
+    bool resolvesAlike(const PassDecl& pass, const Subpass& last) {
+        std::int32_t to = -1;
+        for (const Use& use : pass.uses)
+            if (use.verb == Verb::resolve) {
+                to = find(use.resource);
+                if (to < 0) return false;
+            }
+        return to == last.resolve;
+    }
+
     std::uint32_t attach(const Use& use) {
         std::int32_t at = find(use.resource);
         if (at < 0) {
             Attachment attachment;
             attachment.image = use.resource;
             attachment.format = graph_.images()[use.resource].desc.format;
+            attachment.samples = graph_.images()[use.resource].desc.samples;
             attachment.load = use.clear ? Load::clear : Load::dontCare;
             if (use.clear) attachment.clear = *use.clear;
-            if (!isDepthFormat(attachment.format)) current().tileBytesPerPixel += bytesPerTexel(attachment.format);
+            current().tileBytesPerPixel += tileBytes(use);
             at = static_cast<std::int32_t>(current().attachments.size());
             current().attachments.push_back(attachment);
         }
@@ -161,6 +181,7 @@ private:
             if ((verb == Verb::color || ordered) && !contains(subpass.colors, at)) subpass.colors.push_back(at);
             if (verb == Verb::input || ordered) subpass.inputs.push_back(at);
             subpass.ordered = subpass.ordered || ordered;
+            if (verb == Verb::resolve) subpass.resolve = static_cast<std::int32_t>(at);
             if (verb == Verb::depth || verb == Verb::depthTest) {
                 subpass.depth = static_cast<std::int32_t>(at);
                 subpass.depthWrite = subpass.depthWrite || verb == Verb::depth;
@@ -179,6 +200,7 @@ bool attachmentVerb(const Subpass& subpass, std::uint32_t attachment, Verb& verb
     if (contains(subpass.colors, attachment))
         return verb = contains(subpass.inputs, attachment) ? Verb::ordered : Verb::color, true;
     if (contains(subpass.inputs, attachment)) return verb = Verb::input, true;
+    if (subpass.resolve == static_cast<std::int32_t>(attachment)) return verb = Verb::resolve, true;
     if (subpass.depth == static_cast<std::int32_t>(attachment))
         return verb = subpass.depthWrite ? Verb::depth : Verb::depthTest, true;
     return false;

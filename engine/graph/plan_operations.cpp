@@ -5,7 +5,7 @@ namespace {
 
 /// How one step uses one image, in the order of its passes.
 struct ImageUse {
-    bool used = false, written = false, onlyAttachment = true, clearedFirst = false;
+    bool used = false, written = false, onlyAttachment = true, overwritten = false;
 };
 
 ImageUse useOf(const Graph& graph, const Plan& plan, const Step& step, std::uint32_t image) {
@@ -14,7 +14,7 @@ ImageUse useOf(const Graph& graph, const Plan& plan, const Step& step, std::uint
         for (const Use& use : graph.passes()[p].uses) {
             if (!use.isImage || use.resource != image) continue;
             const Verb verb = effectiveVerb(plan, p, use);
-            if (!result.used) result.clearedFirst = use.clear.has_value();
+            if (!result.used) result.overwritten = use.clear.has_value() || verb == Verb::resolve;
             result.used = true;
             result.written = result.written || isWrite(verb);
             result.onlyAttachment = result.onlyAttachment && isAttachment(verb);
@@ -51,7 +51,7 @@ public:
         for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
             for (Attachment& a : plan_.steps[s].renderPass.attachments) {
                 if (a.image != image) continue;
-                if (a.load != Load::clear) a.load = defined ? Load::load : Load::dontCare;
+                if (a.load != Load::clear) a.load = defined && !uses[s].overwritten ? Load::load : Load::dontCare;
                 a.store = storeOf(decl, uses, s);
                 loaded = loaded || a.load == Load::load;
             }
@@ -115,7 +115,7 @@ private:
     Store storeOf(const ImageDecl& decl, const std::vector<ImageUse>& uses, std::size_t s) const {
         std::size_t next = s + 1;
         while (next < uses.size() && !uses[next].used) ++next;
-        const bool wanted = next < uses.size() ? !uses[next].clearedFirst : decl.output || decl.imported.has_value();
+        const bool wanted = next < uses.size() ? !uses[next].overwritten : decl.output || decl.imported.has_value();
         if (!wanted && !caps_.storeAll) return Store::dontCare;
         return !uses[s].written && caps_.storeNone ? Store::none : Store::store;
     }

@@ -11,7 +11,9 @@ const char* storeName(Store store) { return store == Store::store ? "store" : st
 
 void attachmentLine(std::ostream& out, const Graph& graph, const Attachment& a) {
     out << "  " << graph.images()[a.image].name << "  " << formatName(a.format) << "  " << loadName(a.load) << "  "
-        << storeName(a.store) << (a.transient ? "  transient" : "") << "\n";
+        << storeName(a.store) << (a.transient ? "  transient" : "");
+    if (a.samples > 1) out << "  " << a.samples << " samples";
+    out << "\n";
 }
 
 std::string subpassUses(const Graph& graph, const RenderPassPlan& pass, const Subpass& subpass) {
@@ -26,6 +28,7 @@ std::string subpassUses(const Graph& graph, const RenderPassPlan& pass, const Su
     for (const std::uint32_t a : subpass.inputs)
         if (std::find(subpass.colors.begin(), subpass.colors.end(), a) == subpass.colors.end()) add(a, "input");
     for (const std::uint32_t a : subpass.colors) add(a, both(a) ? "ordered" : "write");
+    if (subpass.resolve >= 0) add(static_cast<std::uint32_t>(subpass.resolve), "resolve");
     return text;
 }
 

@@ -62,12 +62,28 @@ void checkImages(const Graph& graph) {
     }
 }
 
+/// @param color  the pass's first, null if none was declared before
+void checkResolve(const Graph& graph, const PassDecl& pass, const Use& use, const ImageDesc* color) {
+    const ImageDesc& desc = graph.images()[use.resource].desc;
+    if (!color || color->samples == 1)
+        throw GraphError(naming(graph, pass, use) + ": nothing of several samples stands before it");
+    ImageDesc wanted = *color;
+    wanted.samples = 1;
+    if (desc != wanted)
+        throw GraphError(naming(graph, pass, use) + ": " + formatName(desc.format) + " of " + shapeText(desc) +
+                         " cannot take the mean of " + formatName(color->format) + " of " + shapeText(*color));
+}
+
 void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& caps) {
-    const ImageDesc* first = nullptr;
+    const ImageDesc *first = nullptr, *color = nullptr;
     std::uint32_t bytes = 0, colors = 0, inputs = 0;
     for (const Use& use : pass.uses) {
         if (!use.isImage || !isAttachment(use.verb)) continue;
         const ImageDesc& desc = graph.images()[use.resource].desc;
+        if (use.verb == Verb::resolve) {
+            checkResolve(graph, pass, use, color);
+            continue;
+        }
         if (!first) first = &desc;
         if (desc.extent != first->extent || desc.samples != first->samples || desc.layers != first->layers)
             throw GraphError(naming(graph, pass, use) + ": " + verbName(use.verb) + " attachment of " +
@@ -80,8 +96,9 @@ void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& 
             throw GraphError(naming(graph, pass, use) + ": '" + caps.name +
                              "' cannot read an attachment in raster order");
         if (use.verb == Verb::color || use.verb == Verb::ordered) {
+            if (!color) color = &desc;
             ++colors;
-            bytes += bytesPerTexel(desc.format);
+            bytes += bytesPerTexel(desc.format) * desc.samples;
         }
         if (use.verb == Verb::input || use.verb == Verb::ordered) ++inputs;
     }

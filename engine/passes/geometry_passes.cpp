@@ -22,6 +22,13 @@ namespace {
             NACRE_SHADERS(atom, , identity, variant)                                    \
     }
 
+/// Those of colour that tell which samples of a pixel they cover.
+const PrimitiveShaders& multisampledShaders(NearestFrom from) {
+    static const PrimitiveShaders kDepthBuffer = NACRE_SHADERS(look, , color, FragdepthMultisampled),
+                                  kOwn = NACRE_SHADERS(look, , color, OrderedMultisampled);
+    return from == NearestFrom::ownAttachment ? kOwn : kDepthBuffer;
+}
+
 const PrimitiveShaders& impostorShaders(Output output, NearestFrom from, bool settles) {
     static const PrimitiveShaders kDepthBuffer[] = NACRE_OUTPUTS(Fragdepth), kInput[] = NACRE_OUTPUTS(Input),
                                   kTexture[] = NACRE_OUTPUTS(Sampled), kOwn[] = NACRE_OUTPUTS(Ordered),
@@ -69,6 +76,12 @@ GeometryPass nearestDepth() {
     GeometryPass pass{NACRE_SHADERS(geometry, , nearest, )};
     pass.depth = gpu::DepthUse::write;
     pass.colorsWritten = 0;
+    return pass;
+}
+
+GeometryPass multisampledColor(const Reads& reads) {
+    GeometryPass pass = impostorColor(Output::color, reads);
+    pass.shaders = multisampledShaders(reads.from);
     return pass;
 }
 

@@ -21,6 +21,11 @@ GeometryPass nearestDepth();
 /// @param settles  encoded depth is coarse (graph::EncodedFormat::settles): the depth buffer resolves ties
 GeometryPass impostorColor(Output output, const Reads& reads, const Encoding& encoding = {}, bool settles = false);
 
+/// The same of colour by kMultisamples of a pixel: one fragment for all that a primitive covers of them, exactly. Depth
+/// is one, too: where primitives cut into each other, samples of a pixel are not told apart.
+/// @param reads  nearest depth from the depth buffer or the pass's own attachment
+GeometryPass multisampledColor(const Reads& reads);
+
 /// The number of every pixel's nearest primitive, counted from 1 over all copies, and its depth by gl_FragDepth.
 /// @param distance  also store its Z next to the number
 GeometryPass nearestPrimitive(bool distance);

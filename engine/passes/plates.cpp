@@ -10,14 +10,12 @@ PlateShape choosePlates(PlateShape wanted, const graph::GeometryCaps& caps, doub
     return radiusPixels >= caps.plateOctagons ? PlateShape::octagon : PlateShape::square;
 }
 
-ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& caps, double radiusPixels,
-                             bool perspective) {
+ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& caps, double radiusPixels, bool flat) {
     if (wanted == ImpostorShape::automatic)
         wanted = radiusPixels >= caps.domes      ? ImpostorShape::pyramid
                  : radiusPixels >= caps.octagons ? ImpostorShape::octagon
                                                  : ImpostorShape::square;
-    // Leaning facets are planes of depth only where parallel lines stay parallel.
-    return wanted == ImpostorShape::pyramid && perspective ? ImpostorShape::octagon : wanted;
+    return wanted == ImpostorShape::pyramid && flat ? ImpostorShape::octagon : wanted;
 }
 
 double steadyRadius(double before, double now, const graph::GeometryCaps& caps) {

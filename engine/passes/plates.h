@@ -19,9 +19,9 @@ struct Plate {
 /// fragments dominate if spheres cover enough of them: domes and pyramids; else octagons, or squares where vertex
 /// outputs go through memory.
 /// @param radiusPixels   mean radius of a sphere in the picture
+/// @param flat  no pyramid (SceneView::flat())
 PlateShape choosePlates(PlateShape wanted, const graph::GeometryCaps& caps, double radiusPixels);
-ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& caps, double radiusPixels,
-                             bool perspective);
+ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& caps, double radiusPixels, bool flat);
 
 /// The radius used to choose shapes during a zoom. Hysteresis: a threshold counts as crossed only when the radius is a
 /// sixth beyond it, so that a pinch around a threshold does not change pipelines each time.

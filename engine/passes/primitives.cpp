@@ -63,8 +63,8 @@ const gpu::Layout& layoutOf(gpu::PipelineContext& context, const SceneView& view
     const bool streams = pass.streams || primitive == Primitive::triangle;
     return context.pipelines.layout({pass.reads ? "shading layout" : "geometry layout",
                                      streams ? triangleBindingsOf(pass.reads) : bindingsOf(pass.reads), kDraw,
-                                     sizeof(layout::ViewConstants), view.fragments != nullptr,
-                                     streams ? 2u : 0u, pass.streams});
+                                     sizeof(layout::ViewConstants), view.fragments != nullptr, streams ? 2u : 0u,
+                                     pass.streams});
 }
 
 CornerRange impostorCorners(ImpostorShape shape) {
@@ -99,7 +99,7 @@ void eachDraw(const gpu::PipelineContext& context, const SceneView& view, const 
     if (has(Primitive::sphere, sphere)) {
         if (!pass.plates)
             work({Primitive::sphere, sphere, nullptr,
-                  impostorCorners(chooseImpostor(view.impostor, caps, view.radiusPixels, view.perspective))});
+                  impostorCorners(chooseImpostor(view.impostor, caps, view.radiusPixels, view.flat()))});
         else
             for (const Plate& plate : platesOf(choosePlates(view.plates, caps, view.radiusPixels)))
                 work({Primitive::sphere, sphere, &plate,
@@ -125,7 +125,7 @@ std::vector<gpu::GraphicsPipeline> otherShapes(const gpu::PipelineContext& conte
     for (const double radius : {0.0, caps.plateOctagons, caps.octagons, caps.domes}) {
         if (std::isinf(radius)) continue;  // never reached
         if (!drawn.plate)
-            add(impostorCorners(chooseImpostor(view.impostor, caps, radius, view.perspective)).count, nullptr);
+            add(impostorCorners(chooseImpostor(view.impostor, caps, radius, view.flat())).count, nullptr);
         else
             for (const Plate& plate : platesOf(choosePlates(PlateShape::automatic, caps, radius)))
                 add(static_cast<std::uint32_t>(plate.corners), &plate);
@@ -147,6 +147,8 @@ gpu::GraphicsPipeline pipelineOf(gpu::PipelineContext& context, const SceneView&
     d.constants.set(layout::kDepthStepsId, pass.encoding.steps);
     d.constants.set(layout::kCornersId, drawn.corners.count);
     if (drawn.plate) d.constants.set(layout::kRimId, drawn.plate->rim);
+    // A fragment's one hit is not where all of its samples are.
+    if (drawn.plate) d.constants.set(layout::kPlateRoomId, view.samples > 1 ? 0.6f : 0.0f);
     d.streams = streamsOf(drawn.primitive, pass.looks);
     d.layout = *layoutOf(context, view, pass, drawn.primitive).pipeline;
     d.colorsWritten = pass.colorsWritten;

@@ -45,9 +45,10 @@ struct SceneView {
     bool coded = false;                           ///< write colour sRGB-coded, else linear
     bool powers = false;                          ///< the device computes powers in a few instructions
     bool perspective = false;
-    int quarterTurns = 0;    ///< as in View
-    float wireScale = 1;     ///< this picture's pixels per pixel of the requested picture
-    bool wholeImage = true;  ///< the viewport is the whole image; false: it is centred on the view axis
+    std::uint32_t samples = 1;  ///< of a pixel, which a fragment tells it covers
+    int quarterTurns = 0;       ///< as in View
+    float wireScale = 1;        ///< this picture's pixels per pixel of the requested picture
+    bool wholeImage = true;     ///< the viewport is the whole image; false: it is centred on the view axis
     bool lighting = true, occlusion = false;
     vk::BufferView occlusionCells;           ///< Atlas::cells
     std::shared_ptr<const void> atlasOwner;  ///< Atlas::owner: keeps both alive while a frame is in flight
@@ -65,6 +66,10 @@ struct SceneView {
     double radiusPixels = 0;                     ///< mean radius of the spheres in the picture
     double smallestPixels = 0;                   ///< half the width of the narrowest primitive or line in the picture
     std::shared_ptr<FragmentCounter> fragments;  ///< null: count none
+
+    /// Whether facets must not lean: they are planes of depth only where parallel lines stay parallel, and behind one
+    /// sample of a pixel they may stand before the hit of another.
+    bool flat() const { return perspective || samples > 1; }
 
     /// Lets go of all that it holds, but for the room of its lists.
     void clear() {

@@ -109,7 +109,8 @@ SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, doub
     if (reach > before) result.clip.near = -before;
     if (reach > camera.radius) result.clip.far = camera.radius;
     // All depths are before the eye.
-    view.radius = std::min(reach, std::min(std::max(before, camera.radius) + kPlaneRoom, distance - (kNearestPlane - kPlaneRoom) / 2));
+    view.radius = std::min(
+        reach, std::min(std::max(before, camera.radius) + kPlaneRoom, distance - (kNearestPlane - kPlaneRoom) / 2));
     result.clip.far = std::min(result.clip.far, view.radius < reach ? view.radius : Clip::kNone);
     return result;
 }

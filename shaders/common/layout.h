@@ -29,23 +29,24 @@ const int kWireScaleId = 14;    // float: pixels per pixel of the picture, for t
 // Polygons, and depth.
 const int kCornersId = 10;        // of a primitive's polygon
 const int kRimId = 11;            // float: of a plate, in radii of its sphere
+const int kPlateRoomId = 15;      // float: that a plate leaves to its sphere's rim, pixels
 const int kDepthChannelsId = 12;  // of encoded depth
 const int kDepthStepsId = 13;     // per channel of encoded depth, less one; 0: the channel is the depth
 // Shading.
-const int kLightingId = 20;    // bool: false: base colour times occlusion
-const int kAmbientId = 21;     // float: weights of light, 1 as in common/shading.glsl
-const int kDirectId = 22;      // float
-const int kHighlightId = 23;   // float
-const int kGlossId = 24;       // float: exponent of the highlight
-const int kPowersId = 25;      // bool: the device computes powers in a few instructions
-const int kOcclusionId = 26;   // bool: read the atlas
-const int kDeepeningId = 27;   // float: strength of occlusion, 0..1
-const int kCellsId = 28;       // bool: shaders interpolate occlusion themselves, from cells
-const int kCapId = 29;         // style of clipped surfaces: 0 plain, 1 dark, 2 hatched
-const int kFogId = 30;         // bool
-const int kShadowId = 31;      // bool: the light's depth map is asked
+const int kLightingId = 20;     // bool: false: base colour times occlusion
+const int kAmbientId = 21;      // float: weights of light, 1 as in common/shading.glsl
+const int kDirectId = 22;       // float
+const int kHighlightId = 23;    // float
+const int kGlossId = 24;        // float: exponent of the highlight
+const int kPowersId = 25;       // bool: the device computes powers in a few instructions
+const int kOcclusionId = 26;    // bool: read the atlas
+const int kDeepeningId = 27;    // float: strength of occlusion, 0..1
+const int kCellsId = 28;        // bool: shaders interpolate occlusion themselves, from cells
+const int kCapId = 29;          // style of clipped surfaces: 0 plain, 1 dark, 2 hatched
+const int kFogId = 30;          // bool
+const int kShadowId = 31;       // bool: the light's depth map is asked
 const int kBlendColorsId = 33;  // bool: triangles go over from corner to corner in colour
-const int kCopyColorsId = 32;  // colours that the copies of an assembly take in turn; 0: they all look the same
+const int kCopyColorsId = 32;   // colours that the copies of an assembly take in turn; 0: they all look the same
 // Pictures.
 const int kCodedId = 40;    // bool: the target takes sRGB-coded colour unchanged
 const int kSamplesId = 41;  // n x n texels of a picture per pixel; 0: bilinear

@@ -5,14 +5,17 @@
 #if defined(CYLINDER)
 layout(location = 0) flat in vec4 endA;  // view space, radius
 layout(location = 1) flat in vec4 endB;  // view space, 1 / length
-Hit primitiveHit() { return cylinderHit(endA.xyz, endB, endA.w, gl_FragCoord.xy); }
+Hit primitiveHitAt(vec2 fragment) { return cylinderHit(endA.xyz, endB, endA.w, fragment); }
 #elif defined(TRIANGLE)
 layout(location = 0) flat in vec3 cornerA;  // projected()
 layout(location = 1) flat in vec3 cornerB;
 layout(location = 2) flat in vec3 cornerC;
 layout(location = 3) flat in uint joins;
-Hit primitiveHit() { return triangleHitThrough(cornerA, cornerB, cornerC, joins, planePoint(gl_FragCoord.xy)); }
+Hit primitiveHitAt(vec2 fragment) {
+    return triangleHitThrough(cornerA, cornerB, cornerC, joins, planePoint(fragment));
+}
 #else
 layout(location = 0) flat in vec4 sphere;  // view space, radius
-Hit primitiveHit() { return sphereHit(sphere, gl_FragCoord.xy); }
+Hit primitiveHitAt(vec2 fragment) { return sphereHit(sphere, fragment); }
 #endif
+Hit primitiveHit() { return primitiveHitAt(gl_FragCoord.xy); }

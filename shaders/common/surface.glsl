@@ -1,6 +1,10 @@
 // Output of a fragment shader for a hit: colour, or one of the layers. Selected by SURFACE or IDENTITY.
 #include "color.glsl"
 
+#ifndef PLACE
+#define PLACE gl_FragCoord.xy  // that the hit is of
+#endif
+
 #if defined(SURFACE)
 layout(location = 0) out vec4 surface;  // normal, Z
 #elif defined(IDENTITY)
@@ -39,7 +43,7 @@ void writeSurface(Hit hit, vec3 base, float occlusion) {
 #if defined(SURFACE)
     surface = vec4(hit.normal, hit.Z);
 #else
-    vec3 lit = lightOf(hit, base, occlusion, planePoint(gl_FragCoord.xy));
+    vec3 lit = lightOf(hit, base, occlusion, planePoint(PLACE));
 #ifdef RIMS
     writeRimmed(vec4(lit, 1.0));
 #else

@@ -38,6 +38,40 @@ TEST(Plan, MaliIsDrawnInRasterOrder) {
     EXPECT_EQ(json["tile_bytes_per_pixel"], 8);
 }
 
+TEST(Plan, TellsWhatSamplesInMotionCost) {
+    EXPECT_EQ(jsonOf(phone("mali"))["motion"]["samples"], 1);
+    const Json suggested = jsonOf(phone("apple-moltenvk"));
+    EXPECT_EQ(suggested["motion"]["samples"], 4);
+    ASSERT_EQ(suggested["costs"].size(), 1u);
+    EXPECT_EQ(suggested["costs"][0], Json({{"option", "msaa 4"},
+                                           {"visibility", "fragdepth"},
+                                           {"passes", Json::array()},
+                                           {"samples", 4},
+                                           {"loaded", 0},
+                                           {"stored", 0},
+                                           {"tile_bytes_per_pixel", 12}}));
+    PlanOptions asked = phone("apple-moltenvk");
+    asked.picture.device.multisampling = Multisampling::four;
+    const Json apple = jsonOf(asked);
+    EXPECT_EQ(apple["samples"], 4);
+    for (const Json& a : apple["render_passes"][0]["attachments"]) {
+        EXPECT_EQ(a["store"], a["name"] == "colour" ? "store" : "dont_care");
+        EXPECT_EQ(a["samples"], a["name"] == "colour" ? 1 : 4);
+    }
+    EXPECT_EQ(apple["memory_bytes"]["stored"], kPixels * 4);
+    asked.picture.device.multisampling = Multisampling::off;
+    EXPECT_EQ(jsonOf(asked)["motion"]["samples"], 1);
+    EXPECT_FALSE(jsonOf(asked).contains("costs"));
+    asked.picture.device.multisampling = Multisampling::automatic;
+    asked.picture.effects.contours.width = 2;
+    EXPECT_EQ(jsonOf(asked)["motion"]["samples"], 1);
+    asked.picture.device.multisampling = Multisampling::four;
+    EXPECT_THROW(planReport(asked), Error);
+    asked = phone("adreno");
+    asked.picture.device.multisampling = Multisampling::four;
+    EXPECT_THROW(planReport(asked), Error);
+}
+
 TEST(Plan, OfMaliIsOneRenderPassWhoseTrafficIsTheColourAlone) {
     const Json json = jsonOf(encodedOn("mali"));
     ASSERT_EQ(json["render_passes"].size(), 1u);

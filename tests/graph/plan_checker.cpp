@@ -90,7 +90,7 @@ private:
         Content all = 3;
         for (const graph::Use& use : g_.passes()[p].uses) {
             const bool old = use.verb == Verb::color || use.verb == Verb::ordered || use.verb == Verb::depth;
-            if (old && use.clear) continue;
+            if ((old && use.clear) || use.verb == Verb::resolve) continue;
             all = mix(all, use.isImage ? images[use.resource] : buffers[use.resource]);
         }
         return all;
@@ -171,6 +171,7 @@ private:
         };
         if (has(subpass.colors)) return verb = has(subpass.inputs) ? Verb::ordered : Verb::color, true;
         if (has(subpass.inputs)) return verb = Verb::input, true;
+        if (subpass.resolve == static_cast<std::int32_t>(a)) return verb = Verb::resolve, true;
         if (subpass.depth == static_cast<std::int32_t>(a))
             return verb = subpass.depthWrite ? Verb::depth : Verb::depthTest, true;
         return false;
@@ -268,8 +269,12 @@ private:
         std::uint32_t bytes = 0;
         for (const graph::Attachment& a : rp.attachments) {
             const graph::ImageDesc& desc = g_.images()[a.image].desc;
-            if (desc.extent != rp.extent || desc.samples != rp.samples) fault("extents or samples differ");
-            if (!graph::isDepthFormat(a.format)) bytes += graph::bytesPerTexel(a.format);
+            const bool resolved = std::any_of(rp.subpasses.begin(), rp.subpasses.end(), [&](const graph::Subpass& s) {
+                return s.resolve == static_cast<std::int32_t>(&a - rp.attachments.data());
+            });
+            if (desc.extent != rp.extent || desc.samples != a.samples || a.samples != (resolved ? 1 : rp.samples))
+                fault("extents or samples differ");
+            if (!graph::isDepthFormat(a.format) && !resolved) bytes += graph::bytesPerTexel(a.format) * a.samples;
             if (a.transient && !plan_.images[a.image].transient) fault("transient in one place alone");
         }
         if (bytes > caps_.tileBytesPerPixel) fault("the tile budget is exceeded");

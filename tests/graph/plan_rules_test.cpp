@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/graph/capability_sets.h"
+#include "tests/graph/plan_checker.h"
 
 namespace nacre::graph {
 namespace {
@@ -153,6 +154,7 @@ TEST_F(InputRead, BecomesATextureReadAfterAnotherKindOfPass) {
     EXPECT_TRUE(plan().inputIsSampled[2]);
 }
 TEST_F(InputRead, OfSeveralSamplesCannotBecomeATextureRead) {
+    caps.tileBytesPerPixel = 32;
     const Image many = g.image("many", {VK_FORMAT_R8G8B8A8_UNORM, kExtent, 4});
     const Image result = g.image("result", {VK_FORMAT_R8G8B8A8_UNORM, kExtent, 4});
     g.graphics("draw").color(many, Clear{0.0f});
@@ -161,6 +163,100 @@ TEST_F(InputRead, OfSeveralSamplesCannotBecomeATextureRead) {
     EXPECT_EQ(refusal(), "");
     caps.merge = false;
     EXPECT_NE(refusal().find("pass 'read', image 'many': input of several samples"), std::string::npos) << refusal();
+}
+
+// Colour of four samples, which the pass resolves, and what another pass draws over it.
+struct Resolve : Rules {
+    static constexpr ImageDesc kFour{VK_FORMAT_R8G8B8A8_UNORM, kExtent, 4};
+    Image depth = g.image("depth", {VK_FORMAT_D32_SFLOAT, kExtent, 4});
+    Image samples = g.image("samples", kFour), picture = g.image("picture", kColor);
+    void draw() { g.graphics("draw").depth(depth, Clear{1.0f}).color(samples, Clear{0.0f}).resolve(picture); }
+};
+
+TEST_F(Resolve, HappensInTheRenderPassAndStoresThePictureAlone) {
+    draw();
+    g.graphics("over").color(samples).resolve(picture);
+    g.output(picture);
+    const Plan p = plan();
+    ASSERT_EQ(p.steps.size(), 1u);
+    const RenderPassPlan& pass = p.steps[0].renderPass;
+    ASSERT_EQ(pass.subpasses.size(), 1u);
+    EXPECT_EQ(pass.samples, 4u);
+    EXPECT_EQ(pass.tileBytesPerPixel, 16u);
+    for (const Attachment& a : pass.attachments) {
+        const bool resolved = a.image == picture.index;
+        EXPECT_EQ(a.samples, resolved ? 1u : 4u);
+        EXPECT_EQ(a.load, resolved ? Load::dontCare : Load::clear);
+        EXPECT_EQ(a.store, resolved ? Store::store : Store::dontCare);
+        EXPECT_EQ(a.transient, !resolved);
+    }
+    EXPECT_EQ(p.total, (Traffic{0, 100 * 50 * 4}));
+    EXPECT_EQ(test::checkPlan(g, p, caps), std::vector<std::string>{});
+}
+TEST_F(Resolve, IsSeenByLaterPasses) {
+    draw();
+    const Image copy = g.image("copy", kColor);
+    g.graphics("read").samples(picture).color(copy, Clear{0.0f});
+    g.output(copy);
+    EXPECT_EQ(steps(), 2u);
+    EXPECT_EQ(test::checkPlan(g, plan(), caps), std::vector<std::string>{});
+}
+TEST_F(Resolve, OfOnePassIsNotThatOfAnother) {
+    draw();
+    const Image other = g.image("other", kColor);
+    g.graphics("over").color(samples).resolve(other);
+    g.output(picture);
+    g.output(other);
+    EXPECT_EQ(subpasses(), 2u);
+    EXPECT_EQ(test::checkPlan(g, plan(), caps), std::vector<std::string>{});
+    caps.tileSubpasses = false;
+    EXPECT_EQ(steps(), 2u);
+}
+TEST_F(Resolve, CountsAllSamplesOnTheTile) {
+    draw();
+    g.output(picture);
+    EXPECT_EQ(refusal(), "");
+    caps.tileBytesPerPixel = 15;
+    EXPECT_EQ(refusal(), "pass 'draw': 16 bytes of colour per pixel exceed the tile budget of 'mali-old' (15)");
+}
+TEST_F(Resolve, TakesWhatItsColourIsMadeOf) {
+    const Image wide = g.image("wide", kWide);
+    g.graphics("draw").color(samples, Clear{0.0f}).resolve(wide);
+    g.output(wide);
+    EXPECT_EQ(refusal(),
+              "pass 'draw', image 'wide': RGBA16F of 100x50 cannot take the mean of RGBA8 of 100x50, 4 samples");
+}
+TEST_F(Rules, NothingIsResolvedThatHasOneSample) {
+    const Image a = g.image("a", kColor), b = g.image("b", kColor);
+    g.graphics("draw").color(a, Clear{0.0f}).resolve(b);
+    g.output(b);
+    EXPECT_EQ(refusal(), "pass 'draw', image 'b': nothing of several samples stands before it");
+}
+
+TEST(Multisamples, AreTakenWhereTheyStayOnTheTile) {
+    const auto choose = [](const char* name, Visibility path) {
+        const CapabilitySet& set = capabilitySet(name);
+        return chooseSamples(set.kind, path, set.plan);
+    };
+    EXPECT_EQ(choose("apple-moltenvk", Visibility::fragdepth).samples, 4u);
+    EXPECT_EQ(choose("adreno-no-subpass", Visibility::fragdepth).samples, 4u);
+    // Samples read in raster order are unverified: there they are asked for.
+    EXPECT_EQ(choose("mali", Visibility::rasterOrder).samples, 1u);
+    EXPECT_EQ(lacksMultisampling(Visibility::rasterOrder, capabilitySet("mali").plan), "");
+    // No memory that is lazily allocated; no tile; encoded depth of one sample.
+    EXPECT_EQ(choose("v3dv", Visibility::fragdepth).samples, 1u);
+    EXPECT_EQ(choose("desktop", Visibility::fragdepth).samples, 1u);
+    for (const CapabilitySet& set : capabilitySets())
+        for (const Visibility path : {Visibility::encoded, Visibility::deferred, Visibility::tiles})
+            EXPECT_EQ(chooseSamples(set.kind, path, set.plan).samples, 1u) << set.plan.name;
+    PlanCaps caps = capabilitySet("mali").plan;
+    caps.tileBytesPerPixel = 31;
+    EXPECT_EQ(lacksMultisampling(Visibility::rasterOrder, caps),
+              "its samples take 32 bytes per pixel of the tile, which holds 31");
+    EXPECT_EQ(lacksMultisampling(Visibility::fragdepth, caps), "");
+    caps.placesSamples = false;
+    EXPECT_NE(lacksMultisampling(Visibility::fragdepth, caps), "");
+    EXPECT_EQ(chooseSamples(DeviceKind::software, Visibility::fragdepth, capabilitySet("mali").plan).samples, 1u);
 }
 
 TEST_F(Rules, ATextureReadCrossesPixels) {

@@ -77,6 +77,42 @@ TEST(ScreenPlan, EdgesByTilesAreAComputePassAndAPassOfTheSameSubpass) {
         "memory: loaded 172032 B, stored 134688 B\n");
 }
 
+/// The screen frame by four samples of a pixel.
+std::string fourSamplesOn(const char* set, Visibility visibility) {
+    ScreenOptions options;
+    options.extent = kScreen;
+    options.visibility = visibility;
+    options.targets = kScreenTargets;
+    options.samples = kMultisamples;
+    ScreenFrame frame = screenFrame(options);
+    frame.graph.output(frame.targets[0]);
+    return describe(frame.graph, compile(frame.graph, capabilitySet(set).plan));
+}
+
+TEST(ScreenPlan, FourSamplesAreResolvedOnTheTileAndNeverStored) {
+    EXPECT_EQ(fourSamplesOn("apple-moltenvk", Visibility::fragdepth),
+              "render pass 100x50\n"
+              "  depth  D32F  clear  -  transient  4 samples\n"
+              "  colour samples  RGBA8 sRGB  clear  -  transient  4 samples\n"
+              "  colour  RGBA8 sRGB  -  store\n"
+              "  subpass 0 opaque prepass + impostor colour: depth write, colour samples write, colour resolve, "
+              "occlusion atlas sample\n"
+              "  tile 16 B/px + depth\n"
+              "memory: loaded 0 B, stored 20000 B\n");
+    EXPECT_EQ(fourSamplesOn("mali", Visibility::rasterOrder),
+              "render pass 100x50\n"
+              "  depth  D32F  clear  -  transient  4 samples\n"
+              "  colour samples  RGBA8 sRGB  clear  -  transient  4 samples\n"
+              "  colour  RGBA8 sRGB  -  store\n"
+              "  nearest depth  R32F  clear  -  transient  4 samples\n"
+              "  subpass 0 opaque prepass: depth write\n"
+              "  subpass 1 impostor colour: depth test, colour samples write, nearest depth ordered, colour resolve, "
+              "occlusion atlas sample\n"
+              "  dependency 0 -> 1 by region\n"
+              "  tile 32 B/px + depth\n"
+              "memory: loaded 0 B, stored 20000 B\n");
+}
+
 TEST(ScreenPlan, MaliEncodedIsOneRenderPassOfThreeSubpasses) {
     const Graph g = frameBy(Visibility::encoded);
     EXPECT_EQ(describe(g, compile(g, capabilitySet("mali").plan)),

@@ -220,6 +220,9 @@ inline DeclaredGraph declare(const RandomGraph& random,
                 case graph::Verb::ordered:
                     builder.ordered(d.images[use.resource], clear);
                     break;
+                case graph::Verb::resolve:
+                    builder.resolve(d.images[use.resource]);
+                    break;
                 case graph::Verb::input:
                     builder.input(d.images[use.resource]);
                     break;

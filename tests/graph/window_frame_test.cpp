@@ -44,5 +44,29 @@ TEST(WindowFrame, TheOverlayIsDrawnInTheFinalSubpassAndTheDisplayGetsTheImage) {
     }
 }
 
+TEST(WindowFrame, WhatIsDrawnOverFourSamplesIsResolvedWithThem) {
+    const ScreenTarget target{"window", VK_FORMAT_B8G8R8A8_SRGB, passes::Output::color, "impostor colour", Clear{1.0f},
+                              true};
+    ScreenOptions options;
+    options.extent = {64, 48};
+    options.visibility = Visibility::fragdepth;
+    options.targets = {&target, 1};
+    options.samples = kMultisamples;
+    ScreenFrame frame = screenFrame(options);
+    ASSERT_TRUE(frame.samples);
+    frame.graph.graphics("overlay").color(*frame.samples).resolve(frame.targets[0]);
+    const Plan plan = compile(frame.graph, capabilitySet("apple-moltenvk").plan);
+    ASSERT_EQ(plan.steps.size(), 1u);
+    const RenderPassPlan& pass = plan.steps[0].renderPass;
+    ASSERT_EQ(pass.subpasses.size(), 1u);
+    EXPECT_EQ(pass.subpasses[0].passes.size(), 3u);
+    for (const Attachment& a : pass.attachments) {
+        if (a.image != frame.targets[0].index) continue;
+        EXPECT_EQ(a.store, Store::store);
+        EXPECT_EQ(a.finalLayout, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR);
+    }
+    EXPECT_EQ(plan.total, (Traffic{0, 64 * 48 * 4}));
+}
+
 }  // namespace
 }  // namespace nacre::graph

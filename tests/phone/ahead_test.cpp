@@ -35,12 +35,12 @@ struct Made {
     }
 };
 
-TEST(PipelinesAhead, NeitherAZoomNorAnotherQualityWaitsForOne) {
+void neitherAZoomNorAnotherQualityWaits(const DeviceOptions& options) {
     const TemporaryFolder folder;
     const std::string file = folder / "pipelines";
     setenv("NACRE_PHONE_PIPELINES", file.c_str(), 1);
     const Representation r = scene("sample:glucose", Style::ballAndStick);
-    Renderer renderer(window());
+    Renderer renderer(options);
     renderer.setScene(r);
     RenderSettings s = settings(r, 32, Projection::orthographic);
     s.occlusion.directions = 0;
@@ -74,6 +74,16 @@ TEST(PipelinesAhead, NeitherAZoomNorAnotherQualityWaitsForOne) {
     EXPECT_EQ(Made(file).here, first) << "in a refined picture";
     unsetenv("NACRE_PHONE_PIPELINES");
     for (const std::string& message : renderer.validationMessages()) ADD_FAILURE() << message;
+}
+
+TEST(PipelinesAhead, NeitherAZoomNorAnotherQualityWaitsForOne) { neitherAZoomNorAnotherQualityWaits(window()); }
+
+// Frames at rest have single samples, by other pipelines than those in motion.
+TEST(PipelinesAhead, NorDoesAWindowThatComesToRestAfterFramesOfFourSamples) {
+    DeviceOptions options = window();
+    options.visibility = Visibility::fragdepth;
+    options.multisampling = Multisampling::four;
+    neitherAZoomNorAnotherQualityWaits(options);
 }
 
 /// What the window's frames draw, by zoom.

@@ -127,6 +127,7 @@ const std::map<std::string_view, std::string>& otherValues() {
                                                                  {"debug", "plates"},
                                                                  {"device", "0"},
                                                                  {"visibility", "tiles"},
+                                                                 {"msaa", "4"},
                                                                  {"encoded-format", "r32f"},
                                                                  {"prepass", "off"},
                                                                  {"transient", "off"},

@@ -14,8 +14,9 @@ using Quality = WindowFrame::Quality;
 
 int surfaces = 0;
 
-DeviceOptions windowOptions(Visibility visibility) {
+DeviceOptions windowOptions(Visibility visibility, Multisampling samples = Multisampling::automatic) {
     DeviceOptions options;
+    options.multisampling = samples;
     options.validate = true;
     options.visibility = visibility;
     options.surface = headlessSurface();
@@ -90,6 +91,30 @@ TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
         // Pictures for files in between.
         EXPECT_EQ(renderer.render(s).width, size.width);
         EXPECT_EQ(renderer.present(s, {}), FrameOutcome::shown);
+        for (const std::string& message : renderer.validationMessages()) ADD_FAILURE() << message;
+    }
+}
+
+TEST(WindowFrames, FourSamplesInMotionAreValidUnderAnOverlayAndAtAnySize) {
+    if (!hasHeadlessSurfaces()) GTEST_SKIP() << "no VK_EXT_headless_surface";
+    const Representation r = scene("sample:glucose", Style::ballAndStick);
+    {
+        Renderer renderer(windowOptions(Visibility::fragdepth, Multisampling::four));
+        const Overlay overlay = triangle();
+        renderer.setOverlayGlyphs({2, 2, {255, 0, 255, 255}});
+        renderer.setScene(r);
+        RenderSettings s = settings(r, 96, Projection::orthographic);
+        renderer.present(s, {});
+        Camera camera;
+        s.view = viewOf(camera, r.radius, renderer.windowSize().width, renderer.windowSize().height);
+        for (const double contours : {0.0, 2.0})  // which have one sample
+            for (const WindowFrame& frame :
+                 {WindowFrame{}, WindowFrame{Quality::live, 1, 1, 0, &overlay},
+                  WindowFrame{Quality::live, 0.5, 1, 0, &overlay}, WindowFrame{Quality::refined, 1, 16, 0, &overlay},
+                  WindowFrame{Quality::kept, 1, 1, 0, &overlay}}) {
+                s.effects.contours.width = contours;
+                ASSERT_EQ(renderer.present(s, frame), FrameOutcome::shown);
+            }
         for (const std::string& message : renderer.validationMessages()) ADD_FAILURE() << message;
     }
 }

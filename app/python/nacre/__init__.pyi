@@ -121,6 +121,7 @@ class Options(TypedDict, total=False):
     debug: str
     device: str | float
     visibility: str
+    msaa: str
     encoded_format: str
     prepass: str | bool
     transient: str | bool
