@@ -195,7 +195,7 @@ void addInteractionsOf(const Molecule& molecule, const InputOptions& input, cons
         if (!options.csv && !options.json) info.text += frequencyText(molecule, frequencies);
         return;
     }
-    const std::vector<Interaction> interactions = interactionsOf(molecule, contacts);
+    const std::vector<Interaction> interactions = interactionsOf(molecule, contacts, options.picture.look.assembly);
     if (options.csv) info.text = interactionCsv(molecule, interactions);
     if (options.json) info.json["interactions"] = interactionList(molecule, interactions);
     if (!options.csv && !options.json) info.text += interactionText(molecule, interactions);

@@ -7,6 +7,8 @@
 
 #include "app/files/printable.h"
 #include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/scene/representation.h"
 
 namespace nacre::app {
 
@@ -46,7 +48,7 @@ EndFields fieldsOf(const Molecule& molecule, const std::vector<std::uint32_t>& a
     return fields;
 }
 
-Json endJson(const Molecule& molecule, const std::vector<std::uint32_t>& atoms, bool several) {
+Json endJson(const Molecule& molecule, const std::vector<std::uint32_t>& atoms, bool several, bool image) {
     EndFields fields = fieldsOf(molecule, atoms);
     Json json{{"chain", std::move(fields.chain)}};
     if (several) json["model"] = fields.model;
@@ -55,6 +57,7 @@ Json endJson(const Molecule& molecule, const std::vector<std::uint32_t>& atoms, 
     json["insertion"] = std::move(fields.insertion);
     json["atoms"] = std::move(fields.atoms);
     json["ids"] = std::move(fields.ids);
+    if (image) json["other_copy"] = true;
     return json;
 }
 
@@ -65,11 +68,11 @@ std::string joined(const std::vector<Value>& values) {
     return text.str();
 }
 
-std::string endCells(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
-    const EndFields fields = fieldsOf(molecule, atoms);
+std::string endCells(const Molecule& molecule, const InteractionEnd& end) {
+    const EndFields fields = fieldsOf(molecule, end.atoms);
     return csvCell(fields.chain) + "," + std::to_string(fields.model) + "," + csvCell(fields.residue) + "," +
            std::to_string(fields.number) + "," + csvCell(fields.insertion) + "," + csvCell(joined(fields.atoms)) + "," +
-           joined(fields.ids);
+           joined(fields.ids) + "," + (end.image ? "1" : "0");
 }
 
 const char* donorName(const Interaction& interaction) {
@@ -114,8 +117,19 @@ InteractionQuery interactionQuery(const Molecule& molecule, const ContactOptions
     return query;
 }
 
-std::vector<Interaction> interactionsOf(const Molecule& molecule, const ContactOptions& contacts) {
-    return InteractionFinder(molecule, contacts.rules).find(molecule, interactionQuery(molecule, contacts));
+std::vector<Interaction> interactionsOf(const Molecule& molecule, const ContactOptions& contacts,
+                                        const std::string& assembly) {
+    const InteractionQuery query = interactionQuery(molecule, contacts);
+    if (assembly.empty()) return InteractionFinder(molecule, contacts.rules).find(molecule, query);
+    RepresentationOptions look;
+    look.style = Style::licorice;
+    look.contacts = contacts;
+    look.assembly = assembly;
+    std::vector<Interaction> found;
+    for (DrawnContact& contact :
+         represent(molecule, drawnAtoms(molecule, {.water = true, .hydrogens = true}), look).contacts)
+        found.push_back(std::move(contact.interaction));
+    return found;
 }
 
 Json interactionList(const Molecule& molecule, const std::vector<Interaction>& interactions) {
@@ -123,8 +137,8 @@ Json interactionList(const Molecule& molecule, const std::vector<Interaction>& i
     Json list = Json::array();
     for (const Interaction& interaction : interactions) {
         Json json{{"kind", interactionKindName(interaction.kind)},
-                  {"a", endJson(molecule, interaction.a.atoms, several)},
-                  {"b", endJson(molecule, interaction.b.atoms, several)},
+                  {"a", endJson(molecule, interaction.a.atoms, several, interaction.a.image)},
+                  {"b", endJson(molecule, interaction.b.atoms, several, interaction.b.image)},
                   {"distance", rounded(interaction.distance, 1000)}};
         json["angles"] = Json::object();
         for (const InteractionAngle& angle : interaction.angles)
@@ -134,7 +148,7 @@ Json interactionList(const Molecule& molecule, const std::vector<Interaction>& i
         if (!interaction.waters.empty()) {
             json["waters"] = Json::array();
             for (const std::uint32_t water : interaction.waters)
-                json["waters"].push_back(endJson(molecule, {water}, several));
+                json["waters"].push_back(endJson(molecule, {water}, several, interaction.waterImage));
         }
         list.push_back(std::move(json));
     }
@@ -144,7 +158,7 @@ Json interactionList(const Molecule& molecule, const std::vector<Interaction>& i
 std::string interactionCsv(const Molecule& molecule, const std::vector<Interaction>& interactions) {
     std::string text = "kind";
     for (const char* side : {"a", "b"})
-        for (const char* field : {"chain", "model", "residue", "number", "insertion", "atoms", "ids"})
+        for (const char* field : {"chain", "model", "residue", "number", "insertion", "atoms", "ids", "other_copy"})
             text += std::string(",") + side + "_" + field;
     text += ",distance,angles,offset,donor,waters\n";
     for (const Interaction& interaction : interactions) {
@@ -153,10 +167,10 @@ std::string interactionCsv(const Molecule& molecule, const std::vector<Interacti
             angles += (angles.empty() ? "" : " ") + std::string(angle.name) + "=" + decimals(angle.degrees, 1);
         std::vector<std::uint32_t> waters;
         for (const std::uint32_t water : interaction.waters) waters.push_back(water + 1);
-        text += std::string(interactionKindName(interaction.kind)) + "," + endCells(molecule, interaction.a.atoms) +
-                "," + endCells(molecule, interaction.b.atoms) + "," + decimals(interaction.distance, 3) + "," + angles +
-                "," + (interaction.offset >= 0 ? decimals(interaction.offset, 3) : "") + "," + donorName(interaction) +
-                "," + joined(waters) + "\n";
+        text += std::string(interactionKindName(interaction.kind)) + "," + endCells(molecule, interaction.a) + "," +
+                endCells(molecule, interaction.b) + "," + decimals(interaction.distance, 3) + "," + angles + "," +
+                (interaction.offset >= 0 ? decimals(interaction.offset, 3) : "") + "," + donorName(interaction) + "," +
+                joined(waters) + "\n";
     }
     return text;
 }
@@ -166,8 +180,10 @@ std::string interactionText(const Molecule& molecule, const std::vector<Interact
     for (const Interaction& interaction : interactions) {
         std::string line = "    " + std::string(interactionKindName(interaction.kind));
         line.resize(std::max<std::size_t>(line.size(), 19), ' ');
-        line += decimals(interaction.distance, 2) + " Å  " + endName(molecule, interaction.a.atoms) + "  -  " +
-                endName(molecule, interaction.b.atoms);
+        const auto named = [&](const InteractionEnd& end) {
+            return endName(molecule, end.atoms) + (end.image ? " of another copy" : "");
+        };
+        line += decimals(interaction.distance, 2) + " Å  " + named(interaction.a) + "  -  " + named(interaction.b);
         for (const std::uint32_t water : interaction.waters) line += "  by " + endName(molecule, {water});
         text += line + "\n";
     }

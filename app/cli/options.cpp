@@ -121,6 +121,10 @@ void checkExport(const ExportCommandOptions& options) {
 void checkInfo(const InfoOptions& options) {
     if (options.frequencies && !options.picture.look.contacts.of)
         throw UsageError("--frequencies is for --interactions");
+    if (!options.picture.look.assembly.empty()) {
+        if (!options.picture.look.contacts.of) throw UsageError("--assembly is for --interactions");
+        if (options.frequencies) throw UsageError("--frequencies and --assembly exclude each other");
+    }
     if (!options.csv) return;
     if (!options.picture.look.contacts.of) throw UsageError("--csv is for --interactions");
     if (options.json) throw UsageError("--csv and --json exclude each other");
@@ -134,6 +138,9 @@ void addInteractions(CommandSpec& command, InfoOptions& options) {
                  "selections, /NAME");
     command.flag("--frequencies", options.frequencies,
                  "How often each interaction is there, over all models (--model all) or frames (--trajectory)");
+    command.value("--assembly", "ID", "none",
+                  "With interactions between the copies of an assembly or unit cell, as pictures draw them",
+                  [&](const std::string& text) { options.picture.look.assembly = text; });
     command.flag("--csv", options.csv, "The interactions as a table of comma-separated values");
 }
 

@@ -49,6 +49,12 @@ std::string residueText(const Document& document, std::uint32_t atom) {
     return residuesText(molecule, number, number, input);
 }
 
+/// Both residues of a contact.
+std::string residuesText(const DrawnContact& contact) {
+    return "byres (id " + std::to_string(contact.interaction.a.atoms.front() + 1) + "+" +
+           std::to_string(contact.interaction.b.atoms.front() + 1) + ")";
+}
+
 }  // namespace
 
 void Picking::tap(glm::dvec2 at, double now) {
@@ -65,8 +71,7 @@ void Picking::tap(glm::dvec2 at, double now) {
     }
     if (const DrawnContact* contact = stage_.document.scene.contactOf(*atom)) {
         picks_.clear();
-        select("byres (id " + std::to_string(contact->interaction.a.atoms.front() + 1) + "+" +
-               std::to_string(contact->interaction.b.atoms.front() + 1) + ")");
+        select(residuesText(*contact));
         return;
     }
     if (measuring_ == Measuring::off) select(residueText(stage_.document, *atom - 1));
@@ -81,13 +86,14 @@ void Picking::measure(Measuring what) {
     stage_.schedule.overlayChanged();
 }
 
-/// Off the molecule it means the whole, and if one residue is everything.
+/// Off the molecule it means the whole, and if one residue is everything; on a dash the residues that it joins.
 std::optional<Selection> Picking::doubleTap(glm::dvec2 at, double now) {
     picks_ = picksBefore_;
     stage_.schedule.overlayChanged();
     std::uint32_t atom = frames_.atomAt(at, kFingerPoints, now).value_or(0);
     if (stage_.document.scene.noteOf(atom) > 0) atom = 0;
-    if (atom > 0) atom = stage_.document.scene.atomOf(atom);
+    if (const DrawnContact* contact = stage_.document.scene.contactOf(atom))
+        return parseSelection(residuesText(*contact));
     if (atom == 0 || stage_.document.molecule->residues.size() < 2) return std::nullopt;
     return parseSelection(residueText(stage_.document, atom - 1));
 }

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/info_command.h"
@@ -8,6 +10,7 @@
 #include "app/cli/info_interactions.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"
+#include "engine/scene/copies.h"
 #include "tests/support/test_data.h"
 
 namespace nacre::app {
@@ -186,10 +189,11 @@ TEST(Info, InteractionsAsJsonCsvAndText) {
               R"("ids":[2]},"b":{"chain":"A","residue":"ALA","number":-3,"insertion":"","atoms":["CA"],"ids":[1]},)"
               R"("distance":3.142,"angles":{"water":101.3},"donor":"b","waters":[{"chain":"A","residue":"ALA",)"
               R"("number":-3,"insertion":"","atoms":["CA"],"ids":[1]}]}])");
-    EXPECT_EQ(interactionCsv(molecule, found),
-              "kind,a_chain,a_model,a_residue,a_number,a_insertion,a_atoms,a_ids,b_chain,b_model,b_residue,b_number,"
-              "b_insertion,b_atoms,b_ids,distance,angles,offset,donor,waters\n"
-              "water-bridge,A,1,LIG,0,B,C1,2,A,1,ALA,-3,,CA,1,3.142,water=101.3,,b,1\n");
+    EXPECT_EQ(
+        interactionCsv(molecule, found),
+        "kind,a_chain,a_model,a_residue,a_number,a_insertion,a_atoms,a_ids,a_other_copy,b_chain,b_model,b_residue,"
+        "b_number,b_insertion,b_atoms,b_ids,b_other_copy,distance,angles,offset,donor,waters\n"
+        "water-bridge,A,1,LIG,0,B,C1,2,0,A,1,ALA,-3,,CA,1,0,3.142,water=101.3,,b,1\n");
     EXPECT_EQ(interactionText(molecule, found),
               "  interactions\n    water-bridge   3.14 Å  A/LIG 0B C1  -  A/ALA -3 CA  by A/ALA -3 CA\n");
 }
@@ -198,6 +202,40 @@ TEST(Info, InteractionsOfWhatIsNotThereAreRefused) {
     ContactOptions contacts;
     contacts.of = parseSelection("resn XYZ");
     EXPECT_THROW(interactionsOf(twoCarbons(), contacts), Error);
+}
+
+TEST(Info, InteractionsBetweenCopiesAreThoseOfAnAssembly) {
+    NACRE_NEEDS_DATA();
+    const Molecule molecule = readMoleculeFile(test::dataFile("1stp-v5.cif"));
+    ContactOptions contacts;
+    contacts.of = parseSelection("protein");
+    contacts.kinds = {true};  // hydrogen bonds
+    const auto isBetween = [](const Interaction& contact) { return contact.a.image || contact.b.image; };
+    const auto alone = interactionsOf(molecule, contacts), all = interactionsOf(molecule, contacts, "1");
+    EXPECT_EQ(std::count_if(alone.begin(), alone.end(), isBetween), 0);
+    const std::vector<glm::dmat4x3> copies = placeAssembly(molecule, "1").transforms;
+    std::size_t between = 0;
+    for (const Interaction& contact : all) {
+        if (!isBetween(contact)) continue;
+        ++between;
+        const auto at = [&](const InteractionEnd& end, const glm::dmat4x3& copy) {
+            return copy * glm::dvec4(molecule.atoms[end.atoms[0]].position, 1);
+        };
+        double nearest = 1e9;  // of its length: two copies between which it lies
+        for (const glm::dmat4x3& first : copies)
+            for (const glm::dmat4x3& second : copies)
+                if (&first != &second)
+                    nearest = std::min(nearest, std::abs(glm::distance(at(contact.a, first), at(contact.b, second)) -
+                                                         contact.distance));
+        EXPECT_LT(nearest, 1e-3);
+        const std::string text = interactionText(molecule, {contact});
+        EXPECT_NE(text.find("of another copy"), std::string::npos) << text;
+        const auto json = interactionList(molecule, {contact})[0];
+        EXPECT_EQ(json["a"].contains("other_copy") + json["b"].contains("other_copy"), 1);
+    }
+    EXPECT_GT(between, 3u);
+    EXPECT_EQ(all.size(), alone.size() + between);
+    EXPECT_THROW(interactionsOf(molecule, contacts, "99"), Error);
 }
 
 /// The sample's DNA as two models, in the second of which the strands are apart.

@@ -30,7 +30,8 @@ struct Stand {
     Viewer viewer;
     double now = 100;
 
-    explicit Stand(Style style = Style::spacefill)
+    explicit Stand(Style style = Style::spacefill) : Stand(first(style)) {}
+    explicit Stand(const PictureDescription& picture)
         : viewer(screen,
                  {[this](const PictureDescription& v) {
                       for (int i = 0; v.input.path == "slow" && !cancelled && i < 1000; ++i)
@@ -42,7 +43,7 @@ struct Stand {
                       return represent(m, drawnAtoms(m, v.drawn), v.look);
                   },
                   [] { return 0.25; }, [this] { cancelled = true; }},
-                 first(style), {}) {
+                 picture, {}) {
         viewer.frames().resize({640, 480}, 1, now);
         viewer.reading().loader().wait();
         rest(1);
@@ -115,6 +116,27 @@ TEST(Pointing, AClickSelectsTheResidueAndOneBesideNothing) {
     s.click();
     EXPECT_EQ(s.viewer.picking().selection().text, "");
     EXPECT_TRUE(s.viewer.picking().annotations().selected.empty());
+}
+
+TEST(Pointing, ADashIsReadItsResiduesAreSelectedAndFlownTo) {
+    PictureDescription view = Stand::first(Style::licorice);
+    view.look.contacts.of = parseSelection("chain A and resi 4");
+    Stand s(view);
+    const Representation& scene = s.viewer.document()->scene;
+    ASSERT_FALSE(scene.contacts.empty());
+    s.screen.atom = scene.firstContact;
+    s.viewer.mouseMove({300, 200}, s.now);
+    s.rest(1);
+    EXPECT_NE(s.viewer.picking().annotations().hover.find("bond"), std::string::npos);
+    s.click();
+    const Interaction& contact = scene.contacts.front().interaction;
+    const std::string both =
+        "byres (id " + std::to_string(contact.a.atoms[0] + 1) + "+" + std::to_string(contact.b.atoms[0] + 1) + ")";
+    EXPECT_EQ(s.viewer.picking().selection().text, both);
+    s.click();
+    s.rest(2);
+    EXPECT_GT(s.viewer.view().camera.zoom, 1.5) << "the second click flies there";
+    EXPECT_EQ(s.viewer.picking().annotations().hover, "");
 }
 
 TEST(Pointing, ARibbonIsMarkedWhereItIs) {
