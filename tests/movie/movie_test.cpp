@@ -29,6 +29,20 @@ TEST(Movie, FramesAreTheFilesThatRenderWrites) {
     EXPECT_FALSE(std::filesystem::exists(folder / "f/frame_00005.png")) << "the last frame leads on to the first";
 }
 
+TEST(Movie, ShowsInteractionsInEveryFrame) {
+    const TemporaryFolder folder;
+    const std::string look = " --style licorice --zoom 2" + kSmall, contacts = look + " --interactions 'chain A'";
+    ASSERT_EQ(nacreIn(folder, "movie sample:dna -o f/ --spin y --fps 4 --seconds 0.5" + contacts).code, 0);
+    for (int i = 0; i < 2; ++i) {
+        const std::string turned = " --rotate 0," + std::to_string(180 * i) + ",0";
+        ASSERT_EQ(nacreIn(folder, "render sample:dna -o with.png" + turned + contacts).code, 0);
+        ASSERT_EQ(nacreIn(folder, "render sample:dna -o without.png" + turned + look).code, 0);
+        const std::string frame = contentOf(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png"));
+        EXPECT_EQ(frame, contentOf(folder / "with.png")) << i;
+        EXPECT_NE(frame, contentOf(folder / "without.png")) << i;
+    }
+}
+
 TEST(Movie, SweepsTheLevelOfAMap) {
     const TemporaryFolder folder;
     std::string cube = "a ball\nof density\n 0 -6 -6 -6\n 13 1 0 0\n 13 0 1 0\n 13 0 0 1\n";

@@ -42,6 +42,11 @@ public:
                        "ATOM      2  O   GLY A   1       1.230   0.000   0.000  1.00  0.00           O\n"
                        "ATOM      3  C   GLY B   1       0.000   5.000   0.000  1.00  0.00           C\n"
                        "ATOM      4  O   GLY B   1       1.230   5.000   0.000  1.00  0.00           O\n";
+            if (path == "/far/touch.pdb")
+                return "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  0.00           C\n"
+                       "ATOM      2  CB  ALA A   1       1.530   0.000   0.000  1.00  0.00           C\n"
+                       "HETATM    3  C1  LIG B   1       1.530   3.800   0.000  1.00  0.00           C\n"
+                       "HETATM    4  C2  LIG B   1       0.000   3.800   0.000  1.00  0.00           C\n";
             throw Error("cannot read molecule", path, "it is gone");
         };
         host.wake = [] {};
@@ -211,6 +216,25 @@ TEST(PhoneSession, IsRestoredFromItsState) {
     EXPECT_EQ(picture.rgba[0], 255);
     EXPECT_EQ(picture.rgba[3], 255);
     EXPECT_GT(std::count_if(picture.rgba.begin(), picture.rgba.end(), [](std::uint8_t v) { return v < 200; }), 100);
+}
+
+TEST(PhoneSession, DrawsInteractions) {
+    Host host;
+    std::vector<std::uint8_t> plain;
+    for (const bool shown : {false, true}) {
+        PictureDescription view = viewOf("/far/touch.pdb");
+        view.look.style = Style::licorice;
+        if (shown) view.look.contacts.of = parseSelection("chain B");
+        PhoneSession session(host.lend(), view);
+        begin(session);
+        host.run(session);
+        ASSERT_TRUE(session.viewer().document());
+        EXPECT_EQ(session.viewer().document()->scene.contacts.empty(), !shown);
+        const std::vector<std::uint8_t> picture = session.picture(1).rgba;
+        if (shown) EXPECT_NE(picture, plain);
+        plain = picture;
+        expectValid(session);
+    }
 }
 
 /// A layer that stands above the driver for as long as this lives.

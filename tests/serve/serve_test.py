@@ -52,6 +52,14 @@ class ServeTest(unittest.TestCase):
         subprocess.run([PROGRAM, "render", "sample:dna", "--style", "licorice", "--size", "96x64", "-o", path, "-q"],
                        check=True)
         self.assertEqual(body, path.read_bytes())
+        plain = body
+        status, _, body = self.server.ask("picture?input=sample:dna&style=licorice&size=96x64&"
+                                          "interactions=chain%20A&interaction-labels=distance")
+        self.assertEqual(status, 200)
+        self.assertNotEqual(body, plain)
+        subprocess.run([PROGRAM, "render", "sample:dna", "--style", "licorice", "--size", "96x64", "--interactions", "chain A",
+                        "--interaction-labels", "distance", "-o", path, "-q"], check=True)
+        self.assertEqual(body, path.read_bytes(), "with interactions")
 
     def test_the_same_picture_is_not_sent_twice(self):
         path = "picture?input=gly.pdb&size=64x64"
