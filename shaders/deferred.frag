@@ -80,7 +80,7 @@ void showCylinder(uint index, inout Shown shown) {
     precise vec3 a = toView(shapeA.xyz);
     precise vec4 b = endToView(shapeB);
     shown.hit = cylinderHit(a, b, stickRadius(shapeA.w, a.z, b.z), gl_FragCoord.xy);
-    shown.wire = shapeA.w < 0.0;
+    shown.wire = isWire(shapeA.w);
     shown.look = 2u * view.spheres + 4u * index + (shown.hit.along < 0.5 ? 0u : 1u);
     shown.at = cylinderCoordinate(shown.hit, (shapeB.xyz - shapeA.xyz) * shapeB.w);
     shown.texels = vec2(cylinderTexels());

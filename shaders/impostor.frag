@@ -6,6 +6,7 @@
 //   MULTISAMPLED  with FRAGDEPTH or ORDERED: four samples of a pixel, covered exactly, in one fragment
 //   SETTLE        with INPUT or SAMPLED: encoded depth is coarse, the depth buffer settles what it leaves open
 //   SURFACE / IDENTITY            layers instead of colour
+//   FETCHED       colour of spheres and triangles: as in common/primitive.glsl
 #extension GL_GOOGLE_include_directive : require
 #include "common/primitive.glsl"
 #include "common/mesh.glsl"
@@ -28,12 +29,18 @@ layout(location = 3) flat in vec3 baseB;
 #endif
 layout(location = 5) flat in vec3 axis;
 layout(location = 6) flat in vec2 place;
+#elif defined(TRIANGLE) && defined(FETCHED)
+uint colorAt(Hit hit) {
+    if (!kBlendColors) return looks[hit.corner == 0u ? facet.a.w : hit.corner == 1u ? facet.b.w : facet.c.w];
+    return cornerColor(uvec3(looks[facet.a.w], looks[facet.b.w], looks[facet.c.w]), hit.corner, hit.shares);
+}
 #elif defined(TRIANGLE)
 layout(location = 5) flat in uvec3 normals;
 #ifdef IDENTITY
 layout(location = 6) flat in uvec3 atoms;
 #else
 layout(location = 6) flat in uvec3 colors;
+uint colorAt(Hit hit) { return cornerColor(colors, hit.corner, hit.shares); }
 #endif
 layout(location = 7) flat in uvec3 vertices;
 #else
@@ -42,7 +49,9 @@ layout(location = 1) flat in uint atom;
 #else
 layout(location = 1) flat in vec3 base;
 #endif
+#ifndef FETCHED
 layout(location = 2) flat in vec2 place;
+#endif
 #endif
 
 #if defined(FRAGDEPTH) || defined(SETTLE)
@@ -97,22 +106,28 @@ void main() {
     nearestOut = vec4(d, 0.0, 0.0, 0.0);
 #endif
 #if defined(TRIANGLE)
+#ifdef FETCHED
+    uvec3 normals = uvec3(facet.a.z, facet.b.z, facet.c.z), vertices = facet.vertices;
+#endif
     smoothNormal(hit, normals);
     float occlusion = meshOcclusion(hit, vertices);
 #ifdef IDENTITY
     writeSurface(hit, atoms[hit.corner], occlusion);
 #else
-    writeSurface(hit, linearColor(cornerColor(colors, hit.corner, hit.shares)), occlusion);
+    writeSurface(hit, linearColor(colorAt(hit)), occlusion);
 #endif
 #elif defined(CYLINDER)
     bool first = hit.along < 0.5;
-    float occlusion = endA.w < 0.0 ? 1.0 : cylinderOcclusion(hit, axis, place);  // wires have no patch
+    float occlusion = isWire(endA.w) ? 1.0 : cylinderOcclusion(hit, axis, place);  // wires have no patch
 #ifdef IDENTITY
     writeSurface(hit, first ? atoms.x : atoms.y, occlusion);
 #else
     writeSurface(hit, first ? baseA : baseB, occlusion);
 #endif
 #else
+#ifdef FETCHED
+    vec2 place = spherePlace(number);
+#endif
     float occlusion = sphereOcclusion(hit, place);
 #ifdef IDENTITY
     writeSurface(hit, atom, occlusion);

@@ -1,6 +1,7 @@
 #version 450
 // The impostor polygon of a sphere: flat, at the sphere's nearest depth, around its silhouette.
 //   LOOK     passes data for shading; with ATOM the atom's number in place of the colour
+//   FETCHED  with LOOK: passes the sphere's number in place of its record and patch
 //   NUMBER   passes the primitive's number
 #extension GL_GOOGLE_include_directive : require
 #include "common/atlas.glsl"
@@ -18,9 +19,15 @@ layout(location = 1) flat out uint atom;
 #else
 layout(location = 1) flat out vec3 base;  // linear colour: made once a primitive, not once a pixel
 #endif
+#ifdef FETCHED
+layout(location = 0) flat out uint number;
+#else
 layout(location = 2) flat out vec2 place;  // of its patch
 #endif
+#endif
+#ifndef FETCHED
 layout(location = 0) flat out vec4 sphere;
+#endif
 #ifdef NUMBER
 layout(location = 4) flat out uint primitive;
 #endif
@@ -29,14 +36,20 @@ invariant gl_Position;
 void main() {
     precise vec3 center = toView(inSphere.xyz);
     float radius = inSphere.w;
+#ifdef FETCHED
+    number = uint(gl_InstanceIndex);
+#else
     sphere = vec4(center, radius);
+#endif
 #ifdef LOOK
 #ifdef ATOM
     atom = inLook.y;
 #else
     base = linearColor(inLook.x);
 #endif
+#ifndef FETCHED
     place = patchPlace(spherePatch(uint(gl_InstanceIndex)));
+#endif
 #endif
 #ifdef NUMBER
     primitive = view.numberBefore + uint(gl_InstanceIndex) + 1u;

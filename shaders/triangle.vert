@@ -1,21 +1,15 @@
 #version 450
 // A polygon of three corners around a triangle, flat, at its nearest depth; or, as a plate, inside of it and at its
 // farthest. No instances: three consecutive vertices form a triangle, which is fetched by its number.
-//   READS    the fragment stage reads images: the streams follow them in the set
+//   READS    as in common/fetch.glsl
 //   LOOK     passes data for shading; with ATOM the atoms' numbers in place of the colours
+//   FETCHED  passes the triangle's number alone: the fragment stage fetches the rest
 //   NUMBER   passes the primitive's number
 //   PLATE    the polygon is fully inside the triangle's picture, behind it
 #extension GL_GOOGLE_include_directive : require
-#include "common/mesh.glsl"
+#include "common/facet.glsl"
 
-#ifdef READS
-#define FIRST 4
-#else
-#define FIRST 0
-#endif
-layout(set = 0, binding = FIRST, std430) readonly buffer Shapes { uvec4 shapes[]; };
 #ifdef LOOK
-layout(set = 0, binding = FIRST + 1, std430) readonly buffer Looks { uint looks[]; };
 layout(location = 5) flat out uvec3 normals;  // packed, object space
 #ifdef ATOM
 layout(location = 6) flat out uvec3 atoms;
@@ -27,7 +21,9 @@ layout(location = 7) flat out uvec3 vertices;  // numbers of the vertices in the
 #ifdef NUMBER
 layout(location = 4) flat out uint primitive;
 #endif
-#ifndef PLATE
+#if defined(FETCHED)
+layout(location = 0) flat out uint number;
+#elif !defined(PLATE)
 layout(location = 0) flat out vec3 cornerA;
 layout(location = 1) flat out vec3 cornerB;
 layout(location = 2) flat out vec3 cornerC;
@@ -47,24 +43,24 @@ void main() {
     uint high = uint(gl_VertexIndex) >> 12, sum = high + (uint(gl_VertexIndex) & 4095u), third = sum * 21846u >> 16;
     uint triangle = 1365u * high + third;
     int corner = int(sum - 3u * third);
-    uvec4 record = shapes[view.spheres + 2u * view.cylinders + triangle];
-    uvec4 v[3] = uvec4[](shapes[record.x], shapes[record.y], shapes[record.z]);
-    float step = uintBitsToFloat(record.w);
-    vec3 a = cornerOf(v[0], step), b = cornerOf(v[1], step), c = cornerOf(v[2], step);
-#ifndef PLATE
+    Facet f = facetOf(triangle);
+    vec3 a = cornerOf(f.a, f.step), b = cornerOf(f.b, f.step), c = cornerOf(f.c, f.step);
+#if defined(FETCHED)
+    number = triangle;
+#elif !defined(PLATE)
     cornerA = a;
     cornerB = b;
     cornerC = c;
-    joins = joinsOf(v[0].w, v[1].w, v[2].w);
+    joins = joinsOf(f.a.w, f.b.w, f.c.w);
 #endif
 #ifdef LOOK
-    normals = uvec3(v[0].z, v[1].z, v[2].z);
+    normals = uvec3(f.a.z, f.b.z, f.c.z);
 #ifdef ATOM
-    atoms = uvec3(looks[v[0].w + 1u], looks[v[1].w + 1u], looks[v[2].w + 1u]);
+    atoms = uvec3(looks[f.a.w + 1u], looks[f.b.w + 1u], looks[f.c.w + 1u]);
 #else
-    colors = uvec3(looks[v[0].w], looks[v[1].w], looks[v[2].w]);
+    colors = uvec3(looks[f.a.w], looks[f.b.w], looks[f.c.w]);
 #endif
-    vertices = record.xyz - (view.primitives + view.cylinders);
+    vertices = f.vertices;
 #endif
 #ifdef NUMBER
     // After the copy's spheres and cylinders.
@@ -99,7 +95,7 @@ void main() {
         vec2 low = min(a.xy, min(b.xy, c.xy)) - margin, size = max(a.xy, max(b.xy, c.xy)) + margin - low;
         q = low + 2.001 * size * vec2(corner == 1, corner == 2);
     }
-    vec3 middle = vertexPosition(v[0], step) + vertexPosition(v[1], step) + vertexPosition(v[2], step);
+    vec3 middle = vertexPosition(f.a, f.step) + vertexPosition(f.b, f.step) + vertexPosition(f.c, f.step);
     if (isCutOff(toView(middle / 3.0))) q = a.xy;
     float room = 1e-4 * (1.0 + abs(view.origin));
     gl_Position = clipPosition(q, encodedDepth(nearZ(a, b, c) - room));

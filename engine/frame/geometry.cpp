@@ -107,9 +107,14 @@ void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const gr
         }
         VertexBytes bytes;
         if (pass.has(Verb::samples))  // the occlusion atlas: it shades
-            bytes = {bytes.sphere + kSphereLook, bytes.cylinder + kCylinderLook, bytes.triangle + kTriangleLook};
+            bytes = {passes::fetchesSpheres(caps, counts.radiusPixels) ? kPosition + kThree + kNumber
+                                                                       : bytes.sphere + kSphereLook,
+                     bytes.cylinder + kCylinderLook,
+                     caps.storesVaryings ? kPosition + kNumber : bytes.triangle + kTriangleLook};
         else if (numbers(graph, pass) || pass.name == kRimPass)
             bytes = {bytes.sphere + kNumber, bytes.cylinder + kNumber, bytes.triangle + kNumber};
+        else if (caps.storesVaryings)
+            bytes.triangle = kPosition + kNumber;
         const std::uint64_t spheres = counts.spheres * sphere.vertices,
                             triangles = counts.triangles * triangle.vertices,
                             cylinders = counts.cylinders * cylinder.vertices;

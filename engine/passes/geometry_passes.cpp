@@ -48,6 +48,29 @@ const PrimitiveShaders& impostorShaders(Output output, NearestFrom from, bool se
     return (settles ? kInputSettles : kInput)[at];
 }
 
+#define NACRE_FETCHED(variant)                                                            \
+    FetchedShaders {                                                                      \
+        {shaders::lookSphereFetchedVertex, {shaders::colorSphereFetched##variant, {}}}, { \
+            shaders::geometryTriangleFetchedReadsVertex, {                                \
+                shaders::colorTriangleFetched##variant, {}                                \
+            }                                                                             \
+        }                                                                                 \
+    }
+
+FetchedShaders fetchedShaders(NearestFrom from, bool settles) {
+    switch (from) {
+        case NearestFrom::depthBuffer:
+            return NACRE_FETCHED(Fragdepth);
+        case NearestFrom::ownAttachment:
+            return NACRE_FETCHED(Ordered);
+        case NearestFrom::texture:
+            return settles ? NACRE_FETCHED(SampledSettle) : NACRE_FETCHED(Sampled);
+        case NearestFrom::inputAttachment:
+            break;
+    }
+    return settles ? NACRE_FETCHED(InputSettle) : NACRE_FETCHED(Input);
+}
+
 }  // namespace
 
 GeometryPass opaquePrepass(bool triangles) {
@@ -61,6 +84,7 @@ GeometryPass opaquePrepass(bool triangles) {
 
 GeometryPass depthEncoding(const Encoding& encoding) {
     GeometryPass pass{NACRE_SHADERS(geometry, , encode, )};
+    pass.fetched.triangle = {shaders::geometryTriangleFetchedVertex, {shaders::encodeTriangleFetched, {}}};
     pass.encoding = encoding;
     pass.blend = gpu::Blend::minimum;
     return pass;
@@ -68,12 +92,14 @@ GeometryPass depthEncoding(const Encoding& encoding) {
 
 GeometryPass orderedDepth(const Reads& reads) {
     GeometryPass pass{NACRE_SHADERS(geometry, Reads, encode, Ordered)};
+    pass.fetched.triangle = {shaders::geometryTriangleFetchedReadsVertex, {shaders::encodeTriangleFetchedOrdered, {}}};
     pass.reads = reads;
     return pass;
 }
 
 GeometryPass nearestDepth() {
     GeometryPass pass{NACRE_SHADERS(geometry, , nearest, )};
+    pass.fetched.triangle = {shaders::geometryTriangleFetchedVertex, {shaders::nearestTriangleFetched, {}}};
     pass.depth = gpu::DepthUse::write;
     pass.colorsWritten = 0;
     return pass;
@@ -82,11 +108,13 @@ GeometryPass nearestDepth() {
 GeometryPass multisampledColor(const Reads& reads) {
     GeometryPass pass = impostorColor(Output::color, reads);
     pass.shaders = multisampledShaders(reads.from);
+    pass.fetched = {};
     return pass;
 }
 
 GeometryPass impostorColor(Output output, const Reads& reads, const Encoding& encoding, bool settles) {
     GeometryPass pass{impostorShaders(output, reads.from, settles)};
+    if (output == Output::color) pass.fetched = fetchedShaders(reads.from, settles);
     pass.looks = true;
     pass.reads = reads;
     pass.encoding = encoding;

@@ -19,6 +19,10 @@ struct Plate {
 /// fragments dominate if spheres cover enough of them: domes and pyramids; else octagons, or squares where vertex
 /// outputs go through memory.
 /// @param radiusPixels   mean radius of a sphere in the picture
+/// Whether the fragment stage fetches spheres of this radius, for fewer bytes per vertex: on GPUs that store vertex
+/// outputs, while spheres have few fragments.
+bool fetchesSpheres(const graph::GeometryCaps& caps, double radiusPixels);
+
 /// @param flat  no pyramid (SceneView::flat())
 PlateShape choosePlates(PlateShape wanted, const graph::GeometryCaps& caps, double radiusPixels);
 ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& caps, double radiusPixels, bool flat);

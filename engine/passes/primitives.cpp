@@ -58,13 +58,26 @@ std::span<const Type> triangleBindingsOf(const std::optional<Reads>& reads) {
     return input ? kInput : kTexture;
 }
 
+/// Primitives of one kind, in one polygon each.
+struct Draw {
+    Primitive primitive;
+    const Shaders& shaders;
+    const Plate* plate;  ///< null: an impostor, or a triangle
+    CornerRange corners;
+    bool fetched = false;  ///< by FetchedShaders
+};
+
+bool bindsStreams(const GeometryPass& pass, const Draw& drawn) {
+    return pass.streams || drawn.fetched || drawn.primitive == Primitive::triangle;
+}
+
 const gpu::Layout& layoutOf(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass,
-                            Primitive primitive) {
-    const bool streams = pass.streams || primitive == Primitive::triangle;
+                            const Draw& drawn) {
+    const bool streams = bindsStreams(pass, drawn);
     return context.pipelines.layout({pass.reads ? "shading layout" : "geometry layout",
                                      streams ? triangleBindingsOf(pass.reads) : bindingsOf(pass.reads), kDraw,
                                      sizeof(layout::ViewConstants), view.fragments != nullptr, streams ? 2u : 0u,
-                                     pass.streams});
+                                     pass.streams || drawn.fetched});
 }
 
 CornerRange impostorCorners(ImpostorShape shape) {
@@ -73,18 +86,21 @@ CornerRange impostorCorners(ImpostorShape shape) {
                                              : kPyramid;
 }
 
-/// Primitives of one kind, in one polygon each.
-struct Draw {
-    Primitive primitive;
-    const Shaders& shaders;
-    const Plate* plate;  ///< null: an impostor, or a triangle
-    CornerRange corners;
-};
-
 const std::vector<PlacedCopies::Call>& callsOf(const SceneView& view, Primitive primitive) {
     return primitive == Primitive::sphere     ? view.copies.spheres
            : primitive == Primitive::cylinder ? view.copies.cylinders
                                               : view.copies.triangles;
+}
+
+/// Spheres of a radius in the picture, as impostors.
+Draw impostorsOf(const GeometryPass& pass, const graph::GeometryCaps& caps, const SceneView& view, double radius) {
+    const bool fetched = !view.fragments && !pass.fetched.sphere.vertex.empty() && fetchesSpheres(caps, radius);
+    return {Primitive::sphere, fetched ? pass.fetched.sphere : pass.shaders.sphere, nullptr,
+            impostorCorners(chooseImpostor(view.impostor, caps, radius, view.flat())), fetched};
+}
+Draw platesAs(const GeometryPass& pass, const Plate& plate) {
+    return {Primitive::sphere, pass.shaders.sphere, &plate,
+            plate.corners == kPlateSquare.count ? kPlateSquare : kPlateOctagon};
 }
 
 /// @param work  gets each Draw of a pass
@@ -98,37 +114,42 @@ void eachDraw(const gpu::PipelineContext& context, const SceneView& view, const 
     const auto& [sphere, cylinder, triangle] = pass.shaders;
     if (has(Primitive::sphere, sphere)) {
         if (!pass.plates)
-            work({Primitive::sphere, sphere, nullptr,
-                  impostorCorners(chooseImpostor(view.impostor, caps, view.radiusPixels, view.flat()))});
+            work(impostorsOf(pass, caps, view, view.radiusPixels));
         else
             for (const Plate& plate : platesOf(choosePlates(view.plates, caps, view.radiusPixels)))
-                work({Primitive::sphere, sphere, &plate,
-                      plate.corners == kPlateSquare.count ? kPlateSquare : kPlateOctagon});
+                work(platesAs(pass, plate));
     }
     if (has(Primitive::cylinder, cylinder)) work({Primitive::cylinder, cylinder, nullptr, {0, 4}});
-    if (has(Primitive::triangle, triangle)) work({Primitive::triangle, triangle, nullptr, {0, 3}});
+    const bool fetched = caps.storesVaryings && !view.fragments && !pass.fetched.triangle.vertex.empty();
+    if (has(Primitive::triangle, triangle))
+        work({Primitive::triangle, fetched ? pass.fetched.triangle : triangle, nullptr, {0, 3}, fetched});
 }
 
-/// Pipelines of spheres by the shapes that a zoom goes over to, as no bake does: they differ by the polygon alone.
-std::vector<gpu::GraphicsPipeline> otherShapes(const gpu::PipelineContext& context, const SceneView& view,
-                                               const Draw& drawn, const gpu::GraphicsPipeline& of) {
+/// Pipelines of spheres by the shapes that a zoom goes over to, as no bake does: they differ by the polygon, and by
+/// whether the fragment stage fetches.
+std::vector<gpu::GraphicsPipeline> otherShapes(gpu::PipelineContext& context, const SceneView& view,
+                                               const GeometryPass& pass, const Draw& drawn,
+                                               const gpu::GraphicsPipeline& of) {
     const graph::GeometryCaps& caps = context.device.caps().plan.geometry;
     std::vector<gpu::GraphicsPipeline> others;
     if (drawn.primitive != Primitive::sphere || !view.wholeImage) return others;
-    const auto add = [&](std::uint32_t corners, const Plate* plate) {
+    const auto add = [&](const Draw& other) {
         gpu::GraphicsPipeline d = of;
-        d.constants.change(layout::kCornersId, corners);
-        if (plate) d.constants.change(layout::kRimId, plate->rim);
-        d.strip = corners != kPyramid.count;
+        d.vertex = other.shaders.vertex;
+        d.fragment = other.shaders.fragment.of(view);
+        d.layout = *layoutOf(context, view, pass, other).pipeline;
+        d.constants.change(layout::kCornersId, other.corners.count);
+        if (other.plate) d.constants.change(layout::kRimId, other.plate->rim);
+        d.strip = other.corners.count != kPyramid.count;
         others.push_back(d);
     };
     for (const double radius : {0.0, caps.plateOctagons, caps.octagons, caps.domes}) {
         if (std::isinf(radius)) continue;  // never reached
         if (!drawn.plate)
-            add(impostorCorners(chooseImpostor(view.impostor, caps, radius, view.flat())).count, nullptr);
+            add(impostorsOf(pass, caps, view, radius));
         else
             for (const Plate& plate : platesOf(choosePlates(PlateShape::automatic, caps, radius)))
-                add(static_cast<std::uint32_t>(plate.corners), &plate);
+                add(platesAs(pass, plate));
     }
     return others;
 }
@@ -150,7 +171,7 @@ gpu::GraphicsPipeline pipelineOf(gpu::PipelineContext& context, const SceneView&
     // A fragment's one hit is not where all of its samples are.
     if (drawn.plate) d.constants.set(layout::kPlateRoomId, view.samples > 1 ? 0.6f : 0.0f);
     d.streams = streamsOf(drawn.primitive, pass.looks);
-    d.layout = *layoutOf(context, view, pass, drawn.primitive).pipeline;
+    d.layout = *layoutOf(context, view, pass, drawn).pipeline;
     d.colorsWritten = pass.colorsWritten;
     d.depth = pass.depth;
     d.blend = pass.blend;
@@ -203,11 +224,11 @@ void record(gpu::PassContext& context, const SceneView& view, const GeometryPass
     const bool pyramid = sphere && drawn.corners.count == kPyramid.count;
     const SceneBuffers& scene = *view.buffers;
     const gpu::GraphicsPipeline pipeline = pipelineOf(context, view, pass, drawn);
-    const gpu::Layout& layout = layoutOf(context, view, pass, drawn.primitive);
+    const gpu::Layout& layout = layoutOf(context, view, pass, drawn);
     const vk::raii::CommandBuffer& commands = context.commands;
-    commands.bindPipeline(
-        kGraphics, context.pipelines.graphics(pipeline, [&] { return otherShapes(context, view, drawn, pipeline); }));
-    bindReads(context, view, layout, pass.reads, triangle || pass.streams);
+    commands.bindPipeline(kGraphics, context.pipelines.graphics(
+                                         pipeline, [&] { return otherShapes(context, view, pass, drawn, pipeline); }));
+    bindReads(context, view, layout, pass.reads, bindsStreams(pass, drawn));
     bindCounter(context, view, layout);
     if (!triangle)
         commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},
@@ -292,7 +313,7 @@ void want(gpu::PipelineContext& context, const SceneView& view, const GeometryPa
     eachDraw(context, view, pass, [&](const Draw& drawn) {
         const gpu::GraphicsPipeline pipeline = pipelineOf(context, view, pass, drawn);
         context.pipelines.want(pipeline);
-        for (const gpu::GraphicsPipeline& next : otherShapes(context, view, drawn, pipeline))
+        for (const gpu::GraphicsPipeline& next : otherShapes(context, view, pass, drawn, pipeline))
             context.pipelines.want(next);
     });
 }

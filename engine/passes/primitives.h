@@ -44,9 +44,16 @@ struct PrimitiveShaders {
     Shaders sphere, cylinder, triangle;
 };
 
+/// Variants whose vertex stage passes a primitive's number, with which the fragment stage fetches the rest: for GPUs
+/// whose vertex outputs go through memory. None where a pass has no such variant.
+struct FetchedShaders {
+    Shaders sphere, triangle;
+};
+
 /// A pass over the scene's primitives.
 struct GeometryPass {
     PrimitiveShaders shaders;
+    FetchedShaders fetched{};
     bool looks = false;  ///< also fetch stream B
     std::optional<Reads> reads{};
     Encoding encoding{};

@@ -47,7 +47,7 @@ struct SceneView {
     bool perspective = false;
     std::uint32_t samples = 1;  ///< of a pixel, which a fragment tells it covers
     int quarterTurns = 0;       ///< as in View
-    float wireScale = 1;        ///< this picture's pixels per pixel of the requested picture
+    float wireScale = 1;        ///< this picture's pixels per pixel of the requested picture; 0: no wires
     bool wholeImage = true;     ///< the viewport is the whole image; false: it is centred on the view axis
     bool lighting = true, occlusion = false;
     vk::BufferView occlusionCells;           ///< Atlas::cells

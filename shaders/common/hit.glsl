@@ -179,7 +179,7 @@ StickHit parallelStickHit(Stick c, vec2 q) {
     // The projected axis, rotated to the left, with the part that leans from the axis towards the viewer.
     precise vec3 outwards = vec3(vec2(-c.ahead.y, c.ahead.x) * beside - c.ahead * (c.axis.z * root), c.sine * root) * (1.0 / r);
     hit.normal = side ? outwards : c.axis.z < 0.0 ? -c.axis : c.axis;
-    if (r < 0.0) hit.normal = vec3(0.0, 0.0, 1.0);  // wires look the same from all sides
+    if (isWire(r)) hit.normal = vec3(0.0, 0.0, 1.0);  // wires look the same from all sides
     found.hit = hit;
     found.on = side ? s : capAt;
     found.away2 = beside * beside;
@@ -223,7 +223,7 @@ StickHit pointStickHit(Stick c, vec2 q) {
     hit.inside = side || cap;
     hit.Z = tHit * view.origin;
     hit.normal = side ? (fromSide + raySide * t) / r : (rayAxis > 0.0 ? -c.axis : c.axis);
-    if (r < 0.0) hit.normal = vec3(0.0, 0.0, 1.0);
+    if (isWire(r)) hit.normal = vec3(0.0, 0.0, 1.0);
     found.hit = hit;
     found.on = side ? s : capAt;
     found.away2 = away2;

@@ -25,7 +25,7 @@ const int kCopiesId = 6;        // bool: primitives have the transforms of copie
 const int kSpheresId = 7;       // bool: the scene has spheres
 const int kCylindersId = 8;     // bool: and cylinders
 const int kTrianglesId = 9;     // bool: and triangles
-const int kWireScaleId = 14;    // float: pixels per pixel of the picture, for the width of wires
+const int kWireScaleId = 14;    // float: pixels per pixel of the picture, for the width of wires; 0: none
 // Polygons, and depth.
 const int kCornersId = 10;        // of a primitive's polygon
 const int kRimId = 11;            // float: of a plate, in radii of its sphere

@@ -7,9 +7,21 @@
 /// As triangleHitThrough() takes it.
 vec3 cornerOf(uvec4 vertex, float step) { return projected(toView(vertexPosition(vertex, step))); }
 
+/// A triangle by its vertices.
+struct Facet {
+    uvec4 a, b, c;
+    uvec3 vertices;  // their numbers
+    float step;      // that they are in
+};
+
 /// Which corners look the same, as triangleHitThrough() takes it.
 uint joinsOf(uint lookA, uint lookB, uint lookC) {
     return uint(lookA == lookB) | uint(lookB == lookC) << 1 | uint(lookC == lookA) << 2;
+}
+
+Hit facetHitThrough(Facet f, vec2 q) {
+    return triangleHitThrough(cornerOf(f.a, f.step), cornerOf(f.b, f.step), cornerOf(f.c, f.step),
+                              joinsOf(f.a.w, f.b.w, f.c.w), q);
 }
 
 /// Gives a hit the normal that its triangle's vertices have there, towards the viewer. @param packed  of the vertices

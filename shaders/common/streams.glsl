@@ -33,16 +33,6 @@ vec4 shapeAt(uint i) { return uintBitsToFloat(shapeBits(i)); }
 #ifdef TRIANGLES
 #include "mesh.glsl"
 
-/// A triangle by its vertices.
-struct Facet {
-    uvec4 a, b, c;
-    uvec3 vertices;  // their numbers
-    float step;      // that they are in
-};
-Hit facetHitThrough(Facet f, vec2 q) {
-    return triangleHitThrough(cornerOf(f.a, f.step), cornerOf(f.b, f.step), cornerOf(f.c, f.step),
-                              joinsOf(f.a.w, f.b.w, f.c.w), q);
-}
 /// @param index  of the primitive in its copy: records are consecutive after those of cylinders, two each
 Facet facetOf(uint index) {
     uvec4 record = shapeBits(index + view.cylinders);

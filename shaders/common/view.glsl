@@ -52,7 +52,9 @@ float encodedDepth(float Z) {
 /// A wire has a constant width on screen. Its stored radius is minus half the width, in pixels of the requested
 /// picture; the result is a radius in Å, still negative.
 layout(constant_id = kWireScaleId) const float kWireScale = 1.0;
+bool isWire(float radius) { return kWireScale != 0.0 && radius < 0.0; }
 float stickRadius(float stored, float az, float bz) {
+    if (kWireScale == 0.0) return stored;
     precise float middle = 0.5 * (az + bz);
     precise float atOrigin = stored * view.pixel * kWireScale;
     precise float there = kPerspective ? atOrigin * ((view.origin - middle) / view.origin) : atOrigin;

@@ -73,6 +73,23 @@ TEST(Geometry, CountsWhatTheShadersHandOn) {
     expect(Visibility::deferred, 1, triangle, shaders::numberTriangleVertex);
 }
 
+// On GPUs that store vertex outputs triangles and small spheres pass their number: the fragment stage fetches the rest.
+TEST(Geometry, PassesNumbersWhereVertexOutputsGoThroughMemory) {
+    const graph::GeometryCaps& mali = graph::capabilitySet("mali").plan.geometry;
+    constexpr std::uint32_t kPosition = 16;
+    const auto corner = [&](std::size_t pass, const SceneCounts& one) {
+        const auto geometry =
+            geometryOf(frameOf(Visibility::encoded).graph, one, mali, PlateShape::square, ImpostorShape::square);
+        return geometry[pass].varyingBytes / geometry[pass].vertices;
+    };
+    const std::uint32_t small = outputBytes(shaders::lookSphereFetchedVertex);
+    EXPECT_LE(2 * small, outputBytes(shaders::lookSphereVertex));
+    EXPECT_EQ(corner(2, {1, 0, 0, 7.4, false}), kPosition + small);
+    EXPECT_EQ(corner(2, {1, 0, 0, 7.6, false}), kPosition + outputBytes(shaders::lookSphereVertex));
+    for (const std::size_t pass : {1u, 2u})
+        EXPECT_EQ(corner(pass, {0, 0, 1, 1, false}), kPosition + outputBytes(shaders::geometryTriangleFetchedVertex));
+}
+
 TEST(Geometry, OfALargeProteinIsAQuarterOfWhatPyramidsWithoutIndicesTook) {
     // 1AON at 1170x2532: 58,870 atoms of 9.4 pixels. Three plates and two pyramids of 24 corners each were 2,208 bytes
     // a sphere, 130 MB.

@@ -1,0 +1,10 @@
+// A triangle of the streams of a geometry pass.
+#include "fetch.glsl"
+#include "mesh.glsl"
+
+/// @param index  among the triangles of a copy
+Facet facetOf(uint index) {
+    uvec4 record = shapes[view.spheres + 2u * view.cylinders + index];
+    return Facet(shapes[record.x], shapes[record.y], shapes[record.z],
+                 record.xyz - (view.primitives + view.cylinders), uintBitsToFloat(record.w));
+}
