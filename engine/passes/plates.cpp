@@ -18,9 +18,6 @@ ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& ca
     return wanted == ImpostorShape::pyramid && flat ? ImpostorShape::octagon : wanted;
 }
 
-/// From here on a sphere's fragments fetch more than its corners save (docs/tilers.md).
-constexpr double kFetchedPixels = 7.5;
-
 bool fetchesSpheres(const graph::GeometryCaps& caps, double radiusPixels) {
     return caps.storesVaryings && radiusPixels < kFetchedPixels;
 }

@@ -19,6 +19,8 @@ struct Plate {
 /// fragments dominate if spheres cover enough of them: domes and pyramids; else octagons, or squares where vertex
 /// outputs go through memory.
 /// @param radiusPixels   mean radius of a sphere in the picture
+/// From this radius on a sphere's fragments fetch more than its corners save (docs/tilers.md).
+constexpr double kFetchedPixels = 7.5;
 /// Whether the fragment stage fetches spheres of this radius, for fewer bytes per vertex: on GPUs that store vertex
 /// outputs, while spheres have few fragments.
 bool fetchesSpheres(const graph::GeometryCaps& caps, double radiusPixels);

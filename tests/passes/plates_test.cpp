@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
+#include <tuple>
 
 #include "engine/graph/capability_sets.h"
 
@@ -93,13 +93,15 @@ TEST(Plates, ShapesAreThoseThatCostLeast) {
 TEST(Plates, ShapesStayWhereAZoomGoesToAndFro) {
     const graph::GeometryCaps kDirect = graph::capabilitySet("turnip").plan.geometry;
     for (const graph::GeometryCaps& caps : {kGpu, kStoring, kDirect})
-        for (const double threshold : {caps.domes, caps.octagons, caps.plateOctagons}) {
+        for (const double threshold :
+             {caps.domes, caps.octagons, caps.plateOctagons, caps.storesVaryings ? kFetchedPixels : 0}) {
             if (threshold <= 0 || !std::isfinite(threshold)) continue;
             double last = 0;
             int changes = 0, unsteady = 0;
             const auto shapes = [&](double radius) {
-                return std::pair(choosePlates(PlateShape::automatic, caps, radius),
-                                 chooseImpostor(ImpostorShape::automatic, caps, radius, false));
+                return std::tuple(choosePlates(PlateShape::automatic, caps, radius),
+                                  chooseImpostor(ImpostorShape::automatic, caps, radius, false),
+                                  fetchesSpheres(caps, radius));
             };
             double before = 0;
             for (int frame = 0; frame < 40; ++frame) {
@@ -112,8 +114,8 @@ TEST(Plates, ShapesStayWhereAZoomGoesToAndFro) {
             EXPECT_EQ(changes, 0) << threshold;
             EXPECT_EQ(unsteady, 39) << threshold;  // without this the test would prove nothing
             // Who goes on past it gets there, in both directions.
-            EXPECT_EQ(shapes(steadyRadius(last, 1.3 * threshold, caps)), shapes(1.3 * threshold));
-            EXPECT_EQ(shapes(steadyRadius(1.3 * threshold, 0.7 * threshold, caps)), shapes(0.7 * threshold));
+            EXPECT_EQ(shapes(steadyRadius(last, 1.5 * threshold, caps)), shapes(1.5 * threshold));
+            EXPECT_EQ(shapes(steadyRadius(1.5 * threshold, 0.7 * threshold, caps)), shapes(0.7 * threshold));
         }
     EXPECT_EQ(steadyRadius(0, 5.9, kGpu), 5.9);  // the first frame
 }
