@@ -23,6 +23,10 @@ constexpr double kOpacityBesideMolecule = 0.5;
 constexpr std::array<float, 4> kCrystalBlue{0.2f, 0.36f, 0.8f, 1}, kPositiveGreen{0.1f, 0.6f, 0.2f, 1},
     kNegativeRed{0.82f, 0.15f, 0.15f, 1}, kCryoGrey{0.66f, 0.7f, 0.75f, 1};
 
+constexpr double kBoxOfFile = -1;  ///< a reach: what the file itself holds, not a crystal's cell
+
+glm::ivec3 firstOfFile(const DensityMap& map) { return map.periodic ? map.boxStart : glm::ivec3(0); }
+
 /// A map's region around some positions: kept, since mostly levels and colours change.
 struct KeptRegion {
     std::shared_ptr<const DensityMap> map;
@@ -44,8 +48,11 @@ std::shared_ptr<const MapRegion> regionOf(const std::shared_ptr<const DensityMap
                 return at->region;
             }
     }
-    const auto region = places.empty() ? std::make_shared<const MapRegion>(*map, glm::ivec3(0), map->size - 1)
-                                       : std::make_shared<const MapRegion>(*map, places, reach);
+    const auto region =
+        !places.empty()  ? std::make_shared<const MapRegion>(*map, places, reach)
+        : reach == kBoxOfFile ? std::make_shared<const MapRegion>(*map, firstOfFile(*map),
+                                                              firstOfFile(*map) + map->boxSize - 1)
+                         : std::make_shared<const MapRegion>(*map, glm::ivec3(0), map->size - 1);
     const std::lock_guard lock(mutex);
     kept.push_front({map, places, reach, region});
     if (kept.size() > kMostKept) kept.pop_back();
@@ -117,6 +124,26 @@ void addGeometry(Primitives primitives, MapLayers& layers) {
     joinScenes(layers.shown, own);
     layers.notes = std::move(primitives.notes);
     layers.labels = std::move(primitives.labels);
+}
+
+/// What a scene file shows of a map.
+void addVolume(const SceneVolume& volume, Representation& shown) {
+    const std::shared_ptr<const MapRegion> region = regionOf(volume.map, {}, kBoxOfFile);
+    if (volume.axis >= 0) {
+        ValueColoring values{volume.map.get(), volume.map->name, {}, {}, volume.color};
+        values.range = ColorRange{volume.map->statistics.min, volume.map->statistics.max};
+        return addSlice(*region, {volume.axis, volume.place, volume.opacity}, values, shown);
+    }
+    MapContour contour;
+    contour.level = volume.level;
+    contour.above = volume.level >= 0;
+    contour.color = volume.color & 0xffffffu;
+    contour.opacity = volume.opacity;
+    contour.width = 1;
+    contour.style = MapStyle::surface;
+    if (volume.faces) addContour(*region, contour, shown);
+    contour.style = MapStyle::mesh;
+    if (volume.wires) addContour(*region, contour, shown);
 }
 
 MapContour contourOf(const DensityMap& map, const MapOptions& maps, std::size_t i) {
@@ -202,6 +229,10 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, con
                                       (slice.axis < 0 ? " at level " + numberText(contour.level) : " of this slice") +
                                       (around.places.empty() ? "" : " near these atoms"));
         for (const std::string& warning : map->warnings) layers.warnings.push_back(map->name + ": " + warning);
+    }
+    if (molecule.guide && !molecule.guide->volumes.empty()) {
+        for (const SceneVolume& volume : molecule.guide->volumes) addVolume(volume, shown);
+        layers.frame = std::max(layers.frame, shown.radius);
     }
     Primitives beside;
     if (!d.primitives.empty()) beside = primitivesOf(d.primitives, molecule);

@@ -11,19 +11,43 @@
 #include "app/mvs/node_table.h"
 #include "app/mvs/scene_parts.h"
 #include "app/mvs/scene_primitives.h"
+#include "app/mvs/scene_volumes.h"
 #include "engine/error.h"
 #include "engine/molecule/join_models.h"
 #include "engine/molecule/text.h"
+#include "engine/scene/scene_camera.h"
 
 namespace nacre::app::mvs {
 namespace {
 
-/// First `second`, then `first`.
-glm::dmat4x3 after(const glm::dmat4x3& first, const glm::dmat4x3& second) {
-    glm::dmat4x3 both;
-    for (int column = 0; column < 4; ++column)
-        both[column] = first * glm::dvec4(second[column], column == 3 ? 1.0 : 0.0);
-    return both;
+/// What the labels of one list take up, as Mol* counts it: the points that they stand at, and around these the largest
+/// of the texts' half widths and of the depths of what they name.
+class LabelBalls {
+public:
+    void add(const Primitives::Label& label, double depth) {
+        constexpr double kWidth = 0.57;  // of a character, in em
+        points_.emplace_back(label.at, 0.0);
+        room_ = std::max({room_, depth, label.size * kWidth / 2 * static_cast<double>(label.text.size())});
+    }
+    std::vector<glm::dvec4> balls() const {
+        if (points_.empty()) return {};
+        const Bounds sphere = extremeSphere(points_);
+        if (!(sphere.radius > 0)) return {glm::dvec4(sphere.center, room_)};
+        std::vector<glm::dvec4> balls;
+        for (const glm::dvec3& point : movedOut(extremePoints(points_), sphere, room_)) balls.emplace_back(point, 0.0);
+        return balls;
+    }
+
+private:
+    std::vector<glm::dvec4> points_;
+    double room_ = 0;
+};
+
+void addLabelBalls(const std::vector<Primitives::Label>& labels, std::vector<glm::dvec4>& balls) {
+    LabelBalls own;
+    for (const Primitives::Label& label : labels) own.add(label, 0);
+    const std::vector<glm::dvec4> more = own.balls();
+    balls.insert(balls.end(), more.begin(), more.end());
 }
 
 bool isStill(const glm::dmat4x3& motion) { return motion == glm::dmat4x3(1.0); }
@@ -46,7 +70,14 @@ private:
         if (node.kind == "camera") camera_.takeCamera(node, warnings_);
         if (node.kind == "canvas") canvas(node);
         if (node.kind == "focus") camera_.focusAll(node);
-        if (node.kind.starts_with("primitives")) groups_.push_back({&node, kNoStructure});
+        if (node.kind.starts_with("primitives")) group(node, kNoStructure);
+    }
+
+    void group(const Node& node, std::size_t structure) {
+        Group group{&node, structure, {}};
+        for (const Node& child : node.children)
+            if (child.kind == "focus") group.focuses.push_back(camera_.takeFocusLater(child));
+        groups_.push_back(std::move(group));
     }
 
     void canvas(const Node& node) {
@@ -70,7 +101,7 @@ private:
         for (const Node& child : node.children) {
             tellUnknown(child, warnings_);
             if (child.kind == "structure") structure(node, child, url);
-            if (child.kind == "volume") warnings_.add(child, "density maps of scenes are left out");
+            if (child.kind == "volume") addVolume(child, url, files_, *guide_, camera_, warnings_);
         }
     }
 
@@ -83,11 +114,11 @@ private:
         const std::vector<bool> all(s.molecule->atoms.size(), true);
         for (const Node& child : node.children) {
             tellUnknown(child, warnings_);
-            if (child.kind == "transform") s.moved = after(motionOfNode(child), s.moved);
+            if (child.kind == "transform") s.moved = joinedMotion(motionOfNode(child), s.moved);
             if (child.kind == "instance") s.instances.push_back(motionOfNode(child));
             if (child.kind.starts_with("component")) component(child, s);
             words(child, all, s);
-            if (child.kind.starts_with("primitives")) groups_.push_back({&child, structures_.size() - 1});
+            if (child.kind.starts_with("primitives")) group(child, structures_.size() - 1);
         }
     }
 
@@ -101,8 +132,8 @@ private:
     }
 
     static void addText(const std::vector<bool>& atoms, const std::string& text, const Structure& s,
-                        std::vector<Structure::Text>& labels) {
-        Structure::Text label{s.atoms->drawnOf(atoms), text};
+                        std::vector<Structure::Text>& labels, const Node* source = nullptr) {
+        Structure::Text label{s.atoms->drawnOf(atoms), text, source};
         if (!label.atoms.empty() && !text.empty()) labels.push_back(std::move(label));
     }
 
@@ -124,7 +155,7 @@ private:
             }
             s.atoms->add(row.expression, texts[place].second);
         }
-        for (const auto& [text, atoms] : texts) addText(atoms, text, s, labels);
+        for (const auto& [text, atoms] : texts) addText(atoms, text, s, labels, &node);
     }
 
     void component(const Node& node, Structure& s) {
@@ -157,9 +188,9 @@ private:
 
     /// Where a structure stands: at all its copies, each moved by its transform or by each of its instances.
     static std::vector<glm::dmat4x3> motionsOf(const Structure& s, const glm::dmat4x3& copy) {
-        if (s.instances.empty()) return {after(s.moved, copy)};
+        if (s.instances.empty()) return {joinedMotion(s.moved, copy)};
         std::vector<glm::dmat4x3> motions;
-        for (const glm::dmat4x3& instance : s.instances) motions.push_back(after(instance, after(s.moved, copy)));
+        for (const glm::dmat4x3& instance : s.instances) motions.push_back(joinedMotion(instance, joinedMotion(s.moved, copy)));
         return motions;
     }
 
@@ -238,10 +269,16 @@ private:
     void takeTexts(Structure& s, std::uint32_t firstAtom) {
         std::vector<std::uint32_t> colors;
         if (!s.labels.empty() && s.representation) colors = colorsOfAll(*s.representation, s, files_);
-        for (const Structure::Text& label : s.labels)
+        std::map<const Node*, LabelBalls> drawn;  // each list of labels is one thing to the camera
+        for (const Structure::Text& label : s.labels) {
+            double depth = 0;
             guide_->primitives.labels.push_back(
                 labelOf(label.text, label.atoms, s,
-                        colors.empty() ? std::nullopt : std::optional<std::uint32_t>(colors[label.atoms.front()])));
+                        colors.empty() ? std::nullopt : std::optional<std::uint32_t>(colors[label.atoms.front()]),
+                        &depth));
+            drawn[label.source].add(guide_->primitives.labels.back(), depth);
+        }
+        for (const auto& [source, labels] : drawn) camera_.addDrawn(labels.balls());
         for (Structure::Text& tip : s.tooltips) {
             for (std::uint32_t& atom : tip.atoms) atom += firstAtom;
             guide_->tooltips.push_back({std::move(tip.atoms), std::move(tip.text)});
@@ -259,12 +296,17 @@ private:
                 loaded = parseNode(files_.bytes(uri), nacre::printable(uri, 200));
                 node = &loaded;
             }
-            guide_->primitives.append(readPrimitives(*node, own, structures_, warnings_));
+            Primitives primitives = readPrimitives(*node, own, structures_, warnings_);
+            std::vector<glm::dvec4> balls = outlineOf(primitives);
+            addLabelBalls(primitives.labels, balls);
+            camera_.addDrawn(balls);
+            for (const std::size_t focus : group.focuses) camera_.fillFocus(focus, balls);
+            guide_->primitives.append(std::move(primitives));
         }
     }
 
     Molecule withoutStructures() {
-        if (guide_->primitives.empty()) throw Error("cannot draw scene", name_, "it shows nothing");
+        if (guide_->primitives.empty() && guide_->volumes.empty()) throw Error("cannot draw scene", name_, "it shows nothing");
         Molecule none;
         none.file.format = "mvs";
         finish(none, {});
@@ -325,6 +367,7 @@ private:
     struct Group {
         const Node* node;
         std::size_t structure;  ///< or kNoStructure
+        std::vector<std::size_t> focuses;
     };
     static constexpr std::size_t kNoStructure = SIZE_MAX;
     std::vector<Group> groups_;  ///< of primitives

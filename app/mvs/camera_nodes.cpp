@@ -4,15 +4,17 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <map>
 
 #include "engine/error.h"
+#include "engine/molecule/element.h"
 #include "engine/scene/scene_camera.h"
 
 namespace nacre::app::mvs {
 namespace {
 
 constexpr double kFarthest = 1e6;   // Å
-constexpr double kLeastRadius = 5;  // Å, of what is focused on
+constexpr double kLeastRadius = 0.01;  // Å, of what is focused on
 
 std::optional<glm::dvec3> vectorOf(const Node& node, const char* name) {
     const Json* value = node.param(name);
@@ -36,15 +38,53 @@ double numberOf(const Node& node, const char* name, double otherwise) {
     return value->get<double>();
 }
 
-/// What a layer's atoms take up beyond their centres, Å, as Mol* counts it.
+/// What a layer takes up beyond the spheres of its atoms, Å, as Mol* counts it.
 double roomOf(const SceneLayer& layer) {
+    const double scale = static_cast<double>(layer.atomScale);
     switch (layer.style) {
         case Style::cartoon:
             return 0.2;
         case Style::ballAndStick:
-            return 0.5;
+            return 0.5 * scale + 0.05;
+        case Style::spacefill:
+        case Style::surface:
+            return 1.8 * scale + 0.05;
+        case Style::backbone:
+            return 0.3;
+        case Style::carbohydrate:
+            return 1.75;
         default:
-            return 1.0;
+            return 2;
+    }
+}
+
+/// The extreme points of each chain's atoms, moved outwards by `room`, in all copies; a ball for each of many copies.
+/// @param atoms  of the molecule, ascending
+void addChains(const Molecule& molecule, const SceneGuide& guide, std::span<const std::uint32_t> atoms, double room,
+               std::vector<glm::dvec4>& balls) {
+    constexpr std::size_t kManyCopies = 14;
+    std::map<std::array<std::uint32_t, 3>, std::vector<glm::dvec4>> chains;
+    for (const std::uint32_t index : atoms) {
+        const Atom& atom = molecule.atoms[index];
+        const Residue& residue = molecule.residues[atom.residue];
+        const std::uint32_t list = guide.transforms.empty() ? 0 : guide.listOfResidue[atom.residue];
+        if (list == UINT32_MAX) continue;
+        chains[{list, residue.chain, residue.subchain}].emplace_back(
+            glm::dvec3(atom.position), static_cast<double>(vanDerWaalsRadius(atom.element)));
+    }
+    for (const auto& [key, own] : chains) {
+        const Bounds sphere = extremeSphere(own);
+        std::vector<glm::dvec4> shown;
+        for (const glm::dvec3& point : movedOut(extremePoints(own), sphere, room)) shown.emplace_back(point, 0.0);
+        if (guide.transforms.empty()) {
+            balls.insert(balls.end(), shown.begin(), shown.end());
+            continue;
+        }
+        const std::vector<std::uint32_t>& list = guide.lists[key[0]];
+        if (list.size() > kManyCopies) shown = {glm::dvec4(sphere.center, sphere.radius + room)};
+        for (const std::uint32_t copy : list)
+            for (const glm::dvec4& ball : shown)
+                balls.emplace_back(guide.transforms[copy] * glm::dvec4(glm::dvec3(ball), 1.0), ball.w);
     }
 }
 
@@ -66,10 +106,19 @@ void CameraNodes::takeCamera(const Node& node, SceneWarnings& warnings) {
 }
 
 void CameraNodes::takeFocus(const Node& node, std::size_t structure, std::vector<std::uint32_t> atoms) {
-    if (!atoms.empty()) focuses_.push_back({&node, structure, std::move(atoms), false});
+    if (!atoms.empty()) focuses_.push_back({&node, structure, std::move(atoms), {}, false});
 }
 
-void CameraNodes::focusAll(const Node& node) { focuses_.push_back({&node, 0, {}, true}); }
+void CameraNodes::takeFocus(const Node& node, std::vector<glm::dvec4> balls) {
+    if (!balls.empty()) focuses_.push_back({&node, 0, {}, std::move(balls), false});
+}
+
+std::size_t CameraNodes::takeFocusLater(const Node& node) {
+    focuses_.push_back({&node, 0, {}, {}, false});
+    return focuses_.size() - 1;
+}
+
+void CameraNodes::focusAll(const Node& node) { focuses_.push_back({&node, 0, {}, {}, true}); }
 
 std::optional<SceneCamera> CameraNodes::camera(const Molecule& molecule, const SceneGuide& guide,
                                                const std::vector<std::uint32_t>& firsts,
@@ -78,27 +127,20 @@ std::optional<SceneCamera> CameraNodes::camera(const Molecule& molecule, const S
         if (!focuses_.empty()) warnings.add(*focuses_.front().node, "the scene's camera node overrides it");
         return camera_;
     }
-    const auto put = [&](std::uint32_t atom, double radius, std::vector<glm::dvec4>& balls) {
-        const glm::dvec3 at(molecule.atoms[atom].position);
-        if (guide.transforms.empty()) return balls.emplace_back(at, radius), void();
-        const std::uint32_t list = guide.listOfResidue[molecule.atoms[atom].residue];
-        if (list == UINT32_MAX) return;
-        for (const std::uint32_t copy : guide.lists[list])
-            balls.emplace_back(guide.transforms[copy] * glm::dvec4(at, 1.0), radius);
-    };
     const auto whole = [&] {
-        std::vector<glm::dvec4> balls;
-        for (const SceneLayer& layer : guide.layers)
-            for (const std::uint32_t atom : layer.atoms) put(atom, roomOf(layer), balls);
-        if (const auto beside = boundsOf(guide.primitives)) balls.emplace_back(beside->center, beside->radius);
+        std::vector<glm::dvec4> balls = drawn_;
+        for (const SceneLayer& layer : guide.layers) addChains(molecule, guide, layer.atoms, roomOf(layer), balls);
+        for (const SceneVolume& volume : guide.volumes) balls.emplace_back(volume.ball.center, volume.ball.radius);
         return balls;
     };
     std::vector<glm::dvec4> spheres;
     SceneCamera camera;
     for (const Focus& focus : focuses_) {
-        std::vector<glm::dvec4> balls;
+        std::vector<glm::dvec4> balls = focus.balls;
         if (focus.all) balls = whole();
-        for (const std::uint32_t atom : focus.atoms) put(firsts[focus.structure] + atom, 0, balls);
+        std::vector<std::uint32_t> atoms = focus.atoms;
+        for (std::uint32_t& atom : atoms) atom += firsts[focus.structure];
+        addChains(molecule, guide, atoms, 0, balls);
         if (balls.empty()) continue;
         const Node& node = *focus.node;
         const Bounds bounds = extremeSphere(balls);

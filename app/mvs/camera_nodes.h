@@ -15,8 +15,15 @@ public:
     void takeCamera(const Node& node, SceneWarnings& warnings);
     /// A focus on some atoms of a structure. @param structure  from 0 @param atoms  of it, ascending
     void takeFocus(const Node& node, std::size_t structure, std::vector<std::uint32_t> atoms);
+    /// A focus on what some balls hold. @param balls  centre and radius, Å
+    void takeFocus(const Node& node, std::vector<glm::dvec4> balls);
+    /// A focus on primitives, which are read later. @returns a number for fillFocus()
+    std::size_t takeFocusLater(const Node& node);
+    void fillFocus(std::size_t number, std::vector<glm::dvec4> balls) { focuses_[number].balls = std::move(balls); }
     /// A focus on all that is drawn.
     void focusAll(const Node& node);
+    /// Balls that what is drawn beside structures and maps takes up.
+    void addDrawn(const std::vector<glm::dvec4>& balls) { drawn_.insert(drawn_.end(), balls.begin(), balls.end()); }
     /// The camera that follows. @param molecule  all structures @param firsts  first atom of each in it
     std::optional<SceneCamera> camera(const Molecule& molecule, const SceneGuide& guide,
                                       const std::vector<std::uint32_t>& firsts, SceneWarnings& warnings) const;
@@ -26,10 +33,12 @@ private:
         const Node* node = nullptr;
         std::size_t structure = 0;
         std::vector<std::uint32_t> atoms;
+        std::vector<glm::dvec4> balls;
         bool all = false;
     };
     std::optional<SceneCamera> camera_;
     std::vector<Focus> focuses_;
+    std::vector<glm::dvec4> drawn_;
 };
 
 }  // namespace nacre::app::mvs

@@ -32,6 +32,11 @@ float factorOf(const Node& node, SceneWarnings& warnings) {
     return 1;
 }
 
+bool isOfPolymer(const Structure& structure, std::uint32_t residue) {
+    const ResidueKind kind = structure.atoms->facts().kinds()[residue];
+    return kind == ResidueKind::protein || kind == ResidueKind::nucleic;
+}
+
 /// @returns whether the type is one that is drawn
 bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneWarnings& warnings) {
     const float factor = factorOf(node, warnings);
@@ -131,8 +136,11 @@ void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms
             if (!value.is_null() && !row->knows(key))
                 warnings.add(node, "its parameter '" + nacre::printable(key) + "' is not used");
     const bool bare = isTrue(node, "ignore_hydrogens");
+    const bool ofPolymers = layer.style == Style::cartoon || layer.style == Style::backbone;
     for (const std::uint32_t atom : atoms)
-        if (!bare || !isHydrogen(structure.molecule->atoms[atom].element)) layer.atoms.push_back(atom);
+        if ((!bare || !isHydrogen(structure.molecule->atoms[atom].element)) &&
+            (!ofPolymers || isOfPolymer(structure, structure.molecule->atoms[atom].residue)))
+            layer.atoms.push_back(atom);
     layer.colors.assign(layer.atoms.size(), kDefaultColor);
     paintChildren(node, structure, files, layer, warnings);
     // What is not to be seen at all is not drawn.

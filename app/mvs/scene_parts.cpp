@@ -204,6 +204,13 @@ glm::dmat4x3 motionOfNode(const Node& node) {
     return motion;
 }
 
+glm::dmat4x3 joinedMotion(const glm::dmat4x3& first, const glm::dmat4x3& second) {
+    glm::dmat4x3 both;
+    for (int column = 0; column < 4; ++column)
+        both[column] = first * glm::dvec4(second[column], column == 3 ? 1.0 : 0.0);
+    return both;
+}
+
 std::vector<bool> selected(const Node& node, const Json* selector, const Structure& structure,
                            SceneWarnings& warnings) {
     std::vector<bool> atoms(structure.molecule->atoms.size());

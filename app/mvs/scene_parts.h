@@ -59,6 +59,7 @@ struct Structure {
     struct Text {
         std::vector<std::uint32_t> atoms;  ///< ascending
         std::string text;
+        const Node* source = nullptr;  ///< of a list of texts; null: a node of its own
     };
     std::vector<Text> labels, tooltips;
     const Node* representation = nullptr;  ///< its first: labels have its colours
@@ -77,6 +78,9 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
 
 /// The motion of a transform node, or of an instance node. @throws Error unless it is rigid and near
 glm::dmat4x3 motionOfNode(const Node& node);
+
+/// First `second`, then `first`.
+glm::dmat4x3 joinedMotion(const glm::dmat4x3& first, const glm::dmat4x3& second);
 
 /// Fills in the layers that a representation node stands for. @param atoms  of the component, ascending
 void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms, Structure& structure,

@@ -164,14 +164,14 @@ private:
             return std::nullopt;
         }
         const glm::dmat4x3 motion = firstMotionOf(structure);
-        std::vector<glm::dvec4> points;
+        std::vector<glm::dvec4> balls;
         Box box;
         for (const std::uint32_t atom : atoms) {
             const glm::dvec3 at = motion * glm::dvec4(glm::dvec3(structure.molecule->atoms[atom].position), 1.0);
-            points.emplace_back(at, 0.0);
-            box.add(at);
+            balls.emplace_back(at, static_cast<double>(vanDerWaalsRadius(structure.molecule->atoms[atom].element)));
         }
-        const Bounds bounds = extremeSphere(points);
+        for (const glm::dvec3& point : extremePoints(balls)) box.add(point);
+        const Bounds bounds = extremeSphere(balls);
         return PlaceBounds{bounds.center, box.low, box.high, bounds.radius};
     }
 
@@ -297,7 +297,10 @@ private:
     static std::string rounded(double value) {
         char text[40];
         std::snprintf(text, sizeof text, "%.2f", value);
-        return text;
+        std::string plain = text;
+        plain.erase(plain.find_last_not_of('0') + 1);
+        if (plain.ends_with('.')) plain.pop_back();
+        return plain;
     }
     std::string measured(const Node& node, std::string_view field, const std::string& value) const {
         const Json* given = node.param("label_template");
@@ -391,7 +394,8 @@ private:
         glm::dvec3 half = (center->high - center->low) / 2.0;
         if (const Json* extent = node.param("extent")) half += vectorOf(node, "extent", *extent);
         Primitives::Box box;
-        box.center = (center->low + center->high) / 2.0;
+        if (!(half.x * half.y * half.z > 1e-4)) return warnings_.add(node, "it has no room: give its extent");
+        box.center = center->center;
         box.axes = {glm::dvec3(half.x, 0, 0), glm::dvec3(0, half.y, 0), glm::dvec3(0, 0, half.z)};
         box.faces.reset();
         if (flag(node, "show_faces", true)) box.faces = look(node, "face_color", tooltipOf(node));
@@ -418,19 +422,13 @@ Primitives readPrimitives(const Node& group, const Structure* own, std::span<con
 }
 
 glm::dmat4x3 firstMotionOf(const Structure& s) {
-    const auto after = [](const glm::dmat4x3& first, const glm::dmat4x3& second) {
-        glm::dmat4x3 both;
-        for (int column = 0; column < 4; ++column)
-            both[column] = first * glm::dvec4(second[column], column == 3 ? 1.0 : 0.0);
-        return both;
-    };
     const glm::dmat4x3 copy = s.transforms.empty() ? glm::dmat4x3(1.0) : s.transforms.front();
-    const glm::dmat4x3 moved = after(s.moved, copy);
-    return s.instances.empty() ? moved : after(s.instances.front(), moved);
+    const glm::dmat4x3 moved = joinedMotion(s.moved, copy);
+    return s.instances.empty() ? moved : joinedMotion(s.instances.front(), moved);
 }
 
 Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& s,
-                          std::optional<std::uint32_t> color) {
+                          std::optional<std::uint32_t> color, double* depth) {
     const glm::dmat4x3 motion = firstMotionOf(s);
     std::vector<glm::dvec4> points;
     std::size_t heavy = 0;
@@ -439,7 +437,9 @@ Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32
         if (!isHydrogen(s.molecule->atoms[atom].element)) ++heavy;
     }
     Primitives::Label label;
-    label.at = extremeSphere(points).center;
+    const Bounds sphere = extremeSphere(points);
+    label.at = sphere.center;
+    if (depth) *depth = sphere.radius;
     label.text = withoutMarkup(text);
     constexpr double kEm = 0.6;  // Å, measured in Mol*'s pictures
     label.size = kEm * std::cbrt(static_cast<double>(heavy > 0 ? heavy : atoms.size()));

@@ -22,9 +22,9 @@ Primitives readPrimitives(const Node& group, const Structure* own, std::span<con
                           SceneWarnings& warnings);
 
 /// The label of some atoms, as Mol* sizes it: the cube root of how many they are.
-/// @param atoms  of the structure, ascending, at least one
+/// @param atoms  of the structure, ascending, at least one @param depth  Å from its place to the farthest atom
 Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& structure,
-                          std::optional<std::uint32_t> color);
+                          std::optional<std::uint32_t> color, double* depth = nullptr);
 
 /// Where an atom of a structure stands first: by its copies, transforms and instances.
 glm::dmat4x3 firstMotionOf(const Structure& structure);

@@ -375,4 +375,11 @@ double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm:
     return static_cast<double>(asked - seen.size()) / static_cast<double>(asked);
 }
 
+glm::dmat3 principalAxesOf(std::span<const glm::dvec3> points) {
+    Balls balls;
+    for (const glm::dvec3& point : points) balls.emplace_back(point, 0.0);
+    const Axes axes = principalAxes(balls, meanOf(balls));
+    return {axes.ways[0], axes.ways[1], axes.ways[2]};
+}
+
 }  // namespace nacre

@@ -51,4 +51,8 @@ Camera fitted(Camera camera, const Representation& scene, double radius, std::ui
 double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
                    const glm::dmat3& rotation);
 
+/// Columns: the directions in which points spread most, less and least; of unit length, of either sense.
+/// @param points  at least one
+glm::dmat3 principalAxesOf(std::span<const glm::dvec3> points);
+
 }  // namespace nacre

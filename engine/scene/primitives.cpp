@@ -261,6 +261,64 @@ std::optional<Bounds> boundsOf(const Primitives& primitives) {
     return bounds;
 }
 
+std::vector<glm::dvec4> outlineOf(const Primitives& primitives) {
+    std::vector<glm::dvec4> points;
+    const auto add = [&](const glm::dvec3& p) {
+        if (isFinite(p)) points.emplace_back(p, 0.0);
+    };
+    const auto disc = [&](const glm::dvec3& center, const glm::dvec3& axis, double radius) {
+        const double length = glm::length(axis);
+        if (!(length > 0) || !(radius > 0)) return add(center);
+        const glm::dvec3 along = axis / length;
+        const glm::dvec3 other = std::abs(along.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+        const glm::dvec3 u = glm::normalize(glm::cross(along, other)), v = glm::cross(along, u);
+        for (int i = 0; i < 16; ++i) {
+            const double turn = i * std::numbers::pi / 8;
+            add(center + radius * (std::cos(turn) * u + std::sin(turn) * v));
+        }
+    };
+    for (const Primitives::Line& line : primitives.lines)
+        for (const glm::dvec3& end : {line.a, line.b}) disc(end, line.b - line.a, line.radius);
+    for (const Primitives::Arrow& arrow : primitives.arrows) {
+        const glm::dvec3 way = arrow.to - arrow.from;
+        const double length = glm::length(way);
+        const glm::dvec3 head = length > 0 ? way * (arrow.headLength / length) : way;
+        arrow.headAtFrom ? (add(arrow.from), disc(arrow.from + head, way, arrow.headRadius))
+                         : disc(arrow.from, way, arrow.radius);
+        arrow.headAtTo ? (add(arrow.to), disc(arrow.to - head, way, arrow.headRadius))
+                       : disc(arrow.to, way, arrow.radius);
+    }
+    const auto round = [&](const glm::dvec3& center, const std::array<glm::dvec3, 3>& axes) {
+        for (int x = -2; x <= 2; ++x)
+            for (int y = -2; y <= 2; ++y)
+                for (int z = -2; z <= 2; ++z) {
+                    const glm::dvec3 way(x, y, z);
+                    if (way == glm::dvec3(0)) continue;
+                    // Where a plane across this way touches.
+                    const glm::dvec3 share(glm::dot(axes[0], way), glm::dot(axes[1], way), glm::dot(axes[2], way));
+                    const double length = glm::length(share);
+                    if (length > 0) add(center + (axes[0] * share.x + axes[1] * share.y + axes[2] * share.z) / length);
+                }
+    };
+    for (const Primitives::Ball& ball : primitives.balls)
+        round(ball.center, {glm::dvec3(ball.radius, 0, 0), glm::dvec3(0, ball.radius, 0), glm::dvec3(0, 0, ball.radius)});
+    for (const Primitives::Ellipsoid& ellipsoid : primitives.ellipsoids) round(ellipsoid.center, ellipsoid.axes);
+    for (const Primitives::Ellipse& ellipse : primitives.ellipses) {
+        add(ellipse.center);
+        for (int i = 0; i <= 64; ++i) {
+            const double turn = ellipse.start + (ellipse.end - ellipse.start) * i / 64;
+            add(ellipse.center + std::cos(turn) * ellipse.major + std::sin(turn) * ellipse.minor);
+        }
+    }
+    for (const Primitives::Box& box : primitives.boxes)
+        for (int corner = 0; corner < 8; ++corner)
+            add(box.center + (corner & 1 ? 1.0 : -1.0) * box.axes[0] + (corner & 2 ? 1.0 : -1.0) * box.axes[1] +
+                (corner & 4 ? 1.0 : -1.0) * box.axes[2]);
+    for (const Primitives::Mesh& mesh : primitives.meshes)
+        for (const glm::dvec3& p : mesh.positions) add(p);
+    return points;
+}
+
 void addPrimitives(const Primitives& primitives, Representation& scene) {
     checkPrimitives(primitives);
     Placing(primitives, scene).run();

@@ -117,6 +117,9 @@ double ellipsoidError(std::size_t count);
 /// Bounding sphere; empty if nothing is drawn. Labels count as points.
 std::optional<Bounds> boundsOf(const Primitives& primitives);
 
+/// Points that stand for the outlines of primitives without their labels: corners, and points on what is round.
+std::vector<glm::dvec4> outlineOf(const Primitives& primitives);
+
 /// Adds primitives to a scene, about its centre; increases its radius. Their numbers are those of their notes.
 /// @throws Error if there are too many, they are too far away, or cover each other too often
 void addPrimitives(const Primitives& primitives, Representation& scene);

@@ -8,13 +8,14 @@
 #include <numeric>
 
 #include "engine/scene/mesh_streams.h"
+#include "engine/scene/orientation.h"
 
 namespace nacre {
 namespace {
 
-constexpr double kNearestPlane = 5;  // Å from the eye that planes stand at least, as in Mol*
-/// Å that primitives may stand out of a plane; less than kNearestPlane, so that all of them are before the eye.
-constexpr double kPlaneRoom = 4;
+// Å from the eye that planes stand at least, as in Mol*; less for a small scene. Of it, primitives may stand out of a
+// plane by a share, so that all of them are before the eye.
+constexpr double kNearestPlane = 5, kRoomShare = 0.8;
 
 glm::dvec3 unitOf(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double length = glm::length(v);
@@ -103,14 +104,16 @@ SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, doub
         view.radius = reach;
         return result;
     }
-    const double before = std::min(camera.radius, distance - kNearestPlane);  // the near plane, from the target
+    const double nearest = std::min(kNearestPlane, std::max(reach, 1e-3));
+    const double before = std::min(camera.radius, distance - nearest);  // the near plane, from the target
+    result.room = kRoomShare * nearest;
     view.projection = Projection::perspective;
     view.eyeDistance = distance;
     if (reach > before) result.clip.near = -before;
     if (reach > camera.radius) result.clip.far = camera.radius;
     // All depths are before the eye.
-    view.radius = std::min(
-        reach, std::min(std::max(before, camera.radius) + kPlaneRoom, distance - (kNearestPlane - kPlaneRoom) / 2));
+    const double deepest = std::max(before, camera.radius) + result.room;
+    view.radius = std::min({reach, deepest, distance - (nearest - result.room) / 2});
     result.clip.far = std::min(result.clip.far, view.radius < reach ? view.radius : Clip::kNone);
     return result;
 }
@@ -121,7 +124,7 @@ void dropOutside(Representation& r, const SceneView& seen) {
     const glm::dvec3 away = -glm::dvec3(seen.view.rotation[0].z, seen.view.rotation[1].z, seen.view.rotation[2].z);
     const auto depth = [&](const glm::vec3& p) { return glm::dot(glm::dvec3(p), away); };
     const auto inside = [&](double low, double high) {
-        return high >= clip.near && low <= clip.far && low >= clip.near - kPlaneRoom && high <= clip.far + kPlaneRoom;
+        return high >= clip.near && low <= clip.far && low >= clip.near - seen.room && high <= clip.far + seen.room;
     };
     keepSpheres(r, [&](const Sphere& sphere) {
         const double at = depth(sphere.center), radius = static_cast<double>(sphere.radius);
@@ -144,20 +147,42 @@ void dropOutside(Representation& r, const SceneView& seen) {
     });
 }
 
-Bounds extremeSphere(std::span<const glm::dvec4> balls) {
+std::vector<glm::dvec3> extremePoints(std::span<const glm::dvec4> balls) {
     static const std::vector<glm::dvec3> kDirections = extremeDirections();
-    glm::dvec3 sum(0);
+    std::vector<glm::dvec3> points;
+    points.reserve(2 * kDirections.size());
     for (const glm::dvec3& direction : kDirections) {
         double low = std::numeric_limits<double>::infinity(), high = -low;
-        glm::dvec3 lowest(0), highest(0);
+        const glm::dvec4 *lowest = &balls.front(), *highest = lowest;
         for (const glm::dvec4& ball : balls) {
             const double at = glm::dot(direction, glm::dvec3(ball));
-            if (at - ball.w < low) low = at - ball.w, lowest = glm::dvec3(ball) - direction * ball.w;
-            if (at + ball.w > high) high = at + ball.w, highest = glm::dvec3(ball) + direction * ball.w;
+            if (at - ball.w < low) low = at - ball.w, lowest = &ball;
+            if (at + ball.w > high) high = at + ball.w, highest = &ball;
         }
-        sum += lowest + highest;
+        points.push_back(glm::dvec3(*lowest) - direction * lowest->w);
+        points.push_back(glm::dvec3(*highest) + direction * highest->w);
     }
-    Bounds bounds{sum / (2.0 * static_cast<double>(kDirections.size())), 0};
+    return points;
+}
+
+std::vector<glm::dvec3> movedOut(std::span<const glm::dvec3> points, const Bounds& sphere, double room) {
+    const glm::dmat3 axes = principalAxesOf(points);
+    std::vector<glm::dvec3> moved;
+    moved.reserve(points.size());
+    for (const glm::dvec3& point : points) {
+        glm::dvec3 out = point - sphere.center;
+        for (int i = 0; i < 3; ++i) out += axes[i] * (glm::dot(point - sphere.center, axes[i]) < 0 ? -room : room);
+        const double length = glm::length(out), most = sphere.radius + room;
+        moved.push_back(sphere.center + (length > most ? out * (most / length) : out));
+    }
+    return moved;
+}
+
+Bounds extremeSphere(std::span<const glm::dvec4> balls) {
+    Bounds bounds;
+    const std::vector<glm::dvec3> points = extremePoints(balls);
+    for (const glm::dvec3& point : points) bounds.center += point / static_cast<double>(points.size());
+    bounds.radius = 0;
     for (const glm::dvec4& ball : balls)
         bounds.radius = std::max(bounds.radius, glm::distance(glm::dvec3(ball), bounds.center) + ball.w);
     return bounds;

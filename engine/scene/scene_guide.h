@@ -6,12 +6,15 @@
 #include <cstdint>
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/scene/appearance.h"
+#include "engine/scene/bounds.h"
 #include "engine/scene/primitives.h"
+#include "engine/volume/density_map.h"
 
 namespace nacre {
 
@@ -41,6 +44,18 @@ struct SceneCamera {
     double fovDegrees = 45;
 };
 
+/// A density map as a scene shows it, as far as its file reaches: a contour, or a slice of its grid.
+struct SceneVolume {
+    std::shared_ptr<const DensityMap> map;
+    double level = 0;  ///< of the contour, in the map's unit; a negative one encloses lower values
+    bool faces = true, wires = false;
+    int axis = -1;           ///< across which the slice lies: 0, 1, 2; -1: a contour
+    double place = 0;        ///< of the slice along it, 0 to 1
+    std::uint32_t color = 0xffffffffu;  ///< packed as in colors.h; a slice is black at the least value, this at the largest
+    double opacity = 1;
+    Bounds ball;  ///< about it, Å
+};
+
 struct SceneGuide {
     std::vector<SceneLayer> layers;
     /// Where residues stand: each at all transforms of its list. Empty: once, where its atoms are.
@@ -49,6 +64,7 @@ struct SceneGuide {
     std::vector<std::uint32_t> listOfResidue;       ///< by residue
     std::vector<SceneNote> tooltips;
     Primitives primitives;  ///< labels of atoms, too
+    std::vector<SceneVolume> volumes;
     std::optional<SceneCamera> camera;
     std::optional<std::array<float, 4>> background;  ///< sRGB-coded, straight alpha
     std::string title;                               ///< plain; empty: none

@@ -40,7 +40,8 @@ std::string numberOf(double value) {
 
 ValueColors::ValueColors(const ValueColoring& coloring, std::span<const double> values, Palette ramp, bool signs)
     : range_(coloring.range ? *coloring.range : usualRange({values.begin(), values.end()}, signs)),
-      palette_(coloring.palette) {
+      palette_(coloring.palette),
+      tint_(coloring.tint) {
     if (palette_ == Palette::automatic)
         palette_ = signs && range_.first * range_.last < 0 ? Palette::redWhiteBlue : ramp;
 }
@@ -51,8 +52,16 @@ std::uint32_t ValueColors::stepOf(double value) const {
     return static_cast<std::uint32_t>(std::lround(std::clamp(at, 0.0, 1.0) * (kSteps - 1)));
 }
 
+std::uint32_t ValueColors::colorAt(double share) const {
+    if (tint_ == 0) return paletteColor(palette_, share);
+    std::uint32_t color = 0xff000000u;
+    for (int shift = 0; shift < 24; shift += 8)
+        color |= static_cast<std::uint32_t>(std::lround((tint_ >> shift & 0xff) * share)) << shift;
+    return color;
+}
+
 std::uint32_t ValueColors::colorOf(std::uint32_t step, std::uint32_t otherwise) const {
-    return step >= kSteps ? otherwise : paletteColor(palette_, step / (kSteps - 1.0));
+    return step >= kSteps ? otherwise : colorAt(step / (kSteps - 1.0));
 }
 
 Legend ValueColors::legend(const std::string& name) const {
@@ -60,7 +69,7 @@ Legend ValueColors::legend(const std::string& name) const {
     for (int i = 0; i < kStops; ++i) {
         const double share = i / (kStops - 1.0);
         legend.entries.push_back(
-            {numberOf(range_.first + (range_.last - range_.first) * share), paletteColor(palette_, share)});
+            {numberOf(range_.first + (range_.last - range_.first) * share), colorAt(share)});
     }
     return legend;
 }

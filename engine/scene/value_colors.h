@@ -23,6 +23,7 @@ struct ValueColoring {
     /// Empty: from the 2nd to the 98th percentile of the values that are met; the same to either side of 0 if they
     /// have both signs.
     std::optional<ColorRange> range = {};
+    std::uint32_t tint = 0;  ///< instead of a palette: from black to this colour, packed as in colors.h; 0: none
 };
 
 /// The same with all that it leaves open.
@@ -43,8 +44,11 @@ public:
     Legend legend(const std::string& name) const;
 
 private:
+    std::uint32_t colorAt(double share) const;
+
     ColorRange range_;
     Palette palette_ = Palette::viridis;
+    std::uint32_t tint_ = 0;
 };
 
 /// Colours the vertices of a scene's molecular surfaces; where the map says nothing they stay as they are. Adds a

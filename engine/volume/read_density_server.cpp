@@ -23,8 +23,11 @@ public:
         std::vector<MsgpackValue> found;  // blocks with a volume
         MsgpackElements elements(*blocks);
         for (MsgpackValue block; elements.next(block);)
-            if (category(block, "volume_data_3d_info") && category(block, "volume_data_3d")) found.push_back(block);
-        if (found.empty()) fail("it has no volume_data_3d: no map");
+            if (category(block, "volume_data_3d_info") && category(block, "volume_data_3d") && isChannel(block))
+                found.push_back(block);
+        if (found.empty())
+            fail(limits_.channel.empty() ? "it has no volume_data_3d: no map"
+                                         : "it has no map of the channel '" + printable(limits_.channel) + "'");
         DensityMap map = mapOf(found.front());
         if (found.size() > 1)
             map.warnings.push_back("the file has " + std::to_string(found.size()) + " maps: the first is drawn");
@@ -34,6 +37,11 @@ public:
 private:
     [[noreturn]] void fail(const std::string& why) const { cannotReadMap(name_, why); }
 
+    bool isChannel(const MsgpackValue& block) const {
+        const auto header = block.find("header");
+        const auto text = header ? header->asText() : std::nullopt;
+        return limits_.channel.empty() || (text && lowerCase(*text) == lowerCase(limits_.channel));
+    }
     static bool isNamed(const MsgpackValue& map, std::string_view name) {
         const auto named = map.find("name");
         const auto text = named ? named->asText() : std::nullopt;

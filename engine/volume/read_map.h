@@ -12,6 +12,7 @@ namespace nacre {
 struct MapLimits {
     /// Memory for the values of a map, including a crystal's whole cell; and for a file's text.
     std::size_t maxBytes = std::size_t{2} << 30;
+    std::string channel = {};  ///< of a density server's file: the header of its data block; empty: the first
 };
 
 /// Whether a file is a density map, by its first bytes (inflated) or, if these are ambiguous, by its name.

@@ -1,0 +1,216 @@
+#include "app/mvs/scene_volumes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
+#include "app/mvs/node_table.h"
+#include "engine/error.h"
+#include "engine/molecule/text.h"
+#include "engine/volume/read_map.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+constexpr std::uint32_t kVolumeColor = 0xffffffffu;
+constexpr std::size_t kMostMapBytes = std::size_t{2} << 30;  // of the values of all maps, instances too
+
+std::optional<double> valueOf(const Node& node, const char* name, SceneWarnings& warnings) {
+    const Json* value = node.param(name);
+    if (!value) return std::nullopt;
+    if (value->is_number() && std::isfinite(value->get<double>())) return value->get<double>();
+    warnings.add(node, std::string(name) + " is no number");
+    return std::nullopt;
+}
+
+bool flagOf(const Node& node, const char* name, bool otherwise) {
+    const Json* value = node.param(name);
+    return value && value->is_boolean() ? value->get<bool>() : otherwise;
+}
+
+glm::ivec3 firstNode(const DensityMap& map) { return map.periodic ? map.boxStart : glm::ivec3(0); }
+
+/// The same values elsewhere.
+std::shared_ptr<const DensityMap> movedMap(const std::shared_ptr<const DensityMap>& map, const glm::dmat4x3& motion) {
+    auto moved = std::make_shared<DensityMap>(*map);
+    moved->origin = motion * glm::dvec4(map->origin, 1.0);
+    moved->step = glm::dmat3(motion[0], motion[1], motion[2]) * map->step;
+    return moved;
+}
+
+/// A ball about a box of nodes, from the box along the axes that holds it.
+Bounds boundsOfNodes(const DensityMap& map, const glm::dvec3& low, const glm::dvec3& high) {
+    Box box;
+    for (int corner = 0; corner < 8; ++corner)
+        box.add(map.place({corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z}));
+    return {(box.low + box.high) / 2.0, glm::length(box.high - box.low) / 2};
+}
+
+Bounds boundsOfBox(const DensityMap& map) {
+    const glm::dvec3 first(firstNode(map));
+    return boundsOfNodes(map, first, first + glm::dvec3(map.boxSize));
+}
+
+/// One volume node as it is read.
+class VolumeReader {
+public:
+    VolumeReader(const Node& node, SceneGuide& guide, CameraNodes& camera, SceneWarnings& warnings)
+        : node_(node), guide_(guide), camera_(camera), warnings_(warnings) {}
+
+    void read(const std::shared_ptr<const DensityMap>& file) {
+        place(file);
+        std::vector<const Node*> focuses;
+        std::vector<glm::dvec4> all;
+        for (const Node& child : node_.children) {
+            tellUnknown(child, warnings_);
+            if (child.kind == "focus") focuses.push_back(&child);
+            if (child.kind != "volume_representation") continue;
+            const std::vector<glm::dvec4> balls = representation(child);
+            all.insert(all.end(), balls.begin(), balls.end());
+            for (const Node& inner : child.children)
+                if (inner.kind == "focus") camera_.takeFocus(inner, balls);
+        }
+        for (const Node* focus : focuses) camera_.takeFocus(*focus, all);
+    }
+
+private:
+    void place(const std::shared_ptr<const DensityMap>& file) {
+        glm::dmat4x3 moved(1.0);
+        std::vector<glm::dmat4x3> instances;
+        for (const Node& child : node_.children) {
+            if (child.kind == "transform") moved = joinedMotion(motionOfNode(child), moved);
+            if (child.kind == "instance") instances.push_back(motionOfNode(child));
+        }
+        if (instances.empty()) instances.emplace_back(1.0);
+        const std::size_t bytes = file->values.size() * sizeof(float);
+        if (instances.size() > 1 && bytes * instances.size() > kMostMapBytes)
+            throw Error("cannot draw scene", node_.place, "its instances take more than 2 GiB");
+        for (const glm::dmat4x3& instance : instances) {
+            const glm::dmat4x3 motion = joinedMotion(instance, moved);
+            maps_.push_back(motion == glm::dmat4x3(1.0) ? file : movedMap(file, motion));
+        }
+    }
+
+    /// @returns balls about what it shows
+    std::vector<glm::dvec4> representation(const Node& node) {
+        const std::string type = nodeText(node, "type");
+        const NodeRow* row = nodeRow("volume_representation:" + type);
+        if (!row) {
+            warnings_.add(node, "there is no representation '" + nacre::printable(type) + "' of maps: it is left out");
+            return {};
+        }
+        for (const auto& [key, value] : node.params.items())
+            if (!value.is_null() && !row->knows(key))
+                warnings_.add(node, "its parameter '" + nacre::printable(key) + "' is not used");
+        SceneVolume volume;
+        volume.color = kVolumeColor;
+        look(node, volume);
+        const bool slice = type == "grid_slice";
+        if (slice ? !setSlice(node, volume) : !setContour(node, volume)) return {};
+        std::vector<glm::dvec4> balls;
+        for (const auto& map : maps_) {
+            if (guide_.volumes.size() == kMostVolumes)
+                throw Error("cannot draw scene", node.place,
+                            "it has more than " + std::to_string(kMostVolumes) + " representations of maps");
+            volume.map = map;
+            const auto ball = slice ? boundsOfBox(*map) : boundsOfContour(*map, volume.level);
+            if (!ball) {
+                warnings_.add(node, "no value of the map reaches its isovalue");
+                continue;
+            }
+            volume.ball = *ball;
+            balls.emplace_back(ball->center, ball->radius);
+            guide_.volumes.push_back(volume);
+        }
+        return balls;
+    }
+
+    void look(const Node& node, SceneVolume& volume) {
+        for (const Node& child : node.children) {
+            if (child.kind != "focus") tellUnknown(child, warnings_);
+            if (child.kind == "color") {
+                const auto color = colorOf(child.param("color"));
+                if (color)
+                    volume.color = *color;
+                else
+                    warnings_.add(child, "it names no colour");
+            }
+            if (child.kind != "opacity") continue;
+            const auto opacity = valueOf(child, "opacity", warnings_);
+            if (opacity && *opacity >= 0 && *opacity <= 1)
+                volume.opacity = *opacity;
+            else
+                warnings_.add(child, "its opacity is no number from 0 to 1");
+        }
+    }
+
+    bool setContour(const Node& node, SceneVolume& volume) {
+        const MapStatistics& statistics = maps_.front()->statistics;
+        const double relative = valueOf(node, "relative_isovalue", warnings_).value_or(0);
+        volume.level =
+            valueOf(node, "absolute_isovalue", warnings_).value_or(statistics.mean + relative * statistics.rms);
+        volume.wires = flagOf(node, "show_wireframe", false);
+        volume.faces = flagOf(node, "show_faces", true);
+        return (volume.wires || volume.faces) && volume.opacity > 0;
+    }
+
+    bool setSlice(const Node& node, SceneVolume& volume) {
+        const std::string dimension = nodeText(node, "dimension");
+        if (dimension != "x" && dimension != "y" && dimension != "z") {
+            warnings_.add(node, "its dimension is none of x, y and z: it is left out");
+            return false;
+        }
+        volume.axis = dimension[0] - 'x';
+        const int last = std::max(maps_.front()->boxSize[volume.axis] - 1, 1);
+        const auto share = valueOf(node, "relative_index", warnings_);
+        const auto index = valueOf(node, "absolute_index", warnings_);
+        const double slice = share ? std::round(*share * last) : index.value_or(0);
+        volume.place = std::clamp(slice / last, 0.0, 1.0);
+        return volume.opacity > 0;
+    }
+
+    const Node& node_;
+    SceneGuide& guide_;
+    CameraNodes& camera_;
+    SceneWarnings& warnings_;
+    std::vector<std::shared_ptr<const DensityMap>> maps_;
+};
+
+}  // namespace
+
+std::optional<Bounds> boundsOfContour(const DensityMap& map, double level) {
+    const glm::ivec3 first = firstNode(map), size = map.boxSize;
+    glm::ivec3 low = size, high(-1);
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                glm::ivec3 node = first + glm::ivec3(x, y, z);
+                if (map.periodic)
+                    for (int i = 0; i < 3; ++i) node[i] = ((node[i] % map.size[i]) + map.size[i]) % map.size[i];
+                const double value = static_cast<double>(map.values[map.index(node)]);
+                if (!(level < 0 ? value <= level : value >= level)) continue;
+                low = glm::min(low, glm::ivec3(x, y, z));
+                high = glm::max(high, glm::ivec3(x, y, z));
+            }
+    if (high.x < 0) return std::nullopt;
+    return boundsOfNodes(map, glm::dvec3(first + low - 1), glm::dvec3(first + high + 1));
+}
+
+void addVolume(const Node& node, const std::string& uri, SceneFiles& files, SceneGuide& guide, CameraNodes& camera,
+               SceneWarnings& warnings) {
+    std::string bytes = files.bytes(uri);
+    std::shared_ptr<const DensityMap> map;
+    try {
+        const std::size_t most = std::min(files.sources().reading.maxBytes, kMostMapBytes);
+        map = std::make_shared<const DensityMap>(
+            readMap(nacre::printable(uri, 200), std::move(bytes), {most, nodeText(node, "channel_id")}));
+    } catch (const Error& error) {
+        return warnings.add(node, std::string("it is left out: ") + error.what());
+    }
+    for (const std::string& warning : map->warnings) warnings.add(node, warning);
+    VolumeReader(node, guide, camera, warnings).read(map);
+}
+
+}  // namespace nacre::app::mvs
