@@ -2,6 +2,7 @@
 #include "app/cli/movie_options.h"
 #include "app/cli/movie_report.h"
 #include "app/cli/movie_scenes.h"
+#include "app/cli/movie_snapshots.h"
 #include "app/files/messages.h"
 #include "app/movie/movie_encoder.h"
 #include "app/movie/stop_request.h"
@@ -25,12 +26,18 @@ void movieCommand(const MovieOptions& options) {
     Progress progress;
     // The file, or the program that writes it, is there before any work; only how many frames there are is not known.
     MovieShape shape{options.picture.size, options.framesPerSecond, isTransparent(options), 1};
-    if (options.views.empty()) shape.frames = framesOf(options, 1);
+    const bool snapshots = showsSnapshots(options);
+    if (options.views.empty() && !snapshots) shape.frames = framesOf(options, 1);
     MovieReport report(options.report);
     const std::unique_ptr<MovieFile> file = makeMovieFile(path, shape);
     StopRequest stop;  // from here on; a second signal removes unfinished files as usual
 
-    MovieScenes scenes(options, progress);
+    std::unique_ptr<MovieSource> source;
+    if (snapshots)
+        source = std::make_unique<MovieSnapshots>(options, progress);
+    else
+        source = std::make_unique<MovieScenes>(options, progress);
+    MovieSource& scenes = *source;
     const std::uint64_t frames = scenes.frames();
     progress.begin(options.picture.occlusion.directions ? "ambient occlusion" : "drawing");
     scenes.onBake = [&](double share) {

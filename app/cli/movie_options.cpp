@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/movie_snapshots.h"
 #include "app/movie/movie_file.h"
 
 namespace nacre::app {
@@ -64,15 +65,19 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
 void checkMotion(const MovieOptions& options) {
     const int cameras = (options.spin ? 1 : 0) + (options.rock ? 1 : 0) + (options.views.empty() ? 0 : 1);
     if (cameras > 1) throw UsageError("--spin, --rock and --views exclude each other");
-    if (cameras == 0 && !options.models && !options.sweep)
+    if (options.picture.input.snapshot == kAllSnapshots && (cameras || options.models || options.sweep))
+        throw UsageError("--snapshot all moves from snapshot to snapshot: name one for other motions");
+    const bool snapshots = showsSnapshots(options);
+    if (cameras == 0 && !options.models && !options.sweep && !snapshots)
         throw UsageError("no motion given: add --spin, --rock, --views, --models or --map-sweep");
     if (options.sweep && options.picture.maps.files.empty()) throw UsageError("--map-sweep needs --map");
     if (options.sweep && (options.models || !options.views.empty()))
         throw UsageError("--map-sweep goes with --spin and --rock only: views have levels of their own");
-    if (options.loop && options.views.empty()) throw UsageError("--loop is for --views");
+    if (options.loop && options.views.empty() && !snapshots)
+        throw UsageError("--loop is for --views and --snapshot all");
     checkCameraMotion(options);
-    if (options.easing && cameras == 0 && !options.sweep)
-        throw UsageError("--easing is for --spin, --rock, --views and --map-sweep");
+    if (options.easing && cameras == 0 && !options.sweep && !snapshots)
+        throw UsageError("--easing is for --spin, --rock, --views, --map-sweep and --snapshot all");
     if (options.easing == Easing::stops && options.views.empty()) throw UsageError("--easing stops is for --views");
     const bool trajectory = !options.picture.input.trajectory.path.empty();
     if (options.models && !trajectory && isGiven(options, "model"))
@@ -83,7 +88,7 @@ void checkMotion(const MovieOptions& options) {
         throw UsageError("--camera model and --views exclude each other: --views move the camera");
     if (options.models && options.picture.input.path == "-" && options.picture.input.trajectory.path.empty())
         throw UsageError("--models reads INPUT several times: name a file, not standard input");
-    if (framesOf(options, 1) > kMostMovieFrames)
+    if (!snapshots && framesOf(options, 1) > kMostMovieFrames)
         throw UsageError("more than " + std::to_string(kMostMovieFrames) + " frames: lower --seconds or --fps");
 }
 

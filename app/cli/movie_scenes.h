@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/cli/movie_options.h"
+#include "app/cli/movie_source.h"
 #include "app/cli/progress.h"
 #include "app/drawing/drawing.h"
 #include "engine/molecule/model_file.h"
@@ -16,19 +17,16 @@ namespace nacre::app {
 /// Whether any background, of the options or of a key view, is not opaque. @throws Error
 bool isTransparent(const MovieOptions& options);
 
-class MovieScenes {
+class MovieScenes : public MovieSource {
 public:
     /// Reads the molecule. @param options, progress  outlive this @throws Error
     MovieScenes(const MovieOptions& options, Progress& progress);
-    ~MovieScenes();
+    ~MovieScenes() override;
 
-    std::uint64_t frames() const { return frames_; }
-    /// A frame, 0..frames() - 1, in any order. In sequence, words follow their atoms. @throws Error
-    Picture draw(std::uint64_t frame);
-    /// The model, record or trajectory frame that a frame shows, from 1; none if all show the same.
-    std::optional<int> modelOf(std::uint64_t frame) const;
-    /// Called with the finished share while occlusion is baked.
-    std::function<void(double)> onBake;
+    std::uint64_t frames() const override { return frames_; }
+    /// In sequence, words follow their atoms.
+    Picture draw(std::uint64_t frame) override;
+    std::optional<int> modelOf(std::uint64_t frame) const override;
 
 private:
     /// An appearance: key views that differ only in their cameras share it.

@@ -94,21 +94,22 @@ void checkThere(const std::string& path) {
 }
 
 /// A scene brings molecules of its own, and the way they are shown.
-Molecule loadSceneFile(InputOptions input, const std::function<void(double)>& onDownload) {
+Molecule loadSceneFile(InputOptions input, std::string bytes, const std::function<void(double)>& onDownload) {
     if (!input.trajectory.path.empty())
         throw Error("cannot read scene", input.path, "a scene stands still: it takes no --trajectory");
     if (!input.further.empty())
         throw Error("cannot read scene", input.path, "a scene stands alone: name no other INPUT");
     if (input.addHydrogens) throw Error("cannot read scene", input.path, "its molecules take no hydrogens");
     if (!input.namedBy.empty()) input.path = namedPath(input);
-    return loadScene(input, mvs::readSceneBytes(input.path), readWithin(memoryOf(input)), onDownload);
+    return loadScene(input, std::move(bytes), readWithin(memoryOf(input)), onDownload);
 }
 
 Molecule loadStructure(const InputOptions& input, const std::function<void(double)>& onDownload,
                        const std::function<void(double)>& onModel) {
     if (const auto id = parseDatabaseId(input.path))
         return completed(input, loadDownload(input, *id, onDownload, onModel));
-    if (!input.format && mvs::isSceneFile(filePathOf(input))) return loadSceneFile(input, onDownload);
+    if (!input.format)
+        if (auto bytes = mvs::readScene(filePathOf(input))) return loadSceneFile(input, std::move(*bytes), onDownload);
     if (!input.namedBy.empty()) return loadNamed(input, onModel);
     checkThere(input.path);
     return readLocally(input, memoryOf(input), {}, onModel);

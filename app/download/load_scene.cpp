@@ -112,8 +112,18 @@ private:
 Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptions& reading,
                    const std::function<void(double)>& onDownload) {
     const mvs::SceneFile scene(input.path, std::move(bytes));
+    if (input.snapshot == kAllSnapshots)
+        throw Error("cannot read scene", input.path, "--snapshot all is for render and movie: name one snapshot");
     const std::size_t snapshot = static_cast<std::size_t>(input.snapshot) - 1;
     return mvs::buildScene(scene.tree, snapshot, scene.name, {SceneFetch(input, scene, reading, onDownload), reading});
+}
+
+std::vector<SnapshotTimes> snapshotsOf(const std::string& path) {
+    const mvs::SceneFile scene(path, mvs::readSceneBytes(path));
+    std::vector<SnapshotTimes> times;
+    for (const mvs::Snapshot& snapshot : scene.tree.snapshots)
+        times.push_back({snapshot.lingerSeconds, snapshot.transitionSeconds});
+    return times;
 }
 
 }  // namespace nacre::app

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "app/picture/input_options.h"
 #include "engine/molecule/molecule.h"
@@ -14,5 +15,12 @@ namespace nacre::app {
 /// files must stand in its folder. @param bytes  of the scene's file @throws Error
 Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptions& reading,
                    const std::function<void(double)>& onDownload = {});
+
+/// How long a snapshot is to be seen in a movie, seconds: at rest, and on the way to the next.
+struct SnapshotTimes {
+    double linger = 0, transition = 0;
+};
+/// Those of a scene's file. @throws Error if it is no scene
+std::vector<SnapshotTimes> snapshotsOf(const std::string& path);
 
 }  // namespace nacre::app

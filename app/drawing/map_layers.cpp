@@ -48,11 +48,10 @@ std::shared_ptr<const MapRegion> regionOf(const std::shared_ptr<const DensityMap
                 return at->region;
             }
     }
-    const auto region =
-        !places.empty()  ? std::make_shared<const MapRegion>(*map, places, reach)
-        : reach == kBoxOfFile ? std::make_shared<const MapRegion>(*map, firstOfFile(*map),
-                                                              firstOfFile(*map) + map->boxSize - 1)
-                         : std::make_shared<const MapRegion>(*map, glm::ivec3(0), map->size - 1);
+    const auto region = !places.empty()       ? std::make_shared<const MapRegion>(*map, places, reach)
+                        : reach == kBoxOfFile ? std::make_shared<const MapRegion>(*map, firstOfFile(*map),
+                                                                                  firstOfFile(*map) + map->boxSize - 1)
+                                              : std::make_shared<const MapRegion>(*map, glm::ivec3(0), map->size - 1);
     const std::lock_guard lock(mutex);
     kept.push_front({map, places, reach, region});
     if (kept.size() > kMostKept) kept.pop_back();

@@ -190,7 +190,8 @@ private:
     static std::vector<glm::dmat4x3> motionsOf(const Structure& s, const glm::dmat4x3& copy) {
         if (s.instances.empty()) return {joinedMotion(s.moved, copy)};
         std::vector<glm::dmat4x3> motions;
-        for (const glm::dmat4x3& instance : s.instances) motions.push_back(joinedMotion(instance, joinedMotion(s.moved, copy)));
+        for (const glm::dmat4x3& instance : s.instances)
+            motions.push_back(joinedMotion(instance, joinedMotion(s.moved, copy)));
         return motions;
     }
 
@@ -272,10 +273,9 @@ private:
         std::map<const Node*, LabelBalls> drawn;  // each list of labels is one thing to the camera
         for (const Structure::Text& label : s.labels) {
             double depth = 0;
-            guide_->primitives.labels.push_back(
-                labelOf(label.text, label.atoms, s,
-                        colors.empty() ? std::nullopt : std::optional<std::uint32_t>(colors[label.atoms.front()]),
-                        &depth));
+            guide_->primitives.labels.push_back(labelOf(
+                label.text, label.atoms, s,
+                colors.empty() ? std::nullopt : std::optional<std::uint32_t>(colors[label.atoms.front()]), &depth));
             drawn[label.source].add(guide_->primitives.labels.back(), depth);
         }
         for (const auto& [source, labels] : drawn) camera_.addDrawn(labels.balls());
@@ -306,7 +306,8 @@ private:
     }
 
     Molecule withoutStructures() {
-        if (guide_->primitives.empty() && guide_->volumes.empty()) throw Error("cannot draw scene", name_, "it shows nothing");
+        if (guide_->primitives.empty() && guide_->volumes.empty())
+            throw Error("cannot draw scene", name_, "it shows nothing");
         Molecule none;
         none.file.format = "mvs";
         finish(none, {});

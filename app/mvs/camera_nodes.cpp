@@ -13,7 +13,7 @@
 namespace nacre::app::mvs {
 namespace {
 
-constexpr double kFarthest = 1e6;   // Å
+constexpr double kFarthest = 1e6;      // Å
 constexpr double kLeastRadius = 0.01;  // Å, of what is focused on
 
 std::optional<glm::dvec3> vectorOf(const Node& node, const char* name) {

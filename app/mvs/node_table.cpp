@@ -49,7 +49,7 @@ constexpr NodeRow kRows[] = {
     {"volume_representation:isosurface", "type relative_isovalue absolute_isovalue show_wireframe show_faces", "", ""},
     {"volume_representation:grid_slice", "type dimension absolute_index relative_index",
      "relative_isovalue absolute_isovalue", "beyond version 1.2: from black to the colour"},
-    {"primitives", "color label_color tooltip opacity label_opacity", "instances", "its primitives: the rows below"},
+    {"primitives", "color label_color tooltip opacity label_opacity instances", "", "its primitives: the rows below"},
     {"primitives_from_uri", "uri format", "references", ""},
     {"primitive", "kind", "", "kinds: the rows below"},
     {"primitive:tube", "kind start end radius dash_length color tooltip", "", ""},

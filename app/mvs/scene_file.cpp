@@ -15,18 +15,20 @@ constexpr std::uint64_t kMostArchiveBytes = 512ull << 20;
 
 bool isScene(std::string_view bytes) { return looksLikeArchive(bytes) || looksLikeScene(bytes); }
 
-bool isSceneFile(const std::string& path) {
+std::optional<std::string> readScene(const std::string& path) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return false;
+    if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
     std::ifstream file(path, std::ios::binary);
     std::array<char, 4096> start{};
     file.read(start.data(), start.size());
     const std::string_view head(start.data(), static_cast<std::size_t>(file.gcount()));
-    if (looksLikeArchive(head)) return true;
+    if (looksLikeArchive(head)) return readSceneBytes(path);
     const std::size_t first = head.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos || head[first] != '{') return false;
-    if (head.find("\"data_") < 64 || std::filesystem::file_size(path, error) > kMostSceneBytes) return false;
-    return looksLikeScene(readSceneBytes(path));
+    if (first == std::string_view::npos || head[first] != '{') return std::nullopt;
+    if (head.find("\"data_") < 64 || std::filesystem::file_size(path, error) > kMostSceneBytes) return std::nullopt;
+    std::string bytes = readSceneBytes(path);
+    if (!looksLikeScene(bytes)) return std::nullopt;
+    return bytes;
 }
 
 std::string readSceneBytes(const std::string& path) {

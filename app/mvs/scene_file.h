@@ -2,6 +2,7 @@
 // A MolViewSpec scene as it comes: JSON, or an archive. Content decides, not the name.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,8 +13,9 @@ namespace nacre::app::mvs {
 
 /// Whether bytes are a scene. @param whole  they are all of the file
 bool isScene(std::string_view bytes);
-/// Whether a file is one; false if it cannot be read. Little is read of what begins otherwise.
-bool isSceneFile(const std::string& path);
+/// The whole of a file if it is one; empty if not, or if it cannot be read. Little is read of what begins otherwise.
+std::optional<std::string> readScene(const std::string& path);
+inline bool isSceneFile(const std::string& path) { return readScene(path).has_value(); }
 
 struct SceneFile {
     std::string name;

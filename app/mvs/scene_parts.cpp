@@ -256,7 +256,7 @@ std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Str
 void tellUnknown(const Node& node, SceneWarnings& warnings) {
     const NodeRow* row = nodeRow(node.kind);
     if (!row) return warnings.add(node, "nodes of this kind are not drawn");
-    if (node.kind == "representation") return;  // each of its types has parameters of its own
+    if (node.kind == "representation" || node.kind == "volume_representation") return;  // each type has its own
     for (const auto& [key, value] : node.params.items())
         if (!value.is_null() && !row->knows(key))
             warnings.add(node, "its parameter '" + nacre::printable(key) + "' is not used");

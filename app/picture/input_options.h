@@ -29,6 +29,8 @@ struct FurtherInput {
     friend bool operator==(const FurtherInput&, const FurtherInput&) = default;
 };
 
+constexpr int kAllSnapshots = 0;
+
 /// What a scene names is taken from somewhere else: an address, or the beginning of some, and a file or folder.
 struct SceneMap {
     std::string url, path;
@@ -53,7 +55,7 @@ struct InputOptions {
     std::string namedBy;         ///< a saved view's file that names `path`; empty: the user does. See load_molecule.h
     std::string hash;            ///< of its content, as that view states it; empty: it does not. See fileHash()
     bool allowDownload = false;  ///< what a view names may be downloaded
-    int snapshot = 1;            ///< of a scene, counted from 1
+    int snapshot = 1;            ///< of a scene, counted from 1, or kAllSnapshots
     std::vector<SceneMap> sceneMaps;  ///< for scenes
     bool sceneFiles = true;           ///< a scene may name files of its folder
     TrajectoryOptions trajectory;

@@ -201,13 +201,19 @@ std::vector<Option> reading() {
          .save = always,
          .number = Option::Number::whole},
         {.key = "snapshot",
-         .syntax = "N",
+         .syntax = "N|all",
          .standard = "1",
-         .help = "Snapshot of a MolViewSpec scene, counted from 1",
+         .help = "Snapshot of a MolViewSpec scene, counted from 1; all: a picture of each, or a movie of them",
          .topic = Topic::reading,
          .facet = Facet::input,
-         .parse = [](T text, P& d) { d.input.snapshot = static_cast<int>(parseInteger(text, 1, 10'000)); },
-         .print = [](const P& d) { return std::to_string(d.input.snapshot); },
+         .parse =
+             [](T text, P& d) {
+                 d.input.snapshot = text == "all" ? kAllSnapshots : static_cast<int>(parseInteger(text, 1, 10'000));
+             },
+         .print =
+             [](const P& d) {
+                 return d.input.snapshot == kAllSnapshots ? std::string("all") : std::to_string(d.input.snapshot);
+             },
          .save = differing,
          .number = Option::Number::whole},
         {.key = "mvs-map",

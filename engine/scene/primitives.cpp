@@ -301,7 +301,8 @@ std::vector<glm::dvec4> outlineOf(const Primitives& primitives) {
                 }
     };
     for (const Primitives::Ball& ball : primitives.balls)
-        round(ball.center, {glm::dvec3(ball.radius, 0, 0), glm::dvec3(0, ball.radius, 0), glm::dvec3(0, 0, ball.radius)});
+        round(ball.center,
+              {glm::dvec3(ball.radius, 0, 0), glm::dvec3(0, ball.radius, 0), glm::dvec3(0, 0, ball.radius)});
     for (const Primitives::Ellipsoid& ellipsoid : primitives.ellipsoids) round(ellipsoid.center, ellipsoid.axes);
     for (const Primitives::Ellipse& ellipse : primitives.ellipses) {
         add(ellipse.center);

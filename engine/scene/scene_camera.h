@@ -9,8 +9,8 @@
 namespace nacre {
 
 struct SceneView {
-    View view;  ///< about the camera's target
-    Clip clip;  ///< planes of the camera: Å from the target, away from the viewer
+    View view;        ///< about the camera's target
+    Clip clip;        ///< planes of the camera: Å from the target, away from the viewer
     double room = 0;  ///< Å that anything may stand out of the planes, and is before the eye still
 };
 
@@ -24,12 +24,13 @@ SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, doub
 /// Leaves out what is wholly before or behind the planes: an eye may stand among atoms. Not of a scene with copies.
 void dropOutside(Representation& scene, const SceneView& view);
 
-/// The extreme points of some balls in 98 directions (T. Larsson, Fast and Tight Fitting Bounding Spheres, SIGRAD 2008).
+/// The extreme points of some balls in 98 directions (T. Larsson, Fast and Tight Fitting Bounding Spheres, SIGRAD
+/// 2008).
 /// @param balls  centre and radius; at least one
 std::vector<glm::dvec3> extremePoints(std::span<const glm::dvec4> balls);
 
-/// Extreme points moved outwards, as Mol* makes room for what is drawn around them: along the points' principal axes, and
-/// not farther from the centre than the sphere's radius and the room. @param sphere  about the points
+/// Extreme points moved outwards, as Mol* makes room for what is drawn around them: along the points' principal axes,
+/// and not farther from the centre than the sphere's radius and the room. @param sphere  about the points
 std::vector<glm::dvec3> movedOut(std::span<const glm::dvec3> points, const Bounds& sphere, double room);
 
 /// The least sphere about some balls, nearly: the mean of their extreme points, and what holds them.

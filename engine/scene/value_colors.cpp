@@ -68,8 +68,7 @@ Legend ValueColors::legend(const std::string& name) const {
     Legend legend{"all", name, {}, palette_, kStops};
     for (int i = 0; i < kStops; ++i) {
         const double share = i / (kStops - 1.0);
-        legend.entries.push_back(
-            {numberOf(range_.first + (range_.last - range_.first) * share), colorAt(share)});
+        legend.entries.push_back({numberOf(range_.first + (range_.last - range_.first) * share), colorAt(share)});
     }
     return legend;
 }

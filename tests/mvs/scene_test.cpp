@@ -62,6 +62,26 @@ HETATM 18 O O1 LIG B 2 . 200 X 10 2 3
 HETATM 19 O O HOH C 3 . 301 X 1 9 3
 )";
 
+/// 27 nodes, 1 Å apart from the origin on: 1 in the middle, else 0.
+const char* const kMap = R"(object 1 class gridpositions counts 3 3 3
+origin 0 0 0
+delta 1 0 0
+delta 0 1 0
+delta 0 0 1
+object 2 class gridconnections counts 3 3 3
+object 3 class array type double rank 0 items 27 data follows
+0 0 0 0 0 0 0 0 0
+0 0 0 0 1 0 0 0 0
+0 0 0 0 0 0 0 0 0
+)";
+
+std::string volume(const std::string& params, const std::string& children = "", const std::string& beside = "") {
+    return R"({"root": {"kind": "root", "children": [{"kind": "download", "params": {"url": "m.dx"}, "children": [
+        {"kind": "parse", "params": {"format": "dx"}, "children": [{"kind": "volume", "children": [)" +
+           beside + R"({"kind": "volume_representation", "params": )" + params + R"(, "children": [)" + children +
+           "]}]}]}]}]}}";
+}
+
 std::string scene(const std::string& children, const std::string& more = "", const std::string& type = R"("model")") {
     return R"({"root": {"kind": "root", "children": [{"kind": "download", "params": {"url": "a.cif"}, "children": [
         {"kind": "parse", "params": {"format": "mmcif"}, "children": [
@@ -83,6 +103,7 @@ Molecule built(const std::string& json, const std::string& annotations = "") {
     sources.fetch = [&](const std::string& uri) {
         if (uri == "a.cif") return std::string(kStructure);
         if (uri == "b.json") return annotations;
+        if (uri == "m.dx") return std::string(kMap);
         throw Error("cannot fetch", uri, "there is none");
     };
     return buildScene(tree, 0, "scene.mvsj", sources);
@@ -162,12 +183,100 @@ TEST(SceneCamera, PositionIsThatOfACameraToWhichHalfItsDistanceFillsThePicture) 
     EXPECT_NEAR(molecule.guide->camera->radius, 10, 1e-12);
 }
 
-TEST(SceneCamera, FocusHasALeastRadius) {
+TEST(SceneCamera, FocusHoldsTheSpheresOfAtoms) {
     const Molecule molecule = built(scene(component(R"({"label_asym_id": "B"})", balls() + R"(,{"kind": "focus"})")));
     ASSERT_TRUE(molecule.guide->camera);
-    EXPECT_NEAR(molecule.guide->camera->radius, 5, 1e-12);
-    EXPECT_NEAR(glm::distance(molecule.guide->camera->target, glm::dvec3(9.5, 2, 3)), 0,
-                0.1);  // of ties the first counts
+    // A carbon of 1.7 Å at x = 9, and an oxygen of 1.52 Å at 10.
+    EXPECT_NEAR(molecule.guide->camera->radius, (11.52 - 7.3) / 2, 0.1);
+    EXPECT_NEAR(glm::distance(molecule.guide->camera->target, glm::dvec3((11.52 + 7.3) / 2, 2, 3)), 0, 0.1);
+}
+
+TEST(SceneCamera, CartoonsOfAllHoldNoLigands) {
+    const Molecule cartoon =
+        built(scene(component(R"("all")", R"({"kind": "representation", "params": {"type": "cartoon"}})")));
+    const Molecule ballsOfAll = built(scene(component(R"("all")", balls())));
+    ASSERT_TRUE(cartoon.guide->camera && ballsOfAll.guide->camera);
+    EXPECT_LT(cartoon.guide->camera->radius + 1, ballsOfAll.guide->camera->radius);
+}
+
+TEST(SceneCamera, LabelsTakeUpRoom) {
+    const std::string word = R"({"kind": "label", "params": {"text": ")";
+    const Molecule wide = built(scene(component(R"("all")", balls() + "," + word + std::string(200, 'x') + "\"}}")));
+    const Molecule narrow = built(scene(component(R"("all")", balls() + "," + word + "x\"}}")));
+    EXPECT_GT(wide.guide->camera->radius, 2 * narrow.guide->camera->radius);
+}
+
+TEST(ScenePrimitives, InstancesAreCopies) {
+    const Molecule molecule = built(R"({"root": {"kind": "root", "children": [{"kind": "primitives", "params":
+        {"instances": [[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], [0,1,0,0, -1,0,0,0, 0,0,1,0, 10,0,0,1]]}, "children": [
+        {"kind": "primitive", "params": {"kind": "tube", "start": [1, 0, 0], "end": [2, 0, 0]}}]}]}})");
+    const auto& lines = molecule.guide->primitives.lines;
+    ASSERT_EQ(lines.size(), 2u);
+    EXPECT_LT(glm::distance(lines[0].b, glm::dvec3(2, 0, 0)), 1e-9);
+    EXPECT_LT(glm::distance(lines[1].a, glm::dvec3(10, 1, 0)), 1e-9);
+    EXPECT_LT(glm::distance(lines[1].b, glm::dvec3(10, 2, 0)), 1e-9);
+}
+
+TEST(ScenePrimitives, DistancesAreRoundedAndBoxesHaveRoom) {
+    const Molecule molecule = built(R"({"root": {"kind": "root", "children": [{"kind": "primitives", "children": [
+        {"kind": "primitive", "params": {"kind": "distance_measurement", "start": [0, 0, 0], "end": [3.5, 0, 0]}},
+        {"kind": "primitive", "params": {"kind": "box", "center": [0, 0, 0]}}]}]}})");
+    ASSERT_EQ(molecule.guide->primitives.labels.size(), 1u);
+    EXPECT_EQ(molecule.guide->primitives.labels.front().text, "3.5 Å");
+    EXPECT_TRUE(molecule.guide->primitives.boxes.empty());
+    EXPECT_EQ(molecule.guide->warnings.size(), 1u);
+}
+
+TEST(SceneVolumes, ContoursHaveTheirLevelColourAndPlace) {
+    const Molecule molecule = built(volume(
+        R"({"type": "isosurface", "relative_isovalue": 2, "show_wireframe": true})",
+        R"({"kind": "color", "params": {"color": "#0000ff"}}, {"kind": "opacity", "params": {"opacity": 0.25}})"));
+    ASSERT_EQ(molecule.guide->volumes.size(), 1u);
+    const SceneVolume& shown = molecule.guide->volumes.front();
+    const double mean = 1 / 27.0, sigma = std::sqrt(mean - mean * mean);
+    EXPECT_NEAR(shown.level, mean + 2 * sigma, 1e-9);
+    EXPECT_TRUE(shown.wires && shown.faces);
+    EXPECT_EQ(shown.color, 0xffff0000u);
+    EXPECT_EQ(shown.opacity, 0.25);
+    EXPECT_LT(glm::distance(shown.ball.center, glm::dvec3(1)), 1e-9);
+    EXPECT_NEAR(shown.ball.radius, std::sqrt(3.0), 1e-9);
+    EXPECT_TRUE(molecule.guide->warnings.empty());
+    ASSERT_TRUE(molecule.guide->camera);
+    EXPECT_NEAR(molecule.guide->camera->radius, std::sqrt(3.0), 0.01);
+}
+
+TEST(SceneVolumes, AbsoluteValuesWinAndTransformsMoveMaps) {
+    const Molecule molecule =
+        built(volume(R"({"type": "isosurface", "relative_isovalue": 2, "absolute_isovalue": 0.5})", "",
+                     R"({"kind": "transform", "params": {"translation": [10, 0, 0]}},)"));
+    ASSERT_EQ(molecule.guide->volumes.size(), 1u);
+    EXPECT_EQ(molecule.guide->volumes.front().level, 0.5);
+    EXPECT_LT(glm::distance(molecule.guide->volumes.front().ball.center, glm::dvec3(11, 1, 1)), 1e-9);
+}
+
+TEST(SceneVolumes, SlicesLieAtTheirNode) {
+    const Molecule half = built(volume(R"({"type": "grid_slice", "dimension": "y", "relative_index": 0.4})"));
+    ASSERT_EQ(half.guide->volumes.size(), 1u);
+    EXPECT_EQ(half.guide->volumes.front().axis, 1);
+    EXPECT_EQ(half.guide->volumes.front().place, 0.5);  // node 1 of 0 to 2
+    const Molecule last = built(volume(R"({"type": "grid_slice", "dimension": "x", "absolute_index": 2})"));
+    EXPECT_EQ(last.guide->volumes.front().place, 1.0);
+}
+
+TEST(SceneVolumes, UnknownTypesAndUnreachedLevelsAreWarnings) {
+    const std::string structure = component(R"("all")", balls());
+    const auto with = [&](const std::string& params) {
+        return built(scene(structure, R"(,{"kind": "download", "params": {"url": "m.dx"}, "children": [
+            {"kind": "parse", "params": {"format": "dx"}, "children": [{"kind": "volume", "children": [
+            {"kind": "volume_representation", "params": )" +
+                                          params + "}]}]}]}"));
+    };
+    for (const char* params : {R"({"type": "cloud"})", R"({"type": "isosurface", "absolute_isovalue": 7})",
+                               R"({"type": "grid_slice", "dimension": "w"})"}) {
+        const Molecule molecule = with(params);
+        EXPECT_TRUE(molecule.guide->volumes.empty()) << params;
+        EXPECT_EQ(molecule.guide->warnings.size(), 1u) << params;
+    }
 }
 
 TEST(SceneWarning, UnknownThingsNameTheirPlace) {

@@ -1,0 +1,84 @@
+// Several snapshots of a MolViewSpec scene: one, all as pictures, all as a movie.
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+
+#include "app/cli/movie_snapshots.h"
+#include "tests/support/run_program.h"
+
+namespace nacre {
+namespace {
+
+using test::nacreIn;
+using test::Outcome;
+using test::TemporaryFolder;
+
+std::string snapshot(const std::string& color, int linger, int transition) {
+    return R"({"metadata": {"linger_duration_ms": )" + std::to_string(linger) + R"(, "transition_duration_ms": )" +
+           std::to_string(transition) + R"(}, "root": {"kind": "root", "children": [{"kind": "primitives", "params":
+        {"color": ")" +
+           color + R"("}, "children": [{"kind": "primitive", "params":
+        {"kind": "ellipsoid", "center": [0, 0, 0], "radius": 2}}]}]}})";
+}
+
+void putScene(const TemporaryFolder& folder) {
+    std::ofstream(folder / "s.mvsj") << R"({"kind": "multiple", "metadata": {}, "snapshots": [)"
+                                     << snapshot("red", 300, 200) << "," << snapshot("blue", 500, 400) << "]}";
+}
+
+constexpr const char* kSmall = " --size 32x32 --occlusion off";
+
+TEST(Snapshots, AllOfThemArePicturesOfTheirOwn) {
+    const TemporaryFolder folder;
+    putScene(folder);
+    const Outcome all = nacreIn(folder, std::string("render s.mvsj --snapshot all -o a.png") + kSmall);
+    ASSERT_EQ(all.code, 0) << all.err;
+    const std::string first = test::contentOf(folder / "a-1.png"), second = test::contentOf(folder / "a-2.png");
+    EXPECT_FALSE(first.empty());
+    EXPECT_NE(first, second);
+    ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj --snapshot 2 -o b.png") + kSmall).code, 0);
+    EXPECT_EQ(test::contentOf(folder / "b.png"), second);
+    ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj -o c.png") + kSmall).code, 0);
+    EXPECT_EQ(test::contentOf(folder / "c.png"), first);
+    const Outcome missing = nacreIn(folder, std::string("render s.mvsj --snapshot 3 -o d.png") + kSmall);
+    EXPECT_EQ(missing.code, 1);
+    EXPECT_NE(missing.err.find("there is no snapshot 3; it has 2"), std::string::npos) << missing.err;
+}
+
+TEST(Snapshots, AMovieRestsAtEachAndGoesOverIntoTheNext) {
+    const TemporaryFolder folder;
+    putScene(folder);
+    // 0.3 s at rest, 0.2 s on the way, 0.5 s at rest: the last has no next.
+    const Outcome movie = nacreIn(folder, std::string("movie s.mvsj -o frames/ --fps 10") + kSmall);
+    ASSERT_EQ(movie.code, 0) << movie.err;
+    const auto frame = [&](int number) {
+        return test::contentOf(
+            folder / (std::string("frames/frame_000") + (number < 10 ? "0" : "") + std::to_string(number) + ".png"));
+    };
+    EXPECT_FALSE(frame(10).empty());
+    EXPECT_TRUE(frame(11).empty());
+    EXPECT_EQ(frame(1), frame(3));
+    EXPECT_NE(frame(3), frame(5));
+    EXPECT_NE(frame(5), frame(6));
+    EXPECT_EQ(frame(6), frame(10));
+    const Outcome spin = nacreIn(folder, std::string("movie s.mvsj --snapshot all --spin y -o a.gif") + kSmall);
+    EXPECT_EQ(spin.code, 2) << spin.err;
+}
+
+TEST(Snapshots, TimesThatNobodyStatesAreTwoSecondsEach) {
+    const app::SnapshotTimeline silent({{0, 0}, {0, 1}, {0, 0}}, false);
+    EXPECT_EQ(silent.seconds(), 7);
+    EXPECT_EQ(silent.at(3.9).from, 1u);
+    EXPECT_EQ(silent.at(3.9).share, 0);
+    EXPECT_EQ(silent.at(4.5).share, 0.5);
+    EXPECT_EQ(silent.at(7).from, 2u);
+    const app::SnapshotTimeline loop({{1, 0}, {1, 2}}, true);
+    EXPECT_EQ(loop.seconds(), 4);
+    EXPECT_EQ(loop.at(3).from, 1u);
+    EXPECT_EQ(loop.at(3).share, 0.5);
+}
+
+}  // namespace
+}  // namespace nacre
