@@ -7,9 +7,16 @@
 #include "app/picture/input_names.h"
 #include "app/viewer/parts.h"
 #include "engine/molecule/drawn_atoms.h"
+#include "engine/scene/scene_layers.h"
 
 namespace nacre::app {
 namespace {
+
+/// An atom as words have it, behind what a scene file says of it.
+std::string hoverText(const Molecule& molecule, std::uint32_t atom) {
+    const std::string tip = molecule.guide ? tooltipOf(*molecule.guide, atom) : std::string();
+    return tip + (tip.empty() ? "" : "; ") + atomText(molecule, atom);
+}
 
 constexpr double kFingerPoints = 12;      // tolerance of a pick
 constexpr double kHoverPoints = 2;        // and a pointer that rests
@@ -183,7 +190,7 @@ Annotations Picking::annotations() const {
     else if (const std::uint32_t note = hovers() ? document.scene.noteOf(hovered_) : 0; note > 0)
         a.hover = note <= document.maps.notes.size() ? document.maps.notes[note - 1] : "";
     else if (hovers() && hovered_ <= document.molecule->atoms.size())
-        a.hover = atomText(*document.molecule, hovered_ - 1);
+        a.hover = hoverText(*document.molecule, hovered_ - 1);
     std::vector<glm::dvec3> places;
     for (const std::uint32_t pick : picks_) {
         const glm::dvec3 place = document.placed->atoms[pick].position;

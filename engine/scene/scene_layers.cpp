@@ -291,6 +291,14 @@ std::vector<SceneLayer> layersOf(const Appearance& appearance, const Representat
     return layers;
 }
 
+std::string tooltipOf(const SceneGuide& guide, std::uint32_t atom) {
+    std::string text;
+    for (const SceneNote& note : guide.tooltips)
+        if (std::binary_search(note.atoms.begin(), note.atoms.end(), atom))
+            text += (text.empty() ? "" : "; ") + note.text;
+    return text;
+}
+
 Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers) {
     const SceneGuide& guide = *molecule.guide;
     std::vector<glm::dvec4> balls;

@@ -20,6 +20,9 @@ GuidedLayers guidedLayers(const ResidueFacts& facts, std::span<const std::uint32
 /// What an appearance shows, as layers: one per style, with its colours.
 std::vector<SceneLayer> layersOf(const Appearance& appearance, const RepresentationOptions& options);
 
+/// What a scene says of an atom under the pointer, in the order of its nodes; empty: nothing.
+std::string tooltipOf(const SceneGuide& guide, std::uint32_t atom);
+
 /// The sphere about all that layers show, in all copies; of 1 Å at the origin if they show nothing.
 Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers);
 

@@ -14,6 +14,7 @@
 #include "app/mvs/scene_file.h"
 #include "engine/error.h"
 #include "engine/scene/scene_guide.h"
+#include "engine/scene/scene_layers.h"
 
 namespace nacre::app::mvs {
 namespace {
@@ -204,6 +205,15 @@ TEST(SceneCamera, LabelsTakeUpRoom) {
     const Molecule wide = built(scene(component(R"("all")", balls() + "," + word + std::string(200, 'x') + "\"}}")));
     const Molecule narrow = built(scene(component(R"("all")", balls() + "," + word + "x\"}}")));
     EXPECT_GT(wide.guide->camera->radius, 2 * narrow.guide->camera->radius);
+}
+
+TEST(SceneTooltips, AllThatNameAnAtomAreSaidOfIt) {
+    const std::string tip = R"({"kind": "tooltip", "params": {"text": ")";
+    const Molecule molecule = built(scene(component(R"("all")", tip + "whole\"}}") + "," +
+                                          component(R"({"label_asym_id": "B"})", tip + "ligand\"}}")));
+    EXPECT_EQ(tooltipOf(*molecule.guide, 0), "whole");
+    EXPECT_EQ(tooltipOf(*molecule.guide, 6), "whole; ligand");
+    EXPECT_EQ(tooltipOf(*molecule.guide, 100), "");
 }
 
 TEST(ScenePrimitives, InstancesAreCopies) {
