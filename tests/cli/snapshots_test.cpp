@@ -15,7 +15,7 @@ using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
 
-std::string snapshot(const std::string& color, int linger, int transition) {
+std::string snapshotOf(const std::string& color, int linger, int transition) {
     return R"({"metadata": {"linger_duration_ms": )" + std::to_string(linger) + R"(, "transition_duration_ms": )" +
            std::to_string(transition) + R"(}, "root": {"kind": "root", "children": [{"kind": "primitives", "params":
         {"color": ")" +
@@ -23,35 +23,35 @@ std::string snapshot(const std::string& color, int linger, int transition) {
         {"kind": "ellipsoid", "center": [0, 0, 0], "radius": 2}}]}]}})";
 }
 
-void putScene(const TemporaryFolder& folder) {
+void putSnapshots(const TemporaryFolder& folder) {
     std::ofstream(folder / "s.mvsj") << R"({"kind": "multiple", "metadata": {}, "snapshots": [)"
-                                     << snapshot("red", 300, 200) << "," << snapshot("blue", 500, 400) << "]}";
+                                     << snapshotOf("red", 300, 200) << "," << snapshotOf("blue", 500, 400) << "]}";
 }
 
-constexpr const char* kSmall = " --size 32x32 --occlusion off";
+constexpr const char* kTinyPicture = " --size 32x32 --occlusion off";
 
 TEST(Snapshots, AllOfThemArePicturesOfTheirOwn) {
     const TemporaryFolder folder;
-    putScene(folder);
-    const Outcome all = nacreIn(folder, std::string("render s.mvsj --snapshot all -o a.png") + kSmall);
+    putSnapshots(folder);
+    const Outcome all = nacreIn(folder, std::string("render s.mvsj --snapshot all -o a.png") + kTinyPicture);
     ASSERT_EQ(all.code, 0) << all.err;
     const std::string first = test::contentOf(folder / "a-1.png"), second = test::contentOf(folder / "a-2.png");
     EXPECT_FALSE(first.empty());
     EXPECT_NE(first, second);
-    ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj --snapshot 2 -o b.png") + kSmall).code, 0);
+    ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj --snapshot 2 -o b.png") + kTinyPicture).code, 0);
     EXPECT_EQ(test::contentOf(folder / "b.png"), second);
-    ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj -o c.png") + kSmall).code, 0);
+    ASSERT_EQ(nacreIn(folder, std::string("render s.mvsj -o c.png") + kTinyPicture).code, 0);
     EXPECT_EQ(test::contentOf(folder / "c.png"), first);
-    const Outcome missing = nacreIn(folder, std::string("render s.mvsj --snapshot 3 -o d.png") + kSmall);
+    const Outcome missing = nacreIn(folder, std::string("render s.mvsj --snapshot 3 -o d.png") + kTinyPicture);
     EXPECT_EQ(missing.code, 1);
     EXPECT_NE(missing.err.find("there is no snapshot 3; it has 2"), std::string::npos) << missing.err;
 }
 
 TEST(Snapshots, AMovieRestsAtEachAndGoesOverIntoTheNext) {
     const TemporaryFolder folder;
-    putScene(folder);
+    putSnapshots(folder);
     // 0.3 s at rest, 0.2 s on the way, 0.5 s at rest: the last has no next.
-    const Outcome movie = nacreIn(folder, std::string("movie s.mvsj -o frames/ --fps 10") + kSmall);
+    const Outcome movie = nacreIn(folder, std::string("movie s.mvsj -o frames/ --fps 10") + kTinyPicture);
     ASSERT_EQ(movie.code, 0) << movie.err;
     const auto frame = [&](int number) {
         return test::contentOf(
@@ -63,7 +63,7 @@ TEST(Snapshots, AMovieRestsAtEachAndGoesOverIntoTheNext) {
     EXPECT_NE(frame(3), frame(5));
     EXPECT_NE(frame(5), frame(6));
     EXPECT_EQ(frame(6), frame(10));
-    const Outcome spin = nacreIn(folder, std::string("movie s.mvsj --snapshot all --spin y -o a.gif") + kSmall);
+    const Outcome spin = nacreIn(folder, std::string("movie s.mvsj --snapshot all --spin y -o a.gif") + kTinyPicture);
     EXPECT_EQ(spin.code, 2) << spin.err;
 }
 
