@@ -75,6 +75,7 @@ struct Renderer::Impl {
         noteBake();
         static_cast<PictureStats&>(stats) = pictures.stats();
         noteFrame(pictures.counts());
+        stats.pipelines = executor.pipelines();
     }
 
     /// Draws something that shows all of the occlusion that it asks for.

@@ -150,6 +150,7 @@ struct FrameStats : PictureStats, BakeStats {
     std::vector<MeshLevelCount> meshLevels;  ///< finest first; empty without meshes
     std::uint64_t copies = 1;                ///< copies of an assembly
     TileCounts lists;                        ///< of the last frame
+    std::uint64_t pipelines = 0;             ///< made so far, which the renderer keeps
     std::uint64_t windowFrames = 0;          ///< submitted to the window so far
     double windowMilliseconds = 0;           ///< recent device time per frame; 0: unknown
 };

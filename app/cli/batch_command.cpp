@@ -76,7 +76,7 @@ private:
 
     void giveBack(std::unique_ptr<Canvas> canvas, bool lost = false) {
         const std::lock_guard lock(turn_);
-        if (canvas) idle_.push_back(std::move(canvas));
+        if (canvas && !canvas->isFull()) idle_.push_back(std::move(canvas));
         --atWork_;
         if (lost) ++losses_;
         idles_.notify_one();

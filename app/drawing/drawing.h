@@ -20,6 +20,10 @@ namespace nacre::app {
 /// A renderer, and the scene that it has.
 struct Canvas {
     explicit Canvas(const DeviceOptions& options) : renderer(options) {}
+    /// Whether it should be made anew. The renderer keeps each pipeline, of which lavapipe takes megabytes for some.
+    bool isFull() const { return renderer.stats().pipelines > kMostPipelines; }
+
+    static constexpr std::uint64_t kMostPipelines = 48;
     Renderer renderer;
     std::uint64_t scene = 0;  ///< a Drawing's scene number; 0: none
 };

@@ -40,7 +40,7 @@ void Metrics::drawn() {
     ++drawn_;
 }
 
-std::string Metrics::text(std::size_t waiting) const {
+std::string Metrics::text(std::size_t waiting, std::uint64_t devices) const {
     const std::lock_guard lock(turn_);
     std::ostringstream text;
     text << "# HELP nacre_requests_total Requests answered, by status.\n# TYPE nacre_requests_total counter\n";
@@ -51,6 +51,8 @@ std::string Metrics::text(std::size_t waiting) const {
         << "nacre_cache_hits_total " << hits_ << '\n'
         << "# HELP nacre_pictures_drawn_total Pictures drawn.\n# TYPE nacre_pictures_drawn_total counter\n"
         << "nacre_pictures_drawn_total " << drawn_ << '\n'
+        << "# HELP nacre_devices_total Devices made.\n# TYPE nacre_devices_total counter\n"
+        << "nacre_devices_total " << devices << '\n'
         << "# HELP nacre_sent_bytes_total Bytes of bodies sent.\n# TYPE nacre_sent_bytes_total counter\n"
         << "nacre_sent_bytes_total " << bytes_ << '\n'
         << "# HELP nacre_waiting_requests Requests that wait for a worker.\n# TYPE nacre_waiting_requests gauge\n"

@@ -15,8 +15,8 @@ public:
     void took(double seconds);
     void hit();
     void drawn();
-    /// Text format 0.0.4. @param waiting  number of waiting requests
-    std::string text(std::size_t waiting) const;
+    /// Text format 0.0.4. @param waiting  number of waiting requests @param devices  made so far
+    std::string text(std::size_t waiting, std::uint64_t devices) const;
 
 private:
     static constexpr std::array kBounds{0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0};

@@ -124,7 +124,7 @@ struct Server::Parts {
         });
         http.Get("/health", [](const Request&, Response& response) { response.set_content("ok\n", "text/plain"); });
         http.Get("/metrics", [this](const Request&, Response& response) {
-            response.set_content(metrics.text(workers.waiting()), "text/plain; version=0.0.4");
+            response.set_content(metrics.text(workers.waiting(), workers.devices()), "text/plain; version=0.0.4");
         });
         http.Get("/options", [](const Request&, Response& response) {
             static const std::string schema = optionSchema("Options of GET /picture", isServed);

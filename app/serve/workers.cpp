@@ -46,19 +46,23 @@ std::string encoded(const Picture& picture, const PictureDescription& descriptio
 
 class Workers::Worker {
 public:
-    explicit Worker(const DeviceOptions& device) : device_(device) { canvas_.emplace(device); }
+    /// @param devices  counts those that are made
+    Worker(const DeviceOptions& device, std::atomic<std::uint64_t>& devices) : device_(device), devices_(devices) {
+        makeCanvas();
+    }
 
     /// Whether it has the molecule of a request.
     bool has(const PictureRequest& request) const { return molecule_ && held_ == request.molecule; }
 
-    /// A device that is lost is made anew, and the picture drawn once more.
-    ServedPicture draw(const PictureRequest& request) {
+    /// A device that is lost is replaced, and the picture drawn once more.
+    /// @param deadline  afterwards nobody waits for it: it ends between two steps
+    ServedPicture draw(const PictureRequest& request, Clock::time_point deadline) {
         try {
-            return drawOnce(request);
+            return drawOnce(request, deadline);
         } catch (const Error&) {
             if (!isLost()) throw;
         }
-        return drawOnce(request);
+        return drawOnce(request, deadline);
     }
 
     /// @throws Problem
@@ -76,12 +80,17 @@ public:
     bool idle = false;  ///< waits for a task; under the workers' lock
 
 private:
-    ServedPicture drawOnce(const PictureRequest& request) {
+    void makeCanvas() {
+        canvas_.emplace(device_);
+        ++devices_;
+    }
+
+    ServedPicture drawOnce(const PictureRequest& request, Clock::time_point deadline) {
         const PictureDescription& description = request.description;
         const HeardMessages heard;
-        if (isLost()) {
+        if (isLost() || canvas_->isFull()) {
             canvas_.reset();
-            canvas_.emplace(device_);
+            makeCanvas();
         }
         if (!has(request)) {
             drawing_.forget();
@@ -89,7 +98,13 @@ private:
             molecule_.emplace(load(description.input));
             held_ = request.molecule;
         }
+        const auto check = [deadline](double) {
+            if (Clock::now() > deadline) throw Problem(503, "the picture took too long");
+        };
+        check(0);
         drawing_.prepare(*molecule_, description);
+        check(0);
+        drawing_.settings.occlusion.onProgress = check;
         std::size_t crowded = 0;
         ServedPicture served{encoded(drawing_.draw(*canvas_, &crowded), description), heard.warnings};
         served.warnings.insert(served.warnings.end(), drawing_.warnings.begin(), drawing_.warnings.end());
@@ -98,6 +113,7 @@ private:
     }
 
     const DeviceOptions& device_;
+    std::atomic<std::uint64_t>& devices_;
     std::optional<Canvas> canvas_;
     std::optional<Molecule> molecule_;
     std::string held_;  ///< PictureRequest::molecule of it
@@ -110,7 +126,8 @@ Problem unreadable(const std::exception& error, const std::string& place) {
 }
 
 Workers::Workers(const ServeOptions& options) : options_(options) {
-    for (int i = 0; i < options.workers; ++i) workers_.push_back(std::make_unique<Worker>(options.picture.device));
+    for (int i = 0; i < options.workers; ++i)
+        workers_.push_back(std::make_unique<Worker>(options.picture.device, devices_));
     for (const std::unique_ptr<Worker>& worker : workers_) threads_.emplace_back([&] { work(*worker); });
 }
 
@@ -146,6 +163,8 @@ std::string Workers::run(std::function<std::string()> work) {
 
 ServedPicture Workers::result(const std::shared_ptr<Task>& task) {
     std::future<ServedPicture> picture = task->promise.get_future();
+    task->deadline =
+        Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.seconds));
     {
         const std::lock_guard lock(turn_);
         if (stopping_) throw Problem(503, "the server stops");
@@ -163,8 +182,7 @@ ServedPicture Workers::result(const std::shared_ptr<Task>& task) {
         tasks_.push_back(task);
     }
     wake_.notify_all();
-    if (picture.wait_for(std::chrono::duration<double>(options_.seconds)) == std::future_status::ready)
-        return picture.get();
+    if (picture.wait_until(task->deadline) == std::future_status::ready) return picture.get();
     const std::lock_guard lock(turn_);
     task->given = true;
     throw Problem(503, "the answer took longer than " + std::to_string(static_cast<int>(options_.seconds)) + " s");
@@ -208,7 +226,8 @@ void Workers::work(Worker& worker) {
             if (task->given) continue;
         }
         try {
-            task->promise.set_value(task->work ? ServedPicture{task->work(), {}} : worker.draw(task->request));
+            task->promise.set_value(task->work ? ServedPicture{task->work(), {}}
+                                               : worker.draw(task->request, task->deadline));
         } catch (const Problem&) {
             task->promise.set_exception(std::current_exception());
         } catch (const std::bad_alloc&) {

@@ -2,6 +2,7 @@
 // Drawing threads. Each has a canvas and keeps its last molecule and scene: a request with only another view costs one
 // frame, and goes to the worker that has its molecule if that is free.
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -15,6 +16,7 @@
 
 #include "app/serve/picture_request.h"
 #include "app/serve/problem.h"
+#include "engine/milliseconds.h"
 
 namespace nacre::app {
 
@@ -44,6 +46,8 @@ public:
     std::string run(std::function<std::string()> work);
 
     std::size_t waiting() const;
+    /// Made so far: one per worker, and another after a loss or when it holds too many pipelines.
+    std::uint64_t devices() const { return devices_; }
 
 private:
     struct Task {
@@ -51,7 +55,8 @@ private:
         std::function<std::string()> work;  ///< instead of the request
         std::string newest;
         std::promise<ServedPicture> promise;
-        bool given = false;  ///< the client gave up
+        Clock::time_point deadline;  ///< when the client gives up
+        bool given = false;          ///< it did
     };
     class Worker;
 
@@ -61,6 +66,7 @@ private:
     std::shared_ptr<Task> next(Worker& worker);
 
     const ServeOptions& options_;
+    std::atomic<std::uint64_t> devices_{0};
     mutable std::mutex turn_;  // guards the following
     std::condition_variable wake_;
     std::deque<std::shared_ptr<Task>> tasks_;

@@ -75,6 +75,8 @@ public:
     /// From now on a worker thread makes pipelines that coming frames are likely to need.
     void makePipelinesAhead() { pipelines_.makeAhead(); }
 
+    /// Pipelines made so far; they are kept.
+    std::size_t pipelines() const { return pipelines_.count(); }
     bool makesPipelinesAhead() const { return pipelines_.makesAhead(); }
     /// Whether the worker thread still has work.
     bool makesPipelines() const { return pipelines_.busyAhead(); }

@@ -137,6 +137,8 @@ public:
     vk::Pipeline compute(const ComputePipeline& description);
     const Layout& layout(const LayoutDescription& description);
     vk::Sampler sampler(vk::Filter filter);
+    /// Pipelines made so far, without those that the worker has ready.
+    std::size_t count() const { return graphics_.size() + compute_.size(); }
 
 private:
     template <typename Description>
