@@ -1,6 +1,6 @@
-"""`nacre serve`: its answers, its bounds, and its page in headless Chromium. serve_test.py PROGRAM"""
+"""`nacre serve`: its answers and its bounds. serve_test.py PROGRAM"""
 import concurrent.futures
-import importlib.util
+import io
 import json
 import pathlib
 import re
@@ -10,6 +10,7 @@ import sys
 import tempfile
 import unittest
 import urllib.parse
+import zipfile
 
 from served import PDB, Server
 
@@ -140,6 +141,43 @@ class ServeTest(unittest.TestCase):
         outside = json.dumps({"input": "../secret.pdb", "style": "licorice"}).encode()
         self.refused("picture", 404, "there is no input", outside)
 
+    def test_scenes_of_molviewspec(self):
+        """As a body: an archive has its files with it, and nothing of this machine."""
+        def scene(url):
+            node = {"kind": "representation", "params": {"type": "ball_and_stick"}}
+            for kind, params in (("component", {"selector": "all"}), ("structure", {"type": "model"}), ("parse", {"format": "pdb"}),
+                                 ("download", {"url": url}), ("root", {})):
+                node = {"kind": kind, "params": params, "children": [node]}
+            return json.dumps({"root": node, "metadata": {"version": "1", "timestamp": "2026-01-01T00:00:00Z"}})
+
+        def archive(*files):
+            packed = io.BytesIO()
+            with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as out:
+                for name, text in files:
+                    out.writestr(name, text)
+            return packed.getvalue()
+
+        path = self.folder / "scene.mvsx"
+        path.write_bytes(archive(("index.mvsj", scene("gly.pdb")), ("gly.pdb", PDB)))
+        status, headers, body = self.server.ask("picture?size=64x64", path.read_bytes())
+        self.assertEqual((status, headers["Content-Type"]), (200, "image/png"), body)
+        subprocess.run([PROGRAM, "render", path, "--size", "64x64", "-o", self.folder / "scene.png", "-q"], check=True)
+        self.assertEqual(body, (self.folder / "scene.png").read_bytes())
+        self.assertNotEqual(self.server.ask("picture?size=64x64&zoom=2", path.read_bytes())[2], body)
+        told = json.loads(self.server.ask("structures", path.read_bytes())[2])
+        self.assertEqual(self.server.ask("picture?size=64x64&input=" + told["input"])[2], body)
+        for url in ("gly.pdb", "../secret.pdb", str(self.folder / "secret.pdb"), "file:///etc/passwd", "http://127.0.0.1:9/x.pdb"):
+            got, _, answer = self.server.ask("picture?size=64x64", scene(url).encode())
+            self.assertIn(got, (404, 422), (url, answer[:200]))
+            self.assertNotIn(b"root:", answer)
+        self.assertEqual(self.server.ask("picture", archive(("x", "y")))[0], 422)
+        self.assertEqual(self.server.ask("picture", archive(("index.mvsj", scene("../gly.pdb")), ("../gly.pdb", PDB)))[0], 422)
+        # Below the root a scene has the files beside it.
+        (self.root / "scene.mvsj").write_text(scene("gly.pdb"))
+        self.assertEqual(self.server.ask("picture?size=64x64&input=scene.mvsj")[2], body)
+        (self.root / "out.mvsj").write_text(scene("../secret.pdb"))
+        self.assertIn(self.server.ask("picture?size=64x64&input=out.mvsj")[0], (404, 422))
+
     def test_nothing_outside_the_root_is_read(self):
         for name in ("../secret.pdb", "link.pdb", str(self.folder / "secret.pdb"), "none.pdb", "."):
             self.refused("picture?input=" + urllib.parse.quote(name), 404, "there is no input")
@@ -201,80 +239,6 @@ class ServeTest(unittest.TestCase):
         self.assertEqual(run.returncode, 1)
         self.assertIn("cannot listen", run.stderr)
         self.assertEqual(run.stderr.count("\n"), 1)
-
-
-@unittest.skipUnless(shutil.which("chromedriver") and importlib.util.find_spec("selenium"),
-                     "chromedriver or python3-selenium is not installed")
-class PageTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        from selenium import webdriver
-        from selenium.webdriver.chrome.service import Service
-        cls.folder = pathlib.Path(tempfile.mkdtemp())
-        cls.server = Server(PROGRAM, cls.folder)
-        options = webdriver.ChromeOptions()
-        for word in ("--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=900,700"):
-            options.add_argument(word)
-        cls.browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.quit()
-        cls.server.stop()
-        shutil.rmtree(cls.folder)
-
-    def at_rest(self, more_than=0):
-        """The picture's pixels once it is at rest."""
-        from selenium.webdriver.support.ui import WebDriverWait
-        WebDriverWait(self.browser, 90).until(lambda b: b.execute_script(
-            "return document.body.dataset.state === 'rest' && Number(document.body.dataset.pictures) > arguments[0] "
-            "&& document.getElementById('picture').naturalWidth > 0", more_than))
-        return self.browser.execute_script(
-            "const i = document.getElementById('picture'), c = document.createElement('canvas');"
-            "c.width = i.naturalWidth; c.height = i.naturalHeight; const g = c.getContext('2d'); g.drawImage(i, 0, 0);"
-            "const d = g.getImageData(0, 0, c.width, c.height).data; let h = 0, ink = 0;"
-            "for (let k = 0; k < d.length; k += 4) { h = (h * 31 + d[k] + 3 * d[k+1] + 7 * d[k+2]) >>> 0;"
-            " if (d[k] < 250) ++ink; } return [h, ink / (c.width * c.height)];")
-
-    def count(self):
-        return int(self.browser.execute_script("return document.body.dataset.pictures || 0"))
-
-    def test_the_page_turns_the_molecule(self):
-        from selenium.webdriver.common.action_chains import ActionChains
-        from selenium.webdriver.common.by import By
-        from selenium.webdriver.common.keys import Keys
-        browser = self.browser
-        browser.get(self.server.url)
-        first, ink = self.at_rest()
-        self.assertGreater(ink, 0.1)
-        stage = browser.find_element(By.ID, "stage")
-        n = self.count()
-        ActionChains(browser).click_and_hold(stage).move_by_offset(80, 30).release().perform()
-        dragged, _ = self.at_rest(n)
-        self.assertNotEqual(dragged, first)
-        n = self.count()
-        stage.send_keys(Keys.ARROW_LEFT)
-        self.assertNotEqual(self.at_rest(n)[0], dragged)
-        n = self.count()
-        stage.send_keys("r")
-        self.assertEqual(self.at_rest(n)[0], first)
-        n = self.count()
-        browser.find_element(By.ID, "input").clear()
-        browser.find_element(By.ID, "input").send_keys("sample:nothing" + Keys.ENTER)
-        self.at_rest(n)
-        self.assertIn("sample", browser.find_element(By.ID, "error").text)
-        link = browser.find_element(By.ID, "link").get_attribute("href")
-        self.assertIn("/picture?input=sample", link)
-
-    def test_narrow_screens_hide_nothing(self):
-        self.browser.set_window_size(500, 800)
-        try:
-            self.browser.get(self.server.url + "?input=sample:glucose")
-            self.at_rest()
-            wide = self.browser.execute_script("return document.documentElement.scrollWidth - innerWidth")
-            self.assertLessEqual(wide, 0)
-        finally:
-            self.browser.set_window_size(900, 700)
 
 
 if __name__ == "__main__":
