@@ -17,6 +17,7 @@ struct DevicePlan {
     std::string why;          ///< reason for `visibility`
     graph::EncodedFormat encoded;
     graph::SampleChoice motion;  ///< of a window's frames in motion
+    bool shadesByTiles = false;  ///< `tiles` as compute that shades, too
 };
 
 /// Opens the device that the options name. @throws Error like Renderer

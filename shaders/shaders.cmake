@@ -36,6 +36,7 @@ endfunction()
 
 nacre_shader(plateVertex plate.vert)
 nacre_shader(screenVertex screen.vert)
+nacre_shader(coverVertex cover.vert)
 nacre_shader(plateTriangleVertex triangle.vert PLATE)
 nacre_shader(geometryTriangleReadsVertex triangle.vert READS)
 nacre_shader(numberTriangleReadsVertex triangle.vert READS NUMBER)

@@ -55,8 +55,8 @@ void main() {
     uint lane = gl_SubgroupInvocationID;
     // Where rows of workgroups do not come out even, the last tile is drawn again.
     uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets - 1u);
-    uint tile = listAt(group);  // x | y << 16
-    uvec2 corner = uvec2(tile & 0xffffu, tile >> 16) * uint(kTile);
+    uint tile = listAt(group);
+    uvec2 corner = cornerOf(tile);
     uvec2 bin = corner / uint(kTile * kTilesInBin);
     uint at = listAt(view.offsets + bin.y * view.across + bin.x);
     uint end = listAt(view.offsets + bin.y * view.across + bin.x + 1u);
@@ -64,7 +64,7 @@ void main() {
     vec2 middleOfFirst = vec2(corner + uvec2(lane % uint(kTile), lane / uint(kTile))) + 0.5;
     for (int i = 0; i < kPixels; ++i) {
         through[i] = planePoint(middleOfFirst + vec2((i * kLanes) % kTile, (i * kLanes) / kTile));
-        first[i] = second[i] = 1.0;
+        first[i] = second[i] = isWanted(tile, uint(i * kLanes) + lane) ? 1.0 : -1.0;
         firstNumber[i] = secondNumber[i] = 0u;
     }
     vec2 middle = planePoint(vec2(corner) + float(kTile / 2));

@@ -99,8 +99,8 @@ void begin(int i, uint seed) {
     Hit hit = sphereHitThrough(vec4(toView(shape.xyz), shape.w), through[i]);
 #endif
     float depth = encodedDepth(hit.order);
-    bool sees = seed != 0u && hit.inside && depth < 1.0;
-    nearest[i] = sees ? depth : 1.0;
+    bool sees = seed != 0u && hit.inside && depth < nearest[i];
+    nearest[i] = sees ? depth : nearest[i];
     number[i] = sees ? seed : 0u;
 }
 
@@ -263,8 +263,8 @@ void main() {
     uint lane = gl_SubgroupInvocationID;
     // Where rows of workgroups do not come out even, the last tile is drawn again.
     uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets - 1u);
-    uint tile = listAt(group);  // x | y << 16
-    uvec2 corner = uvec2(tile & 0xffffu, tile >> 16) * uint(kTile);
+    uint tile = listAt(group);
+    uvec2 corner = cornerOf(tile);
     uvec2 bin = corner / uint(kTile * kTilesInBin);
     uint at = listAt(view.offsets + bin.y * view.across + bin.x);
     uint end = listAt(view.offsets + bin.y * view.across + bin.x + 1u);
@@ -272,7 +272,7 @@ void main() {
     vec2 first = vec2(corner + uvec2(lane % uint(kTile), lane / uint(kTile))) + 0.5;
     for (int i = 0; i < kPixels; ++i) {
         through[i] = planePoint(sampledAt(first + vec2((i * kLanes) % kTile, (i * kLanes) / kTile)));
-        nearest[i] = 1.0;
+        nearest[i] = isWanted(tile, uint(i * kLanes) + lane) ? 1.0 : -1.0;
         number[i] = 0u;
 #ifdef RIMS
         behindZ[i] = 1e30;
@@ -369,8 +369,10 @@ void main() {
     shown = bitsOfAll(shown);
     uint empty = ~shown & ((2u << (kPixels - 1)) - 1u);
 #ifdef RIMS
-    shown = shown | empty;  // a rim may show
-    empty = 0u;
+    uint rimmedRows = 0u;
+    for (int i = 0; i < kPixels; ++i) rimmedRows |= rimWords[i] != 0u ? 1u << i : 0u;
+    shown |= bitsOfAll(rimmedRows);
+    empty &= ~shown;
 #endif
     do {
         uvec2 on = uvec2(lowestOf(empty) * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);

@@ -52,6 +52,7 @@ void chooseByDevice(const PlanOptions& options, PlanReport& report) {
     report.why = device.why;
     report.encoded = device.encoded;
     report.motion = device.motion;
+    report.shadesByTiles = device.shadesByTiles;
 }
 
 /// What is asked for instead of what suits the device.
@@ -93,20 +94,23 @@ struct PlannedFrame {
 PlannedFrame framePlanned(const PlanOptions& options, const PlanReport& report, const SceneCounts& counts,
                           const Effects& effects, std::uint32_t multisamples = 1) {
     const bool rims = effects.rims();
-    const Visibility visibility = rims ? Visibility::deferred : report.visibility;
+    const bool shades = report.shadesByTiles && report.visibility == Visibility::tiles && counts.translucent == 0;
+    const Visibility visibility = rims && !shades ? Visibility::deferred : report.visibility;
     ScreenOptions screen{report.extent, visibility, report.encoded, {VK_FORMAT_R8_UNORM, {1024, 1024}}, {}};
     screen.targets = kScreenTargets;
     screen.rims = rims;
     screen.prepass = graph::platesReject(visibility, report.plannedWith);
     if (counts.translucent > 0) screen.translucentLayers = kTranslucentLayers;
     screen.layersByTiles = counts.translucent > 0 && visibility == Visibility::tiles;
-    screen.edges = options.edges && visibility == Visibility::tiles && counts.translucent == 0;
+    screen.edges = options.edges && visibility == Visibility::tiles && counts.translucent == 0 && !rims;
+    screen.shadedByTiles = shades;
     constexpr std::uint32_t kShadowPixels = 1024;  // of all but the largest scenes
     screen.shadowPixels = effects.shadow.strength > 0 ? kShadowPixels : 0;
     screen.samples = multisamples;
     const std::uint32_t samples = options.edges && !screen.edges ? RenderSettings::kEdgeSamples : multisamples;
     PlannedFrame planned{visibility, samples, screenFrame(screen), {}};
     for (const graph::Image target : planned.frame.targets) planned.frame.graph.output(target);
+    if (shades) planned.frame.graph.output(planned.frame.numbers);
     planned.plan = graph::compile(planned.frame.graph, report.plannedWith);
     return planned;
 }
@@ -175,7 +179,7 @@ std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& 
 
 PlanReport planReport(const PlanOptions& options) {
     const Size& size = options.picture.size;
-    PlanReport report{{}, {}, {}, {}, {}, {}, {size.width, size.height}, {}, {}, {}, graph::Graph(""), {}};
+    PlanReport report{{}, {}, {}, {}, {}, {}, {}, {size.width, size.height}, {}, {}, {}, graph::Graph(""), {}};
     if (options.caps.empty())
         chooseByDevice(options, report);
     else
@@ -188,11 +192,10 @@ PlanReport planReport(const PlanOptions& options) {
     report.costs = costsOf(options, report, counts);
     Effects effects = options.picture.effects;
     if (!options.picture.lighting) effects.shadow = {};
-    if (effects.rims() && report.visibility != Visibility::deferred)
-        report.why = "lines and halos ask which primitive a pixel shows";
     const bool sampled = options.picture.device.multisampling == Multisampling::four;
     counts.flat = counts.flat || sampled;
     PlannedFrame planned = framePlanned(options, report, counts, effects, sampled ? report.motion.samples : 1);
+    if (planned.visibility != report.visibility) report.why = "lines and halos ask which primitive a pixel shows";
     report.visibility = planned.visibility;
     report.samples = planned.samples;
     report.frame = std::move(planned.frame);

@@ -18,7 +18,7 @@ struct EffectCost {
     std::string option;               ///< without dashes
     const char* visibility;           ///< path that draws it
     std::vector<std::string> passes;  ///< additional passes
-    std::uint32_t samples;            ///< of such a frame per pixel of a picture
+    std::uint32_t samples;            ///< of such a frame per pixel of a picture where colours change
     std::int64_t loaded, stored;      ///< bytes per frame
     std::int64_t tileBytes;           ///< per pixel
 };
@@ -29,6 +29,7 @@ struct PlanReport {
     Visibility visibility{};
     std::string why;  ///< reason for `visibility`
     graph::EncodedFormat encoded;
+    bool shadesByTiles = false;          ///< as DevicePlan has it
     std::span<const graph::Fact> facts;  ///< empty for a real device
     graph::Extent extent;
     ScreenFrame frame;
@@ -36,7 +37,7 @@ struct PlanReport {
     graph::Graph paperGraph;
     graph::Plan paper;
     graph::SampleChoice motion{};          ///< of a window's frames in motion
-    std::uint32_t samples = 1;             ///< of such a frame that a pixel of a picture has
+    std::uint32_t samples = 1;             ///< of such a frame per pixel of a picture where colours change
     std::vector<PassGeometry> geometry{};  ///< of the scene that was given
     std::vector<MeshLevelCount> meshLevels{};
     std::vector<EffectCost> costs{};  ///< of the effects that are on

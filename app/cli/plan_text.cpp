@@ -211,7 +211,8 @@ std::string planText(const PlanReport& report) {
         << "visibility " << visibilityName(report.visibility) << ": " << report.why << "\n";
     out << "frames in motion: " << report.motion.samples << (report.motion.samples == 1 ? " sample" : " samples")
         << " per pixel (" << report.motion.why << ")\n";
-    if (report.samples > 1) out << "each pixel of a picture is the mean of " << report.samples << " samples\n";
+    if (report.samples > 1)
+        out << "pixels of a picture where colours change are the mean of " << report.samples << " samples\n";
     out << '\n';
     for (const graph::Step& step : report.plan.steps) {
         barriersText(out, report, step.before);

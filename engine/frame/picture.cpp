@@ -22,39 +22,34 @@ namespace {
 
 /// @param add  adds a pixel to four sums, and returns whether it is covered
 template <typename Add>
-Picture resolve(const ResolvedPart& part, const std::array<float, 4>& background, std::uint64_t& covered,
-                const Add& add) {
-    const std::array<float, 4> behind = premultiplied(background);
+std::uint64_t resolve(const ResolvedPart& part, Picture& to, const Add& add) {
     const std::uint32_t n = part.n;
-    Picture picture{part.rect.width, part.rect.height, {}};
-    picture.rgba.reserve(std::size_t{picture.width} * picture.height * 4);
-    covered = 0;
     const auto samples = static_cast<float>(n * n);
-    for (std::uint32_t y = part.rect.y; y < part.rect.y + part.rect.height; ++y)
-        for (std::uint32_t x = part.rect.x; x < part.rect.x + part.rect.width; ++x) {
+    std::uint64_t covered = 0;
+    for (std::uint32_t y = 0; y < part.rect.height; ++y)
+        for (std::uint32_t x = 0; x < part.rect.width; ++x) {
+            if (part.only && !part.only->finer(part.x + x, part.y + y)) continue;
+            const std::size_t first =
+                std::size_t{part.rect.y + y} * n * part.rowPixels + std::size_t{part.rect.x + x} * n;
             std::array<float, 4> sum{};
-            std::uint64_t here = 0;
             for (std::uint32_t j = 0; j < n; ++j)
                 for (std::uint32_t i = 0; i < n; ++i)
-                    here += add((std::size_t{y} * n + j) * part.rowPixels + std::size_t{x} * n + i, sum) ? 1 : 0;
-            covered += part.counted ? std::min<std::uint64_t>(here, 1) : here;
-            const float alpha = sum[3] / samples;
-            for (std::size_t c = 0; c < 3; ++c) picture.rgba.push_back(sum[c] / samples + (1 - alpha) * behind[c]);
-            picture.rgba.push_back(alpha + (1 - alpha) * behind[3]);
+                    covered += add(first + std::size_t{j} * part.rowPixels + i, sum) ? 1 : 0;
+            float* pixel = to.rgba.data() + 4 * (std::size_t{part.y + y} * to.width + part.x + x);
+            for (std::size_t c = 0; c < 4; ++c) pixel[c] = sum[c] / samples;
         }
-    return picture;
+    return covered;
 }
 
 }  // namespace
 
-Picture resolvePicture(const std::uint32_t* pixels, const ResolvedPart& part, const std::array<float, 4>& background,
-                       std::uint64_t& covered) {
+std::uint64_t resolvePixels(const std::uint32_t* pixels, const ResolvedPart& part, Picture& to) {
     std::array<float, 256> linear{}, share{};
     for (std::size_t i = 0; i < 256; ++i) {
         share[i] = static_cast<float>(i) / 255.0f;
         linear[i] = linearFromSrgb(share[i]);
     }
-    return resolve(part, background, covered, [&](std::size_t at, std::array<float, 4>& sum) {
+    return resolve(part, to, [&](std::size_t at, std::array<float, 4>& sum) {
         const std::uint32_t p = pixels[at];
         if (p >> 24 == 0) return false;
         for (std::size_t c = 0; c < 3; ++c) sum[c] += linear[p >> (8 * c) & 0xff];
@@ -63,15 +58,26 @@ Picture resolvePicture(const std::uint32_t* pixels, const ResolvedPart& part, co
     });
 }
 
-Picture resolvePicture(const float* pixels, const ResolvedPart& part, const std::array<float, 4>& background,
-                       std::uint64_t& covered) {
-    return resolve(part, background, covered, [&](std::size_t at, std::array<float, 4>& sum) {
+std::uint64_t resolvePixels(const float* pixels, const ResolvedPart& part, Picture& to) {
+    return resolve(part, to, [&](std::size_t at, std::array<float, 4>& sum) {
         const float* p = pixels + 4 * at;
         if (!(p[3] > 0)) return false;
         for (std::size_t c = 0; c < 3; ++c) sum[c] += std::min(p[c], p[3]);  // highlights end at white, as in 8 bits
         sum[3] += p[3];
         return true;
     });
+}
+
+std::uint64_t putOver(Picture& picture, const std::array<float, 4>& background) {
+    const std::array<float, 4> behind = premultiplied(background);
+    std::uint64_t covered = 0;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+        float* pixel = picture.rgba.data() + i;
+        const float alpha = pixel[3];
+        covered += alpha > 0 ? 1 : 0;
+        for (std::size_t c = 0; c < 4; ++c) pixel[c] += (1 - alpha) * behind[c];
+    }
+    return covered;
 }
 
 LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const float* color, const float* surface,

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "engine/frame/finer_places.h"
 #include "engine/results.h"
 
 namespace nacre {
@@ -10,23 +11,27 @@ namespace nacre {
 /// Linear value of an sRGB-coded channel; both 0..1. IEC 61966-2-1.
 float linearFromSrgb(float coded);
 
-/// Which device pixels form the picture.
+/// Which device pixels form a part of the picture.
 struct ResolvedPart {
     std::uint32_t rowPixels;  ///< per row on the device
     std::uint32_t n;          ///< n x n device pixels form one pixel of the picture
     PictureRect rect;         ///< the wanted part, in pixels of the picture
-    bool counted = false;     ///< count covered pixels of the picture, not samples
+    /// In the result: where the part lies, and the only pixels of the result that are replaced; null: all of them.
+    std::uint32_t x = 0, y = 0;
+    const FinerPlaces* only = nullptr;
 };
 
-/// Averages in linear light and composites over a background.
-/// @param pixels  RGBA8, premultiplied with sRGB-coded colour
-/// @param covered receives the number of samples that the molecule covers at least in part
-Picture resolvePicture(const std::uint32_t* pixels, const ResolvedPart& part, const std::array<float, 4>& background,
-                       std::uint64_t& covered);
+/// Averages in linear light.
+/// @param pixels  RGBA8, premultiplied with sRGB-coded colour @param to  receives them, linear and premultiplied
+/// @returns the number of samples that the molecule covers at least in part
+std::uint64_t resolvePixels(const std::uint32_t* pixels, const ResolvedPart& part, Picture& to);
 
 /// As above for pixels of four floats each, premultiplied and linear.
-Picture resolvePicture(const float* pixels, const ResolvedPart& part, const std::array<float, 4>& background,
-                       std::uint64_t& covered);
+std::uint64_t resolvePixels(const float* pixels, const ResolvedPart& part, Picture& to);
+
+/// Puts a background behind a picture of linear, premultiplied colour. @param background  sRGB-coded, straight alpha
+/// @returns the number of pixels that were not empty
+std::uint64_t putOver(Picture& picture, const std::array<float, 4>& background);
 
 /// @param color RGBA, linear, premultiplied; @param surface normal and Z; @param identity atom and occlusion bits
 LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const float* color, const float* surface,

@@ -99,6 +99,20 @@ std::pair<View, PictureRect> withRim(const View& whole, const PictureRect& part,
             {part.x - left, part.y - top, part.width, part.height}};
 }
 
+Picture emptyPicture(std::uint32_t width, std::uint32_t height) {
+    return {width, height, std::vector<float>(std::size_t{4} * width * height)};
+}
+
+/// A part of a picture.
+Picture cut(Picture picture, const PictureRect& part) {
+    if (part.width == picture.width && part.height == picture.height) return picture;
+    Picture inner = emptyPicture(part.width, part.height);
+    for (std::uint32_t row = 0; row < part.height; ++row)
+        std::copy_n(picture.rgba.data() + 4 * (std::size_t{part.y + row} * picture.width + part.x),
+                    std::size_t{4} * part.width, inner.rgba.data() + std::size_t{4} * row * part.width);
+    return inner;
+}
+
 void addCounts(std::vector<PassCount>& sum, const std::vector<PassCount>& counts) {
     sum.resize(counts.size());
     for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -131,7 +145,7 @@ const std::shared_ptr<DeclaredFrame>& PictureFrames::declare(const SeenFrame& se
 
 PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                                          std::span<const ScreenTarget> targets, bool readBack, const char* name,
-                                         Samples samples) {
+                                         Samples samples, const TileMask* mask) {
     std::shared_ptr<passes::FragmentCounter> fragments;
     if (settings.tuning.countFragments) fragments = std::make_shared<passes::FragmentCounter>(device_);
     const FrameEnd end = readBack ? FrameEnd::readBack : FrameEnd::left;
@@ -146,12 +160,14 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
                                   edges,
                                   {},
                                   samples == Samples::block,
-                                  samples == Samples::resolved ? graph::kMultisamples : 1});
+                                  samples == Samples::resolved ? graph::kMultisamples : 1,
+                                  mask});
     const std::shared_ptr<DeclaredFrame> declared = declare(seen);
     SceneFrames::bind(*declared, seen);
     Drawn drawn;
     drawn.edges = seen.shape.options.edges;
     if (edges && !drawn.edges) return drawn;
+    drawn.smallestPixels = seen.view->smallestPixels;
     drawn.colors = seen.colors();
     drawn.pixels = bindPixels(device_, *declared);
     const auto start = Clock::now();
@@ -199,15 +215,22 @@ void PictureFrames::checkSize(const View& view) const {
                     "this device draws at most " + std::to_string(most) + " pixels per side, supersampling included");
 }
 
+/// @param view  at the device's resolution divided by the part's n @returns the number of covered samples
+std::uint64_t PictureFrames::resolve(const Drawn& drawn, const RenderSettings& settings, const View& view,
+                                     ResolvedPart part, Picture& to) {
+    const std::byte* pixels = drawn.colors ? drawn.colors->numbers.buffer.mapped : drawn.pixels[0].mapped;
+    part.rowPixels = drawn.colors ? drawn.colors->rowPixels() : imageExtent(view).width * part.n;
+    if (isFine(settings)) return resolvePixels(reinterpret_cast<const float*>(pixels), part, to);
+    return resolvePixels(reinterpret_cast<const std::uint32_t*>(pixels), part, to);
+}
+
 Picture PictureFrames::resolved(const Drawn& drawn, const RenderSettings& settings, const Wanted& wanted,
                                 std::uint32_t n) {
-    const std::byte* pixels = drawn.colors ? drawn.colors->numbers.buffer.mapped : drawn.pixels[0].mapped;
-    const std::uint32_t row = drawn.colors ? drawn.colors->rowPixels() : imageExtent(wanted.view).width * n;
-    const ResolvedPart part{row, n, wanted.inner, wantsEdges(settings)};
-    if (isFine(settings))
-        return resolvePicture(reinterpret_cast<const float*>(pixels), part, settings.background, stats_.coveredPixels);
-    return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels), part, settings.background,
-                          stats_.coveredPixels);
+    Picture picture = emptyPicture(wanted.inner.width, wanted.inner.height);
+    const std::uint64_t samples = resolve(drawn, settings, wanted.view, {0, n, wanted.inner}, picture);
+    const std::uint64_t pixels = putOver(picture, settings.background);
+    stats_.coveredPixels = wantsEdges(settings) ? pixels : samples;
+    return picture;
 }
 
 Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas) {
@@ -248,43 +271,70 @@ Picture PictureFrames::sampledPicture(const RenderSettings& settings, const pass
                     wanted, n);
 }
 
-/// As many samples on a grid, in blocks, so that memory does not grow with the picture. A frame for each sample would
-/// list the scene as often; and lists that were too long are not, of a quarter of the pixels' side.
+/// Draws a picture with one sample per pixel. @param to  receives it, without its background
+/// @returns where it needs more samples; nothing: in all pixels, as something may lie between their centres
+std::optional<FinerPlaces> PictureFrames::coarsePicture(const RenderSettings& settings, const passes::Atlas& atlas,
+                                                        const View& view, Picture& to) {
+    constexpr double kSmallPixels = 0.75;  // half of a width
+    constexpr double kThinLine = 0.34;     // of the widest, as shaders/common/rims.glsl has it
+    const Contours& lines = settings.effects.contours;
+    if (view.quarterTurns != 0) return {};
+    if (settings.effects.linesByGroups() && kThinLine * lines.width < 1) return {};
+    const Drawn drawn = draw(settings, atlas, view, pictureTargets(settings), true, "coarse screen");
+    if (drawn.smallestPixels < kSmallPixels) return {};
+    resolve(drawn, settings, view, {0, 1, {0, 0, to.width, to.height}}, to);
+    return FinerPlaces(to);
+}
+
+/// As many samples on a grid where a picture with one sample per pixel shows that colours change, in blocks, so that
+/// memory does not grow with the picture. A frame for each sample would list the scene as often; and lists that were
+/// too long are not, of a quarter of the pixels' side.
 Picture PictureFrames::blocksOfSamples(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
                                        bool readBack) {
+    constexpr std::uint32_t n = RenderSettings::kBlockSamples;
     const PictureRect& all = wanted.inner;
-    Picture whole{all.width, all.height, {}};
-    if (readBack) whole.rgba.resize(std::size_t{4} * all.width * all.height);
+    const graph::Extent image = imageExtent(wanted.view);
+    Picture whole = emptyPicture(image.width, image.height);
     PictureStats sum;
     sum.frames = 0;
+    const auto drew = [&] {
+        ++sum.frames;
+        sum.frameMilliseconds += stats_.frameMilliseconds;
+        addCounts(sum.passes, stats_.passes);
+        addTimes(sum.passTimes, stats_.passTimes);
+    };
+    const std::optional<FinerPlaces> places = coarsePicture(settings, atlas, wanted.view, whole);
+    if (places) drew();
     const std::uint32_t most = wanted.view.quarterTurns == 0 ? kBlockPixels : std::max(all.width, all.height);
     for (std::uint32_t top = 0; top < all.height; top += most)
         for (std::uint32_t left = 0; left < all.width; left += most) {
-            const PictureRect rect{all.x + left, all.y + top, std::min(most, all.width - left),
-                                   std::min(most, all.height - top)};
+            PictureRect rect{all.x + left, all.y + top, std::min(most, all.width - left),
+                             std::min(most, all.height - top)};
+            if (places) rect = places->boundsIn(rect);
+            if (rect.width == 0) continue;
             Wanted block{wanted.view, rect};
             if (rect.width < all.width || rect.height < all.height)
                 std::tie(block.view, block.inner) = withRim(wanted.view, rect, rimOf(settings));
-            const View view = scaled(block.view, RenderSettings::kBlockSamples);
+            TileMask mask;
+            if (places)
+                mask = places->tilesOf(
+                    {rect.x - block.inner.x, rect.y - block.inner.y, block.view.width, block.view.height}, rect);
+            const View view = scaled(block.view, n);
             checkSize(view);
-            const Drawn drawn =
-                draw(settings, atlas, view, pictureTargets(settings), readBack, "screen", Samples::block);
-            ++sum.frames;
-            sum.frameMilliseconds += stats_.frameMilliseconds;
-            addCounts(sum.passes, stats_.passes);
-            addTimes(sum.passTimes, stats_.passTimes);
-            if (!readBack) continue;
-            const Picture part = resolved(drawn, settings, block, RenderSettings::kBlockSamples);
-            sum.coveredPixels += stats_.coveredPixels;
-            for (std::uint32_t row = 0; row < rect.height; ++row)
-                std::copy_n(part.rgba.data() + std::size_t{4} * row * rect.width, std::size_t{4} * rect.width,
-                            whole.rgba.data() + std::size_t{4} * ((std::size_t{top} + row) * all.width + left));
+            const Drawn drawn = draw(settings, atlas, view, pictureTargets(settings), readBack, "screen",
+                                     Samples::block, places ? &mask : nullptr);
+            drew();
+            if (readBack)
+                resolve(drawn, settings, block.view, {0, n, block.inner, rect.x, rect.y, places ? &*places : nullptr},
+                        whole);
         }
     stats_.frames = sum.frames;
     stats_.frameMilliseconds = sum.frameMilliseconds;
     stats_.passes = sum.passes;
     stats_.passTimes = sum.passTimes;
-    if (readBack) stats_.coveredPixels = sum.coveredPixels;
+    if (!readBack) return {};
+    whole = cut(std::move(whole), all);
+    stats_.coveredPixels = putOver(whole, settings.background);
     return whole;
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 // Frames that the host waits for: pictures, layers, and picking.
 
+#include <optional>
+
 #include "engine/frame/declared_frames.h"
+#include "engine/frame/picture.h"
 #include "engine/frame/scene_frames.h"
 
 namespace nacre {
@@ -40,6 +43,7 @@ private:
         std::vector<gpu::Buffer> pixels;                  ///< per target, if read back
         std::shared_ptr<const passes::TileFrame> colors;  ///< not null: the picture, in memory that the host reads
         bool edges = false;                               ///< drawn with kEdgeSamples
+        double smallestPixels = 0;                        ///< as SceneView has it
     };
     /// Of a frame's pixels.
     enum class Samples : std::uint8_t {
@@ -50,14 +54,19 @@ private:
     };
     std::span<const ScreenTarget> pictureTargets(const RenderSettings& settings, Samples samples = Samples::one) const;
     Drawn draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-               std::span<const ScreenTarget> targets, bool readBack, const char* name, Samples samples = Samples::one);
+               std::span<const ScreenTarget> targets, bool readBack, const char* name, Samples samples = Samples::one,
+               const TileMask* mask = nullptr);
     Samples singleOrResolved(const RenderSettings& settings) const;
     bool drawsEdges(const RenderSettings& settings) const;  ///< in the frame itself
     void checkSize(const View& view) const;
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
+    std::uint64_t resolve(const Drawn& drawn, const RenderSettings& settings, const View& view, ResolvedPart part,
+                          Picture& to);
     Picture resolved(const Drawn& drawn, const RenderSettings& settings, const Wanted& wanted, std::uint32_t n);
     Picture sampledPicture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
                            std::uint32_t n);
+    std::optional<FinerPlaces> coarsePicture(const RenderSettings& settings, const passes::Atlas& atlas,
+                                             const View& view, Picture& to);
     Picture blocksOfSamples(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
                             bool readBack);
     const std::shared_ptr<DeclaredFrame>& declare(const SeenFrame& seen);

@@ -1,5 +1,6 @@
 #include "engine/frame/recorder.h"
 
+#include "engine/passes/covers.h"
 #include "engine/passes/debug_view.h"
 #include "engine/passes/deferred_shading.h"
 #include "engine/passes/geometry_passes.h"
@@ -50,8 +51,20 @@ graph::Work Recorder::later(Pass pass) const {
     return {[shown = shown_, pass](Context& c) { pass(c, *shown->scene); }, {}};
 }
 
+/// As of() for a pass that may be the first to use the depth buffer.
+template <typename Describe>
+graph::Work Recorder::first(Describe describe, bool clears) const {
+    graph::Work work = of(describe);
+    if (!shown_ || !clears) return work;
+    work.record = [shown = shown_, record = std::move(work.record)](Context& c) {
+        passes::drawCovers(c, *shown->scene);
+        record(c);
+    };
+    return work;
+}
+
 graph::Work Recorder::plates() const {
-    return of(
+    return first(
         [](const auto&, const SceneView& scene) { return passes::opaquePrepass(scene.plates != PlateShape::none); });
 }
 
@@ -62,8 +75,8 @@ graph::Work Recorder::shadowMap() const {
         [shown = shown_](gpu::PipelineContext& c) { passes::want(c, *shown->scene->light, passes::nearestDepth()); }};
 }
 
-graph::Work Recorder::nearestPrimitive(bool distance) const {
-    return of([=](const auto&, const SceneView&) { return passes::nearestPrimitive(distance); });
+graph::Work Recorder::nearestPrimitive(bool distance, bool clears) const {
+    return first([=](const auto&, const SceneView&) { return passes::nearestPrimitive(distance); }, clears);
 }
 
 graph::Work Recorder::rims(Image atlas, Image numbers) const {
@@ -88,11 +101,14 @@ graph::Work Recorder::encodedDepthInOrder(Image atlas, Image nearest) const {
     });
 }
 
-graph::Work Recorder::impostors(Output output, NearestFrom from, Image atlas, std::optional<Image> nearest) const {
-    return of([=](const auto& c, const SceneView& scene) {
-        if (scene.samples > 1) return passes::multisampledColor(readsOf(c, from, atlas, nearest));
-        return passes::impostorColor(output, readsOf(c, from, atlas, nearest));
-    });
+graph::Work Recorder::impostors(Output output, NearestFrom from, Image atlas, std::optional<Image> nearest,
+                                bool clears) const {
+    return first(
+        [=](const auto& c, const SceneView& scene) {
+            if (scene.samples > 1) return passes::multisampledColor(readsOf(c, from, atlas, nearest));
+            return passes::impostorColor(output, readsOf(c, from, atlas, nearest));
+        },
+        clears);
 }
 
 graph::Work Recorder::impostorsAtEncodedDepth(Output output, Image atlas, Image nearest,
@@ -131,6 +147,7 @@ graph::Work Recorder::translucentLayer(Image atlas, std::optional<Image> before)
     return later([=](Context& c, const SceneView& scene) {
         std::optional<Reads> reads;
         if (before) reads = readsOf(c, NearestFrom::texture, atlas, before);
+        passes::drawCovers(c, *scene.translucent);
         passes::draw(c, *scene.translucent, passes::translucentLayer(reads));
     });
 }

@@ -32,13 +32,13 @@ public:
     graph::Work shadowMap() const;
     graph::Work encodedDepth(const graph::EncodedFormat& format) const;
     graph::Work encodedDepthInOrder(graph::Image atlas, graph::Image nearest) const;
-    /// @param distance  also write it
-    graph::Work nearestPrimitive(bool distance) const;
+    /// @param distance  also write it @param clears  it is the first to use the depth buffer
+    graph::Work nearestPrimitive(bool distance, bool clears) const;
     graph::Work rims(graph::Image atlas, graph::Image numbers) const;
 
     /// @param nearest  depth itself; none: read it from the depth buffer
     graph::Work impostors(passes::Output output, passes::NearestFrom from, graph::Image atlas,
-                          std::optional<graph::Image> nearest = {}) const;
+                          std::optional<graph::Image> nearest = {}, bool clears = false) const;
     /// With depth encoded as `format`, read as an input attachment or, off tile, a texture.
     graph::Work impostorsAtEncodedDepth(passes::Output output, graph::Image atlas, graph::Image nearest,
                                         const graph::EncodedFormat& format) const;
@@ -75,6 +75,8 @@ private:
     graph::Work of(Describe describe) const;
     template <typename Pass>
     graph::Work later(Pass pass) const;
+    template <typename Describe>
+    graph::Work first(Describe describe, bool clears = true) const;
 
     std::shared_ptr<const ShownScene> shown_;
 };

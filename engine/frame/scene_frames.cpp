@@ -7,6 +7,7 @@
 #include "engine/error.h"
 #include "engine/frame/debug_frame.h"
 #include "engine/graph/visibility.h"
+#include "engine/passes/covers.h"
 #include "engine/passes/plates.h"
 #include "engine/passes/read_back.h"
 #include "engine/passes/translucent.h"
@@ -32,7 +33,8 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
       tiles_(device),
       layerTiles_(device),
       effectBuffers_(device, vk::BufferUsageFlagBits::eUniformBuffer, "effects"),
-      copyRows_(device, vk::BufferUsageFlagBits::eStorageBuffer, "copies") {}
+      copyRows_(device, vk::BufferUsageFlagBits::eStorageBuffer, "copies"),
+      covers_(device, vk::BufferUsageFlagBits::eVertexBuffer, "covers") {}
 
 std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& settings) {
     const layout::EffectConstants wanted = effectConstants(settings, *scene_);
@@ -109,7 +111,7 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     if (!debug && !boxes) dropHidden(view, settings, request.view, edges);
     const bool shaded = !debug && shadesByTiles(request);
     view.tiles = tiles_.prepare(scene_->representation, view, request.view, options.extent,
-                                {shaded, edges, view.rims.any() && request.subsamples, 1, boxes});
+                                {shaded, edges, view.rims.any() && request.subsamples, 1, request.mask, boxes});
     if (!view.tiles) {
         options.visibility = view.rims.any() ? Visibility::deferred : Visibility::fragdepth;
         if (boxes) dropHidden(view, settings, request.view, edges);
@@ -118,10 +120,21 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     if (view.translucent)
         view.translucent->tiles =
             layerTiles_.prepare(scene_->representation, *view.translucent, request.view, options.extent,
-                                {false, false, false, kTranslucentLayers, nullptr});
+                                {false, false, false, kTranslucentLayers, request.mask, nullptr});
     options.shadedByTiles = view.tiles->shaded;
     options.edges = view.tiles->edges.drawn;
     options.layersByTiles = view.translucent && view.translucent->tiles;
+}
+
+/// Covers what a mask leaves out, for passes that test depth.
+void SceneFrames::addCovers(SeenFrame& seen, const TileMask& mask) {
+    const std::vector<glm::vec4> covers = passes::coversOf(mask, seen.shape.options.extent);
+    if (covers.empty()) return;
+    seen.view->covers = covers_.upload(std::as_bytes(std::span(covers)));
+    seen.view->coverCount = static_cast<std::uint32_t>(covers.size());
+    if (!seen.view->translucent) return;
+    seen.view->translucent->covers = seen.view->covers;
+    seen.view->translucent->coverCount = seen.view->coverCount;
 }
 
 /// Submitted primitives; mesh levels are counted before culling.
@@ -181,6 +194,8 @@ SeenFrame SceneFrames::see(const FrameRequest& request) {
     options = {
         imageExtent(request.view), path, device_.caps().encoded, seen.atlas->desc, request.targets, true, request.name};
     addLists(seen, settings, request);
+    if (request.mask && (options.visibility != Visibility::tiles || (layered && !options.layersByTiles)))
+        addCovers(seen, *request.mask);
     // Without plates the passes that write depth themselves need no pass before them.
     const bool plates = view.plates != PlateShape::none ||
                         (options.visibility != Visibility::fragdepth && options.visibility != Visibility::deferred);

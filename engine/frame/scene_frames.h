@@ -25,8 +25,9 @@ struct FrameRequest {
     /// SceneCounts::radiusPixels of the previous window frame, or 0. Hysteresis: small zooms in and out keep their
     /// pipelines.
     std::optional<double> radiusBefore = {};
-    bool subsamples = false;    ///< kBlockSamples x kBlockSamples of its pixels are one of a picture
-    std::uint32_t samples = 1;  ///< per pixel, unless lacksSamples() has a reason against it
+    bool subsamples = false;         ///< kBlockSamples x kBlockSamples of its pixels are one of a picture
+    std::uint32_t samples = 1;       ///< per pixel, unless lacksSamples() has a reason against it
+    const TileMask* mask = nullptr;  ///< not null: only these tiles' pixels matter, on every path
 };
 
 /// A scene as a frame shows it.
@@ -70,6 +71,7 @@ private:
     Visibility settle(RenderSettings& settings, const FrameRequest& request) const;
     bool shadesByTiles(const FrameRequest& request) const;
     void addLists(SeenFrame& seen, const RenderSettings& settings, const FrameRequest& request);
+    void addCovers(SeenFrame& seen, const TileMask& mask);
     static void count(SeenFrame& seen);
     /// Whether a view has enough spheres for the host to cull hidden ones.
     static bool hides(const passes::SceneView& seen, const RenderSettings& settings);
@@ -89,7 +91,7 @@ private:
     passes::HiddenSpheres hidden_;
     layout::EffectConstants lastEffects_{};
     std::shared_ptr<const gpu::Buffer> effects_;  // for the effects
-    gpu::FrameBuffers effectBuffers_, copyRows_;
+    gpu::FrameBuffers effectBuffers_, copyRows_, covers_;
 };
 
 }  // namespace nacre

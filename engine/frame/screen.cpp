@@ -64,7 +64,7 @@ void declareFragdepth(ScreenFrame& f, const ScreenOptions& options, const Record
     options.prepass ? addPrepass(f, draw) : void(clear = Clear{1.0f});
     for (const ScreenTarget& target : options.targets) {
         f.draw(f.lit(f.graph.graphics(target.pass).depth(f.depth, clear)), target, options)
-            .record(draw.impostors(target.output, NearestFrom::depthBuffer, f.atlas));
+            .record(draw.impostors(target.output, NearestFrom::depthBuffer, f.atlas, {}, clear.has_value()));
         clear.reset();
     }
 }
@@ -79,7 +79,7 @@ void declareDeferred(ScreenFrame& f, const ScreenOptions& options, const Recorde
     f.graph.graphics("nearest primitive")
         .depth(f.depth, clear)
         .color(f.nearest, Clear{0.0f})
-        .record(draw.nearestPrimitive(options.rims));
+        .record(draw.nearestPrimitive(options.rims, clear.has_value()));
 
     if (options.rims) {
         const graph::Image rims = f.graph.image(kRimPass, {VK_FORMAT_R8G8B8A8_UNORM, options.extent});

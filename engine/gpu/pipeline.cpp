@@ -139,7 +139,8 @@ Layout makeLayout(const Device& device, const LayoutDescription& d) {
     Layout layout;
     layout.set = vk::raii::DescriptorSetLayout(*device, vk::DescriptorSetLayoutCreateInfo({}, bindings));
     device.name(*layout.set, name + ", set 0");
-    const vk::PushConstantRange range(d.stages, 0, d.pushConstantBytes);
+    std::vector<vk::PushConstantRange> ranges;
+    if (d.pushConstantBytes > 0) ranges.emplace_back(d.stages, 0, d.pushConstantBytes);
     std::vector<vk::DescriptorSetLayout> sets{*layout.set};
     if (d.counter) {
         constexpr auto kCounting = vk::ShaderStageFlagBits::eFragment | vk::ShaderStageFlagBits::eCompute;
@@ -148,7 +149,7 @@ Layout makeLayout(const Device& device, const LayoutDescription& d) {
         device.name(*layout.counterSet, name + ", set 1");
         sets.push_back(*layout.counterSet);
     }
-    layout.pipeline = vk::raii::PipelineLayout(*device, vk::PipelineLayoutCreateInfo({}, sets, range));
+    layout.pipeline = vk::raii::PipelineLayout(*device, vk::PipelineLayoutCreateInfo({}, sets, ranges));
     device.name(*layout.pipeline, name);
     return layout;
 }

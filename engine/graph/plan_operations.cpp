@@ -96,7 +96,7 @@ public:
             }
     }
 
-    /// A buffer between passes: written to memory once, and read by every consumer.
+    /// A buffer between passes, or that compute leaves to the host: written to memory once, and read by every consumer.
     void deriveBufferTraffic() {
         std::vector<bool> written(graph_.buffers().size());
         for (std::uint32_t p = 0; p < graph_.passes().size(); ++p)
@@ -105,6 +105,8 @@ public:
                 Traffic& traffic = plan_.bufferTraffic[use.resource];
                 const VkDeviceSize size = graph_.buffers()[use.resource].size;
                 if (use.verb == Verb::writes) written[use.resource] = true;
+                const bool left = graph_.passes()[p].kind == PassKind::compute && graph_.buffers()[use.resource].output;
+                if (use.verb == Verb::writes && left) traffic.stored = size;
                 if (use.verb != Verb::reads || !written[use.resource]) continue;
                 traffic.loaded += size;
                 traffic.stored = size;

@@ -61,6 +61,8 @@ struct SceneView {
     std::shared_ptr<SceneView> translucent;  ///< its translucent triangles, over the others; null: it has none
     std::optional<graph::Image> shadow;      ///< it
     std::shared_ptr<const gpu::Buffer> effectConstants;  ///< layout::EffectConstants; of passes that shade
+    std::shared_ptr<const gpu::Buffer> covers;  ///< rectangles over pixels that do not matter; null: all matter
+    std::uint32_t coverCount = 0;
     PlateShape plates = PlateShape::automatic;
     ImpostorShape impostor = ImpostorShape::automatic;
     double radiusPixels = 0;                     ///< mean radius of the spheres in the picture

@@ -109,6 +109,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     const auto build = [&] {
         TileView asked = tileView(seen, view, image, !work.edges && !work.subsamples);
         asked.layers = work.kept;
+        asked.mask = work.mask;
         frame.lists.build(asked, scenery);
     };
     build();
@@ -164,6 +165,15 @@ void TileFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::
                 std::fill_n(pixels + y * pitch + kept * x * kBin, kept * kBin, 0u);
         }
     words.written.assign(lists.spans().begin(), lists.spans().end());
+    if (!lists.masked()) return;
+    constexpr std::size_t kTile = TileLists::kTilePixels;
+    for (const TileLists::Span& s : words.written)
+        for (std::uint32_t y = s.y * TileLists::kTilesInBin; y < s.endY * TileLists::kTilesInBin; ++y)
+            for (std::uint32_t x = s.x * TileLists::kTilesInBin; x < s.endX * TileLists::kTilesInBin; ++x) {
+                if (lists.draws(x, y)) continue;
+                for (std::size_t row = y * kTile; row < (y + 1) * kTile; ++row)
+                    std::fill_n(pixels + row * pitch + kept * x * kTile, kept * kTile, 0u);
+            }
 }
 
 /// Writes seeds where the device reads which triangle a pixel begins with; the device replaces them by its results.

@@ -51,6 +51,7 @@ struct TileWork {
     bool edges = false;                  ///< edges are drawn; none are where a list is longer than their loops
     bool subsamples = false;             ///< pixels are samples of a picture's, and need not be asked at their centres
     std::uint32_t kept = 1;              ///< numbers of a pixel
+    const TileMask* mask = nullptr;      ///< as TileView has it
     const SphereBoxes* boxes = nullptr;  ///< as TileScenery has it
 };
 

@@ -102,6 +102,7 @@ void TileLists::add(const TileView& view, std::uint32_t number, glm::vec2 low, g
     k.y = static_cast<std::uint16_t>(std::max(y0, 0.0f));
     k.endX = static_cast<std::uint16_t>(std::min(x1 + 1.0f, static_cast<float>(across_)));
     k.endY = static_cast<std::uint16_t>(std::min(y1 + 1.0f, static_cast<float>(down_)));
+    if (masked() && !drawsAny(k)) return;
     k.step = static_cast<std::uint32_t>(
         std::clamp((near - view.nearest) * (kDepthSteps / view.range), 0.0f, static_cast<float>(kDepthSteps - 1)));
     kept.push_back(k);
@@ -247,6 +248,28 @@ void TileLists::order() {
     for (std::uint32_t i = 0; i < kept_.size(); ++i) order_[at[kept_[i].step]++] = i;
 }
 
+/// Bins without a tile that is drawn hold nothing.
+void TileLists::mask(const TileView& view) {
+    drawnBins_.clear();
+    mask_.wanted.clear();
+    if (!view.mask) return;
+    mask_ = *view.mask;
+    for (std::uint32_t y = 0; y < down_; ++y)
+        for (std::uint32_t x = 0; x < across_; ++x) {
+            bool any = false;
+            for (std::uint32_t i = 0; i < kTilesInBin * kTilesInBin; ++i)
+                any = any || draws(x * kTilesInBin + i % kTilesInBin, y * kTilesInBin + i / kTilesInBin);
+            drawnBins_.push_back(any ? 1 : 0);
+        }
+}
+
+bool TileLists::drawsAny(const Kept& k) const {
+    for (std::size_t y = k.y; y < k.endY; ++y)
+        for (std::size_t x = k.x; x < k.endX; ++x)
+            if (drawsBin(y * across_ + x)) return true;
+    return false;
+}
+
 void TileLists::count() {
     offsets_.assign(std::size_t{across_} * down_ + 1, 0);
     for (const Kept& k : kept_)
@@ -254,6 +277,8 @@ void TileLists::count() {
             std::uint32_t* row = offsets_.data() + std::size_t{y} * across_ + 1;
             for (std::uint32_t x = k.x; x < k.endX; ++x) ++row[x];
         }
+    for (std::size_t bin = 0; bin < drawnBins_.size(); ++bin)
+        if (!drawsBin(bin)) offsets_[bin + 1] = 0;
     longest_ = *std::max_element(offsets_.begin(), offsets_.end());
     for (std::size_t i = 1; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];
 }
@@ -279,15 +304,17 @@ void TileLists::listTiles() {
     for (std::size_t hand = 0; hand < kHands; ++hand)
         for (std::size_t b = hand * kRun; b < bins_.size(); b += b % kRun + 1 < kRun ? 1 : (kHands - 1) * kRun + 1)
             for (std::uint32_t i = 0; i < kTilesInBin; ++i)
-                for (std::uint32_t j = 0; j < kTilesInBin; ++j)
-                    tiles_.push_back({static_cast<std::uint16_t>(bins_[b].x * kTilesInBin + i),
-                                      static_cast<std::uint16_t>(bins_[b].y * kTilesInBin + j)});
+                for (std::uint32_t j = 0; j < kTilesInBin; ++j) {
+                    const std::uint32_t x = bins_[b].x * kTilesInBin + i, y = bins_[b].y * kTilesInBin + j;
+                    if (draws(x, y)) tiles_.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y)});
+                }
 }
 
 void TileLists::build(const TileView& view, const TileScenery& s) {
     across_ = (view.width + kBinPixels - 1) / kBinPixels;
     down_ = (view.height + kBinPixels - 1) / kBinPixels;
     kept_.clear();
+    mask(view);
     drawsSpheres_ = s.boxes != nullptr;
     if (drawsSpheres_) frontSpheres_.draw(view, s.spheres, *s.boxes, s.sphereCalls);
     for (const TileCall& call : drawsSpheres_ ? frontSpheres_.doubts() : s.sphereCalls)
@@ -307,7 +334,9 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
 }
 
 void TileLists::write(std::uint32_t* to) {
-    for (const Tile& tile : tiles_) *to++ = tile.x | std::uint32_t{tile.y} << 16;
+    constexpr int kUnwanted = 12;  // shaders/common/tile_lists.glsl
+    for (const Tile& t : tiles_)
+        *to++ = t.x | (masked() ? mask_.unwanted(t.x, t.y) << kUnwanted : 0u) | std::uint32_t{t.y} << 16;
     const auto base = static_cast<std::uint32_t>(words() - entries());
     for (const std::uint32_t offset : offsets_) *to++ = base + offset;
     *to++ = 1;
@@ -315,8 +344,10 @@ void TileLists::write(std::uint32_t* to) {
     for (const std::uint32_t i : order_) {
         const Kept& k = kept_[i];
         for (std::uint32_t y = k.y; y < k.endY; ++y) {
-            std::uint32_t* row = cursors_.data() + std::size_t{y} * across_;
-            for (std::uint32_t x = k.x; x < k.endX; ++x) to[row[x]++] = k.number;
+            const std::size_t first = std::size_t{y} * across_;
+            std::uint32_t* row = cursors_.data() + first;
+            for (std::uint32_t x = k.x; x < k.endX; ++x)
+                if (drawsBin(first + x)) to[row[x]++] = k.number;
         }
     }
 }

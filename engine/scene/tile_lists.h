@@ -75,7 +75,12 @@ public:
     std::span<const Tile> tiles() const { return tiles_; }  ///< in drawing order, grouped by bin
     std::span<const Span> spans() const { return spans_; }
     /// Whether anything may be visible in a bin, counted row by row.
-    bool holds(std::size_t bin) const { return offsets_[bin] != offsets_[bin + 1] || (seeded_ && seeds_[bin]); }
+    bool holds(std::size_t bin) const {
+        return drawsBin(bin) && (offsets_[bin] != offsets_[bin + 1] || (seeded_ && seeds_[bin]));
+    }
+    /// Whether a tile is drawn if its bin holds anything.
+    bool draws(std::uint32_t x, std::uint32_t y) const { return !masked() || mask_.unwanted(x, y) != kAllUnwanted; }
+    bool masked() const { return !mask_.wanted.empty(); }
     /// Whether pixels begin with a primitive from writeSeeds().
     bool seeded() const { return seeded_; }
     /// Numbers of the nearest triangles or spheres of some pixels of a row, 0: none that is certain.
@@ -126,10 +131,17 @@ private:
     void addTriangles(const TileView& view, const TileScenery& scenery);
     void addFrontTriangles(const TileView& view, const TileScenery& scenery);
     void order();
+    void mask(const TileView& view);
     void count();
+    /// Whether a tile of a bin is drawn.
+    bool drawsBin(std::size_t bin) const { return drawnBins_.empty() || drawnBins_[bin] != 0; }
+    bool drawsAny(const Kept& k) const;
+    static constexpr std::uint32_t kAllUnwanted = 15;
     void listTiles();
 
     std::uint32_t across_ = 0, down_ = 0, longest_ = 0;
+    TileMask mask_;                        // empty: all tiles are drawn
+    std::vector<std::uint8_t> drawnBins_;  // as above
     std::vector<Kept> kept_;
     std::vector<std::vector<Kept>> keptOfSlices_;
     std::size_t keptSpheres_ = 0;

@@ -7,8 +7,26 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <vector>
 
 namespace nacre {
+
+/// Which quarters of a picture's tiles are wanted: squares of 4 x 4 pixels, row by row.
+struct TileMask {
+    static constexpr std::uint32_t kSide = 4;  ///< of a quarter, pixels
+    std::uint32_t across = 0;
+    std::vector<std::uint8_t> wanted;
+    bool wants(std::uint32_t x, std::uint32_t y) const {
+        const std::size_t at = std::size_t{y} * across + x;
+        return x < across && at < wanted.size() && wanted[at] != 0;
+    }
+    /// A bit for each quarter of a tile that is not wanted: 1 left, 2 right, 4 and 8 below them.
+    std::uint32_t unwanted(std::uint32_t tileX, std::uint32_t tileY) const {
+        std::uint32_t bits = 0;
+        for (std::uint32_t i = 0; i < 4; ++i) bits |= wants(2 * tileX + i % 2, 2 * tileY + i / 2) ? 0u : 1u << i;
+        return bits;
+    }
+};
 
 /// The camera in the numbers that shaders get (ViewConstants in shaders/common/layout.h): Å, pixels.
 struct TileView {
@@ -27,8 +45,9 @@ struct TileView {
     /// Pixels are sampled at their centres only: triangles between centres are dropped and, with one layer, those
     /// hidden at every centre; pixels begin with the nearest.
     bool centers = false;
-    float wireScale = 1;       ///< pixels per pixel of the picture, for the width of wires
-    std::uint32_t layers = 1;  ///< number of nearest primitives per pixel
+    float wireScale = 1;             ///< pixels per pixel of the picture, for the width of wires
+    const TileMask* mask = nullptr;  ///< null: all tiles are drawn
+    std::uint32_t layers = 1;        ///< number of nearest primitives per pixel
 
     bool clips() const { return clipNear > -kNoPlane || clipFar < kNoPlane; }
 };

@@ -7,6 +7,14 @@ layout(local_size_x_id = 50) in;  // kLanesId
 const int kTile = 8;
 #include "lanes.glsl"
 
+/// Corner of a tile, pixels. @param tile  x | unwanted quarters << 12 | y << 16, of a list
+uvec2 cornerOf(uint tile) { return uvec2(tile & 0xfffu, tile >> 16) * uint(kTile); }
+/// Whether a pixel of a tile, counted row by row, is in a quarter that is wanted.
+bool isWanted(uint tile, uint pixel) {
+    uint quarter = pixel / uint(kTile * kTile / 2) * 2u + pixel % uint(kTile) / uint(kTile / 2);
+    return (tile >> 12 >> quarter & 1u) == 0u;
+}
+
 /// A disc on the plane z = 0 that holds a sphere's picture: about the ellipse of common/outline.glsl in perspective.
 vec3 discOf(vec3 center, float radius) {
     float room = 0.05 * view.pixel;

@@ -303,23 +303,22 @@ TEST(Plan, OfTilesTellsTheComputePassAndWhatItHandsOn) {
     options.picture.device.visibility = Visibility::tiles;
     const Json json = jsonOf(options);
     ASSERT_EQ(json["compute_passes"].size(), 1u);
-    EXPECT_EQ(json["compute_passes"][0],
-              (Json{{"name", "nearest primitive"}, {"reads", Json::array()}, {"writes", {"primitive numbers"}}}));
-    ASSERT_EQ(json["render_passes"].size(), 1u);
-    EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["reads"], (Json{"primitive numbers", "occlusion atlas"}));
+    EXPECT_EQ(json["compute_passes"][0], (Json{{"name", "nearest primitive, shaded"},
+                                               {"reads", {"occlusion atlas"}},
+                                               {"writes", {"colours of tiles"}}}));
+    EXPECT_EQ(json["render_passes"].size(), 0u);
     // Whole bins of 16 x 16 pixels.
     const std::uint64_t numbers =
         4 * ((options.picture.size.width + 15ull) / 16 * 16) * ((options.picture.size.height + 15ull) / 16 * 16);
     EXPECT_EQ(json["memory_bytes"]["buffers"][0],
-              (Json{{"name", "primitive numbers"}, {"loaded", numbers}, {"stored", numbers}}));
-    EXPECT_EQ(json["memory_bytes"]["stored"],
-              numbers + 4ull * options.picture.size.width * options.picture.size.height);
+              (Json{{"name", "colours of tiles"}, {"loaded", 0}, {"stored", numbers}}));
+    EXPECT_EQ(json["memory_bytes"]["stored"], numbers);
     const std::string text = planText(planReport(options));
-    for (const char* word : {"compute: nearest primitive", "primitive numbers (buffer)", "visibility tiles"})
+    for (const char* word : {"compute: nearest primitive, shaded", "colours of tiles (buffer)", "visibility tiles"})
         EXPECT_NE(text.find(word), std::string::npos) << text;
     const std::string dot = dotOf("--visibility tiles --supersample auto");
-    for (const char* line : {R"(label="primitive numbers\nloads 12.6 MB, stores 4.2 MB")",
-                             R"("compute nearest primitive" -> "memory primitive numbers" [label="write")",
+    for (const char* line : {R"(label="primitive numbers\nloads 8.4 MB, stores 4.2 MB")",
+                             R"("compute nearest primitive, shaded" -> "memory primitive numbers" [label="write")",
                              R"("memory occlusion atlas" -> "compute edge samples" [label="texture")"})
         EXPECT_NE(dot.find(line), std::string::npos) << dot;
 }
@@ -331,20 +330,23 @@ TEST(Plan, OfAPictureTellsHowItsEdgesAreDrawn) {
     const Json json = jsonOf(options);
     EXPECT_EQ(json["samples"], 1);
     ASSERT_EQ(json["compute_passes"].size(), 3u);
-    EXPECT_EQ(
-        json["compute_passes"][1],
-        (Json{{"name", "edge pixels"}, {"reads", {"primitive numbers"}}, {"writes", {"edge pixels", "edge colours"}}}));
+    EXPECT_EQ(json["compute_passes"][1], (Json{{"name", "edge pixels"},
+                                               {"reads", {"primitive numbers", "colours of tiles"}},
+                                               {"writes", {"edge pixels"}}}));
     EXPECT_EQ(json["compute_passes"][2], (Json{{"name", "edge samples"},
                                                {"reads", {"primitive numbers", "edge pixels", "occlusion atlas"}},
-                                               {"writes", {"edge colours"}}}));
-    ASSERT_EQ(json["render_passes"].size(), 1u);
-    ASSERT_EQ(json["render_passes"][0]["subpasses"].size(), 1u);
-    EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["name"], "impostor colour + edge colour");
+                                               {"writes", {"colours of tiles"}}}));
+    EXPECT_EQ(json["render_passes"].size(), 0u);
     EXPECT_EQ(planText(planReport(options)).find("the mean of"), std::string::npos);
     options.picture.effects.halos.width = 6;
-    EXPECT_EQ(jsonOf(options)["samples"], 16);
+    const Json halos = jsonOf(options);
+    EXPECT_EQ(halos["visibility"], "tiles");
+    ASSERT_EQ(halos["compute_passes"].size(), 1u);
+    EXPECT_EQ(halos["compute_passes"][0]["name"], "nearest primitive, lines and halos, shaded");
+    EXPECT_EQ(halos["samples"], 16);
+    EXPECT_EQ(halos["costs"][0]["visibility"], "tiles");
     EXPECT_EQ(jsonOf(options)["costs"][0]["samples"], 16);
-    EXPECT_NE(planText(planReport(options)).find("each pixel of a picture is the mean of 16 samples"),
+    EXPECT_NE(planText(planReport(options)).find("pixels of a picture where colours change are the mean of 16 samples"),
               std::string::npos);
     options.picture.effects.halos.width = 0;
     options.picture.device.visibility = Visibility::encoded;
