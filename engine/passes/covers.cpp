@@ -8,8 +8,8 @@
 namespace nacre::passes {
 namespace {
 
-constexpr vk::VertexInputBindingDescription kRects[] = {{0, sizeof(glm::vec4), vk::VertexInputRate::eInstance}};
-constexpr vk::VertexInputAttributeDescription kAttributes[] = {{0, 0, vk::Format::eR32G32B32A32Sfloat, 0}};
+constexpr vk::VertexInputBindingDescription kCoverStreams[] = {{0, sizeof(glm::vec4), vk::VertexInputRate::eInstance}};
+constexpr vk::VertexInputAttributeDescription kCoverAttributes[] = {{0, 0, vk::Format::eR32G32B32A32Sfloat, 0}};
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void drawCovers(gpu::PassContext& context, const SceneView& view) {
     d.detail = "covers";
     d.vertex = shaders::coverVertex;
     d.fragment = shaders::plateFragment;
-    d.streams = {kRects, kAttributes};
+    d.streams = {kCoverStreams, kCoverAttributes};
     d.layout = *layout.pipeline;
     d.depth = gpu::DepthUse::write;
     context.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(d));

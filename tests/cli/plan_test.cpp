@@ -314,7 +314,7 @@ TEST(Plan, OfTilesTellsTheComputePassAndWhatItHandsOn) {
               (Json{{"name", "colours of tiles"}, {"loaded", 0}, {"stored", numbers}}));
     EXPECT_EQ(json["memory_bytes"]["stored"], numbers);
     const std::string text = planText(planReport(options));
-    for (const char* word : {"compute: nearest primitive, shaded", "colours of tiles (buffer)", "visibility tiles"})
+    for (const char* word : {"compute: nearest primitive, shaded", "visibility tiles"})
         EXPECT_NE(text.find(word), std::string::npos) << text;
     const std::string dot = dotOf("--visibility tiles --supersample auto");
     for (const char* line : {R"(label="primitive numbers\nloads 8.4 MB, stores 4.2 MB")",
