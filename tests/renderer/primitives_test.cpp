@@ -45,7 +45,7 @@ TEST(PrimitivePictures, AreTheSameOnEveryPath) {
     PathRenderers renderers;
     const Representation r = withPrimitives();
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-        RenderSettings s = settings(r, 200, projection, {20, 30, 5});
+        RenderSettings s = settings(r, 120, projection, {20, 30, 5});
         s.occlusion.directions = 8;
         s.effects.contours.width = 1;
         sameOnEveryPath(renderers, r, s);
