@@ -18,7 +18,7 @@ std::map<VkSurfaceKHR, std::pair<VkInstance, ANativeWindow*>> surfaces;
 std::map<VkDevice, DeviceRecord> devices;
 std::map<VkQueue, VkDevice> queues;
 std::map<VkSwapchainKHR, SwapchainRecord> swapchains;
-VkInstance lastInstance = VK_NULL_HANDLE;
+std::map<VkPhysicalDevice, VkInstance> owners;  // several threads have an instance each
 std::map<VkInstance, VkDebugUtilsMessengerEXT> messengers;
 std::mutex faultsMutex;
 std::vector<std::string> faults;
@@ -85,7 +85,6 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, 
     const VkResult result = NACRE_LOADERS(VK_NULL_HANDLE, vkCreateInstance)(&changed, allocator, instance);
     if (result != VK_SUCCESS) return result;
     const std::lock_guard lock(mutex);
-    lastInstance = *instance;
     if (!window) return result;
     VkDebugUtilsMessengerCreateInfoEXT messages{};
     messages.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
@@ -139,24 +138,37 @@ VKAPI_ATTR VkResult VKAPI_CALL surfaceCapabilities(VkPhysicalDevice device, VkSu
 
 // --- devices
 
+VKAPI_ATTR VkResult VKAPI_CALL enumerateDevices(VkInstance instance, std::uint32_t* count, VkPhysicalDevice* devices) {
+    const VkResult result = NACRE_LOADERS(instance, vkEnumeratePhysicalDevices)(instance, count, devices);
+    const std::lock_guard lock(mutex);
+    for (std::uint32_t i = 0; devices && i < *count; ++i) owners[devices[i]] = instance;
+    return result;
+}
+
+VkInstance ownerOf(VkPhysicalDevice device) {
+    const std::lock_guard lock(mutex);
+    return owners.at(device);
+}
+
 VKAPI_ATTR void VKAPI_CALL properties(VkPhysicalDevice device, VkPhysicalDeviceProperties* told) {
-    NACRE_LOADERS(lastInstance, vkGetPhysicalDeviceProperties)(device, told);
+    NACRE_LOADERS(ownerOf(device), vkGetPhysicalDeviceProperties)(device, told);
     if (phones) told->deviceType = VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
 }
 
 VKAPI_ATTR void VKAPI_CALL properties2(VkPhysicalDevice device, VkPhysicalDeviceProperties2* told) {
-    NACRE_LOADERS(lastInstance, vkGetPhysicalDeviceProperties2)(device, told);
+    NACRE_LOADERS(ownerOf(device), vkGetPhysicalDeviceProperties2)(device, told);
     if (phones) told->properties.deviceType = VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* device) {
     deviceIsMade();
+    const VkInstance owner = ownerOf(physical);
     const std::lock_guard lock(mutex);
-    const VkResult result = NACRE_LOADERS(lastInstance, vkCreateDevice)(physical, info, allocator, device);
+    const VkResult result = NACRE_LOADERS(owner, vkCreateDevice)(physical, info, allocator, device);
     if (result == VK_SUCCESS)
-        devices[*device] = {lastInstance, physical, info->pQueueCreateInfos[0].queueFamilyIndex,
-                            NACRE_LOADERS(lastInstance, vkGetDeviceProcAddr)};
+        devices[*device] = {owner, physical, info->pQueueCreateInfos[0].queueFamilyIndex,
+                            NACRE_LOADERS(owner, vkGetDeviceProcAddr)};
     ++made;
     return result;
 }
@@ -287,6 +299,7 @@ PFN_vkVoidFunction replacementOf(const char* name) {
         NACRE_REPLACE(vkCreateAndroidSurfaceKHR, vkCreateAndroidSurfaceKHR),
         NACRE_REPLACE(vkDestroySurfaceKHR, destroySurface),
         NACRE_REPLACE(vkGetPhysicalDeviceSurfaceCapabilitiesKHR, surfaceCapabilities),
+        NACRE_REPLACE(vkEnumeratePhysicalDevices, enumerateDevices),
         NACRE_REPLACE(vkGetPhysicalDeviceProperties, properties),
         NACRE_REPLACE(vkGetPhysicalDeviceProperties2, properties2),
         NACRE_REPLACE(vkCreateDevice, createDevice),
