@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "app/download/download.h"
 #include "app/files/cache_folder.h"
+#include "app/files/json_text.h"
 #include "app/files/messages.h"
 #include "app/input/input_files.h"
 #include "app/input/map_input.h"
@@ -33,7 +33,7 @@ std::string baseOf(const Environment& environment, const char* variable, const c
 
 /// "map" / "contour_list" / "contour": a list with a level each, the first or the one that is primary.
 std::optional<double> levelIn(const std::string& bytes) {
-    const auto json = nlohmann::json::parse(bytes, nullptr, false);
+    const auto json = parseJson<nlohmann::json>(bytes);
     const nlohmann::json::json_pointer contours("/map/contour_list/contour");
     if (json.is_discarded() || !json.is_object() || !json.contains(contours)) return std::nullopt;
     std::optional<double> level;
@@ -54,7 +54,7 @@ std::optional<double> depositedLevel(const std::string& name, const MapSource& s
     try {
         downloadFile(name, source.cacheName + ".json", source.levelUrl, settings,
                      [&](const std::string&, const std::string& bytes) {
-                         if (nlohmann::json::parse(bytes, nullptr, false).is_discarded())
+                         if (parseJson<nlohmann::json>(bytes).is_discarded())
                              throw Error("cannot read", name, "the answer is no JSON");
                          level = levelIn(bytes);
                      });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "app/files/printable.h"
+#include "engine/error.h"
 
 namespace nacre::app {
 
@@ -57,6 +59,23 @@ Json parseJson(const std::string& text, std::string& twice) {
         return true;
     };
     return Json::parse(text, watch, false);
+}
+
+/// Parses a file that people write. @param task  beginning of an error, as "cannot read colours"
+/// @throws Error with the line of a syntax error, or the number that is out of range, or if it is too deep
+template <typename Json>
+Json parseJsonText(const std::string& text, const std::string& task, const std::string& name) {
+    if (isTooDeep(text))
+        throw Error(task, name, "it is nested more than " + std::to_string(kDeepestJson) + " levels deep");
+    try {
+        return Json::parse(text);
+    } catch (const typename Json::parse_error& error) {
+        const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+        throw Error(task, name, "it is not valid JSON", 1 + std::count(text.begin(), end, '\n'));
+    } catch (const typename Json::out_of_range& error) {  // says which number
+        const std::string why = error.what();
+        throw Error(task, name, "a number is too large: " + printable(why.substr(why.rfind(' ') + 1)));
+    }
 }
 
 }  // namespace nacre::app

@@ -341,14 +341,7 @@ std::string textOf(const TableJson& value) {
 /// A list of objects, or an object of lists.
 ColorTable readJson(const std::string& text, const std::string& name, const std::string& column) {
     const auto refuse = [&](const std::string& why) { throw Error("cannot read colours", name, why); };
-    if (isTooDeep(text)) refuse("it is nested more than " + std::to_string(kDeepestJson) + " levels deep");
-    TableJson json;
-    try {
-        json = TableJson::parse(text);
-    } catch (const TableJson::parse_error& error) {
-        const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-        refuse("(line " + std::to_string(1 + std::count(text.begin(), end, '\n')) + "): it is not valid JSON");
-    }
+    const auto json = parseJsonText<TableJson>(text, "cannot read colours", name);
     TableReader reader(name, "row");
     Cells names;
     std::vector<Cells> rows;

@@ -342,24 +342,10 @@ std::string textOfFile(const std::string& path) {
     return text;
 }
 
-/// @throws Error with the line of a syntax error
-PrimitiveJson jsonOf(const std::string& text, const std::string& name) {
-    if (isTooDeep(text))
-        throw Error("cannot read primitives", name,
-                    "it is nested more than " + std::to_string(kDeepestJson) + " levels deep");
-    try {
-        return PrimitiveJson::parse(text);
-    } catch (const PrimitiveJson::parse_error& error) {
-        const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-        throw Error("cannot read primitives", name,
-                    "(line " + std::to_string(1 + std::count(text.begin(), end, '\n')) + "): it is not valid JSON");
-    }
-}
-
 }  // namespace
 
 Primitives readPrimitives(const std::string& text, const std::string& name, const PlaceOf& placeOf) {
-    const PrimitiveJson json = jsonOf(text, name);
+    const PrimitiveJson json = parseJsonText<PrimitiveJson>(text, "cannot read primitives", name);
     const PrimitiveJson* list = &json;
     if (json.is_object() && json.contains("primitives")) {
         if (json.size() > 1) throw Error("cannot read primitives", name, "expected \"primitives\" alone");

@@ -77,6 +77,7 @@ TEST(ColorFile, TellsWhatIsWrongAndInWhichLine) {
         {"value\n1\n", "no column names residues or atoms"},
         {"", "no row"},
         {"[{\"resi\": 1, \"value\": \n]", "(line 2): it is not valid JSON"},
+        {"[{\"resi\": 1, \"value\": 5E5555}]", "a number is too large: '5E5555'"},
         {R"([{"resi": 1, "value": 1}, {"resi": "q", "value": 2}])", "(row 2): 'q' is not a residue number"},
         {R"({"resi": [1, 2], "value": [1]})", "has 1 values, where others have 2"}};
     for (const auto& [text, why] : wrong) {

@@ -62,6 +62,7 @@ TEST(PrimitivesFile, TellsWhatIsWrongAndWhere) {
         {R"([{"kind": "mesh", "vertices": [0, 0, 0], "triangles": [0, 0, 1]}])", "from 0 to 0"},
         {R"([{"kind": "mesh", "vertices": [0, 0], "triangles": []}])", "in threes"},
         {"5", "a list of primitives"},
+        {"[{\"kind\": 5E5555}]", "a number is too large: '5E5555'"},
         {"", "not valid JSON"}};
     for (const auto& [json, why] : wrong) {
         try {
