@@ -1,7 +1,7 @@
 #version 450
 // Translucent triangles of the `tiles` path: the two nearest to a pixel. One subgroup draws a tile of 8 x 8 pixels from
 // the list of its bin, as in tile_nearest.comp, and ends where the next entry begins behind the second of every pixel.
-// Those hidden by opaque surfaces are dropped during compositing.
+// Layers hidden by opaque surfaces are dropped during compositing.
 //   TEXELS   as in common/streams.glsl
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require

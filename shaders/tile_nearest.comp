@@ -181,7 +181,7 @@ uint colorAt(inout uint seenNumber, vec2 pixel, uint kind, uint rim) {
 #endif
 }
 
-/// What a pixel shows where nothing is seen.
+/// The colour of an empty pixel.
 uint emptyColor(int i) {
 #ifdef RIMS
     return rimmed(vec4(0.0), rimWords[i]);

@@ -221,7 +221,7 @@ void MovieScenes::moveTo(Look& look, int frame) {
     reachTo(look.drawing.settings.view, look.moving->scene().radius);
 }
 
-/// What stays of the scene is not made again.
+/// Parts of the scene that stay are not made again.
 void MovieScenes::sweepTo(Look& look, double time) {
     std::vector<MapLevel>& levels = look.options.maps.levels;
     levels.resize(std::max<std::size_t>(levels.size(), 1));

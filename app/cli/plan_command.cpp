@@ -55,7 +55,7 @@ void chooseByDevice(const PlanOptions& options, PlanReport& report) {
     report.shadesByTiles = device.shadesByTiles;
 }
 
-/// What is asked for instead of what suits the device.
+/// Takes the number of samples that the options ask for instead of the device's.
 void askSamples(const PlanOptions& options, PlanReport& report, const SceneCounts& counts) {
     const Multisampling wanted = options.picture.device.multisampling;
     const std::string alone = lacksSamples(options.picture.effects, counts.translucent > 0);

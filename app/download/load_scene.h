@@ -20,7 +20,7 @@ Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptio
 struct SnapshotTimes {
     double linger = 0, transition = 0;
 };
-/// Those of a scene's file. @throws Error if it is no scene
+/// The snapshots of a scene's file. @throws Error if it is no scene
 std::vector<SnapshotTimes> snapshotsOf(const std::string& path);
 
 }  // namespace nacre::app

@@ -111,7 +111,8 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
     const Molecule& molecule = facts.molecule();
     const Facets parts = difference(description_, description);
     if (scene_ && parts == 0) return;
-    // What is left out since it hides something depends on the view, too; whether every atom may be hidden.
+    // Atoms left out because they hide others depend on the view, too. Maps and primitives decide whether all may be
+    // hidden.
     const bool another = !scene_ || (parts & (Facet::input | Facet::frame | Facet::scene)) != 0 ||
                          description.drawsBeside() != description_.drawsBeside() || (molecule.atoms.empty() && parts) ||
                          uncoveredBy(description.aim) || uncoveredBy(description_.aim) ||

@@ -54,7 +54,7 @@ public:
     /// @param settings  of the picture @param memory  of a sequence of pictures
     std::size_t addWords(const RenderSettings& settings, Picture& picture, WordMemory* memory = nullptr) const;
 
-    /// Of the molecule elsewhere, in a scene about the same centre: the words, and the scene with what is beside it.
+    /// Places words in another scene of the molecule, about the same centre; and adds maps and primitives to a scene.
     void placeWordsIn(const Representation& scene, const ResidueFacts& facts,
                       WordsOfHidden hidden = WordsOfHidden::refused);
     Representation withBeside(Representation scene) const { return withMaps(std::move(scene), maps_); }

@@ -11,13 +11,13 @@ namespace nacre::app {
 Representation guidedSceneOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                              const RepresentationOptions& look);
 
-/// What is seen of a scene without atoms.
+/// Bounds of a scene without atoms.
 Bounds frameOfGuide(const SceneGuide& guide);
 
 /// The camera of a scene file, if the picture has no other one; else null.
 const SceneCamera* sceneCamera(const Molecule& molecule, const PictureDescription& picture);
 
-/// What a scene file says of settings that no option gives.
+/// Takes settings that no option gives from a scene file.
 void takeGuide(const Molecule& molecule, const PictureDescription& picture, RenderSettings& settings);
 
 /// Puts a scene file's camera and background into a view that has none of its own, for a hand that turns on from there.

@@ -81,7 +81,7 @@ std::vector<glm::dvec3> placesOf(const Molecule& molecule, std::span<const std::
     return places;
 }
 
-/// What a map's values are to be seen as; it holds the map.
+/// The colours of a map's values; it holds the map.
 struct Values {
     std::shared_ptr<const DensityMap> map;
     ValueColoring coloring;
@@ -125,7 +125,7 @@ void addGeometry(Primitives primitives, MapLayers& layers) {
     layers.labels = std::move(primitives.labels);
 }
 
-/// What a scene file shows of a map.
+/// Adds a map as a scene file shows it.
 void addVolume(const SceneVolume& volume, Representation& shown) {
     const std::shared_ptr<const MapRegion> region = regionOf(volume.map, {}, kBoxOfFile);
     if (volume.axis >= 0) {

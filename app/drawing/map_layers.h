@@ -1,5 +1,5 @@
 #pragma once
-// What a picture shows beside its molecule: density maps and primitives.
+// Density maps and primitives beside a picture's molecule.
 
 #include <optional>
 
@@ -29,7 +29,7 @@ struct MapLayers {
     }
 };
 
-/// What is drawn of a scene and what is beside it.
+/// A scene together with its maps and primitives.
 Representation withMaps(Representation scene, const MapLayers& maps);
 
 /// @throws Error

@@ -13,7 +13,7 @@
 
 namespace nacre::app {
 
-/// What is drawn of a molecule, in its style and colours. @throws Error if that is nothing
+/// The scene of a molecule, in its style and colours. @throws Error if it is empty
 /// @param frame  that all models of its file share (shared_frame.h), if that is known; else it is found, if it can be
 /// @param orNothing  there may be no atom, or rules may hide each, since something is drawn beside them
 Representation sceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,

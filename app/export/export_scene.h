@@ -48,8 +48,8 @@ struct ExportScene {
 struct ExportOptions {
     bool instances = false;  ///< write balls and sticks as instances, not triangles
     int sides = 0;           ///< vertices around a ball or stick, even; 0: 24, fewer if there are too many
-    /// Of the scene, with spheres and cylinders in spatial order; may be null. Outlives the call. Not with instances:
-    /// each copy of a ball has its own occlusion.
+    /// Occlusion of the scene, with spheres and cylinders in spatial order; may be null. Outlives the call. Not with
+    /// instances: each copy of a ball has its own occlusion.
     const BakedOcclusion* occlusion = nullptr;
 };
 

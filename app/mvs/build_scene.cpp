@@ -20,7 +20,7 @@
 namespace nacre::app::mvs {
 namespace {
 
-/// What the labels of one list take up, as Mol* counts it: the points that they stand at, and around these the largest
+/// The extent of the labels of one list, as Mol* counts it: the points that they stand at, and around these the largest
 /// of the texts' half widths and of the depths of what they name.
 class LabelBalls {
 public:

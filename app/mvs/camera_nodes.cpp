@@ -38,7 +38,7 @@ double numberOf(const Node& node, const char* name, double otherwise) {
     return value->get<double>();
 }
 
-/// What a layer takes up beyond the spheres of its atoms, Å, as Mol* counts it.
+/// How far a layer reaches beyond the spheres of its atoms, Å, as Mol* counts it.
 double roomOf(const SceneLayer& layer) {
     const double scale = static_cast<double>(layer.atomScale);
     switch (layer.style) {

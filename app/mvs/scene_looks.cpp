@@ -143,7 +143,7 @@ void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms
             layer.atoms.push_back(atom);
     layer.colors.assign(layer.atoms.size(), kDefaultColor);
     paintChildren(node, structure, files, layer, warnings);
-    // What is not to be seen at all is not drawn.
+    // Atoms without opacity are not drawn.
     SceneLayer seen = layer;
     if (!layer.opacity.empty()) {
         seen.atoms.clear(), seen.colors.clear(), seen.opacity.clear();

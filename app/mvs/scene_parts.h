@@ -1,5 +1,5 @@
 #pragma once
-// What a scene is built of while its tree is walked. Used by build_scene.cpp.
+// The parts of a scene while its tree is walked. Used by build_scene.cpp.
 
 #include <array>
 #include <functional>
@@ -31,7 +31,7 @@ private:
     std::size_t more_ = 0;
 };
 
-/// What was fetched, once per name; inflated.
+/// Files that were fetched, once per name; inflated.
 class SceneFiles {
 public:
     explicit SceneFiles(const SceneSources& sources) : sources_(sources) {}

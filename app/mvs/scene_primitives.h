@@ -10,7 +10,7 @@
 
 namespace nacre::app::mvs {
 
-/// What a position may be: a point, or the atoms of an expression.
+/// The extent of a position: a point, or the atoms of an expression.
 struct PlaceBounds {
     glm::dvec3 center{}, low{}, high{};
     double radius = 0;

@@ -63,7 +63,7 @@ void drawMap(PanelFrame& f, std::size_t i) {
     ImGui::SameLine(x + room - side);
     const bool removed = f.ui.sign(Icon::close, ("Remove " + name).c_str());
     const bool sliced = drawStyle(f, i, name);
-    // What was slid is not built yet: it stands where the hand has it.
+    // A level that was slid is not built yet: show it where the hand has it.
     const bool slid = i < maps.levels.size() && maps.levels[i].unit == MapLevel::Unit::sigma;
     const std::vector<double> built = f.viewer.document() ? f.viewer.document()->maps.sigmas : std::vector<double>();
     if (!sliced && (slid || i < built.size())) {

@@ -31,7 +31,7 @@ struct FurtherInput {
 
 constexpr int kAllSnapshots = 0;
 
-/// What a scene names is taken from somewhere else: an address, or the beginning of some, and a file or folder.
+/// A replacement for addresses in scenes: an address, or the beginning of some, and a file or folder.
 struct SceneMap {
     std::string url, path;
     friend bool operator==(const SceneMap&, const SceneMap&) = default;

@@ -230,7 +230,7 @@ void placeBeside(const std::string& path, PictureDescription& view) {
         if (!table.table && !isTableText(table.source)) table.source = besideView(path, table.source);
 }
 
-/// Those of a view go before those that were there.
+/// Puts the values of a view before those that were there.
 template <typename Value>
 void append(std::vector<Value>& list, const std::vector<Value>& before) {
     list.insert(list.end(), before.begin(), before.end());

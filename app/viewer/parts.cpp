@@ -72,7 +72,7 @@ std::string named(const std::string& identifier, const std::map<std::string, std
 
 bool isPolymer(ResidueKind kind) { return kind == ResidueKind::protein || kind == ResidueKind::nucleic; }
 
-/// Those of one molecule. @param model  its number among several
+/// Adds the parts of one molecule. @param model  its number among several
 void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const std::string& input, int model,
               std::vector<Part>& parts) {
     static const std::map<std::string, std::string> kNone;  // several files may each have a chain A

@@ -69,7 +69,7 @@ void Viewer::changeLevel(double steps, double now) {
     PictureDescription look = view();
     std::vector<MapLevel>& levels = look.maps.levels;
     levels.resize(std::max(levels.size(), map + 1));
-    // What was turned is not built yet: it stands where the hand has it.
+    // A level that was turned is not built yet: count from it.
     const bool turned = levels[map].unit == MapLevel::Unit::sigma;
     const double sigma = turned ? levels[map].value : document()->maps.sigmas[map];
     levels[map] = {MapLevel::Unit::sigma, std::round((sigma + 0.1 * steps) * 10) / 10};

@@ -27,13 +27,13 @@ public:
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);
 
     const PictureStats& stats() const { return stats_; }
-    /// Of the last frame.
+    /// Counts of the last frame.
     const SceneCounts& counts() const { return counts_; }
     /// Plan of the last frame as text.
     const std::string& planText() const;
 
 private:
-    /// What is drawn of a picture, and which pixels of that are wanted.
+    /// The view that a frame draws, and the pixels of it that the picture keeps.
     struct Wanted {
         View view;
         PictureRect inner;
@@ -45,7 +45,7 @@ private:
         bool edges = false;                               ///< drawn with kEdgeSamples
         double smallestPixels = 0;                        ///< as SceneView has it
     };
-    /// Of a frame's pixels.
+    /// Samples in each pixel of a frame.
     enum class Samples : std::uint8_t {
         one,
         edges,     ///< kEdgeSamples where edges run

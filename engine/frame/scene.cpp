@@ -235,7 +235,8 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     const double farthest = seen->perspective ? view.eyeDistance / (view.eyeDistance + view.radius) : 1;
     seen->smallestPixels = scene.smallestRadius * view.pixelsPerAngstrom * farthest;
     seen->wireScale = 0;
-    // A constant of pipelines: 0 where there is no wire, and else one of few, whatever the window's size: in twentieths.
+    // A constant of pipelines: 0 where there is no wire, and else one of few, whatever the window's size: in
+    // twentieths.
     if (!scene.representation.wires.empty()) {
         const double scale = view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom;
         seen->wireScale = static_cast<float>(scale < 0.2 ? scale : std::round(scale * 20) / 20);

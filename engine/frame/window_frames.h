@@ -28,7 +28,7 @@ public:
     void await();
     /// GPU time of a recent frame, milliseconds; 0: unknown.
     double milliseconds() const { return ring_.milliseconds(); }
-    /// Of the last frame that drew the scene.
+    /// Counts of the last frame that drew the scene.
     const SceneCounts& counts() const { return counts_; }
     void setGlyphs(const OverlayGlyphs& glyphs);
     void release();

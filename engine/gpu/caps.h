@@ -54,7 +54,7 @@ struct Caps {
     graph::Fact knownAs{};         ///< what the table of drivers says of it; null where it has no row
 };
 
-/// What a device reports about itself, for the tables of known drivers.
+/// The identity that a device reports, for the tables of known drivers.
 graph::DriverIdentity identityOf(const vk::raii::PhysicalDevice& device);
 
 /// @param options user's choices; `automatic` leaves the choice to the device

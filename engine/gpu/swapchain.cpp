@@ -72,7 +72,7 @@ void Swapchain::retire() {
     whole_ = true;
 }
 
-/// Those that the display is done with. @param wait  all, since it must be: at most for a moment each
+/// Frees former swapchains that the display is done with. @param wait  all, since it must be: at most for a moment each
 void Swapchain::dropFormers(bool wait) {
     constexpr std::uint64_t kMoment = 1'000'000'000;
     std::erase_if(formers_, [&](Former& former) {

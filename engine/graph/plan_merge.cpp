@@ -78,7 +78,7 @@ private:
         return caps_.tileSubpasses || sharesSubpass(pass);
     }
 
-    /// What an image takes on the tile. What others are resolved to leaves the tile as it is made.
+    /// Bytes of an image on the tile. The target of a resolve leaves the tile as it is made.
     std::uint32_t tileBytes(const Use& use) const {
         const ImageDesc& desc = graph_.images()[use.resource].desc;
         return use.verb == Verb::resolve || isDepthFormat(desc.format) ? 0 : bytesPerTexel(desc.format) * desc.samples;

@@ -156,7 +156,7 @@ private:
         drawShown({neck, last, SectionShape::rectangle, false, false, std::move(head)});
     }
 
-    /// Those stretches of a piece whose residues are shown.
+    /// Draws the stretches of a piece whose residues are shown.
     void drawShown(const SweepPiece& piece) {
         std::size_t k = piece.first;
         while (k < piece.last) {

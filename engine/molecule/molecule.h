@@ -51,7 +51,7 @@ struct Atom {
 /// Secondary structure from the file; `none` also if the file does not state it.
 enum class SecondaryStructure : std::uint8_t { none, helix, strand };
 
-/// What the file says that a residue is part of; `unknown` also where it says nothing.
+/// The kind of entity that the file states for a residue; `unknown` also where it states none.
 enum class EntityKind : std::uint8_t { unknown, protein, nucleic, nonPolymer, branched, water };
 
 constexpr std::int32_t kNoLabelNumber = INT32_MIN;

@@ -63,7 +63,7 @@ public:
     const gpu::Image& atlas() const { return atlas_; }
     /// Whether the atlas holds a result, or will after what is submitted.
     bool shows() const { return atlasDefined_; }
-    /// Of the finished atlas, where shaders interpolate it themselves and it fits the budget; else null.
+    /// A view of the finished atlas, if shaders interpolate it themselves and it fits the budget; else null.
     vk::BufferView cells() const { return *cellTexels_; }
     const OcclusionLayout& layout() const { return layout_; }
     const DepthMaps& maps() const { return maps_; }

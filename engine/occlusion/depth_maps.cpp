@@ -19,7 +19,7 @@ constexpr double kPixelsOfMesh = 2.5;
 // A mesh shows more of each such atom than of a stick or a ball: thin ones between the ribbons of a cartoon, which
 // would have four times the pixels, take a map that fits both.
 constexpr double kShareOfMesh = 4;
-// Of meshes' levels, pixels of a map: within the slack that a question allows.
+// Error of meshes' levels, pixels of a map: within the slack that a question allows.
 constexpr double kMeshError = 0.25;
 constexpr double kSmallest = 128, kLargest = 2048;
 // Primitives that tiles draw at a time: their lists take the host some 30 bytes each.
@@ -37,7 +37,7 @@ std::uint32_t bytesPerPixel(OcclusionMaps path, const graph::EncodedFormat& enco
     }
 }
 
-/// Those parts of calls that lie in a model's runs.
+/// The parts of calls that lie in a model's runs.
 std::vector<passes::PlacedCopies::Call> within(const std::vector<passes::PlacedCopies::Call>& calls,
                                                const std::vector<ModelRun>& runs) {
     std::vector<passes::PlacedCopies::Call> parts;
@@ -50,7 +50,7 @@ std::vector<passes::PlacedCopies::Call> within(const std::vector<passes::PlacedC
     return parts;
 }
 
-/// Those instances of calls that lie between two; `at` counts on.
+/// The instances of calls from `first` to `end`; `at` counts on.
 std::vector<passes::PlacedCopies::Call> between(const std::vector<passes::PlacedCopies::Call>& calls,
                                                 std::uint64_t first, std::uint64_t end, std::uint64_t& at) {
     std::vector<passes::PlacedCopies::Call> parts;

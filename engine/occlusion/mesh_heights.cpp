@@ -91,7 +91,7 @@ void MeshHeights::draw(const Representation& r, const glm::vec4* rows, const Hei
     std::span<const Triangle> left = trianglesOf(r, run.first, run.count);
     while (!left.empty()) {
         std::size_t end = 0;
-        // Those of a mesh stand together.
+        // Triangles of one mesh stand together.
         while (end < left.size() && left[end].step == left[0].step) ++end;
         const std::span<const Triangle> triangles = left.first(end);
         place(r, triangles, rows, map);

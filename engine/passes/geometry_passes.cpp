@@ -22,7 +22,7 @@ namespace {
             NACRE_SHADERS(atom, , identity, variant)                                    \
     }
 
-/// Those of colour that tell which samples of a pixel they cover.
+/// Shaders of colour that state the samples of a pixel that they cover.
 const PrimitiveShaders& multisampledShaders(NearestFrom from) {
     static const PrimitiveShaders kDepthBuffer = NACRE_SHADERS(look, , color, FragdepthMultisampled),
                                   kOwn = NACRE_SHADERS(look, , color, OrderedMultisampled);

@@ -21,7 +21,7 @@ public:
     /// @throws Error if the molecule has no such assembly
     AssemblyScene(const Molecule& molecule, const std::string& id);
 
-    /// Those of some atoms that are in the assembly. The span lives as long as this. @throws Error if there are none
+    /// The given atoms that are in the assembly. The span lives as long as this. @throws Error if there are none
     std::span<const std::uint32_t> place(std::span<const std::uint32_t> atoms);
     /// Turns the colours of atoms coloured by copy into tints, and lists the copies' colours in the legend. If several
     /// palettes are asked for, the first one is used.

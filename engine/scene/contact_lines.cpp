@@ -36,7 +36,7 @@ InteractionQuery queryOf(const ResidueFacts& facts, const ContactOptions& option
     return query;
 }
 
-/// Of each atom, whether a contact may end at it: something is drawn of it. Beside residues of a cartoon that are
+/// Whether a contact may end at each atom: something is drawn of it. Beside residues of a cartoon that are
 /// drawn as atoms, too, the others are background.
 std::vector<bool> seenAtoms(const Molecule& molecule, const Appearance& appearance) {
     std::vector<bool> seen(molecule.atoms.size());
@@ -135,7 +135,7 @@ private:
         return {at(atom, end.image), ballOf(atom)};
     }
     bool isHydrogen(std::uint32_t atom) const { return nacre::isHydrogen(molecule_.atoms[atom].element); }
-    /// Of a charged group, what bears the charge: not its carbon.
+    /// Whether an atom of a charged group bears the charge: its carbon does not.
     bool isPolar(std::uint32_t atom) const {
         constexpr Element kCarbon = 6;
         return molecule_.atoms[atom].element != kCarbon && !isHydrogen(atom);

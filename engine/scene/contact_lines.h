@@ -27,7 +27,7 @@ public:
     ContactFinder(const ResidueFacts& facts, const ContactOptions& options);
     /// @param molecule  the one that it was made for, with any positions
     std::vector<PlacedContact> find(const Molecule& molecule, const Appearance& appearance) const;
-    /// Those between the molecule and an image of it.
+    /// Contacts between the molecule and an image of it.
     std::vector<PlacedContact> findBetween(const Molecule& molecule, const Appearance& appearance,
                                            const glm::dmat4x3& image) const;
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kDotLength = 0.04f;  // Å along the normal: seen from most sides a dot as wide as it is long
 
-/// Of each vertex of a contour. Step kSteps stands for the contour's own colour.
+/// The colour of each vertex of a contour. Step kSteps stands for the contour's own colour.
 struct VertexColors {
     std::vector<std::uint32_t> steps;  // empty: all have that
     std::vector<std::uint32_t> colors;
@@ -96,7 +96,7 @@ void keepApart(Representation& scene, std::size_t first, std::size_t end, std::u
     if (model > 0) (scene.*models).push_back({from, count, model});
 }
 
-/// Of what is joined to a scene of several models: behind them; 0 where there is one.
+/// The model number of a scene that is joined to another: behind all of its models; 0 if it has one only.
 std::uint32_t modelBehind(const Representation& scene) {
     std::uint32_t model = 0;
     for (const auto* runs : {&scene.sphereModels, &scene.cylinderModels, &scene.triangleModels})

@@ -40,7 +40,7 @@ void addSlice(const MapRegion& region, const MapSlice& slice, const ValueColorin
 
 /// Draws beside what a scene shows what another does about the same centre, as maps and primitives: it stands still,
 /// whatever copies or models the scene has, and the numbers of its looks follow the scene's. The radius holds both.
-/// What of a scene is asked for by its atoms must have been done by then.
+/// Search the scene by atom before this: afterwards its looks stand for other things, too.
 void joinScenes(Representation& scene, const Representation& others);
 
 }  // namespace nacre

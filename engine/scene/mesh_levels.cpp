@@ -79,7 +79,7 @@ void dropVertices(Representation& r) {
     }
 }
 
-/// Those meshes that have a level of the least error are that level from here on.
+/// Keeps the finest level only of each mesh that has several.
 void dropFinestMeshes(Representation& r) {
     const float finest = finestLevel(r);
     std::vector<Triangle> kept;

@@ -101,7 +101,7 @@ struct Representation {
 /// licorice before ball-and-stick, so that no stick changes its width halfway. In a space-filling atom it just ends.
 /// Cartoons and surfaces are made of what has the same copies, or of a model, by itself.
 /// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending, of which the rules may hide some
-/// Of an assembly, atoms and bonds are stored once, sorted by their copies; a bond is drawn where both its atoms are,
+/// An assembly stores atoms and bonds once, sorted by their copies; a bond is drawn where both its atoms are,
 /// and none joins two copies. Interactions do: such a one is stored in the frame of the first of its two copies.
 /// @param frame  the view's center and radius (shared_frame.h), which hold all that is drawn; empty: just that
 /// @throws Error if no atom is left, there is no such assembly, it has 2^32 primitives or more, or they lie over one

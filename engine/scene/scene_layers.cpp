@@ -91,7 +91,7 @@ void applyRule(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, 
     result.layers.push_back(std::move(layer));
 }
 
-/// What makes a part of a scene: atoms of one layer that have the same copies.
+/// The appearance of one layer.
 Appearance appearanceOfLayer(const ResidueFacts& facts, const SceneLayer& layer) {
     Appearance appearance;
     appearance.style = layer.style;

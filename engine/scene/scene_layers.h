@@ -17,16 +17,16 @@ struct GuidedLayers {
 GuidedLayers guidedLayers(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                           const RepresentationOptions& options);
 
-/// What an appearance shows, as layers: one per style, with its colours.
+/// Splits an appearance into layers: one per style, with its colours.
 std::vector<SceneLayer> layersOf(const Appearance& appearance, const RepresentationOptions& options);
 
-/// What a scene says of an atom under the pointer, in the order of its nodes; empty: nothing.
+/// The tooltips of a scene for an atom, in the order of its nodes; empty if there are none.
 std::string tooltipOf(const SceneGuide& guide, std::uint32_t atom);
 
 /// The sphere about all that layers show, in all copies; of 1 Å at the origin if they show nothing.
 Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers);
 
-/// What layers of a molecule that has a guide look like. @param frame  centre and radius, as represent() takes it
+/// Builds the layers of a molecule that has a guide. @param frame  centre and radius, as represent() takes it
 /// @throws Error as represent() does
 Representation representLayers(const ResidueFacts& facts, const GuidedLayers& layers,
                                const RepresentationOptions& options, const Bounds& frame);

@@ -19,7 +19,7 @@ vec3 colorInCopy(vec3 color, uint bits) {
     return color * effects.copyColors[copyHere() % uint(kCopyColors)].rgb;
 }
 
-/// Of a stored colour.
+/// Linear colour of a stored one.
 vec3 linearColor(uint srgb) { return colorInCopy(linearFromSrgb(unpackUnorm4x8(srgb).rgb), srgb); }
 
 /// The colour of a triangle's place, as it is stored: that of the nearest corner, or in between. @param bits  of corners
@@ -32,5 +32,5 @@ uint cornerColor(uvec3 bits, uint corner, vec3 shares) {
     return (packUnorm4x8(vec4(mixed, 0.0)) & 0xffffffu) | (nearest & 0xff000000u);
 }
 
-/// Of a mesh's colour: 1 hides what is behind it.
+/// Opacity of a mesh's colour: 1 hides what is behind it.
 float opacityOf(uint bits) { return float((bits >> 25) + 1u) / 128.0; }

@@ -7,7 +7,7 @@
 // between them is drawn there, too.
 const float kTouching = 0.5;  // Å
 
-/// What a pixel shows, or what a rim is about.
+/// The surface that a pixel shows, or that a rim surrounds.
 struct Owner {
     uint copy;
     uint group;  // chain and residue of its atom, as engine/scene/atom_groups.h packs them

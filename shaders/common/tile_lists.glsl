@@ -134,7 +134,7 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
 #ifdef RIMS
     e.front = clamp(encodedDepth(frontZ), 0.0, 1.0);
 #endif
-    // What follows begins behind the chunk's last entry, up to a step of the order.
+    // The next entries begin behind the chunk's last one, up to a step of the order.
     e.next = encodedDepth(begins) - view.depthStep;
     return e;
 }

@@ -56,7 +56,7 @@ struct AtomBox {
     glm::vec3 low{1e30f}, high{-1e30f};
 
     void add(const glm::vec3& p);
-    /// What both boxes hold.
+    /// Keeps what both boxes hold.
     void cut(const AtomBox& other);
     AtomBox grown(float by) const { return {low - by, high + by}; }
     bool holds(const glm::vec3& p) const {
@@ -65,7 +65,7 @@ struct AtomBox {
 };
 AtomBox boxOf(const Molecule& molecule, const std::vector<bool>& atoms);
 
-/// Those in a box, groups by their first atoms: all that a search there has to look at.
+/// The features in a box, groups by their first atoms: all that a search there has to look at.
 Features featuresAround(const Features& features, const Molecule& molecule, const Chemistry& chemistry,
                         const AtomBox& box);
 
@@ -78,7 +78,7 @@ bool isSideChain(const Molecule& molecule, std::uint32_t atom);
 /// Metals that nitrogen coordinates, by Mol*'s list: groups 4 to 12 without mercury, and yttrium.
 bool isTransitionMetal(Element element);
 
-/// Those of an element, of a residue that is no larger than an amino acid.
+/// Atoms of an element in a residue that is no larger than an amino acid.
 std::vector<std::uint32_t> sideChainAtoms(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t residue,
                                           Element element);
 

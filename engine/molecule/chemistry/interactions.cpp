@@ -93,7 +93,7 @@ glm::dvec3 InteractionSearch::middle(const std::vector<std::uint32_t>& atoms) co
     return sum / static_cast<double>(atoms.size());
 }
 
-/// Of the best plane through a ring: the mean of the cross products around its middle.
+/// Normal of the best plane through a ring: the mean of the cross products around its middle.
 glm::dvec3 InteractionSearch::normal(const std::vector<std::uint32_t>& ring) const {
     const glm::dvec3 centre = middle(ring);
     glm::dvec3 sum(0);

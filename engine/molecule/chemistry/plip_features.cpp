@@ -41,8 +41,8 @@ public:
     }
 
 private:
-    /// Of five or six atoms; aromatic, or with the normals at all its atoms within 5 degrees of each other. Aromaticity
-    /// of rings that hold a metal depends on how their bonds are drawn: there the normals alone decide.
+    /// A ring of five or six atoms; aromatic, or with the normals at all its atoms within 5 degrees of each other.
+    /// Aromaticity of rings that hold a metal depends on how their bonds are drawn: there the normals alone decide.
     bool isFlatRing(const Ring& ring) const {
         constexpr double kMostBend = 5;
         if (ring.atoms.size() != 5 && ring.atoms.size() != 6) return false;

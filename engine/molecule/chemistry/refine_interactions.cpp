@@ -1,4 +1,4 @@
-// What stronger interactions of the same groups stand for is dropped, as Mol* and PLIP do.
+// Drops interactions that stronger ones of the same groups include, as Mol* and PLIP do.
 
 #include <algorithm>
 #include <array>
@@ -100,7 +100,7 @@ void dropHistidineCations(const InteractionSearch& search, std::vector<std::uint
     }
 }
 
-/// Of the contacts of a ligand's atom with one residue, the shortest. PLIP's program tells residues by their numbers
+/// The shortest contact of each ligand atom with each residue. PLIP's program tells residues by their numbers
 /// alone, whatever their chain.
 std::vector<std::size_t> shortestPerResidue(const InteractionSearch& search, const std::vector<std::uint8_t>& dropped) {
     std::map<AtomPair, std::size_t> best;
@@ -139,7 +139,7 @@ std::vector<std::size_t> clusters(const InteractionSearch& search, const std::ve
 /// Å: the radii of two carbons and 0.2. A contact as close as that is one, whatever becomes of the others.
 constexpr double kClosestCarbons = 3.6;
 
-/// What is merged below never leaves a residue without a contact that is close: then its shortest one stays.
+/// Merging never leaves a residue without a contact that is close: then its shortest one stays.
 void keepOnePerResidue(const InteractionSearch& search, const std::vector<std::size_t>& contacts,
                        std::vector<std::uint8_t>& dropped) {
     struct Best {

@@ -100,7 +100,7 @@ void findMolstarBridges(InteractionSearch& search, const PlaceGrid& grid) {
                   search.sides(bridge.first.atom, bridge.second.atom));
 }
 
-/// What PLIP thinks of as one ligand with its site.
+/// The residue that PLIP takes as the ligand of a bridge.
 std::uint32_t unitOf(const InteractionSearch& search, std::uint32_t acceptor, std::uint32_t donor) {
     const std::uint32_t first = search.residue(acceptor), second = search.residue(donor);
     const bool byDonor = search.features.receptor[first] && !search.features.receptor[second];
@@ -149,8 +149,8 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> busyDonors(const InteractionSe
     return busy;
 }
 
-/// Of the bridges of one water and ligand, those that PLIP's program leaves: of each acceptor the one whose angle is
-/// farthest from 110 degrees, then two of them, in the order of the ligand's acceptors, then the receptor's.
+/// The bridges of one water and ligand that PLIP's program keeps: one for each acceptor, whose angle is farthest from
+/// 110 degrees, then two of them, in the order of the ligand's acceptors, then the receptor's.
 std::vector<PlipBridge> keptByPlip(const InteractionSearch& search, std::vector<PlipBridge> bridges) {
     std::stable_sort(bridges.begin(), bridges.end(), [&](const PlipBridge& l, const PlipBridge& r) {
         const auto rank = [&](const PlipBridge& bridge) {

@@ -63,7 +63,7 @@ void Header::takeCrystal(std::string_view line) {
         if (!value || !(*value > 0 && *value < (i < 3 ? 1e6 : 180))) return;
         values[i] = *value;
     }
-    // What has no crystal says 1 1 1 90 90 90.
+    // Files without a crystal say 1 1 1 90 90 90.
     if (values[0] <= 1 && values[1] <= 1 && values[2] <= 1) return;
     cell_ = values;
     spaceGroup_ = nacre::trim(columns(line, 56, 66));

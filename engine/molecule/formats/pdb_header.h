@@ -1,5 +1,5 @@
 #pragma once
-// What the header of a PDB file says of the whole: CRYST1, COMPND, SOURCE, EXPDTA, HETNAM and HETSYN (wwPDB
+// Reads the header of a PDB file: CRYST1, COMPND, SOURCE, EXPDTA, HETNAM and HETSYN (wwPDB
 // format 3.3).
 
 #include <array>
