@@ -86,7 +86,7 @@ public:
 private:
     std::mutex turn_;
     std::optional<app::Canvas> canvas_;
-    std::tuple<std::string, Visibility, EncodedDepth, bool> key_;
+    decltype(deviceKey({})) key_;
 };
 
 /// Never destroyed: at the interpreter's end drivers may be gone already.

@@ -138,10 +138,10 @@ VKAPI_ATTR VkResult VKAPI_CALL surfaceCapabilities(VkPhysicalDevice device, VkSu
 
 // --- devices
 
-VKAPI_ATTR VkResult VKAPI_CALL enumerateDevices(VkInstance instance, std::uint32_t* count, VkPhysicalDevice* devices) {
-    const VkResult result = NACRE_LOADERS(instance, vkEnumeratePhysicalDevices)(instance, count, devices);
+VKAPI_ATTR VkResult VKAPI_CALL enumerateDevices(VkInstance instance, std::uint32_t* count, VkPhysicalDevice* found) {
+    const VkResult result = NACRE_LOADERS(instance, vkEnumeratePhysicalDevices)(instance, count, found);
     const std::lock_guard lock(mutex);
-    for (std::uint32_t i = 0; devices && i < *count; ++i) owners[devices[i]] = instance;
+    for (std::uint32_t i = 0; found && i < *count; ++i) owners[found[i]] = instance;
     return result;
 }
 
