@@ -427,7 +427,7 @@ TEST_F(Rules, ABufferCountsAsTrafficWhereOnePassHandsItToOthers) {
     g.output(b);
     g.output(made);
     const Plan plan = compile(g, caps);
-    EXPECT_EQ(plan.bufferTraffic, (std::vector<Traffic>{{2000, 1000}, {0, 0}, {0, 0}}));
+    EXPECT_EQ(plan.bufferTraffic, (std::vector<Traffic>{{2000, 1000}, {0, 0}, {0, 5}}));
 }
 
 TEST(VisibilityChoice, OfASoftwareDeviceIsTilesWhereComputeCanDrawThem) {
