@@ -59,6 +59,8 @@ TEST(HostMemory, ASteadyFrameTakesNone) {
             s.occlusion.cache = "a folder whose name is too long to fit into a string itself";
             s.occlusion.onProgress = [s](double) {};
             for (const std::uint32_t samples : {1u, RenderSettings::kEdges}) {
+                // The others draw such a picture twice, and look at the first to see where the second has samples.
+                if (samples == RenderSettings::kEdges && path != Visibility::tiles) continue;
                 s.supersample = samples;
                 EXPECT_EQ(takenByATurn(renderer, s, r.radius), 0u) << visibilityName(path) << ", " << samples;
             }
