@@ -76,7 +76,7 @@ TEST(Occlusion, OfMoreAtomsThanPatchesFitIsOneValueAnAtom) {
 
 TEST(Occlusion, OfLinesAloneHasNoAtlas) {
     const Representation r = scene("sample:glucose", Style::line);
-    ValidatedRenderer renderer(Visibility::encoded);
+    ValidatedRenderer renderer(Visibility::encoded, ValidatedRenderer::fresh);
     renderer->setScene(r);
     RenderSettings s = settings(r, 64, Projection::orthographic);
     s.occlusion.directions = 0;

@@ -39,7 +39,7 @@ TEST(PhoneProgram, StatsTellWhatLeftTheTile) {
     ASSERT_EQ(small["merges"].size(), 1u) << small;
     EXPECT_EQ(small["merges"][0]["carried_out"], 3);
     EXPECT_NE(small["merges"][0]["why"].get<std::string>().find("the tile is full"), std::string::npos);
-    ASSERT_EQ(large["transient_images"].size(), 2u);  // depth, and its encoding
+    ASSERT_EQ(large["transient_images"].size(), 4u);  // depth, and its encoding, of a coarse and a fine frame
     for (const Json& image : large["transient_images"]) EXPECT_EQ(image["committed"], 0) << image;
     for (const Json& image : small["transient_images"]) EXPECT_EQ(image["committed"], image["bytes"]) << image;
 }
