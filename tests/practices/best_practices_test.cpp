@@ -75,6 +75,7 @@ constexpr Allowed kOfLayers[] = {
 };
 
 constexpr Allowed kOfSamples[] = {
+    {"Pipeline-SortAndBind", "AMD, NVIDIA: a coarse frame shows where the fine one that follows has samples", kAmd},
     {"AllocateMemory-ReuseAllocations", "NVIDIA: what the samples are added up in goes with the picture", kNvidia,
      true},
 };
