@@ -270,13 +270,16 @@ private:
     void takeTexts(Structure& s, std::uint32_t firstAtom) {
         std::vector<std::uint32_t> colors;
         if (!s.labels.empty() && s.representation) colors = colorsOfAll(*s.representation, s, files_);
-        std::map<const Node*, LabelBalls> drawn;  // each list of labels is one thing to the camera
+        std::vector<std::pair<const Node*, LabelBalls>> drawn;  // each list of labels is one thing to the camera
         for (const Structure::Text& label : s.labels) {
             double depth = 0;
             guide_->primitives.labels.push_back(labelOf(
                 label.text, label.atoms, s,
                 colors.empty() ? std::nullopt : std::optional<std::uint32_t>(colors[label.atoms.front()]), &depth));
-            drawn[label.source].add(guide_->primitives.labels.back(), depth);
+            auto list =
+                std::find_if(drawn.begin(), drawn.end(), [&](const auto& d) { return d.first == label.source; });
+            if (list == drawn.end()) list = drawn.insert(drawn.end(), {label.source, {}});
+            list->second.add(guide_->primitives.labels.back(), depth);
         }
         for (const auto& [source, labels] : drawn) camera_.addDrawn(labels.balls());
         for (Structure::Text& tip : s.tooltips) {

@@ -15,7 +15,8 @@ namespace nacre::app::mvs {
 bool isScene(std::string_view bytes);
 /// The whole of a file if it is one; empty if not, or if it cannot be read. Little is read of what begins otherwise.
 std::optional<std::string> readScene(const std::string& path);
-inline bool isSceneFile(const std::string& path) { return readScene(path).has_value(); }
+/// Whether a file is one. Archives are not read.
+bool isSceneFile(const std::string& path);
 
 struct SceneFile {
     std::string name;

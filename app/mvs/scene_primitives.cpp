@@ -17,10 +17,6 @@ namespace {
 
 constexpr std::uint32_t kWhite = 0xffffffffu;
 
-[[noreturn]] void refusePrimitive(const Node& node, const std::string& why) {
-    throw Error("cannot draw scene", node.place, why);
-}
-
 double number(const Node& node, const char* name, double otherwise) {
     const Json* value = node.param(name);
     if (!value) return otherwise;
@@ -66,34 +62,6 @@ std::string replaced(std::string text, std::string_view what, const std::string&
     return text;
 }
 
-std::size_t countOf(const Primitives& p) {
-    std::size_t count =
-        p.lines.size() + p.arrows.size() + p.ellipsoids.size() + p.ellipses.size() + p.boxes.size() + p.labels.size();
-    for (const Primitives::Mesh& mesh : p.meshes) count += mesh.positions.size();
-    return count;
-}
-
-/// The same elsewhere; what is round keeps its radii.
-Primitives movedPrimitives(Primitives p, const glm::dmat4x3& motion) {
-    const auto place = [&](glm::dvec3& at) { at = motion * glm::dvec4(at, 1.0); };
-    const auto way = [&](glm::dvec3& direction) { direction = motion * glm::dvec4(direction, 0.0); };
-    for (Primitives::Line& line : p.lines) place(line.a), place(line.b);
-    for (Primitives::Arrow& arrow : p.arrows) place(arrow.from), place(arrow.to);
-    for (Primitives::Ellipsoid& ellipsoid : p.ellipsoids) {
-        place(ellipsoid.center);
-        for (glm::dvec3& axis : ellipsoid.axes) way(axis);
-    }
-    for (Primitives::Ellipse& ellipse : p.ellipses) place(ellipse.center), way(ellipse.major), way(ellipse.minor);
-    for (Primitives::Box& box : p.boxes) {
-        place(box.center);
-        for (glm::dvec3& axis : box.axes) way(axis);
-    }
-    for (Primitives::Mesh& mesh : p.meshes)
-        for (glm::dvec3& position : mesh.positions) place(position);
-    for (Primitives::Label& label : p.labels) place(label.at);
-    return p;
-}
-
 /// One group of primitives as it is read.
 class PrimitiveGroup {
 public:
@@ -121,34 +89,10 @@ public:
             all_.labels = labels;
         }
         if (number(group_, "label_opacity", 1) < kLeastOpacity) all_.labels.clear();
-        return instances();
+        return atInstances(group_, std::move(all_));
     }
 
 private:
-    /// All that was read, once per instance; once where none is stated.
-    Primitives instances() {
-        const Json* matrices = group_.param("instances");
-        if (!matrices) return std::move(all_);
-        if (!matrices->is_array()) refusePrimitive(group_, "instances is no list");
-        if (matrices->size() * countOf(all_) > kMostPrimitives)
-            refusePrimitive(group_, "its instances have more than " + std::to_string(kMostPrimitives) + " primitives");
-        Primitives result;
-        for (const Json& matrix : *matrices) {
-            if (!matrix.is_array() || matrix.size() != 16)
-                refusePrimitive(group_, "an instance is no list of 16 numbers");
-            glm::dmat4x3 motion(1.0);
-            for (int column = 0; column < 4; ++column)
-                for (int row = 0; row < 3; ++row) {
-                    const Json& each = matrix[static_cast<std::size_t>(4 * column + row)];
-                    if (!each.is_number() || !(std::abs(each.get<double>()) <= kFarthestPrimitive))
-                        refusePrimitive(group_, "an instance has a value that is no number within 1e6");
-                    motion[column][row] = each.get<double>();
-                }
-            result.append(movedPrimitives(all_, motion));
-        }
-        return result;
-    }
-
     void one(const Node& node) {
         const std::string kind = nodeText(node, "kind");
         const NodeRow* row = nodeRow("primitive:" + kind);
@@ -467,6 +411,8 @@ private:
 };
 
 }  // namespace
+
+void refusePrimitive(const Node& node, const std::string& why) { throw Error("cannot draw scene", node.place, why); }
 
 Primitives readPrimitives(const Node& group, const Structure* own, std::span<const Structure> structures,
                           SceneWarnings& warnings) {

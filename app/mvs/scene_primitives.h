@@ -21,6 +21,12 @@ struct PlaceBounds {
 Primitives readPrimitives(const Node& group, const Structure* own, std::span<const Structure> structures,
                           SceneWarnings& warnings);
 
+/// Primitives once per matrix of a group's `instances`; as they are if it has none. @throws Error
+Primitives atInstances(const Node& group, Primitives primitives);
+
+/// @throws Error with the node's place
+[[noreturn]] void refusePrimitive(const Node& node, const std::string& why);
+
 /// The label of some atoms, as Mol* sizes it: the cube root of how many they are.
 /// @param atoms  of the structure, ascending, at least one @param depth  Å from its place to the farthest atom
 Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& structure,

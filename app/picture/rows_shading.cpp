@@ -127,7 +127,7 @@ std::vector<Option> lineRows() {
         effect(
             "contour-weights", "1|3",
             "3: full width around chains, two thirds between residues more than 6 apart in a chain,\n"
-            "one third at other depth jumps. Drawn as --visibility deferred on every path",
+            "one third at other depth jumps. Paths other than tiles draw it as --visibility deferred",
             [](T text, P& d) {
                 d.effects.contours.weights = parseChoice(text, {"1", "3"}) == 0 ? 1 : 3;
             },
@@ -140,7 +140,7 @@ std::vector<Option> lineRows() {
         effect(
             "halos", "PIXELS|off",
             "Soft rims around foreground shapes, 0.1 to 64 pixels wide, denser the farther the background\n"
-            "lies behind. Drawn as --visibility deferred on every path",
+            "lies behind. Paths other than tiles draw it as --visibility deferred",
             [](T text, P& d) { parseWidth(text, d.effects.halos.width, d.haloPoints); },
             [](const P& d) { return offOr(d.effects.halos.width); }, {}, {"Halos", 0, 24, "Halos: %.1f px"}),
         effect("halo-depth", "A", "Distance behind in Å at which a halo is densest",

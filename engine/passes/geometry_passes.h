@@ -21,8 +21,9 @@ GeometryPass nearestDepth();
 /// @param settles  encoded depth is coarse (graph::EncodedFormat::settles): the depth buffer resolves ties
 GeometryPass impostorColor(Output output, const Reads& reads, const Encoding& encoding = {}, bool settles = false);
 
-/// The same of colour by kMultisamples of a pixel: one fragment for all that a primitive covers of them, exactly. Depth
-/// is one, too: where primitives cut into each other, samples of a pixel are not told apart.
+/// Colour with kMultisamples samples per pixel. A primitive has one fragment per pixel, which states the samples that
+/// it covers. That fragment has one depth: where primitives cut into each other, the line is as jagged as with one
+/// sample.
 /// @param reads  nearest depth from the depth buffer or the pass's own attachment
 GeometryPass multisampledColor(const Reads& reads);
 

@@ -9,10 +9,6 @@
 namespace nacre::test {
 namespace {
 
-float coded(float linear) {
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
-}
-
 /// Peak signal-to-noise ratio in dB, of sRGB-coded colour and of coverage.
 double likeness(const Picture& a, const Picture& b) {
     double sum = 0;

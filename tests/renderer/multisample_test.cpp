@@ -34,16 +34,12 @@ private:
     Renderer renderer_;
 };
 
-float codedSample(float linear) {
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
-}
-
 /// Peak signal-to-noise ratio in dB, of sRGB-coded colour over white.
 double decibels(const Picture& a, const Picture& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.rgba.size(); i += 4)
         for (std::size_t c = i; c < i + 3; ++c) {
-            const double d = codedSample(a.rgba[c]) - codedSample(b.rgba[c]);
+            const double d = coded(a.rgba[c]) - coded(b.rgba[c]);
             sum += d * d;
         }
     return 10 * std::log10(static_cast<double>(a.rgba.size()) * 0.75 / sum);

@@ -137,6 +137,11 @@ inline RenderSettings settings(const Representation& r, std::uint32_t size, Proj
     return s;
 }
 
+/// sRGB's code of a linear channel; both 0..1. IEC 61966-2-1.
+inline float coded(float linear) {
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+}
+
 /// Colour and occlusion, which are the same to the bit on every path: those of the first.
 struct PictureAndOcclusion {
     std::vector<float> rgba, occlusion;

@@ -3,14 +3,11 @@ import concurrent.futures
 import gzip
 import json
 import os
-import pathlib
 import re
-import shutil
 import sys
-import tempfile
 import unittest
 
-from served import PDB, ROOM, Client, Server
+from served import PDB, ROOM, Client, ServedTest, Server
 
 PROGRAM = sys.argv.pop(1)
 CLOSE = "Connection: close\r\n\r\n"
@@ -32,12 +29,12 @@ class Answer:
         self.body, self.rest = rest[:length], rest[length:]
 
 
-class AttackTest(unittest.TestCase):
+class AttackTest(ServedTest):
+    program = PROGRAM
+
     @classmethod
-    def setUpClass(cls):
-        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="nacre-attack-"))
-        cls.root = cls.folder / "root"
-        (cls.root / "below").mkdir(parents=True)
+    def fill(cls):
+        (cls.root / "below").mkdir()
         (cls.folder / "root2").mkdir()
         for place in ("root/gly.pdb", "root/below/gly.pdb", "secret.pdb", "root2/secret.pdb"):
             (cls.folder / place).write_text(PDB)
@@ -45,13 +42,6 @@ class AttackTest(unittest.TestCase):
         (cls.root / "link.pdb").symlink_to(cls.folder / "secret.pdb")
         (cls.root / "inside.pdb").symlink_to(cls.root / "gly.pdb")
         os.mkfifo(cls.root / "fifo.pdb")
-        cls.server = Server(PROGRAM, cls.folder, "--root", str(cls.root))
-
-    @classmethod
-    def tearDownClass(cls):
-        code = cls.server.stop()
-        shutil.rmtree(cls.folder)
-        assert code == 0, f"SIGTERM: exit status {code}"
 
     def tearDown(self):
         self.assertEqual(self.server.ask("health")[2], b"ok\n")

@@ -2,37 +2,26 @@
 import concurrent.futures
 import io
 import json
-import pathlib
 import re
-import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 import urllib.parse
 import zipfile
 
-from served import PDB, Server
+from served import PDB, ServedTest, Server
 
 PROGRAM = sys.argv.pop(1)
 
-class ServeTest(unittest.TestCase):
+class ServeTest(ServedTest):
+    program = PROGRAM
+
     @classmethod
-    def setUpClass(cls):
-        cls.folder = pathlib.Path(tempfile.mkdtemp())
-        cls.root = cls.folder / "root"
-        cls.root.mkdir()
+    def fill(cls):
         (cls.root / "gly.pdb").write_text(PDB)
         (cls.folder / "secret.pdb").write_text(PDB)
         (cls.root / "link.pdb").symlink_to(cls.folder / "secret.pdb")
         (cls.root / "bad.pdb").write_text("no atoms\n")
-        cls.server = Server(PROGRAM, cls.folder, "--root", str(cls.root))
-
-    @classmethod
-    def tearDownClass(cls):
-        code = cls.server.stop()
-        shutil.rmtree(cls.folder)
-        assert code == 0, f"SIGTERM: exit status {code}"
 
     def refused(self, path, status, words, data=None):
         got, headers, body = self.server.ask(path, data)

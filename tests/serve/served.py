@@ -2,9 +2,12 @@
 import os
 import pathlib
 import re
+import shutil
 import signal
 import socket
 import subprocess
+import tempfile
+import unittest
 import urllib.error
 import urllib.request
 
@@ -39,6 +42,24 @@ class Client:
 
     def cut(self):
         self.socket.close()
+
+
+class ServedTest(unittest.TestCase):
+    """A server for all tests of a class. `program` is nacre; fill() puts files into cls.folder and cls.root."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="nacre-serve-"))
+        cls.root = cls.folder / "root"
+        cls.root.mkdir()
+        cls.fill()
+        cls.server = Server(cls.program, cls.folder, "--root", str(cls.root))
+
+    @classmethod
+    def tearDownClass(cls):
+        code = cls.server.stop()
+        shutil.rmtree(cls.folder)
+        assert code == 0, f"SIGTERM: exit status {code}"
 
 
 class Server:
