@@ -11,7 +11,7 @@
 
 namespace nacre::app {
 
-/// The molecule of a scene, with its guide. What a scene names by an address is downloaded only if that is allowed;
+/// The molecule of a scene, with its guide. Files at addresses in the scene are downloaded only if that is allowed;
 /// files must stand in its folder. @param bytes  of the scene's file @throws Error
 Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptions& reading,
                    const std::function<void(double)>& onDownload = {});

@@ -219,8 +219,8 @@ std::vector<Option> reading() {
         {.key = "mvs-map",
          .syntax = "URL=PATH",
          .standard = "none",
-         .help = "File or folder to take what a MolViewSpec scene names by an address, or by one that begins "
-                 "so;\nrepeatable",
+         .help = "Reads a local file or folder in place of an address in a MolViewSpec scene, or of all that begin "
+                 "with it;\nrepeatable",
          .topic = Topic::reading,
          .facet = Facet::input,
          .parse = parseSceneMap,
