@@ -27,7 +27,7 @@ std::string joined(const MapJson& list, const char* between) {
 }  // namespace
 
 MapJson mapInfoJson(const DensityMap& map) {
-    const glm::dvec3 first = map.periodic ? map.place(glm::dvec3(map.boxStart)) : map.origin;
+    const glm::dvec3 first = map.place(glm::dvec3(map.firstNode()));
     const glm::dvec3 &l = map.cell.lengths, &a = map.cell.angles;
     MapJson json;
     json["format"] = map.format;

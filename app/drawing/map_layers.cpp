@@ -25,8 +25,6 @@ constexpr std::array<float, 4> kCrystalBlue{0.2f, 0.36f, 0.8f, 1}, kPositiveGree
 
 constexpr double kBoxOfFile = -1;  ///< a reach: what the file itself holds, not a crystal's cell
 
-glm::ivec3 firstOfFile(const DensityMap& map) { return map.periodic ? map.boxStart : glm::ivec3(0); }
-
 /// A map's region around some positions: kept, since mostly levels and colours change.
 struct KeptRegion {
     std::shared_ptr<const DensityMap> map;
@@ -49,8 +47,8 @@ std::shared_ptr<const MapRegion> regionOf(const std::shared_ptr<const DensityMap
             }
     }
     const auto region = !places.empty()       ? std::make_shared<const MapRegion>(*map, places, reach)
-                        : reach == kBoxOfFile ? std::make_shared<const MapRegion>(*map, firstOfFile(*map),
-                                                                                  firstOfFile(*map) + map->boxSize - 1)
+                        : reach == kBoxOfFile ? std::make_shared<const MapRegion>(*map, map->firstNode(),
+                                                                                  map->firstNode() + map->boxSize - 1)
                                               : std::make_shared<const MapRegion>(*map, glm::ivec3(0), map->size - 1);
     const std::lock_guard lock(mutex);
     kept.push_front({map, places, reach, region});

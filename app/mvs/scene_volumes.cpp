@@ -30,8 +30,6 @@ bool flagOf(const Node& node, const char* name, bool otherwise) {
     return value && value->is_boolean() ? value->get<bool>() : otherwise;
 }
 
-glm::ivec3 firstNode(const DensityMap& map) { return map.periodic ? map.boxStart : glm::ivec3(0); }
-
 /// The same values elsewhere.
 std::shared_ptr<const DensityMap> movedMap(const std::shared_ptr<const DensityMap>& map, const glm::dmat4x3& motion) {
     auto moved = std::make_shared<DensityMap>(*map);
@@ -49,7 +47,7 @@ Bounds boundsOfNodes(const DensityMap& map, const glm::dvec3& low, const glm::dv
 }
 
 Bounds boundsOfBox(const DensityMap& map) {
-    const glm::dvec3 first(firstNode(map));
+    const glm::dvec3 first(map.firstNode());
     return boundsOfNodes(map, first, first + glm::dvec3(map.boxSize));
 }
 
@@ -181,7 +179,7 @@ private:
 }  // namespace
 
 std::optional<Bounds> boundsOfContour(const DensityMap& map, double level) {
-    const glm::ivec3 first = firstNode(map), size = map.boxSize;
+    const glm::ivec3 first = map.firstNode(), size = map.boxSize;
     glm::ivec3 low = size, high(-1);
     for (int z = 0; z < size.z; ++z)
         for (int y = 0; y < size.y; ++y)

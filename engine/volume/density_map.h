@@ -44,6 +44,8 @@ struct DensityMap {
         return (static_cast<std::size_t>(node.z) * size.y + node.y) * size.x + node.x;
     }
     glm::dvec3 place(const glm::dvec3& node) const { return origin + step * node; }
+    /// The first of the boxSize nodes that the file holds.
+    glm::ivec3 firstNode() const { return periodic ? boxStart : glm::ivec3(0); }
     /// Grid coordinates of a position in Å.
     glm::dvec3 nodeAt(const glm::dvec3& position) const { return glm::inverse(step) * (position - origin); }
 };
