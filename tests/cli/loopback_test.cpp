@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "tests/support/run_program.h"
 
 namespace nacre::test {
@@ -9,8 +11,10 @@ namespace {
 
 TEST(Loopback, IsWhereLibrariesListenThatAskForAnyAddress) {
     const TemporaryFolder folder;
+    const std::filesystem::path library = folder / "late_bind.so";  // LD_PRELOAD ends a path at a space
+    std::filesystem::create_symlink(NACRE_LATE_BIND, library);
     const std::string preload =
-        "export LD_PRELOAD='" NACRE_LATE_BIND "' ASAN_OPTIONS=\"$ASAN_OPTIONS:verify_asan_link_order=0\"";
+        "export LD_PRELOAD='" + library.string() + "' ASAN_OPTIONS=\"$ASAN_OPTIONS:verify_asan_link_order=0\"";
     const Outcome run = nacreIn(folder, "--version", "", preload);
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_TRUE(run.out.ends_with("bound to 127.0.0.1\nbound to ::1\nbound to 127.0.0.2\n") ||
