@@ -44,17 +44,14 @@ class PageTest(unittest.TestCase):
         from selenium.webdriver.chrome.service import Service
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="nacre-page-"))
         cls.root = pathlib.Path(os.environ["NACRE_DATA"]) if os.environ.get("NACRE_LOAD") else cls.folder
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
         cls.server = Server(PROGRAM, cls.folder, "--root", str(cls.root))
+        cls.addClassCleanup(cls.server.stop)
         options = webdriver.ChromeOptions()
         for word in ("--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=900,700"):
             options.add_argument(word)
         cls.browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.quit()
-        cls.server.stop()
-        shutil.rmtree(cls.folder)
+        cls.addClassCleanup(cls.browser.quit)
 
     def tearDown(self):
         if os.environ.get("NACRE_SCREENSHOTS"):
