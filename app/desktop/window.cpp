@@ -197,7 +197,7 @@ bool Window::closing() const { return glfwWindowShouldClose(window_) != 0; }
 void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 
 void Window::handleEvents(double seconds) {
-    if (seconds <= 0)
+    if (seconds <= 0 || closing())
         glfwPollEvents();
     else if (std::isinf(seconds))
         glfwWaitEvents();

@@ -48,7 +48,8 @@ public:
     bool closing() const;
     void close();
 
-    /// Handles pending events, or waits for some.
+    /// Handles pending events, or waits for some. A window that is to close waits for nothing: the key that closed it
+    /// may have been the last event.
     /// @param seconds maximum wait; infinity: no limit
     void handleEvents(double seconds);
     /// Ends a wait. Thread-safe.
