@@ -16,64 +16,73 @@
 namespace nacre {
 namespace {
 
-// The standard's colours.
+// The standard's colours: www.ncbi.nlm.nih.gov/glycans/snfg.html, version 1.5.
 constexpr std::uint32_t kBlue = packedColor(0x0090bc), kGreen = packedColor(0x00a651), kYellow = packedColor(0xffd400),
                         kOrange = packedColor(0xf47920), kPink = packedColor(0xf69ea1), kPurple = packedColor(0xa54399),
                         kLightBlue = packedColor(0x8fcce9), kBrown = packedColor(0xa17a4d),
                         kRed = packedColor(0xed1c24);
 
-/// A sugar, and its residues in the chemical component dictionary, separated by blanks.
+/// A sugar, and its residues in the chemical component dictionary, separated by blanks. Shapes and colours as the
+/// standard's table has them; residues as Mol* 5.6 assigns them (carbohydrates/constants.ts), and N,N'-diacetylated
+/// bacillosamine. Mol* draws apiose green; the standard says blue.
 struct SugarRow {
     SugarSymbol symbol;
     std::string_view residues;
 };
 using enum SugarShape;
 constexpr SugarRow kSugars[] = {
-    {{"Glc", sphere, kBlue}, "GLC BGC"},
+    {{"Glc", sphere, kBlue}, "GLC BGC Z8T"},
     {{"Man", sphere, kGreen}, "MAN BMA"},
-    {{"Gal", sphere, kYellow}, "GAL GLA"},
-    {{"Gul", sphere, kOrange}, "GUP GL0"},
-    {{"Alt", sphere, kPink}, "SHD 3MK"},
-    {{"All", sphere, kPurple}, "ALL AFD"},
-    {{"Tal", sphere, kLightBlue}, "A5C"},
-    {{"Ido", sphere, kBrown}, "4N2"},
-    {{"GlcNAc", cube, kBlue}, "NAG NDG"},
+    {{"Gal", sphere, kYellow}, "GAL GLA GZL GXL GIV"},
+    {{"Gul", sphere, kOrange}, "GUP GL0 4GL Z8H"},
+    {{"Alt", sphere, kPink}, "SHD 3MK Z6H"},
+    {{"All", sphere, kPurple}, "ALL AFD WOO Z2D"},
+    {{"Tal", sphere, kLightBlue}, "A5C ZEE SDY"},
+    {{"Ido", sphere, kBrown}, "4N2 ZCD Z0F"},
+    {{"GlcNAc", cube, kBlue}, "NAG NDG NGZ"},
     {{"ManNAc", cube, kGreen}, "BM3 BM7"},
-    {{"GalNAc", cube, kYellow}, "A2G NGA"},
+    {{"GalNAc", cube, kYellow}, "A2G NGA YYQ"},
+    {{"GulNAc", cube, kOrange}, "LXB"},
     {{"AllNAc", cube, kPurple}, "NAA"},
-    {{"IdoNAc", cube, kBrown}, "HSQ"},
+    {{"IdoNAc", cube, kBrown}, "HSQ LXZ"},
     {{"GlcN", crossedCube, kBlue}, "GCS PA1"},
     {{"ManN", crossedCube, kGreen}, "95Z"},
     {{"GalN", crossedCube, kYellow}, "X6X 1GN"},
     {{"GlcA", dividedDiamond, kBlue}, "BDP GCU"},
     {{"ManA", dividedDiamond, kGreen}, "BEM MAV"},
-    {{"GalA", dividedDiamond, kYellow}, "ADA GTR"},
+    {{"GalA", dividedDiamond, kYellow}, "ADA GTR GTK"},
     {{"GulA", dividedDiamond, kOrange}, "LGU"},
+    {{"TalA", dividedDiamond, kLightBlue}, "X1X X0X"},
     {{"IdoA", dividedDiamond, kBrown}, "IDR"},
-    {{"Qui", cone, kBlue}, "G6D"},
-    {{"Rha", cone, kGreen}, "RAM RM4"},
-    {{"Fuc", cone, kRed}, "FUC FUL FCA FCB"},
+    {{"Qui", cone, kBlue}, "G6D YYK"},
+    {{"Rha", cone, kGreen}, "RAM RM4 XXR"},
+    {{"6dGul", cone, kOrange}, "66O"},
+    {{"Fuc", cone, kRed}, "FUC FUL FCA FCB GYE"},
+    {{"QuiNAc", dividedCone, kBlue}, "Z9W"},
     {{"FucNAc", dividedCone, kRed}, "49T"},
-    {{"Oli", flatRectangle, kBlue}, "DDA"},
+    {{"Oli", flatRectangle, kBlue}, "DDA RAE Z5J"},
     {{"Tyv", flatRectangle, kGreen}, "TYV"},
     {{"Abe", flatRectangle, kOrange}, "ABE"},
-    {{"Ara", star, kGreen}, "ARA ARB AHR FUB"},
-    {{"Lyx", star, kYellow}, "LDY"},
-    {{"Xyl", star, kOrange}, "XYP XYS"},
-    {{"Rib", star, kPink}, "RIP RIB BDR"},
+    {{"Par", flatRectangle, kPink}, "PZU"},
+    {{"Dig", flatRectangle, kPurple}, "Z3U"},
+    {{"Ara", star, kGreen}, "ARA ARB AHR FUB 64K BXY BXX SEJ"},
+    {{"Lyx", star, kYellow}, "LDY Z4W"},
+    {{"Xyl", star, kOrange}, "XYP XYS XYZ HSY LXC"},
+    {{"Rib", star, kPink}, "RIP RIB BDR YYM 0MK Z6J 32O"},
     {{"Kdn", diamond, kGreen}, "KDM KDN"},
     {{"Neu5Ac", diamond, kPurple}, "SIA SLB"},
     {{"Neu5Gc", diamond, kLightBlue}, "NGC NGE"},
     {{"Bac", flatHexagon, kBlue}, "B6D"},
     {{"LDmanHep", flatHexagon, kGreen}, "GMH"},
     {{"Kdo", flatHexagon, kYellow}, "KDO"},
+    {{"DDmanHep", flatHexagon, kPink}, "289"},
     {{"MurNAc", flatHexagon, kPurple}, "MUB AMU"},
-    {{"Mur", flatHexagon, kBrown}, "MUR"},
+    {{"Mur", flatHexagon, kBrown}, "MUR 1S4"},
     {{"Api", pentagon, kBlue}, "XXM"},
-    {{"Fru", pentagon, kGreen}, "FRU BDF"},
+    {{"Fru", pentagon, kGreen}, "FRU BDF Z9N LFR"},
     {{"Tag", pentagon, kYellow}, "T6T"},
-    {{"Sor", pentagon, kOrange}, "SOE"},
-    {{"Psi", pentagon, kPink}, "PSV"},
+    {{"Sor", pentagon, kOrange}, "SOE UEA"},
+    {{"Psi", pentagon, kPink}, "PSV SF6 SF9 TTV"},
 };
 
 /// Position and orientation of a sugar.

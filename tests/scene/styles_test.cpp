@@ -111,6 +111,32 @@ TEST(Sugars, HaveTheSymbolsOfTheStandard) {
     EXPECT_EQ(sugarSymbol(Name("ALA")), nullptr);
 }
 
+/// Rows of the standard's table, www.ncbi.nlm.nih.gov/glycans/snfg.html, with a residue each.
+TEST(Sugars, AgreeWithTheStandardsTable) {
+    const struct {
+        const char *residue, *sugar;
+        SugarShape shape;
+        std::uint32_t rgb;
+    } kRows[] = {
+        {"BGC", "Glc", SugarShape::sphere, 0x0090bc},         {"Z8H", "Gul", SugarShape::sphere, 0xf47920},
+        {"LXB", "GulNAc", SugarShape::cube, 0xf47920},        {"YYQ", "GalNAc", SugarShape::cube, 0xffd400},
+        {"95Z", "ManN", SugarShape::crossedCube, 0x00a651},   {"X1X", "TalA", SugarShape::dividedDiamond, 0x8fcce9},
+        {"66O", "6dGul", SugarShape::cone, 0xf47920},         {"GYE", "Fuc", SugarShape::cone, 0xed1c24},
+        {"Z9W", "QuiNAc", SugarShape::dividedCone, 0x0090bc}, {"PZU", "Par", SugarShape::flatRectangle, 0xf69ea1},
+        {"Z3U", "Dig", SugarShape::flatRectangle, 0xa54399},  {"64K", "Ara", SugarShape::star, 0x00a651},
+        {"NGC", "Neu5Gc", SugarShape::diamond, 0x8fcce9},     {"289", "DDmanHep", SugarShape::flatHexagon, 0xf69ea1},
+        {"1S4", "Mur", SugarShape::flatHexagon, 0xa17a4d},    {"XXM", "Api", SugarShape::pentagon, 0x0090bc},
+        {"LFR", "Fru", SugarShape::pentagon, 0x00a651},       {"TTV", "Psi", SugarShape::pentagon, 0xf69ea1},
+    };
+    for (const auto& row : kRows) {
+        const SugarSymbol* symbol = sugarSymbol(Name(row.residue));
+        ASSERT_NE(symbol, nullptr) << row.residue;
+        EXPECT_EQ(symbol->name, row.sugar) << row.residue;
+        EXPECT_EQ(symbol->shape, row.shape) << row.residue;
+        EXPECT_EQ(symbol->color, packedColor(row.rgb)) << row.residue;
+    }
+}
+
 TEST(Sugars, BesideACartoonAreSymbolsIfAskedFor) {
     NACRE_NEEDS_DATA();
     const Molecule m = readMoleculeFile(test::dataFile("1igy.pdb.gz"));
