@@ -15,7 +15,7 @@ namespace nacre::app::mvs {
 namespace {
 
 constexpr std::uint32_t kVolumeColor = 0xffffffffu;
-constexpr std::size_t kMostMapBytes = std::size_t{2} << 30;  // of the values of all maps, instances too
+constexpr std::size_t kMostMapBytes = std::size_t{2} << 30;  // of the values of a map
 
 std::optional<double> valueOf(const Node& node, const char* name, SceneWarnings& warnings) {
     const Json* value = node.param(name);
@@ -30,7 +30,7 @@ bool flagOf(const Node& node, const char* name, bool otherwise) {
     return value && value->is_boolean() ? value->get<bool>() : otherwise;
 }
 
-/// The same values elsewhere.
+/// The same values elsewhere, shared.
 std::shared_ptr<const DensityMap> movedMap(const std::shared_ptr<const DensityMap>& map, const glm::dmat4x3& motion) {
     auto moved = std::make_shared<DensityMap>(*map);
     moved->origin = motion * glm::dvec4(map->origin, 1.0);
@@ -82,9 +82,6 @@ private:
             if (child.kind == "instance") instances.push_back(motionOfNode(child));
         }
         if (instances.empty()) instances.emplace_back(1.0);
-        const std::size_t bytes = file->values.size() * sizeof(float);
-        if (instances.size() > 1 && bytes * instances.size() > kMostMapBytes)
-            throw Error("cannot draw scene", node_.place, "its instances take more than 2 GiB");
         for (const glm::dmat4x3& instance : instances) {
             const glm::dmat4x3 motion = joinedMotion(instance, moved);
             maps_.push_back(motion == glm::dmat4x3(1.0) ? file : movedMap(file, motion));

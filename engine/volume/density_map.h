@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/volume/map_values.h"
 #include "engine/volume/unit_cell.h"
 
 namespace nacre {
@@ -31,7 +32,7 @@ struct DensityMap {
     glm::ivec3 size{};                 ///< nodes along a, b and c
     glm::dvec3 origin{};               ///< place of node (0, 0, 0), Å
     glm::dmat3 step{1};                ///< columns: from a node to the next along a, b and c, Å
-    std::vector<float> values;         ///< a fastest, c slowest; not a number where nothing is known
+    MapValues values;                  ///< a fastest, c slowest; not a number where nothing is known
     MapStatistics statistics;          ///< of the cell of a crystal, else of the box
     std::array<int, 3> axes{1, 2, 3};  ///< in the file: which of a, b, c columns, rows and sections are
     glm::ivec3 boxSize{},

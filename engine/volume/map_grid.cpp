@@ -125,7 +125,7 @@ DensityMap completed(const std::string& name, const char* format, MapBox box, co
         map.values = wrappedIntoCell(box);
         std::vector<float>().swap(box.values);
         const auto& operations = box.operations.empty() ? operationsOf(box.spaceGroup, box.cell) : box.operations;
-        if (!spread(map.values, map.size, operations))
+        if (!spread(map.values.change(), map.size, operations))
             map.warnings.push_back("the grid does not fit space group " + std::to_string(box.spaceGroup) +
                                    ": what the file holds is drawn without symmetry copies");
         map.statistics = statisticsOf(map.values);
@@ -134,7 +134,7 @@ DensityMap completed(const std::string& name, const char* format, MapBox box, co
     map.size = box.size;
     map.values = std::move(box.values);
     map.origin = shift ? *shift : map.step * glm::dvec3(box.start);
-    forgetNonNumbers(map.values, map);
+    forgetNonNumbers(map.values.change(), map);
     map.statistics = statisticsOf(map.values);
     return map;
 }
@@ -157,7 +157,7 @@ DensityMap completed(const std::string& name, const char* format, const glm::ive
     map.origin = origin;
     map.step = step;
     map.values = std::move(values);
-    forgetNonNumbers(map.values, map);
+    forgetNonNumbers(map.values.change(), map);
     map.statistics = statisticsOf(map.values);
     return map;
 }

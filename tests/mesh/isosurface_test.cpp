@@ -36,7 +36,7 @@ DensityMap blobs(const glm::ivec3& size, bool periodic) {
                     const glm::dvec3 off = map.place({x, y, z}) - kMiddle - edges * shift;
                     sum += std::exp(-glm::dot(off, off) / (2 * kWidth * kWidth));
                 }
-                map.values.push_back(static_cast<float>(sum));
+                map.values.change().push_back(static_cast<float>(sum));
             }
     map.statistics = statisticsOf(map.values);
     return map;
@@ -118,7 +118,7 @@ TEST(Isosurface, LinesLieInThePlanesOfTheGrid) {
 TEST(Isosurface, EnclosesWhatIsLowerToo) {
     DensityMap map = blobs({36, 40, 44}, false);
     const Isosurface high = MapRegion(map, glm::ivec3(0), map.size - 1).at(0.3, true, IsosurfaceParts::triangles, {});
-    for (float& v : map.values) v = -v;
+    for (float& v : map.values.change()) v = -v;
     const Isosurface low = MapRegion(map, glm::ivec3(0), map.size - 1).at(-0.3, false, IsosurfaceParts::triangles, {});
     EXPECT_EQ(high.positions, low.positions);
     EXPECT_EQ(high.triangles, low.triangles);
@@ -129,7 +129,7 @@ TEST(Isosurface, IsCutWhereNothingIsKnown) {
     DensityMap map = blobs({36, 40, 44}, false);
     const int cut = 12;
     for (std::size_t i = 0; i < map.values.size(); ++i)
-        if (static_cast<int>(i % 36) > cut) map.values[i] = kUnknownDensity;
+        if (static_cast<int>(i % 36) > cut) map.values.change()[i] = kUnknownDensity;
     const Isosurface surface =
         MapRegion(map, glm::ivec3(0), map.size - 1).at(0.3, true, IsosurfaceParts::triangles, {});
     ASSERT_FALSE(surface.triangles.empty());

@@ -264,6 +264,16 @@ TEST(SceneVolumes, AbsoluteValuesWinAndTransformsMoveMaps) {
     EXPECT_LT(glm::distance(molecule.guide->volumes.front().ball.center, glm::dvec3(11, 1, 1)), 1e-9);
 }
 
+TEST(SceneVolumes, InstancesShareTheirValues) {
+    const Molecule molecule = built(volume(R"({"type": "isosurface", "absolute_isovalue": 0.5})", "",
+                                           R"({"kind": "instance", "params": {"translation": [10, 0, 0]}},
+                                              {"kind": "instance", "params": {"translation": [20, 0, 0]}},)"));
+    ASSERT_EQ(molecule.guide->volumes.size(), 2u);
+    const DensityMap &first = *molecule.guide->volumes[0].map, &second = *molecule.guide->volumes[1].map;
+    EXPECT_EQ(second.origin.x - first.origin.x, 10);
+    EXPECT_EQ(first.values.data(), second.values.data());
+}
+
 TEST(SceneVolumes, SlicesLieAtTheirNode) {
     const Molecule half = built(volume(R"({"type": "grid_slice", "dimension": "y", "relative_index": 0.4})"));
     ASSERT_EQ(half.guide->volumes.size(), 1u);
