@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/mvs/primitive_values.h"
 #include "app/mvs/scene_primitives.h"
 
 namespace nacre::app::mvs {

@@ -7,7 +7,8 @@
 #include <numbers>
 
 #include "app/mvs/node_table.h"
-#include "engine/error.h"
+#include "app/mvs/primitive_values.h"
+#include "app/mvs/scene_labels.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/scene_camera.h"
@@ -16,46 +17,6 @@ namespace nacre::app::mvs {
 namespace {
 
 constexpr std::uint32_t kWhite = 0xffffffffu;
-
-double number(const Node& node, const char* name, double otherwise) {
-    const Json* value = node.param(name);
-    if (!value) return otherwise;
-    if (!value->is_number() || !(std::abs(value->get<double>()) <= kFarthestPrimitive))
-        refusePrimitive(node, std::string(name) + " is no number within 1e6");
-    return value->get<double>();
-}
-
-bool flag(const Node& node, const char* name, bool otherwise) {
-    const Json* value = node.param(name);
-    return value && value->is_boolean() ? value->get<bool>() : otherwise;
-}
-
-glm::dvec3 vectorOf(const Node& node, const char* name, const Json& value) {
-    glm::dvec3 v(0);
-    if (!value.is_array() || value.size() != 3)
-        refusePrimitive(node, std::string(name) + " is no list of three numbers");
-    for (int i = 0; i < 3; ++i) {
-        const Json& each = value[static_cast<std::size_t>(i)];
-        if (!each.is_number() || !(std::abs(each.get<double>()) <= kFarthestPrimitive))
-            refusePrimitive(node, std::string(name) + " has a value that is no number within 1e6");
-        v[i] = each.get<double>();
-    }
-    return v;
-}
-
-std::vector<double> numbers(const Node& node, const char* name) {
-    const Json* value = node.param(name);
-    if (!value) return {};
-    if (!value->is_array()) refusePrimitive(node, std::string(name) + " is no list");
-    std::vector<double> list;
-    list.reserve(value->size());
-    for (const Json& each : *value) {
-        if (!each.is_number() || !(std::abs(each.get<double>()) <= 1e9))
-            refusePrimitive(node, std::string(name) + " has a value that is no number");
-        list.push_back(each.get<double>());
-    }
-    return list;
-}
 
 std::string replaced(std::string text, std::string_view what, const std::string& by) {
     if (const std::size_t at = text.find(what); at != std::string::npos) text.replace(at, what.size(), by);
@@ -412,46 +373,9 @@ private:
 
 }  // namespace
 
-void refusePrimitive(const Node& node, const std::string& why) { throw Error("cannot draw scene", node.place, why); }
-
 Primitives readPrimitives(const Node& group, const Structure* own, std::span<const Structure> structures,
                           SceneWarnings& warnings) {
     return PrimitiveGroup(group, own, structures, warnings).read();
-}
-
-glm::dmat4x3 firstMotionOf(const Structure& s) {
-    const glm::dmat4x3 copy = s.transforms.empty() ? glm::dmat4x3(1.0) : s.transforms.front();
-    const glm::dmat4x3 moved = joinedMotion(s.moved, copy);
-    return s.instances.empty() ? moved : joinedMotion(s.instances.front(), moved);
-}
-
-Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& s,
-                          std::optional<std::uint32_t> color, double* depth) {
-    const glm::dmat4x3 motion = firstMotionOf(s);
-    std::vector<glm::dvec4> points;
-    std::size_t heavy = 0;
-    for (const std::uint32_t atom : atoms) {
-        points.emplace_back(motion * glm::dvec4(glm::dvec3(s.molecule->atoms[atom].position), 1.0), 0.0);
-        if (!isHydrogen(s.molecule->atoms[atom].element)) ++heavy;
-    }
-    Primitives::Label label;
-    const Bounds sphere = extremeSphere(points);
-    label.at = sphere.center;
-    if (depth) *depth = sphere.radius;
-    label.text = withoutMarkup(text);
-    constexpr double kEm = 0.6;  // Å, measured in Mol*'s pictures
-    label.size = kEm * std::cbrt(static_cast<double>(heavy > 0 ? heavy : atoms.size()));
-    label.color = color;
-    return label;
-}
-
-std::string withoutMarkup(std::string_view text) {
-    std::string plain;
-    for (const char c : text) {
-        if (c == '_' || c == '^' || c == '\\' || c == '{' || c == '}') plain += '\\';
-        plain += c == '\n' ? ' ' : c;
-    }
-    return plain;
 }
 
 }  // namespace nacre::app::mvs

@@ -24,18 +24,4 @@ Primitives readPrimitives(const Node& group, const Structure* own, std::span<con
 /// Primitives once per matrix of a group's `instances`; as they are if it has none. @throws Error
 Primitives atInstances(const Node& group, Primitives primitives);
 
-/// @throws Error with the node's place
-[[noreturn]] void refusePrimitive(const Node& node, const std::string& why);
-
-/// The label of some atoms, as Mol* sizes it: the cube root of how many they are.
-/// @param atoms  of the structure, ascending, at least one @param depth  Å from its place to the farthest atom
-Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& structure,
-                          std::optional<std::uint32_t> color, double* depth = nullptr);
-
-/// Where an atom of a structure stands first: by its copies, transforms and instances.
-glm::dmat4x3 firstMotionOf(const Structure& structure);
-
-/// Plain text as labels take it, safe from being read as markup.
-std::string withoutMarkup(std::string_view text);
-
 }  // namespace nacre::app::mvs
