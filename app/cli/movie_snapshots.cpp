@@ -41,7 +41,8 @@ bool showsSnapshots(const MovieOptions& options) {
 MovieSnapshots::MovieSnapshots(const MovieOptions& options, Progress& progress)
     : options_(options),
       progress_(progress),
-      timeline_(snapshotsOf(filePathOf(options.picture.input)), options.loop),
+      scene_(options.picture.input),
+      timeline_(scene_.times(), options.loop),
       shots_(timeline_.count()) {
     const std::string& path = options.picture.input.path;
     if (timeline_.count() == 1)
@@ -68,7 +69,7 @@ MovieSnapshots::Shot& MovieSnapshots::ready(std::size_t number) {
     PictureDescription picture = options_.picture;
     picture.input.snapshot = static_cast<int>(number) + 1;
     auto made = std::make_unique<Shot>();
-    made->molecule = loadMolecule(picture.input, downloadProgress(progress_));
+    made->molecule = loadSnapshot(scene_, picture.input, downloadProgress(progress_));
     made->drawing.prepare(made->molecule, picture);
     for (const std::string& warning : made->drawing.warnings)
         sayWarning("snapshot " + std::to_string(number + 1) + ": " + warning);

@@ -57,6 +57,7 @@ private:
 
     const MovieOptions& options_;
     Progress& progress_;
+    OpenScene scene_;
     SnapshotTimeline timeline_;
     std::vector<std::unique_ptr<Shot>> shots_;  ///< null: not needed now
     std::uint64_t frames_ = 1;

@@ -57,10 +57,12 @@ PictureJob::PictureJob(const PictureDescription& options, Progress& progress)
     if (!options.capture.empty()) captureFile_.emplace(options.capture, ".rdc");
 }
 
-void PictureJob::prepare() {
+void PictureJob::prepare(OpenScene* scene) {
     progress_.begin("reading");
+    const auto onDownload = downloadProgress(progress_);
     const Molecule molecule =
-        loadMolecule(options_.input, downloadProgress(progress_), [&](double share) { progress_.advance(share); });
+        scene ? loadSnapshot(*scene, options_.input, onDownload)
+              : loadMolecule(options_.input, onDownload, [&](double share) { progress_.advance(share); });
     loadMaps(options_, downloadProgress(progress_));
     const double loadMs = millisecondsSince(start_);
     progress_.begin("building the scene");

@@ -14,6 +14,8 @@
 
 namespace nacre::app {
 
+class OpenScene;
+
 /// Makes the files that a picture's options ask for. Call the steps in this order, each on any thread.
 class PictureJob {
 public:
@@ -21,8 +23,8 @@ public:
     /// @param options, progress  outlive this @throws Error
     PictureJob(const PictureDescription& options, Progress& progress);
 
-    /// Reads the molecule and builds its scene. @throws Error
-    void prepare();
+    /// Reads the molecule and builds its scene. @param scene  the INPUT, if it is open; null: not @throws Error
+    void prepare(OpenScene* scene = nullptr);
     /// Draws everything: the only step on the device. Writes a picture that is not held whole meanwhile. @throws Error
     void draw(Canvas& canvas);
     /// Moves the files to their final names. @throws Error

@@ -30,7 +30,8 @@ DeviceOptions deviceOf(const PictureDescription& options) {
 
 /// A picture of each snapshot of a scene.
 void renderSnapshots(PictureDescription options) {
-    const std::size_t count = snapshotsOf(filePathOf(options.input)).size();
+    OpenScene scene(options.input);
+    const std::size_t count = scene.times().size();
     const PictureDescription all = options;
     Canvas canvas(deviceOf(options));
     for (std::size_t number = 1; number <= count; ++number) {
@@ -41,7 +42,7 @@ void renderSnapshots(PictureDescription options) {
         options.capture = numberedName(all.capture, number);
         Progress progress;
         PictureJob job(options, progress);
-        job.prepare();
+        job.prepare(&scene);
         for (const std::string& warning : job.warnings())
             sayWarning("snapshot " + std::to_string(number) + ": " + warning);
         job.draw(canvas);

@@ -94,12 +94,16 @@ void checkThere(const std::string& path) {
 }
 
 /// A scene brings molecules of its own, and the way they are shown.
-Molecule loadSceneFile(InputOptions input, std::string bytes, const std::function<void(double)>& onDownload) {
+void checkScene(const InputOptions& input) {
     if (!input.trajectory.path.empty())
         throw Error("cannot read scene", input.path, "a scene stands still: it takes no --trajectory");
     if (!input.further.empty())
         throw Error("cannot read scene", input.path, "a scene stands alone: name no other INPUT");
     if (input.addHydrogens) throw Error("cannot read scene", input.path, "its molecules take no hydrogens");
+}
+
+Molecule loadSceneFile(InputOptions input, std::string bytes, const std::function<void(double)>& onDownload) {
+    checkScene(input);
     if (!input.namedBy.empty()) input.path = namedPath(input);
     return loadScene(input, std::move(bytes), readWithin(memoryOf(input)), onDownload);
 }
@@ -136,6 +140,11 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
         molecules.push_back(loadStructure(next, onDownload, onModel));
     }
     return joinInputs(input, std::move(molecules), sayNote);
+}
+
+Molecule loadSnapshot(OpenScene& scene, const InputOptions& input, const std::function<void(double)>& onDownload) {
+    checkScene(input);
+    return scene.snapshot(input, readWithin(memoryOf(input)), onDownload);
 }
 
 std::unique_ptr<ModelFile> openModels(const InputOptions& input, const std::function<void(double)>& onDownload) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 
+#include "app/download/load_scene.h"
 #include "app/picture/input_options.h"
 #include "engine/error.h"
 #include "engine/molecule/model_file.h"
@@ -36,6 +37,9 @@ private:
 /// @throws Error, DownloadForbidden, InputMissing with a suggestion
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload = {},
                       const std::function<void(double)>& onModel = {});
+
+/// A snapshot of a scene that is open. @throws Error, DownloadForbidden
+Molecule loadSnapshot(OpenScene& scene, const InputOptions& input, const std::function<void(double)>& onDownload = {});
 
 /// The models of INPUT, each read on demand. @throws Error as above, or if there is only one
 std::unique_ptr<ModelFile> openModels(const InputOptions& input, const std::function<void(double)>& onDownload = {});

@@ -10,6 +10,7 @@
 #include "app/download/download.h"
 #include "app/download/load_molecule.h"
 #include "app/files/cache_folder.h"
+#include "app/input/input_files.h"
 #include "app/mvs/build_scene.h"
 #include "app/mvs/scene_file.h"
 #include "engine/error.h"
@@ -107,21 +108,46 @@ private:
     const std::function<void(double)>& onDownload_;
 };
 
+Molecule moleculeOf(const mvs::SceneFile& scene, const InputOptions& input, const mvs::SceneSources& sources) {
+    if (input.snapshot == kAllSnapshots)
+        throw Error("cannot read scene", input.path, "--snapshot all is for render and movie: name one snapshot");
+    const std::size_t snapshot = static_cast<std::size_t>(input.snapshot) - 1;
+    return mvs::buildScene(scene.tree, snapshot, scene.name, sources);
+}
+
 }  // namespace
 
 Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptions& reading,
                    const std::function<void(double)>& onDownload) {
     const mvs::SceneFile scene(input.path, std::move(bytes));
-    if (input.snapshot == kAllSnapshots)
-        throw Error("cannot read scene", input.path, "--snapshot all is for render and movie: name one snapshot");
-    const std::size_t snapshot = static_cast<std::size_t>(input.snapshot) - 1;
-    return mvs::buildScene(scene.tree, snapshot, scene.name, {SceneFetch(input, scene, reading, onDownload), reading});
+    return moleculeOf(scene, input, {SceneFetch(input, scene, reading, onDownload), reading});
 }
 
-std::vector<SnapshotTimes> snapshotsOf(const std::string& path) {
-    const mvs::SceneFile scene(path, mvs::readSceneBytes(path));
+OpenScene::OpenScene(const InputOptions& input) {
+    const std::string path = filePathOf(input);
+    file_ = std::make_unique<const mvs::SceneFile>(path, mvs::readSceneBytes(path));
+}
+
+OpenScene::~OpenScene() = default;
+
+Molecule OpenScene::snapshot(const InputOptions& input, const ReadOptions& reading,
+                             const std::function<void(double)>& onDownload) {
+    const SceneFetch fetch(input, *file_, reading, onDownload);
+    const auto once = [&](const std::string& uri) {
+        if (const auto known = fetched_.find(uri); known != fetched_.end()) return known->second;
+        std::string bytes = fetch(uri);
+        if (held_ + bytes.size() <= reading.maxBytes) {
+            held_ += bytes.size();
+            fetched_.emplace(uri, bytes);
+        }
+        return bytes;
+    };
+    return moleculeOf(*file_, input, {once, reading});
+}
+
+std::vector<SnapshotTimes> OpenScene::times() const {
     std::vector<SnapshotTimes> times;
-    for (const mvs::Snapshot& snapshot : scene.tree.snapshots)
+    for (const mvs::Snapshot& snapshot : file_->tree.snapshots)
         times.push_back({snapshot.lingerSeconds, snapshot.transitionSeconds});
     return times;
 }

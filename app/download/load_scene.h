@@ -2,6 +2,8 @@
 // MolViewSpec scenes as INPUT: what they name comes from their archive, their folder, a map, the cache or the network.
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,10 @@
 #include "engine/molecule/read.h"
 
 namespace nacre::app {
+
+namespace mvs {
+struct SceneFile;
+}
 
 /// The molecule of a scene, with its guide. Files at addresses in the scene are downloaded only if that is allowed;
 /// files must stand in its folder. @param bytes  of the scene's file @throws Error
@@ -20,7 +26,22 @@ Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptio
 struct SnapshotTimes {
     double linger = 0, transition = 0;
 };
-/// The snapshots of a scene's file. @throws Error if it is no scene
-std::vector<SnapshotTimes> snapshotsOf(const std::string& path);
+/// A scene of several snapshots: its file and those that it names are read once.
+class OpenScene {
+public:
+    /// @throws Error if its file is no scene
+    explicit OpenScene(const InputOptions& input);
+    ~OpenScene();
+
+    /// As loadScene(), of the snapshot that `input` names.
+    Molecule snapshot(const InputOptions& input, const ReadOptions& reading,
+                      const std::function<void(double)>& onDownload = {});
+    std::vector<SnapshotTimes> times() const;
+
+private:
+    std::unique_ptr<const mvs::SceneFile> file_;
+    std::map<std::string, std::string> fetched_;  ///< by the names in the scene
+    std::size_t held_ = 0;
+};
 
 }  // namespace nacre::app

@@ -1,6 +1,5 @@
 #include "app/mvs/scene_file.h"
 
-#include <array>
 #include <filesystem>
 #include <fstream>
 
@@ -11,21 +10,27 @@ namespace {
 
 constexpr std::uint64_t kMostArchiveBytes = 512ull << 20;
 
-enum class Beginning { archive, object, other };
+[[noreturn]] void refuseLarge(const std::string& path) {
+    throw Error("cannot read scene", path, "it is larger than " + std::to_string(kMostArchiveBytes >> 20) + " MiB");
+}
 
-/// How a file begins: as an archive, or as JSON that may be a scene.
-Beginning beginningOf(const std::string& path) {
+/// Reads a file until it is known to be a scene. @returns what was read; empty: it is none, or cannot be read
+std::string beginningOfScene(const std::string& path, std::ifstream& file) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error)) return Beginning::other;
-    std::ifstream file(path, std::ios::binary);
-    std::array<char, 4096> start{};
-    file.read(start.data(), start.size());
-    const std::string_view head(start.data(), static_cast<std::size_t>(file.gcount()));
-    if (looksLikeArchive(head)) return Beginning::archive;
-    const std::size_t first = head.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos || head[first] != '{') return Beginning::other;
-    if (head.find("\"data_") < 64 || std::filesystem::file_size(path, error) > kMostSceneBytes) return Beginning::other;
-    return Beginning::object;
+    if (!std::filesystem::is_regular_file(path, error)) return {};
+    const bool tooLarge = std::filesystem::file_size(path, error) > kMostSceneBytes;
+    file.open(path, std::ios::binary);
+    std::string bytes;
+    for (std::size_t size = 4096;; size *= 2) {
+        const std::size_t before = bytes.size();
+        bytes.resize(size);
+        file.read(bytes.data() + before, static_cast<std::streamsize>(size - before));
+        bytes.resize(before + static_cast<std::size_t>(file.gcount()));
+        if (looksLikeArchive(bytes)) return bytes;
+        if (tooLarge || error || !mayBeScene(bytes)) return {};
+        if (looksLikeScene(bytes)) return bytes;
+        if (bytes.size() < size) return {};
+    }
 }
 
 }  // namespace
@@ -33,28 +38,34 @@ Beginning beginningOf(const std::string& path) {
 bool isScene(std::string_view bytes) { return looksLikeArchive(bytes) || looksLikeScene(bytes); }
 
 std::optional<std::string> readScene(const std::string& path) {
-    const Beginning beginning = beginningOf(path);
-    if (beginning == Beginning::other) return std::nullopt;
-    std::string bytes = readSceneBytes(path);
-    if (beginning == Beginning::object && !looksLikeScene(bytes)) return std::nullopt;
+    std::ifstream file;
+    std::string bytes = beginningOfScene(path, file);
+    if (bytes.empty()) return std::nullopt;
+    std::error_code error;
+    const std::uint64_t size = std::filesystem::file_size(path, error);
+    if (error) throw Error("cannot read scene", path, error.message());
+    if (size > kMostArchiveBytes) refuseLarge(path);
+    const std::size_t before = bytes.size();
+    if (size <= before) return bytes;
+    bytes.resize(size);
+    file.read(bytes.data() + before, static_cast<std::streamsize>(size - before));
+    bytes.resize(before + static_cast<std::size_t>(file.gcount()));
     return bytes;
 }
 
 bool isSceneFile(const std::string& path) {
-    return beginningOf(path) == Beginning::archive || readScene(path).has_value();
+    std::ifstream file;
+    return !beginningOfScene(path, file).empty();
 }
 
 std::string readSceneBytes(const std::string& path) {
-    std::error_code error;
-    const std::uint64_t size = std::filesystem::file_size(path, error);
-    if (error) throw Error("cannot read scene", path, error.message());
-    if (size > kMostArchiveBytes)
-        throw Error("cannot read scene", path, "it is larger than " + std::to_string(kMostArchiveBytes >> 20) + " MiB");
-    std::string bytes(size, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(bytes.data(), static_cast<std::streamsize>(size));
-    bytes.resize(static_cast<std::size_t>(file.gcount()));
-    return bytes;
+    std::optional<std::string> bytes = readScene(path);
+    if (!bytes) throw Error("cannot read scene", path, "it is none");
+    return std::move(*bytes);
+}
+
+std::string sceneText(const std::string& name, std::string bytes) {
+    return looksLikeArchive(bytes) ? SceneArchive(name, std::move(bytes)).read("index.mvsj") : bytes;
 }
 
 SceneFile::SceneFile(const std::string& itsName, std::string bytes) : name(itsName) {

@@ -13,9 +13,10 @@ namespace nacre::app::mvs {
 
 /// Whether bytes are a scene. @param whole  they are all of the file
 bool isScene(std::string_view bytes);
-/// The whole of a file if it is one; empty if not, or if it cannot be read. Little is read of what begins otherwise.
+/// The whole of a file if it is one; empty if not, or if it cannot be read. What is none is read no further than needed
+/// to tell.
 std::optional<std::string> readScene(const std::string& path);
-/// Whether a file is one. Archives are not read.
+/// Whether a file is one, read no further than needed to tell.
 bool isSceneFile(const std::string& path);
 
 struct SceneFile {
@@ -27,7 +28,10 @@ struct SceneFile {
     SceneFile(const std::string& name, std::string bytes);
 };
 
-/// The whole of a file. @throws Error if it cannot be read or is larger than a scene may be
+/// The JSON of a scene. @param bytes  of its file @throws Error
+std::string sceneText(const std::string& name, std::string bytes);
+
+/// The whole of a file. @throws Error if it is no scene, or is larger than one may be
 std::string readSceneBytes(const std::string& path);
 
 }  // namespace nacre::app::mvs

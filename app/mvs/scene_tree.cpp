@@ -89,12 +89,16 @@ const Json* Node::param(const char* name) const {
     return found == params.end() || found->is_null() ? nullptr : &*found;
 }
 
-bool looksLikeScene(std::string_view text) {
+bool mayBeScene(std::string_view text) {
     const std::size_t start = text.find_first_not_of(" \t\r\n");
     if (start == std::string_view::npos || text[start] != '{') return false;
     const std::size_t key = text.find_first_not_of(" \t\r\n", start + 1);
     // mmJSON begins with its data block, and may be large.
-    if (key == std::string_view::npos || text.substr(key).starts_with("\"data_")) return false;
+    return key != std::string_view::npos && !text.substr(key).starts_with("\"data_");
+}
+
+bool looksLikeScene(std::string_view text) {
+    if (!mayBeScene(text)) return false;
     const bool tree = text.find("\"root\"") != std::string_view::npos;
     return tree && (text.find("\"kind\"") != std::string_view::npos);
 }

@@ -38,6 +38,8 @@ struct SceneTree {
     bool several = false;             ///< the file is a list of snapshots
 };
 
+/// Whether a text may go on to be a scene: it begins as one.
+bool mayBeScene(std::string_view beginning);
 /// Whether a text is a scene, told by its first keys without parsing it whole.
 bool looksLikeScene(std::string_view text);
 

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 #include "app/cli/movie_snapshots.h"
+#include "app/download/load_molecule.h"
+#include "app/download/load_scene.h"
 #include "tests/support/run_program.h"
 
 namespace nacre {
@@ -65,6 +68,26 @@ TEST(Snapshots, AMovieRestsAtEachAndGoesOverIntoTheNext) {
     EXPECT_EQ(frame(6), frame(10));
     const Outcome spin = nacreIn(folder, std::string("movie s.mvsj --snapshot all --spin y -o a.gif") + kTinyPicture);
     EXPECT_EQ(spin.code, 2) << spin.err;
+}
+
+TEST(Snapshots, AnOpenSceneReadsItsFilesOnce) {
+    const TemporaryFolder folder;
+    const std::string root = R"({"root": {"kind": "root", "children": [{"kind": "download", "params": {"url": "m.pdb"},
+        "children": [{"kind": "parse", "params": {"format": "pdb"}, "children": [{"kind": "structure", "params":
+        {"type": "model"}, "children": [{"kind": "component", "params": {"selector": "all"}, "children": [
+        {"kind": "representation", "params": {"type": "spacefill"}}]}]}]}]}]}})";
+    std::ofstream(folder / "s.mvsj") << R"({"snapshots": [)" << root << "," << root << "]}";
+    std::ofstream(folder / "m.pdb")
+        << "HETATM    1 ZN    ZN A   1       1.000   2.000   3.000  1.00  0.00          ZN\n";
+    app::InputOptions input;
+    input.path = folder / "s.mvsj";
+    app::OpenScene scene(input);
+    std::filesystem::remove(folder / "s.mvsj");
+    EXPECT_EQ(app::loadSnapshot(scene, input).atoms.size(), 1u);
+    std::filesystem::remove(folder / "m.pdb");
+    input.snapshot = 2;
+    EXPECT_EQ(app::loadSnapshot(scene, input).atoms.size(), 1u);
+    EXPECT_EQ(scene.times().size(), 2u);
 }
 
 TEST(Snapshots, TimesThatNobodyStatesAreTwoSecondsEach) {

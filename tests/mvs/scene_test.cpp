@@ -4,6 +4,7 @@
 #include <zip.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -15,6 +16,7 @@
 #include "engine/error.h"
 #include "engine/scene/scene_guide.h"
 #include "engine/scene/scene_layers.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre::app::mvs {
 namespace {
@@ -349,6 +351,17 @@ std::string zipOf(const std::vector<std::pair<std::string, std::string>>& entrie
     zip_source_close(out);
     zip_source_free(out);
     return bytes;
+}
+
+TEST(SceneFiles, AreKnownByWordsThatComeLate) {
+    const test::TemporaryFolder folder;
+    const std::string text = R"({"metadata": {"description": ")" + std::string(100'000, 'x') + R"("}, )";
+    std::ofstream(folder / "a") << text << R"("root": {"kind": "root"}})";
+    EXPECT_TRUE(isSceneFile(folder / "a"));
+    EXPECT_EQ(readScene(folder / "a")->size(), std::filesystem::file_size(std::string(folder / "a")));
+    std::ofstream(folder / "c") << R"({"data_1ABC": {"root": {"kind": "root"}}})";
+    EXPECT_FALSE(isSceneFile(folder / "c"));
+    EXPECT_FALSE(readScene(folder / "none"));
 }
 
 TEST(SceneArchives, HoldTheirFilesAndNothingElse) {
