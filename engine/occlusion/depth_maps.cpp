@@ -19,8 +19,13 @@ constexpr double kPixelsOfMesh = 2.5;
 // A mesh shows more of each such atom than of a stick or a ball: thin ones between the ribbons of a cartoon, which
 // would have four times the pixels, take a map that fits both.
 constexpr double kShareOfMesh = 4;
-// Error of meshes' levels, pixels of a map: within the slack that a question allows.
-constexpr double kMeshError = 0.25;
+// Error of meshes' levels, pixels of a map: within the slack that a question allows, which is a pixel. Up to
+// kMostMeshError where maps of many copies are coarser.
+constexpr double kMeshError = 0.25, kMostMeshError = 0.5;
+// With more triangles than these in all copies, maps show meshes by fewer pixels per Å, down to a share. The cartoon of
+// 1TQN in 27 cells has 19 million: a pixel is 0.6 instead of 0.4 Å, and its ribbons stand within 0.19 instead of 0.095
+// Å.
+constexpr double kManyTriangles = 8e6, kLeastShare = 0.4;
 constexpr double kSmallest = 128, kLargest = 2048;
 // Primitives that tiles draw at a time: their lists take the host some 30 bytes each.
 constexpr std::uint64_t kMostPrimitives = 1'400'000;
@@ -64,13 +69,21 @@ std::vector<passes::PlacedCopies::Call> between(const std::vector<passes::Placed
     return parts;
 }
 
+/// The share of their pixels that meshes in many copies have: pictures of all copies show each of them small.
+double shareOfPixels(const Representation& r) {
+    double triangles = 0;
+    for (const PrimitiveRun& run : r.copies.triangles)
+        triangles += static_cast<double>(run.count) * static_cast<double>(r.copies.lists[run.list].size());
+    return std::clamp(std::sqrt(kManyTriangles / std::max(triangles, 1.0)), kLeastShare, 1.0);
+}
+
 /// Pixels per Å that the primitives want on the average.
 double wantedResolution(const Representation& r) {
     double sum = 0;
     for (const Sphere& s : r.spheres) sum += kPixelsPerSphere / s.radius;
     for (const Cylinder& c : r.cylinders) sum += kPixelsPerCylinder / c.radius;
     const double meshes = kShareOfMesh * static_cast<double>(r.meshLooks.size());
-    sum += kPixelsOfMesh * meshes;
+    sum += kPixelsOfMesh * shareOfPixels(r) * meshes;
     const double count = static_cast<double>(r.spheres.size() + r.cylinders.size()) + meshes;
     return sum / std::max(count, 1.0);
 }
@@ -87,6 +100,7 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
     };
     const double wanted = std::ceil(2.0 * representation.radius * wantedResolution(representation) / 8.0) * 8.0;
     const double fits = std::floor(std::sqrt(static_cast<double>(budgetBytes) / each) / 8.0) * 8.0;
+    meshError = std::min(kMeshError / shareOfPixels(representation), kMostMeshError);
     pixels = static_cast<std::uint32_t>(
         std::max(std::min(std::clamp(wanted, std::min(kSmallest, 4.0 * detail), kLargest), fits), 8.0));
     while (pixels > 8 && bytesOf(1) > budgetBytes) pixels -= 8;
@@ -149,7 +163,7 @@ layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_
 passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t model, MapPart part) const {
     const View seen = view(frame);
     // Which model a triangle belongs to is known of the finest level alone.
-    const double error = runs_.size() > 1 ? 0 : errorInSpace(seen, kMeshError);
+    const double error = runs_.size() > 1 ? 0 : errorInSpace(seen, sizes_.meshError);
     passes::PlacedCopies all = passes::placeCopies(representation_, seen, nullptr, 0, error);
     // Light goes through what is translucent.
     passes::choose(all.triangles, translucent_, passes::Triangles::opaque);

@@ -22,6 +22,7 @@ namespace nacre::occlusion {
 struct DepthMapSizes {
     std::uint32_t pixels = 0, perBatch = 1;
     std::uint64_t bytes = 0, mostPrimitives = 0;  ///< per batch; per draw of the tile path
+    double meshError = 0;                         ///< of the meshes that are drawn, pixels
     DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path,
                   std::uint64_t budgetBytes, std::uint32_t detail);
 };

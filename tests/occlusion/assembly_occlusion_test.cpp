@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "engine/gpu/caps.h"
 #include "engine/occlusion/copies.h"
+#include "engine/occlusion/depth_maps.h"
 #include "tests/renderer/scenes.h"
 #include "tests/support/written_out.h"
 
@@ -118,6 +120,31 @@ TEST(AssemblyOcclusion, OfTwoPartsWithTheirOwnCopies) {
     std::cout << "mean " << d.mean << ", RMS " << d.rootMeanSquare << "\n";
     EXPECT_LE(std::abs(d.mean), 0.005);
     EXPECT_LE(d.rootMeanSquare, 0.01);
+}
+
+TEST(AssemblyOcclusion, MeshesInManyCopiesHaveCoarserMaps) {
+    Representation r;
+    r.radius = 313;
+    r.triangles.resize(86'000);
+    r.meshLooks.resize(4000);
+    gpu::Caps caps;
+    caps.maxImageSize = 16384;
+    const auto sizesOf = [&](std::size_t copies) {
+        std::vector<std::uint32_t> all(copies);
+        for (std::uint32_t i = 0; i < copies; ++i) all[i] = i;
+        r.copies.transforms.assign(copies, glm::dmat4x3(1.0));
+        r.copies.lists = {all};
+        r.copies.triangles = {{0, 86'000, 0, {}, 0}};
+        return occlusion::DepthMapSizes(caps, r, OcclusionMaps::tiles, 64u << 20, 32);
+    };
+    const occlusion::DepthMapSizes few = sizesOf(40), many = sizesOf(216), most = sizesOf(20'000);
+    EXPECT_EQ(few.pixels, 1568u);
+    EXPECT_EQ(few.meshError, 0.25);
+    const double share = std::sqrt(8e6 / (216 * 86e3));
+    EXPECT_NEAR(many.pixels, 1568 * share, 8);
+    EXPECT_NEAR(many.meshError, 0.25 / share, 1e-9);
+    EXPECT_NEAR(most.pixels, 1568 * 0.4, 8);
+    EXPECT_EQ(most.meshError, 0.5);
 }
 
 }  // namespace
