@@ -9,6 +9,7 @@
 
 #include "engine/scene/mesh_streams.h"
 #include "engine/scene/orientation.h"
+#include "engine/scene/write_out_copies.h"
 
 namespace nacre {
 namespace {
@@ -118,14 +119,31 @@ SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, doub
     return result;
 }
 
+SceneCamera cameraOf(const View& view, const glm::dvec3& center) {
+    SceneCamera camera;
+    const glm::dmat3 back = glm::transpose(view.rotation);
+    const double half = glm::radians(camera.fovDegrees) / 2;
+    const double shape = std::min(1.0, static_cast<double>(view.width) / view.height);
+    camera.target = center - back * glm::dvec3(view.pan, 0);
+    camera.direction = -back[2];
+    camera.up = back[1];
+    camera.radius = view.height / (2 * view.pixelsPerAngstrom) * std::cos(half) * shape;
+    return camera;
+}
+
 void dropOutside(Representation& r, const SceneView& seen) {
     const Clip& clip = seen.clip;
-    if (!clip.on() || !r.copies.transforms.empty()) return;
+    if (!clip.on()) return;
     const glm::dvec3 away = -glm::dvec3(seen.view.rotation[0].z, seen.view.rotation[1].z, seen.view.rotation[2].z);
     const auto depth = [&](const glm::vec3& p) { return glm::dot(glm::dvec3(p), away); };
     const auto inside = [&](double low, double high) {
         return high >= clip.near && low <= clip.far && low >= clip.near - seen.room && high <= clip.far + seen.room;
     };
+    const auto meets = [&](const glm::dvec3& center, double radius) {
+        const double at = glm::dot(center, away);
+        return inside(at - radius, at + radius);
+    };
+    if (!r.copies.transforms.empty() && !writeOutCopies(r, meets)) return;
     keepSpheres(r, [&](const Sphere& sphere) {
         const double at = depth(sphere.center), radius = static_cast<double>(sphere.radius);
         return inside(at - radius, at + radius);

@@ -21,7 +21,12 @@ struct SceneView {
 SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, double reach, std::uint32_t width,
                  std::uint32_t height);
 
-/// Leaves out what is wholly before or behind the planes: an eye may stand among atoms. Not of a scene with copies.
+/// The camera that sees a view's picture, in perspective: at the plane through the target in the same scale.
+/// @param center  of the view's scene, in the file's frame
+SceneCamera cameraOf(const View& view, const glm::dvec3& center);
+
+/// Leaves out what is wholly before or behind the planes: an eye may stand among atoms. Copies that the planes
+/// meet are written out.
 void dropOutside(Representation& scene, const SceneView& view);
 
 /// The extreme points of some balls in 98 directions (T. Larsson, Fast and Tight Fitting Bounding Spheres, SIGRAD
