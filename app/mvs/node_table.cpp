@@ -24,8 +24,8 @@ constexpr NodeRow kRows[] = {
     {"component_from_source", kSourceValues, "", ""},
     {"representation", "type", "", "types: the rows below"},
     {"representation:cartoon", "type tubular_helices", "size_factor", ""},
-    {"representation:ball_and_stick", "type ignore_hydrogens size_factor", "", "of opacity: drawn opaque"},
-    {"representation:spacefill", "type ignore_hydrogens size_factor", "", "of opacity: drawn opaque"},
+    {"representation:ball_and_stick", "type ignore_hydrogens size_factor", "", ""},
+    {"representation:spacefill", "type ignore_hydrogens size_factor", "", ""},
     {"representation:surface", "type ignore_hydrogens surface_type", "size_factor", ""},
     {"representation:line", "type ignore_hydrogens size_factor", "", ""},
     {"representation:backbone", "type size_factor", "", ""},
@@ -34,7 +34,7 @@ constexpr NodeRow kRows[] = {
     {"color", "color selector", "", ""},
     {"color_from_uri", kUri, "", ""},
     {"color_from_source", kSource, "", ""},
-    {"opacity", "opacity selector", "", "of cartoons and surfaces"},
+    {"opacity", "opacity selector", "", "not of lines; atoms and bonds become triangles, up to 20,000 atoms"},
     {"label", "text", "", ""},
     {"label_from_uri", kUri, "", ""},
     {"label_from_source", kSource, "", ""},
@@ -112,8 +112,7 @@ std::string nodeTable() {
     for (const NodeRow& row : kRows) {
         std::string kind(row.kind);
         if (const std::size_t colon = kind.find(':'); colon != std::string::npos) kind.replace(colon, 1, " ");
-        table += "| " + kind + " | | " + (row.kind.starts_with("volume") ? "no" : "yes") + " | " +
-                 std::string(row.remark) + " |\n";
+        table += "| " + kind + " | | yes | " + std::string(row.remark) + " |\n";
         add(row, row.params, "yes");
         add(row, row.unused, "no");
     }

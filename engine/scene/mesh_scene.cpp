@@ -35,10 +35,11 @@ private:
     const MeshAtoms& seen_;
 };
 
-SphereLook sugarLook(const Molecule& molecule, std::uint32_t atom) {
+SphereLook sugarLook(const Molecule& molecule, const MeshLooks& looks, std::uint32_t atom) {
     const std::uint32_t index = atom & ~kWhiteHalf;
+    const double opacity = opacitySteps(looks(index).color) / double{kOpacitySteps};
     const SugarSymbol* symbol = sugarSymbol(molecule.residues[molecule.atoms[index].residue].name);
-    return {atom == index ? symbol->color : packedColor(0xffffff), index + 1};
+    return {withOpacity(atom == index ? symbol->color : packedColor(0xffffff), opacity), index + 1};
 }
 
 }  // namespace
@@ -53,7 +54,8 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
     for (const std::uint32_t atom : appearance.cartoon.atoms) groups[groupOf(atom)].cartoon.push_back(atom);
     for (const std::uint32_t atom : appearance.surface.atoms) groups[groupOf(atom)].surface.push_back(atom);
     for (const std::uint32_t atom : appearance.sugars.atoms) groups[groupOf(atom)].sugars.push_back(atom);
-    const MeshLooks ofCartoon(molecule, appearance.cartoon), ofSurface(molecule, appearance.surface);
+    const MeshLooks ofCartoon(molecule, appearance.cartoon), ofSurface(molecule, appearance.surface),
+        ofSugars(molecule, appearance.sugars);
     for (const auto& [number, group] : groups) {
         if (!group.cartoon.empty())
             appendMesh(cartoon(facts, group.cartoon, facts.folds(), options.cartoon, representation.center), {},
@@ -67,7 +69,7 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
             appendMesh(
                 sugarSymbols(molecule, group.sugars, {options.carbohydrates == Carbohydrates::icon},
                              representation.center),
-                {}, [&](std::uint32_t atom) { return sugarLook(molecule, atom); }, representation);
+                {}, [&](std::uint32_t atom) { return sugarLook(molecule, ofSugars, atom); }, representation);
     }
 }
 

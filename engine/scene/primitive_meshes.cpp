@@ -121,8 +121,13 @@ void PrimitiveMeshes::toAllLevels(std::size_t first) {
 }
 
 void PrimitiveMeshes::cylinder(const glm::dvec3& a, const glm::dvec3& b, double radius, const PrimitiveLook& look) {
-    const std::uint32_t number = numberOf(look);
-    addCylinder(solids_, a - scene_.center, b - scene_.center, radius, number, number, kRoundSides);
+    cylinder(a, b, radius, look, look);
+}
+
+void PrimitiveMeshes::cylinder(const glm::dvec3& a, const glm::dvec3& b, double radius, const PrimitiveLook& lookA,
+                               const PrimitiveLook& lookB) {
+    const std::uint32_t ofA = numberOf(lookA), ofB = numberOf(lookB);
+    addCylinder(solids_, a - scene_.center, b - scene_.center, radius, ofA, ofB, kRoundSides);
 }
 
 void PrimitiveMeshes::cone(const glm::dvec3& base, const glm::dvec3& tip, double radius, const PrimitiveLook& look) {

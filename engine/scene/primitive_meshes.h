@@ -19,6 +19,9 @@ public:
 
     // Positions in the file's frame; see Primitives.
     void cylinder(const glm::dvec3& a, const glm::dvec3& b, double radius, const PrimitiveLook& look);
+    /// In the looks of its ends, each to the middle.
+    void cylinder(const glm::dvec3& a, const glm::dvec3& b, double radius, const PrimitiveLook& lookA,
+                  const PrimitiveLook& lookB);
     void cone(const glm::dvec3& base, const glm::dvec3& tip, double radius, const PrimitiveLook& look);
     void ellipsoid(const glm::dvec3& center, const std::array<glm::dvec3, 3>& axes, const PrimitiveLook& look);
     void sector(const Primitives::Ellipse& ellipse);

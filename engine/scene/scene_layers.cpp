@@ -13,6 +13,7 @@
 #include "engine/scene/join_parts.h"
 #include "engine/scene/line_drawing.h"
 #include "engine/scene/mesh_scene.h"
+#include "engine/scene/translucent_atoms.h"
 
 namespace nacre {
 namespace {
@@ -152,6 +153,7 @@ Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, con
         addBonds(facts, appearance, DrawnOrders(facts, appearance, options), {}, nullptr, part);
         for (Cylinder& cylinder : part.cylinders) cylinder.radius *= layer.bondScale;
     }
+    meshTranslucentAtoms(layer, part);
     if (!appearance.lines.atoms.empty())
         addLines(molecule, appearance, options.lineWidth * static_cast<double>(layer.atomScale), nullptr, part);
     RepresentationOptions own = options;
