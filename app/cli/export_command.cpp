@@ -7,6 +7,7 @@
 #include "app/cli/progress.h"
 #include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
+#include "app/drawing/drawing.h"
 #include "app/drawing/map_layers.h"
 #include "app/drawing/scenes.h"
 #include "app/export/scene_files.h"
@@ -15,10 +16,9 @@
 #include "app/files/output_file.h"
 #include "app/mvs/write_scene.h"
 #include "engine/mesh/mesh_measures.h"
-#include "engine/molecule/drawn_atoms.h"
 #include "engine/renderer.h"
 #include "engine/scene/chunks.h"
-#include "engine/scene/scene_layers.h"
+#include "engine/scene/scene_camera.h"
 
 namespace nacre::app {
 namespace {
@@ -55,19 +55,13 @@ BakedOcclusion bakedOcclusion(const ExportCommandOptions& options, Representatio
 
 /// The picture in MolViewSpec's words; notes say what those leave out.
 void writeMolViewSpec(const Molecule& molecule, const ExportCommandOptions& options, OutputFile& file) {
-    const PictureDescription& picture = options.picture;
-    const ResidueFacts facts(molecule);
-    const std::vector<std::uint32_t> drawn = drawnAtoms(molecule, picture.drawn);
-    const std::vector<SceneLayer> layers = molecule.guide
-                                               ? guidedLayers(facts, drawn, picture.look).layers
-                                               : layersOf(appearanceOf(facts, drawn, picture.look), picture.look);
-    const Representation scene = sceneOf(facts, picture.input.path, picture.drawn, picture.look, {}, true);
-    SceneCamera camera;
-    constexpr double kFill = 0.95;  // of the picture's side, as without a camera
-    camera.target = scene.center;
-    camera.radius = scene.radius / kFill;
-    if (molecule.guide && molecule.guide->camera) camera = *molecule.guide->camera;
-    const mvs::WrittenScene written = mvs::writeScene(facts, picture, layers, camera);
+    PictureDescription picture = options.picture;
+    Drawing drawing;
+    drawing.prepare(molecule, picture);
+    picture.background = drawing.settings.background;
+    const mvs::WrittenScene written =
+        mvs::writeScene(molecule, picture, volumesOf(picture.maps),
+                        cameraOf(drawing.settings.view, drawing.run.center, !molecule.guide), picture.output);
     for (const std::string& note : written.notes) sayNote(note);
     writeText(file, written.json);
 }

@@ -153,6 +153,11 @@ MapContour contourOf(const DensityMap& map, const MapOptions& maps, std::size_t 
     return contour;
 }
 
+std::uint32_t colorOfContour(const DensityMap& map, const MapColors& colors) {
+    const auto usual = map.difference ? kPositiveGreen : map.periodic ? kCrystalBlue : kCryoGrey;
+    return bitsOf(colors.automatic ? usual : colors.high);
+}
+
 /// A map's contour, and the negative one of a difference map.
 void addContours(const DensityMap& map, const MapRegion& region, const MapContour& contour, const MapColors& colors,
                  Representation& shown) {
@@ -205,8 +210,7 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, con
         const MapColors colors = ofMap(d.maps.colors, i);
         const std::size_t before = shown.wires.size() + shown.triangles.size();
         MapContour contour = contourOf(*map, d.maps, i);
-        const auto usual = map->difference ? kPositiveGreen : map->periodic ? kCrystalBlue : kCryoGrey;
-        contour.color = bitsOf(colors.automatic ? usual : colors.high);
+        contour.color = colorOfContour(*map, colors);
         // A level below a crystal map's mean encloses lower values; the mean of a cryo-EM map means little.
         contour.above = contour.level >= map->statistics.mean || !map->periodic;
         const MapStatistics& statistics = map->statistics;
@@ -236,6 +240,35 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, con
     if (molecule.guide) beside.append(molecule.guide->primitives);
     if (!beside.empty()) addGeometry(std::move(beside), layers);
     return layers;
+}
+
+std::vector<SceneVolume> volumesOf(const MapOptions& maps) {
+    std::vector<SceneVolume> volumes;
+    for (std::size_t i = 0; i < maps.files.size(); ++i) {
+        SceneVolume volume;
+        volume.map = mapOf(maps.files[i]);
+        const MapSliceOption slice = ofMap(maps.slices, i);
+        const MapColors colors = ofMap(maps.colors, i);
+        const MapContour contour = contourOf(*volume.map, maps, i);
+        const auto add = [&](double level, std::uint32_t color) {
+            volume.level = level;
+            volume.color = 0xff000000u | color;
+            volumes.push_back(volume);
+        };
+        volume.axis = slice.axis;
+        volume.place = slice.place;
+        volume.faces = contour.style == MapStyle::surface;
+        volume.wires = !volume.faces;
+        volume.opacity = slice.axis < 0 ? contour.opacity : ofMap(maps.opacities, i).value_or(1);
+        if (slice.axis >= 0) {
+            add(0, 0xffffffu);
+            continue;
+        }
+        add(contour.level, colorOfContour(*volume.map, colors));
+        if (volume.map->difference)
+            add(2 * volume.map->statistics.mean - contour.level, bitsOf(colors.automatic ? kNegativeRed : colors.low));
+    }
+    return volumes;
 }
 
 void colorByMap(const PictureDescription& d, Representation& scene) {

@@ -7,6 +7,7 @@
 #include "engine/molecule/molecule.h"
 #include "engine/scene/primitives.h"
 #include "engine/scene/representation.h"
+#include "engine/scene/scene_guide.h"
 #include "engine/volume/density_map.h"
 
 namespace nacre::app {
@@ -38,6 +39,9 @@ std::optional<Bounds> frameOfPrimitives(const Molecule& molecule, const PictureD
 
 /// @throws Error
 MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& description, const glm::dvec3& center);
+
+/// The maps of a picture as a scene file has them: contours, and slices of the grid. @throws Error
+std::vector<SceneVolume> volumesOf(const MapOptions& maps);
 
 /// Colours a scene's molecular surfaces by the map that a picture names for it. @throws Error
 void colorByMap(const PictureDescription& picture, Representation& scene);

@@ -2,35 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <glm/geometric.hpp>
 #include <map>
 
 #include "app/files/json_text.h"
+#include "app/mvs/scene_file.h"
+#include "app/mvs/write_nodes.h"
+#include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/text.h"
+#include "engine/scene/scene_layers.h"
 
 namespace nacre::app::mvs {
 namespace {
-
-using Out = nlohmann::ordered_json;
-
-Out nodeOf(const char* kind, Out params) {
-    Out node{{"kind", kind}};
-    if (!params.empty()) node["params"] = std::move(params);
-    return node;
-}
-
-std::string hexOf(std::uint32_t color) {
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", color & 0xff, color >> 8 & 0xff, color >> 16 & 0xff);
-    return text;
-}
-
-Out listOf(const glm::dvec3& v) {
-    const auto rounded = [](double x) { return std::round(x * 1e6) / 1e6; };
-    return Out::array({rounded(v.x), rounded(v.y), rounded(v.z)});
-}
 
 const char* typeOf(Style style) {
     switch (style) {
@@ -52,51 +36,6 @@ const char* typeOf(Style style) {
     }
     return "ball_and_stick";
 }
-
-/// Expressions of atoms by the authors' names: whole residues in ranges of their numbers, other atoms by their places.
-class Expressions {
-public:
-    Expressions(const Molecule& molecule, std::size_t atoms) : molecule_(molecule), all_(atoms) {}
-
-    Out of(const std::vector<std::uint32_t>& atoms) const {
-        if (atoms.size() == all_) return "all";
-        Out list = Out::array();
-        for (std::size_t i = 0; i < atoms.size();) {
-            const std::uint32_t residue = molecule_.atoms[atoms[i]].residue;
-            std::size_t end = i;
-            while (end < atoms.size() && molecule_.atoms[atoms[end]].residue == residue) ++end;
-            if (end - i == molecule_.residues[residue].atomCount)
-                addResidue(molecule_.residues[residue], list);
-            else
-                for (; i < end; ++i) list.push_back({{"atom_index", atoms[i]}});
-            i = end;
-        }
-        return list.size() == 1 ? list.front() : list;
-    }
-
-private:
-    void addResidue(const Residue& residue, Out& list) const {
-        const std::string& chain = molecule_.chains[residue.chain].name;
-        if (residue.insertionCode) {
-            list.push_back({{"auth_asym_id", chain},
-                            {"auth_seq_id", residue.number},
-                            {"pdbx_PDB_ins_code", std::string(1, residue.insertionCode)}});
-            return;
-        }
-        if (!list.empty() && list.back().contains("end_auth_seq_id") && list.back()["auth_asym_id"] == chain) {
-            const std::int64_t last = list.back()["end_auth_seq_id"].get<std::int64_t>();
-            if (residue.number == last || residue.number == last + 1) {
-                list.back()["end_auth_seq_id"] = residue.number;
-                return;
-            }
-        }
-        list.push_back(
-            {{"auth_asym_id", chain}, {"beg_auth_seq_id", residue.number}, {"end_auth_seq_id", residue.number}});
-    }
-
-    const Molecule& molecule_;
-    std::size_t all_;
-};
 
 /// Colours of a layer: the most frequent one for all, the others for their atoms.
 void addColors(const SceneLayer& layer, const Expressions& expressions, Out& children) {
@@ -121,10 +60,10 @@ Out componentOf(const SceneLayer& layer, const Expressions& expressions) {
     if (layer.style == Style::cartoon && layer.cartoon.helices != HelixForm::ribbon) params["tubular_helices"] = true;
     Out representation = nodeOf("representation", std::move(params));
     representation["children"] = std::move(children);
-    Out component = nodeOf("component", {{"selector", expressions.of(layer.atoms)}});
-    component["children"] = Out::array({std::move(representation)});
-    return component;
+    return nodeOf("component", {{"selector", expressions.of(layer.atoms)}}, std::move(representation));
 }
+
+bool hasFields(const Label& label) { return label.text.find('{') != std::string::npos; }
 
 const char* formatOf(const Molecule& molecule) {
     const std::string& format = molecule.file.format;
@@ -132,8 +71,22 @@ const char* formatOf(const Molecule& molecule) {
     return format == "pdb" ? "pdb" : "mmcif";
 }
 
-std::vector<std::string> notesOf(const PictureDescription& d, const Molecule& molecule,
-                                 std::span<const SceneLayer> layers) {
+/// Labels without fields: of all that they name together.
+void addLabels(const ResidueFacts& facts, const PictureDescription& d, const Expressions& expressions, Out& children) {
+    for (const Label& label : d.words.labels) {
+        if (hasFields(label)) continue;
+        const std::vector<bool> chosen = selectAtoms(facts, label.selection);
+        std::vector<std::uint32_t> atoms;
+        for (std::uint32_t i = 0; i < chosen.size(); ++i)
+            if (chosen[i]) atoms.push_back(i);
+        if (!atoms.empty())
+            children.push_back(
+                nodeOf("component", {{"selector", expressions.of(atoms)}}, nodeOf("label", {{"text", label.text}})));
+    }
+}
+
+/// What every scene leaves out.
+std::vector<std::string> notesOf(const PictureDescription& d) {
     std::vector<std::string> notes;
     const auto add = [&](bool there, const char* what) {
         if (there) notes.push_back(std::string(what) + " are left out: MolViewSpec has no words for them");
@@ -142,34 +95,98 @@ std::vector<std::string> notesOf(const PictureDescription& d, const Molecule& mo
     add(e.contours.width > 0 || e.halos.width > 0, "outlines and halos");
     add(e.fog.range != Fog::Range::off || e.shadow.strength > 0, "fog and shadows");
     add(e.clip.on(), "clipping planes");
-    add(!d.words.measures.empty() || d.words.legend || d.words.scaleBar != ScaleBar::off,
-        "measurements, legend and scale bar");
+    add(d.words.legend || d.words.scaleBar != ScaleBar::off, "legend and scale bar");
     add(d.look.contacts.of.has_value(), "interactions");
-    add(!d.maps.files.empty(), "density maps");
     add(!d.input.further.empty(), "further INPUTs");
     add(!d.input.trajectory.path.empty(), "trajectories");
-    add(std::any_of(layers.begin(), layers.end(),
-                    [](const SceneLayer& layer) { return layer.style == Style::licorice; }),
-        "the widths of licorice");
+    add(!d.primitives.empty(), "geometry");
+    return notes;
+}
+
+std::vector<std::string> notesOf(const PictureDescription& d, const Molecule& molecule,
+                                 std::span<const SceneLayer> layers, std::span<const SceneVolume> volumes,
+                                 std::size_t torsions) {
+    std::vector<std::string> notes = notesOf(d);
+    if (std::any_of(layers.begin(), layers.end(),
+                    [](const SceneLayer& layer) { return layer.style == Style::licorice; }))
+        notes.push_back("the widths of licorice are left out: MolViewSpec has no words for them");
+    if (std::any_of(d.words.labels.begin(), d.words.labels.end(), hasFields))
+        notes.push_back("labels with fields are left out");
+    if (torsions > 0) notes.push_back("torsions are left out: MolViewSpec has no words for them");
+    for (const SceneVolume& volume : volumes) {
+        if (volume.map->periodic)
+            notes.push_back(volume.map->name + " is shown as far as its file reaches, not around the atoms");
+        if (volume.map->format == "cube" || volume.map->format == "dsn6")
+            notes.push_back("other programs may not read " + volume.map->name + " from a scene");
+    }
     const std::string& format = molecule.file.format;
     if (format != "pdb" && format != "mmcif" && format != "bcif")
         notes.push_back("other programs may not read " + format + " from a scene");
     return notes;
 }
 
+/// Whether nodes of this kind say where a scene is seen from, or on what ground.
+bool isOfView(const Out& node) {
+    const std::string kind = node.value("kind", "");
+    return kind == "camera" || kind == "canvas" || kind == "focus";
+}
+
+void dropViews(Out& node) {
+    const auto children = node.find("children");
+    if (children == node.end() || !children->is_array()) return;
+    std::erase_if(children->get_ref<Out::array_t&>(), isOfView);
+    for (Out& child : *children) dropViews(child);
+}
+
+/// A picture of a scene: that scene from where it is seen now.
+WrittenScene rewriteScene(const PictureDescription& d, const SceneCamera& camera, const std::string& path) {
+    const std::string name = d.input.path;
+    Out scene = parseJson<Out>(sceneText(name, readSceneBytes(name)));
+    if (const auto list = scene.find("snapshots"); list != scene.end() && list->is_array()) {
+        const auto at = static_cast<std::size_t>(std::max(d.input.snapshot, 1)) - 1;
+        if (at < list->size()) scene["root"] = (*list)[at].value("root", Out());
+        scene.erase("snapshots");
+    }
+    Out& root = scene["root"];
+    dropViews(root);
+    if (!root.contains("children")) root["children"] = Out::array();
+    root["children"].push_back(canvasNode(d));
+    root["children"].push_back(cameraNode(camera));
+    scene["kind"] = "single";
+    WrittenScene written;
+    written.json = jsonText(scene);
+    written.notes = notesOf(d);
+    if (d.look.style || !d.look.rules.empty())
+        written.notes.push_back("the scene keeps its own representations: styles and rules are left out");
+    namespace fs = std::filesystem;
+    std::error_code error;
+    if (!fs::equivalent(fs::absolute(name).parent_path(), fs::absolute(path).parent_path(), error))
+        written.notes.push_back("put the files that " + name + " names into the scene's folder");
+    if (!d.maps.files.empty()) written.notes.push_back("maps beside the scene are left out");
+    return written;
+}
+
 }  // namespace
 
-std::string addressOf(const std::string& input) {
+std::string addressOf(const std::string& input, const std::string& path, std::vector<std::string>& outside) {
     if (input.starts_with("pdb:")) return "https://files.wwpdb.org/download/" + lowerCase(input.substr(4)) + ".cif";
     if (input.starts_with("afdb:"))
         return "https://alphafold.ebi.ac.uk/files/AF-" + upperCase(input.substr(5)) + "-F1-model_v4.cif";
-    return std::filesystem::path(input).filename().generic_string();
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path folder = fs::weakly_canonical(fs::absolute(path).parent_path(), error);
+    const fs::path name = fs::weakly_canonical(fs::absolute(input), error).lexically_relative(folder);
+    if (!name.empty() && *name.begin() != "..") return name.generic_string();
+    outside.push_back(input);
+    return fs::path(input).filename().generic_string();
 }
 
-WrittenScene writeScene(const ResidueFacts& facts, const PictureDescription& d, std::span<const SceneLayer> layers,
-                        const std::optional<SceneCamera>& camera) {
-    const Molecule& molecule = facts.molecule();
-    const Expressions expressions(molecule, molecule.atoms.size());
+WrittenScene writeScene(const Molecule& molecule, const PictureDescription& d, std::span<const SceneVolume> volumes,
+                        const SceneCamera& camera, const std::string& path) {
+    if (molecule.guide) return rewriteScene(d, camera, path);
+    const ResidueFacts facts(molecule);
+    const Expressions expressions(molecule);
+    const std::vector<SceneLayer> layers = layersOf(appearanceOf(facts, drawnAtoms(molecule, d.drawn), d.look), d.look);
     Out structureParams{{"type", d.look.assembly.empty() ? "model" : "assembly"}};
     if (!d.look.assembly.empty()) structureParams["assembly_id"] = d.look.assembly;
     if (d.input.model > 1) structureParams["model_index"] = d.input.model - 1;
@@ -177,39 +194,25 @@ WrittenScene writeScene(const ResidueFacts& facts, const PictureDescription& d, 
     structure["children"] = Out::array();
     for (const SceneLayer& layer : layers)
         if (!layer.atoms.empty()) structure["children"].push_back(componentOf(layer, expressions));
-    for (const Label& label : d.words.labels) {
-        if (label.text.find('{') != std::string::npos) continue;
-        const std::vector<bool> chosen = selectAtoms(facts, label.selection);
-        std::vector<std::uint32_t> atoms;
-        for (std::uint32_t i = 0; i < chosen.size(); ++i)
-            if (chosen[i]) atoms.push_back(i);
-        Out component = nodeOf("component", {{"selector", expressions.of(atoms)}});
-        component["children"] = Out::array({nodeOf("label", {{"text", label.text}})});
-        if (!atoms.empty()) structure["children"].push_back(std::move(component));
-    }
-    Out parse = nodeOf("parse", {{"format", formatOf(molecule)}});
-    parse["children"] = Out::array({std::move(structure)});
-    Out download = nodeOf("download", {{"url", addressOf(d.input.path)}});
-    download["children"] = Out::array({std::move(parse)});
-    Out root = nodeOf("root", {});
-    root["children"] = Out::array({std::move(download)});
-    std::uint32_t background = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-        background |= static_cast<std::uint32_t>(std::lround(d.background[i] * 255.0f)) << (8 * i);
-    root["children"].push_back(nodeOf("canvas", {{"background_color", hexOf(background)}}));
-    if (camera)
-        root["children"].push_back(nodeOf(
-            "camera", {{"target", listOf(camera->target)},
-                       {"position", listOf(camera->target - glm::normalize(camera->direction) * (2 * camera->radius))},
-                       {"up", listOf(camera->up)}}));
+    addLabels(facts, d, expressions, structure["children"]);
+    std::vector<std::string> outside;
+    std::size_t left = 0;
+    if (Out measures = measureNode(facts, d, left); !measures.is_null())
+        structure["children"].push_back(std::move(measures));
+    Out parse = nodeOf("parse", {{"format", formatOf(molecule)}}, std::move(structure));
+    Out root =
+        nodeOf("root", {}, nodeOf("download", {{"url", addressOf(d.input.path, path, outside)}}, std::move(parse)));
+    for (const SceneVolume& volume : volumes)
+        root["children"].push_back(volumeNode(volume, addressOf(volume.map->name, path, outside)));
+    root["children"].push_back(canvasNode(d));
+    root["children"].push_back(cameraNode(camera));
     Out metadata{{"version", "1.2"}};
     if (!d.words.title.empty()) metadata["title"] = d.words.title;
     WrittenScene written;
     written.json = jsonText({{"kind", "single"}, {"root", std::move(root)}, {"metadata", std::move(metadata)}});
-    written.notes = notesOf(d, molecule, layers);
-    if (std::any_of(d.words.labels.begin(), d.words.labels.end(),
-                    [](const Label& label) { return label.text.find('{') != std::string::npos; }))
-        written.notes.push_back("labels with fields are left out");
+    written.notes = notesOf(d, molecule, layers, volumes, left);
+    for (const std::string& file : outside)
+        written.notes.push_back("put " + file + " into the scene's folder: the scene names it there");
     return written;
 }
 

@@ -1,13 +1,12 @@
 #pragma once
 // A picture as a MolViewSpec scene: what the format can say of it, and a note of what it cannot.
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/picture/description.h"
-#include "engine/molecule/residue_facts.h"
+#include "engine/molecule/molecule.h"
 #include "engine/scene/scene_guide.h"
 
 namespace nacre::app::mvs {
@@ -17,12 +16,13 @@ struct WrittenScene {
     std::vector<std::string> notes;  ///< what the scene does not say, a sentence each
 };
 
-/// @param layers  what is drawn of the molecule, by style (scene_layers.h)
-/// @param camera  from where it is seen; empty: the scene states none
-WrittenScene writeScene(const ResidueFacts& facts, const PictureDescription& picture,
-                        std::span<const SceneLayer> layers, const std::optional<SceneCamera>& camera);
+/// @param volumes  the picture's maps @param camera  from where it is seen @param path  of the scene: files that it
+/// names stand in its folder @throws Error
+WrittenScene writeScene(const Molecule& molecule, const PictureDescription& picture,
+                        std::span<const SceneVolume> volumes, const SceneCamera& camera, const std::string& path);
 
-/// The address that a scene names for an INPUT: that of a database entry, or the file's name.
-std::string addressOf(const std::string& input);
+/// The address that a scene names for an INPUT: that of a database entry, or the file's name from the scene's folder.
+/// @param path  of the scene @param outside  receives files that are not in its folder
+std::string addressOf(const std::string& input, const std::string& path, std::vector<std::string>& outside);
 
 }  // namespace nacre::app::mvs

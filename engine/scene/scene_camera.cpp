@@ -119,7 +119,7 @@ SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, doub
     return result;
 }
 
-SceneCamera cameraOf(const View& view, const glm::dvec3& center) {
+SceneCamera cameraOf(const View& view, const glm::dvec3& center, bool whole) {
     SceneCamera camera;
     const glm::dmat3 back = glm::transpose(view.rotation);
     const double half = glm::radians(camera.fovDegrees) / 2;
@@ -127,7 +127,10 @@ SceneCamera cameraOf(const View& view, const glm::dvec3& center) {
     camera.target = center - back * glm::dvec3(view.pan, 0);
     camera.direction = -back[2];
     camera.up = back[1];
-    camera.radius = view.height / (2 * view.pixelsPerAngstrom) * std::cos(half) * shape;
+    constexpr double kFill = 0.65;  // of its ball, what a molecule fills of a picture at least
+    const double side = view.height / (2 * view.pixelsPerAngstrom) * shape;
+    camera.radius = side * std::cos(half);
+    if (whole) camera.radius = std::max(camera.radius, std::min(view.radius, side / kFill));
     return camera;
 }
 

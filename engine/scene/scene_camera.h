@@ -22,8 +22,9 @@ SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, doub
                  std::uint32_t height);
 
 /// The camera that sees a view's picture, in perspective: at the plane through the target in the same scale.
-/// @param center  of the view's scene, in the file's frame
-SceneCamera cameraOf(const View& view, const glm::dvec3& center);
+/// @param center  of the view's scene, in the file's frame @param whole  steps back until its planes cut away little of
+/// what the view shows, and nothing of a scene that fills the picture
+SceneCamera cameraOf(const View& view, const glm::dvec3& center, bool whole);
 
 /// Leaves out what is wholly before or behind the planes: an eye may stand among atoms. Copies that the planes
 /// meet are written out.

@@ -19,7 +19,7 @@ TEST(SceneViews, OfAViewSeesTheSame) {
         hand.zoom = 1.7;
         const View shown = viewOf(hand, 20, width, height);
         const glm::dvec3 center(5, -3, 2);
-        const SceneCamera camera = cameraOf(shown, center);
+        const SceneCamera camera = cameraOf(shown, center, false);
         const View again = viewOf(camera, {}, false, 20, width, height).view;
         EXPECT_NEAR(again.pixelsPerAngstrom, shown.pixelsPerAngstrom, 1e-9);
         EXPECT_LT(glm::distance(camera.target, center), 1e-9);
@@ -32,9 +32,22 @@ TEST(SceneViews, OfAMovedPictureLooksAtItsMiddle) {
     hand.rotationDegrees = {0, 90, 0};
     hand.pan = {3, 1};
     const View shown = viewOf(hand, 20, 600, 600);
-    const SceneCamera camera = cameraOf(shown, {});
+    const SceneCamera camera = cameraOf(shown, {}, false);
     const glm::dvec3 middle = shown.rotation * camera.target;
     EXPECT_LT(glm::distance(middle, glm::dvec3(-3, -1, 0)), 1e-9);
+}
+
+TEST(SceneViews, OfAMoleculeThatFillsThePictureHasItWhole) {
+    Camera hand;
+    hand.zoom = 1.3;
+    EXPECT_EQ(cameraOf(viewOf(hand, 20, 600, 600), {}, true).radius, 20);
+    hand.zoom = 0.5;
+    const View small = viewOf(hand, 20, 600, 600);
+    EXPECT_EQ(cameraOf(small, {}, true).radius, cameraOf(small, {}, false).radius);
+    hand.zoom = 8;
+    const View close = viewOf(hand, 20, 600, 600);
+    EXPECT_GT(cameraOf(close, {}, true).radius, cameraOf(close, {}, false).radius);
+    EXPECT_LT(cameraOf(close, {}, true).radius, 5);
 }
 
 /// A buckyball in a row of copies along z, and a camera between the first two.

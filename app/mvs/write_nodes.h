@@ -1,0 +1,45 @@
+#pragma once
+// Nodes of a scene as they are written.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/picture/description.h"
+#include "engine/molecule/residue_facts.h"
+#include "engine/scene/scene_guide.h"
+
+namespace nacre::app::mvs {
+
+using Out = nlohmann::ordered_json;
+
+Out nodeOf(const char* kind, Out params);
+/// A node with one child.
+Out nodeOf(const char* kind, Out params, Out child);
+/// "#rrggbb". @param color  packed as in colors.h
+std::string hexOf(std::uint32_t color);
+Out listOf(const glm::dvec3& v);
+Out cameraNode(const SceneCamera& camera);
+Out canvasNode(const PictureDescription& picture);
+
+/// Expressions of atoms by the authors' names: whole residues in ranges of their numbers, other atoms by their places.
+class Expressions {
+public:
+    explicit Expressions(const Molecule& molecule) : molecule_(molecule) {}
+    Out of(const std::vector<std::uint32_t>& atoms) const;
+
+private:
+    void addResidue(const Residue& residue, Out& list) const;
+    const Molecule& molecule_;
+};
+
+/// A download of a map, with what is shown of it. @param address  of its file
+Out volumeNode(const SceneVolume& volume, const std::string& address);
+
+/// The measurements of a picture as primitives; null: none. @param left  counts those that are left out
+Out measureNode(const ResidueFacts& facts, const PictureDescription& picture, std::size_t& left);
+
+}  // namespace nacre::app::mvs
