@@ -8,13 +8,16 @@
 #include "app/desktop/processes.h"
 #include "app/desktop/state_files.h"
 #include "app/desktop/window_session.h"
+#include "app/drawing/map_layers.h"
 #include "app/files/capture_file.h"
 #include "app/files/json_text.h"
 #include "app/images/image_file.h"
 #include "app/input/input_files.h"
+#include "app/mvs/write_scene.h"
 #include "app/picture/appearance_values.h"
 #include "app/picture/picture_names.h"
 #include "engine/error.h"
+#include "engine/scene/scene_camera.h"
 
 namespace nacre::app {
 
@@ -135,6 +138,28 @@ void WindowSession::saveView() {
         writeText(file, savedViewJson(view));
         viewer().noteSaved();
         viewer().messages().say("saved " + path, now());
+    } catch (const Error& error) {
+        viewer().messages().fail(error.what(), now());
+    }
+}
+
+/// As MolViewSpec, likewise. What such a scene cannot say is told.
+void WindowSession::saveScene() {
+    const Document* document = viewer().document();
+    if (!document) return;
+    try {
+        const std::string path = freeName(document->view.input.path, ".mvsj");
+        OutputFile file(path);
+        PictureDescription view = viewer().picking().savedView();
+        const RenderSettings shown = viewer().frames().settings();
+        view.background = shown.background;
+        const mvs::WrittenScene written =
+            mvs::writeScene(*document->placed, view, volumesOf(view.maps),
+                            cameraOf(shown.view, document->scene.center, !document->molecule->guide), path);
+        writeText(file, written.json);
+        std::string told = "saved " + path;
+        for (const std::string& note : written.notes) told += "; " + note;
+        viewer().messages().say(told, now());
     } catch (const Error& error) {
         viewer().messages().fail(error.what(), now());
     }

@@ -151,6 +151,7 @@ PanelHost WindowSession::panelHost() {
         }
     host.freeName = [this](const char* extension) { return pictureName(extension); };
     host.savePicture = [this](const PictureWish& wish) { savePicture(wish); };
+    host.savesScenes = true;
     host.record = [this](const RecordingWish& wish, const std::vector<PictureDescription>& keys) {
         record(wish, keys);
     };
@@ -329,6 +330,8 @@ void WindowSession::run(ViewerCommand command) {
             return copyPicture();
         case ViewerCommand::saveView:
             return saveView();
+        case ViewerCommand::saveScene:
+            return saveScene();
         case ViewerCommand::captureFrame:
             return captureFrame();
         default:

@@ -60,6 +60,7 @@ private:
     void record(const RecordingWish& wish, const std::vector<PictureDescription>& keys);
     void tellRecording();
     void saveView();
+    void saveScene();
     void captureFrame();
     void writeStats();
 

@@ -31,6 +31,7 @@ void drawMorePage(PanelFrame& f) {
     if (f.ui.button(Icon::none, "Reset view", half)) f.host.run(ViewerCommand::reset);
     f.ui.heading("View");
     if (f.ui.button(Icon::save, "Save this view", -1)) f.host.run(ViewerCommand::saveView);
+    if (f.host.savesScenes && f.ui.button(Icon::save, "Save as MolViewSpec", -1)) f.host.run(ViewerCommand::saveScene);
     if (f.host.record) {
         if (f.ui.button(Icon::eye, "Add keyframe", -1)) f.host.run(ViewerCommand::keepView);
         if (f.ui.button(Icon::record, "Record movie", -1)) f.host.run(ViewerCommand::record);

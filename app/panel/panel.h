@@ -50,6 +50,7 @@ struct PanelHost {
     std::function<std::string(const char*)> freeName;        ///< for a picture, by extension
     std::function<void(const PictureWish&)> savePicture;
     std::function<void()> copyPicture;
+    bool savesScenes = false;  ///< ViewerCommand::saveScene works
     /// Records a movie; through key views, if its motion uses them.
     std::function<void(const RecordingWish&, const std::vector<PictureDescription>&)> record;
     std::function<RecordingState()> recording;

@@ -60,6 +60,7 @@ constexpr Binding kBindings[] = {
     {C::clearPicks, key(SpecialKey::escape), "Esc", "Clear the selection; then leave measuring"},
     {C::savePicture, key(U's'), "S", "Save image as PNG"},
     {C::saveView, {U's', {true, false}}, "Shift S", "Save the view, for nacre render --view"},
+    {C::saveScene, {U's', {true, true}}, "Ctrl Shift S", "Save as a MolViewSpec scene"},
     {C::keepView, key(U'd'), "D", "Add keyframe"},
     {C::record, {U'r', {true, false}}, "Shift R", "Record movie"},
     {C::openFile, control(U'o'), "Ctrl O", "Open a file"},

@@ -61,6 +61,7 @@ enum class ViewerCommand {
     copyPicture,
     savePicture,
     saveView,
+    saveScene,
     keepView,
     record,
     captureFrame,
