@@ -38,19 +38,21 @@ double numberOf(const Node& node, const char* name, double otherwise) {
     return value->get<double>();
 }
 
-/// How far a layer reaches beyond the spheres of its atoms, Å, as Mol* counts it.
-double roomOf(const SceneLayer& layer) {
+/// How far a layer reaches beyond the spheres of a chain's atoms, Å, as Mol* counts it: balls twice.
+/// @param largest  van der Waals radius of the chain's atoms, Å
+double roomOf(const SceneLayer& layer, double largest) {
     const double scale = static_cast<double>(layer.atomScale);
     switch (layer.style) {
         case Style::cartoon:
             return 0.2;
         case Style::ballAndStick:
-            return 0.5 * scale + 0.05;
+            return 2 * 0.5 * scale + 0.05;
         case Style::spacefill:
+            return 2 * largest * scale + 0.05;
         case Style::surface:
-            return 1.8 * scale + 0.05;
+            return largest * scale;
         case Style::backbone:
-            return 0.3;
+            return 0.4;
         case Style::carbohydrate:
             return 1.75;
         default:
@@ -58,10 +60,10 @@ double roomOf(const SceneLayer& layer) {
     }
 }
 
-/// The extreme points of each chain's atoms, moved outwards by `room`, in all copies; a ball for each of many copies.
-/// @param atoms  of the molecule, ascending
-void addChains(const Molecule& molecule, const SceneGuide& guide, std::span<const std::uint32_t> atoms, double room,
-               std::vector<glm::dvec4>& balls) {
+/// The extreme points of each chain's atoms, moved outwards, in all copies; a ball for each of many copies.
+/// @param atoms  of the molecule, ascending @param layer  that they are drawn in; null: the atoms alone
+void addChains(const Molecule& molecule, const SceneGuide& guide, std::span<const std::uint32_t> atoms,
+               const SceneLayer* layer, std::vector<glm::dvec4>& balls) {
     constexpr std::size_t kManyCopies = 14;
     std::map<std::array<std::uint32_t, 3>, std::vector<glm::dvec4>> chains;
     for (const std::uint32_t index : atoms) {
@@ -74,6 +76,9 @@ void addChains(const Molecule& molecule, const SceneGuide& guide, std::span<cons
     }
     for (const auto& [key, own] : chains) {
         const Bounds sphere = extremeSphere(own);
+        double largest = 0;
+        for (const glm::dvec4& ball : own) largest = std::max(largest, ball.w);
+        const double room = layer ? roomOf(*layer, largest) : 0;
         std::vector<glm::dvec4> shown;
         for (const glm::dvec3& point : movedOut(extremePoints(own), sphere, room)) shown.emplace_back(point, 0.0);
         if (guide.transforms.empty()) {
@@ -129,7 +134,7 @@ std::optional<SceneCamera> CameraNodes::camera(const Molecule& molecule, const S
     }
     const auto whole = [&] {
         std::vector<glm::dvec4> balls = drawn_;
-        for (const SceneLayer& layer : guide.layers) addChains(molecule, guide, layer.atoms, roomOf(layer), balls);
+        for (const SceneLayer& layer : guide.layers) addChains(molecule, guide, layer.atoms, &layer, balls);
         for (const SceneVolume& volume : guide.volumes) balls.emplace_back(volume.ball.center, volume.ball.radius);
         return balls;
     };
@@ -140,7 +145,7 @@ std::optional<SceneCamera> CameraNodes::camera(const Molecule& molecule, const S
         if (focus.all) balls = whole();
         std::vector<std::uint32_t> atoms = focus.atoms;
         for (std::uint32_t& atom : atoms) atom += firsts[focus.structure];
-        addChains(molecule, guide, atoms, 0, balls);
+        addChains(molecule, guide, atoms, nullptr, balls);
         if (balls.empty()) continue;
         const Node& node = *focus.node;
         const Bounds bounds = extremeSphere(balls);

@@ -202,6 +202,15 @@ TEST(SceneCamera, CartoonsOfAllHoldNoLigands) {
     EXPECT_LT(cartoon.guide->camera->radius + 1, ballsOfAll.guide->camera->radius);
 }
 
+TEST(SceneCamera, BallsTakeUpRoomTwice) {
+    const auto radius = [](const std::string& type) {
+        const std::string drawn = R"({"kind": "representation", "params": {"type": ")" + type + R"("}})";
+        return built(scene(component(R"("ligand")", drawn))).guide->camera->radius;
+    };
+    EXPECT_GT(radius("spacefill") - radius("surface"), 1.7);
+    EXPECT_NEAR(radius("surface") - radius("ball_and_stick"), 0.8, 0.2);
+}
+
 TEST(SceneCamera, LabelsTakeUpRoom) {
     const std::string word = R"({"kind": "label", "params": {"text": ")";
     const Molecule wide = built(scene(component(R"("all")", balls() + "," + word + std::string(200, 'x') + "\"}}")));
