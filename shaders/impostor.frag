@@ -46,7 +46,7 @@ layout(location = 7) flat in uvec3 vertices;
 #else
 #ifdef IDENTITY
 layout(location = 1) flat in uint atom;
-#else
+#elif !defined(FETCHED)
 layout(location = 1) flat in vec3 base;
 #endif
 #ifndef FETCHED
@@ -126,7 +126,9 @@ void main() {
 #endif
 #else
 #ifdef FETCHED
-    vec2 place = spherePlace(number);
+    vec2 place = placeOfCell(passed.w);
+    vec3 base = ball.rgb;
+    if (kCopyColors != 0 && ball.w < 0.0) base *= copyColor();
 #endif
     float occlusion = sphereOcclusion(hit, place);
 #ifdef IDENTITY

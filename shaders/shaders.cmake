@@ -83,7 +83,7 @@ nacre_shader(encodeTriangleFetchedOrdered depth_encode.frag TRIANGLE FETCHED REA
 nacre_shader(nearestTriangleFetched depth_write.frag TRIANGLE FETCHED)
 foreach(path ${paths})
     nacre_path_defines(${path})
-    nacre_shader(colorSphereFetched${path} impostor.frag FETCHED READS ${path_defines})
+    nacre_shader(colorSphereFetched${path} impostor.frag FETCHED ${path_defines})
     nacre_shader(colorTriangleFetched${path} impostor.frag TRIANGLE FETCHED READS ${path_defines})
 endforeach()
 foreach(path Input Sampled)

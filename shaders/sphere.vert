@@ -1,17 +1,21 @@
 #version 450
 // The impostor polygon of a sphere: flat, at the sphere's nearest depth, around its silhouette.
 //   LOOK     passes data for shading; with ATOM the atom's number in place of the colour
-//   FETCHED  with LOOK: passes the sphere's number in place of its record and patch
+//   FETCHED  with LOOK: passes the centre and where the patch is, by which the fragment stage fetches the rest
 //   NUMBER   passes the primitive's number
 #extension GL_GOOGLE_include_directive : require
 #include "common/atlas.glsl"
-#ifdef LOOK
+#if defined(LOOK) && !defined(FETCHED)
 #include "common/copy_color.glsl"
 #endif
 #include "common/outline.glsl"
 
 layout(location = 0) in vec4 inSphere;
 layout(location = 3) in vec3 inCorner;  // engine/passes/corners.h
+#if defined(FETCHED)
+layout(location = 0) flat out uvec4 passed;
+#else
+layout(location = 0) flat out vec4 sphere;
 #ifdef LOOK
 layout(location = 1) in uvec2 inLook;
 #ifdef ATOM
@@ -19,14 +23,8 @@ layout(location = 1) flat out uint atom;
 #else
 layout(location = 1) flat out vec3 base;  // linear colour: made once a primitive, not once a pixel
 #endif
-#ifdef FETCHED
-layout(location = 0) flat out uint number;
-#else
 layout(location = 2) flat out vec2 place;  // of its patch
 #endif
-#endif
-#ifndef FETCHED
-layout(location = 0) flat out vec4 sphere;
 #endif
 #ifdef NUMBER
 layout(location = 4) flat out uint primitive;
@@ -37,17 +35,15 @@ void main() {
     precise vec3 center = toView(inSphere.xyz);
     float radius = inSphere.w;
 #ifdef FETCHED
-    number = uint(gl_InstanceIndex);
+    passed = uvec4(floatBitsToUint(center), sphereCell(uint(gl_InstanceIndex)));
 #else
     sphere = vec4(center, radius);
-#endif
 #ifdef LOOK
 #ifdef ATOM
     atom = inLook.y;
 #else
     base = linearColor(inLook.x);
 #endif
-#ifndef FETCHED
     place = patchPlace(spherePatch(uint(gl_InstanceIndex)));
 #endif
 #endif

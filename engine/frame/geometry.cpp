@@ -107,8 +107,7 @@ void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const gr
         }
         VertexBytes bytes;
         if (pass.has(Verb::samples))  // the occlusion atlas: it shades
-            bytes = {passes::fetchesSpheres(caps, counts.radiusPixels) ? kPosition + kThree + kNumber
-                                                                       : bytes.sphere + kSphereLook,
+            bytes = {caps.storesVaryings ? kPosition + kThree + kNumber : bytes.sphere + kSphereLook,
                      bytes.cylinder + kCylinderLook,
                      caps.storesVaryings ? kPosition + kNumber : bytes.triangle + kTriangleLook};
         else if (numbers(graph, pass) || pass.name == kRimPass)

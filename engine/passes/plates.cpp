@@ -18,15 +18,10 @@ ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& ca
     return wanted == ImpostorShape::pyramid && flat ? ImpostorShape::octagon : wanted;
 }
 
-bool fetchesSpheres(const graph::GeometryCaps& caps, double radiusPixels) {
-    return caps.storesVaryings && radiusPixels < kFetchedPixels;
-}
-
 double steadyRadius(double before, double now, const graph::GeometryCaps& caps) {
     constexpr double kWidth = 7.0 / 6;
     if (before <= 0) return now;
-    const double fetched = caps.storesVaryings ? kFetchedPixels : caps.plateOctagons;
-    for (const double threshold : {caps.domes, caps.octagons, caps.plateOctagons, fetched}) {
+    for (const double threshold : {caps.domes, caps.octagons, caps.plateOctagons}) {
         if ((before >= threshold) == (now >= threshold)) continue;
         if (now < threshold && now * kWidth >= threshold) now = threshold;
         if (now >= threshold && before < threshold && now < threshold * kWidth) now = std::nextafter(threshold, 0.0);

@@ -15,12 +15,6 @@ struct Plate {
     float rim = 0.98516f;       ///< the original app's octagon: 0.91017 of the circumscribed one
 };
 
-/// From this radius in pixels on, a sphere's fragments fetch more than its corners save (docs/tilers.md).
-constexpr double kFetchedPixels = 7.5;
-/// Whether the fragment stage fetches spheres of this radius, for fewer bytes per vertex: on GPUs that store vertex
-/// outputs, while spheres have few fragments.
-bool fetchesSpheres(const graph::GeometryCaps& caps, double radiusPixels);
-
 /// Resolves `automatic`. On a software rasteriser a triangle costs as much as some hundred fragments: squares. On a GPU
 /// fragments dominate if spheres cover enough of them: domes and pyramids; else octagons, or squares where vertex
 /// outputs go through memory.

@@ -22,7 +22,7 @@ constexpr vk::VertexInputBindingDescription kCylinderBindings[] = {{0, sizeof(Cy
 constexpr vk::VertexInputAttributeDescription kCylinderAttributes[] = {
     {0, 0, kVec4, 0}, {1, 0, kVec4, 16}, {2, 1, vk::Format::eR32G32B32A32Uint, 0}};
 
-/// Streams A and B, or A alone. Those of triangles are fetched by their numbers.
+/// Streams A and B, or A alone. Those of triangles are fetched by their numbers, as are the looks of fetched spheres.
 gpu::VertexStreams streamsOf(Primitive primitive, bool looks) {
     if (primitive == Primitive::triangle) return {};
     if (primitive == Primitive::sphere)
@@ -94,7 +94,7 @@ const std::vector<PlacedCopies::Call>& callsOf(const SceneView& view, Primitive 
 
 /// Spheres of a radius in the picture, as impostors.
 Draw impostorsOf(const GeometryPass& pass, const graph::GeometryCaps& caps, const SceneView& view, double radius) {
-    const bool fetched = !view.fragments && !pass.fetched.sphere.vertex.empty() && fetchesSpheres(caps, radius);
+    const bool fetched = !view.fragments && !pass.fetched.sphere.vertex.empty() && caps.storesVaryings;
     return {Primitive::sphere, fetched ? pass.fetched.sphere : pass.shaders.sphere, nullptr,
             impostorCorners(chooseImpostor(view.impostor, caps, radius, view.flat())), fetched};
 }
@@ -125,8 +125,13 @@ void eachDraw(const gpu::PipelineContext& context, const SceneView& view, const 
         work({Primitive::triangle, fetched ? pass.fetched.triangle : triangle, nullptr, {0, 3}, fetched});
 }
 
-/// Pipelines of spheres by the shapes that a zoom goes over to, as no bake does: they differ by the polygon, and by
-/// whether the fragment stage fetches.
+const char* nameOf(const Draw& drawn) {
+    constexpr const char* kNames[] = {"spheres", "cylinders", "triangles"};
+    constexpr const char* kFetchedNames[] = {"fetched spheres", "", "fetched triangles"};
+    return (drawn.fetched ? kFetchedNames : kNames)[static_cast<std::size_t>(drawn.primitive)];
+}
+
+/// Pipelines of spheres by the shapes that a zoom goes over to, as no bake does: they differ by the polygon.
 std::vector<gpu::GraphicsPipeline> otherShapes(gpu::PipelineContext& context, const SceneView& view,
                                                const GeometryPass& pass, const Draw& drawn,
                                                const gpu::GraphicsPipeline& of) {
@@ -135,9 +140,6 @@ std::vector<gpu::GraphicsPipeline> otherShapes(gpu::PipelineContext& context, co
     if (drawn.primitive != Primitive::sphere || !view.wholeImage) return others;
     const auto add = [&](const Draw& other) {
         gpu::GraphicsPipeline d = of;
-        d.vertex = other.shaders.vertex;
-        d.fragment = other.shaders.fragment.of(view);
-        d.layout = *layoutOf(context, view, pass, other).pipeline;
         d.constants.change(layout::kCornersId, other.corners.count);
         if (other.plate) d.constants.change(layout::kRimId, other.plate->rim);
         d.strip = other.corners.count != kPyramid.count;
@@ -157,8 +159,7 @@ std::vector<gpu::GraphicsPipeline> otherShapes(gpu::PipelineContext& context, co
 gpu::GraphicsPipeline pipelineOf(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass,
                                  const Draw& drawn) {
     gpu::GraphicsPipeline d = context.pipeline();
-    constexpr const char* kNames[] = {"spheres", "cylinders", "triangles"};
-    d.detail = kNames[static_cast<std::size_t>(drawn.primitive)];
+    d.detail = nameOf(drawn);
     d.vertex = drawn.shaders.vertex;
     d.fragment = drawn.shaders.fragment.of(view);
     setGeometryConstants(d.constants, view, pass.rim);
@@ -170,7 +171,7 @@ gpu::GraphicsPipeline pipelineOf(gpu::PipelineContext& context, const SceneView&
     if (drawn.plate) d.constants.set(layout::kRimId, drawn.plate->rim);
     // A fragment's one hit is not where all of its samples are.
     if (drawn.plate) d.constants.set(layout::kPlateRoomId, view.samples > 1 ? 0.6f : 0.0f);
-    d.streams = streamsOf(drawn.primitive, pass.looks);
+    d.streams = streamsOf(drawn.primitive, pass.looks && !drawn.fetched);
     d.layout = *layoutOf(context, view, pass, drawn).pipeline;
     d.colorsWritten = pass.colorsWritten;
     d.depth = pass.depth;
@@ -203,17 +204,19 @@ void writeReads(gpu::PassContext& context, const SceneView& view, vk::Descriptor
 }
 
 /// Set 0: the pass's inputs, and the streams if a stage fetches from them by number.
+/// @param balls  stream C in place of A
 void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout,
-               const std::optional<Reads>& reads, bool streams) {
+               const std::optional<Reads>& reads, bool streams, bool balls) {
     if (!reads && !streams) return;
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
     if (reads) writeReads(context, view, set, *reads, streams);
     if (streams) {
-        const std::uint32_t first = reads ? 4 : 0;
-        const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
+        const std::uint32_t binding = reads ? 4 : 0;
+        const gpu::Buffer& first = balls ? view.buffers->balls : view.buffers->shapes;
+        const vk::DescriptorBufferInfo shapes(*first.handle, 0, VK_WHOLE_SIZE),
             looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE);
-        const vk::WriteDescriptorSet writes[] = {{set, first, 0, Type::eStorageBuffer, {}, shapes},
-                                                 {set, first + 1, 0, Type::eStorageBuffer, {}, looks}};
+        const vk::WriteDescriptorSet writes[] = {{set, binding, 0, Type::eStorageBuffer, {}, shapes},
+                                                 {set, binding + 1, 0, Type::eStorageBuffer, {}, looks}};
         context.device->updateDescriptorSets(writes, {});
     }
     context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 0, set, {});
@@ -228,7 +231,7 @@ void record(gpu::PassContext& context, const SceneView& view, const GeometryPass
     const vk::raii::CommandBuffer& commands = context.commands;
     commands.bindPipeline(kGraphics, context.pipelines.graphics(
                                          pipeline, [&] { return otherShapes(context, view, pass, drawn, pipeline); }));
-    bindReads(context, view, layout, pass.reads, bindsStreams(pass, drawn));
+    bindReads(context, view, layout, pass.reads, bindsStreams(pass, drawn), sphere && drawn.fetched);
     bindCounter(context, view, layout);
     if (!triangle)
         commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},

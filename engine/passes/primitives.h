@@ -44,8 +44,8 @@ struct PrimitiveShaders {
     Shaders sphere, cylinder, triangle;
 };
 
-/// Variants whose vertex stage passes a primitive's number, with which the fragment stage fetches the rest: for GPUs
-/// whose vertex outputs go through memory. None where a pass has no such variant.
+/// Variants whose vertex stage passes a primitive's number, with which the fragment stage fetches the rest, in at most
+/// 16 bytes: for GPUs whose vertex outputs go through memory. None where a pass has no such variant.
 struct FetchedShaders {
     Shaders sphere, triangle;
 };

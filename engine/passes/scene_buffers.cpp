@@ -1,11 +1,13 @@
 #include "engine/passes/scene_buffers.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <glm/geometric.hpp>
 
 #include "engine/error.h"
 #include "engine/passes/corners.h"
+#include "engine/scene/colors.h"
 #include "engine/scene/mesh_levels.h"
 
 namespace nacre::passes {
@@ -63,6 +65,37 @@ std::vector<MeshVertex> placedVertices(const Representation& r) {
     return vertices;
 }
 
+/// Each byte's linear value: linearFromSrgb() of shaders/common/srgb.glsl in the steps of lavapipe, for the same bits.
+/// Of GPUs that fuse products and sums the last bit may be another: they decode colours where they pass records.
+std::array<float, 256> linearBytes() {
+    std::array<float, 256> linear;
+    for (std::size_t i = 0; i < linear.size(); ++i) {
+        const float c = static_cast<float>(i) * (1.0f / 255.0f);
+        float curve = -0.116626214f;
+        for (const float next :
+             {0.401858704f, -0.618510216f, 0.805984839f, 0.491395899f, 0.0350388936f, 0.000858094134f}) {
+            const float product = curve * c;
+            curve = product + next;
+        }
+        linear[i] = c > 0.04045f ? curve : c * static_cast<float>(1.0 / 12.92);
+    }
+    return linear;
+}
+
+std::vector<glm::vec4> ballsOf(const Representation& r) {
+    const std::array<float, 256> linear = linearBytes();
+    std::vector<glm::vec4> balls;
+    balls.reserve(r.spheres.size());
+    for (std::size_t i = 0; i < r.spheres.size(); ++i) {
+        const std::uint32_t color = r.sphereLooks[i].color;
+        const float radius = r.spheres[i].radius;
+        const bool tint = isCopyTint(color);
+        balls.emplace_back(linear[color & 0xffu], linear[color >> 8 & 0xffu], linear[color >> 16 & 0xffu],
+                           tint ? -radius : radius);
+    }
+    return balls;
+}
+
 /// Groups of the atoms that looks name, in the order of the looks.
 std::vector<std::uint32_t> groupsOf(const Representation& r) {
     std::vector<std::uint32_t> groups;
@@ -97,6 +130,8 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
         joined(device, "stream A: shapes", r.spheres, placedCylinders(r), placedTriangles(r), placedVertices(r));
     scene.looks =
         joined(device, "stream B: looks", r.sphereLooks, r.cylinderLooks, r.wireLooks, r.meshLooks, groupsOf(r));
+    if (device.caps().plan.geometry.storesVaryings && !r.spheres.empty())
+        scene.balls = joined(device, "stream C: spheres' linear colours", ballsOf(r));
     scene.firstGroup = static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * cylindersOf(r) + 2 * r.meshLooks.size());
     const auto corners = cornerStream();
     scene.corners =

@@ -9,6 +9,7 @@ namespace nacre::passes {
 struct SceneBuffers {
     gpu::Buffer shapes;            ///< stream A: spheres, cylinders, triangles, and the triangles' vertices
     gpu::Buffer looks;             ///< stream B: of spheres, cylinders and vertices; then the groups of their atoms
+    gpu::Buffer balls;             ///< stream C, where fragments fetch spheres: linear colour; radius, below 0 of tints
     gpu::Buffer corners, pyramid;  ///< from passes/corners.h: stream, indices
     vk::raii::BufferView shapeTexels{nullptr}, lookTexels{nullptr};  ///< where texel buffers can hold whole streams
     std::uint32_t sphereCount = 0, cylinderCount = 0, triangleCount = 0;

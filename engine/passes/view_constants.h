@@ -30,7 +30,7 @@ inline layout::ViewConstants viewConstants(const View& view, float snapPixels, d
     c.snap = static_cast<float>(snapPixels / view.pixelsPerAngstrom);
     c.depthStart = static_cast<float>(origin - view.radius - kRoom);
     c.perRange = static_cast<float>(1.0 / range);
-    c.patchesInRow = 1 | 1 << 16;
+    c.patchesInRow = 1u << 15 | 1u << 16;  // without an atlas, too: cells of all numbers of spheres
     return c;
 }
 

@@ -1,6 +1,6 @@
 // The primitive of a fragment, as passed by the vertex stage of its kind, flat.
 //   CYLINDER, TRIANGLE   its kind; otherwise a sphere
-//   FETCHED   the vertex stage passes its number alone; bindings as in fetch.glsl
+//   FETCHED   the vertex stage passes a number, and of a sphere its centre; bindings as in fetch.glsl
 #include "hit.glsl"
 
 #if defined(CYLINDER)
@@ -22,14 +22,11 @@ Hit primitiveHitAt(vec2 fragment) {
 }
 #else
 #ifdef FETCHED
-#include "fetch.glsl"
-layout(location = 0) flat in uint number;
-vec4 fetchedSphere() {
-    vec4 stored = uintBitsToFloat(shapes[number]);
-    precise vec3 center = toView(stored.xyz);
-    return vec4(center, stored.w);
-}
-vec4 sphere = fetchedSphere();
+#include "atlas.glsl"
+layout(set = 0, binding = 4, std430) readonly buffer Balls { vec4 balls[]; };  // linear colour; radius, below 0 for a tint
+layout(location = 0) flat in uvec4 passed;  // centre in view space, sphereCell()
+vec4 ball = balls[sphereOfCell(passed.w)];
+vec4 sphere = vec4(uintBitsToFloat(passed.xyz), abs(ball.w));
 #else
 layout(location = 0) flat in vec4 sphere;  // view space, radius
 #endif

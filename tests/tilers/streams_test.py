@@ -3,12 +3,14 @@ number worse."""
 
 import importlib.machinery
 import importlib.util
+import json
 import pathlib
 import sys
 import unittest
 
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
 sys.path.insert(0, str(TOOLS))
+import tilers_costs
 import tilers_streams
 
 loader = importlib.machinery.SourceFileLoader("tilers", str(TOOLS / "tilers"))
@@ -143,12 +145,46 @@ class Streams(unittest.TestCase):
                    "depth encoding, blending, fragment": {"instructions": 12},
                    "impostor colour, spheres, fragment": {"instructions": 115}}}, "fragdepth": {"lacks": "all of it"}}}
         page = "first\n<!-- devices -->\n\nthen\n"
-        once = tilers_streams.written_into(page, {"A": row})
+        tables = {"devices": tilers_streams.summary({"A": row})}
+        once = tilers_streams.written_into(page, tables)
         self.assertIn("| A | `encoded` | R32F | 1; 0, 4 B | not told, not told | 39 + 12; 115 | 12;  |\n\nthen", once)
         devices = tilers_streams.devices_page({"A": row})
         self.assertIn("| depth encoding, spheres | encoded |  | 39 |", devices)
         self.assertIn("| fragdepth | all of it | | | |", devices)
-        self.assertEqual(tilers_streams.written_into(once, {"A": row}), once)
+        self.assertEqual(tilers_streams.written_into(once, tables), once)
+        with self.assertRaisesRegex(ValueError, "no place for the table of others"):
+            tilers_streams.written_into(page, {"others": []})
+
+    def test_of_a_device_that_fetches_spheres_the_fetched_ones_are_told(self):
+        entry = {"plan": {"render_passes": 1, "loads": 0, "stores": 4},
+                 "pipelines": {"impostor colour, fetched spheres, fragment": {"instructions": 142}}}
+        row = {"visibility": "encoded", "encoded_format": "R32F", "paths": {"encoded": entry, "fragdepth": {}}}
+        self.assertIn("| ; 142 |", tilers_streams.summary({"A": row})[2])
+
+
+class Costs(unittest.TestCase):
+    def pipelines(self, kind):
+        numbers = {"opaque prepass, spheres": (10, 1), "depth encoding, spheres": (20, 2), f"impostor colour, {kind}": (30, 3)}
+        stages = {f"{name}, {stage}": {"instructions": n[i]} for name, n in numbers.items() for i, stage in
+                  enumerate(("vertex", "fragment"))}
+        return stages | {"depth encoding, blending, fragment": {"instructions": 5}}
+
+    def test_a_frame_costs_its_vertices_and_fragments(self):
+        fragments = {"opaque prepass": 1_000_000, "depth encoding": 2_000_000, "impostor colour": 3_000_000}
+        shape = {"plates": "octagon", "impostor": "square", "fragments": fragments}
+        # Of a million spheres: 8 plate corners and 4 impostor corners, vertices twice; the encoding blends.
+        self.assertEqual(tilers_costs.frame_cost(self.pipelines("spheres"), shape, 10**6, False),
+                         8 * (10 + 10) + 1 + 4 * (20 + 20) + 2 * (2 + 5) + 4 * (30 + 20) + 3 * 3)
+        # Where outputs are stored: 16, 32 and 52 bytes of twenty instructions; 32 of fetched spheres.
+        stored = [8 * (10 + 320) + 1 + 4 * (20 + 640) + 2 * (2 + 5) + 4 * (30 + 20 * size) + 3 * 3 for size in (52, 32)]
+        for kind, cost in zip(("spheres", "fetched spheres"), stored):
+            self.assertEqual(tilers_costs.frame_cost(self.pipelines(kind), shape, 10**6, True), cost)
+
+    def test_the_pages_are_those_of_the_numbers(self):
+        rows = json.loads((TOOLS.parent / "docs/tilers.json").read_text())
+        self.assertEqual(list(rows), list(tilers.DEVICES))
+        for page, text in tilers.pages(rows).items():
+            self.assertEqual((TOOLS.parent / page).read_text(), text, f"{page}: tools/tilers --write")
 
 
 class Worse(unittest.TestCase):
