@@ -1,0 +1,78 @@
+"""Frames that tools/measure times in turns: beside Jmol's, and styles and larger scenes beside 4HHB's own."""
+
+import gzip
+
+SIZES = ("640x960", "2048x1536")
+JMOL = {"1BNA": "1bna.mmtf", "4HHB": "4hhb.pdb", "4V5A": "4v5a-ribosome.mmtf"}
+STYLES = {"perspective": ["--projection", "perspective"], "ball and stick": ["--style", "ball-and-stick"],
+          "licorice": ["--style", "licorice"], "`--zoom 10`": ["--zoom", "10"], "16 samples at edges": ["--supersample", "auto"]}
+LARGE = ("1AON", "3J6R's capsid", "16 capsids")
+
+
+def sized(names):
+    return tuple(f"{name}, {size}" for name in names for size in SIZES)
+
+
+JMOL_ROWS, STYLE_ROWS, LARGE_ROWS = sized(JMOL), sized(STYLES), sized(LARGE)
+JMOL_COLUMNS = ("ms", "CPU, ms", "Jmol, ms", "Jmol, CPU, ms", "ratio", "CPU ratio")
+JMOL_RATIOS = {"ratio": ("ms", "Jmol, ms"), "CPU ratio": ("CPU, ms", "Jmol, CPU, ms")}
+STYLE_COLUMNS = ("times space-filling", "per covered pixel")
+LARGE_COLUMNS = ("ms", "CPU, ms", "times 4HHB", "CPU, times 4HHB", "resident, MB")
+
+
+def jmol(run):
+    for name, file in JMOL.items():
+        path = run.file(file)
+        for size in SIZES:
+            best = run.turns({"jmol": lambda: run.jmol(path, size, 36),
+                              "nacre": lambda: run.bench(path, "--size", size, "--frames", "72")})
+            a, b = best["nacre"], best["jmol"]
+            yield f"{name}, {size}", {"ms": a["wall"], "CPU, ms": a["cpu"], "Jmol, ms": b["wall"], "Jmol, CPU, ms": b["cpu"],
+                                      "ratio": a["wall"] / b["wall"], "CPU ratio": a["cpu"] / b["cpu"]}
+
+
+def beside_hemoglobin(run, size, count, *arguments):
+    """4HHB's space-filling frame and another in turns. @returns both"""
+    best = run.turns({"4HHB": lambda: run.bench(run.file("4hhb.pdb"), "--size", size, "--frames", "20"),
+                      "scene": lambda: run.bench(*arguments, "--size", size, "--frames", str(count))})
+    return best["scene"], best["4HHB"]
+
+
+def styles(run):
+    for name, options in STYLES.items():
+        for size in SIZES:
+            a, b = beside_hemoglobin(run, size, 20, run.file("4hhb.pdb"), *options)
+            times = a["cpu"] / b["cpu"]
+            yield f"{name}, {size}", {"times space-filling": times, "per covered pixel": times * b["pixels"] / a["pixels"]}
+
+
+def grid_of_capsids(run, across=4, apart=640):
+    """A file whose assembly is a grid of 3J6R's capsids: across x across x 60 copies. @returns its path"""
+    lines, operators, at = [], [], None
+    for line in gzip.open(run.file("3j6r-hpv16.pdb.gz"), "rt"):
+        if line.startswith("REMARK 350   BIOMT"):
+            at = len(lines) if at is None else at
+            operators.append([float(word) for word in line[24:].split()])
+        else:
+            lines.append(line)
+    placed = []
+    for cell in range(across * across):
+        shift = (cell % across * apart, cell // across * apart, 0)
+        for i, (x, y, z, t) in enumerate(operators):
+            copy = (cell * len(operators) + i) // 3 + 1
+            placed.append(f"REMARK 350   BIOMT{i % 3 + 1} {copy:3d}{x:10.6f}{y:10.6f}{z:10.6f}{t + shift[i % 3]:15.5f}\n")
+    lines[at:at] = placed
+    path = run.folder / "capsids.pdb"
+    path.write_text("".join(lines))
+    return path
+
+
+def large(run):
+    few = ["--assembly", "1", "--occlusion", "16"]
+    arguments = {"1AON": [run.file("1aon-groel.pdb.gz")], "3J6R's capsid": [run.file("3j6r-hpv16.pdb.gz"), *few],
+                 "16 capsids": [grid_of_capsids(run), *few]}
+    for name in LARGE:
+        for size in SIZES:
+            a, b = beside_hemoglobin(run, size, 5, *arguments[name])
+            yield f"{name}, {size}", {"ms": a["wall"], "CPU, ms": a["cpu"], "times 4HHB": a["wall"] / b["wall"],
+                                      "CPU, times 4HHB": a["cpu"] / b["cpu"], "resident, MB": a["resident"] >> 20}
