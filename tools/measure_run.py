@@ -121,4 +121,7 @@ class Run:
                        env=dict(self.env, SECONDS_SHOWN=str(seconds)), capture_output=True)
         if not stats.exists():
             raise Unavailable("no window opens")
-        return json.loads(stats.read_text())
+        told = json.loads(stats.read_text())
+        if "start_ms" not in told:
+            raise Unavailable(f"no picture in {seconds} s")
+        return told
