@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -102,6 +105,23 @@ TEST(Srgb, KnownValues) {
     EXPECT_EQ(linearToSrgb(-1.0f), 0.0f);
     EXPECT_EQ(linearToSrgb(2.0f), 1.0f);
     EXPECT_EQ(toByte(linearToSrgb(std::nanf(""))), 0);
+}
+
+// About each value at which a code begins, and far from them.
+TEST(Srgb, ATableGivesTheSameBytes) {
+    const auto same = [](std::uint32_t bits) {
+        const auto linear = std::bit_cast<float>(bits);
+        return linearToByte(linear) == toByte(linearToSrgb(linear));
+    };
+    for (int code = 1; code < 256; ++code) {
+        const float begins = srgbToLinear((static_cast<float>(code) - 0.5f) / 255.0f);
+        const auto middle = std::bit_cast<std::uint32_t>(begins);
+        for (std::uint32_t bits = middle - 300; bits < middle + 300; ++bits) ASSERT_TRUE(same(bits)) << code;
+    }
+    for (std::uint32_t bits = 0; bits < std::bit_cast<std::uint32_t>(2.0f); bits += 9973) ASSERT_TRUE(same(bits)) << bits;
+    const float infinite = std::numeric_limits<float>::infinity();
+    for (const float special : {-1.0f, -0.0f, 0.0f, 1.0f, std::nextafter(1.0f, 0.0f), infinite, -infinite, std::nanf("")})
+        EXPECT_TRUE(same(std::bit_cast<std::uint32_t>(special))) << special;
 }
 
 }  // namespace
