@@ -24,7 +24,8 @@ std::vector<std::string> lookNames() {
 void takeThumbnail(T text, P& d) {
     const auto side = static_cast<std::uint32_t>(parseInteger(text, 16, 4096));
     d.size = {side, side};
-    d.occlusion.detail = 12;
+    d.occlusion.detail = 12;  // of which so few pixels show no more, nor of more directions
+    d.occlusion.directions = 64;
     d.aim.principal = d.view.empty();
 }
 
@@ -56,7 +57,7 @@ std::vector<Option> severalAtOnce() {
          .syntax = "N",
          .standard = "none",
          .help = "A picture for lists of structures, N pixels per side, 16 to 4096: --size NxN --orient principal\n"
-                 "--occlusion-detail 12; options override it, and so does the camera of --view",
+                 "--occlusion-detail 12 --occlusion 64; options override it, and so does the camera of --view",
          .topic = Topic::thumbnail,
          .parse = takeThumbnail},
         {.key = "pocket",

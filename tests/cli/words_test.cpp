@@ -92,6 +92,21 @@ TEST(PictureOptions, AThumbnailIsSmallAndTurnedToItsAxes) {
     EXPECT_TRUE(test::contentOf(folder / "b.png") == small);
 }
 
+TEST(PictureOptions, AThumbnailIsNearlyAsGoodAsFullOcclusion) {
+    const TemporaryFolder folder;
+    const auto draws = [&](const std::string& options) {
+        EXPECT_EQ(nacreIn(folder, "render sample:dna --cache off -o a.png " + options).code, 0);
+        return pixelsOf(folder / "a.png");
+    };
+    const std::vector<float> small = draws("--thumbnail 256");
+    EXPECT_EQ(small, draws("--size 256x256 --orient principal --occlusion-detail 12 --occlusion 64"));
+    const std::vector<float> full = draws("--size 256x256 --orient principal --occlusion 512");
+    ASSERT_EQ(small.size(), full.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < full.size(); ++i) sum += (small[i] - full[i]) * (small[i] - full[i]);
+    EXPECT_GT(10 * std::log10(static_cast<double>(full.size()) / sum), 41);
+}
+
 TEST(WordOptions, LayersAndDebugViewsHaveNoWords) {
     const TemporaryFolder folder;
     for (const char* title : {"", "--title TITLE --legend on"})
