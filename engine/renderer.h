@@ -30,8 +30,9 @@ public:
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
-    /// Uploads a scene and drops the occlusion of the previous one. @throws Error and keeps the previous scene
-    void setScene(Representation representation);
+    /// Uploads a scene and drops the occlusion of the previous one; keeps shapes and occlusion where only colours are new.
+    /// @returns whether it uploaded colours alone @throws Error and keeps the previous scene
+    bool setScene(Representation representation);
     /// Moves the primitives of the scene, which must come in the same order; otherwise this is setScene(). Does not
     /// wait for the device. Frames show the previous occlusion until advanceOcclusion() has finished the new one;
     /// pictures and layers always show the new one. @throws Error and keeps the previous scene

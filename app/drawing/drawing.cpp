@@ -215,9 +215,10 @@ void Drawing::makeRoom() {
 void Drawing::show(Canvas& canvas) {
     if (canvas.scene == number_) return;
     canvas.scene = 0;
-    maps_.empty() ? canvas.renderer.setScene(*scene_) : canvas.renderer.setScene(withMaps(*scene_, maps_));
+    const bool colors = canvas.renderer.setScene(maps_.empty() ? *scene_ : withMaps(*scene_, maps_));
     canvas.scene = number_;
     ++counts_.uploads;
+    counts_.colors += colors ? 1 : 0;
 }
 
 void Drawing::handOver(Canvas& canvas) {

@@ -72,7 +72,8 @@ public:
     /// Counts of expensive steps.
     struct Counts {
         int scenes = 0;   ///< built
-        int uploads = 0;  ///< to a canvas, which drops its bake
+        int uploads = 0;  ///< to a canvas
+        int colors = 0;   ///< of these, colours alone; the others drop its bake
     };
     const Counts& counts() const { return counts_; }
 

@@ -1,6 +1,7 @@
 #include "engine/frame/scene.h"
 
 #include <algorithm>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -99,6 +100,33 @@ std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const S
     return seen;
 }
 
+template <typename T>
+bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+/// Whether a stream is another one in an order.
+template <typename T>
+bool isOrdered(const std::vector<T>& ordered, const std::vector<T>& stream, const std::vector<std::uint32_t>& order) {
+    if (ordered.size() != stream.size() || order.size() != stream.size()) return false;
+    for (std::size_t i = 0; i < order.size(); ++i)
+        if (std::memcmp(&ordered[i], &stream[order[i]], sizeof(T)) != 0) return false;
+    return true;
+}
+
+/// Whether a representation has the scene's shapes, each with its look. Not for assemblies, whose copies may differ.
+bool hasShapesOf(const Scene& scene, const Representation& r) {
+    const Representation& now = scene.representation;
+    return r.copies.transforms.empty() && now.copies.transforms.empty() && r.radius == now.radius &&
+           r.meshLooks.size() == now.meshLooks.size() && r.sphereLooks.size() == now.sphereLooks.size() &&
+           r.cylinderLooks.size() == now.cylinderLooks.size() && r.wireLooks.size() == now.wireLooks.size() &&
+           isOrdered(now.spheres, r.spheres, scene.order.spheres) &&
+           isOrdered(now.cylinders, r.cylinders, scene.order.cylinders) && sameBytes(r.wires, now.wires) &&
+           sameBytes(r.triangles, now.triangles) && sameBytes(r.coarseTriangles, now.coarseTriangles) &&
+           sameBytes(r.meshVertices, now.meshVertices) && sameBytes(r.sphereModels, now.sphereModels) &&
+           sameBytes(r.cylinderModels, now.cylinderModels) && sameBytes(r.triangleModels, now.triangleModels);
+}
+
 /// @param scene  with its representation, in order
 void completeScene(const gpu::Device& device, Scene& scene) {
     fitBuffer(scene.representation, passes::mostShapeBytes(device.caps()));
@@ -172,6 +200,27 @@ Scene makeScene(const gpu::Device& device, Representation representation) {
     scene.order = orderInSpace(scene.representation);
     completeScene(device, scene);
     return scene;
+}
+
+bool recolor(Scene& scene, Representation& r) {
+    Representation& now = scene.representation;
+    if (scene.buffers.empty() || !hasShapesOf(scene, r)) return false;
+    const TranslucentRuns translucent = translucentRuns(r);
+    const auto asBefore = [](const TranslucentRun& a, const TranslucentRun& b) {
+        return a.first == b.first && a.count == b.count && a.kind == b.kind;
+    };
+    // What is translucent hides no light.
+    if (!std::equal(translucent.begin(), translucent.end(), scene.translucent.begin(), scene.translucent.end(), asBefore))
+        return false;
+    putInOrder(r, scene.order);
+    now.sphereLooks = std::move(r.sphereLooks);
+    now.cylinderLooks = std::move(r.cylinderLooks);
+    now.wireLooks = std::move(r.wireLooks);
+    now.meshLooks = std::move(r.meshLooks);
+    now.atomGroups = std::move(r.atomGroups);
+    now.blendsColors = r.blendsColors;
+    passes::putLooks(scene.buffers, now);
+    return true;
 }
 
 bool isMoved(const Scene& scene, const Representation& r) {

@@ -26,6 +26,9 @@ struct Scene {
 /// Uploads the streams. @throws Error
 Scene makeScene(const gpu::Device& device, Representation representation);
 
+/// Gives the scene the looks of a representation with the same shapes, if it is one. Only when no device reads it.
+bool recolor(Scene& scene, Representation& representation);
+
 /// Whether a representation can be the scene with moved primitives: the same number of each kind.
 bool isMoved(const Scene& scene, const Representation& representation);
 /// As above, with primitives in the order of the scene that they moved from. @throws Error

@@ -17,17 +17,24 @@ namespace {
 constexpr auto kUsage = vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eStorageBuffer |
                         vk::BufferUsageFlagBits::eUniformTexelBuffer;
 
+/// Writes streams one behind another.
+template <typename... Streams>
+void put(const gpu::Buffer& buffer, const Streams&... streams) {
+    std::byte* at = buffer.mapped;
+    const auto one = [&](const auto& stream) {
+        const std::size_t bytes = stream.size() * sizeof(stream[0]);
+        if (bytes > 0) std::memcpy(at, stream.data(), bytes);
+        at += bytes;
+    };
+    (one(streams), ...);
+}
+
 /// A buffer of streams one behind another.
 template <typename... Streams>
 gpu::Buffer joined(const gpu::Device& device, const std::string& name, const Streams&... streams) {
     const auto bytesOf = [](const auto& stream) { return stream.size() * sizeof(stream[0]); };
     gpu::Buffer buffer = gpu::makeBuffer(device, (bytesOf(streams) + ...), kUsage, gpu::Access::upload, name);
-    std::byte* at = buffer.mapped;
-    const auto put = [&](const auto& stream) {
-        if (!stream.empty()) std::memcpy(at, stream.data(), bytesOf(stream));
-        at += bytesOf(stream);
-    };
-    (put(streams), ...);
+    put(buffer, streams...);
     return buffer;
 }
 
@@ -115,6 +122,10 @@ std::vector<std::uint32_t> groupsOf(const Representation& r) {
 std::uint64_t mostShapeBytes(const gpu::Caps& caps) {
     return std::min(caps.maxBufferBytes,
                     caps.maxStorageBufferBytes * (caps.tiles.texels ? sizeof(glm::uvec4) / sizeof(std::uint32_t) : 1));
+}
+
+void putLooks(SceneBuffers& scene, const Representation& r) {
+    put(scene.looks, r.sphereLooks, r.cylinderLooks, r.wireLooks, r.meshLooks, groupsOf(r));
 }
 
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r) {

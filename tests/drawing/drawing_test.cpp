@@ -81,6 +81,26 @@ TEST_F(DrawingTest, WhatIsDrawnOtherwiseIsBuiltAnew) {
     EXPECT_EQ(drawing.counts().scenes, ++scenes);
 }
 
+TEST_F(DrawingTest, AnotherColourSchemeUploadsColoursAndKeepsTheBake) {
+    for (const char* style : {"cartoon", "spacefill", "licorice", "surface"}) {
+        set("style", style);
+        set("color", "element");
+        drawn();
+        const double baked = canvas.renderer.stats().bakeMilliseconds;
+        int colors = drawing.counts().colors;
+        for (const char* scheme : {"chain", "residue", "#ff8000"}) {
+            set("color", scheme);
+            EXPECT_EQ(drawn().rgba, anew().rgba) << style << " " << scheme;
+            EXPECT_EQ(drawing.counts().colors, ++colors) << style << " " << scheme;
+            EXPECT_EQ(canvas.renderer.stats().bakeMilliseconds, baked) << style << " " << scheme;
+        }
+    }
+    const int colors = drawing.counts().colors;
+    set("surface-opacity", "0.5");
+    EXPECT_EQ(drawn().rgba, anew().rgba);
+    EXPECT_EQ(drawing.counts().colors, colors) << "translucent surfaces hide no light";
+}
+
 TEST_F(DrawingTest, WhatFailedOnceFailsAgainAndLeavesNothingBehind) {
     const Picture before = drawn();
     const PictureDescription good = picture;
