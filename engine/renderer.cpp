@@ -30,7 +30,8 @@ struct Renderer::Impl {
     gpu::LossGuard guarded{device};
     gpu::Executor executor{device};
     FrameStats stats;
-    std::shared_ptr<const Scene> scene = std::make_shared<Scene>();
+    std::shared_ptr<Scene> own = std::make_shared<Scene>();  // whose colours may change while nobody reads them
+    std::shared_ptr<const Scene> scene = own;
     occlusion::SceneOcclusion occlusion{device, executor};
     SceneFrames frames = guarded([&] { return SceneFrames(device, executor, scene); });
     PictureFrames pictures{device, executor, frames};
@@ -82,7 +83,7 @@ struct Renderer::Impl {
     template <typename Draw>
     auto drawFinished(const RenderSettings& settings, const Draw& draw) {
         return guarded([&] {
-            occlusion.finish(settings.occlusion);
+            occlusion.finish(settings.occlusion, onlookerOf(settings));
             auto drawn = draw(occlusion.atlas());
             notePicture();
             return drawn;
@@ -112,24 +113,29 @@ Renderer::Renderer(const DeviceOptions& options) {
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
-void Renderer::setScene(Representation representation) {
-    impl_->guarded([&] {
+bool Renderer::setScene(Representation representation) {
+    const bool colorsAlone = impl_->guarded([&] {
         impl_->device->waitIdle();  // frames for the window may still read the streams
-        auto scene = std::make_shared<const Scene>(makeScene(impl_->device, std::move(representation)));
-        impl_->occlusion.setScene(toBake(scene));
-        impl_->scene = std::move(scene);
+        const bool kept = !impl_->occlusion.readsScene() && recolor(*impl_->own, representation);
+        if (!kept) {
+            auto scene = std::make_shared<Scene>(makeScene(impl_->device, std::move(representation)));
+            impl_->occlusion.setScene(toBake(scene));
+            impl_->scene = impl_->own = std::move(scene);
+        }
         impl_->frames.letGo();
+        return kept;
     });
     impl_->stats.copies = std::max<std::uint64_t>(impl_->scene->representation.copies.transforms.size(), 1);
+    return colorsAlone;
 }
 
 void Renderer::moveScene(Representation representation) {
-    if (!isMoved(*impl_->scene, representation)) return setScene(std::move(representation));
+    if (!isMoved(*impl_->scene, representation)) return void(setScene(std::move(representation)));
     impl_->guarded([&] {  // frames in flight hold the scene before
         auto scene =
-            std::make_shared<const Scene>(makeMovedScene(impl_->device, std::move(representation), *impl_->scene));
+            std::make_shared<Scene>(makeMovedScene(impl_->device, std::move(representation), *impl_->scene));
         impl_->occlusion.moveScene(toBake(scene));
-        impl_->scene = std::move(scene);
+        impl_->scene = impl_->own = std::move(scene);
         impl_->frames.letGo();
     });
 }

@@ -26,6 +26,8 @@ struct OcclusionSettings {
     /// of depth maps grow with the square.
     std::uint32_t detail = 32;
     std::string cache;         ///< folder for finished bakes; empty: none are kept
+    /// Pictures by one view are all that it is for: what this view sees from behind needs no light, if no cache keeps it.
+    bool once = false;
     double worthKeeping = 50;  ///< milliseconds; shorter bakes are not kept
     /// Called between batches of the bake with the finished share, above 0 and at most 1.
     std::function<void(double)> onProgress;

@@ -179,21 +179,7 @@ void Bake::dropDeepTexels() {
         sums[kept++] = sums[i];
     }
     keptBefore[texelCount_] = kept;
-    auto* words = reinterpret_cast<AtlasWord*>(words_.mapped);
-    for (std::size_t i = 0; i < wordCount_; ++i) {
-        const std::uint32_t base = words[i].base;
-        words[i].base = keptBefore[base];
-        const auto follow = [&](std::uint16_t& entry) {
-            if (entry == AtlasWord::kNone) return;
-            const std::uint32_t before = keptBefore[base + entry];
-            entry = keptBefore[base + entry + 1] == before ? AtlasWord::kNone  // dropped
-                                                           : static_cast<std::uint16_t>(before - words[i].base);
-        };
-        for (AtlasWord::Source& source : words[i].sources) {
-            follow(source.entry);
-            follow(source.beyond);
-        }
-    }
+    followKept({reinterpret_cast<AtlasWord*>(words_.mapped), wordCount_}, keptBefore);
     for (std::uint32_t& first : firstOfSphere_) first = keptBefore[first];
     for (OcclusionCopies::Run& run : copies_.runs) {
         const std::uint32_t end = keptBefore[run.first + run.count];

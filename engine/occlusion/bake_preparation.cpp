@@ -37,13 +37,17 @@ BakePreparation prepared(const gpu::Caps& caps, const Representation& representa
         // Guessed from a sample first: looking at every texel takes its time.
         least = bakeBytes(layout, 0, 0);
         if (least > budgetBytes) continue;
-        const double share = openShare(layout, representation, tree);
-        const auto guess = static_cast<std::uint64_t>(share * static_cast<double>(layout.patchTexels()));
+        const bool few = samplesAll(representation);
+        if (few) result.open = openTexels(layout, representation, tree, stop);
+        const auto guess =
+            few ? result.open.texels.size() - 2 * vertices
+                : static_cast<std::uint64_t>(openShare(layout, representation, tree) *
+                                             static_cast<double>(layout.patchTexels()));
         least = bakeBytes(layout, guess + 2 * vertices, (guess + 2 * vertices) / 4);
         if (least > budgetBytes ||
             (layout.sphereEdge > 1 && guess > mostTexels(spheres + cylinders, options.directions)))
             continue;
-        result.open = openTexels(layout, representation, tree, stop);
+        if (!few) result.open = openTexels(layout, representation, tree, stop);
         least = bakeBytes(layout, result.open.texels.size(), result.open.words.size());
         if (least > budgetBytes) continue;
         result.layout = layout;
@@ -73,7 +77,10 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
     const std::uint64_t room = mapBudget(options.budgetBytes, representation);
     const std::uint64_t maps = DepthMapSizes(caps, representation, options.path, room, options.detail).bytes;
     BakePreparation result = prepared(caps, representation, options, maps, stop);
-    if (!stop.stop_requested()) result.copies = occlusionCopies(representation, result.layout, result.open.texels);
+    if (stop.stop_requested()) return result;
+    if (options.onlooker && representation.copies.transforms.empty())
+        keepSeen(result.open, result.layout, representation, *options.onlooker);
+    result.copies = occlusionCopies(representation, result.layout, result.open.texels);
     return result;
 }
 

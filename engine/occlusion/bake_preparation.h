@@ -7,6 +7,7 @@
 #include "engine/gpu/caps.h"
 #include "engine/occlusion/copies.h"
 #include "engine/occlusion/open_texels.h"
+#include "engine/occlusion/seen_texels.h"
 #include "engine/scene/representation.h"
 #include "engine/settings.h"
 
@@ -17,6 +18,7 @@ struct BakeOptions {
     std::uint64_t budgetBytes = 64ull << 20;  ///< device memory of the whole bake
     OcclusionMaps path = OcclusionMaps::encoded;
     std::uint32_t detail = 32;  ///< maximum width of a sphere's patch, texels
+    std::optional<Onlooker> onlooker = {};  ///< who alone sees it
 };
 
 /// Results of the preparation.

@@ -98,7 +98,8 @@ public:
     Finder(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree)
         : layout_(layout), r_(r), tree_(tree), normals_(octahedralNormals(layout.sphereEdge)) {}
 
-    void sphere(std::uint32_t i) {
+    /// @param wanted  whether it lists the words of what it finds
+    void sphere(std::uint32_t i, bool wanted = true) {
         const Sphere& s = r_.spheres[i];
         const std::uint32_t edge = layout_.sphereEdge;
         found.firstOfSphere.push_back(static_cast<std::uint32_t>(found.texels.size()));
@@ -106,11 +107,11 @@ public:
         begin(std::size_t{edge} * edge);
         for (std::uint32_t k = 0; k < edge * edge; ++k)
             if (!buried(s.center + normals_[k] * s.radius)) open(k, i * edge * edge + k);
-        words({edge, edge}, true, i, 0);
+        if (wanted) words({edge, edge}, true, i, 0);
         found.sphereTexels = found.texels.size();
     }
 
-    void cylinder(std::uint32_t i) {
+    void cylinder(std::uint32_t i, bool wanted = true) {
         const Cylinder& c = r_.cylinders[i];
         const std::uint32_t around = layout_.around, along = layout_.along;
         collect(static_cast<std::uint32_t>(r_.spheres.size()) + i);
@@ -126,7 +127,7 @@ public:
                                     c.radius * (u * std::cos(angle) + v * std::sin(angle));
                 if (!buried(p)) open(y * around + x, base + y * around + x);
             }
-        words({around, along}, false, i, layout_.sphereRows);
+        if (wanted) words({around, along}, false, i, layout_.sphereRows);
     }
 
     OpenTexels found;
@@ -239,6 +240,12 @@ void openSpheres(OpenTexels& all, std::uint32_t count) {
     all.sphereTexels = count;
 }
 
+/// Of so many primitives a sample has each this many-th.
+std::uint32_t sampledEach(std::size_t count) {
+    constexpr std::size_t kSample = 500;
+    return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count / kSample));
+}
+
 void append(OpenTexels& all, const OpenTexels& part) {
     const auto base = static_cast<std::uint32_t>(all.texels.size());
     all.texels.insert(all.texels.end(), part.texels.begin(), part.texels.end());
@@ -294,20 +301,37 @@ OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, co
     return all;
 }
 
+void followKept(std::span<AtlasWord> words, std::span<const std::uint32_t> keptBefore) {
+    for (AtlasWord& word : words) {
+        const std::uint32_t base = word.base;
+        word.base = keptBefore[base];
+        const auto follow = [&](std::uint16_t& entry) {
+            if (entry == AtlasWord::kNone) return;
+            const std::uint32_t before = keptBefore[base + entry];
+            entry = keptBefore[base + entry + 1] == before ? AtlasWord::kNone  // dropped
+                                                           : static_cast<std::uint16_t>(before - word.base);
+        };
+        for (AtlasWord::Source& source : word.sources) {
+            follow(source.entry);
+            follow(source.beyond);
+        }
+    }
+}
+
+bool samplesAll(const Representation& r) {
+    return sampledEach(r.spheres.size()) == 1 && sampledEach(r.cylinders.size()) == 1;
+}
+
 double openShare(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree) {
     if (layout.patchTexels() == 0 || layout.sphereEdge == 1) return 1.0;
-    constexpr std::uint32_t kSample = 500;
     Finder finder(layout, r, tree);
     std::uint64_t texels = 0;
-    const auto each = [](std::size_t count) {
-        return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count / kSample));
-    };
-    for (std::uint32_t i = 0; i < r.spheres.size(); i += each(r.spheres.size())) {
-        finder.sphere(i);
+    for (std::uint32_t i = 0; i < r.spheres.size(); i += sampledEach(r.spheres.size())) {
+        finder.sphere(i, false);
         texels += std::uint64_t{layout.sphereEdge} * layout.sphereEdge;
     }
-    for (std::uint32_t i = 0; i < r.cylinders.size(); i += each(r.cylinders.size())) {
-        finder.cylinder(i);
+    for (std::uint32_t i = 0; i < r.cylinders.size(); i += sampledEach(r.cylinders.size())) {
+        finder.cylinder(i, false);
         texels += std::uint64_t{layout.around} * layout.along;
     }
     return static_cast<double>(finder.found.texels.size()) / static_cast<double>(texels);

@@ -2,6 +2,7 @@
 // The texels of the occlusion atlas that light can reach, and the sources of the other texels.
 
 #include <cstdint>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -39,6 +40,13 @@ struct OpenTexels {
 /// @param stop  when requested, returns early and incomplete
 OpenTexels openTexels(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree,
                       const std::stop_token& stop = {});
+
+/// Points words at the entries that are left after some were dropped.
+/// @param keptBefore  for each entry the number of those kept before it, and their number in all
+void followKept(std::span<AtlasWord> words, std::span<const std::uint32_t> keptBefore);
+
+/// Whether openShare() would look at every texel, as openTexels() does.
+bool samplesAll(const Representation& representation);
 
 /// Fraction of the patches' texels that are open, from a sample of the primitives.
 double openShare(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree);

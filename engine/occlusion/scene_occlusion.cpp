@@ -86,17 +86,17 @@ void SceneOcclusion::moveScene(SceneToBake scene) {
     moved_ = true;
 }
 
-void SceneOcclusion::begin(const OcclusionSettings& settings) {
+void SceneOcclusion::begin(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker) {
     orDrop([&] {
         if (isOutdated()) drop();
-        prepare(settings);
+        prepare(settings, onlooker);
         if (is<Preparing>()) make(device_.caps().software ? Allowance() : allowed(kWaitedMilliseconds), Allowance());
         if (const auto bake = there(); bake && !bake->shows()) finishFlight(), bake->finish(executor_);
     });
 }
 
-void SceneOcclusion::prepare(const OcclusionSettings& settings) {
-    const Wanted wanted{settings.directions, settings.bytes, settings.maps, settings.detail};
+void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker) {
+    const Wanted wanted{settings.directions, settings.bytes, settings.maps, settings.detail, onlooker};
     if (settings.directions == 0 || (!is<Idle>() && wanted_ == wanted)) return;
     if (scene_.buffers == nullptr || !hasPatches(*scene_.representation)) return;
     std::shared_ptr<Bake> shown = wanted_ == wanted ? std::move(before_) : nullptr;
@@ -105,7 +105,7 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings) {
     of_ = scene_;
     wanted_ = wanted;
     options_ = {settings.directions, budgetOf(settings.bytes, of_.representation->meshVertices.size()), settings.maps,
-                settings.detail};
+                settings.detail, onlooker};
     const bool tiles = device_.caps().plan.tiles;
     if (options_.path == OcclusionMaps::automatic || (options_.path == OcclusionMaps::tiles && !tiles))
         options_.path = automaticMaps(device_.caps(), tiles);
@@ -279,8 +279,8 @@ void SceneOcclusion::advance(double milliseconds) {
     });
 }
 
-void SceneOcclusion::finish(const OcclusionSettings& settings) {
-    begin(settings);
+void SceneOcclusion::finish(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker) {
+    begin(settings, onlooker);
     if (settings.directions == 0) return;
     orDrop([&] {
         finishFlight();

@@ -35,13 +35,17 @@ public:
     /// The same primitives at other positions. The old bake is shown until a new one is done.
     void moveScene(SceneToBake scene);
 
+    /// Whether a thread reads the scene's representation.
+    bool readsScene() const { return is<Preparing>(); }
+
     /// Starts the bake that the settings ask for, unless it exists or there is nothing to bake. A cached bake is done
     /// at once.
-    void begin(const OcclusionSettings& settings);
+    /// @param onlooker  who alone sees it, if anyone
+    void begin(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker = {});
     /// Works on the current bake for about `milliseconds`, at least one direction.
     void advance(double milliseconds);
     /// Starts and completes the bake.
-    void finish(const OcclusionSettings& settings);
+    void finish(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker = {});
     /// As above, always with a new bake. @returns its results
     BakedOcclusion baked(const OcclusionSettings& settings);
     /// As Renderer::advanceOcclusion beside frames. @returns the share that is shown
@@ -106,9 +110,9 @@ private:
     /// The bake, if there is one.
     std::shared_ptr<Bake> there() const;
 
-    using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t>;
+    using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t, std::optional<Onlooker>>;
     /// Starts preparing what the settings ask for, unless it exists, is on its way, or there is nothing to bake.
-    void prepare(const OcclusionSettings& settings);
+    void prepare(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker = {});
     /// As above beside frames, for a moving scene: a running bake continues, and the last finished one is shown
     /// meanwhile.
     /// @param hurry  drop a running bake of earlier positions
@@ -135,7 +139,7 @@ private:
     bool moved_ = false;
     std::variant<Idle, Preparing, Baking, Finished> state_;
     std::shared_ptr<Bake> before_;  // finished bake of earlier positions, shown until the current one is done
-    Wanted wanted_{};               // directions, budget, maps, detail: of the bake, or of before_
+    Wanted wanted_{};               // directions, budget, maps, detail, onlooker: of the bake, or of before_
     BakeOptions options_;           // the same, resolved
     DiskCache cache_;               // off: do not cache the bake
     std::string cacheName_;         // of the bake

@@ -1,0 +1,116 @@
+#include "engine/occlusion/seen_texels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "engine/scene/mesh_levels.h"
+
+namespace nacre {
+namespace {
+
+/// For each texel of a sphere's patch, whether it is a corner of a cell that holds a normal turned to the viewer.
+std::vector<bool> seenOfSphere(std::uint32_t edge, const glm::dvec3& towards) {
+    // Before it is unit, a normal is linear in the patch's coordinates but for folds. Between points so far apart its
+    // part towards the viewer changes by no more than 2 for each of the two coordinates.
+    constexpr std::uint32_t kPoints = 8;
+    const double cell = 2.0 / (edge - 1), apart = cell / kPoints;
+    std::vector<bool> seen(std::size_t{edge} * edge, false);
+    const auto sees = [&](std::uint32_t x, std::uint32_t y) {
+        for (std::uint32_t j = 0; j <= kPoints; ++j)
+            for (std::uint32_t i = 0; i <= kPoints; ++i) {
+                const double px = x * cell + i * apart - 1, py = y * cell + j * apart - 1;
+                glm::dvec3 n(px, py, 1 - std::abs(px) - std::abs(py));
+                if (n.z < 0) {
+                    n.x = (1 - std::abs(py)) * (px >= 0 ? 1 : -1);
+                    n.y = (1 - std::abs(px)) * (py >= 0 ? 1 : -1);
+                }
+                if (glm::dot(n, towards) >= -2 * apart) return true;
+            }
+        return false;
+    };
+    for (std::uint32_t y = 0; y + 1 < edge; ++y)
+        for (std::uint32_t x = 0; x + 1 < edge; ++x) {
+            if (!sees(x, y)) continue;
+            const std::size_t first = std::size_t{y} * edge + x;
+            for (const std::size_t corner : {first, first + 1, first + edge, first + edge + 1}) seen[corner] = true;
+        }
+    return seen;
+}
+
+/// For each texel of a vertex, outer and inner, whether a triangle shows that side. Of triangles seen along their plane,
+/// or that are too thin for a pixel's rounding, either side may be shown.
+std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representation& r, const Onlooker& from) {
+    constexpr float kFlat = 0.1f;
+    constexpr double kThinPixels = 0.1;
+    std::vector<bool> seen(2 * std::size_t{layout.vertexCount}, false);
+    const glm::vec3 towards = from.towards;
+    const auto thinnest = static_cast<float>(kThinPixels / from.pixelsPerAngstrom);
+    const std::size_t count = r.triangles.size() + r.coarseTriangles.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Triangle& t = drawnTriangle(r, i);
+        const auto at = [&](std::uint32_t vertex) { return positionOf(r.meshVertices[vertex], t.step); };
+        const glm::vec3 a = at(t.a), ab = at(t.b) - a, ac = at(t.c) - a, normal = glm::cross(ab, ac);
+        const float length = glm::length(normal), facing = glm::dot(normal, towards);
+        const float longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+        const bool either = !(std::abs(facing) > kFlat * length) || !(length > thinnest * longest);
+        for (const std::uint32_t vertex : {t.a, t.b, t.c}) {
+            if (either || facing > 0) seen[2 * std::size_t{vertex}] = true;
+            if (either || facing < 0) seen[2 * std::size_t{vertex} + 1] = true;
+        }
+    }
+    return seen;
+}
+
+}  // namespace
+
+std::optional<Onlooker> onlookerOf(const RenderSettings& settings) {
+    const View& view = settings.view;
+    // A bake that is kept serves others. Planes open what they cut, and near an eye surfaces turn.
+    if (!settings.occlusion.once || !settings.occlusion.cache.empty() || settings.effects.clip.on() ||
+        settings.debug != DebugView::none || view.projection == Projection::perspective)
+        return {};
+    return Onlooker{glm::transpose(view.rotation) * glm::dvec3(0, 0, 1), view.pixelsPerAngstrom};
+}
+
+void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representation& r, const Onlooker& onlooker) {
+    if (layout.sphereEdge == 1) return;
+    const std::vector<bool> ofSphere = seenOfSphere(layout.sphereEdge, onlooker.towards);
+    const std::vector<bool> ofVertices = seenOfVertices(layout, r, onlooker);
+    const std::uint64_t vertexRow = std::uint64_t{layout.sphereRows} + layout.cylinderRows;
+    const auto isSeen = [&](std::uint64_t texel) {
+        const std::uint64_t row = texel / layout.width, column = texel % layout.width, edge = layout.sphereEdge;
+        if (row < layout.sphereRows) return static_cast<bool>(ofSphere[row % edge * edge + column % edge]);
+        if (row < vertexRow) return true;
+        const std::uint64_t place = texel - vertexRow * layout.width;
+        return place < ofVertices.size() && ofVertices[place];
+    };
+    std::vector<std::uint32_t> keptBefore(open.texels.size() + 1, 0);
+    const auto keep = [&](const AtlasWord& word, std::uint16_t entry) { keptBefore[word.base + entry + 1] = 1; };
+    for (AtlasWord& word : open.words)
+        for (std::uint64_t i = 0; i < 4; ++i) {
+            AtlasWord::Source& source = word.sources[i];
+            if (source.entry == AtlasWord::kNone) continue;
+            if (!isSeen(4 * std::uint64_t{word.address} + i)) {
+                source = {};
+                continue;
+            }
+            keep(word, source.entry);
+            keep(word, source.beyond);
+        }
+    std::erase_if(open.words, [](const AtlasWord& word) {
+        return std::all_of(std::begin(word.sources), std::end(word.sources),
+                           [](const AtlasWord::Source& source) { return source.entry == AtlasWord::kNone; });
+    });
+    for (std::size_t i = 0; i < open.texels.size(); ++i) {
+        if (keptBefore[i + 1]) open.texels[keptBefore[i]] = open.texels[i];
+        keptBefore[i + 1] += keptBefore[i];
+    }
+    open.texels.resize(keptBefore.back());
+    open.sphereTexels = keptBefore[open.sphereTexels];
+    for (std::uint32_t& first : open.firstOfSphere) first = keptBefore[first];
+    followKept(open.words, keptBefore);
+}
+
+}  // namespace nacre

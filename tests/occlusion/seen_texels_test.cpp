@@ -1,0 +1,72 @@
+// A bake for one picture alone: the same picture, for fewer questions.
+
+#include "engine/occlusion/seen_texels.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/trigonometric.hpp>
+
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+namespace {
+
+struct Case {
+    const char* name;
+    Style style;
+    std::uint32_t detail;
+    double most;  ///< of all questions
+};
+
+class Once : public testing::TestWithParam<Case> {};
+
+TEST_P(Once, DrawsTheSamePictureForFewerQuestions) {
+    const Representation r = scene("sample:dna", GetParam().style);
+    RenderSettings s = settings(r, 200, Projection::orthographic);
+    s.occlusion.directions = 48;
+    s.occlusion.detail = GetParam().detail;
+    for (const glm::dvec3 turn : {glm::dvec3(0), glm::dvec3(35, 110, -20)}) {
+        s.view.rotation = rotationMatrix(turn);
+        Renderer renderer{DeviceOptions{}};
+        renderer.setScene(r);
+        s.occlusion.once = false;
+        const Picture whole = renderer.render(s);
+        const std::uint64_t asked = renderer.stats().occlusion.asked;
+        s.occlusion.once = true;
+        const Picture once = renderer.render(s);
+        EXPECT_EQ(once.rgba, whole.rgba);
+        EXPECT_LT(static_cast<double>(renderer.stats().occlusion.asked), GetParam().most * static_cast<double>(asked));
+        EXPECT_GT(renderer.stats().occlusion.asked, 0u);
+        // Another view needs other texels.
+        s.view.rotation = rotationMatrix(turn + glm::dvec3(0, 180, 0));
+        const Picture behind = renderer.render(s);
+        s.occlusion.once = false;
+        EXPECT_EQ(renderer.render(s).rgba, behind.rgba);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Styles, Once,
+                         testing::Values(Case{"spacefill", Style::spacefill, 12, 0.8},
+                                         Case{"fine", Style::spacefill, 32, 0.7},
+                                         Case{"sticks", Style::ballAndStick, 16, 0.95},
+                                         Case{"cartoon", Style::cartoon, 16, 0.7},
+                                         Case{"surface", Style::surface, 16, 0.7}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+// Where a picture may show any side, or the bake is kept for others.
+TEST(Onlooker, IsNobodyWhereOtherSidesMayShow) {
+    RenderSettings s;
+    EXPECT_FALSE(onlookerOf(s));
+    s.occlusion.once = true;
+    ASSERT_TRUE(onlookerOf(s));
+    EXPECT_EQ(onlookerOf(s)->towards, glm::dvec3(0, 0, 1));
+    RenderSettings cut = s, kept = s, near = s, debug = s;
+    cut.effects.clip.near = -3;
+    kept.occlusion.cache = "/somewhere";
+    near.view.projection = Projection::perspective;
+    debug.debug = DebugView::depth;
+    for (const RenderSettings& other : {cut, kept, near, debug}) EXPECT_FALSE(onlookerOf(other));
+}
+
+}  // namespace
+}  // namespace nacre::test
