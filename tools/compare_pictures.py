@@ -52,4 +52,5 @@ def main():
     print(f"{sum(s > 0 for s in steps)} of {len(steps)} values differ, by at most {max(steps)} of 255")
 
 
-main()
+if __name__ == "__main__":
+    main()
