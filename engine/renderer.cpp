@@ -132,8 +132,7 @@ bool Renderer::setScene(Representation representation) {
 void Renderer::moveScene(Representation representation) {
     if (!isMoved(*impl_->scene, representation)) return void(setScene(std::move(representation)));
     impl_->guarded([&] {  // frames in flight hold the scene before
-        auto scene =
-            std::make_shared<Scene>(makeMovedScene(impl_->device, std::move(representation), *impl_->scene));
+        auto scene = std::make_shared<Scene>(makeMovedScene(impl_->device, std::move(representation), *impl_->scene));
         impl_->occlusion.moveScene(toBake(scene));
         impl_->scene = impl_->own = std::move(scene);
         impl_->frames.letGo();

@@ -30,7 +30,7 @@ public:
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
-    /// Uploads a scene and drops the occlusion of the previous one; keeps shapes and occlusion where only colours are new.
+    /// Uploads a scene and drops the occlusion of the previous one. Keeps both where only colours are new.
     /// @returns whether it uploaded colours alone @throws Error and keeps the previous scene
     bool setScene(Representation representation);
     /// Moves the primitives of the scene, which must come in the same order; otherwise this is setScene(). Does not

@@ -26,7 +26,7 @@ struct OcclusionSettings {
     /// of depth maps grow with the square.
     std::uint32_t detail = 32;
     std::string cache;         ///< folder for finished bakes; empty: none are kept
-    /// Pictures by one view are all that it is for: what this view sees from behind needs no light, if no cache keeps it.
+    /// One view's pictures are all that it is for: without a cache, what they show from behind is left out.
     bool once = false;
     double worthKeeping = 50;  ///< milliseconds; shorter bakes are not kept
     /// Called between batches of the bake with the finished share, above 0 and at most 1.

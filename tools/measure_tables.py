@@ -227,7 +227,7 @@ SUMMARY = {
     "frame of 4HHB, 640x960, ms": ("frames", "`tiles`", "4HHB"),
     "the same as a multiple of Jmol's": ("jmol", "4HHB, 640x960", "ratio"),
     "occlusion of 4HHB, 128 directions, ms of CPU time": ("bakes", "4HHB", "bake, ms"),
-    "thumbnails per second": ("batches", "`--thumbnail 256`", "pictures per second"),
+    "thumbnail of 256 x 256 pixels, ms of CPU time": ("batches", "`--thumbnail 256`", "CPU, ms per picture"),
     "turns of 1CRN per second, from Python": ("python", "1CRN, 1,000 turns", "pictures per second"),
     "reading 4HHB with bonds, mmCIF, ms of CPU time": ("reading", "4HHB, mmCIF", "with bonds, ms"),
     "clean build with tests, minutes": ("build", "clean build with tests", "minutes"),

@@ -210,7 +210,8 @@ bool recolor(Scene& scene, Representation& r) {
         return a.first == b.first && a.count == b.count && a.kind == b.kind;
     };
     // What is translucent hides no light.
-    if (!std::equal(translucent.begin(), translucent.end(), scene.translucent.begin(), scene.translucent.end(), asBefore))
+    if (!std::equal(translucent.begin(), translucent.end(), scene.translucent.begin(), scene.translucent.end(),
+                    asBefore))
         return false;
     putInOrder(r, scene.order);
     now.sphereLooks = std::move(r.sphereLooks);

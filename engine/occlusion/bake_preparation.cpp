@@ -39,10 +39,9 @@ BakePreparation prepared(const gpu::Caps& caps, const Representation& representa
         if (least > budgetBytes) continue;
         const bool few = samplesAll(representation);
         if (few) result.open = openTexels(layout, representation, tree, stop);
-        const auto guess =
-            few ? result.open.texels.size() - 2 * vertices
-                : static_cast<std::uint64_t>(openShare(layout, representation, tree) *
-                                             static_cast<double>(layout.patchTexels()));
+        const auto guess = few ? result.open.texels.size() - 2 * vertices
+                               : static_cast<std::uint64_t>(openShare(layout, representation, tree) *
+                                                            static_cast<double>(layout.patchTexels()));
         least = bakeBytes(layout, guess + 2 * vertices, (guess + 2 * vertices) / 4);
         if (least > budgetBytes ||
             (layout.sphereEdge > 1 && guess > mostTexels(spheres + cylinders, options.directions)))

@@ -17,7 +17,7 @@ struct BakeOptions {
     int directions = 128;
     std::uint64_t budgetBytes = 64ull << 20;  ///< device memory of the whole bake
     OcclusionMaps path = OcclusionMaps::encoded;
-    std::uint32_t detail = 32;  ///< maximum width of a sphere's patch, texels
+    std::uint32_t detail = 32;              ///< maximum width of a sphere's patch, texels
     std::optional<Onlooker> onlooker = {};  ///< who alone sees it
 };
 

@@ -39,8 +39,8 @@ std::vector<bool> seenOfSphere(std::uint32_t edge, const glm::dvec3& towards) {
     return seen;
 }
 
-/// For each texel of a vertex, outer and inner, whether a triangle shows that side. Of triangles seen along their plane,
-/// or that are too thin for a pixel's rounding, either side may be shown.
+/// For each texel of a vertex, outer and inner, whether a triangle shows that side. Of triangles seen along their
+/// plane, or that are too thin for a pixel's rounding, either side may be shown.
 std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representation& r, const Onlooker& from) {
     constexpr float kFlat = 0.1f;
     constexpr double kThinPixels = 0.1;

@@ -118,9 +118,11 @@ TEST(Srgb, ATableGivesTheSameBytes) {
         const auto middle = std::bit_cast<std::uint32_t>(begins);
         for (std::uint32_t bits = middle - 300; bits < middle + 300; ++bits) ASSERT_TRUE(same(bits)) << code;
     }
-    for (std::uint32_t bits = 0; bits < std::bit_cast<std::uint32_t>(2.0f); bits += 9973) ASSERT_TRUE(same(bits)) << bits;
+    for (std::uint32_t bits = 0; bits < std::bit_cast<std::uint32_t>(2.0f); bits += 9973)
+        ASSERT_TRUE(same(bits)) << bits;
     const float infinite = std::numeric_limits<float>::infinity();
-    for (const float special : {-1.0f, -0.0f, 0.0f, 1.0f, std::nextafter(1.0f, 0.0f), infinite, -infinite, std::nanf("")})
+    for (const float special :
+         {-1.0f, -0.0f, 0.0f, 1.0f, std::nextafter(1.0f, 0.0f), infinite, -infinite, std::nanf("")})
         EXPECT_TRUE(same(std::bit_cast<std::uint32_t>(special))) << special;
 }
 
