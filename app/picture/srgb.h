@@ -51,16 +51,16 @@ public:
         }
     }
     std::uint8_t operator()(float linear) const {
-        if (!(linear > kDark)) return 0;  // also NaN
-        if (linear >= 1.0f) return 255;
-        std::uint32_t code = codes_[(std::bit_cast<std::uint32_t>(linear) >> kShift) - kFirstCell];
-        while (linear >= begins_[code + 1]) ++code;
-        return static_cast<std::uint8_t>(code);
+        // No branches, which a picture's colours would mislead. NaN is dark; a cell holds at most one beginning.
+        const float within = std::min(std::max(kDark, linear), kBelowOne);
+        const std::uint32_t code = codes_[(std::bit_cast<std::uint32_t>(within) >> kShift) - kFirstCell];
+        return static_cast<std::uint8_t>(code + (within >= begins_[code + 1] ? 1 : 0));
     }
 
 private:
     static constexpr std::uint32_t kShift = 16, kOne = std::bit_cast<std::uint32_t>(1.0f);
-    static constexpr float kDark = 0x1p-13f;  // below, all is code 0
+    static constexpr float kDark = 0x1p-13f;                            // below, all is code 0
+    static constexpr float kBelowOne = std::bit_cast<float>(kOne - 1);  // code 255
     static constexpr std::uint32_t kFirstCell = std::bit_cast<std::uint32_t>(kDark) >> kShift;
     static constexpr std::uint32_t kCells = (kOne >> kShift) - kFirstCell;
     std::array<float, 257> begins_{};
