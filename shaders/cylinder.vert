@@ -68,7 +68,7 @@ void main() {
     high = max(high, reach(oa, u));
     if (!kPerspective) {
         // A flat cap sticks out by r |axis.z| only.
-        float cap = radius * abs(ahead.z) + view.snap;
+        float cap = radius * abs(ahead.z) + snapReach();
         low = dot(oa.center, u) - cap;
         high = dot(ob.center, u) + cap;
     }

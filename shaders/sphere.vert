@@ -53,7 +53,7 @@ void main() {
     Outline outline = sphereOutline(center, reachOf(center.z, radius));
     vec2 q = outline.center + outline.axisU * inCorner.x + outline.axisV * inCorner.y;
     // With inclined facets a corner moved by the rasteriser changes depth.
-    float front = radius * inCorner.z + (kCorners == 9 ? 2.0 * view.snap : 0.0) + kCapRoom;
+    float front = radius * inCorner.z + (kCorners == 9 ? 2.0 * snapReach() : 0.0) + kCapRoom;
     if (isCutOff(center)) q = outline.center;
     gl_Position = clipPosition(q, encodedDepth(view.origin - center.z - front));
 }

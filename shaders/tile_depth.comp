@@ -44,7 +44,6 @@ void main() {
     view.cylinders = push.cylinders;
     view.across = push.across;
     view.offsets = push.offsets;
-    view.depthStep = push.depthStep;
     uint bins = push.binsOfMap, copies = push.copies;
     uint lane = gl_SubgroupInvocationID;
     uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets - 1u);

@@ -29,7 +29,7 @@ layout(location = 2) flat in vec4 row2;
 layout(location = 3) flat in vec4 pixels;
 layout(location = 4) flat in vec4 shading;
 layout(location = 5) flat in uvec4 atlas;
-layout(location = 7) flat in uint cylinders;
+layout(location = 7) flat in uvec2 sticks;
 
 #ifdef DEPTH
 layout(push_constant) uniform Push { TileConstants push; };
@@ -51,7 +51,8 @@ void fetchView() {
     view.patchesInRow = atlas.y;
     view.spheres = atlas.z;
     view.primitives = atlas.w;
-    view.cylinders = cylinders;
+    view.cylinders = sticks.x;
+    view.wirePixel = uintBitsToFloat(sticks.y);
 }
 #endif
 

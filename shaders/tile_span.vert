@@ -15,7 +15,7 @@ layout(location = 2) flat out vec4 row2;
 layout(location = 3) flat out vec4 pixels;  // axisPixel, pixel, origin
 layout(location = 4) flat out vec4 shading;  // atlasTexel, clipNear, clipFar
 layout(location = 5) flat out uvec4 atlas;  // patchTexels, patchesInRow, spheres, primitives
-layout(location = 7) flat out uint cylinders;
+layout(location = 7) flat out uvec2 sticks;  // cylinders, bits of wirePixel
 #endif
 layout(location = 6) flat out uint pitch;  // pixels in a row of all bins
 
@@ -27,7 +27,7 @@ void main() {
     pixels = vec4(view.axisPixel, view.pixel, view.origin);
     shading = vec4(view.atlasTexel, view.clipNear, view.clipFar);
     atlas = uvec4(view.patchTexels, view.patchesInRow, view.spheres, view.primitives);
-    cylinders = view.cylinders;
+    sticks = uvec2(view.cylinders, floatBitsToUint(view.wirePixel));
 #endif
     pitch = view.across * uint(8 * kTilesInBin);
     bool right = (gl_VertexIndex & 1) == 1, bottom = (gl_VertexIndex & 2) == 2;

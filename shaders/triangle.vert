@@ -75,7 +75,7 @@ void main() {
     float around = longA + longB + longC;
     float area = abs(edgeSide(ab, ca));  // twice
     // The rasteriser may move a corner by the snap margin, and the floats above are right to some 1e-6 of the picture.
-    float margin = 1.5 * view.snap + 4e-6 * (abs(a.x) + abs(a.y) + around);
+    float margin = 1.5 * snapReach() + 4e-6 * (abs(a.x) + abs(a.y) + around);
 #ifdef PLATE
     margin = -margin;
 #else

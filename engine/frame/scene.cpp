@@ -60,7 +60,7 @@ View lightView(const RenderSettings& settings, const View& view) {
 void addShadow(layout::EffectConstants& c, const RenderSettings& settings) {
     const View light = lightView(settings, settings.view);
     if (light.width == 0) return;
-    const layout::ViewConstants seen = passes::viewConstants(light, 0, light.width / 2.0, light.height / 2.0);
+    const layout::ViewConstants seen = passes::viewConstants(light, light.width / 2.0, light.height / 2.0);
     const glm::dmat3 turn = light.rotation * glm::transpose(settings.view.rotation);  // from view space
     const double perMap = light.pixelsPerAngstrom / light.width;
     const auto row = [&](int i, double scale, double shift) {
@@ -78,12 +78,12 @@ void addShadow(layout::EffectConstants& c, const RenderSettings& settings) {
 }
 
 /// The scene as the light sees it. With clipping, primitives whose centre is in front of the near plane are left out.
-std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const Scene& scene,
-                                              const RenderSettings& settings, const View& view, SceneViews& views) {
+std::shared_ptr<passes::SceneView> lightScene(const Scene& scene, const RenderSettings& settings, const View& view,
+                                              SceneViews& views) {
     const View light = lightView(settings, view);
     const auto seen = nextView(views);
     layout::ViewConstants& c = seen->constants;
-    c = passes::viewConstants(light, device.caps().snapPixels, light.width / 2.0, light.height / 2.0);
+    c = passes::viewConstants(light, light.width / 2.0, light.height / 2.0);
     const Clip& clip = settings.effects.clip;
     if (clip.near > -Clip::kNone) {
         const glm::dvec3 viewer = light.rotation * glm::transpose(view.rotation) * glm::dvec3(0, 0, 1);
@@ -249,13 +249,12 @@ std::shared_ptr<passes::SceneView> nextView(SceneViews& views) {
     return view;
 }
 
-std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,
-                                             const RenderSettings& settings, const View& view,
+std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSettings& settings, const View& view,
                                              const passes::Atlas& atlas, SceneViews& views) {
     const auto seen = nextView(views);
     const graph::Extent image = imageExtent(view);
     layout::ViewConstants& c = seen->constants;
-    c = passes::viewConstants(view, device.caps().snapPixels, image.width / 2.0, image.height / 2.0);
+    c = passes::viewConstants(view, image.width / 2.0, image.height / 2.0);
     c.spheres = scene.buffers.sphereCount;
     c.cylinders = scene.buffers.cylinderCount;
     c.primitives = scene.buffers.primitives();
@@ -269,7 +268,7 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     seen->rims = rimsOf(settings);
     seen->copyColors = static_cast<int>(scene.representation.copies.colors.size());
     seen->blendsColors = scene.representation.blendsColors;
-    if (shadowPixels(settings) > 0) seen->light = lightScene(device, scene, settings, view, views);
+    if (shadowPixels(settings) > 0) seen->light = lightScene(scene, settings, view, views);
     seen->buffers = &scene.buffers;
     constexpr double kWidestWire = 10;  // pixels
     const double wires = scene.representation.wires.empty() ? 0 : kWidestWire;
@@ -285,11 +284,9 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     const double farthest = seen->perspective ? view.eyeDistance / (view.eyeDistance + view.radius) : 1;
     seen->smallestPixels = scene.smallestRadius * view.pixelsPerAngstrom * farthest;
     seen->wireScale = 0;
-    // A constant of pipelines: 0 where there is no wire, and else one of few, whatever the window's size: in
-    // twentieths.
     if (!scene.representation.wires.empty()) {
-        const double scale = view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom;
-        seen->wireScale = static_cast<float>(scale < 0.2 ? scale : std::round(scale * 20) / 20);
+        seen->wireScale = static_cast<float>(view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom);
+        c.wirePixel = static_cast<float>(1 / settings.view.pixelsPerAngstrom);
         seen->smallestPixels =
             std::min(seen->smallestPixels, scene.thinnestWire * static_cast<double>(seen->wireScale));
     }

@@ -52,8 +52,7 @@ using SceneViews = gpu::Pool<passes::SceneView>;
 std::shared_ptr<passes::SceneView> nextView(SceneViews& views);
 
 /// The scene as a view sees it. @param scene  outlives the result
-std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,
-                                             const RenderSettings& settings, const View& view,
+std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSettings& settings, const View& view,
                                              const passes::Atlas& atlas, SceneViews& views);
 
 }  // namespace nacre

@@ -167,7 +167,7 @@ SeenFrame SceneFrames::see(const FrameRequest& request) {
     seen.shape.end = request.end;
     seen.shape.merge = settings.tuning.merge;
     seen.shape.transient = settings.tuning.transient;
-    seen.view = viewScene(device_, *scene_, settings, request.view, used, views_);
+    seen.view = viewScene(*scene_, settings, request.view, used, views_);
     passes::SceneView& view = *seen.view;
     const graph::GeometryCaps& geometry = device_.caps().plan.geometry;
     view.owner = scene_;

@@ -44,7 +44,7 @@ layout::NarrowDirections narrowed(std::span<const layout::Direction> directions)
 
 layout::OcclusionConstants Bake::constants() const {
     const View view = maps_.view(glm::dmat3(1));
-    const layout::ViewConstants v = passes::viewConstants(view, 0.0f, 0, 0);
+    const layout::ViewConstants v = passes::viewConstants(view, 0, 0);
     layout::OcclusionConstants c{};
     c.mapPixels = static_cast<int>(maps_.pixels());
     c.apart = static_cast<int>(maps_.tiles() ? maps_.tiles()->apart() : maps_.pixels());

@@ -156,7 +156,7 @@ View DepthMaps::view(const glm::dmat3& frame) const {
 /// Map i of a batch.
 layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const {
     const std::uint32_t x = i % across * pixels(), y = i / across * pixels();
-    return passes::viewConstants(view(frame), device_.caps().snapPixels, x + pixels() / 2.0, y + pixels() / 2.0);
+    return passes::viewConstants(view(frame), x + pixels() / 2.0, y + pixels() / 2.0);
 }
 
 /// The contents of one map of a model.

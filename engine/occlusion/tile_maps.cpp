@@ -187,7 +187,6 @@ void TileMaps::record(gpu::PassContext& context, const Part& part) const {
     c.cylinders = scene_.cylinderCount;
     c.across = lists.across();
     c.offsets = static_cast<std::uint32_t>(lists.tiles().size());
-    c.depthStep = 2.0f / TileLists::kDepthSteps;
     c.binsOfMap = apart_ / TileLists::kBinPixels;
     c.copies = copies_;
     const gpu::ComputePipeline pipeline = tileMapsPipeline(context, scene_.cylinderCount > 0);

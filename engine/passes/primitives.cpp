@@ -163,6 +163,7 @@ gpu::GraphicsPipeline pipelineOf(gpu::PipelineContext& context, const SceneView&
     d.vertex = drawn.shaders.vertex;
     d.fragment = drawn.shaders.fragment.of(view);
     setGeometryConstants(d.constants, view, pass.rim);
+    d.constants.set(layout::kSnapId, context.device.caps().snapPixels);
     if (pass.rim > 0) d.constants.set(layout::kFogId, view.effects.fog.range != Fog::Range::off);
     if (pass.looks) setShadingConstants(d.constants, view);
     d.constants.set(layout::kDepthChannelsId, pass.encoding.channels);
@@ -272,7 +273,7 @@ vk::DescriptorImageInfo shadowOf(gpu::PassContext& context, const SceneView& vie
 
 void setGeometryConstants(gpu::Specialization& constants, const SceneView& view, float rim) {
     constants.set(layout::kPerspectiveId, view.perspective);
-    constants.set(layout::kWireScaleId, view.wireScale);
+    constants.set(layout::kWiresId, view.wireScale > 0);
     constants.set(layout::kQuarterTurnsId, view.quarterTurns);
     constants.set(layout::kWholeImageId, view.wholeImage);
     constants.set(layout::kCutId, view.cut);

@@ -28,11 +28,7 @@ void listCalls(const SceneView& seen, const std::vector<PlacedCopies::Call>& cal
                         c.copy * seen.constants.primitives + first + 1});
 }
 
-/// How far before its list position a primitive's comparison depth may be, encoded depth.
-float depthStepOf(const layout::ViewConstants& c) {
-    const bool cut = c.clipNear > -layout::kNoPlane;
-    return 2.0f / TileLists::kDepthSteps + (cut ? layout::kCapDepth * c.perRange : 0.0f);
-}
+static_assert(TileLists::kDepthSteps == layout::kListSteps);
 
 layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCopies& copies, const TileLists& lists) {
     layout::TileConstants t{};
@@ -46,7 +42,7 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
     t.spheres = c.spheres;
     t.across = lists.across();
     t.offsets = static_cast<std::uint32_t>(lists.tiles().size());
-    t.depthStep = depthStepOf(c);
+    t.wirePixel = c.wirePixel;
     t.clipNear = c.clipNear;
     t.atlasTexel = c.atlasTexel;
     t.patchTexels = c.patchTexels;

@@ -8,9 +8,8 @@
 namespace nacre::passes {
 
 /// The push constants of a view: projection and depth range. Copy, atlas and shading stay 0.
-/// @param snapPixels the rasteriser moves a vertex by at most this much
 /// @param centerX, centerY the picture's centre in the framebuffer, pixels
-inline layout::ViewConstants viewConstants(const View& view, float snapPixels, double centerX, double centerY) {
+inline layout::ViewConstants viewConstants(const View& view, double centerX, double centerY) {
     const bool perspective = view.projection == Projection::perspective;
     const double origin = perspective ? view.eyeDistance : view.radius;
     // Margin at both ends, Å: bonds may extend slightly beyond the atoms' bounding sphere.
@@ -27,7 +26,7 @@ inline layout::ViewConstants viewConstants(const View& view, float snapPixels, d
     c.axisPixel =
         glm::vec2(pixel(centerX + turn[0] * right + turn[1] * down), pixel(centerY + turn[2] * right + turn[3] * down));
     c.pixel = static_cast<float>(1.0 / view.pixelsPerAngstrom);
-    c.snap = static_cast<float>(snapPixels / view.pixelsPerAngstrom);
+    c.wirePixel = c.pixel;
     c.depthStart = static_cast<float>(origin - view.radius - kRoom);
     c.perRange = static_cast<float>(1.0 / range);
     c.patchesInRow = 1u << 15 | 1u << 16;  // without an atlas, too: cells of all numbers of spheres

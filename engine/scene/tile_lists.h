@@ -49,7 +49,7 @@ public:
     static constexpr std::uint32_t kTilePixels = 8;
     static constexpr std::uint32_t kTilesInBin = 2;
     static constexpr std::uint32_t kBinPixels = kTilePixels * kTilesInBin;
-    static constexpr std::uint32_t kDepthSteps = 2048;  ///< resolution of the order in a list
+    static constexpr std::uint32_t kDepthSteps = 2048;  ///< resolution of the order in a list (layout::kListSteps)
 
     /// Total pixels of a picture's bins, empty or not.
     static constexpr std::uint64_t pixelsOfBins(std::uint32_t width, std::uint32_t height) {

@@ -25,11 +25,12 @@ const int kCopiesId = 6;        // bool: primitives have the transforms of copie
 const int kSpheresId = 7;       // bool: the scene has spheres
 const int kCylindersId = 8;     // bool: and cylinders
 const int kTrianglesId = 9;     // bool: and triangles
-const int kWireScaleId = 14;    // float: pixels per pixel of the picture, for the width of wires; 0: none
+const int kWiresId = 14;        // bool: there are wires among the cylinders
 // Polygons, and depth.
 const int kCornersId = 10;        // of a primitive's polygon
 const int kRimId = 11;            // float: of a plate, in radii of its sphere
 const int kPlateRoomId = 15;      // float: that a plate leaves to its sphere's rim, pixels
+const int kSnapId = 16;           // float: largest shift of a vertex by the rasteriser, pixels
 const int kDepthChannelsId = 12;  // of encoded depth
 const int kDepthStepsId = 13;     // per channel of encoded depth, less one; 0: the channel is the depth
 // Shading.
@@ -70,6 +71,8 @@ const int kSpreadId = 63;      // float: distance of four taps, pixels
 
 /// Z of a far plane that clips nothing; for a near plane -kNoPlane.
 constexpr float kNoPlane = 1e30f;
+/// Steps of encoded depth: the resolution of the order in the lists of tiles.
+const uint kListSteps = 2048u;
 /// Rows of the samples of an edge pixel, 0..15, four bits each; sample i is in column i. Found by search: the order
 /// with the least error of a straight edge's coverage.
 const uint kSampleRowsLow = 0x04BF851Cu;
@@ -100,7 +103,7 @@ struct ViewConstants {
     uint numberBefore;   // before the copy's first primitive: primitives are counted from 1 over all copies
     vec2 axisPixel;      // view axis in the framebuffer, pixels
     float pixel;         // width, at z = 0
-    float snap;          // largest shift of a vertex by the rasteriser, at z = 0
+    float wirePixel;     // of the requested picture, at z = 0: the unit of a wire's width
     float depthStart;    // Z at encoded depth 0
     float perRange;      // 1 / (range of Z)
     uint primitives;     // per copy
@@ -137,9 +140,9 @@ struct TileConstants {
     float depthStart;
     float perRange;
     uint spheres;
-    uint across;      // bins per row
-    uint offsets;     // begin of the bins' offsets
-    float depthStep;  // of encoded depth: lists are unordered within a step
+    uint across;   // bins per row
+    uint offsets;  // begin of the bins' offsets
+    float wirePixel;
     float clipNear;
     vec2 atlasTexel;
     uint patchTexels;
@@ -209,10 +212,9 @@ struct MapConstants {
     uint cylinders;
     uint across;
     uint offsets;
-    float depthStep;
     uint binsOfMap;  // in its row
     uint copies;     // per map
-    uint unused;
+    uint unused0, unused1;
 };
 /// One direction of a batch: position p of the streams maps to (dot(u, p), dot(v, p), dot(w, p)) with p.w = 1, in
 /// pixels of its depth map from the top left; w points to the light.

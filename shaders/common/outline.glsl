@@ -15,7 +15,7 @@ struct Outline {
 /// half-axes E r sqrt(K) / (D^2 - r^2) and E r / sqrt(D^2 - r^2).
 Outline sphereOutline(vec3 center, float radius) {
     Outline o;
-    float margin = view.snap;
+    float margin = snapReach();
     if (!kPerspective) {
         o.center = center.xy;
         o.axisU = vec2(radius + margin, 0.0);

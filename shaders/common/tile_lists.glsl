@@ -135,6 +135,7 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
     e.front = clamp(encodedDepth(frontZ), 0.0, 1.0);
 #endif
     // The next entries begin behind the chunk's last one, up to a step of the order.
-    e.next = encodedDepth(begins) - view.depthStep;
+    float step = 2.0 / float(kListSteps) + (kClip ? kCapDepth * view.perRange : 0.0);
+    e.next = encodedDepth(begins) - step;
     return e;
 }

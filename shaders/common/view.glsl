@@ -51,16 +51,19 @@ float encodedDepth(float Z) {
 }
 /// A wire has a constant width on screen. Its stored radius is minus half the width, in pixels of the requested
 /// picture; the result is a radius in Å, still negative.
-layout(constant_id = kWireScaleId) const float kWireScale = 1.0;
-bool isWire(float radius) { return kWireScale != 0.0 && radius < 0.0; }
+layout(constant_id = kWiresId) const bool kWires = true;
+bool isWire(float radius) { return kWires && radius < 0.0; }
 float stickRadius(float stored, float az, float bz) {
-    if (kWireScale == 0.0) return stored;
+    if (!kWires) return stored;
     precise float middle = 0.5 * (az + bz);
-    precise float atOrigin = stored * view.pixel * kWireScale;
+    precise float atOrigin = stored * view.wirePixel;
     precise float there = kPerspective ? atOrigin * ((view.origin - middle) / view.origin) : atOrigin;
     return stored < 0.0 ? there : stored;
 }
 #ifndef TILES
+layout(constant_id = kSnapId) const float kSnap = 0.0625;
+/// The largest shift of a vertex by the rasteriser, Å at z = 0.
+float snapReach() { return kSnap * view.pixel; }
 /// Whether a light's view leaves a primitive out: beyond the viewer's clipping plane.
 bool isCutOff(vec3 center) {
     vec4 plane = CUT_PLANE(view);

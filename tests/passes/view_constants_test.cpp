@@ -11,9 +11,7 @@ View viewOfSphere(Projection projection) {
     return viewOf(camera, 10, 200, 100);
 }
 
-layout::ViewConstants constantsOf(const View& view, double snapPixels = 0) {
-    return viewConstants(view, static_cast<float>(snapPixels), view.width / 2.0, view.height / 2.0);
-}
+layout::ViewConstants constantsOf(const View& view) { return viewConstants(view, view.width / 2.0, view.height / 2.0); }
 
 TEST(ViewConstants, TheEdgesOfThePictureAreThoseOfTheClipSpace) {
     const View view = viewOfSphere(Projection::orthographic);
@@ -52,11 +50,6 @@ TEST(ViewConstants, PanMovesTheMiddleAndTurnsWithTheImage) {
         EXPECT_NEAR(middle.x, expected[turns].x, 1e-4) << turns;
         EXPECT_NEAR(middle.y, expected[turns].y, 1e-4) << turns;
     }
-}
-
-TEST(ViewConstants, SnappingIsInAngstrom) {
-    const View view = viewOfSphere(Projection::orthographic);
-    EXPECT_NEAR(constantsOf(view, 1.0 / 16).snap * view.pixelsPerAngstrom, 1.0 / 16, 1e-6);
 }
 
 }  // namespace

@@ -68,6 +68,29 @@ TEST(Wires, AreAsWideAtAnyZoomAndDepth) {
         }
 }
 
+/// Frames of a window that is sharper at rest than in motion differ in scale: their lines take no pipelines of their
+/// own.
+TEST(Wires, NeedNoPipelineForAnotherScale) {
+    const auto added = [](const Representation& r, Visibility path) {
+        ValidatedRenderer renderer(path);
+        renderer->setScene(r);
+        RenderSettings s = settings(r, 96, Projection::orthographic);
+        s.occlusion.directions = 0;
+        s.supersample = 2;
+        renderer->render(s);
+        const std::uint64_t before = renderer->stats().pipelines;
+        s.supersample = 3;
+        renderer->render(s);
+        return renderer->stats().pipelines - before;
+    };
+    const Representation with = withWires(2);
+    Representation without = with;
+    without.wires.clear();
+    without.wireLooks.clear();
+    for (const Visibility path : {Visibility::fragdepth, Visibility::deferred, Visibility::tiles})
+        EXPECT_EQ(added(with, path), added(without, path)) << static_cast<int>(path);
+}
+
 /// Colours that go over from corner to corner are the same on every path, and others than those of the nearest corners.
 TEST(BlendedColors, AreTheSameOnEveryPath) {
     PathRenderers renderers;
