@@ -99,6 +99,24 @@ TEST(Plip, LigandsMeetProteinsAndNotNucleicAcids) {
     EXPECT_EQ(contacts(twoCarbons("ALA", 3.8f), kHydrophobic, InteractionRules::plip), 1u);
     EXPECT_EQ(contacts(twoCarbons("DT", 3.8f), kHydrophobic, InteractionRules::plip), 0u);
     EXPECT_EQ(contacts(twoCarbons("DT", 3.8f), kHydrophobic, InteractionRules::molstar), 1u);
+    // A modified amino acid is a ligand as well, whatever its record says.
+    EXPECT_EQ(contacts(twoCarbons("MSE", 3.8f), kHydrophobic, InteractionRules::plip), 0u);
+    EXPECT_EQ(contacts(twoCarbons("MSE", 3.8f), kHydrophobic, InteractionRules::molstar), 1u);
+}
+
+TEST(Plip, ABentCarbonylIsAHydroxyl) {
+    const auto bonds = [](double degrees) {
+        const double bend = glm::radians(degrees);
+        MoleculeText text;
+        text.residue("LIG", 1).atom("C2", "C", 1.5f * glm::vec3(std::cos(bend), std::sin(bend), 0));
+        text.atom("C1", "C", {0, 0, 0}).atom("O1", "O", {1.22f, 0, 0});
+        const glm::vec3 way(0.333f, -0.943f, 0), acceptor = glm::vec3(1.22f, 0, 0) + 2.9f * way;  // of a hydrogen
+        text.residue("ALA", 2).atom("O", "O", acceptor).atom("C", "C", acceptor + 1.23f * way);
+        text.atom("CA", "C", acceptor + 2.76f * way);
+        return contacts(text, InteractionKind::hydrogenBond, InteractionRules::plip);
+    };
+    EXPECT_EQ(bonds(120), 0u);
+    EXPECT_EQ(bonds(111), 1u);  // Open Babel takes its carbon for tetrahedral
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/chemistry/steps.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
@@ -65,6 +66,14 @@ std::vector<std::uint32_t> sideChainAtoms(const Molecule& molecule, const Chemis
     return atoms;
 }
 
+/// Of the receptor, by Open Babel's table of amino acids. A modified residue is a ligand, be it HETATM or not.
+bool isAminoAcidOfPlip(const Name& residue, bool hetero) {
+    const std::string_view name = residue.view();
+    if (name == "PCA" || name == "HYP") return true;
+    const bool modified = name == "MSE" || name == "SEC" || name == "PYL";
+    return !hetero && !modified && (residueTemplate(residue) || name == "ASX" || name == "GLX");
+}
+
 Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry) {
     Features features;
     const std::vector<ResidueKind> kinds = residueKinds(molecule);
@@ -74,8 +83,7 @@ Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry) {
         const Residue& residue = molecule.residues[r];
         const bool hetero = residue.atomCount > 0 && molecule.atoms[residue.firstAtom].hetero;
         const std::string_view name = residue.name.view();
-        features.receptor[r] =
-            kinds[r] == ResidueKind::protein && (!hetero || name == "PCA" || name == "HYP");  // as Open Babel's table
+        features.receptor[r] = kinds[r] == ResidueKind::protein && isAminoAcidOfPlip(residue.name, hetero);
         for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
             if (!chemistry.present[i]) continue;
             const Element e = molecule.atoms[i].element;

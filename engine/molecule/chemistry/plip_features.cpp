@@ -138,11 +138,25 @@ private:
         return ends;
     }
 
-    /// Double bonds that Open Babel gives the ends of an acid: of a sulphonate none.
-    static std::optional<std::size_t> twofoldEnds(Element centre, std::size_t ends) {
-        if (centre == kPhosphorus || (centre == kCarbon && ends == 2)) return 1;
-        if (centre == kSulphur && ends >= 2) return ends == 3 ? 0 : 2;
+    /// Double bonds that Open Babel gives the ends of an acid: of sulphonates none, nor of a ligand's bent carbon.
+    std::optional<std::size_t> twofoldEnds(std::uint32_t centre, std::size_t ends) const {
+        constexpr double kPlanar = 115;  // degrees, the mean angle above which a carbon is planar
+        const Element e = element(centre);
+        if (e == kCarbon && ends > 0 && !receptor(centre) && meanAngle(centre) <= kPlanar) return 0;
+        if (e == kPhosphorus || (e == kCarbon && ends == 2)) return 1;
+        if (e == kSulphur && ends >= 2) return ends == 3 ? 0 : 2;
         return std::nullopt;
+    }
+
+    double meanAngle(std::uint32_t atom) const {
+        std::vector<glm::dvec3> ways;
+        double sum = 0, angles = 0;
+        for (const std::uint32_t other : heavyNeighbours(molecule_, chemistry_, atom)) {
+            const glm::dvec3 way(molecule_.atoms[other].position - molecule_.atoms[atom].position);
+            for (const glm::dvec3& before : ways) sum += angleBetween(way, before), ++angles;
+            ways.push_back(way);
+        }
+        return sum / angles;
     }
 
     /// Hydrogens of an uncharged atom of N, O or S that the file lacks.
@@ -160,7 +174,7 @@ private:
             if (residue == "HIS" && name == "ND1") return aboveItsRing(atom) ? 1 : 0;
         }
         if (e == kOxygen && heavyNeighbours(molecule_, chemistry_, atom).size() == 1) {
-            const Element centre = element(heavyNeighbours(molecule_, chemistry_, atom)[0]);
+            const std::uint32_t centre = heavyNeighbours(molecule_, chemistry_, atom)[0];
             const Ends ends = acidEnds(atom);
             if (const auto twofold = twofoldEnds(centre, ends.all)) {
                 valence -= ends.before < *twofold && metalBonds_[atom] == 0 ? 2 : 1;
