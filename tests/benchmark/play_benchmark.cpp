@@ -1,7 +1,7 @@
-// How fast a trajectory plays: play_benchmark [ATOMS [FRAMES]] writes one as DCD, plays it as a window does (frames are
-// made by the player's thread while the one before is drawn, 640x960, spacefill, without occlusion, one sample a pixel,
-// nothing read back), and says what a frame took on the clock and in processor time of all threads. The device is the
-// one that VK_DRIVER_FILES names.
+// How fast a trajectory plays: play_benchmark [ATOMS|FILE [FRAMES [SEL]]] writes one as DCD, plays it as a window does
+// (frames are made by the player's thread while the one before is drawn, 640x960, spacefill, without occlusion, one
+// sample a pixel, nothing read back), and says what a frame took on the clock and in processor time of all threads.
+// With SEL, in sticks with the interactions of a selection. The device is the one that VK_DRIVER_FILES names.
 
 #include <unistd.h>
 
@@ -19,6 +19,8 @@
 #include "app/viewer/player.h"
 #include "engine/milliseconds.h"
 #include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+#include "engine/molecule/selection/selection.h"
 #include "engine/renderer.h"
 
 namespace {
@@ -58,7 +60,7 @@ void writeRecord(std::ofstream& out, const void* data, std::size_t bytes) {
     out.write(reinterpret_cast<const char*>(&length), 4);
 }
 
-void writeTrajectory(const std::string& path, const Molecule& molecule, int frames) {
+void writeTrajectory(const std::string& path, const Molecule& molecule, int frames, float amplitude) {
     std::ofstream out(path, std::ios::binary);
     std::int32_t head[21] = {};
     std::memcpy(head, "CORD", 4);
@@ -77,7 +79,7 @@ void writeTrajectory(const std::string& path, const Molecule& molecule, int fram
         for (int k = 0; k < 3; ++k) {
             for (std::size_t i = 0; i < values.size(); ++i)
                 values[i] = molecule.atoms[i].position[k] +
-                            0.5f * std::sin(0.3f * static_cast<float>(frame) + static_cast<float>(i * (k + 1)));
+                            amplitude * std::sin(0.3f * static_cast<float>(frame) + static_cast<float>(i * (k + 1)));
             writeRecord(out, values.data(), values.size() * sizeof(float));
         }
 }
@@ -88,15 +90,17 @@ double processorMs() { return static_cast<double>(std::clock()) * 1e3 / CLOCKS_P
 
 int main(int argc, char** argv) {
     const std::size_t atoms = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 100'000;
+    const bool named = atoms == 0 || std::filesystem::exists(argc > 1 ? argv[1] : "");
     const int frames = argc > 2 ? std::atoi(argv[2]) : 60;
     const std::string path =
         (std::filesystem::temp_directory_path() / ("nacre-play-" + std::to_string(getpid()) + ".dcd")).string();
-    const auto molecule = std::make_shared<const Molecule>(ballOf(atoms));
-    writeTrajectory(path, *molecule, frames);
+    const auto molecule = std::make_shared<const Molecule>(named ? readMoleculeFile(argv[1]) : ballOf(atoms));
+    writeTrajectory(path, *molecule, frames, named ? 0.1f : 0.5f);
     {
         const auto motion = std::make_shared<Motion>(openTrajectory(path), *molecule, MotionOptions{});
         RepresentationOptions look;
-        look.style = Style::spacefill;
+        look.style = argc > 3 ? Style::licorice : Style::spacefill;
+        if (argc > 3 && std::string(argv[3]) != "none") look.contacts.of = parseSelection(argv[3]);
         const auto moving = std::make_shared<MovingScene>(*molecule, drawnAtoms(*molecule), look);
         Renderer renderer{DeviceOptions{}};
         RenderSettings settings;
@@ -110,6 +114,7 @@ int main(int argc, char** argv) {
         player.want(0);
         player.wait();
         double least = 1e9;
+        std::size_t contacts = 0;
         const double processor = processorMs();
         const auto began = Clock::now();
         for (int frame = 0; frame < frames; ++frame) {
@@ -117,15 +122,17 @@ int main(int argc, char** argv) {
             player.wait();
             app::PlayedFrame played = *player.take();
             if (frame + 1 < frames) player.want(static_cast<std::size_t>(frame + 1));
+            contacts = std::max(contacts, played.scene.contacts.size());
             renderer.moveScene(std::move(played.scene));
             renderer.drawFrame(settings);
             least = std::min(least, millisecondsSince(start));
         }
         const double count = frames;
         std::printf(
-            "%zu atoms, %d frames, %ux%u, %s: %.1f ms a frame on the clock (least %.1f), %.1f of processor time; "
+            "%zu atoms, %d frames, %zu interactions at most, %ux%u, %s: %.1f ms a frame on the clock (least %.1f), "
+            "%.1f of processor time; "
             "%.0f frames per second\n",
-            molecule->atoms.size(), frames, kWidth, kHeight, renderer.stats().device.name.c_str(),
+            molecule->atoms.size(), frames, contacts, kWidth, kHeight, renderer.stats().device.name.c_str(),
             millisecondsSince(began) / count, least, (processorMs() - processor) / count,
             1000 * count / millisecondsSince(began));
     }
