@@ -44,6 +44,8 @@ struct PictureDescription {
 
     /// Whether something may be drawn where no atom is.
     bool drawsBeside() const { return !maps.files.empty() || !primitives.empty(); }
+    /// Call when maps were added or removed: density is inside of spheres.
+    void mapsChanged() { look.usual = maps.files.empty() ? Style::spacefill : Style::licorice; }
 
     Camera camera;
     Aim aim = Aim::standard();

@@ -68,7 +68,7 @@ std::vector<Option> whole() {
          .save = differing},
         {.key = "style",
          .syntax = "NAME",
-         .standard = "spacefill; ball-and-stick under 100 atoms with bonds",
+         .standard = "spacefill, beside maps licorice; ball-and-stick under 100 atoms with bonds",
          .help = "spacefill, ball-and-stick, licorice, line, cartoon or backbone (with ligands as licorice),\nsurface, "
                  "carbohydrate (symbols of sugars) or auto: the default",
          .topic = Topic::style,

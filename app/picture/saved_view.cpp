@@ -300,6 +300,7 @@ void applySavedView(const std::string& path, PictureDescription& description) {
     append(view.look.colorFrom, description.look.colorFrom);
     append(view.primitives, description.primitives);
     appendMaps(view.maps, description.maps);
+    view.mapsChanged();
     view.view = path;
     view.aim.placed = view.camera.zoom != 1 || view.camera.pan != glm::dvec2(0);
     if (description.input.path.empty()) {

@@ -50,7 +50,7 @@ void firstLook(const Molecule& molecule, PictureDescription& view) {
     for (const ChainSummary& chain : summariseChains(molecule)) aminoAcids += chain.aminoAcids;
     const bool predicted = aminoAcids > 0 && molecule.file.confidence;
     if (predicted) look.color = ColorScheme::plddt;
-    if (predicted || aminoAcids >= kFewestOfCartoon) setStyle(Style::cartoon, look);
+    if (predicted || (aminoAcids >= kFewestOfCartoon && view.maps.files.empty())) setStyle(Style::cartoon, look);
 }
 
 }  // namespace nacre::app

@@ -14,6 +14,7 @@ void takeInput(const PictureDescription& from, PictureDescription& to) {
     to.input = from.input;
     to.look.assembly = from.look.assembly;
     to.maps = from.maps;
+    to.mapsChanged();
 }
 
 }  // namespace
@@ -42,6 +43,7 @@ void Reading::addMaps(const std::vector<std::string>& maps, double now) {
         return stage_.messages.fail("more than " + std::to_string(kMostMaps) + " maps are not shown together", now);
     stage_.remember();
     files.insert(files.end(), maps.begin(), maps.end());
+    stage_.wanted().mapsChanged();
     build();
 }
 

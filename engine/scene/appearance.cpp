@@ -269,7 +269,7 @@ Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t
         slotsOfColoring[looks[i].color].push_back(static_cast<std::uint32_t>(appearance.atoms.size()));
         appearance.atoms.push_back(drawn[i]);
     }
-    appearance.style = options.style.value_or(defaultStyle(facts.molecule(), appearance.atoms));
+    appearance.style = options.style.value_or(defaultStyle(facts.molecule(), appearance.atoms, options.usual));
     std::erase_if(looks, [](const AtomLook& look) { return look.hidden; });
     appearance.colors.resize(appearance.atoms.size());
     appearance.tints.resize(appearance.atoms.size());
@@ -325,8 +325,8 @@ float drawnRadius(Element element, Style style) {
     return vanDerWaalsRadius(element);
 }
 
-Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn) {
-    if (drawn.size() >= kFewDrawn) return Style::spacefill;
+Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn, Style usual) {
+    if (drawn.size() >= kFewDrawn) return usual;
     const auto isDrawn = [&](std::uint32_t atom) { return std::binary_search(drawn.begin(), drawn.end(), atom); };
     const bool bonded = std::any_of(molecule.bonds.begin(), molecule.bonds.end(), [&](const Bond& bond) {
         return isDrawn(bond.a) && isDrawn(bond.b) && molecule.atoms[bond.a].position != molecule.atoms[bond.b].position;

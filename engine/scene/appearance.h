@@ -70,6 +70,7 @@ struct RepresentationOptions {
     double lineWidth = 1.5;  ///< of Style::line, pixels
     BondOrders bondOrders = BondOrders::ligands;
     AromaticForm aromatic = AromaticForm::dashes;
+    Style usual = Style::spacefill;  ///< for defaultStyle()
     friend bool operator==(const RepresentationOptions&, const RepresentationOptions&) = default;
 };
 
@@ -121,7 +122,7 @@ constexpr float kCartoonReach = 2.5f;     ///< largest distance of a cartoon fro
 /// Radius of an atom's sphere, Å; for cartoons kCartoonReach.
 float drawnRadius(Element element, Style style);
 
-/// The default style: ball-and-stick for fewer than 100 drawn atoms with bonds, else spacefill.
-Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn);
+/// The default style: ball-and-stick for fewer than 100 drawn atoms with bonds, else spacefill, or another one.
+Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn, Style usual = Style::spacefill);
 
 }  // namespace nacre

@@ -174,6 +174,7 @@ TEST(Representation, DefaultStyleNeedsBondsAndFewAtoms) {
     EXPECT_EQ(defaultStyle(chain, everyAtom(chain)), Style::ballAndStick);
     chain.atoms.resize(100);
     EXPECT_EQ(defaultStyle(chain, everyAtom(chain)), Style::spacefill);
+    EXPECT_EQ(defaultStyle(chain, everyAtom(chain), Style::licorice), Style::licorice);
 }
 
 int channel(std::uint32_t color, int index) { return static_cast<int>(color >> (8 * index) & 0xff); }

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "app/drawing/scenes.h"
+#include "app/picture/options.h"
 #include "app/viewer/loader.h"
 #include "app/viewer/presets.h"
 #include "tests/molecule/build_molecule.h"
@@ -16,6 +18,16 @@ TEST(FirstLook, ProteinsAreCartoons) {
     PictureDescription small;  // a peptide
     firstLook(test::chainOf(9, -57, -47), small);
     EXPECT_EQ(small.look, RepresentationOptions());
+}
+
+TEST(FirstLook, AtomsAreSeenInTheirDensity) {
+    const Molecule protein = test::chainOf(30, -57, -47);
+    PictureDescription view;
+    setOption(option("map"), "a.mrc", view);
+    firstLook(protein, view);
+    EXPECT_EQ(sceneOf(protein, "", view.drawn, view.look).style, Style::licorice);
+    setOption(option("map"), "", view);
+    EXPECT_EQ(sceneOf(protein, "", view.drawn, view.look).style, Style::spacefill);
 }
 
 TEST(FirstLook, PredictionsShowTheirConfidence) {

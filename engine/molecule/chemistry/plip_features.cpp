@@ -138,7 +138,7 @@ private:
         return ends;
     }
 
-    /// Double bonds that Open Babel gives the ends of an acid: of sulphonates none, nor of a ligand's bent carbon.
+    /// Double bonds that Open Babel gives the ends of an acid: of sulphonates and of bent carbons none.
     std::optional<std::size_t> twofoldEnds(std::uint32_t centre, std::size_t ends) const {
         constexpr double kPlanar = 115;  // degrees, the mean angle above which a carbon is planar
         const Element e = element(centre);
@@ -177,7 +177,8 @@ private:
             const std::uint32_t centre = heavyNeighbours(molecule_, chemistry_, atom)[0];
             const Ends ends = acidEnds(atom);
             if (const auto twofold = twofoldEnds(centre, ends.all)) {
-                valence -= ends.before < *twofold && metalBonds_[atom] == 0 ? 2 : 1;
+                const int bonds = ends.before < *twofold && metalBonds_[atom] == 0 ? 2 : 1;
+                valence -= bonds + static_cast<int>(count(atom, kHydrogenAtom));
                 return static_cast<std::uint8_t>(std::clamp(valence, 0, 1));
             }
         }
