@@ -36,7 +36,7 @@ Json benchOf(const BenchOptions& options, const InputOptions& input) {
     progress.begin("building the scene");
     Representation scene = sceneOf(molecule, input.path, picture.drawn, picture.look);
     colorByMap(picture, scene);
-    scene = withMaps(std::move(scene), mapLayersOf(molecule, picture, scene.center));
+    scene = withMaps(std::move(scene), mapLayersOf(molecule, picture, scene.center, {picture.camera, scene.radius}));
     Json report{{"input", input.path},
                 {"atoms", {{"read", molecule.atoms.size()}, {"drawn", scene.drawnAtoms}}},
                 {"size", {options.picture.size.width, options.picture.size.height}},

@@ -24,7 +24,8 @@ bool sameLook(const PictureDescription& a, PictureDescription b) {
     b.effects.clip.near = a.effects.clip.near;
     b.effects.clip.far = a.effects.clip.far;
     constexpr Facets kSeen = Facet::scene | Facet::map | Facet::shading | Facet::occlusion | Facet::annotation;
-    return (difference(a, b) & kSeen) == 0;
+    const Facets parts = difference(a, b);
+    return (parts & kSeen) == 0 && !(a.maps.aroundFocus && has(parts, Facet::view));
 }
 
 std::string pathsOf(const InputOptions& input) {
@@ -192,8 +193,12 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     };
     // Occlusion of models that come and go is not worth room on the disk.
     if (options_.models) look.drawing.settings.occlusion.cache.clear();
-    if (motion_ && !look.options.look.ownFrame)
+    if (motion_ && !look.options.look.ownFrame) {
         look.moving.emplace(movingSceneOf(molecule_, look.options.input.path, look.options.drawn, look.options.look));
+        look.recolor.emplace(look.options);
+        Representation start = look.moving->scene();
+        (*look.recolor)(start);
+    }
     if (!look.canvas) look.canvas = std::make_unique<Canvas>(look.options.device);
     options_.sweep ? look.drawing.show(*look.canvas) : look.drawing.handOver(*look.canvas);
     return look;
@@ -216,9 +221,11 @@ void MovieScenes::moveTo(Look& look, int frame) {
     if (!saidTorn_) saidTorn_ = sayTorn(*motion_, look.options.input.trajectory.path);
     look.moving->move(molecule_);
     look.model = frame;
-    look.canvas->renderer.setScene(look.drawing.withBeside(look.moving->scene()));
-    look.drawing.placeWordsIn(look.moving->scene(), molecule_);
-    reachTo(look.drawing.settings.view, look.moving->scene().radius);
+    Representation scene = look.moving->scene();
+    (*look.recolor)(scene);
+    look.drawing.placeWordsIn(scene, molecule_);
+    reachTo(look.drawing.settings.view, scene.radius);
+    look.canvas->renderer.setScene(look.drawing.withBeside(std::move(scene)));
 }
 
 /// Parts of the scene that stay are not made again.

@@ -75,7 +75,8 @@ SceneCounts countsOfInput(const PlanOptions& options) {
     loadMaps(options.picture);
     Representation scene = sceneOf(molecule, options.picture.input.path, options.picture.drawn, options.picture.look);
     colorByMap(options.picture, scene);
-    scene = withMaps(std::move(scene), mapLayersOf(molecule, options.picture, scene.center));
+    scene = withMaps(std::move(scene),
+                     mapLayersOf(molecule, options.picture, scene.center, {options.picture.camera, scene.radius}));
     const View view =
         viewOf(options.picture.camera, scene.radius, options.picture.size.width, options.picture.size.height);
     const double pixels = options.picture.meshError * (options.edges ? 0.25 : 1.0);

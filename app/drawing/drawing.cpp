@@ -126,14 +126,14 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
         number_ = ++scenes;
         ++counts_.scenes;
     }
-    if (another || has(parts, Facet::map)) {
-        maps_ = mapLayersOf(molecule, description_, scene_->center);
+    const Aimed aim =
+        aimed(description_.camera, aimOf(molecule, description_, frame), facts, *scene_, description_.size);
+    if (another || has(parts, Facet::map) || description_.maps.aroundFocus) {
+        maps_ = mapLayersOf(molecule, description_, scene_->center, {aim.camera, radius_});
         number_ = ++scenes;
     }
     const double framed = std::max(radius_, maps_.frame);
     run = {};
-    const Aimed aim =
-        aimed(description_.camera, aimOf(molecule, description_, frame), facts, *scene_, description_.size);
     settings = settingsOf(description_, aim.camera, framed);
     const View& view = settings.view;
     const auto depthFrom = [&] { return view.projection == Projection::perspective ? view.eyeDistance : view.radius; };

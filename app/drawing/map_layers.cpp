@@ -95,8 +95,10 @@ struct Around {
     double reach = 0;
 };
 
-Around aroundOf(const Molecule& molecule, const PictureDescription& d, const DensityMap& map) {
+Around aroundOf(const Molecule& molecule, const PictureDescription& d, const DensityMap& map,
+                const std::optional<glm::dvec3>& focus) {
     const MapOptions& maps = d.maps;
+    if (focus) return {{*focus}, maps.reach.value_or(maps.usualReach())};
     if (!maps.around) {
         if (!map.periodic) return {};
         return {placesOf(molecule, drawnAtoms(molecule, d.drawn)), kMapReachOfAll};
@@ -105,7 +107,7 @@ Around aroundOf(const Molecule& molecule, const PictureDescription& d, const Den
     std::vector<std::uint32_t> atoms;
     for (std::uint32_t i = 0; i < chosen.size(); ++i)
         if (chosen[i]) atoms.push_back(i);
-    Around around{placesOf(molecule, atoms), maps.reach.value_or(kMapReach)};
+    Around around{placesOf(molecule, atoms), maps.reach.value_or(maps.usualReach())};
     if (around.places.empty())
         throw Error("cannot draw map", map.name, "--map-around '" + maps.around->text + "' matches no atoms");
     return around;
@@ -199,13 +201,15 @@ std::optional<Bounds> frameOfPrimitives(const Molecule& molecule, const PictureD
     return boundsOf(primitivesOf(d.primitives, molecule));
 }
 
-MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, const glm::dvec3& center) {
+MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, const glm::dvec3& center,
+                      const Seen& seen) {
     MapLayers layers;
+    if (d.maps.aroundFocus && !d.maps.files.empty()) layers.focus = focusOf(molecule, d, seen, center);
     Representation& shown = layers.shown;
     shown.center = center;
     for (std::size_t i = 0; i < d.maps.files.size(); ++i) {
         const std::shared_ptr<const DensityMap> map = mapOf(d.maps.files[i]);
-        const Around around = aroundOf(molecule, d, *map);
+        const Around around = aroundOf(molecule, d, *map, layers.focus);
         const std::shared_ptr<const MapRegion> region = regionOf(map, around.places, around.reach);
         const MapColors colors = ofMap(d.maps.colors, i);
         const std::size_t before = shown.wires.size() + shown.triangles.size();
@@ -228,7 +232,9 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, con
         if (shown.wires.size() + shown.triangles.size() == before)
             layers.warnings.push_back(map->name + ": nothing to show" +
                                       (slice.axis < 0 ? " at level " + numberText(contour.level) : " of this slice") +
-                                      (around.places.empty() ? "" : " near these atoms"));
+                                      (layers.focus            ? " around the focus"
+                                       : around.places.empty() ? ""
+                                                               : " near these atoms"));
         for (const std::string& warning : map->warnings) layers.warnings.push_back(map->name + ": " + warning);
     }
     if (molecule.guide && !molecule.guide->volumes.empty()) {
@@ -271,18 +277,21 @@ std::vector<SceneVolume> volumesOf(const MapOptions& maps) {
     return volumes;
 }
 
-void colorByMap(const PictureDescription& d, Representation& scene) {
-    if (d.maps.surface.file.empty()) return;
-    const Values values(d.maps.surface);
-    if (!colorSurfaces(values.coloring, scene))
+void SurfaceColoring::operator()(Representation& scene) {
+    if (from_.file.empty()) return;
+    const Values values(from_);
+    const std::optional<ColorRange> range = colorSurfaces(values.coloring, scene);
+    if (!range)
         scene.warnings.push_back("--surface-color-from changes nothing: no surface is drawn");
+    else
+        from_.range = range;
 }
 
 void addMapSurfaces(const Molecule& molecule, PictureDescription picture, Representation& scene) {
     colorByMap(picture, scene);
     if (!picture.drawsBeside()) return;
     picture.maps.styles.assign(picture.maps.files.size(), MapStyle::surface);
-    MapLayers maps = mapLayersOf(molecule, picture, scene.center);
+    MapLayers maps = mapLayersOf(molecule, picture, scene.center, {picture.camera, scene.radius});
     scene = withMaps(std::move(scene), maps);
     std::move(maps.warnings.begin(), maps.warnings.end(), std::back_inserter(scene.warnings));
 }

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "app/drawing/focus.h"
 #include "app/picture/description.h"
 #include "engine/molecule/molecule.h"
 #include "engine/scene/primitives.h"
@@ -19,6 +20,7 @@ double levelOf(const DensityMap& map, const MapLevel& level);
 struct MapLayers {
     Representation shown;  ///< to be joined to the scene (map_scene.h)
     double frame = 0;  ///< Å from the centre that the camera takes in: of primitives, and of maps that are drawn whole
+    std::optional<glm::dvec3> focus;    ///< about which they are drawn, Å in the file's frame
     std::vector<double> sigmas;         ///< each map's level, in sigma above its mean
     std::vector<std::string> warnings;  ///< differences from the request
 
@@ -38,13 +40,25 @@ Representation withMaps(Representation scene, const MapLayers& maps);
 std::optional<Bounds> frameOfPrimitives(const Molecule& molecule, const PictureDescription& description);
 
 /// @throws Error
-MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& description, const glm::dvec3& center);
+/// @param seen  the camera, which may decide where they are drawn
+MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& description, const glm::dvec3& center,
+                      const Seen& seen);
 
 /// The maps of a picture as a scene file has them: contours, and slices of the grid. @throws Error
 std::vector<SceneVolume> volumesOf(const MapOptions& maps);
 
-/// Colours a scene's molecular surfaces by the map that a picture names for it. @throws Error
-void colorByMap(const PictureDescription& picture, Representation& scene);
+/// Colours molecular surfaces by the map that a picture names for them. Of a scene that moves, each frame has the
+/// colours of where it is, in the range of the first.
+class SurfaceColoring {
+public:
+    explicit SurfaceColoring(const PictureDescription& picture) : from_(picture.maps.surface) {}
+    /// Adds a warning where there is no surface. @throws Error
+    void operator()(Representation& scene);
+
+private:
+    ValueMap from_;
+};
+inline void colorByMap(const PictureDescription& picture, Representation& scene) { SurfaceColoring{picture}(scene); }
 
 /// For files of triangles: the surfaces of a picture's maps, whatever their styles, and the colours that maps give.
 /// @throws Error

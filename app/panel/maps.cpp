@@ -10,7 +10,7 @@ namespace nacre::app {
 namespace {
 
 constexpr float kHighestSigma = 6;
-constexpr double kFarthest = 10;  // Å, of the slider
+constexpr double kFarthest = 10, kFarthestOfFocus = 40;  // Å, of the slider
 
 /// The i-th of a list that may be shorter.
 template <typename Value>
@@ -78,6 +78,29 @@ void drawMap(PanelFrame& f, std::size_t i) {
     };
     drop(maps.files), drop(maps.levels), drop(maps.styles), drop(maps.colors), drop(maps.values), drop(maps.slices),
         drop(maps.opacities);
+    f.look.mapsChanged();
+}
+
+/// Where maps are drawn. A selection from elsewhere is a choice as well.
+void drawAround(PanelFrame& f, MapOptions& maps) {
+    enum class Place : std::uint8_t { all, ligands, focus, other };
+    static const Selection ligand = parseSelection("ligand");
+    const std::string other = maps.around ? "Around " + maps.around->text : "";
+    const std::array<const char*, 4> shown{"Around: default", "Around ligands", "Around the centre of the view",
+                                           other.c_str()};
+    Place place = maps.aroundFocus        ? Place::focus
+                  : !maps.around          ? Place::all
+                  : maps.around == ligand ? Place::ligands
+                                          : Place::other;
+    if (f.ui.choose("Place of maps", std::span(shown).first(place == Place::other ? 4 : 3), place)) {
+        maps.aroundFocus = place == Place::focus;
+        maps.around = place == Place::ligands ? std::optional(ligand) : std::nullopt;
+        maps.reach.reset();
+    }
+    if (place == Place::all) return;
+    auto reach = static_cast<float>(maps.reach.value_or(maps.usualReach()));
+    const auto farthest = static_cast<float>(place == Place::focus ? kFarthestOfFocus : kFarthest);
+    if (f.ui.slide("Radius of maps", reach, 0.5f, farthest, "Radius: %.1f Å")) maps.reach = std::round(reach * 10) / 10;
 }
 
 }  // namespace
@@ -87,14 +110,7 @@ void drawMaps(PanelFrame& f) {
     if (maps.files.empty()) return;
     f.ui.heading("Density maps");
     for (std::size_t i = 0; i < maps.files.size(); ++i) drawMap(f, i);
-    auto reach = static_cast<float>(maps.reach.value_or(maps.around ? kMapReach : kMapReachOfAll));
-    if (maps.around && f.ui.slide("Radius of maps", reach, 0.5f, static_cast<float>(kFarthest), "Radius: %.1f Å"))
-        maps.reach = std::round(reach * 10) / 10;
-    bool around = maps.around.has_value();
-    if (f.ui.toggle("Around ligands only", around)) {
-        maps.around = around ? std::optional(parseSelection("ligand")) : std::nullopt;
-        maps.reach.reset();
-    }
+    drawAround(f, maps);
 }
 
 }  // namespace nacre::app

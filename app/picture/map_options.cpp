@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::array<const char*, 4> kMapStyles{"auto", "mesh", "surface", "dots"};
 constexpr std::array<const char*, 3> kAxes{"a", "b", "c"};
+constexpr const char* kFocus = "focus";
 constexpr double kHighestLevel = 1e30, kMostSigma = 1000, kFarthestReach = 1000;
 
 }  // namespace
@@ -132,6 +133,7 @@ std::vector<std::string> mapFiles(const MapOptions& maps) {
 
 void parseMapAround(std::string_view text, MapOptions& maps) {
     maps.around.reset();
+    maps.aroundFocus = false;
     maps.reach.reset();
     if (text.empty()) return;
     const std::size_t comma = text.find_last_of(',');
@@ -139,12 +141,15 @@ void parseMapAround(std::string_view text, MapOptions& maps) {
         maps.reach = app::parseNumber(text.substr(comma + 1), 0.1, kFarthestReach);
         text = text.substr(0, comma);
     }
-    maps.around = parseSelection(text);
+    if (startsWith(text, "focus,"))
+        throw std::invalid_argument("expected focus or focus,RADIUS, not '" + printable(text) + "'");
+    maps.aroundFocus = text == kFocus;
+    if (!maps.aroundFocus) maps.around = parseSelection(text);
 }
 
 std::string mapAroundText(const MapOptions& maps) {
-    if (!maps.around) return "";
-    return maps.around->text + (maps.reach ? "," + numberText(*maps.reach) : "");
+    if (!maps.around && !maps.aroundFocus) return "";
+    return (maps.around ? maps.around->text : kFocus) + (maps.reach ? "," + numberText(*maps.reach) : "");
 }
 
 }  // namespace nacre::app

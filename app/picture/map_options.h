@@ -47,6 +47,8 @@ struct MapSliceOption {
     friend bool operator==(const MapSliceOption&, const MapSliceOption&) = default;
 };
 
+constexpr double kMapReach = 2, kMapReachOfFocus = 10, kMapReachOfAll = 4;  ///< Å
+
 struct MapOptions {
     std::vector<std::string> files;
     std::vector<MapLevel> levels;
@@ -58,11 +60,13 @@ struct MapOptions {
     std::vector<std::optional<double>> opacities;  ///< of surfaces; empty: 0.5, of slices 1
     double width = 1.5;                            ///< of lines and dots, pixels
     std::optional<Selection> around;               ///< empty: of a crystal all drawn atoms, else everything
-    std::optional<double> reach;  ///< Å from there; empty: kMapReach, or kMapReachOfAll without `around`
+    bool aroundFocus = false;                      ///< around what the camera looks at, and no selection
+    std::optional<double> reach;                   ///< Å from there; empty: usualReach()
+
+    double usualReach() const { return around ? kMapReach : aroundFocus ? kMapReachOfFocus : kMapReachOfAll; }
 };
 
-constexpr double kMapReach = 2, kMapReachOfAll = 4;  ///< Å
-constexpr double kWidestWire = 10;                   ///< pixels
+constexpr double kWidestWire = 10;  ///< pixels
 constexpr std::size_t kMostMaps = 16;
 
 /// "auto", "1.5sigma", "0.03" or "top1%". @throws std::invalid_argument
@@ -92,7 +96,7 @@ void changeMapFiles(MapOptions& maps, const Change& change) {
         if (!map.file.empty()) map.file = change(map.file);
     if (!maps.surface.file.empty()) maps.surface.file = change(maps.surface.file);
 }
-/// "SEL" or "SEL,RADIUS", into `around` and `reach`.
+/// "SEL" or "focus", with ",RADIUS" behind it, into `around`, `aroundFocus` and `reach`.
 void parseMapAround(std::string_view text, MapOptions& maps);
 std::string mapAroundText(const MapOptions& maps);
 

@@ -33,7 +33,10 @@ std::vector<Option> mapRows() {
         row(
             "map", "FILE", "",
             "Density map: CCP4 or MRC, OpenDX, Gaussian cube, DSN6, BRIX or BinaryCIF of a density server; repeatable",
-            [](T text, P& d) { addTo(d.maps.files, text, kMostMaps, mapFile); },
+            [](T text, P& d) {
+                addTo(d.maps.files, text, kMostMaps, mapFile);
+                d.mapsChanged();
+            },
             [](const P& d) { return lines(d.maps.files, [](const std::string& file) { return file; }); }, list),
         row(
             "map-level", "LEVEL", "1.5sigma for crystals, 3sigma for difference maps, else top1%",
@@ -72,8 +75,9 @@ std::vector<Option> mapRows() {
             "map-width", "PIXELS", "=", "Width of map lines and dots in pixels, 0.5 to 10",
             [](T text, P& d) { d.maps.width = parseNumber(text, 0.5, kWidestWire); }, printNumber<&P::maps, &M::width>),
         row(
-            "map-around", "SEL[,RADIUS]", "all drawn atoms, 4 Å, for crystals; else the whole map",
-            "Draw maps within RADIUS (2 Å) of the atoms of a selection only",
+            "map-around", "SEL|focus[,RADIUS]", "all drawn atoms, 4 Å, for crystals; else the whole map",
+            "Draw maps within RADIUS (2 Å) of the atoms of a selection only; focus: within RADIUS (10 Å) of what the "
+            "camera\nlooks at",
             [](T text, P& d) { parseMapAround(text, d.maps); }, [](const P& d) { return mapAroundText(d.maps); }),
     };
     for (Option& option : rows)

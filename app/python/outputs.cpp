@@ -38,7 +38,8 @@ app::CameraMotion motionOf(const Moving& moving) {
 class Models {
 public:
     /// @throws Error if there is one alone
-    Models(const Structure& structure, const app::PictureDescription& request) : now_(*structure.molecule) {
+    Models(const Structure& structure, const app::PictureDescription& request)
+        : now_(*structure.molecule), surfaces_(request) {
         const app::TrajectoryOptions& frames = structure.reading.trajectory;
         if (!frames.path.empty()) {
             motion_ = app::openMotion(frames, now_);
@@ -52,6 +53,8 @@ public:
         }
         app::movePositions(now_, motion_->positions(0));
         moving_.emplace(app::movingSceneOf(now_, structure.inputs.front(), request.drawn, request.look));
+        Representation first = moving_->scene();
+        surfaces_(first);
     }
 
     std::uint64_t count() const { return motion_->frames(); }
@@ -61,6 +64,7 @@ public:
         moving_->move(now_);
         Representation scene = moving_->scene();
         if (drawing.recolor) drawing.recolor(scene);
+        surfaces_(scene);
         drawing.placeWordsIn(scene, now_);
         app::reachTo(drawing.settings.view, scene.radius);
         canvas.scene = 0;
@@ -71,6 +75,7 @@ private:
     Molecule now_;
     std::unique_ptr<Motion> motion_;
     std::optional<MovingScene> moving_;
+    app::SurfaceColoring surfaces_;
 };
 
 }  // namespace

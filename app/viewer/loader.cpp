@@ -58,15 +58,21 @@ Document Loader::load(const Job& job) const {
     } else {
         build(document, job.moves || document.motion);
     }
-    document.maps = mapLayersOf(*document.molecule, document.view, document.scene.center);
+    document.maps =
+        mapLayersOf(*document.molecule, document.view, document.scene.center, {document.view.camera, document.radius});
     document.radius = std::max(document.radius, document.maps.frame);
     if (job.first) takeSceneLook(*document.molecule, document.radius, document.view);
     return document;
 }
 
-/// A slider of a level must not wait for unchanged parts. A moving scene is rebuilt.
+/// A slider of a level must not wait for unchanged parts, wherever the camera is meanwhile. A moving scene is rebuilt.
 std::shared_ptr<const Document> Loader::mapsAlone(const PictureDescription& view, const Document& shown) {
-    if (shown.moves() || difference(shown.view, view) != static_cast<Facets>(Facet::map)) return nullptr;
+    constexpr Facets kMolecule = Facet::input | Facet::frame | Facet::scene;
+    const Facets parts = difference(shown.view, view);
+    const bool other = (parts & kMolecule) != 0 || shown.view.aim.uncover != view.aim.uncover ||
+                       (!view.look.style && shown.view.look.usual != view.look.usual);
+    const bool focused = view.maps.aroundFocus && has(parts, Facet::view);
+    if (shown.moves() || other || !(has(parts, Facet::map) || focused)) return nullptr;
     return std::make_shared<const Document>(shown);
 }
 
@@ -84,7 +90,8 @@ void Loader::build(Document& document, bool moves) const {
     document.radius = document.moving->scene().radius;
     if (document.placed != document.molecule) document.moving->move(*document.placed);
     document.scene = document.moving->scene();
-    colorByMap(view, document.scene);  // until it moves
+    document.recolor.emplace(view);
+    (*document.recolor)(document.scene);
     uncoverIn(document.scene, *document.placed, view);
 }
 

@@ -56,6 +56,7 @@ struct Document {
     double radius = 0;                                  ///< for the camera: that of the scene before it moved, Å
     std::shared_ptr<Motion> motion = {};                ///< of a molecule just read, if its atoms move
     std::shared_ptr<MovingScene> moving = {};           ///< if its atoms move
+    std::optional<SurfaceColoring> recolor = {};        ///< of each of its frames
     MapLayers maps = {};                                ///< drawn with the scene
     bool moves() const { return moving != nullptr; }
 };

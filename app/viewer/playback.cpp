@@ -50,7 +50,9 @@ void Playback::arrived(const Reading::Arrival& arrival) {
     waiting_.reset();
     if (!player_) return;
     clock_.setFrames(document.moves() ? player_->frames() : hasTrajectory() ? 1 : models());
-    player_->setScene(document.moving);
+    std::function<void(Representation&)> recolor;
+    if (document.recolor) recolor = *document.recolor;
+    player_->setScene(document.moving, std::move(recolor));
     if (document.moves()) player_->want(clock_.frame());
 }
 

@@ -34,7 +34,8 @@ public:
 
     std::size_t frames() const { return frames_; }
     /// Sets the scene for the next frames. @param scene  exclusively owned from now on; null: none
-    void setScene(std::shared_ptr<MovingScene> scene);
+    /// @param recolor  the colours of each of them, on the player's thread; empty: as the scene has them
+    void setScene(std::shared_ptr<MovingScene> scene, std::function<void(Representation&)> recolor = {});
     /// Sets the processing of the next frames.
     void setMotion(MotionOptions options);
     /// Requests a frame; drops an earlier unfinished request.
@@ -46,7 +47,7 @@ public:
 
 private:
     void run();
-    PlayedFrame make(std::size_t frame, MovingScene& scene);
+    PlayedFrame make(std::size_t frame, MovingScene& scene, const std::function<void(Representation&)>& recolor);
     std::shared_ptr<Molecule> freeMolecule();
 
     /// Unused copies of the molecule. Holders return theirs here, from any thread.
@@ -63,6 +64,7 @@ private:
     std::mutex mutex_;  // guards the following
     std::condition_variable changed_;
     std::shared_ptr<MovingScene> scene_;
+    std::function<void(Representation&)> recolor_;
     std::optional<MotionOptions> newMotion_;
     std::optional<std::size_t> wanted_;
     std::uint64_t order_ = 0;  // number of the request: results of older ones are dropped

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
 
+#include "app/drawing/focus.h"
 #include "app/picture/input_names.h"
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"
@@ -204,6 +206,19 @@ void Viewer::takeDocument(double now) {
     if (arrival.another && has(difference(shown.view, view()), Facet::scene)) reading_.build();
 }
 
+/// Draws maps anew about what the camera looks at, once it rests there.
+void Viewer::followFocus(double now) {
+    constexpr double kFollows = 0.1;  // of their radius
+    const PictureDescription& wanted = view();
+    if (!wanted.maps.aroundFocus || !stage_.shown() || !document()->maps.focus || followed_ == stage_.changes()) return;
+    if (stage_.moving(now) || playback_.playing() || reading_.loader().busy()) return;
+    followed_ = stage_.changes();
+    const glm::dvec3 focus =
+        focusOf(*document()->molecule, wanted, {wanted.camera, stage_.radius()}, document()->scene.center);
+    const double reach = wanted.maps.reach.value_or(wanted.maps.usualReach());
+    if (glm::distance(focus, *document()->maps.focus) > kFollows * reach) reading_.build();
+}
+
 std::string Viewer::explanation() const {
     return stage_.shown() ? explanationText(stage_.document.view, stage_.document.scene) : std::string();
 }
@@ -232,6 +247,7 @@ std::string Viewer::title() const {
 double Viewer::advance(double now) {
     apply(touches_.tick(now), now);
     if (stage_.motion.advance(now)) stage_.changed(now);
+    followFocus(now);
     double due = playback_.advance(now);
     due = std::min(due, stage_.messages.advance(now));
     due = std::min(due, picking_.advance(now));

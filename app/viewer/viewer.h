@@ -90,6 +90,7 @@ private:
     bool changeLook(ViewerCommand command, PictureDescription& look, double now);
     void restore(const PictureDescription& view, double now, double seconds = CameraMotion::kFlightSeconds);
     void takeDocument(double now);
+    void followFocus(double now);
     double advance(double now);
 
     Stage stage_;
@@ -104,6 +105,7 @@ private:
     MouseGestures mouse_;
     std::size_t preset_ = 0, look_ = 0;  // the last ones that were stepped to
     double updated_ = 0, levelTurned_ = -1e9;
+    std::uint64_t followed_ = 0;  // Stage::changes() at which maps were last where the camera looks
 };
 
 }  // namespace nacre::app

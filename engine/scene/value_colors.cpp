@@ -73,7 +73,7 @@ Legend ValueColors::legend(const std::string& name) const {
     return legend;
 }
 
-bool colorSurfaces(const ValueColoring& coloring, Representation& scene) {
+std::optional<ColorRange> colorSurfaces(const ValueColoring& coloring, Representation& scene) {
     std::vector<std::uint32_t> vertices;
     std::vector<double> values;
     for (const MeshRun& run : scene.meshes) {
@@ -85,7 +85,7 @@ bool colorSurfaces(const ValueColoring& coloring, Representation& scene) {
                 valueAt(*coloring.map, glm::dvec3(positionOf(scene.meshVertices[v], step)) + scene.center));
         }
     }
-    if (vertices.empty()) return false;
+    if (vertices.empty()) return std::nullopt;
     const ValueColors colors(coloring, values, Palette::viridis);
     constexpr std::uint32_t kOpacity = 0xff000000u;
     std::unordered_map<std::uint64_t, std::uint32_t> looks;
@@ -107,7 +107,7 @@ bool colorSurfaces(const ValueColoring& coloring, Representation& scene) {
         std::all_of(scene.meshes.begin(), scene.meshes.end(), [](const MeshRun& run) { return run.surface; }))
         scene.legends.clear();
     scene.legends.push_back(colors.legend(coloring.name));
-    return true;
+    return colors.range();
 }
 
 }  // namespace nacre

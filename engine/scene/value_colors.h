@@ -53,7 +53,7 @@ private:
 
 /// Colours the vertices of a scene's molecular surfaces; where the map says nothing they stay as they are. Adds a
 /// legend.
-/// @returns whether there were any
-bool colorSurfaces(const ValueColoring& coloring, Representation& scene);
+/// @returns the range of the colours; empty: there is no surface
+std::optional<ColorRange> colorSurfaces(const ValueColoring& coloring, Representation& scene);
 
 }  // namespace nacre

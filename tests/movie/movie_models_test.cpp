@@ -46,6 +46,24 @@ TEST(Movie, ModelsAreThePicturesThatRenderDraws) {
     }
 }
 
+TEST(Movie, SurfacesThatMoveHaveTheColoursOfAMap) {
+    const TemporaryFolder folder;
+    std::ofstream xyz(folder / "m.xyz");
+    for (int model = 0; model < 3; ++model) xyz << "2\nm\nC 0 0 0\nO " << 1.2 + model * 0.2 << " 0 0\n";
+    xyz.close();
+    std::string cube = "the place\nalong x\n 0 -9 -9 -9\n 3 9 0 0\n 3 0 9 0\n 3 0 0 9\n";
+    for (int node = 0; node < 27; ++node) cube += std::to_string(node / 9 - 1) + "\n";
+    std::ofstream(folder / "x.cube") << cube;
+    const std::string movie = "movie m.xyz --models --smooth 2 --fps 10 --style surface" + kSmall;
+    ASSERT_EQ(nacreIn(folder, movie + " -o plain/").code, 0);
+    const Outcome colored = nacreIn(folder, movie + " -o colored/ --surface-color-from x.cube:-0.3..0.3:grays");
+    ASSERT_EQ(colored.code, 0) << colored.err;
+    for (int i = 1; i <= 3; ++i) {
+        const std::string name = "/frame_0000" + std::to_string(i) + ".png";
+        EXPECT_NE(contentOf(folder / ("plain" + name)), contentOf(folder / ("colored" + name))) << i;
+    }
+}
+
 TEST(Movie, ModelsGoOnAlongViews) {
     const TemporaryFolder folder;
     std::ofstream xyz(folder / "m.xyz");

@@ -33,6 +33,23 @@ TEST(MapOptions, ASliceIsAnAxisAndAPlace) {
     for (const char* text : {"x", "a,2", "a,", ""}) EXPECT_THROW(parseMapSlice(text), std::invalid_argument) << text;
 }
 
+TEST(MapOptions, APlaceIsASelectionOrTheFocus) {
+    MapOptions maps;
+    EXPECT_EQ(mapAroundText(maps), "");
+    for (const char* text : {"ligand", "ligand,3.5", "focus", "focus,12", "resi 1,9"}) {
+        parseMapAround(text, maps);
+        EXPECT_EQ(mapAroundText(maps), text);
+        EXPECT_EQ(maps.aroundFocus, std::string_view(text).starts_with("focus")) << text;
+        EXPECT_NE(maps.aroundFocus, maps.around.has_value()) << text;
+    }
+    parseMapAround("focus", maps);
+    EXPECT_EQ(maps.usualReach(), kMapReachOfFocus);
+    parseMapAround("", maps);
+    EXPECT_FALSE(maps.aroundFocus);
+    for (const char* text : {"focus,0", "focus,x", "focus,2000"})
+        EXPECT_THROW(parseMapAround(text, maps), std::invalid_argument) << text;
+}
+
 TEST(MapOptions, EveryFileIsNamedOnce) {
     PictureDescription d;
     for (const auto& [key, value] : {std::pair{"map", "a.mrc"},

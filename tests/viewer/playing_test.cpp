@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/drawing/scenes.h"
+#include "app/input/map_input.h"
 #include "app/input/trajectory_input.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
@@ -194,6 +195,38 @@ TEST(Playing, ModelsOfOneMoleculeMoveWithoutBeingReadAgain) {
     EXPECT_EQ(b.screen.scale, scale) << "the camera stays";
     EXPECT_EQ(b.screen.scenes, scenes) << "what moves keeps what was baked";
     EXPECT_EQ(b.reads, 1);
+}
+
+TEST(Playing, ASurfaceHasTheColoursOfAMapInEveryFrame) {
+    std::vector<float> values;
+    for (int i = 0; i < 1000; ++i) values.push_back(static_cast<float>(i % 10));  // the place along x
+    keepMap("along x",
+            std::make_shared<const DensityMap>(mapOfValues("along x", glm::ivec3(10), {glm::dvec3(10), glm::dvec3(90)},
+                                                           glm::dvec3(-4), false, std::move(values))));
+    PlayingBench b;
+    PictureDescription look = b.viewer.view();
+    look.look.style = Style::surface;
+    look.maps.surface.file = "along x";
+    b.viewer.setLook(look, b.now);
+    b.run(0.2);
+    ASSERT_FALSE(b.screen.shown.legends.empty());
+    const std::vector<Legend> first = b.screen.shown.legends;
+    const int moves = b.screen.moves;
+    for (const std::size_t frame : {3, 1, 4}) {
+        b.viewer.playback().show(frame, b.now);
+        b.run(0.1);
+        ASSERT_GT(b.screen.shown.triangles.size(), 0u);
+        std::set<std::uint32_t> colors;
+        for (const MeshVertex& v : b.screen.shown.meshVertices)
+            colors.insert(b.screen.shown.meshLooks[v.look].color & 0xffffff);
+        EXPECT_GT(colors.size(), 20u) << "of the ramp, frame " << frame;
+        EXPECT_TRUE(b.screen.shown.blendsColors);
+        ASSERT_EQ(b.screen.shown.legends.size(), first.size());
+        for (std::size_t i = 0; i < first.back().entries.size(); ++i)
+            EXPECT_EQ(b.screen.shown.legends.back().entries[i].label, first.back().entries[i].label)
+                << "in one range, frame " << frame;
+    }
+    EXPECT_GT(b.screen.moves, moves);
 }
 
 TEST(Playing, ComesAtItsRateAndStops) {

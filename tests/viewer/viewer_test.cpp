@@ -6,7 +6,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/input/map_input.h"
 #include "app/picture/appearance_values.h"
 #include "app/picture/options.h"
 #include "app/picture/words.h"
@@ -132,37 +131,6 @@ TEST(Viewer, PicksNameAndMeasure) {
     const glm::dvec3 v = view.rotation * (glm::dvec3(d.molecule->atoms[0].position) - d.scene.center);
     EXPECT_NEAR(b.viewer.picking().annotations().atoms[0].x, 320 + v.x * view.pixelsPerAngstrom, 1e-9);
     EXPECT_NEAR(b.viewer.picking().annotations().atoms[0].y, 240 - v.y * view.pixelsPerAngstrom, 1e-9);
-}
-
-TEST(Viewer, TheWheelTurnsTheLevelOfAMapAsOneStep) {
-    std::vector<float> values(1000);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i % 10);
-    keepMap("ramp", std::make_shared<const DensityMap>(mapOfValues(
-                        "ramp", glm::ivec3(10), {glm::dvec3(10), glm::dvec3(90)}, {}, false, std::move(values))));
-    Bench b;
-    b.viewer.changeLevel(1, b.now);
-    EXPECT_TRUE(b.viewer.view().maps.levels.empty()) << "there is no map";
-    PictureDescription look = b.viewer.view();
-    look.maps.files = {"ramp"};
-    look.maps.levels = {{MapLevel::Unit::value, 4.5}};  // the mean
-    b.viewer.setLook(look, b.now);
-    b.load();
-    ASSERT_EQ(b.viewer.document()->maps.sigmas.size(), 1u);
-    const int scenes = b.screen.scenes;
-    for (int i = 0; i < 3; ++i) b.viewer.changeLevel(1, b.now += 0.1);
-    EXPECT_EQ(b.viewer.view().maps.levels[0], (MapLevel{MapLevel::Unit::sigma, 0.3}));
-    b.load();
-    b.load();
-    EXPECT_GT(b.screen.scenes, scenes);
-    EXPECT_NEAR(b.viewer.document()->maps.sigmas[0], 0.3, 1e-6);
-    b.viewer.undo(b.now + 5);
-    EXPECT_EQ(b.viewer.view().maps.levels[0], (MapLevel{MapLevel::Unit::value, 4.5})) << "one turn is one step";
-    // A slice has no level.
-    look.maps.slices = {{2, 0.5}};
-    b.viewer.setLook(look, b.now += 5);
-    b.load();
-    b.viewer.changeLevel(1, b.now);
-    EXPECT_EQ(b.viewer.view().maps.levels, look.maps.levels);
 }
 
 TEST(Viewer, AimsAtWhatIsPicked) {

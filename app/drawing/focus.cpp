@@ -1,0 +1,61 @@
+#include "app/drawing/focus.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "app/drawing/guided.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/selection/selection.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr double kBeside = 2;  // Å from the line of sight: an atom there is in the picture's middle
+
+/// The line of sight through a picture's middle, in view space.
+struct Sight {
+    glm::dvec2 middle;       // where it crosses the plane z = 0
+    double eyeDistance = 0;  // 0: orthographic
+
+    glm::dvec3 at(double z) const {
+        const double share = eyeDistance > 0 ? (eyeDistance - z) / eyeDistance : 1;
+        return {middle * share, z};
+    }
+    double distance(const glm::dvec3& v) const { return glm::length(v - at(v.z)); }
+};
+
+}  // namespace
+
+glm::dvec3 focusOf(const Molecule& molecule, const PictureDescription& d, const Seen& seen, const glm::dvec3& center) {
+    if (const SceneCamera* camera = sceneCamera(molecule, d)) return camera->target;
+    constexpr std::uint32_t kAnySize = 256;
+    const View view = viewOf(seen.camera, seen.radius, kAnySize, kAnySize);
+    const Sight sight{-view.pan, view.eyeDistance};
+    const auto placeOf = [&](std::uint32_t atom) {
+        return view.rotation * (glm::dvec3(molecule.atoms[atom].position) - center);
+    };
+    double depth = 0;
+    const std::optional<Selection>& target = d.aim.zoomTo ? d.aim.zoomTo : d.aim.uncover;
+    std::size_t named = 0;
+    if (target) {
+        const std::vector<bool> chosen = selectAtoms(molecule, *target);
+        for (std::uint32_t i = 0; i < chosen.size(); ++i)
+            if (chosen[i] && std::isfinite(placeOf(i).z)) depth += placeOf(i).z, ++named;
+    }
+    if (named > 0) {
+        depth /= static_cast<double>(named);
+    } else {
+        double front = -std::numeric_limits<double>::infinity(), closest = std::numeric_limits<double>::infinity();
+        for (const std::uint32_t atom : drawnAtoms(molecule, d.drawn)) {
+            const glm::dvec3 v = placeOf(atom);
+            const double away = sight.distance(v);
+            if (!std::isfinite(away) || v.z > -d.effects.clip.near || v.z < -d.effects.clip.far) continue;
+            if (away <= kBeside && v.z > front) depth = front = v.z;
+            if (front == -std::numeric_limits<double>::infinity() && away < closest) closest = away, depth = v.z;
+        }
+    }
+    return glm::transpose(view.rotation) * sight.at(depth) + center;
+}
+
+}  // namespace nacre::app

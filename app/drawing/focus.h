@@ -1,0 +1,24 @@
+#pragma once
+// What a camera looks at, for maps that are drawn about there.
+
+#include <glm/vec3.hpp>
+
+#include "app/picture/description.h"
+#include "engine/molecule/molecule.h"
+
+namespace nacre::app {
+
+/// A camera, aimed as the picture asks, and the radius that it goes by (Å).
+struct Seen {
+    Camera camera;
+    double radius = 0;
+};
+
+/// The place in the picture's middle, Å in the file's frame: at the depth of what --zoom-to or --uncover names, else of
+/// the nearest drawn atom in front of which nothing is, within 2 Å of the line of sight; else of the atom that is
+/// closest to that line.
+/// @param center  of the scene
+glm::dvec3 focusOf(const Molecule& molecule, const PictureDescription& picture, const Seen& seen,
+                   const glm::dvec3& center);
+
+}  // namespace nacre::app

@@ -1,0 +1,88 @@
+// Where a camera looks, and maps that are drawn about there.
+#include "app/drawing/focus.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "app/drawing/map_layers.h"
+#include "app/input/map_input.h"
+#include "app/picture/options.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+namespace {
+
+const glm::dvec3 kCenter{1, 2, 3};
+
+/// Atoms about the centre: two behind each other, and one at the right.
+Molecule threeAtoms() { return readMolecule("three.xyz", "3\nthree\nC 1 2 8\nN 1 2 -2\nO 11 2 4\n", {}); }
+
+class FocusTest : public testing::Test {
+protected:
+    void set(std::string_view key, const std::string& value) { setOption(option(key), value, picture); }
+    void expectFocus(const glm::dvec3& wanted, double radius = 12) const {
+        const glm::dvec3 focus = focusOf(molecule, picture, {picture.camera, radius}, kCenter);
+        EXPECT_LT(glm::distance(focus, wanted), 1e-9) << focus.x << " " << focus.y << " " << focus.z;
+    }
+    const Molecule molecule = threeAtoms();
+    PictureDescription picture;
+};
+
+TEST_F(FocusTest, IsTheFirstAtomInThePicturesMiddle) {
+    expectFocus({1, 2, 8});
+    set("clip", "0");
+    expectFocus({1, 2, -2});
+    set("clip", "off");
+    set("rotate", "0,180,0");
+    expectFocus({1, 2, -2});
+    set("rotate", "0,-90,0");  // what was at the right comes to the front
+    expectFocus({11, 2, 3});
+}
+
+TEST_F(FocusTest, GoesWithTheCamera) {
+    set("pan", "-10,0");
+    expectFocus({11, 2, 4});
+    set("pan", "-4,0");
+    expectFocus({5, 2, 8});  // beside the closest atom
+    // From the eye through the middle of the picture, which moves nearer to the axis of the eye towards it.
+    set("pan", "-10,0");
+    set("projection", "perspective");
+    const double eye = viewOf(picture.camera, 12, 256, 256).eyeDistance;
+    expectFocus({1 + 10 * (eye - 1) / eye, 2, 4});
+}
+
+TEST_F(FocusTest, HasTheDepthOfWhatIsZoomedTo) {
+    set("zoom-to", "element N");
+    expectFocus({1, 2, -2});
+    set("zoom-to", "element N or element C");
+    expectFocus({1, 2, 3});
+}
+
+TEST_F(FocusTest, MapsAreDrawnAboutIt) {
+    constexpr int kNodes = 41;
+    std::vector<float> values;
+    for (int i = 0; i < kNodes * kNodes * kNodes; ++i) values.push_back(static_cast<float>(i % 2));  // crossed anywhere
+    keepMap("chess", std::make_shared<const DensityMap>(mapOfValues("chess", glm::ivec3(kNodes),
+                                                                    {glm::dvec3(kNodes), glm::dvec3(90)},
+                                                                    glm::dvec3(-20), false, std::move(values))));
+    set("map", "chess");
+    set("map-style", "mesh");
+    set("map-level", "0.5");
+    for (const auto& [around, reach] : {std::pair{"focus,6", 6.0}, {"focus", kMapReachOfFocus}}) {
+        set("map-around", around);
+        const MapLayers maps = mapLayersOf(molecule, picture, kCenter, {picture.camera, 12});
+        ASSERT_TRUE(maps.focus);
+        const glm::dvec3 focus = *maps.focus - kCenter;
+        EXPECT_LT(glm::distance(focus, {0, 0, 5}), 1e-9);
+        double farthest = 0;
+        for (const Cylinder& wire : maps.shown.wires)
+            farthest = std::max(farthest, glm::distance(glm::dvec3(wire.a), focus));
+        EXPECT_LE(farthest, reach);
+        EXPECT_GT(farthest, reach - 1.5);
+        EXPECT_EQ(maps.frame, 0) << "the camera does not go by them";
+    }
+}
+
+}  // namespace
+}  // namespace nacre::app

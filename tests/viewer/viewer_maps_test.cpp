@@ -1,0 +1,95 @@
+// Density maps in the window: levels by the wheel, and maps that follow the camera.
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "app/drawing/focus.h"
+#include "app/input/map_input.h"
+#include "tests/viewer/viewer_bench.h"
+
+namespace nacre::app::test {
+namespace {
+
+TEST(Viewer, TheWheelTurnsTheLevelOfAMapAsOneStep) {
+    std::vector<float> values(1000);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i % 10);
+    keepMap("ramp", std::make_shared<const DensityMap>(mapOfValues(
+                        "ramp", glm::ivec3(10), {glm::dvec3(10), glm::dvec3(90)}, {}, false, std::move(values))));
+    Bench b;
+    b.viewer.changeLevel(1, b.now);
+    EXPECT_TRUE(b.viewer.view().maps.levels.empty()) << "there is no map";
+    PictureDescription look = b.viewer.view();
+    look.maps.files = {"ramp"};
+    look.maps.levels = {{MapLevel::Unit::value, 4.5}};  // the mean
+    b.viewer.setLook(look, b.now);
+    b.load();
+    ASSERT_EQ(b.viewer.document()->maps.sigmas.size(), 1u);
+    const int scenes = b.screen.scenes;
+    for (int i = 0; i < 3; ++i) b.viewer.changeLevel(1, b.now += 0.1);
+    EXPECT_EQ(b.viewer.view().maps.levels[0], (MapLevel{MapLevel::Unit::sigma, 0.3}));
+    b.load();
+    b.load();
+    EXPECT_GT(b.screen.scenes, scenes);
+    EXPECT_NEAR(b.viewer.document()->maps.sigmas[0], 0.3, 1e-6);
+    b.viewer.undo(b.now + 5);
+    EXPECT_EQ(b.viewer.view().maps.levels[0], (MapLevel{MapLevel::Unit::value, 4.5})) << "one turn is one step";
+    // A slice has no level.
+    look.maps.slices = {{2, 0.5}};
+    b.viewer.setLook(look, b.now += 5);
+    b.load();
+    b.viewer.changeLevel(1, b.now);
+    EXPECT_EQ(b.viewer.view().maps.levels, look.maps.levels);
+}
+
+TEST(Viewer, MapsFollowWhatTheCameraLooksAt) {
+    keepMap("flat",
+            std::make_shared<const DensityMap>(mapOfValues("flat", glm::ivec3(10), {glm::dvec3(10), glm::dvec3(90)}, {},
+                                                           false, std::vector<float>(1000, 1))));
+    int builds = 0;
+    CountingScreen screen;
+    Sources sources = sampleSources();
+    sources.build = [&](const Molecule& molecule, const PictureDescription& view) {
+        ++builds;
+        return sceneOfView(molecule, view);
+    };
+    Viewer viewer(screen, sources, Bench::viewOf("sample:dna"), {});
+    double now = 100;
+    const auto rest = [&] {
+        for (int i = 0; i < 20; ++i) {
+            viewer.reading().loader().wait();
+            viewer.update(now += 0.05);
+        }
+    };
+    viewer.frames().resize({640, 480}, 1, now);
+    rest();
+    PictureDescription look = viewer.view();
+    look.maps.files = {"flat"};
+    look.maps.aroundFocus = true;
+    viewer.setLook(look, now);
+    rest();
+    ASSERT_TRUE(viewer.document()->maps.focus);
+    const glm::dvec3 first = *viewer.document()->maps.focus;
+    const int before = builds, scenes = screen.scenes;
+    for (int i = 0; i < 5; ++i) viewer.run(ViewerCommand::panLeft, now);
+    rest();
+    const glm::dvec3 then = *viewer.document()->maps.focus;
+    EXPECT_GT(glm::distance(then, first), 1);
+    EXPECT_EQ(screen.scenes, scenes + 1);
+    EXPECT_EQ(builds, before) << "the molecule stays";
+    EXPECT_EQ(then, focusOf(*viewer.document()->molecule, viewer.view(),
+                            {viewer.view().camera, viewer.document()->radius}, viewer.document()->scene.center));
+    rest();
+    EXPECT_EQ(screen.scenes, scenes + 1) << "it rests";
+    // Nor does a level build the molecule, wherever the camera is meanwhile.
+    viewer.run(ViewerCommand::rotateLeft, now);
+    look = viewer.view();
+    look.maps.levels = {{MapLevel::Unit::value, 0.5}};
+    viewer.setLook(look, now);
+    rest();
+    EXPECT_GT(screen.scenes, scenes + 1);
+    EXPECT_EQ(builds, before);
+}
+
+}  // namespace
+}  // namespace nacre::app::test
