@@ -82,7 +82,6 @@ Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry) {
     for (std::size_t r = 0; r < kinds.size(); ++r) {
         const Residue& residue = molecule.residues[r];
         const bool hetero = residue.atomCount > 0 && molecule.atoms[residue.firstAtom].hetero;
-        const std::string_view name = residue.name.view();
         features.receptor[r] = kinds[r] == ResidueKind::protein && isAminoAcidOfPlip(residue.name, hetero);
         for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
             if (!chemistry.present[i]) continue;
