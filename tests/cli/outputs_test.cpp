@@ -19,22 +19,22 @@ using test::Outcome;
 using test::TemporaryFolder;
 
 constexpr const char* kAtom = "ATOM      1  C   GLY A   1       0.000   0.000   0.000  1.00  0.00           C\n";
-constexpr const char* kSmall = " --size 32x32 --occlusion off";
+constexpr const char* kTiny = " --size 32x32 --occlusion off";
 
 void put(const std::string& path, const std::string& content) { std::ofstream(path) << content; }
 
 TEST(Outputs, ADashIsStandardOutput) {
     const TemporaryFolder folder;
-    EXPECT_EQ(nacreIn(folder, std::string("render sample:glucose -o -") + kSmall).out.substr(1, 3), "PNG");
-    EXPECT_EQ(nacreIn(folder, std::string("render sample:glucose -o /dev/stdout") + kSmall).out.substr(1, 3), "PNG");
-    const Outcome stats = nacreIn(folder, std::string("render sample:glucose -o a.png --stats -") + kSmall);
+    EXPECT_EQ(nacreIn(folder, std::string("render sample:glucose -o -") + kTiny).out.substr(1, 3), "PNG");
+    EXPECT_EQ(nacreIn(folder, std::string("render sample:glucose -o /dev/stdout") + kTiny).out.substr(1, 3), "PNG");
+    const Outcome stats = nacreIn(folder, std::string("render sample:glucose -o a.png --stats -") + kTiny);
     EXPECT_EQ(nlohmann::json::parse(stats.out)["atoms"]["read"], 24);
     EXPECT_EQ(stats.err, "");
-    const Outcome layers = nacreIn(folder, std::string("render sample:glucose -o a.png --layers -") + kSmall);
+    const Outcome layers = nacreIn(folder, std::string("render sample:glucose -o a.png --layers -") + kTiny);
     EXPECT_EQ(layers.out.substr(0, 4), "\x76\x2f\x31\x01");
-    EXPECT_EQ(nacreIn(folder, std::string("render sample:glucose -o - --stats -") + kSmall).code, 2);
+    EXPECT_EQ(nacreIn(folder, std::string("render sample:glucose -o - --stats -") + kTiny).code, 2);
     EXPECT_EQ(folder.count(), 1u);
-    const Outcome full = nacreIn(folder, std::string("render sample:glucose -o -") + kSmall, ">/dev/full");
+    const Outcome full = nacreIn(folder, std::string("render sample:glucose -o -") + kTiny, ">/dev/full");
     EXPECT_EQ(full.code, 1);
     EXPECT_NE(full.err.find("standard output"), std::string::npos) << full.err;
 }
@@ -77,7 +77,7 @@ TEST(Outputs, AreWrittenByAProgramThatIsFoundAlongThePath) {
     const TemporaryFolder folder;
     const fs::path program = NACRE_PROGRAM;
     const std::string command = "cd '" + folder.path() + "' && PATH='" + program.parent_path().string() + "' " +
-                                program.filename().string() + " render sample:glucose -o a.png" + kSmall;
+                                program.filename().string() + " render sample:glucose -o a.png" + kTiny;
     EXPECT_EQ(std::system(command.c_str()), 0);
     EXPECT_TRUE(fs::exists(folder / "a.png"));
 }
@@ -166,7 +166,7 @@ TEST(Outputs, InfoTakesSeveralFiles) {
 
 TEST(Outputs, QuietKeepsWarningsBackAndErrorsNot) {
     const TemporaryFolder folder;
-    const std::string render = std::string("render sample:glucose -o a.png --hide 'chain Z'") + kSmall;
+    const std::string render = std::string("render sample:glucose -o a.png --hide 'chain Z'") + kTiny;
     EXPECT_NE(nacreIn(folder, render).err.find("nacre: warning: "), std::string::npos);
     EXPECT_EQ(nacreIn(folder, render + " --quiet").err, "");
     EXPECT_NE(nacreIn(folder, "info none.pdb -q").err, "");
@@ -176,7 +176,7 @@ TEST(Outputs, OneCameraIsForAllModelsUnlessAsked) {
     const TemporaryFolder folder;
     put(folder / "two.xyz", "2\n\nHe 0 0 0\nNe 2 0 0\n2\n\nHe 10 0 0\nNe 12 0 0\n");
     const auto centerOf = [&](const std::string& options, const std::string& input = "two.xyz") {
-        const Outcome drawn = nacreIn(folder, "render " + input + " -o a.png --stats s.json " + options + kSmall,
+        const Outcome drawn = nacreIn(folder, "render " + input + " -o a.png --stats s.json " + options + kTiny,
                                       input == "-" ? "<two.xyz" : "");
         EXPECT_EQ(drawn.code, 0) << drawn.err;
         return nlohmann::json::parse(contentOf(folder / "s.json"))["view"]["center"].dump();
@@ -189,7 +189,7 @@ TEST(Outputs, OneCameraIsForAllModelsUnlessAsked) {
     // A view keeps what was asked for.
     put(folder / "view.json", R"({"input": "two.xyz", "model": 2, "camera": "model", "occlusion-models": "all"})");
     EXPECT_EQ(centerOf("--view view.json", ""), "[11.0,0.0,0.0]");
-    EXPECT_NE(nacreIn(folder, std::string("render two.xyz -o a.png --camera both") + kSmall).code, 0);
+    EXPECT_NE(nacreIn(folder, std::string("render two.xyz -o a.png --camera both") + kTiny).code, 0);
 }
 
 TEST(Outputs, AViewFromSomebodyElseFetchesNothingAndQuotesNothing) {
@@ -204,7 +204,7 @@ TEST(Outputs, AViewFromSomebodyElseFetchesNothingAndQuotesNothing) {
     put(folder / "view/own.json", "{\"input\": \"" + (folder / "view/near.pdb") + "\"}");
     put(folder / "view/fetch.json", R"({"input": "pdb:1bna"})");
     const auto render = [&](const std::string& view, const std::string& more = "") {
-        return nacreIn(folder, "render --view view/" + view + ".json -o a.png " + more + kSmall, "",
+        return nacreIn(folder, "render --view view/" + view + ".json -o a.png " + more + kTiny, "",
                        "export NACRE_PDB_URL=http://127.0.0.1:9");
     };
     const Outcome secret = render("secret");

@@ -20,7 +20,7 @@ using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
 
-const std::string kSmall = " -o a.png --size 64x64 --occlusion off --cache off --zoom 1";
+const std::string kBeside = " -o a.png --size 64x64 --occlusion off --cache off --zoom 1";
 
 TEST(SeveralInputs, HaveNames) {
     InputOptions input;
@@ -39,15 +39,15 @@ TEST(SeveralInputs, HaveNames) {
 
 TEST(SeveralInputs, AreOnePicture) {
     const TemporaryFolder folder;
-    const Outcome both = nacreIn(folder, "render sample:glucose a=sample:buckyball --stats s.json" + kSmall);
+    const Outcome both = nacreIn(folder, "render sample:glucose a=sample:buckyball --stats s.json" + kBeside);
     ASSERT_EQ(both.code, 0) << both.err;
     EXPECT_NE(contentOf(folder / "s.json").find("\"read\": 84"), std::string::npos) << contentOf(folder / "s.json");
     const std::string together = contentOf(folder / "a.png");
     ASSERT_EQ(
-        nacreIn(folder, "render sample:glucose a=sample:buckyball --hide /a --style ball-and-stick" + kSmall).code, 0);
+        nacreIn(folder, "render sample:glucose a=sample:buckyball --hide /a --style ball-and-stick" + kBeside).code, 0);
     const std::string hidden = contentOf(folder / "a.png");
     EXPECT_NE(hidden, together);
-    ASSERT_EQ(nacreIn(folder, "render sample:glucose --style ball-and-stick" + kSmall).code, 0);
+    ASSERT_EQ(nacreIn(folder, "render sample:glucose --style ball-and-stick" + kBeside).code, 0);
     EXPECT_EQ(contentOf(folder / "a.png"), hidden) << "what is named is what is hidden";
 }
 
@@ -61,18 +61,18 @@ TEST(SeveralInputs, StandInASavedView) {
               "rules": [{"color-by": "/w=#ff8000"}, {"show": "/w=spacefill"}]})";
     const std::string look =
         " --style ball-and-stick --water show --color-by /w=#ff8000 --show /w=spacefill --color element";
-    const Outcome refused = nacreIn(folder, "render --view there/both.json" + kSmall);
+    const Outcome refused = nacreIn(folder, "render --view there/both.json" + kBeside);
     EXPECT_EQ(refused.code, 1) << "a fit is tried, and has too few pairs";
     EXPECT_NE(refused.err.find("cannot fit: /w and elem O+H"), std::string::npos) << refused.err;
     std::string text = contentOf(folder / "there/both.json");
     text.replace(text.find("\"fits\""), text.find("\"style\"") - text.find("\"fits\""), "");
     std::ofstream(folder / "there/both.json") << text;
-    ASSERT_EQ(nacreIn(folder, "render --view there/both.json" + kSmall).code, 0);
+    ASSERT_EQ(nacreIn(folder, "render --view there/both.json" + kBeside).code, 0);
     const std::string byView = contentOf(folder / "a.png");
     // The same by words; the colours that keep molecules apart lie below those of the view.
-    ASSERT_EQ(nacreIn(folder, "render g=sample:glucose w=there/water.xyz" + look + kSmall).code, 0);
+    ASSERT_EQ(nacreIn(folder, "render g=sample:glucose w=there/water.xyz" + look + kBeside).code, 0);
     EXPECT_EQ(contentOf(folder / "a.png"), byView);
-    ASSERT_EQ(nacreIn(folder, "render g=sample:glucose" + look + kSmall).code, 0);
+    ASSERT_EQ(nacreIn(folder, "render g=sample:glucose" + look + kBeside).code, 0);
     EXPECT_NE(contentOf(folder / "a.png"), byView);
     for (const char* bad : {R"({"input": "a", "further-inputs": [{"name": "b"}]})", R"({"further-inputs": {}})",
                             R"({"name": "a b"})", R"({"further-inputs": [{"input": "b", "name": "x/y"}]})",
@@ -83,13 +83,13 @@ TEST(SeveralInputs, StandInASavedView) {
 TEST(SeveralInputs, AreColouredApartUnlessAsked) {
     const TemporaryFolder folder;
     const std::string two = "render sample:buckyball b=sample:buckyball";
-    ASSERT_EQ(nacreIn(folder, two + " --hide /buckyball" + kSmall).code, 0);
+    ASSERT_EQ(nacreIn(folder, two + " --hide /buckyball" + kBeside).code, 0);
     const std::string apart = contentOf(folder / "a.png");
-    ASSERT_EQ(nacreIn(folder, two + " --hide /b" + kSmall).code, 0);
+    ASSERT_EQ(nacreIn(folder, two + " --hide /b" + kBeside).code, 0);
     EXPECT_NE(contentOf(folder / "a.png"), apart) << "the second has carbons of its own colour";
-    ASSERT_EQ(nacreIn(folder, two + " --hide /buckyball --color white" + kSmall).code, 0);
+    ASSERT_EQ(nacreIn(folder, two + " --hide /buckyball --color white" + kBeside).code, 0);
     const std::string white = contentOf(folder / "a.png");
-    ASSERT_EQ(nacreIn(folder, two + " --hide /b --color white" + kSmall).code, 0);
+    ASSERT_EQ(nacreIn(folder, two + " --hide /b --color white" + kBeside).code, 0);
     EXPECT_EQ(contentOf(folder / "a.png"), white);
 }
 
@@ -111,15 +111,15 @@ TEST(SeveralInputs, AreLaidOntoEachOther) {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.pdb") << turned(0, 0);
     std::ofstream(folder / "b.pdb") << turned(1.2, 0);
-    const Outcome same = nacreIn(folder, "render a.pdb b.pdb --fit /b /a --color white" + kSmall);
+    const Outcome same = nacreIn(folder, "render a.pdb b.pdb --fit /b /a --color white" + kBeside);
     ASSERT_EQ(same.code, 0) << same.err;
     EXPECT_EQ(same.err, "nacre: fit of /b onto /a: 8 pairs of atoms, RMSD 0.000 Å\n");
     const std::string together = contentOf(folder / "a.png");
-    ASSERT_EQ(nacreIn(folder, "render a.pdb --color white" + kSmall).code, 0);
+    ASSERT_EQ(nacreIn(folder, "render a.pdb --color white" + kBeside).code, 0);
     // Both are where the first is; they differ by what a PDB file rounds.
     EXPECT_NEAR(static_cast<double>(contentOf(folder / "a.png").size()), static_cast<double>(together.size()), 200);
     std::ofstream(folder / "c.pdb") << turned(0.7, 0.5);
-    const Outcome bent = nacreIn(folder, "render --fit /c /a a.pdb c.pdb --fit 'name CA and /a' /c" + kSmall);
+    const Outcome bent = nacreIn(folder, "render --fit /c /a a.pdb c.pdb --fit 'name CA and /a' /c" + kBeside);
     ASSERT_EQ(bent.code, 0) << bent.err;
     // By numpy's SVD (Kabsch's way) from the same numbers.
     EXPECT_NE(bent.err.find("8 pairs of atoms, RMSD 0.242 Å"), std::string::npos) << bent.err;
@@ -135,9 +135,9 @@ TEST(SeveralInputs, AreLaidOntoEachOther) {
     std::ofstream(folder / "d.pdb") << turned(0, 30);
     std::ofstream(folder / "e.pdb") << named("SER", "ASN");
     std::ofstream(folder / "f.pdb") << named("TRP", "LYS");
-    const Outcome far = nacreIn(folder, "render a.pdb d.pdb --fit /d /a" + kSmall),
-                  unlike = nacreIn(folder, "render d.pdb e.pdb --fit /d /e" + kSmall),
-                  strange = nacreIn(folder, "render d.pdb f.pdb --fit /d /f" + kSmall);
+    const Outcome far = nacreIn(folder, "render a.pdb d.pdb --fit /d /a" + kBeside),
+                  unlike = nacreIn(folder, "render d.pdb e.pdb --fit /d /e" + kBeside),
+                  strange = nacreIn(folder, "render d.pdb f.pdb --fit /d /f" + kBeside);
     EXPECT_NE(strange.err.find("fewer than three of its atoms have a counterpart"), std::string::npos) << strange.err;
     EXPECT_NE(far.err.find("may make no sense: 8 of 8 residues have a counterpart"), std::string::npos) << far.err;
     EXPECT_NE(unlike.err.find("may make no sense: 0 of 8 residues have a counterpart"), std::string::npos)
@@ -150,7 +150,7 @@ TEST(SeveralInputs, FitWhatGemmiAndNumpyFit) {
     const std::string file = test::dataFile("4hhb.pdb");
     const auto fit = [&](const std::string& moving, const std::string& fixed) {
         return nacreIn(folder, "render a=" + file + " b=" + file + " --fit '/b and chain " + moving +
-                                   "' '/a and chain " + fixed + "'" + kSmall)
+                                   "' '/a and chain " + fixed + "'" + kBeside)
             .err;
     };
     // By numpy's SVD over the same CA atoms; B and A by gemmi's alignment of their sequences, as in matched_atoms.h.
@@ -181,7 +181,7 @@ TEST(SeveralInputs, RefuseWhatCannotBeInOneLine) {
         {"movie sample:dna b=sample:dna --models", 2, "one INPUT"},
     };
     for (const auto& c : cases) {
-        const std::string output = std::string(c.arguments).rfind("movie", 0) == 0 ? " -o m.gif" : kSmall;
+        const std::string output = std::string(c.arguments).rfind("movie", 0) == 0 ? " -o m.gif" : kBeside;
         const Outcome outcome = nacreIn(folder, c.arguments + output);
         EXPECT_EQ(outcome.code, c.code) << c.arguments << outcome.err;
         EXPECT_NE(outcome.err.find(c.says), std::string::npos) << c.arguments << ": " << outcome.err;

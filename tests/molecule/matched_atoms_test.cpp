@@ -27,13 +27,13 @@ std::string_view residueOf(char letter) {
 struct Block {
     std::uint32_t first, second, length;
 };
-struct Case {
+struct MatchCase {
     std::string first, second;
     std::vector<Block> blocks;
 };
 
 TEST(MatchedAtoms, PairsTheResiduesThatBiopythonPairs) {
-    const Case cases[] = {
+    const MatchCase cases[] = {
         {"CMRNWDKYRTERNFFNGNWFRYDGYRYYMRGRWC", "LPYCMRNWDKCRTEWDFFNGNWYRSYGYRIYMRGRWC", {{0, 3, 34}}},
         {"KIGQGNYITSLPIVNDTFQLCSFRNWYLLKVSYPNNHS",
          "PMWGNYITSKPIVNDTFCGPLCSMRWYLLAVSYPNNIS",
@@ -41,7 +41,7 @@ TEST(MatchedAtoms, PairsTheResiduesThatBiopythonPairs) {
         {"CFWHFKMGCNQCGGASYQHIACFWKVYLCTVR", "WHFKDMGCNQCRNASYQHCFWKSYLCTVR", {{2, 0, 4}, {6, 5, 13}, {21, 18, 11}}},
         {"VANEVMCHKVKSDDSPSSINCDLHSQTAETKCWAT", "VANEVICHKVKSDDKPSSINCTLHSAETKCWHW", {{0, 0, 25}, {27, 25, 8}}},
         {"MGETSKAAHSHEVKPKKNGDGSELESVVASK", "CACLTSKAAHSHEVQPEKSELEMNVADK", {{0, 1, 17}, {21, 18, 10}}}};
-    for (const Case& sequences : cases) {
+    for (const MatchCase& sequences : cases) {
         test::MoleculeText text;
         int number = 0;
         for (const std::string& sequence : {sequences.first, sequences.second})

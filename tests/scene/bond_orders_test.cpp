@@ -51,7 +51,7 @@ Molecule ringOf(const std::vector<std::uint32_t>& orders, double reach) {
     return moleculeOf(atoms, bonds);
 }
 
-Representation drawn(const Molecule& molecule, Style style, BondOrders orders = BondOrders::ligands,
+Representation drawnWith(const Molecule& molecule, Style style, BondOrders orders = BondOrders::ligands,
                      AromaticForm form = AromaticForm::dashes) {
     RepresentationOptions options{style, ColorScheme::element};
     options.bondOrders = orders;
@@ -76,7 +76,7 @@ double fromMiddle(const Representation& scene, const glm::vec3& point) {
 TEST(BondOrdersDrawn, AromaticRingsHaveThreeDashesInsideEachBond) {
     const Molecule benzene = ringOf({4, 4, 4, 4, 4, 4}, 1.39);
     for (const Style style : {Style::ballAndStick, Style::licorice}) {
-        const Representation scene = drawn(benzene, style);
+        const Representation scene = drawnWith(benzene, style);
         const std::vector<Cylinder> dashes = thinOnes(scene);
         EXPECT_EQ(scene.drawnBonds, 6u);
         EXPECT_EQ(dashes.size(), 18u);
@@ -86,12 +86,12 @@ TEST(BondOrdersDrawn, AromaticRingsHaveThreeDashesInsideEachBond) {
         }
     }
     // From any Kekulé structure, and without hydrogens.
-    EXPECT_EQ(thinOnes(drawn(ringOf({1, 2, 1, 2, 1, 2}, 1.39), Style::licorice)).size(), 18u);
+    EXPECT_EQ(thinOnes(drawnWith(ringOf({1, 2, 1, 2, 1, 2}, 1.39), Style::licorice)).size(), 18u);
 }
 
 TEST(BondOrdersDrawn, AromaticRingsMayHaveACircle) {
     const Representation scene =
-        drawn(ringOf({4, 4, 4, 4, 4, 4}, 1.39), Style::licorice, BondOrders::ligands, AromaticForm::ring);
+        drawnWith(ringOf({4, 4, 4, 4, 4, 4}, 1.39), Style::licorice, BondOrders::ligands, AromaticForm::ring);
     const std::vector<Cylinder> pieces = thinOnes(scene);
     ASSERT_EQ(pieces.size(), 24u);
     std::map<std::uint32_t, int> ofAtoms;
@@ -108,18 +108,18 @@ TEST(BondOrdersDrawn, AromaticRingsMayHaveACircle) {
 TEST(BondOrdersDrawn, ADoubleBondOfARingHasItsSecondLineInside) {
     Molecule ring = ringOf({2, 1, 1, 1, 1, 1}, 1.45);
     for (std::size_t i = 2; i < 6; ++i) ring.atoms[i].position.z = i % 2 ? 0.25f : -0.25f;  // no aromatic ring
-    const Representation scene = drawn(ring, Style::licorice);
+    const Representation scene = drawnWith(ring, Style::licorice);
     const std::vector<Cylinder> thin = thinOnes(scene);
     ASSERT_EQ(thin.size(), 1u);
     EXPECT_LT(fromMiddle(scene, (thin[0].a + thin[0].b) / 2.0f), 1.45 * 0.866 - 0.3);
-    EXPECT_EQ(thinOnes(drawn(ring, Style::licorice, BondOrders::off)).size(), 0u);
+    EXPECT_EQ(thinOnes(drawnWith(ring, Style::licorice, BondOrders::off)).size(), 0u);
 }
 
 TEST(BondOrdersDrawn, CarboxylatesAreDelocalisedBetweenTheirOxygens) {
     const Molecule acetate = moleculeOf(
         {{kCarbon, {-1.5f, 0, 0}}, {kCarbon, {0, 0, 0}}, {kOxygen, {0.63f, 1.09f, 0}}, {kOxygen, {0.63f, -1.09f, 0}}},
         {{0, 1, 1}, {1, 2, 2}, {1, 3, 1}});
-    const Representation scene = drawn(acetate, Style::licorice);
+    const Representation scene = drawnWith(acetate, Style::licorice);
     const std::vector<Cylinder> dashes = thinOnes(scene);
     ASSERT_EQ(dashes.size(), 6u);
     const glm::vec3 carbon = glm::vec3(-scene.center);
@@ -131,11 +131,11 @@ TEST(BondOrdersDrawn, CarboxylatesAreDelocalisedBetweenTheirOxygens) {
 
 TEST(BondOrdersDrawn, PolymersHaveTheirsInLicoriceIfAskedFor) {
     const Molecule dna = sampleMolecule("dna");
-    const Representation plain = drawn(dna, Style::licorice);
+    const Representation plain = drawnWith(dna, Style::licorice);
     EXPECT_EQ(plain.cylinders.size(), plain.drawnBonds);
-    const Representation all = drawn(dna, Style::licorice, BondOrders::on);
+    const Representation all = drawnWith(dna, Style::licorice, BondOrders::on);
     EXPECT_GT(all.cylinders.size(), all.drawnBonds + 200);
-    const Representation balls = drawn(dna, Style::ballAndStick);
+    const Representation balls = drawnWith(dna, Style::ballAndStick);
     EXPECT_EQ(balls.cylinders.size(), balls.drawnBonds + 106);  // as their templates have them
 }
 
