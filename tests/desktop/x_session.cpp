@@ -223,12 +223,16 @@ void XSession::typeAtOnce(const std::vector<std::string>& keysyms) {
         const std::size_t plus = keysym.find('+');
         const KeySym symbol = XStringToKeysym(keysym.substr(plus == std::string::npos ? 0 : plus + 1).c_str());
         const KeyCode code = XKeysymToKeycode(x_->display, symbol);
-        const bool shifted = XkbKeycodeToKeysym(x_->display, code, 0, 0) != symbol;
-        const std::string with = plus != std::string::npos ? keysym.substr(0, plus) : shifted ? "Shift_L" : "";
-        const KeyCode held = with.empty() ? 0 : XKeysymToKeycode(x_->display, XStringToKeysym(with.c_str()));
-        if (held) press(held, true);
+        std::vector<std::string> with;
+        if (plus != std::string::npos) with.push_back(keysym.substr(0, plus));
+        if (XkbKeycodeToKeysym(x_->display, code, 0, 0) != symbol) with.push_back("Shift_L");
+        const auto hold = [&](bool down) {
+            for (const std::string& key : with)
+                press(XKeysymToKeycode(x_->display, XStringToKeysym(key.c_str())), down);
+        };
+        hold(true);
         press(code, true), press(code, false);
-        if (held) press(held, false);
+        hold(false);
     }
     XFlush(x_->display);
 }
