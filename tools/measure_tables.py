@@ -64,17 +64,18 @@ def commands(run):
 
 def effects(run):
     for row, plain in EFFECTS.items():
-        base = run.words(f"nacre render 4hhb.cif.gz --size 1024x1024 -o {run.folder}/a.png {plain}")
+        picture = run.words(f"nacre render 4hhb.cif.gz --size 1024x1024 -o {run.folder}/a.png")
+        base = picture + run.words(plain)
         if row == "plain":
             best = least([run.timed(*base) for _ in range(4)])
             yield row, {"CPU, s": best["cpu"], "plain, s": best["cpu"], "ratio": 1.0, "dB": decibels(run, base)}
             continue
-        options = run.words(row)
-        for words in (base, base + options):
+        drawn = picture + run.words(row)
+        for words in (base, drawn):
             run.timed(*words)
-        best = run.turns({"plain": lambda: run.timed(*base), "now": lambda: run.timed(*base, *options)}, run.rounds + 1)
+        best = run.turns({"plain": lambda: run.timed(*base), "now": lambda: run.timed(*drawn)}, run.rounds + 1)
         now, before = best["now"]["cpu"], best["plain"]["cpu"]
-        yield row, {"CPU, s": now, "plain, s": before, "ratio": now / before, "dB": decibels(run, base + options)}
+        yield row, {"CPU, s": now, "plain, s": before, "ratio": now / before, "dB": decibels(run, drawn)}
 
 
 def decibels(run, words):
