@@ -50,6 +50,9 @@ READ = {"4HHB, PDB": "4hhb.pdb", "1AON, PDB": "1aon-groel.pdb.gz", "1F2N's half,
         "3J6R's capsid, BinaryCIF": "3j6r-capsid-expanded.cif.gz as BinaryCIF", "1IGY, BinaryCIF": "1igy.bcif",
         "4V5A, MMTF": "4v5a-ribosome.mmtf"}
 BATCHES = ("`--thumbnail 256`", "`--size 256x256 --occlusion-detail 12`", "`--size 256x256`", "`--size 256x256 --occlusion off`")
+LEVELS = ("`level_benchmark maps/3nzd.cif maps/3nzd.ccp4.gz focus,20`",
+          "`level_benchmark maps/3nzd.cif maps/3nzd.ccp4.gz focus,20 surface`",
+          "`level_benchmark maps/3nzd.cif maps/3nzd.ccp4.gz`", "`level_benchmark 256`")
 WINDOWS = {"1BNA": ["1bna.pdb"], "1AON, cartoon": ["1aon-groel.pdb.gz", "--style", "cartoon"]}
 
 
@@ -126,6 +129,13 @@ def playing(run):
     said = run.text(run.program("play_benchmark"))
     yield "100,000 atoms of a DCD trajectory", {"CPU, ms per frame": number(re.search(r"([\d.]+) of processor time", said)[1]),
                                                 "frames per second": number(re.search(r"(\d+) frames per second", said)[1])}
+
+
+def levels(run):
+    for row in LEVELS:
+        program, *rest = run.words(row)
+        found = re.search(r", (\d+) lines or triangles at most: ([\d.]+) ms .*?\(at most ([\d.]+)\)", run.text(run.program(program), *rest))
+        yield row, {"lines or triangles": int(found[1]), "CPU, ms": float(found[2]), "at most, ms": float(found[3])}
 
 
 def bakes(run):
@@ -207,6 +217,7 @@ TABLES = {
                     ("nacre_python",)),
     "window": Table(tuple(WINDOWS), ("first picture, ms",), windows),
     "playing": Table(("100,000 atoms of a DCD trajectory",), ("CPU, ms per frame", "frames per second"), playing, ("play_benchmark",)),
+    "levels": Table(LEVELS, ("lines or triangles", "CPU, ms", "at most, ms"), levels, ("level_benchmark",)),
     "fragments": Table(tuple(SHAPES), tuple(SHAPED), fragments, ("shape_benchmark",)),
     "bakes": Table(tuple(BAKES), ("bake, ms", "open texels, ms", "million questions", "ns per question", "times the floor"), bakes,
                    ("occlusion_benchmark",)),

@@ -54,7 +54,7 @@ TEST(Movie, SurfacesThatMoveHaveTheColoursOfAMap) {
     std::string cube = "the place\nalong x\n 0 -9 -9 -9\n 3 9 0 0\n 3 0 9 0\n 3 0 0 9\n";
     for (int node = 0; node < 27; ++node) cube += std::to_string(node / 9 - 1) + "\n";
     std::ofstream(folder / "x.cube") << cube;
-    const std::string movie = "movie m.xyz --models --smooth 2 --fps 10 --style surface" + kSmall;
+    const std::string movie = "movie m.xyz --models --smooth 3 --fps 10 --style surface" + kSmall;
     ASSERT_EQ(nacreIn(folder, movie + " -o plain/").code, 0);
     const Outcome colored = nacreIn(folder, movie + " -o colored/ --surface-color-from x.cube:-0.3..0.3:grays");
     ASSERT_EQ(colored.code, 0) << colored.err;
