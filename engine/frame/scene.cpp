@@ -214,12 +214,8 @@ bool recolor(Scene& scene, Representation& r) {
                     asBefore))
         return false;
     putInOrder(r, scene.order);
-    now.sphereLooks = std::move(r.sphereLooks);
-    now.cylinderLooks = std::move(r.cylinderLooks);
-    now.wireLooks = std::move(r.wireLooks);
-    now.meshLooks = std::move(r.meshLooks);
-    now.atomGroups = std::move(r.atomGroups);
-    now.blendsColors = r.blendsColors;
+    r.meshes = std::move(now.meshes);  // with the levels that a buffer has room for
+    now = std::move(r);
     passes::putLooks(scene.buffers, now);
     return true;
 }

@@ -26,7 +26,10 @@ public:
             sceneThere_ = false;
             renderer.emplace(options_);
         }
-        if (!keep || !sceneThere_) renderer->setScene(scene_);
+        if (!keep || !sceneThere_) {
+            renderer->setScene({});  // the same scene would keep its buffers and occlusion
+            renderer->setScene(scene_);
+        }
         sceneThere_ = true;
         return {renderer->render(settings_).rgba, renderer->layers(settings_).rgba};
     }

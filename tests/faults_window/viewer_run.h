@@ -35,8 +35,10 @@ public:
         viewer().reading().open("sample:glucose", now_);
         viewer().reading().loader().wait();
     }
-    /// As if the window were new: scene and occlusion, too.
+    /// As if the window were new.
     void anew() { viewer().frames().replaced(now_); }
+    /// The renderer's scene goes: the same one, put there again, would keep its occlusion.
+    void forgetScene() { session_.renderer()->setScene({}); }
 
     /// Until nothing is left to be drawn. @returns whether that came
     bool rest(int mostUpdates = 5'000) {

@@ -149,6 +149,7 @@ TEST(WindowFaults, AnOcclusionThatFailsHalfWayIsBegunAnew) {
         // Of a new scene: the submission of a direction, and the wait for one, which is done all the same.
         for (const char* function : {"vkQueueSubmit", "vkWaitForFences"}) {
             faults::reset();
+            run.forgetScene();
             faults::fail(function, 2, VK_ERROR_OUT_OF_HOST_MEMORY);
             run.forgetSaid();
             run.anew();
@@ -159,6 +160,7 @@ TEST(WindowFaults, AnOcclusionThatFailsHalfWayIsBegunAnew) {
             EXPECT_EQ(run.picture(), expected.picture);
         }
         faults::reset();
+        run.forgetScene();
         faults::fail("vkQueueSubmit", 2, VK_ERROR_DEVICE_LOST);
         run.anew();
         expectTheSame(run, expected);

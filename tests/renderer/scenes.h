@@ -83,7 +83,9 @@ public:
           age_(age),
           renderer_(age == any ? idleRenderers->take(visibility)
                                : std::make_unique<Renderer>(DeviceOptions{true, "", visibility})),
-          said_(renderer_->validationMessages().size()) {}
+          said_(renderer_->validationMessages().size()) {
+        renderer_->setScene({});  // the scene of another test would keep its occlusion
+    }
     ValidatedRenderer(const ValidatedRenderer&) = delete;
     ~ValidatedRenderer() {
         const std::vector<std::string> messages = renderer_->validationMessages();
