@@ -200,5 +200,19 @@ TEST_F(AndroidHost, AMouseRotatesAndPans) {
     EXPECT_TRUE(eventually([&] { return std::abs(host.view().camera.orientation.w) < 0.999; }));
 }
 
+TEST_F(AndroidHost, APenThatHoversNamesTheAtomBelow) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
+    host.open(300, 200);
+    expectAsRendered(host, kMenu, "", 1);
+    EXPECT_FALSE(saysSomething(host.picture()));
+    const auto hover = [&](std::int32_t action) { host.pointer(AMOTION_EVENT_TOOL_TYPE_STYLUS, action, 144, 86); };
+    hover(AMOTION_EVENT_ACTION_HOVER_ENTER);
+    hover(AMOTION_EVENT_ACTION_HOVER_MOVE);
+    EXPECT_TRUE(eventually([&] { return saysSomething(host.picture()); }));
+    hover(AMOTION_EVENT_ACTION_HOVER_EXIT);
+    EXPECT_TRUE(eventually([&] { return !saysSomething(host.picture()); }));
+}
+
 }  // namespace
 }  // namespace nacre::test
