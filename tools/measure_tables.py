@@ -202,7 +202,7 @@ def building(run):
     run.env["CCACHE_DISABLE"] = "1"
     begun = run.timed("cmake", "-S", clone, "--preset", "test")["wall"]
     yield "clean build with tests", {"minutes": (begun + run.timed("ninja", "-C", path)["wall"]) / 60}
-    yield "test suite", {"minutes": run.timed("ctest", "--test-dir", path, "--parallel", "2")["wall"] / 60}
+    yield "test suite", {"minutes": run.timed("ctest", "--test-dir", path, "--parallel", "3")["wall"] / 60}
 
 
 TABLES = {
