@@ -128,7 +128,7 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
     }
     const Aimed aim =
         aimed(description_.camera, aimOf(molecule, description_, frame), facts, *scene_, description_.size);
-    if (another || has(parts, Facet::map) || description_.maps.aroundFocus) {
+    if (another || has(parts, Facet::map) || (description_.maps.aroundFocus && has(parts, Facet::view))) {
         maps_ = mapLayersOf(molecule, description_, scene_->center, {aim.camera, radius_});
         number_ = ++scenes;
     }

@@ -90,7 +90,7 @@ std::array<float, 256> linearBytes() {
 }
 
 std::vector<glm::vec4> ballsOf(const Representation& r) {
-    const std::array<float, 256> linear = linearBytes();
+    static const std::array<float, 256> linear = linearBytes();
     std::vector<glm::vec4> balls;
     balls.reserve(r.spheres.size());
     for (std::size_t i = 0; i < r.spheres.size(); ++i) {
@@ -126,6 +126,7 @@ std::uint64_t mostShapeBytes(const gpu::Caps& caps) {
 
 void putLooks(SceneBuffers& scene, const Representation& r) {
     put(scene.looks, r.sphereLooks, r.cylinderLooks, r.wireLooks, r.meshLooks, groupsOf(r));
+    if (scene.balls.mapped) put(scene.balls, ballsOf(r));
 }
 
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r) {

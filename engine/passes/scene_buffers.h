@@ -24,7 +24,7 @@ struct SceneBuffers {
 /// four-word vectors as storage buffers hold words.
 std::uint64_t mostShapeBytes(const gpu::Caps& caps);
 
-/// Overwrites the looks of buffers that were made of the same shapes.
+/// Overwrites the looks of buffers that were made of the same shapes, in streams B and C.
 void putLooks(SceneBuffers& scene, const Representation& representation);
 
 /// @throws Error if the device's shaders cannot read this much

@@ -51,6 +51,27 @@ TEST(Fetched, EveryByteOfAColourIsDecodedAlike) {
     expectTheSame(r, s);
 }
 
+TEST(Fetched, OtherColoursReachWhatIsFetched) {
+    const Representation before = scene("sample:glucose", Style::spacefill);
+    Representation after = before;
+    for (SphereLook& look : after.sphereLooks) look.color ^= 0xffffffu;
+    RenderSettings s = settings(before, 96, Projection::orthographic);
+    s.occlusion.directions = 0;
+    s.supersample = 1;
+    for (const Visibility path : paths()) {
+        SCOPED_TRACE(visibilityName(path));
+        ValidatedRenderer fresh(path, ValidatedRenderer::fresh), renderer(path, ValidatedRenderer::fresh);
+        fresh->setScene(after);
+        renderer->setScene(before);
+        const Picture first = renderer->render(s);
+        EXPECT_TRUE(renderer->setScene(after)) << "not colours alone";
+        const Picture second = renderer->render(s);
+        EXPECT_TRUE(renderer->stats().storesVaryings);
+        EXPECT_FALSE(first.rgba == second.rgba);
+        EXPECT_TRUE(second.rgba == fresh->render(s).rgba);
+    }
+}
+
 TEST(Fetched, CopiesTintTheirColours) {
     Molecule m = molecule("sample:glucose");
     addCopies(m, {{9, 0, 0}, {0, 9, 0}});
