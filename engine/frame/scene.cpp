@@ -214,7 +214,10 @@ bool recolor(Scene& scene, Representation& r) {
                     asBefore))
         return false;
     putInOrder(r, scene.order);
-    r.meshes = std::move(now.meshes);  // with the levels that a buffer has room for
+    // The shapes stay where they are: a running bake may read them. The meshes have the levels that a buffer holds.
+    r.spheres = std::move(now.spheres), r.cylinders = std::move(now.cylinders), r.wires = std::move(now.wires);
+    r.triangles = std::move(now.triangles), r.coarseTriangles = std::move(now.coarseTriangles);
+    r.meshVertices = std::move(now.meshVertices), r.meshes = std::move(now.meshes);
     now = std::move(r);
     passes::putLooks(scene.buffers, now);
     return true;
