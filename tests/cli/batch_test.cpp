@@ -1,8 +1,6 @@
 // nacre batch, as a user meets it.
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "tests/cli/batch_jobs.h"
 #include "tests/support/measured_run.h"
 #include "tests/support/run_program.h"
 
@@ -18,32 +17,15 @@ namespace nacre::app {
 namespace {
 
 using test::contentOf;
+using test::job;
 using test::nacreIn;
 using test::Outcome;
+using test::reportOf;
 using test::TemporaryFolder;
 using Json = nlohmann::json;
+using test::writeJobs;
 
 constexpr const char* kSmall = " --size 32x32 --occlusion 4 --occlusion-detail 8";
-
-void writeJobs(const TemporaryFolder& folder, const std::vector<std::string>& lines) {
-    std::ofstream file(folder / "jobs.jsonl");
-    for (const std::string& line : lines) file << line << '\n';
-}
-
-/// The report, by the job's line.
-std::map<int, Json> reportOf(const std::string& out) {
-    std::map<int, Json> report;
-    std::istringstream lines(out);
-    for (std::string line; std::getline(lines, line);) {
-        const Json told = Json::parse(line);
-        EXPECT_TRUE(report.emplace(told["job"].get<int>(), told).second) << line;
-    }
-    return report;
-}
-
-std::string job(const std::string& input, const std::string& output, const std::string& more = "") {
-    return R"({"input": ")" + input + R"(", "output": ")" + output + "\"" + (more.empty() ? "" : ", " + more) + "}";
-}
 
 TEST(Batch, DrawsWhatRenderDraws) {
     const TemporaryFolder folder;
@@ -298,65 +280,6 @@ TEST(Batch, TellsOfEachJobWhatRenderSays) {
     EXPECT_EQ(report.at(1)["warnings"][0],
               "v.json has this file opened, which is not in its folder: " + elsewhere / "m.xyz");
     EXPECT_NE(report.at(2)["notes"].dump().find("RMSD 0.000"), std::string::npos) << report.at(2);
-}
-
-// What is killed in the middle leaves whole pictures alone, what is stopped ends what it began and says how far it
-// came, and the next run makes the others.
-TEST(Batch, IsGoneOnWithAfterItWasStopped) {
-    const TemporaryFolder folder;
-    std::vector<std::string> lines;
-    for (int i = 0; i < 40; ++i) lines.push_back(job("sample:dna", folder / ("p" + std::to_string(i) + ".png")));
-    writeJobs(folder, lines);
-    const std::vector<std::string> command{
-        "batch", folder / "jobs.jsonl", "--resume", "--size", "64x64", "--occlusion", "8", "--jobs", "2"};
-    const auto pictures = [&] {
-        std::vector<std::string> all;
-        for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
-            if (entry.path().filename().string()[0] == 'p') all.push_back(contentOf(entry.path().string()));
-        return all;
-    };
-    test::RunOptions options;
-    std::size_t enough = 4;
-    options.until = [&] { return pictures().size() >= enough; };
-    for (const int signal : {SIGKILL, SIGINT}) {  // a second SIGINT follows the first
-        options.signal = signal;
-        EXPECT_NE(test::runMeasured(command, options).signal, 0) << "it was through before";
-        enough = pictures().size() + 3;  // some of the next run's, which listens to signals then
-    }
-    options.once = true;
-    const std::size_t before = pictures().size();
-    const test::MeasuredRun stopped = test::runMeasured(command, options);
-    EXPECT_EQ(stopped.code, 1) << stopped.signal;
-    const auto told = reportOf(stopped.out);
-    const auto done = static_cast<std::size_t>(
-        std::count_if(told.begin(), told.end(), [](const auto& line) { return line.second.at("status") == "done"; }));
-    EXPECT_EQ(pictures().size(), before + done) << "what was begun is whole";
-    EXPECT_NE(stopped.err.find("nacre: error: stopped: " + folder / "jobs.jsonl: " + std::to_string(done) +
-                               " jobs done, 0 failed, "),
-              std::string::npos)
-        << stopped.err;
-    const test::MeasuredRun last = test::runMeasured(command);
-    EXPECT_EQ(last.code, 0) << last.err;
-    const std::vector<std::string> all = pictures();
-    EXPECT_EQ(all.size(), 40u);
-    for (const std::string& picture : all) EXPECT_EQ(picture, all.front());
-    EXPECT_EQ(folder.count(), 41u) << "something is left behind";
-}
-
-TEST(Batch, IsStoppedWhileItWaitsForJobs) {
-    const TemporaryFolder folder;
-    const std::string fifo = folder / "jobs";
-    ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
-    const int writer = open(fifo.c_str(), O_RDWR | O_CLOEXEC);
-    const std::string line = job("sample:glucose", folder / "a.png") + "\n";
-    ASSERT_EQ(write(writer, line.data(), line.size()), static_cast<ssize_t>(line.size()));
-    test::RunOptions options;
-    options.until = [&] { return std::filesystem::exists(folder / "a.png"); };
-    options.once = true;
-    const test::MeasuredRun run = test::runMeasured({"batch", fifo, "--size", "16x16", "--occlusion", "off"}, options);
-    close(writer);
-    EXPECT_EQ(run.code, 1) << run.signal;
-    EXPECT_NE(run.err.find("1 jobs done"), std::string::npos) << run.err;
 }
 
 // Pipelines, descriptor sets, images, the driver's caches: hundreds of jobs more take no more memory.
