@@ -73,7 +73,7 @@ struct Sight {
     std::uint32_t atom = 0;
     bool sure = true;  ///< no edge, other surface or boundary of looks is near
 };
-Sight traced(const Representation& r, const View& view, double x, double y) {
+Sight traced(const Representation& r, const std::vector<glm::dvec3>& vertices, const View& view, double x, double y) {
     const glm::dvec2 q((x - view.width / 2.0) / view.pixelsPerAngstrom,
                        (view.height / 2.0 - y) / view.pixelsPerAngstrom);
     const bool perspective = view.projection == Projection::perspective;
@@ -83,10 +83,7 @@ Sight traced(const Representation& r, const View& view, double x, double y) {
     Sight sight;
     double second = sight.Z;
     for (const Triangle& t : r.triangles) {
-        const auto at = [&](std::uint32_t i) {
-            return view.rotation * glm::dvec3(positionOf(r.meshVertices[i], t.step));
-        };
-        const glm::dvec3 a = at(t.a), ab = at(t.b) - a, ac = at(t.c) - a, n = glm::cross(ab, ac);
+        const glm::dvec3 &a = vertices[t.a], ab = vertices[t.b] - a, ac = vertices[t.c] - a, n = glm::cross(ab, ac);
         const double facing = glm::dot(ray, n);
         if (std::abs(facing) < 1e-12) continue;
         const double along = glm::dot(a - origin, n) / facing;
@@ -126,11 +123,12 @@ TEST(MeshFrame, IsThatOfARayCaster) {
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         const RenderSettings s = settings(r, 48, projection, {70, -20, 200});
         const LayerPicture l = renderer->layers(s);
+        const std::vector<glm::dvec3> vertices = turnedVertices(r, s.view);
         std::size_t compared = 0, seen = 0, wrong = 0;
         double worst = 0;
         for (std::uint32_t y = 0; y < 48; ++y)
             for (std::uint32_t x = 0; x < 48; ++x) {
-                const Sight sight = traced(r, s.view, x + 0.5, y + 0.5);
+                const Sight sight = traced(r, vertices, s.view, x + 0.5, y + 0.5);
                 if (!sight.sure) continue;
                 const std::size_t i = y * std::size_t{48} + x;
                 ++compared;

@@ -116,4 +116,13 @@ inline Representation meshScene(bool others = true) {
     return r;
 }
 
+/// Where a view puts the vertices of a scene's triangles, in ångströms.
+inline std::vector<glm::dvec3> turnedVertices(const Representation& r, const View& view) {
+    std::vector<glm::dvec3> turned(r.meshVertices.size());
+    for (const Triangle& t : r.triangles)
+        for (const std::uint32_t i : {t.a, t.b, t.c})
+            turned[i] = view.rotation * glm::dvec3(positionOf(r.meshVertices[i], t.step));
+    return turned;
+}
+
 }  // namespace nacre::test

@@ -96,13 +96,11 @@ struct Crossing {
 };
 
 /// Where a ray of a parallel view crosses triangles, from near to far.
-std::vector<Crossing> crossings(const Representation& r, const View& view, const glm::dvec2& q) {
+std::vector<Crossing> crossings(const Representation& r, const std::vector<glm::dvec3>& vertices, const View& view,
+                                const glm::dvec2& q) {
     std::vector<Crossing> found;
     for (const Triangle& t : r.triangles) {
-        const auto at = [&](std::uint32_t i) {
-            return view.rotation * glm::dvec3(positionOf(r.meshVertices[i], t.step));
-        };
-        const glm::dvec3 a = at(t.a), b = at(t.b), c = at(t.c);
+        const glm::dvec3 &a = vertices[t.a], &b = vertices[t.b], &c = vertices[t.c];
         const auto side = [&](const glm::dvec3& from, const glm::dvec3& to) {
             return (from.x - q.x) * (to.y - q.y) - (from.y - q.y) * (to.x - q.x);
         };
@@ -140,13 +138,14 @@ TEST(Translucent, TwoLayersAreMixedAsAFormulaSays) {
         s.lighting = false;
         s.background = transparent ? std::array<float, 4>{0, 0, 0, 0} : std::array<float, 4>{1, 1, 1, 1};
         const LayerPicture l = renderer->layers(s);
+        const std::vector<glm::dvec3> vertices = turnedVertices(r, s.view);
         std::size_t compared = 0, behindBoth = 0;
         double worst = 0;
         for (std::uint32_t y = 0; y < kSize; ++y)
             for (std::uint32_t x = 0; x < kSize; ++x) {
                 const glm::dvec2 q((x + 0.5 - kSize / 2.0) / s.view.pixelsPerAngstrom,
                                    (kSize / 2.0 - y - 0.5) / s.view.pixelsPerAngstrom);
-                std::vector<Crossing> hits = crossings(r, s.view, q);
+                std::vector<Crossing> hits = crossings(r, vertices, s.view, q);
                 const glm::dvec3 ball = s.view.rotation * glm::dvec3(r.spheres[0].center);
                 const double radius = static_cast<double>(r.spheres[0].radius);
                 const double high = radius * radius - glm::dot(glm::dvec2(ball) - q, glm::dvec2(ball) - q);
