@@ -1,5 +1,5 @@
 #pragma once
-// Values that describe how atoms look: colours, palettes, styles, and rules. Every function throws
+// Values that describe how atoms look: palettes, styles, and rules. Every function throws
 // std::invalid_argument with the reason, as text that continues "--option: "; functions for selections also
 // nacre::Error.
 
@@ -8,12 +8,10 @@
 #include <string>
 #include <string_view>
 
+#include "app/picture/color_values.h"
 #include "engine/scene/appearance.h"
 
 namespace nacre::app {
-
-/// "transparent", a CSS colour name, #rgb, #rrggbb or #rrggbbaa; sRGB-coded 0..1, straight alpha.
-std::array<float, 4> parseColor(std::string_view text);
 
 /// "spacefill", "ball-and-stick", "licorice", ...
 Style parseStyle(std::string_view text);

@@ -1,0 +1,17 @@
+#pragma once
+// Colours as text.
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace nacre::app {
+
+/// "transparent", a CSS colour name, #rgb, #rrggbb or #rrggbbaa; sRGB-coded 0..1, straight alpha.
+/// @throws std::invalid_argument with the reason, as text that continues "--option: "
+std::array<float, 4> parseColor(std::string_view text);
+/// The names that it takes.
+std::vector<std::string> colorNames();
+
+}  // namespace nacre::app
