@@ -22,18 +22,34 @@ std::uint64_t mostTexels(std::uint64_t primitives, int directions) {
     return static_cast<std::uint64_t>(share * (700'000.0 + 40.0 * static_cast<double>(primitives)));
 }
 
+/// Width of the finest patches that depth maps are fine enough for, texels.
+double finestEdge(const Representation& r, double pixel) {
+    // Of primitives by area. Patches 32 texels wide suit kPixelsPerSphere; where maps show fewer pixels, as of ligands
+    // among meshes, each says less than its slack: 12 texels suit 1.7 pixels.
+    constexpr double kFullRadius = 2.7, kFullEdge = 32, kLeastEdge = 12;
+    double sum = 0, weights = 0;
+    for (const Sphere& s : r.spheres) {
+        const double area = static_cast<double>(s.radius) * static_cast<double>(s.radius);
+        sum += area * static_cast<double>(s.radius);
+        weights += area;
+    }
+    const double share = sum / std::max(weights, 1e-9) / pixel / kFullRadius;
+    return r.spheres.empty() ? kFullEdge : std::max(kFullEdge * share * share, kLeastEdge);
+}
+
 /// The finest patches of which everything fits.
 BakePreparation prepared(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
-                         std::uint64_t mapBytes, const std::stop_token& stop) {
+                         std::uint64_t mapBytes, double pixel, const std::stop_token& stop) {
     const std::uint64_t budgetBytes = options.budgetBytes - std::min(mapBytes, options.budgetBytes);
     const std::size_t spheres = representation.spheres.size(), cylinders = representation.cylinders.size();
     const PrimitiveTree tree(representation);
     BakePreparation result;
     std::uint64_t least = 0;
+    const double finest = finestEdge(representation, pixel);
     const std::size_t vertices = representation.meshVertices.size();
     for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, vertices, caps.maxImageSize)) {
         if (stop.stop_requested()) return result;
-        if (layout.sphereEdge > options.detail) continue;
+        if (layout.sphereEdge > options.detail || layout.sphereEdge > finest) continue;
         // Guessed from a sample first: looking at every texel takes its time.
         least = bakeBytes(layout, 0, 0);
         if (least > budgetBytes) continue;
@@ -74,11 +90,14 @@ std::uint64_t mapBudget(std::uint64_t bytes, const Representation& representatio
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
                             const std::stop_token& stop) {
     const std::uint64_t room = mapBudget(options.budgetBytes, representation);
-    const std::uint64_t maps = DepthMapSizes(caps, representation, options.path, room, options.detail).bytes;
-    BakePreparation result = prepared(caps, representation, options, maps, stop);
+    const DepthMapSizes maps(caps, representation, options.path, room, options.detail);
+    const double pixel = maps.pixel(representation);
+    BakePreparation result = prepared(caps, representation, options, maps.bytes, pixel, stop);
     if (stop.stop_requested()) return result;
     if (options.onlooker && representation.copies.transforms.empty())
         keepSeen(result.open, result.layout, representation, *options.onlooker);
+    if (options.path == OcclusionMaps::tiles)
+        result.occluders = OccluderMeshes(representation, DepthMapSizes::kMeshError * pixel, static_cast<float>(pixel));
     result.copies = occlusionCopies(representation, result.layout, result.open.texels);
     return result;
 }

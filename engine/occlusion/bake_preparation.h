@@ -6,6 +6,7 @@
 
 #include "engine/gpu/caps.h"
 #include "engine/occlusion/copies.h"
+#include "engine/occlusion/occluder_mesh.h"
 #include "engine/occlusion/open_texels.h"
 #include "engine/occlusion/seen_texels.h"
 #include "engine/scene/representation.h"
@@ -26,6 +27,7 @@ struct BakePreparation {
     OcclusionLayout layout;
     OpenTexels open;
     OcclusionCopies copies;
+    OccluderMeshes occluders;  ///< for maps by tiles
 };
 
 /// Thread-safe. @param stop  when requested, returns early with an unusable result

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/occlusion/pipelines.h"
 #include "engine/passes/geometry_passes.h"
@@ -16,12 +17,10 @@ namespace {
 constexpr double kPixelsPerSphere = 2.7, kPixelsPerCylinder = 1.5;
 // Per Å and atom of a mesh's looks. 4 instead does not improve the cartoon of 4HHB (RMS 0.037 both).
 constexpr double kPixelsOfMesh = 2.5;
-// A mesh shows more of each such atom than of a stick or a ball: thin ones between the ribbons of a cartoon, which
-// would have four times the pixels, take a map that fits both.
-constexpr double kShareOfMesh = 4;
-// Error of meshes' levels, pixels of a map: within the slack that a question allows, which is a pixel. Up to
-// kMostMeshError where maps of many copies are coarser.
-constexpr double kMeshError = 0.25, kMostMeshError = 0.5;
+// A mesh shows more of each such atom than of a stick or a ball: thin ones between the ribbons of a cartoon take a map
+// that fits both. Of 4HHB's cartoon with haems it is 4.9 pixels per Å; 6.9 would have the RMS of the sticks, one point
+// in twenty, fall from 0.071 to 0.066, and raise that of the ribbons.
+constexpr double kShareOfMesh = 8;
 // With more triangles than these in all copies, maps show meshes by fewer pixels per Å, down to a share. The cartoon of
 // 1TQN in 27 cells has 19 million: a pixel is 0.6 instead of 0.4 Å, and its ribbons stand within 0.19 instead of 0.095
 // Å.
@@ -100,7 +99,6 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
     };
     const double wanted = std::ceil(2.0 * representation.radius * wantedResolution(representation) / 8.0) * 8.0;
     const double fits = std::floor(std::sqrt(static_cast<double>(budgetBytes) / each) / 8.0) * 8.0;
-    meshError = std::min(kMeshError / shareOfPixels(representation), kMostMeshError);
     pixels = static_cast<std::uint32_t>(
         std::max(std::min(std::clamp(wanted, std::min(kSmallest, 4.0 * detail), kLargest), fits), 8.0));
     while (pixels > 8 && bytesOf(1) > budgetBytes) pixels -= 8;
@@ -119,7 +117,7 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
 }
 
 DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
-                     OcclusionMaps path, std::uint64_t budgetBytes, std::uint32_t detail)
+                     OcclusionMaps path, std::uint64_t budgetBytes, std::uint32_t detail, OccluderMeshes occluders)
     : device_(device),
       scene_(scene),
       representation_(representation),
@@ -141,7 +139,8 @@ DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scen
     for (const Sphere& s : representation.spheres) sum += s.radius;
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
     if (path == OcclusionMaps::tiles && budgetBytes > 0)
-        tiles_ = std::make_unique<TileMaps>(device, scene, representation, pixels(), radius_, mapsAcross(perBatch()));
+        tiles_ = std::make_unique<TileMaps>(device, scene, representation, pixels(), radius_, mapsAcross(perBatch()),
+                                            std::move(occluders));
 }
 
 View DepthMaps::view(const glm::dmat3& frame) const {
@@ -163,7 +162,7 @@ layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_
 passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t model, MapPart part) const {
     const View seen = view(frame);
     // Which model a triangle belongs to is known of the finest level alone.
-    const double error = runs_.size() > 1 ? 0 : errorInSpace(seen, sizes_.meshError);
+    const double error = runs_.size() > 1 ? 0 : errorInSpace(seen, DepthMapSizes::kMeshError);
     passes::PlacedCopies all = passes::placeCopies(representation_, seen, nullptr, 0, error);
     // Light goes through what is translucent.
     passes::choose(all.triangles, translucent_, passes::Triangles::opaque);

@@ -22,9 +22,12 @@ namespace nacre::occlusion {
 struct DepthMapSizes {
     std::uint32_t pixels = 0, perBatch = 1;
     std::uint64_t bytes = 0, mostPrimitives = 0;  ///< per batch; per draw of the tile path
-    double meshError = 0;                         ///< of the meshes that are drawn, pixels
+    /// Error of the meshes' levels that maps show, pixels: a question allows one.
+    static constexpr double kMeshError = 0.5;
     DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path,
                   std::uint64_t budgetBytes, std::uint32_t detail);
+    /// Width of a pixel, Å.
+    double pixel(const Representation& representation) const { return 2 * representation.radius / pixels; }
 };
 
 /// The part of a model that is drawn on a map: all, or some instances.
@@ -45,8 +48,9 @@ public:
     /// @param path  not `automatic`
     /// @param representation  outlives this
     /// @param budgetBytes  device memory for the maps of one batch; maps shrink until at least one fits
+    /// @param occluders  meshes that were made ahead
     DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
-              OcclusionMaps path, std::uint64_t budgetBytes, std::uint32_t detail = 32);
+              OcclusionMaps path, std::uint64_t budgetBytes, std::uint32_t detail = 32, OccluderMeshes occluders = {});
 
     /// Number of maps per batch that fits the budget: 1, 4 or 16.
     std::uint32_t perBatch() const { return sizes_.perBatch; }

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/scene/representation.h"
+#include "engine/occlusion/occluder_mesh.h"
 
 namespace nacre::occlusion {
 
@@ -16,31 +16,20 @@ namespace nacre::occlusion {
 struct HeightMap {
     float* heights = nullptr;  ///< of its first pixel
     std::uint32_t pitch = 0;   ///< pixels per row of the buffer
-    std::uint32_t pixels = 0;  ///< width
+    std::uint32_t pixels = 0;  ///< width, at least 4
     float perAngstrom = 1;     ///< pixels
 };
-
-/// Triangles numbered as by drawnTriangle().
-struct HeightRun {
-    std::uint32_t first = 0, count = 0;
-    bool closed = false;  ///< they belong to closed meshes: backs lie behind fronts and are left out
-};
-
-/// Whether each edge of some triangles belongs to another one that runs the other way.
-bool isClosed(std::span<const Triangle> triangles);
-std::span<const Triangle> trianglesOf(const Representation& representation, std::uint32_t first, std::uint32_t count);
 
 class MeshHeights {
 public:
     /// Draws triangles: keeps the larger height per pixel. A pixel's centre meets a triangle as in
     /// shaders/common/hit.glsl, edges and both sides included, with the same arithmetic but in pixels.
     /// @param rows  three: to the map's view
-    void draw(const Representation& representation, const glm::vec4* rows, const HeightRun& run, const HeightMap& map);
+    /// @param first, end  of the mesh's triangles
+    void draw(const OccluderMesh& mesh, std::size_t first, std::size_t end, const glm::vec4* rows,
+              const HeightMap& map);
 
 private:
-    void place(const Representation& representation, std::span<const Triangle> triangles, const glm::vec4* rows,
-               const HeightMap& map);
-
     std::vector<glm::vec3> corners_;  // of vertices: pixel of the map and height
 };
 

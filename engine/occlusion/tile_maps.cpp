@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "engine/occlusion/pipelines.h"
 #include "engine/passes/tile_bindings.h"
@@ -26,14 +27,15 @@ std::uint32_t apartFor(std::uint32_t pixels) {
 }  // namespace
 
 TileMaps::TileMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
-                   std::uint32_t pixels, double radius, std::uint32_t across)
+                   std::uint32_t pixels, double radius, std::uint32_t across, OccluderMeshes occluders)
     : device_(device),
       scene_(scene),
       representation_(representation),
       pixels_(pixels),
       apart_(apartFor(pixels)),
       across_(across),
-      radius_(radius) {
+      radius_(radius),
+      occluders_(std::move(occluders)) {
     heights_ = gpu::makeBuffer(device, bytesFor(pixels, across), Usage::eStorageBuffer | Usage::eUniformTexelBuffer,
                                scene.triangleCount > 0 ? gpu::Access::readback : gpu::Access::upload, "depth maps");
     if (device.caps().tiles.texels)
@@ -52,7 +54,7 @@ void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
     copies_ = maps.empty() ? 1 : static_cast<std::uint32_t>(maps[0].rows.size() / 3);
     asides_ = rows_;
     const std::uint32_t inCopy = scene_.primitives();
-    const double apart = apart_ * 2 * radius_ / pixels_;  // Å
+    const double pixel = 2 * radius_ / pixels_, apart = apart_ * pixel;  // Å
     for (std::uint32_t i = 0; i < maps.size(); ++i) {
         const std::uint32_t firstCopy = i * copies_;
         for (std::size_t row = 3 * std::size_t{firstCopy}; row < 3 * std::size_t{firstCopy + copies_}; row += 3) {
@@ -63,10 +65,11 @@ void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
                              const std::vector<glm::vec4>& rows, std::uint32_t before) {
             for (const passes::PlacedCopies::Call& c : calls) {
                 const std::uint32_t copy = firstCopy + c.copy;
-                calls_.push_back({{&rows[3 * std::size_t{copy}], c.first, c.count, copy * inCopy + before + 1},
-                                  kind,
-                                  i,
-                                  kind == passes::Primitive::triangle && closed(c.first, c.count)});
+                const OccluderMesh* mesh = nullptr;
+                if (kind == passes::Primitive::triangle)
+                    mesh = &occluders_.of(representation_, c.first, c.count, static_cast<float>(pixel));
+                calls_.push_back(
+                    {{&rows[3 * std::size_t{copy}], c.first, c.count, copy * inCopy + before + 1}, kind, i, mesh});
             }
         };
         // The host is done with a map before the device draws on it.
@@ -98,13 +101,6 @@ TileView TileMaps::view() const {
     return v;
 }
 
-/// Whether a run of triangles is closed, which is found out once.
-bool TileMaps::closed(std::uint32_t first, std::uint32_t count) {
-    const auto [known, isNew] = closed_.try_emplace({first, count});
-    if (isNew) known->second = isClosed(trianglesOf(representation_, first, count));
-    return known->second;
-}
-
 /// The parts of calls between two primitives of the batch.
 void TileMaps::take(std::uint64_t first, std::uint64_t end) {
     spheres_.clear();
@@ -120,8 +116,10 @@ void TileMaps::take(std::uint64_t first, std::uint64_t end) {
         part.count = static_cast<std::uint32_t>(to - from);
         if (part.count == 0) continue;
         if (c.kind == passes::Primitive::triangle) {
+            // A coarser mesh has fewer: the same share of them.
+            const std::uint64_t drawn = c.mesh->triangles.size();
             triangles_.resize(c.map + 1);
-            triangles_[c.map].push_back({part.rows, {part.first, part.count, c.closed}});
+            triangles_[c.map].push_back({part.rows, c.mesh, from * drawn / c.call.count, to * drawn / c.call.count});
         } else {
             (c.kind == passes::Primitive::sphere ? spheres_ : cylinders_).push_back(part);
         }
@@ -135,7 +133,7 @@ void TileMaps::drawTriangles() {
         const auto across = static_cast<std::size_t>(across_);
         float* heights = reinterpret_cast<float*>(heights_.mapped) + (map / across * pitch() + map % across) * apart_;
         for (const MeshCall& call : triangles_[map])
-            meshes_[map].draw(representation_, call.rows, call.run,
+            meshes_[map].draw(*call.mesh, call.first, call.end, call.rows,
                               {heights, pitch(), pixels_, static_cast<float>(pixels_ / (2 * radius_))});
     });
     if (!triangles_.empty()) heights_.flush();

@@ -3,10 +3,8 @@
 // the frame time requires. The maps are heights in a buffer, as texels. The host draws triangles.
 
 #include <glm/mat3x3.hpp>
-#include <map>
 #include <memory>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "engine/gpu/execute.h"
@@ -21,9 +19,9 @@ namespace nacre::occlusion {
 class TileMaps {
 public:
     /// @param pixels  width of a map @param radius  of the scene's bounding sphere, Å @param across  maps per row of a
-    /// batch
+    /// batch @param occluders  those made ahead
     TileMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
-             std::uint32_t pixels, double radius, std::uint32_t across);
+             std::uint32_t pixels, double radius, std::uint32_t across, OccluderMeshes occluders);
 
     /// Device memory, bytes. Lists differ between parts: the estimate per primitive is that of large molecules.
     static std::uint64_t bytesFor(std::uint32_t pixels, std::uint32_t across);
@@ -52,11 +50,12 @@ private:
         TileCall call;
         passes::Primitive kind{};
         std::uint32_t map = 0;
-        bool closed = false;  ///< of triangles, as HeightRun has it
+        const OccluderMesh* mesh = nullptr;  ///< of triangles
     };
     struct MeshCall {
         const glm::vec4* rows = nullptr;
-        HeightRun run;
+        const OccluderMesh* mesh = nullptr;
+        std::size_t first = 0, end = 0;  ///< of its triangles
     };
 
     /// Primitives whose lists are drawn at a time.
@@ -64,7 +63,6 @@ private:
         TileLists lists;
         passes::TileBuffer words;
     };
-    bool closed(std::uint32_t first, std::uint32_t count);
     void take(std::uint64_t first, std::uint64_t end);
     void drawTriangles();
     void list(Part& part, std::uint64_t first, std::uint64_t& end);
@@ -80,11 +78,11 @@ private:
     std::vector<glm::vec4> asides_;  // as above, shifted to the map's position in the batch
     std::uint32_t copies_ = 1;       // per map
     std::vector<Call> calls_;
-    std::vector<TileCall> spheres_, cylinders_;                       // of the part being drawn
-    std::vector<std::vector<MeshCall>> triangles_;                    // as above, by map
-    std::vector<std::unique_ptr<Part>> parts_;                        // reused
-    std::map<std::pair<std::uint32_t, std::uint32_t>, bool> closed_;  // by first triangle and count
-    std::vector<MeshHeights> meshes_;                                 // per thread
+    std::vector<TileCall> spheres_, cylinders_;     // of the part being drawn
+    std::vector<std::vector<MeshCall>> triangles_;  // as above, by map
+    std::vector<std::unique_ptr<Part>> parts_;      // reused
+    OccluderMeshes occluders_;
+    std::vector<MeshHeights> meshes_;  // per thread
     passes::TileBuffer rowTexels_;
     gpu::Buffer heights_;
     vk::raii::BufferView heightTexels_{nullptr};

@@ -78,6 +78,26 @@ INSTANTIATE_TEST_SUITE_P(Large, MeshOcclusion,
                                          MeshOcclusionCase{"HaemoglobinSurface", "4hhb.pdb", Made::surface}),
                          caseName);
 
+TEST(OcclusionOfMeshes, WithLigandsIsNearTheRayTraced) {
+    NACRE_NEEDS_DATA();
+    expectNearRays(scene("4hhb.pdb", Style::cartoon), 0.045);
+}
+
+TEST(OcclusionOfMeshes, HasFewTexelsForThinSticks) {
+    ValidatedRenderer renderer(Visibility::automatic);
+    Representation r = meshScene();
+    RenderSettings s = settings(r, 40, Projection::orthographic);
+    s.occlusion.directions = 1;
+    renderer->setScene(r);
+    renderer->render(s);
+    EXPECT_EQ(renderer->stats().occlusion.patchTexels, 32u);
+    // Maps show a mesh by 2.5 pixels per Å: of these less than one.
+    for (Sphere& sphere : r.spheres) sphere.radius = 0.25f;
+    renderer->setScene(r);
+    renderer->render(s);
+    EXPECT_EQ(renderer->stats().occlusion.patchTexels, 12u);
+}
+
 TEST(OcclusionOfMeshes, IsTheSameOnEveryPath) {
     const Representation r = meshScene();
     RenderSettings s = settings(r, 160, Projection::orthographic);

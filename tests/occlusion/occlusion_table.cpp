@@ -1,10 +1,11 @@
 // Prints how far the baked occlusion is from the ray-traced one, by the number of directions, as the table of
-// docs/measurements.md: occlusion_table [POINTS [RAYS]]
+// docs/measurements.md: occlusion_table [POINTS [RAYS [NAME]]]
 
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/occlusion/scenes.h"
@@ -14,6 +15,7 @@ int main(int argc, char** argv) {
     using namespace nacre;
     const std::size_t count = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 5000;
     const std::size_t rays = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 4096;
+    const std::string_view only = argc > 3 ? argv[3] : "";
     constexpr int kDirections[] = {16, 44, 128, 512};
     std::cout << "| molecule |";
     for (const int k : kDirections) std::cout << " " << k << " |";
@@ -24,7 +26,9 @@ int main(int argc, char** argv) {
     std::vector<test::OcclusionScene> scenes(std::begin(test::kLargeOcclusionScenes),
                                              std::end(test::kLargeOcclusionScenes));
     scenes.insert(scenes.end(), std::begin(test::kSmallOcclusionScenes), std::end(test::kSmallOcclusionScenes));
+    scenes.insert(scenes.end(), std::begin(test::kMeshOcclusionScenes), std::end(test::kMeshOcclusionScenes));
     for (const test::OcclusionScene& s : scenes) {
+        if (std::string_view(s.name).find(only) == std::string_view::npos) continue;
         if (!test::isSample(s) && !test::dataFolder()) {
             std::cerr << s.name << ": no test data (set NACRE_DATA)\n";
             continue;

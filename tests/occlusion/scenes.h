@@ -24,6 +24,12 @@ inline constexpr OcclusionScene kLargeOcclusionScenes[] = {
     {"neon pump", "neon-pump.pdb", Style::spacefill},
     {"4TRA", "trna-4tra.pdb", Style::spacefill},
 };
+/// With ligands as sticks.
+inline constexpr OcclusionScene kMeshOcclusionScenes[] = {
+    {"4HHB, cartoon", "4hhb.pdb", Style::cartoon},
+    {"4HHB, surface", "4hhb.pdb", Style::surface},
+    {"1CRN, cartoon", "1crn.pdb", Style::cartoon},
+};
 inline void PrintTo(const OcclusionScene& s, std::ostream* out) { *out << s.name; }
 inline bool isSample(const OcclusionScene& s) { return std::string_view(s.file).starts_with("sample:"); }
 

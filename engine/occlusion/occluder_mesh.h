@@ -1,0 +1,41 @@
+#pragma once
+// Meshes as the host draws them on depth maps: positions, and triangles no finer than a map shows.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/scene/representation.h"
+
+namespace nacre::occlusion {
+
+struct OccluderMesh {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::uvec3> triangles;  ///< counter-clockwise seen from outside
+    bool closed = false;                ///< backs lie behind fronts and are left out
+};
+
+/// Whether each edge of some triangles belongs to another one that runs the other way.
+bool isClosed(std::span<const glm::uvec3> triangles);
+
+/// Triangles numbered as by drawnTriangle(). Vertices that share a cell and roughly a normal become one, in their
+/// middle, where that leaves at most half of the triangles.
+/// @param pixel  of the map, Å
+OccluderMesh occluderMesh(const Representation& representation, std::uint32_t first, std::uint32_t count, float pixel);
+
+/// Those of a representation, each made once.
+class OccluderMeshes {
+public:
+    OccluderMeshes() = default;
+    /// Makes those that are drawn with an allowed error ahead. @param error, pixel  Å
+    OccluderMeshes(const Representation& representation, double error, float pixel);
+    const OccluderMesh& of(const Representation& representation, std::uint32_t first, std::uint32_t count, float pixel);
+
+private:
+    std::map<std::pair<std::uint32_t, std::uint32_t>, OccluderMesh> meshes_;  // by first triangle and count
+};
+
+}  // namespace nacre::occlusion

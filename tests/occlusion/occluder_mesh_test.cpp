@@ -1,0 +1,121 @@
+// Meshes as depth maps by tiles show them.
+#include "engine/occlusion/occluder_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <set>
+
+#include "engine/occlusion/mesh_heights.h"
+#include "tests/renderer/meshes.h"
+
+namespace nacre::test {
+namespace {
+
+Representation sceneOf(const Mesh& mesh) {
+    Representation r;
+    appendMesh(mesh, glm::dvec3(0), testLook, r);
+    return r;
+}
+
+occlusion::OccluderMesh occluderOf(const Mesh& mesh, float pixel) {
+    const Representation r = sceneOf(mesh);
+    return occlusion::occluderMesh(r, 0, static_cast<std::uint32_t>(r.triangles.size()), pixel);
+}
+
+TEST(OccluderMesh, OfSmallTrianglesHasFewer) {
+    constexpr float kRadius = 5, kPixel = 0.4f;
+    const Mesh ball = icosphere({0, 0, 0}, kRadius, 5, 0);
+    const occlusion::OccluderMesh coarse = occluderOf(ball, kPixel);
+    EXPECT_LT(coarse.triangles.size(), ball.triangles.size() / 4);
+    EXPECT_TRUE(coarse.closed);
+    EXPECT_TRUE(occlusion::isClosed(coarse.triangles));
+    for (const glm::vec3& p : coarse.positions) EXPECT_NEAR(glm::length(p), kRadius, kPixel / 4);
+    for (const glm::uvec3& t : coarse.triangles) {
+        const glm::vec3 a = coarse.positions[t.x], b = coarse.positions[t.y], c = coarse.positions[t.z];
+        EXPECT_NEAR(glm::length(a + b + c) / 3, kRadius, kPixel / 2);
+    }
+}
+
+TEST(OccluderMesh, OfLargeTrianglesIsTheMesh) {
+    const Mesh ball = icosphere({1, 2, 3}, 4, 2, 0);
+    const Representation r = sceneOf(ball);
+    const auto count = static_cast<std::uint32_t>(r.triangles.size());
+    const occlusion::OccluderMesh same = occlusion::occluderMesh(r, 0, count, 0.1f);
+    ASSERT_EQ(same.triangles.size(), count);
+    EXPECT_EQ(same.positions.size(), r.meshVertices.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Triangle& t = r.triangles[i];
+        EXPECT_EQ(same.positions[same.triangles[i].x], positionOf(r.meshVertices[t.a], t.step));
+        EXPECT_EQ(same.positions[same.triangles[i].y], positionOf(r.meshVertices[t.b], t.step));
+        EXPECT_EQ(same.positions[same.triangles[i].z], positionOf(r.meshVertices[t.c], t.step));
+    }
+    // A part of it has edges without another side.
+    EXPECT_TRUE(same.closed);
+    EXPECT_FALSE(occlusion::occluderMesh(r, 3, count - 3, 0.1f).closed);
+}
+
+TEST(OccluderMesh, KeepsTheSidesOfASheetApart) {
+    Mesh sheet;
+    constexpr std::uint32_t kSide = 60;
+    constexpr float kApart = 0.25f;
+    for (const float side : {1.0f, -1.0f}) {
+        const auto first = static_cast<std::uint32_t>(sheet.positions.size());
+        for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+            const std::uint32_t x = i % kSide, y = i / kSide, a = first + i, b = a + kSide;
+            sheet.positions.emplace_back(0.1f * static_cast<float>(x), 0.1f * static_cast<float>(y), kApart * side);
+            sheet.normals.push_back(glm::normalize(glm::vec3(0.1f, 0.1f, side)));
+            sheet.atoms.push_back(0);
+            if (x + 1 == kSide || y + 1 == kSide) continue;
+            sheet.triangles.emplace_back(a, side > 0 ? a + 1 : b, side > 0 ? b : a + 1);
+            sheet.triangles.emplace_back(a + 1, side > 0 ? b + 1 : b, side > 0 ? b : b + 1);
+        }
+    }
+    const occlusion::OccluderMesh coarse = occluderOf(sheet, 1.0f);
+    EXPECT_LT(coarse.triangles.size(), sheet.triangles.size() / 4);
+    std::set<bool> sides;
+    for (const glm::vec3& p : coarse.positions) {
+        EXPECT_NEAR(std::abs(p.z), kApart, 1e-3f);
+        sides.insert(p.z > 0);
+    }
+    EXPECT_EQ(sides.size(), 2u);
+}
+
+TEST(MeshHeights, DrawsOnItsMapAlone) {
+    constexpr std::uint32_t kPixels = 10, kPitch = 12;
+    constexpr float kNothing = -1e30f, kOther = 7;
+    // Covers the map and more, and rises to the right.
+    occlusion::OccluderMesh square;
+    for (const float y : {-20.0f, 20.0f})
+        for (const float x : {-20.0f, 20.0f}) square.positions.emplace_back(x, y, 0.5f * x);
+    square.triangles = {{0, 1, 3}, {0, 3, 2}};
+    std::vector<float> heights(std::size_t{kPitch} * kPixels, kOther);
+    for (std::uint32_t y = 0; y < kPixels; ++y) std::fill_n(&heights[std::size_t{y} * kPitch], kPixels, kNothing);
+    const glm::vec4 rows[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+    occlusion::MeshHeights drawn;
+    drawn.draw(square, 0, square.triangles.size(), rows, {heights.data(), kPitch, kPixels, 1});
+    for (std::uint32_t y = 0; y < kPixels; ++y)
+        for (std::uint32_t x = 0; x < kPitch; ++x) {
+            const float height = heights[std::size_t{y} * kPitch + x];
+            if (x < kPixels)
+                EXPECT_NEAR(height, 0.5f * (static_cast<float>(x) + 0.5f - 5), 1e-4f) << x << " " << y;
+            else
+                EXPECT_EQ(height, kOther);
+        }
+    // What lies behind changes nothing, nor what is turned away.
+    const std::vector<float> before = heights;
+    for (glm::vec3& p : square.positions) p.z -= 1;
+    drawn.draw(square, 0, square.triangles.size(), rows, {heights.data(), kPitch, kPixels, 1});
+    EXPECT_EQ(heights, before);
+    for (glm::vec3& p : square.positions) p.z += 5;
+    square.triangles = {{0, 3, 1}, {0, 2, 3}};
+    square.closed = true;
+    drawn.draw(square, 0, square.triangles.size(), rows, {heights.data(), kPitch, kPixels, 1});
+    EXPECT_EQ(heights, before);
+    square.closed = false;
+    drawn.draw(square, 0, square.triangles.size(), rows, {heights.data(), kPitch, kPixels, 1});
+    EXPECT_NE(heights, before);
+}
+
+}  // namespace
+}  // namespace nacre::test
