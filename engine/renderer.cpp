@@ -146,6 +146,11 @@ Picture Renderer::render(const RenderSettings& settings) {
                                [&](const passes::Atlas& atlas) { return impl_->pictures.picture(settings, atlas); });
 }
 
+CodedPicture Renderer::renderCoded(const RenderSettings& settings, bool alpha) {
+    return impl_->drawFinished(
+        settings, [&](const passes::Atlas& atlas) { return impl_->pictures.coded(settings, atlas, alpha); });
+}
+
 Picture Renderer::renderPart(const RenderSettings& settings, const PictureRect& part) {
     return impl_->drawFinished(settings,
                                [&](const passes::Atlas& atlas) { return impl_->pictures.part(settings, atlas, part); });

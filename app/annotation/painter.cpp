@@ -16,8 +16,8 @@
 #include "app/annotation/font.h"
 #include "app/annotation/visual_text.h"
 #include "app/files/code_points.h"
-#include "app/picture/srgb.h"
 #include "engine/error.h"
+#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {

@@ -73,17 +73,24 @@ void PictureJob::prepare(OpenScene* scene) {
     drawing_.settings.occlusion.onProgress = [&](double share) { progress_.advance(share); };
 }
 
-/// The picture, captured with its bake if a file is given or RenderDoc started this program.
-Picture PictureJob::drawPicture(Renderer& renderer) {
-    if (!isCaptured(renderer)) return renderer.render(drawing_.settings);
+/// Draws the picture, captured with its bake if a file is given or RenderDoc started this program. Without words it is
+/// coded at once.
+void PictureJob::drawPicture(Renderer& renderer) {
+    const RenderSettings& settings = drawing_.settings;
+    const auto draw = [&] {
+        if (settings.fine || drawing_.words.any())
+            picture_ = renderer.render(settings);
+        else
+            codes_ = renderer.renderCoded(settings, hasAlpha(formatOf(options_), options_.output));
+    };
+    if (!isCaptured(renderer)) return draw();
     renderer.beginCapture(captureFile_ ? captureStem(*captureFile_) : "");
-    Picture picture = renderer.render(drawing_.settings);
+    draw();
     const std::string written = renderer.endCapture();
     if (captureFile_)
         keepCapture(written, *captureFile_);
     else
         sayNote("captured to " + written);
-    return picture;
 }
 
 void PictureJob::sayCrowded(std::size_t labels) const {
@@ -132,7 +139,7 @@ void PictureJob::draw(Canvas& canvas) {
     if (isBanded(renderer, settings)) {
         drawInParts(renderer);
     } else {
-        picture_ = drawPicture(renderer);
+        drawPicture(renderer);
         frame_ = renderer.stats();  // of this picture, before the frames that follow add theirs
     }
     drawing_.run.driver = renderer.driverFeedback();
@@ -148,7 +155,9 @@ void PictureJob::write() {
     progress_.begin("writing");
     if (layersFile_) writeLayers(*layersFile_, *layers_);
     layers_.reset();
-    if (!written_) {
+    if (codes_) {
+        writePicture(pictureFile_, *codes_, formatOf(options_).dpi);
+    } else if (!written_) {
         sayCrowded(drawing_.addWords(drawing_.settings, picture_));
         writePicture(pictureFile_, picture_, formatOf(options_));
     }

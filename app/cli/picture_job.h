@@ -34,7 +34,7 @@ public:
     const std::vector<std::string>& warnings() const { return drawing_.warnings; }
 
 private:
-    Picture drawPicture(Renderer& renderer);
+    void drawPicture(Renderer& renderer);
     void drawInParts(Renderer& renderer);
     bool isCaptured(const Renderer& renderer) const;
     void sayCrowded(std::size_t labels) const;
@@ -46,7 +46,8 @@ private:
     std::optional<OutputFile> layersFile_, statsFile_, captureFile_;
     Drawing drawing_;
     Picture picture_;
-    bool written_ = false;  ///< in parts, during drawing
+    std::optional<CodedPicture> codes_;  ///< instead of picture_
+    bool written_ = false;               ///< in parts, during drawing
     std::optional<LayerPicture> layers_;
     FrameStats frame_;
 };

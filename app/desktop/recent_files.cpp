@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "app/files/json_text.h"
-#include "app/picture/srgb.h"
 #include "app/viewer/kept_files.h"
+#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {

@@ -236,6 +236,12 @@ Picture Drawing::draw(Canvas& canvas, std::size_t* crowded) {
     return picture;
 }
 
+CodedPicture Drawing::drawCoded(Canvas& canvas, bool alpha, std::size_t* crowded) {
+    if (words.any()) return coded(draw(canvas, crowded), alpha);
+    show(canvas);
+    return canvas.renderer.renderCoded(settings, alpha);
+}
+
 LayerPicture Drawing::layers(Renderer& renderer) const {
     LayerPicture layers = renderer.layers(settings);
     if (depthShift_ != 0)  // the background's infinity stays

@@ -48,6 +48,8 @@ public:
     void handOver(Canvas& canvas);
     /// A picture in full size, with its words. @returns in `crowded` the number of labels left out for lack of room
     Picture draw(Canvas& canvas, std::size_t* crowded = nullptr);
+    /// As above, in 8 bits per channel.
+    CodedPicture drawCoded(Canvas& canvas, bool alpha, std::size_t* crowded = nullptr);
     /// Layers of the scene on the renderer. Depths of all frames of a trajectory have one origin.
     LayerPicture layers(Renderer& renderer) const;
     /// Draws the words into a picture. @returns labels left out for lack of room

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "app/export/scene_files.h"
-#include "app/picture/srgb.h"
 #include "engine/baked_occlusion.h"
 #include "engine/scene/colors.h"
+#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {

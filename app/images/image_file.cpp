@@ -6,8 +6,8 @@
 
 #include "app/images/image_codec.h"
 #include "app/images/image_png.h"
-#include "app/picture/srgb.h"
 #include "engine/error.h"
+#include "engine/srgb.h"
 #ifdef NACRE_IMAGE_MODULE
 #include <dlfcn.h>
 
@@ -104,6 +104,8 @@ PictureFormat formatOf(const PictureDescription& picture) {
     return {picture.background[3] < 1.0f, picture.bits, picture.dpi.value_or(0)};
 }
 
+bool hasAlpha(const PictureFormat& format, const std::string& path) { return format.alpha && !isJpeg(path); }
+
 void writePicture(OutputFile& file, const Picture& picture, const PictureFormat& format) {
     const PictureRows rows = [&](std::size_t first, std::size_t) {
         return picture.rgba.data() + first * picture.width * 4;
@@ -140,12 +142,20 @@ void writePicture(OutputFile& file, std::uint32_t width, std::uint32_t height, c
     }
     const bool words = format.bits == 16;
     ImageRequest request =
-        requestOf(width, height, format.alpha && !isJpeg(path) ? 4 : 3, words ? Samples::words : Samples::bytes);
+        requestOf(width, height, hasAlpha(format, path) ? 4 : 3, words ? Samples::words : Samples::bytes);
     request.dotsPerInch = static_cast<float>(format.dpi);
     if (words)
         writeCoded<std::uint16_t>(file, request, source);
     else
         writeCoded<std::uint8_t>(file, request, source);
+}
+
+void writePicture(OutputFile& file, const CodedPicture& picture, double dpi) {
+    const auto channels = static_cast<std::uint32_t>(picture.channels());
+    ImageRequest request = requestOf(picture.width, picture.height, channels, Samples::bytes);
+    request.dotsPerInch = static_cast<float>(dpi);
+    auto rows = [&](std::size_t first, std::size_t) { return picture.bytes.data() + first * picture.width * channels; };
+    write(file, request, rows);
 }
 
 void writeLayers(OutputFile& file, const LayerPicture& layers) {

@@ -6,6 +6,7 @@
 
 #include "app/files/output_file.h"
 #include "app/picture/description.h"
+#include "engine/coded_picture.h"
 #include "engine/results.h"
 
 namespace nacre::app {
@@ -19,11 +20,16 @@ struct PictureFormat {
 
 /// The format that a description asks for.
 PictureFormat formatOf(const PictureDescription& picture);
+/// Whether a file of this name has an alpha channel.
+bool hasAlpha(const PictureFormat& format, const std::string& path);
 
 /// PNG, TIFF, JPEG and WebP: sRGB; with straight alpha if the format has it, otherwise three channels, over white if
 /// the picture is not opaque (JPEG always). EXR: linear light, premultiplied, half, with alpha. The same picture gives
 /// the same bytes. @throws Error
 void writePicture(OutputFile& file, const Picture& picture, const PictureFormat& format);
+
+/// As above. @param dpi  as PictureFormat has it
+void writePicture(OutputFile& file, const CodedPicture& picture, double dpi);
 
 /// Rows of a picture, layout as in Picture, from `first` on; valid until the next call.
 using PictureRows = std::function<const float*(std::uint32_t first, std::uint32_t count)>;

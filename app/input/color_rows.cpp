@@ -7,13 +7,13 @@
 
 #include "app/picture/appearance_values.h"
 #include "app/picture/option_values.h"
-#include "app/picture/srgb.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/floating_point.h"
 #include "engine/molecule/nearest_word.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/palettes.h"
+#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {

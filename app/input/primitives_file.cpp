@@ -10,12 +10,12 @@
 #include "app/files/json_text.h"
 #include "app/picture/appearance_values.h"
 #include "app/picture/option_values.h"
-#include "app/picture/srgb.h"
 #include "app/picture/words.h"
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
 #include "engine/molecule/selection/selection.h"
 #include "engine/scene/appearance.h"
+#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {

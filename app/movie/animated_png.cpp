@@ -12,6 +12,7 @@
 
 #include "app/movie/checked_stream.h"
 #include "app/movie/movie_file.h"
+#include "engine/coded_picture.h"
 
 namespace nacre::app {
 namespace {
@@ -114,7 +115,7 @@ public:
     }
 
     void add(const Picture& picture) override {
-        codePicture(picture, shape_.alpha, now_);
+        now_ = coded(picture, shape_.alpha).bytes;
         const std::size_t channels = shape_.alpha ? 4 : 3;
         const PixelBox box = frames_ == 0 ? PixelBox{0, 0, shape_.size.width, shape_.size.height}
                                           : changedBox(before_, now_, shape_.size, channels);

@@ -9,6 +9,7 @@
 #include "app/movie/checked_stream.h"
 #include "app/movie/movie_file.h"
 #include "app/movie/palette.h"
+#include "engine/coded_picture.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -45,7 +46,7 @@ public:
 
     bool wantsSamples() const override { return true; }
     void sample(const Picture& picture) override {
-        codePicture(picture, false, coded_);
+        coded_ = coded(picture, false).bytes;
         palette_.count(coded_);
     }
 
@@ -89,7 +90,7 @@ private:
     void begin(const Picture& first) {
         if (shape_.size.width > 65535 || shape_.size.height > 65535)
             throw Error("cannot write file", stream_.path(), "a GIF has at most 65535 pixels per side");
-        codePicture(first, false, coded_);
+        coded_ = coded(first, false).bytes;
         palette_.count(coded_);
         palette_.settle();
         GifColorType colors[kColors] = {};
@@ -113,7 +114,7 @@ private:
 
     /// The frame's pixels as numbers of colours, in now_.
     void place(const Picture& picture) {
-        codePicture(picture, shape_.alpha, coded_);
+        coded_ = coded(picture, shape_.alpha).bytes;
         const std::size_t channels = shape_.alpha ? 4 : 3;
         now_.resize(std::size_t{picture.width} * picture.height);
         std::size_t i = 0;

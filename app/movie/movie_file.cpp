@@ -1,11 +1,9 @@
 #include "app/movie/movie_file.h"
 
 #include <algorithm>
-#include <cstring>
 #include <filesystem>
 
 #include "app/files/output_file.h"
-#include "app/picture/srgb.h"
 
 namespace nacre::app {
 
@@ -26,20 +24,6 @@ std::unique_ptr<MovieFile> makeMovieFile(const std::string& path, const MovieSha
     if (extension == ".mp4" || extension == ".webm") return makeVideo(path, shape);
     if (extension == ".gif") return makeGif(path, shape);
     return makeAnimatedPng(path, shape);
-}
-
-void codePicture(const Picture& picture, bool alpha, std::vector<std::uint8_t>& bytes) {
-    const std::size_t channels = alpha ? 4 : 3, pixels = std::size_t{picture.width} * picture.height;
-    bytes.resize(pixels * channels);
-    const float* from = picture.rgba.data();
-    std::uint8_t* to = bytes.data();
-    for (std::size_t i = 0; i < pixels; ++i, from += 4, to += channels) {
-        // Backgrounds are long runs of one colour, and coding one takes three powers.
-        if (i > 0 && std::memcmp(from, from - 4, 4 * sizeof(float)) == 0)
-            std::memcpy(to, to - channels, channels);
-        else
-            codePixel(from, alpha, to);
-    }
 }
 
 PixelBox changedBox(const std::vector<std::uint8_t>& before, const std::vector<std::uint8_t>& after, const Size& size,

@@ -45,10 +45,6 @@ std::vector<std::string> movieEndings();
 /// Creates the files, or starts the encoder, so that failures show before any work. @throws Error
 std::unique_ptr<MovieFile> makeMovieFile(const std::string& path, const MovieShape& shape);
 
-/// sRGB bytes of a picture, row by row from the top: three per pixel over white, or four with straight alpha. The same
-/// values as writePicture() writes into a PNG.
-void codePicture(const Picture& picture, bool alpha, std::vector<std::uint8_t>& bytes);
-
 /// A rectangle of pixels.
 struct PixelBox {
     std::uint32_t x = 0, y = 0, width = 1, height = 1;

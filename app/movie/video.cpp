@@ -13,6 +13,7 @@
 
 #include "app/files/output_file.h"
 #include "app/movie/movie_file.h"
+#include "engine/coded_picture.h"
 #include "engine/error.h"
 
 extern "C" char** environ;
@@ -73,7 +74,7 @@ public:
     Video& operator=(const Video&) = delete;
 
     void add(const Picture& picture) override {
-        codePicture(picture, alpha_, coded_);
+        coded_ = coded(picture, alpha_).bytes;
         for (std::size_t done = 0; done < coded_.size();) {
             const ssize_t n = write(pipe_, coded_.data() + done, coded_.size() - done);
             if (n > 0) done += static_cast<std::size_t>(n);

@@ -9,12 +9,12 @@
 
 #include "app/mvs/node_table.h"
 #include "app/picture/appearance_values.h"
-#include "app/picture/srgb.h"
 #include "engine/error.h"
 #include "engine/molecule/crystal.h"
 #include "engine/molecule/formats/decompress.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/copies.h"
+#include "engine/srgb.h"
 
 namespace nacre::app::mvs {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "app/download/molecule_sources.h"
 #include "app/input/read_input.h"
-#include "app/picture/srgb.h"
 #include "app/viewer/kept_files.h"
 #include "engine/error.h"
+#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {

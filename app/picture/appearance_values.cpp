@@ -9,10 +9,10 @@
 #include "app/picture/geometry_options.h"
 #include "app/picture/option_text.h"
 #include "app/picture/option_values.h"
-#include "app/picture/srgb.h"
 #include "engine/molecule/floating_point.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/palettes.h"
+#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {

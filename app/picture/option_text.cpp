@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "app/picture/appearance_values.h"
-#include "app/picture/srgb.h"
+#include "engine/srgb.h"
 
 namespace nacre::app {
 

@@ -162,12 +162,19 @@ Structure openBytes(const std::string& name, std::string bytes, const std::strin
 
 namespace {
 
-Drawn drawAs(const std::string& output, const Structure& structure, const std::string& options, const Colors& colors) {
+/// @param alpha  whether to keep it in 8 bits per channel
+Drawn drawAs(const std::string& output, bool alpha, const Structure& structure, const std::string& options,
+             const Colors& colors) {
     const PictureDescription request = requestOf(structure, options, output);
     Drawn drawn;
+    drawn.format = app::formatOf(request);
     withScene(structure, request, colors, [&](app::Drawing& drawing, app::Canvas& canvas) {
         std::size_t crowded = 0;
-        drawn = {drawing.draw(canvas, &crowded), app::formatOf(request), drawing.warnings};
+        if (drawing.settings.fine)
+            drawn.picture = drawing.draw(canvas, &crowded);
+        else
+            drawn.codes = drawing.drawCoded(canvas, alpha || app::hasAlpha(drawn.format, output), &crowded);
+        drawn.warnings = drawing.warnings;
         if (crowded) drawn.warnings.push_back(std::to_string(crowded) + " labels do not fit into the picture");
     });
     return drawn;
@@ -176,7 +183,7 @@ Drawn drawAs(const std::string& output, const Structure& structure, const std::s
 }  // namespace
 
 Drawn draw(const Structure& structure, const std::string& options, const Colors& colors) {
-    return drawAs(kPlain, structure, options, colors);
+    return drawAs(kPlain, true, structure, options, colors);
 }
 
 LayerPicture drawLayers(const Structure& structure, const std::string& options, const Colors& colors,
@@ -195,8 +202,11 @@ std::vector<std::string> save(const Structure& structure, const std::string& pat
                               const Colors& colors) {
     checkName("save()", path, app::isPictureName(path), app::pictureEndings());
     app::OutputFile file(path);
-    const Drawn drawn = drawAs(path, structure, options, colors);
-    app::writePicture(file, drawn.picture, drawn.format);
+    const Drawn drawn = drawAs(path, false, structure, options, colors);
+    if (drawn.codes)
+        app::writePicture(file, *drawn.codes, drawn.format.dpi);
+    else
+        app::writePicture(file, drawn.picture, drawn.format);
     return drawn.warnings;
 }
 

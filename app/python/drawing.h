@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -35,6 +36,7 @@ struct Structure {
 
 struct Drawn {
     Picture picture;
+    std::optional<CodedPicture> codes;  ///< instead of the picture, if 8 bits per channel hold it
     app::PictureFormat format;          ///< file format of the options
     std::vector<std::string> warnings;  ///< of the scene
 };

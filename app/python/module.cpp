@@ -10,13 +10,13 @@
 #include "app/download/load_molecule.h"
 #include "app/input/map_input.h"
 #include "app/input/molecule_info.h"
-#include "app/picture/srgb.h"
 #include "app/picture/usage_error.h"
 #include "app/python/drawing.h"
 #include "app/python/pickled.h"
 #include "engine/error.h"
 #include "engine/molecule/bonds/bonds.h"
 #include "engine/molecule/element.h"
+#include "engine/srgb.h"
 
 namespace py = pybind11;
 
@@ -207,14 +207,20 @@ void keepDensity(const std::string& name, const Floats& values, const std::vecto
 }
 
 /// Rows of sRGB code values with straight alpha, as a PNG has them.
-template <typename Code>
-py::array_t<Code> codesOf(const Picture& picture) {
-    py::array_t<Code> array(
+py::array codesOf(Drawn drawn) {
+    if (drawn.codes) {
+        auto* const codes = new CodedPicture(std::move(*drawn.codes));
+        const py::capsule owner(codes, [](void* picture) { delete static_cast<CodedPicture*>(picture); });
+        return py::array_t<std::uint8_t>(
+            {static_cast<py::ssize_t>(codes->height), static_cast<py::ssize_t>(codes->width), py::ssize_t{4}},
+            codes->bytes.data(), owner);
+    }
+    const Picture& picture = drawn.picture;
+    py::array_t<std::uint16_t> array(
         {static_cast<py::ssize_t>(picture.height), static_cast<py::ssize_t>(picture.width), py::ssize_t{4}});
-    Code* out = array.mutable_data();
-    const std::size_t pixels = std::size_t{picture.width} * picture.height;
+    std::uint16_t* out = array.mutable_data();
     const py::gil_scoped_release others;
-    for (std::size_t i = 0; i < pixels; ++i) app::codePixel(picture.rgba.data() + 4 * i, true, out + 4 * i);
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) codePixel(picture.rgba.data() + i, true, out + i);
     return array;
 }
 
@@ -301,10 +307,9 @@ void addDrawing(py::module_& m) {
         .def_static("of_values", &colorsOfValues);
     m.def("density_map", &keepDensity);
     m.def("render", [](const Structure& s, const std::string& options, const Colors& colors) {
-        const Drawn drawn = freely([&] { return draw(s, options, colors); });
-        const py::array picture = drawn.format.bits == 16 ? py::array(codesOf<std::uint16_t>(drawn.picture))
-                                                          : py::array(codesOf<std::uint8_t>(drawn.picture));
-        return std::pair(picture, drawn.warnings);
+        Drawn drawn = freely([&] { return draw(s, options, colors); });
+        std::vector<std::string> warnings = std::move(drawn.warnings);
+        return std::pair(codesOf(std::move(drawn)), std::move(warnings));
     });
     m.def("layers", [](const Structure& s, const std::string& options, const Colors& colors) {
         std::vector<std::string> warnings;

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <limits>
+
+#include "engine/srgb.h"
 
 namespace nacre {
 namespace {
@@ -43,19 +46,88 @@ std::uint64_t resolve(const ResolvedPart& part, Picture& to, const Add& add) {
 
 }  // namespace
 
-std::uint64_t resolvePixels(const std::uint32_t* pixels, const ResolvedPart& part, Picture& to) {
+namespace {
+
+/// Values of the device's bytes.
+struct ByteValues {
     std::array<float, 256> linear{}, share{};
-    for (std::size_t i = 0; i < 256; ++i) {
-        share[i] = static_cast<float>(i) / 255.0f;
-        linear[i] = linearFromSrgb(share[i]);
+    ByteValues() {
+        for (std::size_t i = 0; i < 256; ++i) {
+            share[i] = static_cast<float>(i) / 255.0f;
+            linear[i] = linearFromSrgb(share[i]);
+        }
     }
+    /// Adds a pixel that is not empty.
+    void add(std::uint32_t pixel, std::array<float, 4>& sum) const {
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += linear[pixel >> (8 * c) & 0xff];
+        sum[3] += share[pixel >> 24];
+    }
+};
+
+const ByteValues& byteValues() {
+    static const ByteValues values;
+    return values;
+}
+
+void putOver(float* pixel, const std::array<float, 4>& behind) {
+    const float alpha = pixel[3];
+    for (std::size_t c = 0; c < 4; ++c) pixel[c] += (1 - alpha) * behind[c];
+}
+
+}  // namespace
+
+std::uint64_t resolvePixels(const std::uint32_t* pixels, const ResolvedPart& part, Picture& to) {
+    const ByteValues& values = byteValues();
     return resolve(part, to, [&](std::size_t at, std::array<float, 4>& sum) {
-        const std::uint32_t p = pixels[at];
-        if (p >> 24 == 0) return false;
-        for (std::size_t c = 0; c < 3; ++c) sum[c] += linear[p >> (8 * c) & 0xff];
-        sum[3] += share[p >> 24];
+        if (pixels[at] >> 24 == 0) return false;
+        values.add(pixels[at], sum);
         return true;
     });
+}
+
+namespace {
+
+/// @param code  of a pixel that lets some of the background through @returns the number of covered pixels
+template <std::size_t kChannels, typename Code>
+std::uint64_t codeRows(const std::uint32_t* pixels, const ResolvedPart& part, const Code& code, std::uint8_t* to) {
+    constexpr std::uint32_t kShare = 24, kSolid = 0xff;
+    const std::array<std::uint8_t, 4> empty = code(0);
+    std::uint64_t covered = 0;
+    for (std::uint32_t y = 0; y < part.rect.height; ++y) {
+        const std::uint32_t* from = pixels + std::size_t{part.rect.y + y} * part.rowPixels + part.rect.x;
+        for (const std::uint32_t* const end = from + part.rect.width; from < end; ++from, to += kChannels) {
+            const std::uint32_t share = *from >> kShare;
+            covered += share != 0 ? 1 : 0;
+            if (share == kSolid)  // every code survives the way to linear light and back
+                std::memcpy(to, from, kChannels);
+            else if (share == 0)
+                std::memcpy(to, empty.data(), kChannels);
+            else
+                std::memcpy(to, code(*from).data(), kChannels);
+        }
+    }
+    return covered;
+}
+
+}  // namespace
+
+CodedPicture codePixels(const std::uint32_t* pixels, const ResolvedPart& part, const std::array<float, 4>& background,
+                        bool alpha, std::uint64_t& covered) {
+    const ByteValues& values = byteValues();
+    const std::array<float, 4> behind = premultiplied(background);
+    const auto code = [&](std::uint32_t pixel) {
+        std::array<float, 4> sum{};
+        if (pixel >> 24 != 0) values.add(pixel, sum);
+        putOver(sum.data(), behind);
+        std::array<std::uint8_t, 4> bytes{};
+        codePixel(sum.data(), alpha, bytes.data());
+        return bytes;
+    };
+    CodedPicture picture{part.rect.width, part.rect.height, alpha, {}};
+    picture.bytes.resize(picture.channels() * part.rect.width * part.rect.height);
+    covered = alpha ? codeRows<4>(pixels, part, code, picture.bytes.data())
+                    : codeRows<3>(pixels, part, code, picture.bytes.data());
+    return picture;
 }
 
 std::uint64_t resolvePixels(const float* pixels, const ResolvedPart& part, Picture& to) {
@@ -72,12 +144,39 @@ std::uint64_t putOver(Picture& picture, const std::array<float, 4>& background) 
     const std::array<float, 4> behind = premultiplied(background);
     std::uint64_t covered = 0;
     for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
-        float* pixel = picture.rgba.data() + i;
-        const float alpha = pixel[3];
-        covered += alpha > 0 ? 1 : 0;
-        for (std::size_t c = 0; c < 4; ++c) pixel[c] += (1 - alpha) * behind[c];
+        covered += picture.rgba[i + 3] > 0 ? 1 : 0;
+        putOver(picture.rgba.data() + i, behind);
     }
     return covered;
+}
+
+Picture emptyPicture(std::uint32_t width, std::uint32_t height) {
+    return {width, height, std::vector<float>(std::size_t{4} * width * height)};
+}
+
+/// A part of a picture.
+Picture cut(Picture picture, const PictureRect& part) {
+    if (part.width == picture.width && part.height == picture.height) return picture;
+    Picture inner = emptyPicture(part.width, part.height);
+    for (std::uint32_t row = 0; row < part.height; ++row)
+        std::copy_n(picture.rgba.data() + 4 * (std::size_t{part.y + row} * picture.width + part.x),
+                    std::size_t{4} * part.width, inner.rgba.data() + std::size_t{4} * row * part.width);
+    return inner;
+}
+
+std::uint32_t nearestAtom(const std::uint32_t* identity, std::uint32_t side, double reach) {
+    std::uint32_t atom = 0;
+    double nearest = reach * reach + 0.5;
+    for (std::uint32_t j = 0; j < side; ++j)
+        for (std::uint32_t i = 0; i < side; ++i) {
+            const double right = i - (side - 1) / 2.0, down = j - (side - 1) / 2.0;
+            const double distance = right * right + down * down;
+            const std::uint32_t here = identity[2 * (std::size_t{j} * side + i)];
+            if (here == 0 || distance >= nearest) continue;
+            nearest = distance;
+            atom = here;
+        }
+    return atom;
 }
 
 LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const float* color, const float* surface,

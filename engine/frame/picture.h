@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "engine/coded_picture.h"
 #include "engine/frame/finer_places.h"
 #include "engine/results.h"
 
@@ -32,6 +33,18 @@ std::uint64_t resolvePixels(const float* pixels, const ResolvedPart& part, Pictu
 /// Puts a background behind a picture of linear, premultiplied colour. @param background  sRGB-coded, straight alpha
 /// @returns the number of pixels that were not empty
 std::uint64_t putOver(Picture& picture, const std::array<float, 4>& background);
+
+/// Both at once, and the result coded: the same bytes, but most pixels are copied. @param part  of one device pixel per
+/// pixel
+CodedPicture codePixels(const std::uint32_t* pixels, const ResolvedPart& part, const std::array<float, 4>& background,
+                        bool alpha, std::uint64_t& covered);
+
+Picture emptyPicture(std::uint32_t width, std::uint32_t height);
+/// A part of a picture.
+Picture cut(Picture picture, const PictureRect& part);
+
+/// @param identity  atom and occlusion bits of a square @returns the atom nearest to its middle, within `reach` pixels
+std::uint32_t nearestAtom(const std::uint32_t* identity, std::uint32_t side, double reach);
 
 /// @param color RGBA, linear, premultiplied; @param surface normal and Z; @param identity atom and occlusion bits
 LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const float* color, const float* surface,

@@ -71,11 +71,13 @@ bool wantsEdges(const RenderSettings& settings) {
     return settings.supersample == RenderSettings::kEdges && settings.debug == DebugView::none;
 }
 
-void addTimes(std::vector<PassTime>& sum, const std::vector<PassTime>& times) {
-    sum.resize(times.size());
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        sum[i].name = times[i].name;
-        sum[i].milliseconds += times[i].milliseconds;
+/// Adds a number of each row, which the same passes have.
+template <typename Row, typename Number>
+void addUp(std::vector<Row>& sum, const std::vector<Row>& more, Number Row::*number) {
+    sum.resize(more.size());
+    for (std::size_t i = 0; i < more.size(); ++i) {
+        sum[i].name = more[i].name;
+        sum[i].*number += more[i].*number;
     }
 }
 
@@ -97,28 +99,6 @@ std::pair<View, PictureRect> withRim(const View& whole, const PictureRect& part,
     const std::uint32_t bottom = std::min(part.y + part.height + rim, whole.height);
     return {partOf(whole, left, top, right - left, bottom - top),
             {part.x - left, part.y - top, part.width, part.height}};
-}
-
-Picture emptyPicture(std::uint32_t width, std::uint32_t height) {
-    return {width, height, std::vector<float>(std::size_t{4} * width * height)};
-}
-
-/// A part of a picture.
-Picture cut(Picture picture, const PictureRect& part) {
-    if (part.width == picture.width && part.height == picture.height) return picture;
-    Picture inner = emptyPicture(part.width, part.height);
-    for (std::uint32_t row = 0; row < part.height; ++row)
-        std::copy_n(picture.rgba.data() + 4 * (std::size_t{part.y + row} * picture.width + part.x),
-                    std::size_t{4} * part.width, inner.rgba.data() + std::size_t{4} * row * part.width);
-    return inner;
-}
-
-void addCounts(std::vector<PassCount>& sum, const std::vector<PassCount>& counts) {
-    sum.resize(counts.size());
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        sum[i].name = counts[i].name;
-        sum[i].shadedFragments += counts[i].shadedFragments;
-    }
 }
 
 }  // namespace
@@ -215,11 +195,19 @@ void PictureFrames::checkSize(const View& view) const {
                     "this device draws at most " + std::to_string(most) + " pixels per side, supersampling included");
 }
 
-/// @param view  at the device's resolution divided by the part's n @returns the number of covered samples
+/// Where the host reads a frame's pixels, and how many of them a row has.
+/// @param view  at the device's resolution divided by n
+std::pair<const std::byte*, std::uint32_t> PictureFrames::rowsOf(const Drawn& drawn, const View& view,
+                                                                 std::uint32_t n) {
+    if (drawn.colors) return {drawn.colors->numbers.buffer.mapped, drawn.colors->rowPixels()};
+    return {drawn.pixels[0].mapped, imageExtent(view).width * n};
+}
+
+/// @returns the number of covered samples
 std::uint64_t PictureFrames::resolve(const Drawn& drawn, const RenderSettings& settings, const View& view,
                                      ResolvedPart part, Picture& to) {
-    const std::byte* pixels = drawn.colors ? drawn.colors->numbers.buffer.mapped : drawn.pixels[0].mapped;
-    part.rowPixels = drawn.colors ? drawn.colors->rowPixels() : imageExtent(view).width * part.n;
+    const auto [pixels, rowPixels] = rowsOf(drawn, view, part.n);
+    part.rowPixels = rowPixels;
     if (isFine(settings)) return resolvePixels(reinterpret_cast<const float*>(pixels), part, to);
     return resolvePixels(reinterpret_cast<const std::uint32_t*>(pixels), part, to);
 }
@@ -233,9 +221,14 @@ Picture PictureFrames::resolved(const Drawn& drawn, const RenderSettings& settin
     return picture;
 }
 
-Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas) {
+/// All of a view.
+PictureFrames::Wanted PictureFrames::wantedOf(const RenderSettings& settings) {
     const graph::Extent image = imageExtent(settings.view);
-    return picture(settings, atlas, {settings.view, {0, 0, image.width, image.height}});
+    return {settings.view, {0, 0, image.width, image.height}};
+}
+
+Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas) {
+    return picture(settings, atlas, wantedOf(settings));
 }
 
 Picture PictureFrames::part(const RenderSettings& settings, const passes::Atlas& atlas, const PictureRect& part) {
@@ -243,32 +236,52 @@ Picture PictureFrames::part(const RenderSettings& settings, const passes::Atlas&
     return picture(settings, atlas, {view, inner});
 }
 
+CodedPicture PictureFrames::coded(RenderSettings settings, const passes::Atlas& atlas, bool alpha) {
+    settings.fine = false;
+    const Wanted wanted = wantedOf(settings);
+    const std::optional<Drawn> drawn = inOnePixelEach(settings, atlas, wanted);
+    if (!drawn) return nacre::coded(inSeveral(settings, atlas, wanted), alpha);
+    const auto [pixels, rowPixels] = rowsOf(*drawn, wanted.view, 1);
+    return codePixels(reinterpret_cast<const std::uint32_t*>(pixels), {rowPixels, 1, wanted.inner}, settings.background,
+                      alpha, stats_.coveredPixels);
+}
+
 Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
-    stats_.frames = 1;
-    if (!wantsEdges(settings)) return sampledPicture(settings, atlas, wanted, std::max(settings.supersample, 1u));
-    stats_.samples = RenderSettings::kEdgeSamples;
-    checkSize(wanted.view);
-    if (drawsEdges(settings)) {
-        const Drawn drawn =
-            draw(settings, atlas, wanted.view, pictureTargets(settings), true, "screen", Samples::edges);
-        if (drawn.edges) return resolved(drawn, settings, wanted, 1);  // else a list was too long
-    }
-    return blocksOfSamples(settings, atlas, wanted, true);
+    const std::optional<Drawn> drawn = inOnePixelEach(settings, atlas, wanted);
+    return drawn ? resolved(*drawn, settings, wanted, 1) : inSeveral(settings, atlas, wanted);
 }
 
 bool PictureFrames::drawsEdges(const RenderSettings& settings) const {
     return frames_.drawsEdges() && !settings.effects.rims();
 }
 
-/// N x N samples per pixel, in one frame.
-Picture PictureFrames::sampledPicture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
-                                      std::uint32_t n) {
+/// Draws a picture in a frame with a pixel for each of its own. @returns nothing if it takes more
+std::optional<PictureFrames::Drawn> PictureFrames::inOnePixelEach(const RenderSettings& settings,
+                                                                  const passes::Atlas& atlas, const Wanted& wanted) {
+    const bool edges = wantsEdges(settings);
+    if (edges ? !drawsEdges(settings) : settings.supersample > 1) return {};
+    checkSize(wanted.view);
+    const Samples samples = edges ? Samples::edges : singleOrResolved(settings);
+    stats_.frames = 1;
+    stats_.samples = edges ? RenderSettings::kEdgeSamples : samples == Samples::resolved ? graph::kMultisamples : 1;
+    Drawn drawn = draw(settings, atlas, wanted.view, pictureTargets(settings, samples), true, "screen", samples);
+    if (edges && !drawn.edges) return {};  // a list was too long
+    return drawn;
+}
+
+/// Draws a picture with N x N pixels for each of its own.
+Picture PictureFrames::inSeveral(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
+    stats_.frames = 1;
+    if (wantsEdges(settings)) {
+        stats_.samples = RenderSettings::kEdgeSamples;
+        checkSize(wanted.view);
+        return blocksOfSamples(settings, atlas, wanted, true);
+    }
+    const std::uint32_t n = settings.supersample;
     const View view = scaled(wanted.view, n);
     checkSize(view);
-    const Samples samples = singleOrResolved(settings);
-    stats_.samples = n * n * (samples == Samples::resolved ? graph::kMultisamples : 1);
-    return resolved(draw(settings, atlas, view, pictureTargets(settings, samples), true, "screen", samples), settings,
-                    wanted, n);
+    stats_.samples = n * n;
+    return resolved(draw(settings, atlas, view, pictureTargets(settings), true, "screen"), settings, wanted, n);
 }
 
 /// Draws a picture with one sample per pixel. @param to  receives it, without its background
@@ -300,8 +313,8 @@ Picture PictureFrames::blocksOfSamples(const RenderSettings& settings, const pas
     const auto drew = [&] {
         ++sum.frames;
         sum.frameMilliseconds += stats_.frameMilliseconds;
-        addCounts(sum.passes, stats_.passes);
-        addTimes(sum.passTimes, stats_.passTimes);
+        addUp(sum.passes, stats_.passes, &PassCount::shadedFragments);
+        addUp(sum.passTimes, stats_.passTimes, &PassTime::milliseconds);
     };
     const std::optional<FinerPlaces> places = coarsePicture(settings, atlas, wanted.view, whole);
     if (places) drew();
@@ -382,19 +395,7 @@ std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, do
     small.view.pan = -planePointAt(settings.view, std::floor(x) + 0.5, std::floor(y) + 0.5);
     small.view.width = small.view.height = side;
     const auto pixels = draw(small, {}, small.view, kPickTargets, true, "pick").pixels;
-    const auto* identity = reinterpret_cast<const std::uint32_t*>(pixels[0].mapped);
-    std::uint32_t atom = 0;
-    double nearest = reach * reach + 0.5;
-    for (std::uint32_t j = 0; j < side; ++j)
-        for (std::uint32_t i = 0; i < side; ++i) {
-            const double right = i - (side - 1) / 2.0, down = j - (side - 1) / 2.0;
-            const double distance = right * right + down * down;
-            const std::uint32_t here = identity[2 * (std::size_t{j} * side + i)];
-            if (here == 0 || distance >= nearest) continue;
-            nearest = distance;
-            atom = here;
-        }
-    return atom;
+    return nearestAtom(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), side, reach);
 }
 
 }  // namespace nacre

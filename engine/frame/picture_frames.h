@@ -17,6 +17,8 @@ public:
 
     /// @throws Error if the picture exceeds the device's limits, or memory runs out
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas);
+    /// As Renderer::renderCoded.
+    CodedPicture coded(RenderSettings settings, const passes::Atlas& atlas, bool alpha);
     /// As Renderer::renderPart.
     Picture part(const RenderSettings& settings, const passes::Atlas& atlas, const PictureRect& part);
     LayerPicture layers(const RenderSettings& settings, const passes::Atlas& atlas);
@@ -63,8 +65,11 @@ private:
     std::uint64_t resolve(const Drawn& drawn, const RenderSettings& settings, const View& view, ResolvedPart part,
                           Picture& to);
     Picture resolved(const Drawn& drawn, const RenderSettings& settings, const Wanted& wanted, std::uint32_t n);
-    Picture sampledPicture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
-                           std::uint32_t n);
+    static Wanted wantedOf(const RenderSettings& settings);
+    static std::pair<const std::byte*, std::uint32_t> rowsOf(const Drawn& drawn, const View& view, std::uint32_t n);
+    std::optional<Drawn> inOnePixelEach(const RenderSettings& settings, const passes::Atlas& atlas,
+                                        const Wanted& wanted);
+    Picture inSeveral(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
     std::optional<FinerPlaces> coarsePicture(const RenderSettings& settings, const passes::Atlas& atlas,
                                              const View& view, Picture& to);
     Picture blocksOfSamples(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,

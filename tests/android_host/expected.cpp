@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "app/picture/option_values.h"
-#include "app/picture/srgb.h"
 #include "app/viewer/local_molecules.h"
 #include "engine/renderer.h"
+#include "engine/srgb.h"
 
 namespace nacre::test {
 namespace {
@@ -42,7 +42,7 @@ WindowPicture expectedPicture(const app::PictureDescription& view, std::uint32_t
     const Picture picture = renderer.render(settings);
     WindowPicture result{width, height, {}};
     for (std::size_t i = 0; i < picture.rgba.size(); ++i)
-        if (i % 4 != 3) result.rgb.push_back(app::toByte(app::linearToSrgb(picture.rgba[i])));
+        if (i % 4 != 3) result.rgb.push_back(toByte(linearToSrgb(picture.rgba[i])));
     return result;
 }
 

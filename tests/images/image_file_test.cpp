@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "app/picture/picture_names.h"
-#include "app/picture/srgb.h"
 #include "engine/error.h"
+#include "engine/srgb.h"
 #include "tests/support/temporary_folder.h"
 
 namespace nacre::app {
@@ -144,6 +144,19 @@ TEST(ImageFile, WithoutAlphaWhatIsOpenIsOverWhite) {
     }
 }
 
+TEST(ImageFile, CodedPicturesGiveTheSameFile) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.png", "a.tiff", "a.jpg", "a.webp"})
+        for (const bool alpha : {false, true}) {
+            const PictureFormat format{alpha, 8, 300};
+            OutputFile file(folder / name), other(folder / (std::string("other_") + name));
+            const Picture picture{kWidth, kHeight, ramp()};
+            writePicture(file, picture, format);
+            writePicture(other, coded(picture, hasAlpha(format, name)), format.dpi);
+            EXPECT_EQ(test::contentOf(folder / name), test::contentOf(folder / (std::string("other_") + name))) << name;
+        }
+}
+
 TEST(ImageFile, SixteenBitsInPngAndTiff) {
     const TemporaryFolder folder;
     for (const char* name : {"a.png", "a.tif"}) {
@@ -194,6 +207,24 @@ TEST(ImageFile, PngIsCompressedFast) {
     ASSERT_NE(data, std::string::npos);
     // The second byte of what zlib writes says how it did (RFC 1950): 1 fast, 2 by default.
     EXPECT_EQ(static_cast<unsigned char>(bytes.at(data + 5)) >> 6, 1);
+}
+
+TEST(ImageFile, APngHasEachByte) {
+    const TemporaryFolder folder;
+    for (const bool alpha : {false, true}) {
+        CodedPicture picture{97, 75, alpha, {}};
+        std::uint32_t noise = 1;
+        for (std::size_t i = 0; i < picture.channels() * 97 * 75; ++i)
+            picture.bytes.push_back(static_cast<std::uint8_t>((noise = noise * 1664525 + 1013904223) >> 24));
+        OutputFile file(folder / "a.png");
+        writePicture(file, picture, 0);
+        const ReadBack back = readBack(folder / "a.png");
+        ASSERT_EQ(back.values.size(), picture.bytes.size());
+        std::size_t differing = 0;
+        for (std::size_t i = 0; i < back.values.size(); ++i)
+            differing += std::lround(back.values[i] * 255) != picture.bytes[i];
+        EXPECT_EQ(differing, 0u);
+    }
 }
 
 TEST(ImageFile, DotsAnInchAreSaid) {

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/picture/appearance_values.h"
-#include "app/picture/srgb.h"
+#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace nacre::app {
+namespace nacre {
 
 inline float linearToSrgb(float linear) {
     if (!(linear > 0.0f)) return 0.0f;  // also NaN
@@ -119,4 +119,4 @@ void codePixel(const float* pixel, bool alpha, Code* out) {
     for (int i = 0; i < 3; ++i) out[i] = share > 0.0f ? code(0.5f * (onBlack[i] + onWhite[i] - rest) / share) : Code{0};
 }
 
-}  // namespace nacre::app
+}  // namespace nacre
