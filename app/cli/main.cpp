@@ -3,7 +3,9 @@
 #if __has_include(<malloc.h>)
 #include <malloc.h>
 #endif
+#include <unistd.h>
 
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -123,11 +125,23 @@ void keepNoSmallPieces() {
 #endif
 }
 
+/// Spares the loader Mesa's drivers for GPUs where the kernel has none: they would be loaded to report no device.
+void skipDriversWithoutDevices() {
+#ifdef __linux__
+    if (access("/dev/dri", F_OK) == 0 || access("/dev/kgsl-3d0", F_OK) == 0 || access("/dev/dxg", F_OK) == 0) return;
+    constexpr int kKeep = 0;  // the user's choice
+    setenv("VK_LOADER_DRIVERS_DISABLE",
+           "intel_icd*,intel_hasvk_icd*,radeon_icd*,nouveau_icd*,broadcom_icd*,freedreno_icd*,panfrost_icd*,asahi_icd*",
+           kKeep);
+#endif
+}
+
 }  // namespace
 }  // namespace nacre::app
 
 int main(int argc, char** argv) {
     nacre::app::keepNoSmallPieces();
+    nacre::app::skipDriversWithoutDevices();
 #ifdef NACRE_LOOPBACK
     nacre::app::listenOnLoopbackAlone();
 #endif

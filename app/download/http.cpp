@@ -1,23 +1,23 @@
 #include "app/download/http.h"
 
-#include <curl/curl.h>
-
 #include <charconv>
 #include <exception>
 #include <memory>
 #include <optional>
 #include <string_view>
 
+#include "app/download/curl_library.h"
+
 namespace nacre::app {
 namespace {
 
 struct CloseHandle {
-    void operator()(CURL* handle) const { curl_easy_cleanup(handle); }
+    void operator()(CURL* handle) const { curlLibrary().cleanup(handle); }
 };
 using Handle = std::unique_ptr<CURL, CloseHandle>;
 
 struct FreeList {
-    void operator()(curl_slist* list) const { curl_slist_free_all(list); }
+    void operator()(curl_slist* list) const { curlLibrary().freeAll(list); }
 };
 using Headers = std::unique_ptr<curl_slist, FreeList>;
 
@@ -40,7 +40,7 @@ struct Transfer {
 
 std::string headerOf(CURL* handle, const char* name) {
     curl_header* header = nullptr;
-    if (curl_easy_header(handle, name, 0, CURLH_HEADER, -1, &header) != CURLHE_OK) return {};
+    if (curlLibrary().header(handle, name, 0, CURLH_HEADER, -1, &header) != CURLHE_OK) return {};
     return header->value;
 }
 
@@ -53,7 +53,7 @@ std::string validatorOf(CURL* handle) {
 
 long statusOf(CURL* handle) {
     long status = 0;
-    curl_easy_getinfo(handle, CURLINFO_RESPONSE_CODE, &status);
+    curlLibrary().getInfo(handle, CURLINFO_RESPONSE_CODE, &status);
     return status;
 }
 
@@ -81,7 +81,7 @@ bool begin(Transfer& transfer) {
     const long status = statusOf(transfer.handle);
     if (status != 200 && status != 206) return true;  // an error's text: passed over
     curl_off_t length = -1;
-    curl_easy_getinfo(transfer.handle, CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
+    curlLibrary().getInfo(transfer.handle, CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
     if (status == 206) {
         const auto range = contentRange(headerOf(transfer.handle, "Content-Range"));
         if (transfer.asked == 0 || !range || range->first != transfer.asked) {
@@ -119,38 +119,34 @@ std::size_t receive(char* bytes, std::size_t, std::size_t count, void* pointer) 
     }
 }
 
-void startLibrary() {
-    static const CURLcode started = curl_global_init(CURL_GLOBAL_DEFAULT);
-    if (started != CURLE_OK) throw HttpFailure(curl_easy_strerror(started), false);
-}
-
 /// Resumes from the body's end if the version is unchanged: otherwise the server sends everything.
 Headers rangeHeaders(Transfer& transfer) {
     const std::string validator = transfer.body.validator();
     if (transfer.body.size() == 0 || validator.empty()) return {};
     transfer.asked = transfer.body.size();
-    Headers headers(curl_slist_append(nullptr, ("Range: bytes=" + std::to_string(transfer.asked) + "-").c_str()));
-    curl_slist_append(headers.get(), ("If-Range: " + validator).c_str());
+    Headers headers(curlLibrary().append(nullptr, ("Range: bytes=" + std::to_string(transfer.asked) + "-").c_str()));
+    curlLibrary().append(headers.get(), ("If-Range: " + validator).c_str());
     return headers;
 }
 
 void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, Transfer& transfer, char* message) {
+    const auto set = curlLibrary().setOption;
     const char* scheme = url.rfind("https:", 0) == 0 ? "https" : "http";
     const long seconds = static_cast<long>(limits.patience.count());
-    curl_easy_setopt(handle, CURLOPT_URL, url.c_str());
-    curl_easy_setopt(handle, CURLOPT_PROTOCOLS_STR, scheme);
-    curl_easy_setopt(handle, CURLOPT_REDIR_PROTOCOLS_STR, scheme);
-    curl_easy_setopt(handle, CURLOPT_FOLLOWLOCATION, 1L);
-    curl_easy_setopt(handle, CURLOPT_MAXREDIRS, limits.redirects);
-    curl_easy_setopt(handle, CURLOPT_CONNECTTIMEOUT, seconds);
-    curl_easy_setopt(handle, CURLOPT_LOW_SPEED_TIME, seconds);
-    curl_easy_setopt(handle, CURLOPT_LOW_SPEED_LIMIT, limits.slowestBytesPerSecond);
-    curl_easy_setopt(handle, CURLOPT_NOSIGNAL, 1L);
-    curl_easy_setopt(handle, CURLOPT_USERAGENT, "nacre/" NACRE_VERSION);
-    curl_easy_setopt(handle, CURLOPT_ERRORBUFFER, message);
-    curl_easy_setopt(handle, CURLOPT_WRITEFUNCTION, receive);
-    curl_easy_setopt(handle, CURLOPT_WRITEDATA, &transfer);
-    if (!limits.certificates.empty()) curl_easy_setopt(handle, CURLOPT_CAINFO, limits.certificates.c_str());
+    set(handle, CURLOPT_URL, url.c_str());
+    set(handle, CURLOPT_PROTOCOLS_STR, scheme);
+    set(handle, CURLOPT_REDIR_PROTOCOLS_STR, scheme);
+    set(handle, CURLOPT_FOLLOWLOCATION, 1L);
+    set(handle, CURLOPT_MAXREDIRS, limits.redirects);
+    set(handle, CURLOPT_CONNECTTIMEOUT, seconds);
+    set(handle, CURLOPT_LOW_SPEED_TIME, seconds);
+    set(handle, CURLOPT_LOW_SPEED_LIMIT, limits.slowestBytesPerSecond);
+    set(handle, CURLOPT_NOSIGNAL, 1L);
+    set(handle, CURLOPT_USERAGENT, "nacre/" NACRE_VERSION);
+    set(handle, CURLOPT_ERRORBUFFER, message);
+    set(handle, CURLOPT_WRITEFUNCTION, &receive);
+    set(handle, CURLOPT_WRITEDATA, &transfer);
+    if (!limits.certificates.empty()) set(handle, CURLOPT_CAINFO, limits.certificates.c_str());
 }
 
 [[noreturn]] void failOfCurl(CURLcode code, const char* message, const Transfer& transfer) {
@@ -179,7 +175,7 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
         case CURLE_COULDNT_CONNECT:
             throw HttpFailure("server not reachable: check your connection", false);
         default:
-            throw HttpFailure(*message ? message : curl_easy_strerror(code), false);
+            throw HttpFailure(*message ? message : curlLibrary().textOf(code), false);
     }
 }
 
@@ -194,18 +190,17 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
 
 void httpGet(const std::string& url, const HttpLimits& limits, HttpBody& body,
              const std::function<void(std::uint64_t, std::uint64_t)>& onProgress) {
-    startLibrary();
-    const Handle handle(curl_easy_init());
+    const Handle handle(curlLibrary().init());
     if (!handle) throw HttpFailure("libcurl could not be started", false);
     Transfer transfer(handle.get(), limits, body, onProgress);
     char message[CURL_ERROR_SIZE] = "";
     setOptions(handle.get(), url, limits, transfer, message);
     const Headers headers = rangeHeaders(transfer);
     // Limit for announced sizes; unannounced data is counted as it arrives.
-    curl_easy_setopt(handle.get(), CURLOPT_MAXFILESIZE_LARGE, static_cast<curl_off_t>(limits.maxBytes));
-    if (headers) curl_easy_setopt(handle.get(), CURLOPT_HTTPHEADER, headers.get());
+    curlLibrary().setOption(handle.get(), CURLOPT_MAXFILESIZE_LARGE, static_cast<curl_off_t>(limits.maxBytes));
+    if (headers) curlLibrary().setOption(handle.get(), CURLOPT_HTTPHEADER, headers.get());
 
-    const CURLcode code = curl_easy_perform(handle.get());
+    const CURLcode code = curlLibrary().perform(handle.get());
     if (transfer.bodyFailed) std::rethrow_exception(transfer.bodyFailed);
     const long status = statusOf(handle.get());
     if (status == 416 && transfer.asked > 0) {  // nothing follows the existing bytes: they belong to another file

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
+#include <utility>
 
 #include "engine/error.h"
 
@@ -43,8 +45,46 @@ std::string lower(std::string text) {
 
 }  // namespace
 
+namespace {
+
+vk::raii::Instance instanceWith(const vk::raii::Context& context, const InstanceExtensions& found,
+                                const std::vector<const char*>& extensions, const std::vector<const char*>& layers) {
+    constexpr vk::ValidationFeatureEnableEXT kEnable[] = {vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
+    const vk::ValidationFeaturesEXT features(kEnable, {});
+    const vk::ApplicationInfo application("nacre", 1, "nacre", 1, VK_API_VERSION_1_1);
+    vk::InstanceCreateInfo info({}, &application, layers, extensions);
+    if (found.portability) info.flags = vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR;
+    if (!layers.empty()) info.pNext = &features;
+    try {
+        return vk::raii::Instance(context, info);
+    } catch (const vk::ExtensionNotPresentError&) {
+        throw;
+    } catch (const vk::SystemError& e) {
+        throw Error("cannot start Vulkan", "",
+                    std::string(e.what()) + " (is a driver installed? Debian's software driver: mesa-vulkan-drivers)");
+    }
+}
+
+/// An instance with what the loader itself brings, without asking for it: for the answer it would load every driver and
+/// unload it again. @returns nothing if the loader lacks some of it
+std::optional<vk::raii::Instance> usualInstance(const vk::raii::Context& context, InstanceExtensions& found) {
+    const InstanceExtensions usual{true, true, false};
+    try {
+        std::optional<vk::raii::Instance> instance = instanceWith(
+            context, usual, {VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME}, {});
+        found = usual;
+        return instance;
+    } catch (const vk::ExtensionNotPresentError&) {
+        return {};
+    }
+}
+
+}  // namespace
+
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
                                 const std::vector<std::string>& wanted) {
+    if (!validate && wanted.empty())
+        if (std::optional<vk::raii::Instance> instance = usualInstance(context, found)) return std::move(*instance);
     const auto available = context.enumerateInstanceExtensionProperties();
     std::vector<const char*> extensions, layers;
     found.debugUtils = hasExtension(available, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
@@ -72,18 +112,7 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate,
         layers.push_back(kValidationLayer);
         extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
     }
-    constexpr vk::ValidationFeatureEnableEXT kEnable[] = {vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
-    const vk::ValidationFeaturesEXT features(kEnable, {});
-    const vk::ApplicationInfo application("nacre", 1, "nacre", 1, VK_API_VERSION_1_1);
-    vk::InstanceCreateInfo info({}, &application, layers, extensions);
-    if (found.portability) info.flags = vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR;
-    if (validate) info.pNext = &features;
-    try {
-        return vk::raii::Instance(context, info);
-    } catch (const vk::SystemError& e) {
-        throw Error("cannot start Vulkan", "",
-                    std::string(e.what()) + " (is a driver installed? Debian's software driver: mesa-vulkan-drivers)");
-    }
+    return instanceWith(context, found, extensions, layers);
 }
 
 vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, ValidationLog& messages) {
