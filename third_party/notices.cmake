@@ -21,6 +21,7 @@ set(NACRE_PARTS
     "OpenImageIO|BSD-3-Clause|libopenimageio-dev|openimageio|https://github.com/AcademySoftwareFoundation/OpenImageIO"
     "libwebp|BSD-3-Clause|libwebp-dev|libwebp|https://chromium.googlesource.com/webm/libwebp"
     "libpng|libpng-2.0|libpng-dev|libpng|http://www.libpng.org"
+    "libdeflate|MIT|libdeflate-dev|libdeflate|https://github.com/ebiggers/libdeflate"
     "GIFLIB|MIT|libgif-dev|giflib|https://giflib.sourceforge.net"
     "libcurl|curl|libcurl4-openssl-dev|curl|https://curl.se"
     "CLI11|BSD-3-Clause|libcli11-dev|cli11|https://github.com/CLIUtils/CLI11")
@@ -28,7 +29,7 @@ if(pybind11_FOUND)
     list(APPEND NACRE_PARTS "pybind11|BSD-3-Clause|pybind11-dev|pybind11|https://github.com/pybind/pybind11")
 endif()
 if(IOS)
-    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(OpenImageIO|libwebp|libpng|GIFLIB|libcurl|CLI11)")
+    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(OpenImageIO|libwebp|libpng|libdeflate|GIFLIB|libcurl|CLI11)")
 endif()
 if(APPLE)
     list(APPEND NACRE_PARTS

@@ -143,6 +143,7 @@ const std::vector<Arrows> kLibraries = {
     {"OpenImageIO/", {"app/images/image_codec.cpp"}},
     {"webp/", {"app/images/image_webp.cpp"}},
     {"png.h", {"app/movie/animated_png.cpp", "app/images/image_png.cpp"}},
+    {"libdeflate.h", {"app/images/image_png.cpp"}},
     {"gif_lib.h", {"app/movie/gif.cpp"}},
     {"ft2build.h", {"app/annotation/painter.cpp"}},
     {"curl/", {"app/download/curl_library.h"}},
