@@ -46,6 +46,16 @@ def test_renders_what_the_command_line_renders(dna, tmp_path):
     assert (tmp_path / "b.png").read_bytes() == (tmp_path / "a.png").read_bytes()
 
 
+def test_pictures_are_the_callers_own(dna):
+    first = dna.render(**SMALL)
+    assert first.flags.writeable and first.flags.c_contiguous
+    kept = first.copy()
+    dna.render(**SMALL, color="chain")
+    np.testing.assert_array_equal(first, kept)
+    first[:] = 0
+    np.testing.assert_array_equal(dna.render(**SMALL), kept)
+
+
 def test_files_say_that_they_are_srgb(dna, tmp_path):
     ImageCms, Image = pytest.importorskip("PIL.ImageCms"), pytest.importorskip("PIL.Image")
     colours = Image.fromarray(np.random.default_rng(1).integers(0, 256, (64, 64, 3), dtype=np.uint8))
