@@ -10,6 +10,7 @@
 #include "engine/gpu/context.h"
 #include "engine/gpu/dynamic_rendering.h"
 #include "engine/gpu/frame_boundary.h"
+#include "engine/gpu/instance.h"
 
 namespace nacre::gpu {
 namespace {
@@ -120,7 +121,7 @@ std::uint32_t graphicsAndCompute(const vk::raii::PhysicalDevice& physical) {
 }
 
 bool hasExtension(const vk::raii::PhysicalDevice& device, const char* name) {
-    for (const auto& e : device.enumerateDeviceExtensionProperties())
+    for (const auto& e : extensionsOf(device))
         if (std::string_view(e.extensionName.data()) == name) return true;
     return false;
 }

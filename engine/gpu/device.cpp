@@ -15,7 +15,7 @@ namespace nacre::gpu {
 namespace {
 
 std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& physical, bool window) {
-    const auto available = physical.enumerateDeviceExtensionProperties();
+    const auto& available = extensionsOf(physical);
     auto has = [&](std::string_view name) {
         return std::any_of(available.begin(), available.end(),
                            [&](const auto& e) { return name == e.extensionName.data(); });

@@ -114,7 +114,7 @@ DeviceInfo gpu::infoOf(const Caps& caps, const vk::raii::PhysicalDevice& device)
     info.driverVersion = properties.driverVersion;
     info.limits = limitsOf(properties.limits);
     info.formats = formatsOf(device);
-    for (const vk::ExtensionProperties& extension : device.enumerateDeviceExtensionProperties())
+    for (const vk::ExtensionProperties& extension : extensionsOf(device))
         info.extensions.emplace_back(extension.extensionName.data());
     std::sort(info.extensions.begin(), info.extensions.end());
     addMemory(device, info);

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "engine/gpu/instance.h"
+
 namespace nacre::gpu {
 namespace {
 
@@ -42,7 +44,7 @@ std::string SubmissionLog::text() const {
 }
 
 bool tellsOfFaults(const vk::raii::PhysicalDevice& device) {
-    for (const auto& e : device.enumerateDeviceExtensionProperties())
+    for (const auto& e : extensionsOf(device))
         if (std::string_view(e.extensionName.data()) == VK_EXT_DEVICE_FAULT_EXTENSION_NAME)
             return device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceFaultFeaturesEXT>()
                 .get<vk::PhysicalDeviceFaultFeaturesEXT>()

@@ -1,6 +1,8 @@
 #include "engine/gpu/instance.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -9,6 +11,8 @@
 
 namespace nacre::gpu {
 namespace {
+
+std::atomic<std::uint64_t> instances{0};  ///< made so far
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
@@ -56,6 +60,7 @@ vk::raii::Instance instanceWith(const vk::raii::Context& context, const Instance
     if (found.portability) info.flags = vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR;
     if (!layers.empty()) info.pNext = &features;
     try {
+        ++instances;
         return vk::raii::Instance(context, info);
     } catch (const vk::ExtensionNotPresentError&) {
         throw;
@@ -113,6 +118,20 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate,
         extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
     }
     return instanceWith(context, found, extensions, layers);
+}
+
+const std::vector<vk::ExtensionProperties>& extensionsOf(const vk::raii::PhysicalDevice& device) {
+    // The loader clears a megabyte of memory for each answer, and a device is asked twenty times.
+    struct Known {
+        VkPhysicalDevice device = VK_NULL_HANDLE;
+        std::uint64_t instances = 0;  // a handle may come again after its instance is gone
+        std::vector<vk::ExtensionProperties> list;
+    };
+    thread_local Known known;
+    const auto handle = static_cast<VkPhysicalDevice>(*device);
+    if (const std::uint64_t made = instances; known.device != handle || known.instances != made)
+        known = {handle, made, device.enumerateDeviceExtensionProperties()};
+    return known.list;
 }
 
 vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, ValidationLog& messages) {

@@ -20,6 +20,9 @@ struct InstanceExtensions {
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
                                 const std::vector<std::string>& wanted = {});
 
+/// A device's extensions, valid until the thread's next call.
+const std::vector<vk::ExtensionProperties>& extensionsOf(const vk::raii::PhysicalDevice& device);
+
 /// Collects validation messages of warning severity and above while the messenger lives.
 vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, ValidationLog& messages);
 
