@@ -120,9 +120,9 @@ bool addPngRows(png_structp png, const unsigned char* rows, std::size_t rowBytes
     return true;
 }
 
-bool addPngChunk(png_structp png, const char* name, const std::vector<unsigned char>& bytes) {
+bool addPngChunk(png_structp png, const char* name, const unsigned char* bytes, std::size_t size) {
     if (setjmp(png_jmpbuf(png))) return false;
-    png_write_chunk(png, reinterpret_cast<png_const_bytep>(name), bytes.data(), bytes.size());
+    png_write_chunk(png, reinterpret_cast<png_const_bytep>(name), bytes, size);
     return true;
 }
 
@@ -158,11 +158,18 @@ std::size_t rowBytesOf(const ImageRequest& request) {
     return std::size_t{request.width} * request.channels * (request.samples == Samples::words ? 2 : 1);
 }
 
+struct Bytes {
+    explicit Bytes(std::size_t most) : data(std::make_unique_for_overwrite<unsigned char[]>(most)), size(most) {}
+    std::unique_ptr<unsigned char[]> data;  // not cleared: that would take memory that is never written
+    std::size_t size;
+};
+
 /// The rows, each with the number of the filter "up": the difference from the row above.
-std::vector<unsigned char> filteredRows(const ImageRequest& request) {
+Bytes filteredRows(const ImageRequest& request) {
     const std::size_t rowBytes = rowBytesOf(request);
-    std::vector<unsigned char> filtered((rowBytes + 1) * request.height), above(rowBytes);
-    unsigned char* to = filtered.data();
+    Bytes filtered((rowBytes + 1) * request.height);
+    std::vector<unsigned char> above(rowBytes);
+    unsigned char* to = filtered.data.get();
     for (std::uint32_t first = 0; first < request.height; first += kRowsAtOnce) {
         const std::uint32_t count = std::min(kRowsAtOnce, request.height - first);
         const auto* row = static_cast<const unsigned char*>(request.rows(request.context, first, count));
@@ -177,15 +184,16 @@ std::vector<unsigned char> filteredRows(const ImageRequest& request) {
 }
 
 /// zlib's format by libdeflate: half the time of zlib's level 4, and a file one percent smaller (docs/notes.md).
-std::vector<unsigned char> compressed(const std::vector<unsigned char>& bytes) {
+Bytes compressed(const Bytes& bytes) {
     struct Free {
         void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
     };
     constexpr int kLevel = 2;
     const std::unique_ptr<libdeflate_compressor, Free> compressor(libdeflate_alloc_compressor(kLevel));
     if (!compressor) throw std::bad_alloc();
-    std::vector<unsigned char> result(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()));
-    result.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), result.data(), result.size()));
+    Bytes result(libdeflate_zlib_compress_bound(compressor.get(), bytes.size));
+    result.size =
+        libdeflate_zlib_compress(compressor.get(), bytes.data.get(), bytes.size, result.data.get(), result.size);
     return result;
 }
 
@@ -203,8 +211,9 @@ void writePng(const ImageRequest& request) {
     const std::size_t rowBytes = rowBytesOf(request);
     bool good = false;
     if (request.samples == Samples::bytes && rowBytes * request.height <= kWholeBytes) {
-        check(addPngChunk(writer.png, "IDAT", compressed(filteredRows(request))));
-        good = addPngChunk(writer.png, "IEND", {});
+        const Bytes data = compressed(filteredRows(request));
+        check(addPngChunk(writer.png, "IDAT", data.data.get(), data.size));
+        good = addPngChunk(writer.png, "IEND", nullptr, 0);
     } else {
         for (std::uint32_t row = 0; row < request.height; row += kRowsAtOnce) {
             const std::uint32_t count = std::min(kRowsAtOnce, request.height - row);
