@@ -68,7 +68,8 @@ public:
     }
 
     void draw() {
-        if (frames_.empty()) return addBall(mesh_, trace_.points[0] - origin_, coil(0).width, trace_.atoms[0], sides());
+        if (frames_.empty())
+            return addBall(mesh_, trace_.points[0] - origin_, coil(0).width * options_.scale, trace_.atoms[0], sides());
         std::size_t done = 0;  // frames behind which all is drawn
         for (const FoldRun& run : runs_) {
             const bool helix = run.kind == SecondaryStructure::helix;
@@ -106,6 +107,7 @@ private:
 
     Section coil(std::size_t k) const {
         if (!options_.putty) return trace_.nucleic ? kNucleicTube : kCoil;
+        if (options_.tube > 0) return {options_.tube, options_.tube};
         const std::size_t last = trace_.temperatures.size() - 1, i = std::min(k / step(), last);
         const double f = static_cast<double>(k % step()) / options_.segments;
         const double a = putty_.radius(trace_.temperatures[i]);
@@ -168,6 +170,7 @@ private:
                 begin, k, piece.shape, piece.roundBegin && begin == piece.first, piece.roundEnd && k == piece.last, {}};
             part.sections.assign(piece.sections.begin() + static_cast<std::ptrdiff_t>(begin - piece.first),
                                  piece.sections.begin() + static_cast<std::ptrdiff_t>(k - piece.first + 1));
+            for (Section& section : part.sections) section.width *= options_.scale, section.thickness *= options_.scale;
             sweep(mesh_, frames_, part, owners_, origin_, sides());
         }
     }
@@ -182,8 +185,9 @@ private:
     std::vector<std::uint32_t> owners_;
 };
 
-/// With numbers for all automatic options.
-CartoonOptions settledOptions(const CartoonOptions& options, std::size_t residues) {
+}  // namespace
+
+CartoonOptions settledCartoon(const CartoonOptions& options, std::size_t residues) {
     CartoonOptions settled = options;
     const bool many = residues > 20000, tooMany = residues > 60000;
     if (settled.segments <= 0) settled.segments = tooMany ? 4 : many ? 6 : 8;
@@ -193,14 +197,12 @@ CartoonOptions settledOptions(const CartoonOptions& options, std::size_t residue
     return settled;
 }
 
-}  // namespace
-
 Mesh cartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
              std::span<const SecondaryStructure> secondary, const CartoonOptions& options, const glm::dvec3& origin) {
     const std::vector<Trace> traces = cartoonTraces(facts, atoms, secondary);
     std::size_t residues = 0;
     for (const Trace& trace : traces) residues += trace.residues.size();
-    const CartoonOptions settled = settledOptions(options, residues);
+    const CartoonOptions settled = settledCartoon(options, residues);
     const PuttyScale putty(traces);
     Mesh mesh;
     mesh.coarser = cartoonLevels();
@@ -213,8 +215,8 @@ Mesh cartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
     for (auto* places : {&nucleotides, &aminoAcids})
         std::sort(places->begin(), places->end(),
                   [](const RibbonPlace& a, const RibbonPlace& b) { return a.residue < b.residue; });
-    addBases(mesh, facts, nucleotides, settled.bases, origin, settled.sides);
-    if (settled.disulfides) addDisulfides(mesh, facts, aminoAcids, origin, settled.sides);
+    addBases(mesh, facts, nucleotides, settled, origin);
+    if (settled.disulfides) addDisulfides(mesh, facts, aminoAcids, settled, origin);
     dropFineLevels(mesh);
     return mesh;
 }

@@ -35,6 +35,8 @@ struct CartoonOptions {
     /// Vertex rings per residue, even, and vertices per ring. 0: 8 and 12 up to 20,000 residues, 6 and 10 up to 60,000,
     /// then 4 and 8.
     int segments = 0, sides = 0;
+    double scale = 1;  ///< of all widths and thicknesses
+    double tube = 0;   ///< Å: radius of the putty's tube everywhere; 0: by the B factor
     friend bool operator==(const CartoonOptions&, const CartoonOptions&) = default;
 };
 
@@ -54,6 +56,9 @@ struct CartoonOptions {
 /// @return empty without such residues
 Mesh cartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
              std::span<const SecondaryStructure> secondary, const CartoonOptions& options, const glm::dvec3& origin);
+
+/// With numbers for the rings and vertices that options leave open. @param residues  that are drawn, in all copies
+CartoonOptions settledCartoon(const CartoonOptions& options, std::size_t residues);
 
 /// The guide atoms (CA, P) of each unbroken stretch of a chain, whatever is drawn of it.
 std::vector<std::vector<std::uint32_t>> guideTraces(const ResidueFacts& facts);

@@ -76,19 +76,19 @@ std::vector<Base> basesOf(const ResidueFacts& facts, std::span<const RibbonPlace
 
 class BaseDrawer {
 public:
-    BaseDrawer(Mesh& mesh, const Molecule& molecule, const glm::dvec3& origin, int sides)
-        : mesh_(mesh), molecule_(molecule), origin_(origin), sides_(sides) {}
+    BaseDrawer(Mesh& mesh, const Molecule& molecule, const CartoonOptions& options, const glm::dvec3& origin)
+        : mesh_(mesh), molecule_(molecule), options_(options), origin_(origin) {}
 
-    void draw(const Base& base, const RibbonPlace& ribbon, BaseForm form) {
+    void draw(const Base& base, const RibbonPlace& ribbon) {
         const bool purine = base.has(kBaseN9);
         // Pseudouridine hangs by its C5.
         const BaseAtom root = purine ? kBaseN9 : nearestToSugar(base);
         const BaseAtom end = purine ? kBaseN1 : kBaseN3;
         const glm::dvec3 from = ribbon.place - origin_;
-        if (form == BaseForm::plates && base.has(kBaseC1) && plate(base, purine)) {
+        if (options_.bases == BaseForm::plates && base.has(kBaseC1) && plate(base, purine)) {
             rod(from, kBaseC1, base);
-            addRod(mesh_, place(base, kBaseC1), place(base, root), kRungRadius, base.atoms[kBaseC1],
-                   base.atoms[kBaseC1], sides_);
+            addRod(mesh_, place(base, kBaseC1), place(base, root), kRungRadius * options_.scale, base.atoms[kBaseC1],
+                   base.atoms[kBaseC1], options_.sides);
             return;
         }
         for (const BaseAtom name : {end, root, kBaseC1})
@@ -109,7 +109,8 @@ private:
 
     void rod(const glm::dvec3& from, BaseAtom to, const Base& base) {
         if (glm::distance(from, place(base, to)) > kFarthestBase) return;
-        addRod(mesh_, from, place(base, to), kRungRadius, base.atoms[to], base.atoms[to], sides_);
+        addRod(mesh_, from, place(base, to), kRungRadius * options_.scale, base.atoms[to], base.atoms[to],
+               options_.sides);
     }
 
     /// False if an atom is missing or the ring is not flat.
@@ -136,29 +137,29 @@ private:
         const glm::dvec3 normal = unitOr(area, {});
         if (glm::length(area) < 2) return false;  // a benzene ring has 5.1 Å^2
         for (glm::dvec3& p : outline) p = middle + across(p - middle, normal) * (1 + kPlateMargin / 1.4);
-        addPlate(mesh_, outline, normal, kPlateHalfThickness, purine ? kPurineFans : kPyrimidineFans,
+        addPlate(mesh_, outline, normal, kPlateHalfThickness * options_.scale, purine ? kPurineFans : kPyrimidineFans,
                  base.atoms[kBaseC4]);
         return true;
     }
 
     Mesh& mesh_;
     const Molecule& molecule_;
+    const CartoonOptions& options_;
     glm::dvec3 origin_;
-    int sides_;
 };
 
 }  // namespace
 
-void addBases(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, BaseForm form,
-              const glm::dvec3& origin, int sides) {
-    if (form == BaseForm::none || places.empty()) return;
+void addBases(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, const CartoonOptions& options,
+              const glm::dvec3& origin) {
+    if (options.bases == BaseForm::none || places.empty()) return;
     const std::vector<Base> bases = basesOf(facts, places);
-    BaseDrawer drawer(mesh, facts.molecule(), origin, sides);
-    for (std::size_t i = 0; i < places.size(); ++i) drawer.draw(bases[i], places[i], form);
+    BaseDrawer drawer(mesh, facts.molecule(), options, origin);
+    for (std::size_t i = 0; i < places.size(); ++i) drawer.draw(bases[i], places[i]);
 }
 
-void addDisulfides(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, const glm::dvec3& origin,
-                   int sides) {
+void addDisulfides(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places,
+                   const CartoonOptions& options, const glm::dvec3& origin) {
     const Molecule& molecule = facts.molecule();
     if (places.empty()) return;
     const PlaceOfAtom placeOf(facts, places);
@@ -176,16 +177,17 @@ void addDisulfides(Mesh& mesh, const ResidueFacts& facts, std::span<const Ribbon
                     if (const std::size_t place = placeOf(index); place != places.size()) betas[place] = index;
         }
         const auto at = [&](std::uint32_t atom) { return glm::dvec3(molecule.atoms[atom].position) - origin; };
-        addRod(mesh, at(bond.a), at(bond.b), kDisulfideRadius, bond.a, bond.b, sides);
+        const double radius = kDisulfideRadius * options.scale;
+        addRod(mesh, at(bond.a), at(bond.b), radius, bond.a, bond.b, options.sides);
         for (const auto& [sulfur, place] : {std::pair{bond.a, placeA}, std::pair{bond.b, placeB}}) {
             const glm::dvec3 ribbon = places[place].place - origin;
             const std::uint32_t beta = betas[place];
             if (beta == kNoAtom) {
-                addRod(mesh, at(sulfur), ribbon, kDisulfideRadius, sulfur, sulfur, sides);
+                addRod(mesh, at(sulfur), ribbon, radius, sulfur, sulfur, options.sides);
                 continue;
             }
-            addRod(mesh, at(sulfur), at(beta), kDisulfideRadius, sulfur, beta, sides);
-            addRod(mesh, at(beta), ribbon, kDisulfideRadius, beta, beta, sides);
+            addRod(mesh, at(sulfur), at(beta), radius, sulfur, beta, options.sides);
+            addRod(mesh, at(beta), ribbon, radius, beta, beta, options.sides);
         }
     }
 }

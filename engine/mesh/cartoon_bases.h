@@ -20,13 +20,13 @@ struct RibbonPlace {
 
 /// Adds a base for each nucleotide: plates of its rings if all their atoms exist and are flat, else a stick as far as
 /// atoms exist.
-/// @param places  of nucleotides, by ascending residue
-void addBases(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, BaseForm form,
-              const glm::dvec3& origin, int sides);
+/// @param places  of nucleotides, by ascending residue @param options  settled: with a number of sides
+void addBases(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, const CartoonOptions& options,
+              const glm::dvec3& origin);
 
 /// Adds sticks from ribbon to ribbon for each bond between sulphurs of two drawn residues.
 /// @param places  of amino acids, by ascending residue
-void addDisulfides(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, const glm::dvec3& origin,
-                   int sides);
+void addDisulfides(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places,
+                   const CartoonOptions& options, const glm::dvec3& origin);
 
 }  // namespace nacre

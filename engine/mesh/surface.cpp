@@ -159,13 +159,13 @@ Mesh joined(std::vector<BlockMesh>& blocks) {
 
 /// @param margin  Å, added to the radii
 std::vector<SurfaceBall> ballsOf(const Molecule& molecule, std::span<const std::uint32_t> atoms,
-                                 const glm::dvec3& middle, double margin) {
+                                 const SurfaceOptions& options, const glm::dvec3& middle, double margin) {
     std::vector<SurfaceBall> balls;
     for (const std::uint32_t index : atoms) {
         const Atom& atom = molecule.atoms[index];
         const glm::dvec3 place = glm::dvec3(atom.position) - middle;
         if (std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z))
-            balls.push_back({place, vanDerWaalsRadius(atom.element) + margin, index});
+            balls.push_back({place, options.scale * static_cast<double>(options.radius(atom.element)) + margin, index});
     }
     return balls;
 }
@@ -217,7 +217,7 @@ Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, con
     const glm::dvec3 middle = middleOf(molecule, atoms);
     const bool accessible = options.kind == SurfaceKind::solventAccessible;
     const double probe = std::clamp(options.probe, 0.0, kLargestProbe);
-    const std::vector<SurfaceBall> balls = ballsOf(molecule, atoms, middle, accessible ? probe : 0);
+    const std::vector<SurfaceBall> balls = ballsOf(molecule, atoms, options, middle, accessible ? probe : 0);
     if (balls.empty()) return {};
     const double wanted = options.resolution > 0 ? options.resolution : surfaceResolution(balls.size());
     const double step = std::clamp(wanted, kFinestSurface, kCoarsestSurface);

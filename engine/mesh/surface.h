@@ -7,6 +7,7 @@
 #include <span>
 
 #include "engine/mesh/mesh.h"
+#include "engine/molecule/element.h"
 #include "engine/molecule/molecule.h"
 
 namespace nacre {
@@ -23,6 +24,8 @@ struct SurfaceOptions {
     double probe = 1.4;     ///< radius, Å; 0: the van der Waals surface
     double resolution = 0;  ///< edge of the grid's cells, Å; 0: surfaceResolution() of the atoms
     bool cavities = true;   ///< keep closed cavities
+    double scale = 1;       ///< of the atoms' radii
+    float (*radius)(Element) = vanDerWaalsRadius;
     friend bool operator==(const SurfaceOptions&, const SurfaceOptions&) = default;
 };
 

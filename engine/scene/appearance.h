@@ -67,7 +67,9 @@ struct RepresentationOptions {
     ContactOptions contacts = {};
     std::vector<Coloring> colorFrom = {};  ///< tables: override `color`; rules override them; the last one wins
     Carbohydrates carbohydrates = Carbohydrates::off;
-    double lineWidth = 1.5;  ///< of Style::line, pixels
+    double sugarScale = 1;    ///< of symbols
+    bool sugarColors = true;  ///< those of the symbols; false: those of the sugars' atoms
+    double lineWidth = 1.5;   ///< of Style::line, pixels
     BondOrders bondOrders = BondOrders::ligands;
     AromaticForm aromatic = AromaticForm::dashes;
     Style usual = Style::spacefill;  ///< for defaultStyle()

@@ -271,8 +271,8 @@ private:
 
 /// Sticks between bonded sugars, and from a sugar to the residue that it is attached to.
 void addSticks(const Molecule& molecule, const std::map<std::uint32_t, SugarPlace>& places, const glm::dvec3& origin,
-               Mesh& mesh) {
-    constexpr double kRadius = 0.35;  // Å
+               double scale, Mesh& mesh) {
+    const double radius = 0.35 * scale;  // Å
     constexpr int kSides = 24;
     for (const Bond& bond : molecule.bonds) {
         const std::uint32_t a = molecule.atoms[bond.a].residue, b = molecule.atoms[bond.b].residue;
@@ -280,17 +280,17 @@ void addSticks(const Molecule& molecule, const std::map<std::uint32_t, SugarPlac
         const auto sugarA = places.find(a), sugarB = places.find(b);
         if (sugarA != places.end() && sugarB != places.end()) {
             const SugarPlace &p = sugarA->second, &q = sugarB->second;
-            addCylinder(mesh, p.center - origin, q.center - origin, kRadius, p.atom, q.atom, kSides);
+            addCylinder(mesh, p.center - origin, q.center - origin, radius, p.atom, q.atom, kSides);
         } else if (sugarA != places.end() || sugarB != places.end()) {
             const SugarPlace& sugar = sugarA != places.end() ? sugarA->second : sugarB->second;
             const std::uint32_t other = sugarA != places.end() ? bond.b : bond.a;
             const glm::dvec3 end(molecule.atoms[other].position);
-            addRod(mesh, sugar.center - origin, end - origin, kRadius, sugar.atom, sugar.atom, kSides);
+            addRod(mesh, sugar.center - origin, end - origin, radius, sugar.atom, sugar.atom, kSides);
             // To the atom through which a cartoon or backbone passes.
             const Residue& residue = molecule.residues[molecule.atoms[other].residue];
             for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i)
                 if (molecule.atoms[i].name.view() == "CA")
-                    addRod(mesh, end - origin, glm::dvec3(molecule.atoms[i].position) - origin, kRadius, sugar.atom,
+                    addRod(mesh, end - origin, glm::dvec3(molecule.atoms[i].position) - origin, radius, sugar.atom,
                            sugar.atom, kSides);
         }
     }
@@ -328,9 +328,9 @@ Mesh sugarSymbols(const Molecule& molecule, const std::vector<std::uint32_t>& at
     }
     Mesh mesh;
     for (const auto& [residue, place] : places)
-        SymbolMaker(mesh, place, place.center - origin, options.icons ? kIconSize : kSize)
+        SymbolMaker(mesh, place, place.center - origin, (options.icons ? kIconSize : kSize) * options.scale)
             .add(sugarSymbol(molecule.residues[residue].name)->shape);
-    if (!options.icons) addSticks(molecule, places, origin, mesh);
+    if (!options.icons) addSticks(molecule, places, origin, options.scale, mesh);
     return mesh;
 }
 

@@ -43,6 +43,7 @@ bool isSugar(const Molecule& molecule, std::uint32_t residue);
 
 struct SugarOptions {
     bool icons = false;  ///< small symbols, without sticks between them
+    double scale = 1;
 };
 
 /// Second halves of two-coloured symbols have this bit in Mesh::atoms.

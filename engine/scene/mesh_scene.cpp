@@ -35,10 +35,11 @@ private:
     const MeshAtoms& seen_;
 };
 
-SphereLook sugarLook(const Molecule& molecule, const MeshLooks& looks, std::uint32_t atom) {
+SphereLook sugarLook(const Molecule& molecule, const MeshLooks& looks, bool ownColors, std::uint32_t atom) {
     const std::uint32_t index = atom & ~kWhiteHalf;
     const double opacity = opacitySteps(looks(index).color) / double{kOpacitySteps};
     const SugarSymbol* symbol = sugarSymbol(molecule.residues[molecule.atoms[index].residue].name);
+    if (atom == index && !ownColors) return looks(index);
     return {withOpacity(atom == index ? symbol->color : packedColor(0xffffff), opacity), index + 1};
 }
 
@@ -67,9 +68,10 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
         }
         if (!group.sugars.empty())
             appendMesh(
-                sugarSymbols(molecule, group.sugars, {options.carbohydrates == Carbohydrates::icon},
+                sugarSymbols(molecule, group.sugars, {options.carbohydrates == Carbohydrates::icon, options.sugarScale},
                              representation.center),
-                {}, [&](std::uint32_t atom) { return sugarLook(molecule, ofSugars, atom); }, representation);
+                {}, [&](std::uint32_t atom) { return sugarLook(molecule, ofSugars, options.sugarColors, atom); },
+                representation);
     }
 }
 

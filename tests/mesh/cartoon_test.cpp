@@ -201,6 +201,25 @@ TEST(Cartoon, PuttyIsWideWhereBFactorsAre) {
     EXPECT_NEAR(radius(3.8 * 4), 0.680, 1e-3);
 }
 
+TEST(Cartoon, WidthsAreScaled) {
+    const auto reach = [](CartoonOptions options, double scale) {
+        options.scale = scale;
+        const Molecule molecule = zigzag(12);
+        Mesh mesh = cartoonOf(molecule, all(molecule, SecondaryStructure::none), options);
+        expectSound(mesh, molecule.atoms.size());
+        double x = 0;
+        for (const glm::vec3& p : mesh.positions) x = std::max(x, std::abs(static_cast<double>(p.x)));
+        return x;  // across the plane of the zigzag
+    };
+    EXPECT_NEAR(reach({}, 1), 0.25, 0.01);
+    EXPECT_NEAR(reach({}, 3), 0.75, 0.03);
+    CartoonOptions tube;
+    tube.putty = true;
+    tube.tube = 0.2;
+    EXPECT_NEAR(reach(tube, 1), 0.2, 0.01);
+    EXPECT_NEAR(reach(tube, 2), 0.4, 0.02);
+}
+
 TEST(Cartoon, StraightOrTurningBackItStaysWhole) {
     // Collinear points, a chain that goes back upon itself, and corners of 90 degrees, in every structure.
     std::vector<glm::vec3> line, back, corners;

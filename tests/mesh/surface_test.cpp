@@ -90,6 +90,15 @@ TEST(Surface, AnAtomIsASphere) {
                    0.005);
 }
 
+TEST(Surface, RadiiAreScaledAndMayBeOthers) {
+    for (const SurfaceKind kind : {SurfaceKind::solventExcluded, SurfaceKind::gaussian}) {
+        SurfaceOptions options = at(0.15, 1.4, kind);
+        options.scale = 1.5;
+        options.radius = [](Element) { return 2.0f; };
+        expectMeasures(surfaceOf(carbons({{10, -20, 30}}), options), 4 * kPi * 9, 4 * kPi * 9, 0.005);
+    }
+}
+
 /// Two carbons `apart` along x, and a probe that rolls around between them: a body of revolution of two parts of
 /// spheres and one of a torus.
 void expectPair(double apart, double probe) {

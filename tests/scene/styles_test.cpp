@@ -189,5 +189,22 @@ TEST(Sugars, EverySymbolIsAClosedSolidThatFacesOutwards) {
     }
 }
 
+TEST(Sugars, AreScaledAndMayHaveTheColorsOfTheirAtoms) {
+    const Molecule glucose = sampleMolecule("glucose");
+    std::vector<std::uint32_t> atoms;
+    for (std::uint32_t i = 0; i < glucose.atoms.size(); ++i) atoms.push_back(i);
+    const double plain = volumeOf(sugarSymbols(glucose, atoms, {}, {}));
+    EXPECT_NEAR(volumeOf(sugarSymbols(glucose, atoms, {.scale = 2}, {})), 8 * plain, 0.01 * plain);
+    const auto colorOf = [&](bool symbols) {
+        RepresentationOptions look;
+        look.style = Style::carbohydrate;
+        look.color = Coloring::uniform(packedColor(0xff0000));
+        look.sugarColors = symbols;
+        return represent(glucose, drawnAtoms(glucose), look).meshLooks.at(0).color;
+    };
+    EXPECT_EQ(colorOf(true), sugarSymbol(glucose.residues[0].name)->color);
+    EXPECT_EQ(colorOf(false), packedColor(0xff0000));
+}
+
 }  // namespace
 }  // namespace nacre
