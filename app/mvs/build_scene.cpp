@@ -59,14 +59,14 @@ public:
 
     Molecule build(const Snapshot& snapshot) {
         guide_ = std::make_shared<SceneGuide>();
-        for (const Node& node : snapshot.root.children) root(node);
+        for (const Node& node : snapshot.root.children) root(node, snapshot.root);
         guide_->title = snapshot.title;
         return joined();
     }
 
 private:
-    void root(const Node& node) {
-        tellUnknown(node, warnings_);
+    void root(const Node& node, const Node& parent) {
+        tellUnknown(node, parent, warnings_);
         if (node.kind == "download") download(node);
         if (node.kind == "camera") camera_.takeCamera(node, warnings_);
         if (node.kind == "canvas") canvas(node);
@@ -93,14 +93,14 @@ private:
         const std::string url = nodeText(node, "url");
         if (url.empty()) throw Error("cannot draw scene", node.place, "it has no url");
         for (const Node& child : node.children) {
-            tellUnknown(child, warnings_);
+            tellUnknown(child, node, warnings_);
             if (child.kind == "parse") parse(child, url);
         }
     }
 
     void parse(const Node& node, const std::string& url) {
         for (const Node& child : node.children) {
-            tellUnknown(child, warnings_);
+            tellUnknown(child, node, warnings_);
             if (child.kind == "structure") structure(node, child, url);
             if (child.kind == "volume") addVolume(child, url, files_, *guide_, camera_, warnings_);
         }
@@ -112,11 +112,10 @@ private:
                         "it has more than " + std::to_string(kMostStructures) + " structures");
         structures_.push_back(readStructure(parse, node, url, files_, warnings_));
         Structure& s = structures_.back();
+        takeMotions(node, s);
         const std::vector<bool> all(s.molecule->atoms.size(), true);
         for (const Node& child : node.children) {
-            tellUnknown(child, warnings_);
-            if (child.kind == "transform") s.moved = joinedMotion(motionOfNode(child), s.moved);
-            if (child.kind == "instance") s.instances.push_back(motionOfNode(child));
+            tellUnknown(child, node, warnings_);
             if (child.kind.starts_with("component")) component(child, s);
             words(child, all, s);
             if (child.kind.starts_with("primitives")) group(child, structures_.size() - 1);
@@ -175,7 +174,7 @@ private:
         const std::vector<std::uint32_t> drawn = s.atoms->drawnOf(atoms);
         if (drawn.empty()) warnings_.add(node, "it matches no atoms");
         for (const Node& child : node.children) {
-            tellUnknown(child, warnings_);
+            tellUnknown(child, node, warnings_);
             if (child.kind == "representation") {
                 if (++layers_ > kMostLayers)
                     throw Error("cannot draw scene", child.place,

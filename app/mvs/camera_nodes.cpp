@@ -5,8 +5,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <map>
+#include <stdexcept>
 
-#include "engine/error.h"
+#include "app/mvs/molstar_radii.h"
 #include "engine/molecule/element.h"
 #include "engine/scene/scene_camera.h"
 
@@ -25,7 +26,7 @@ std::optional<glm::dvec3> vectorOf(const Node& node, const char* name) {
         const bool number = value->is_array() && value->size() == 3 && (*value)[place].is_number();
         v[i] = number ? (*value)[place].get<double>() : NAN;
         if (!(std::abs(v[i]) <= kFarthest))
-            throw Error("cannot draw scene", node.place, std::string(name) + " is no list of three numbers within 1e6");
+            throw std::invalid_argument(std::string(name) + " is no list of three numbers within 1e6");
     }
     return v;
 }
@@ -34,7 +35,7 @@ double numberOf(const Node& node, const char* name, double otherwise) {
     const Json* value = node.param(name);
     if (!value) return otherwise;
     if (!value->is_number() || !(std::abs(value->get<double>()) <= kFarthest))
-        throw Error("cannot draw scene", node.place, std::string(name) + " is no number within 1e6");
+        throw std::invalid_argument(std::string(name) + " is no number within 1e6");
     return value->get<double>();
 }
 
@@ -71,8 +72,8 @@ void addChains(const Molecule& molecule, const SceneGuide& guide, std::span<cons
         const Residue& residue = molecule.residues[atom.residue];
         const std::uint32_t list = guide.transforms.empty() ? 0 : guide.listOfResidue[atom.residue];
         if (list == UINT32_MAX) continue;
-        chains[{list, residue.chain, residue.subchain}].emplace_back(
-            glm::dvec3(atom.position), static_cast<double>(vanDerWaalsRadius(atom.element)));
+        chains[{list, residue.chain, residue.subchain}].emplace_back(glm::dvec3(atom.position),
+                                                                     static_cast<double>(molstarRadius(atom.element)));
     }
     for (const auto& [key, own] : chains) {
         const Bounds sphere = extremeSphere(own);
@@ -93,9 +94,19 @@ void addChains(const Molecule& molecule, const SceneGuide& guide, std::span<cons
     }
 }
 
+/// What a focus node shows of a ball; sets the camera's directions. @throws std::invalid_argument
+glm::dvec4 focusBall(const Node& node, const Bounds& bounds, SceneCamera& camera) {
+    const double radius = numberOf(
+        node, "radius", bounds.radius * numberOf(node, "radius_factor", 1) + numberOf(node, "radius_extent", 0));
+    const glm::dvec3 direction = vectorOf(node, "direction").value_or(glm::dvec3(0, 0, -1));
+    camera.up = vectorOf(node, "up").value_or(glm::dvec3(0, 1, 0));
+    camera.direction = direction;
+    return {bounds.center, std::max(radius, 0.0)};
+}
+
 }  // namespace
 
-void CameraNodes::takeCamera(const Node& node, SceneWarnings& warnings) {
+void CameraNodes::takeCamera(const Node& node, SceneWarnings& warnings) try {
     const auto target = vectorOf(node, "target"), position = vectorOf(node, "position");
     if (!target || !position) return warnings.add(node, "it has no target or no position");
     const double distance = glm::distance(*target, *position);
@@ -107,7 +118,10 @@ void CameraNodes::takeCamera(const Node& node, SceneWarnings& warnings) {
     // The position is that of a camera to which a ball of half its distance fills the picture.
     camera.radius = distance / 2;
     camera.distance = camera.radius / std::sin(glm::radians(camera.fovDegrees) / 2);
+    camera.nearest = std::max(numberOf(node, "near", 0), 0.0);
     camera_ = camera;
+} catch (const std::invalid_argument& why) {
+    warnings.add(node, why.what() + std::string(": it is left out"));
 }
 
 void CameraNodes::takeFocus(const Node& node, std::size_t structure, std::vector<std::uint32_t> atoms) {
@@ -147,13 +161,11 @@ std::optional<SceneCamera> CameraNodes::camera(const Molecule& molecule, const S
         for (std::uint32_t& atom : atoms) atom += firsts[focus.structure];
         addChains(molecule, guide, atoms, nullptr, balls);
         if (balls.empty()) continue;
-        const Node& node = *focus.node;
-        const Bounds bounds = extremeSphere(balls);
-        const double radius = numberOf(
-            node, "radius", bounds.radius * numberOf(node, "radius_factor", 1) + numberOf(node, "radius_extent", 0));
-        spheres.emplace_back(bounds.center, std::max(radius, 0.0));
-        camera.direction = vectorOf(node, "direction").value_or(glm::dvec3(0, 0, -1));
-        camera.up = vectorOf(node, "up").value_or(glm::dvec3(0, 1, 0));
+        try {
+            spheres.push_back(focusBall(*focus.node, extremeSphere(balls), camera));
+        } catch (const std::invalid_argument& why) {
+            warnings.add(*focus.node, why.what() + std::string(": it is left out"));
+        }
     }
     if (spheres.empty()) spheres = whole();
     if (spheres.empty()) return std::nullopt;

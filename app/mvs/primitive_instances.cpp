@@ -37,15 +37,15 @@ Primitives moved(Primitives p, const glm::dmat4x3& motion) {
     return p;
 }
 
-/// 16 numbers, column by column. @throws Error
-glm::dmat4x3 motionIn(const Node& group, const Json& matrix) {
-    if (!matrix.is_array() || matrix.size() != 16) refusePrimitive(group, "an instance is no list of 16 numbers");
+/// 16 numbers, column by column.
+glm::dmat4x3 motionIn(const Json& matrix) {
+    if (!matrix.is_array() || matrix.size() != 16) refusePrimitive("an instance is no list of 16 numbers");
     glm::dmat4x3 motion(1.0);
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 3; ++row) {
             const Json& each = matrix[static_cast<std::size_t>(4 * column + row)];
             if (!each.is_number() || !(std::abs(each.get<double>()) <= kFarthestPrimitive))
-                refusePrimitive(group, "an instance has a value that is no number within 1e6");
+                refusePrimitive("an instance has a value that is no number within 1e6");
             motion[column][row] = each.get<double>();
         }
     return motion;
@@ -56,11 +56,11 @@ glm::dmat4x3 motionIn(const Node& group, const Json& matrix) {
 Primitives atInstances(const Node& group, Primitives primitives) {
     const Json* matrices = group.param("instances");
     if (!matrices) return primitives;
-    if (!matrices->is_array()) refusePrimitive(group, "instances is no list");
+    if (!matrices->is_array()) refusePrimitive("instances is no list");
     if (matrices->size() * countOf(primitives) > kMostPrimitives)
-        refusePrimitive(group, "its instances have more than " + std::to_string(kMostPrimitives) + " primitives");
+        refusePrimitive("its instances have more than " + std::to_string(kMostPrimitives) + " primitives");
     Primitives result;
-    for (const Json& matrix : *matrices) result.append(moved(primitives, motionIn(group, matrix)));
+    for (const Json& matrix : *matrices) result.append(moved(primitives, motionIn(matrix)));
     return result;
 }
 

@@ -1,15 +1,16 @@
 #pragma once
-// The parameters of a primitive's node, checked. All throw Error with the node's place.
+// The parameters of a primitive's node, checked. All throw std::invalid_argument with the reason.
 
 #include <glm/vec3.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/mvs/scene_tree.h"
 
 namespace nacre::app::mvs {
 
-[[noreturn]] void refusePrimitive(const Node& node, const std::string& why);
+[[noreturn]] void refusePrimitive(const std::string& why);
 
 double number(const Node& node, const char* name, double otherwise);
 /// A list of numbers; empty if the node has none.
@@ -17,6 +18,11 @@ std::vector<double> numbers(const Node& node, const char* name);
 /// What is neither true nor false is taken as not given.
 bool flag(const Node& node, const char* name, bool otherwise);
 /// @param name  of the parameter, for errors
-glm::dvec3 vectorOf(const Node& node, const char* name, const Json& value);
+glm::dvec3 vectorIn(const char* name, const Json& value);
+
+/// With two digits behind the point at most.
+std::string roundedText(double value);
+/// A text with the first of some words replaced.
+std::string replaced(std::string text, std::string_view what, const std::string& by);
 
 }  // namespace nacre::app::mvs

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/mvs/molstar_radii.h"
 #include "app/mvs/node_table.h"
 #include "app/mvs/scene_parts.h"
 #include "engine/error.h"
@@ -17,6 +18,8 @@ namespace {
 // Mol* draws the balls of its scenes with 0.5 Å, whatever their element, and the sticks with half of that; ours have
 // 0.15 Å.
 constexpr float kBall = 0.5f, kStickScale = 0.25f / 0.15f;
+constexpr float kCartoonScale = 0.8f;  // from our widths to those of Mol*
+constexpr double kTube = 0.2;          // Å, as Mol* has it
 constexpr std::uint32_t kDefaultColor = 0xffffffffu;
 
 bool isTrue(const Node& node, const char* name) {
@@ -42,12 +45,18 @@ bool isOfPolymer(const Structure& structure, std::uint32_t residue) {
 bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneWarnings& warnings) {
     const float factor = factorOf(node, warnings);
     layer.atomScale = layer.bondScale = factor;
+    layer.cartoon.scale = static_cast<double>(type == "putty" ? factor : kCartoonScale * factor);
+    layer.surface.scale = static_cast<double>(factor);
+    layer.surface.radius = layer.radius = molstarRadius;
     if (type == "cartoon") {
         layer.style = Style::cartoon;
+        layer.cartoon.disulfides = false;  // Mol* draws none
         if (isTrue(node, "tubular_helices")) layer.cartoon.helices = HelixForm::tube;
     } else if (type == "putty") {
         layer.style = Style::cartoon;
+        layer.cartoon.disulfides = false;
         layer.cartoon.putty = true;
+        if (const Json* theme = node.param("size_theme"); theme && *theme == "uniform") layer.cartoon.tube = kTube;
     } else if (type == "surface") {
         layer.style = Style::surface;
         const Json* kind = node.param("surface_type");
@@ -64,6 +73,8 @@ bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneW
         layer.style = Style::backbone;
     } else if (type == "carbohydrate") {
         layer.style = Style::carbohydrate;
+        layer.ownColors = std::any_of(node.children.begin(), node.children.end(),
+                                      [](const Node& child) { return child.kind.starts_with("color"); });
     } else {
         return false;
     }
@@ -110,7 +121,7 @@ void fade(const Node& node, const Structure& structure, SceneLayer& layer, Scene
 void paintChildren(const Node& node, const Structure& structure, SceneFiles& files, SceneLayer& layer,
                    SceneWarnings& warnings) {
     for (const Node& child : node.children) {
-        tellUnknown(child, warnings);
+        tellUnknown(child, node, warnings);
         if (child.kind == "color") {
             const auto color = colorOf(child.param("color"));
             if (color)

@@ -14,6 +14,7 @@
 #include "engine/molecule/formats/decompress.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/copies.h"
+#include "engine/scene/scene_camera.h"
 #include "engine/srgb.h"
 
 namespace nacre::app::mvs {
@@ -185,7 +186,7 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
     return s;
 }
 
-glm::dmat4x3 motionOfNode(const Node& node) {
+glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& centroid) {
     glm::dmat4x3 motion(1.0);
     if (const std::vector<double> matrix = numbersOf(node, "matrix", 16); !matrix.empty()) {
         for (int column = 0; column < 4; ++column)
@@ -194,7 +195,17 @@ glm::dmat4x3 motionOfNode(const Node& node) {
         const std::vector<double> turn = numbersOf(node, "rotation", 9), shift = numbersOf(node, "translation", 3);
         for (std::size_t i = 0; i < turn.size(); ++i)
             motion[static_cast<int>(i / 3)][static_cast<int>(i % 3)] = turn[i];
-        for (std::size_t i = 0; i < shift.size(); ++i) motion[3][static_cast<int>(i)] = shift[i];
+        if (const Json* about = node.param("rotation_center")) {
+            glm::dvec3 center(0);
+            if (*about == "centroid") {
+                center = centroid();
+            } else {
+                const std::vector<double> point = numbersOf(node, "rotation_center", 3);
+                center = {point[0], point[1], point[2]};
+            }
+            motion[3] = center - glm::dmat3(motion[0], motion[1], motion[2]) * center;
+        }
+        for (std::size_t i = 0; i < shift.size(); ++i) motion[3][static_cast<int>(i)] += shift[i];
     }
     const glm::dmat3 turn(motion[0], motion[1], motion[2]);
     const glm::dmat3 square = glm::transpose(turn) * turn;
@@ -202,6 +213,21 @@ glm::dmat4x3 motionOfNode(const Node& node) {
         if (!(std::abs(square[i / 3][i % 3] - (i % 4 == 0 ? 1.0 : 0.0)) <= 0.01))
             refuseNode(node, "its rotation stretches, skews or shrinks");
     return motion;
+}
+
+void takeMotions(const Node& node, Structure& s) {
+    const auto centroid = [&] {
+        std::vector<glm::dvec4> points;
+        const std::vector<glm::dmat4x3> still{glm::dmat4x3(1.0)};
+        for (const glm::dmat4x3& copy : s.transforms.empty() ? still : s.transforms)
+            for (const Atom& atom : s.molecule->atoms)
+                points.emplace_back(joinedMotion(s.moved, copy) * glm::dvec4(glm::dvec3(atom.position), 1.0), 0.0);
+        return extremeSphere(points).center;
+    };
+    for (const Node& child : node.children)
+        if (child.kind == "transform") s.moved = joinedMotion(motionOfNode(child, centroid), s.moved);
+    for (const Node& child : node.children)
+        if (child.kind == "instance") s.instances.push_back(motionOfNode(child, centroid));
 }
 
 glm::dmat4x3 joinedMotion(const glm::dmat4x3& first, const glm::dmat4x3& second) {
@@ -253,9 +279,11 @@ std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Str
                            named.empty() ? field : named);
 }
 
-void tellUnknown(const Node& node, SceneWarnings& warnings) {
+void tellUnknown(const Node& node, const Node& parent, SceneWarnings& warnings) {
+    if (!node.fault.empty()) return warnings.add(node, node.fault + ": it is left out");
     const NodeRow* row = nodeRow(node.kind);
     if (!row) return warnings.add(node, "nodes of this kind are not drawn");
+    if (!row->isBelow(parent.kind)) return warnings.add(node, "it is not drawn below a " + parent.kind + " node");
     if (node.kind == "representation" || node.kind == "volume_representation") return;  // each type has its own
     for (const auto& [key, value] : node.params.items())
         if (!value.is_null() && !row->knows(key))

@@ -76,8 +76,12 @@ std::optional<std::uint32_t> colorOf(const Json* value);
 Structure readStructure(const Node& parse, const Node& node, const std::string& uri, SceneFiles& files,
                         SceneWarnings& warnings);
 
-/// The motion of a transform node, or of an instance node. @throws Error unless it is rigid and near
-glm::dmat4x3 motionOfNode(const Node& node);
+/// The motion of a transform node, or of an instance node. @param centroid  of what is moved
+/// @throws Error unless it is rigid and near
+glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& centroid);
+
+/// What the transform and instance nodes of a structure say. @throws Error
+void takeMotions(const Node& node, Structure& structure);
 
 /// First `second`, then `first`.
 glm::dmat4x3 joinedMotion(const glm::dmat4x3& first, const glm::dmat4x3& second);
@@ -95,7 +99,7 @@ std::vector<bool> selected(const Node& node, const Json* selector, const Structu
 /// The rows of an annotation node: *_from_uri or *_from_source. @param field  unless the node names another
 std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Structure& structure, SceneFiles& files);
 
-/// Tells of parameters that nobody asks for. @param known  those that the node has
-void tellUnknown(const Node& node, SceneWarnings& warnings);
+/// Warns of a node that is not drawn where it is, and of parameters that nobody asks for.
+void tellUnknown(const Node& node, const Node& parent, SceneWarnings& warnings);
 
 }  // namespace nacre::app::mvs

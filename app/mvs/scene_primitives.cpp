@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <stdexcept>
 
+#include "app/mvs/molstar_radii.h"
 #include "app/mvs/node_table.h"
 #include "app/mvs/primitive_values.h"
 #include "app/mvs/scene_labels.h"
@@ -17,11 +18,6 @@ namespace nacre::app::mvs {
 namespace {
 
 constexpr std::uint32_t kWhite = 0xffffffffu;
-
-std::string replaced(std::string text, std::string_view what, const std::string& by) {
-    if (const std::size_t at = text.find(what); at != std::string::npos) text.replace(at, what.size(), by);
-    return text;
-}
 
 /// One group of primitives as it is read.
 class PrimitiveGroup {
@@ -39,10 +35,14 @@ public:
     Primitives read() {
         for (const Node& node : group_.children) {
             if (node.kind != "primitive") {
-                if (node.kind != "focus") tellUnknown(node, warnings_);
+                tellUnknown(node, group_, warnings_);
                 continue;
             }
-            one(node);
+            try {
+                one(node);
+            } catch (const std::invalid_argument& why) {
+                warnings_.add(node, why.what() + std::string(": it is left out"));
+            }
         }
         if (opacity_ < kLeastOpacity) {
             const auto labels = std::move(all_.labels);
@@ -95,10 +95,10 @@ private:
         const Json* value = node.param(name);
         if (!value) return std::nullopt;
         if (value->is_array()) {
-            const glm::dvec3 point = vectorOf(node, name, *value);
+            const glm::dvec3 point = vectorIn(name, *value);
             return PlaceBounds{point, point, point, 0};
         }
-        if (!value->is_object()) refusePrimitive(node, std::string(name) + " is neither a point nor an expression");
+        if (!value->is_object()) refusePrimitive(std::string(name) + " is neither a point nor an expression");
         const Structure* structure = own_;
         const Json* expressions = value;
         if (const auto listed = value->find("expressions"); listed != value->end()) expressions = &*listed;
@@ -106,10 +106,10 @@ private:
             const auto found = std::find_if(structures_.begin(), structures_.end(),
                                             [&](const Structure& s) { return s.ref == ref->get<std::string>(); });
             if (found == structures_.end())
-                refusePrimitive(node, "there is no structure '" + nacre::printable(ref->get<std::string>()) + "'");
+                refusePrimitive("there is no structure '" + nacre::printable(ref->get<std::string>()) + "'");
             structure = &*found;
         }
-        if (!structure) refusePrimitive(node, std::string(name) + " names atoms, and the scene has no structure");
+        if (!structure) refusePrimitive(std::string(name) + " names atoms, and the scene has no structure");
         return boundsOfAtoms(node, *expressions, *structure);
     }
 
@@ -125,7 +125,7 @@ private:
         Box box;
         for (const std::uint32_t atom : atoms) {
             const glm::dvec3 at = motion * glm::dvec4(glm::dvec3(structure.molecule->atoms[atom].position), 1.0);
-            balls.emplace_back(at, static_cast<double>(vanDerWaalsRadius(structure.molecule->atoms[atom].element)));
+            balls.emplace_back(at, static_cast<double>(molstarRadius(structure.molecule->atoms[atom].element)));
         }
         for (const glm::dvec3& point : extremePoints(balls)) box.add(point);
         const Bounds bounds = extremeSphere(balls);
@@ -143,6 +143,11 @@ private:
                               dashes(number(node, "dash_length", 0)), look(node, "color", tooltipOf(node))});
     }
 
+    static void setHead(const Node& node, const std::string& side, double radius, Primitives::Arrow& arrow) {
+        arrow.headRadius = number(node, (side + "_cap_radius").c_str(), 2 * radius);
+        arrow.headLength = number(node, (side + "_cap_length").c_str(), 2 * arrow.headRadius);
+    }
+
     void arrow(const Node& node) {
         const auto a = place(node, "start");
         if (!a) return;
@@ -150,7 +155,7 @@ private:
         if (const auto b = place(node, "end"))
             end = b->center;
         else if (const Json* direction = node.param("direction"))
-            end += vectorOf(node, "direction", *direction);
+            end += vectorIn("direction", *direction);
         else
             return warnings_.add(node, "it has neither end nor direction");
         if (const double length = number(node, "length", 0); length > 0 && glm::distance(end, a->center) > 1e-9)
@@ -162,12 +167,17 @@ private:
         arrow.radius = flag(node, "show_tube", true) ? radius : 0;
         arrow.headAtFrom = flag(node, "show_start_cap", false);
         arrow.headAtTo = flag(node, "show_end_cap", false);
-        const char* side = arrow.headAtTo || !arrow.headAtFrom ? "end" : "start";
-        const std::string name(side);
-        arrow.headRadius = number(node, (name + "_cap_radius").c_str(), 2 * radius);
-        arrow.headLength = number(node, (name + "_cap_length").c_str(), 2 * arrow.headRadius);
         arrow.dashes = dashes(number(node, "tube_dash_length", 0));
         arrow.look = look(node, "color", tooltipOf(node));
+        setHead(node, arrow.headAtTo || !arrow.headAtFrom ? "end" : "start", radius, arrow);
+        if (Primitives::Arrow other = arrow; arrow.headAtFrom && arrow.headAtTo) {  // of a size of its own
+            setHead(node, "start", radius, other);
+            other.radius = 0;
+            other.headAtTo = arrow.headAtFrom = false;
+            const double length = glm::distance(arrow.from, arrow.to);
+            if (length > 1e-9) arrow.from += (arrow.to - arrow.from) * std::min(other.headLength / length, 0.5);
+            all_.arrows.push_back(other);
+        }
         all_.arrows.push_back(arrow);
     }
 
@@ -188,13 +198,13 @@ private:
         const std::vector<double> vertices = numbers(node, "vertices"), indices = numbers(node, "indices"),
                                   groups = numbers(node, groupsName);
         if (vertices.size() % 3 != 0 || indices.size() % each != 0)
-            refusePrimitive(node, "its vertices or indices are no whole number of points or figures");
+            refusePrimitive("its vertices or indices are no whole number of points or figures");
         Indexed result;
         for (std::size_t i = 0; i < vertices.size(); i += 3)
             result.points.emplace_back(vertices[i], vertices[i + 1], vertices[i + 2]);
         for (const double index : indices) {
             if (!(index >= 0 && index < static_cast<double>(result.points.size())))
-                refusePrimitive(node, "an index names a vertex that is not there");
+                refusePrimitive("an index names a vertex that is not there");
             result.indices.push_back(static_cast<std::uint32_t>(index));
         }
         for (std::size_t i = 0; i < indices.size() / each; ++i)
@@ -251,14 +261,6 @@ private:
             addLabel(node, at->center, nodeText(node, "text"), number(node, "label_size", 1));
     }
 
-    static std::string rounded(double value) {
-        char text[40];
-        std::snprintf(text, sizeof text, "%.2f", value);
-        std::string plain = text;
-        plain.erase(plain.find_last_not_of('0') + 1);
-        if (plain.ends_with('.')) plain.pop_back();
-        return plain;
-    }
     std::string measured(const Node& node, std::string_view field, const std::string& value) const {
         const Json* given = node.param("label_template");
         return given && given->is_string() ? replaced(given->get<std::string>(), field, value) : value;
@@ -273,7 +275,7 @@ private:
         const auto a = place(node, "start"), b = place(node, "end");
         if (!a || !b) return;
         const double length = glm::distance(a->center, b->center);
-        const std::string text = measured(node, "{{distance}}", rounded(length) + " Å");
+        const std::string text = measured(node, "{{distance}}", roundedText(length) + " Å");
         all_.lines.push_back({a->center, b->center, number(node, "radius", 0.05), 1.5,
                               dashes(number(node, "dash_length", 0)), look(node, "color", text)});
         addLabel(node, (a->center + b->center) / 2.0, text, labelSize(node, length, 0.1));
@@ -287,7 +289,7 @@ private:
         if (!(shorter > 1e-6)) return;
         const glm::dvec3 u = glm::normalize(ba), v = glm::normalize(bc);
         const double turn = std::acos(std::clamp(glm::dot(u, v), -1.0, 1.0));
-        const std::string text = measured(node, "{{angle}}", rounded(turn * 180 / std::numbers::pi) + "°");
+        const std::string text = measured(node, "{{angle}}", roundedText(turn * 180 / std::numbers::pi) + "°");
         const double radius = number(node, "section_radius", shorter * number(node, "section_radius_scale", 0.33));
         if (flag(node, "show_vector", true)) {
             const double thick = number(node, "vector_radius", 0.05);
@@ -308,7 +310,7 @@ private:
     std::optional<glm::dvec3> axis(const Node& node, const std::string& name, const glm::dvec3& center,
                                    std::optional<glm::dvec3> otherwise) {
         if (const auto end = place(node, (name + "_endpoint").c_str())) return end->center - center;
-        if (const Json* given = node.param(name.c_str())) return vectorOf(node, name.c_str(), *given);
+        if (const Json* given = node.param(name.c_str())) return vectorIn(name.c_str(), *given);
         return otherwise;
     }
 
@@ -328,7 +330,7 @@ private:
     glm::dvec3 radii(const Node& node, const char* name, double otherwise) {
         const Json* value = node.param(name);
         if (!value) return glm::dvec3(otherwise);
-        return value->is_array() ? vectorOf(node, name, *value) : glm::dvec3(number(node, name, otherwise));
+        return value->is_array() ? vectorIn(name, *value) : glm::dvec3(number(node, name, otherwise));
     }
 
     void ellipsoid(const Node& node) {
@@ -349,7 +351,7 @@ private:
         const auto center = place(node, "center");
         if (!center) return;
         glm::dvec3 half = (center->high - center->low) / 2.0;
-        if (const Json* extent = node.param("extent")) half += vectorOf(node, "extent", *extent);
+        if (const Json* extent = node.param("extent")) half += vectorIn("extent", *extent);
         Primitives::Box box;
         if (!(half.x * half.y * half.z > 1e-4)) return warnings_.add(node, "it has no room: give its extent");
         box.center = center->center;
@@ -375,7 +377,12 @@ private:
 
 Primitives readPrimitives(const Node& group, const Structure* own, std::span<const Structure> structures,
                           SceneWarnings& warnings) {
-    return PrimitiveGroup(group, own, structures, warnings).read();
+    try {
+        return PrimitiveGroup(group, own, structures, warnings).read();
+    } catch (const std::invalid_argument& why) {
+        warnings.add(group, why.what() + std::string(": it is left out"));
+        return {};
+    }
 }
 
 }  // namespace nacre::app::mvs

@@ -17,11 +17,11 @@ struct PlaceBounds {
 };
 
 /// Reads the primitives of a group. @param own  the structure that the group is of; null: none
-/// @param structures  by whose `ref` expressions name them @throws Error
+/// What has a fault is left out, with a warning. @param structures  by whose `ref` expressions name them
 Primitives readPrimitives(const Node& group, const Structure* own, std::span<const Structure> structures,
                           SceneWarnings& warnings);
 
-/// Primitives once per matrix of a group's `instances`; as they are if it has none. @throws Error
+/// Primitives once per matrix of a group's `instances`; as they are if it has none. @throws std::invalid_argument
 Primitives atInstances(const Node& group, Primitives primitives);
 
 }  // namespace nacre::app::mvs

@@ -31,21 +31,19 @@ class TreeReader {
 public:
     explicit TreeReader(const std::string& name) : name_(name) {}
 
+    /// A node with a fault has no children.
     Node read(Json& json, const std::string& place) {
-        if (!json.is_object() || !json.contains("kind") || !json["kind"].is_string())
-            refuseScene(name_, place + " is no node: it has no \"kind\"");
         if (++count_ > kMostNodes) refuseScene(name_, "it has more than " + std::to_string(kMostNodes) + " nodes");
         Node node;
+        node.place = place;
+        node.fault = faultOf(json);
+        if (!node.fault.empty()) return node;
         node.kind = json["kind"].get<std::string>();
         node.ref = textAt(json, "ref");
-        node.place = place;
-        if (const auto params = json.find("params"); params != json.end() && !params->is_null()) {
-            if (!params->is_object()) refuseScene(name_, place + ": its \"params\" are no object");
+        if (const auto params = json.find("params"); params != json.end() && !params->is_null())
             node.params = std::move(*params);
-        }
         const auto children = json.find("children");
         if (children == json.end() || children->is_null()) return node;
-        if (!children->is_array()) refuseScene(name_, place + ": its \"children\" are no list");
         node.children.reserve(std::min(children->size(), kMostNodes));
         std::size_t number = 0;
         for (Json& child : *children) {
@@ -57,6 +55,15 @@ public:
     }
 
 private:
+    static std::string faultOf(const Json& json) {
+        if (!json.is_object()) return "it is no object";
+        if (const auto kind = json.find("kind"); kind == json.end() || !kind->is_string()) return "it has no \"kind\"";
+        const auto params = json.find("params"), children = json.find("children");
+        if (params != json.end() && !params->is_null() && !params->is_object()) return "its \"params\" are no object";
+        const bool listed = children == json.end() || children->is_null() || children->is_array();
+        return listed ? "" : "its \"children\" are no list";
+    }
+
     const std::string& name_;
     std::size_t count_ = 0;
 };
@@ -77,6 +84,7 @@ Snapshot readSnapshot(Json& json, const std::string& place, TreeReader& reader, 
     Snapshot snapshot;
     takeMetadata(json, snapshot);
     snapshot.root = reader.read(*root, place.empty() ? "root" : place + "/root");
+    if (!snapshot.root.fault.empty()) refuseScene(name, snapshot.root.place + ": " + snapshot.root.fault);
     if (snapshot.root.kind != "root")
         refuseScene(name, "its root is a \"" + nacre::printable(snapshot.root.kind) + "\"");
     return snapshot;
@@ -108,7 +116,9 @@ Node parseNode(const std::string& text, const std::string& name) {
         refuseScene(name, "it is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
     Json json = parseJson<Json>(text);
     if (json.is_discarded()) refuseScene(name, isTooDeep(text) ? "it is nested too deep" : "it is no JSON");
-    return TreeReader(name).read(json, name);
+    Node node = TreeReader(name).read(json, name);
+    if (!node.fault.empty()) refuseScene(name, node.fault);
+    return node;
 }
 
 SceneTree parseScene(const std::string& text, const std::string& name) {

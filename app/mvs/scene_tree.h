@@ -22,6 +22,7 @@ struct Node {
     std::vector<Node> children;
     std::string ref;    ///< by which others name it; may be empty
     std::string place;  ///< for messages: "root/download 1/parse 1"
+    std::string fault;  ///< why it is no node; such a node has no kind; empty: none
 
     const Json* param(const char* name) const;
 };

@@ -62,7 +62,7 @@ public:
         std::vector<const Node*> focuses;
         std::vector<glm::dvec4> all;
         for (const Node& child : node_.children) {
-            tellUnknown(child, warnings_);
+            tellUnknown(child, node_, warnings_);
             if (child.kind == "focus") focuses.push_back(&child);
             if (child.kind != "volume_representation") continue;
             const std::vector<glm::dvec4> balls = representation(child);
@@ -77,10 +77,11 @@ private:
     void place(const std::shared_ptr<const DensityMap>& file) {
         glm::dmat4x3 moved(1.0);
         std::vector<glm::dmat4x3> instances;
-        for (const Node& child : node_.children) {
-            if (child.kind == "transform") moved = joinedMotion(motionOfNode(child), moved);
-            if (child.kind == "instance") instances.push_back(motionOfNode(child));
-        }
+        const auto centroid = [&] { return glm::dvec3(moved * glm::dvec4(boundsOfBox(*file).center, 1.0)); };
+        for (const Node& child : node_.children)
+            if (child.kind == "transform") moved = joinedMotion(motionOfNode(child, centroid), moved);
+        for (const Node& child : node_.children)
+            if (child.kind == "instance") instances.push_back(motionOfNode(child, centroid));
         if (instances.empty()) instances.emplace_back(1.0);
         for (const glm::dmat4x3& instance : instances) {
             const glm::dmat4x3 motion = joinedMotion(instance, moved);
@@ -124,7 +125,7 @@ private:
 
     void look(const Node& node, SceneVolume& volume) {
         for (const Node& child : node.children) {
-            if (child.kind != "focus") tellUnknown(child, warnings_);
+            tellUnknown(child, node, warnings_);
             if (child.kind == "color") {
                 const auto color = colorOf(child.param("color"));
                 if (color)

@@ -105,7 +105,9 @@ SceneView viewOf(const SceneCamera& camera, const Camera& hand, bool ortho, doub
         view.radius = reach;
         return result;
     }
-    const double nearest = std::min(kNearestPlane, std::max(reach, 1e-3));
+    constexpr double kFarthestShare = 0.95;  // of the distance to the target
+    const double wanted = camera.nearest > 0 ? std::min(camera.nearest, kFarthestShare * distance) : kNearestPlane;
+    const double nearest = std::min(wanted, std::max(reach, 1e-3));
     const double before = std::min(camera.radius, distance - nearest);  // the near plane, from the target
     result.room = kRoomShare * nearest;
     view.projection = Projection::perspective;

@@ -21,13 +21,15 @@ namespace nacre {
 /// Some atoms in one style. The same atoms may be in several layers.
 struct SceneLayer {
     Style style = Style::cartoon;
-    std::vector<std::uint32_t> atoms;    ///< indices into Molecule::atoms, ascending
-    std::vector<std::uint32_t> colors;   ///< same length: packed as in colors.h
-    std::vector<float> opacity;          ///< same length, 0 to 1; empty: opaque
-    float atomScale = 1, bondScale = 1;  ///< of the style's radii
-    float ballRadius = 0;                ///< Å, of every atom; 0: by the style
-    CartoonOptions cartoon;              ///< of Style::cartoon
-    SurfaceOptions surface;              ///< of Style::surface
+    std::vector<std::uint32_t> atoms;              ///< indices into Molecule::atoms, ascending
+    std::vector<std::uint32_t> colors;             ///< same length: packed as in colors.h
+    std::vector<float> opacity;                    ///< same length, 0 to 1; empty: opaque
+    float atomScale = 1, bondScale = 1;            ///< of the style's radii
+    float ballRadius = 0;                          ///< Å, of every atom; 0: by the style
+    float (*radius)(Element) = vanDerWaalsRadius;  ///< of Style::spacefill
+    CartoonOptions cartoon;                        ///< of Style::cartoon
+    SurfaceOptions surface;                        ///< of Style::surface
+    bool ownColors = false;                        ///< of Style::carbohydrate: `colors` instead of the symbols' colours
 };
 
 /// Text that some atoms have.
@@ -41,6 +43,7 @@ struct SceneCamera {
     glm::dvec3 target{}, direction{0, 0, -1}, up{0, 1, 0};  ///< Å, in the file's frame; directions of any length
     double radius = 1;    ///< Å: what is farther from the target along the view is cut away
     double distance = 0;  ///< Å from the eye to the target; 0: the ball fills the picture
+    double nearest = 0;   ///< Å from the eye to what is seen next to it; 0: 5, or less in a small scene
     double fovDegrees = 45;
 };
 

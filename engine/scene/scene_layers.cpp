@@ -136,6 +136,11 @@ Appearance appearanceOfLayer(const ResidueFacts& facts, const SceneLayer& layer)
     return appearance;
 }
 
+float ballRadius(const SceneLayer& layer, Element element) {
+    if (layer.ballRadius > 0) return layer.ballRadius;
+    return layer.style == Style::spacefill ? layer.radius(element) : drawnRadius(element, layer.style);
+}
+
 Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, const RepresentationOptions& options,
                          const glm::dvec3& center) {
     const Molecule& molecule = facts.molecule();
@@ -145,7 +150,7 @@ Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, con
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
         const std::uint32_t index = appearance.atoms[i];
         const Atom& atom = molecule.atoms[index];
-        const float own = layer.ballRadius > 0 ? layer.ballRadius : drawnRadius(atom.element, appearance.styles[i]);
+        const float own = ballRadius(layer, atom.element);
         part.spheres.push_back({glm::vec3(glm::dvec3(atom.position) - center), own * layer.atomScale});
         part.sphereLooks.push_back({appearance.colors[i], index + 1});
     }
@@ -159,6 +164,8 @@ Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, con
     RepresentationOptions own = options;
     own.cartoon = layer.cartoon;
     own.surface = layer.surface;
+    own.sugarScale = static_cast<double>(layer.atomScale);
+    own.sugarColors = !layer.ownColors;
     const auto groupOf = [&](std::uint32_t atom) {
         return static_cast<std::uint32_t>(molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model);
     };
@@ -229,6 +236,25 @@ double reachOf(const Representation& r) {
                 reach =
                     std::max(reach, glm::length(r.copies.transforms[copy] * glm::dvec4(run.center, 1.0)) + run.radius);
     return reach;
+}
+
+/// Layers whose cartoons and surfaces are as fine as the residues and atoms of all copies together allow.
+std::vector<SceneLayer> coarseInCopies(const Molecule& molecule, std::vector<SceneLayer> layers) {
+    const SceneGuide& guide = *molecule.guide;
+    if (guide.transforms.empty()) return layers;
+    for (SceneLayer& layer : layers) {
+        std::size_t residues = 0, atoms = 0;
+        std::uint32_t last = UINT32_MAX;
+        for (const std::uint32_t atom : layer.atoms) {
+            const std::size_t copies = guide.lists[listOf(molecule, guide, atom)].size();
+            atoms += copies;
+            if (molecule.atoms[atom].residue != last) residues += copies;
+            last = molecule.atoms[atom].residue;
+        }
+        layer.cartoon = settledCartoon(layer.cartoon, residues);
+        if (layer.surface.resolution <= 0) layer.surface.resolution = surfaceResolution(atoms);
+    }
+    return layers;
 }
 
 std::size_t atomsIn(const Molecule& molecule, std::span<const SceneLayer> layers) {
@@ -307,7 +333,7 @@ Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers) {
     for (const SceneLayer& layer : layers)
         for (const std::uint32_t index : layer.atoms) {
             const Atom& atom = molecule.atoms[index];
-            const double radius = static_cast<double>(drawnRadius(atom.element, layer.style));
+            const double radius = static_cast<double>(ballRadius(layer, atom.element) * layer.atomScale);
             if (guide.transforms.empty()) {
                 balls.emplace_back(glm::dvec3(atom.position), radius);
                 continue;
@@ -333,7 +359,7 @@ Representation representLayers(const ResidueFacts& facts, const GuidedLayers& gu
         result.copies.transforms.push_back(about);
     }
     result.copies.lists = guide.lists;
-    for (const SceneLayer& layer : guided.layers)
+    for (const SceneLayer& layer : coarseInCopies(molecule, guided.layers))
         for (std::uint32_t list = 0; list < lists; ++list) {
             const SceneLayer own = lists == 1 ? layer : filtered(layer, [&](std::size_t i) {
                 return listOf(molecule, guide, layer.atoms[i]) == list;

@@ -1,0 +1,188 @@
+// Sizes and colours of a scene's representations, and scenes with faults that draw what is left.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "app/mvs/molstar_radii.h"
+#include "app/mvs/node_table.h"
+#include "engine/molecule/residue_facts.h"
+#include "engine/scene/mesh_scene.h"
+#include "engine/scene/representation.h"
+#include "engine/scene/scene_camera.h"
+#include "engine/scene/scene_layers.h"
+#include "tests/mvs/small_scene.h"
+
+namespace nacre::app::mvs {
+namespace {
+
+std::string drawn(const std::string& params, const std::string& children = "") {
+    return R"({"kind": "representation", "params": )" + params + R"(, "children": [)" + children + "]}";
+}
+
+SceneLayer layerOf(const std::string& params, const std::string& selector = R"("all")") {
+    return built(scene(component(selector, drawn(params)))).guide->layers.at(0);
+}
+
+/// What a scene becomes for the renderer.
+Representation represented(const Molecule& molecule) {
+    const ResidueFacts facts(molecule);
+    const RepresentationOptions options;
+    GuidedLayers guided;
+    guided.layers = molecule.guide->layers;
+    return representLayers(facts, guided, options, boundsOf(molecule, guided.layers));
+}
+
+/// The largest distance of a mesh's vertex from the centre of an only atom.
+double meshRadius(const std::string& params) {
+    return meshReach(represented(built(scene(component(R"({"atom_id": 17})", drawn(params))))));
+}
+
+std::vector<std::string> warningsOf(const std::string& json) { return built(json).guide->warnings; }
+
+bool anyHas(const std::vector<std::string>& texts, const std::string& part) {
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const std::string& text) { return text.find(part) != std::string::npos; });
+}
+
+TEST(SceneSizes, FactorsScaleEveryStyle) {
+    EXPECT_NEAR(layerOf(R"({"type": "cartoon", "size_factor": 2})").cartoon.scale,
+                2 * layerOf(R"({"type": "cartoon"})").cartoon.scale, 1e-6);
+    EXPECT_NEAR(meshRadius(R"({"type": "surface"})"), 1.7, 0.1);
+    EXPECT_NEAR(meshRadius(R"({"type": "surface", "size_factor": 2})"), 3.4, 0.1);
+    EXPECT_NEAR(meshRadius(R"({"type": "surface", "surface_type": "gaussian", "size_factor": 2})"), 3.4, 0.1);
+    for (const char* type : {"ball_and_stick", "line", "backbone", "spacefill", "carbohydrate"})
+        EXPECT_EQ(layerOf(std::string(R"({"type": ")") + type + R"(", "size_factor": 3})", R"("all")").atomScale, 3)
+            << type;
+}
+
+TEST(SceneSizes, PuttyIsATubeOfTheFactorOrOfTheTemperatures) {
+    EXPECT_EQ(layerOf(R"({"type": "putty"})").cartoon.tube, 0);
+    EXPECT_EQ(layerOf(R"({"type": "putty", "size_theme": "uncertainty"})").cartoon.tube, 0);
+    EXPECT_NEAR(layerOf(R"({"type": "putty", "size_theme": "uniform"})").cartoon.tube, 0.2, 1e-9);
+}
+
+TEST(SceneSizes, AtomsHaveTheRadiiOfMolstar) {
+    EXPECT_FLOAT_EQ(molstarRadius(Element{1}), 1.1f);
+    EXPECT_FLOAT_EQ(molstarRadius(Element{30}), 2.1f);  // zinc
+    EXPECT_FLOAT_EQ(molstarRadius(Element{0}), 1.7f);
+    EXPECT_EQ(layerOf(R"({"type": "spacefill"})").radius(Element{30}), 2.1f);
+    EXPECT_EQ(layerOf(R"({"type": "surface"})").surface.radius(Element{30}), 2.1f);
+}
+
+TEST(SceneSizes, CartoonsOfScenesHaveNoDisulphides) {
+    EXPECT_FALSE(layerOf(R"({"type": "cartoon"})").cartoon.disulfides);
+}
+
+TEST(SceneColors, SymbolsOfSugarsTakeAColorNode) {
+    const std::string type = R"({"type": "carbohydrate"})";
+    const auto own = [&](const std::string& children) {
+        return built(scene(component(R"("all")", drawn(type, children)))).guide->layers.at(0).ownColors;
+    };
+    EXPECT_FALSE(own(""));
+    EXPECT_FALSE(own(R"({"kind": "opacity", "params": {"opacity": 0.5}})"));
+    EXPECT_TRUE(own(R"({"kind": "color", "params": {"color": "red"}})"));
+}
+
+TEST(SceneTransforms, RotationsHaveACentre) {
+    const auto placed = [](const std::string& center) {
+        const Molecule molecule = built(scene(R"({"kind": "transform", "params": {"rotation": [-1,0,0,0,-1,0,0,0,1],
+            "translation": [0, 0, 5], "rotation_center": )" +
+                                              center + "}}," + component(R"("all")", balls())));
+        return molecule.atoms[0].position;
+    };
+    // The first atom is at (1, 2, 3); all lie between x = 1 and 10, y = 2 and 9.
+    EXPECT_NEAR(glm::distance(placed("null"), glm::vec3(-1, -2, 8)), 0, 1e-5);
+    EXPECT_NEAR(glm::distance(placed("[10, 2, 0]"), glm::vec3(19, 2, 8)), 0, 1e-5);
+    const glm::vec3 turned = placed(R"("centroid")");
+    EXPECT_NEAR(turned.x, 10, 3);
+    EXPECT_NEAR(turned.y, 7, 2);
+    EXPECT_NEAR(turned.z, 8, 1e-5);
+}
+
+TEST(SceneFaults, NodesInTheWrongPlaceAreWarnings) {
+    const auto warnings = warningsOf(scene(
+        component(R"("all")", balls(R"({"kind": "transform", "params": {}})") + R"(,{"kind": "camera", "params": {}})"),
+        R"(,{"kind": "structure", "params": {"type": "model"}})"));
+    EXPECT_TRUE(anyHas(warnings, "transform 1: it is not drawn below a representation node"));
+    EXPECT_TRUE(anyHas(warnings, "camera 2: it is not drawn below a component node"));
+    EXPECT_TRUE(anyHas(warnings, "root/structure 2: it is not drawn below a root node"));
+}
+
+TEST(SceneFaults, WhatIsNoNodeIsLeftOut) {
+    const auto warnings = warningsOf(scene(
+        component(R"("all")", balls()),
+        R"(,{"kind": null}, 7, {"kind": "focus", "params": [1]}, {"kind": "download", "children": 1}, {"a": "b"})"));
+    EXPECT_TRUE(anyHas(warnings, "root/node 2: it has no \"kind\""));
+    EXPECT_TRUE(anyHas(warnings, "root/node 3: it is no object"));
+    EXPECT_TRUE(anyHas(warnings, "root/focus 4: its \"params\" are no object"));
+    EXPECT_TRUE(anyHas(warnings, "root/download 5: its \"children\" are no list"));
+    EXPECT_TRUE(anyHas(warnings, "root/node 6: it has no \"kind\""));
+    EXPECT_THROW(parseScene(R"({"root": {"kind": null}})", "a"), Error);
+    EXPECT_THROW(parseScene(R"({"root": {"kind": "root", "children": 3}})", "a"), Error);
+}
+
+TEST(SceneFaults, CamerasAndFocusesWithFaultsAreLeftOut) {
+    const std::string all = component(R"("all")", balls());
+    const Molecule molecule =
+        built(scene(all, R"(,{"kind": "camera", "params": {"target": ["0",0,0], "position": [0,0,1e300]}},
+                       {"kind": "focus", "params": {"direction": [1e9, 0, 0]}})"));
+    EXPECT_TRUE(anyHas(molecule.guide->warnings, "camera 2: target is no list of three numbers within 1e6"));
+    EXPECT_TRUE(anyHas(molecule.guide->warnings, "focus 3: direction is no list of three numbers within 1e6"));
+    const Molecule plain = built(scene(all));
+    ASSERT_TRUE(molecule.guide->camera && plain.guide->camera);
+    EXPECT_EQ(molecule.guide->camera->radius, plain.guide->camera->radius);
+}
+
+TEST(SceneCamera, TheNearPlaneIsAsFarAsTheNodeSays) {
+    const auto cutAt = [](const std::string& near) {
+        const SceneCamera camera =
+            built(scene(component(R"("all")", balls()),
+                        R"(,{"kind": "camera", "params": {"target": [0,0,0], "position": [0,0,80])" + near + "}}"))
+                .guide->camera.value();
+        return viewOf(camera, {}, false, 200, 100, 100);
+    };
+    const SceneView usual = cutAt(""), farther = cutAt(R"(, "near": 90)");
+    EXPECT_NEAR(usual.clip.near, -40, 1e-9);
+    EXPECT_NEAR(farther.clip.near, -(farther.view.eyeDistance - 90), 1e-9);
+}
+
+TEST(SceneFaults, PrimitivesWithFaultsAreLeftOut) {
+    const std::string tube = R"({"kind": "primitive", "params": {"kind": "tube", "start": [0,0,0], "end": [1,0,0]}})";
+    const std::string faults =
+        R"({"kind": "primitive", "params": {"kind": "tube", "start": {"structure_ref": "none"}, "end": [1,0,0]}},
+           {"kind": "primitive", "params": {"kind": "tube", "start": ["0",0,0], "end": [1,0,0]}},
+           {"kind": "primitive", "params": {"kind": "mesh", "vertices": [0,0,0], "indices": [0,1,2]}},)";
+    const Molecule molecule = built(
+        scene(component(R"("all")", balls()), R"(,{"kind": "primitives", "children": [)" + faults + tube +
+                                                  R"(]}, {"kind": "primitives", "params": {"instances": [[1, 2]]}})"));
+    EXPECT_EQ(molecule.guide->primitives.lines.size(), 1u);
+    EXPECT_TRUE(anyHas(molecule.guide->warnings, "primitive 1: there is no structure 'none': it is left out"));
+    EXPECT_TRUE(anyHas(molecule.guide->warnings, "primitive 2: start has a value that is no number"));
+    EXPECT_TRUE(anyHas(molecule.guide->warnings, "primitive 3: an index names a vertex that is not there"));
+    EXPECT_TRUE(anyHas(molecule.guide->warnings, "primitives 3: an instance is no list of 16 numbers"));
+}
+
+TEST(SceneNodes, HeadsOfAnArrowHaveSizesOfTheirOwn) {
+    const Molecule molecule = built(scene("", R"(,{"kind": "primitives", "children": [{"kind": "primitive", "params":
+        {"kind": "arrow", "start": [0,0,0], "end": [10,0,0], "show_start_cap": true, "start_cap_length": 1,
+         "start_cap_radius": 0.5, "show_end_cap": true, "end_cap_length": 2, "end_cap_radius": 0.7}}]})"));
+    const std::vector<Primitives::Arrow>& arrows = molecule.guide->primitives.arrows;
+    ASSERT_EQ(arrows.size(), 2u);
+    EXPECT_TRUE(arrows[0].headAtFrom && !arrows[0].headAtTo && !arrows[1].headAtFrom && arrows[1].headAtTo);
+    EXPECT_EQ(arrows[0].headRadius, 0.5);
+    EXPECT_EQ(arrows[1].headRadius, 0.7);
+    EXPECT_EQ(arrows[0].radius, 0);
+    EXPECT_EQ(arrows[1].from, glm::dvec3(1, 0, 0));
+}
+
+TEST(SceneNodes, LabelOffsetsAreKnown) {
+    const auto warnings = warningsOf(
+        scene(component(R"("all")", balls()), R"(,{"kind": "primitives", "children": [{"kind": "primitive", "params":
+            {"kind": "label", "position": [0,0,0], "text": "a", "label_offset": 2}}]})"));
+    EXPECT_TRUE(warnings.empty());
+}
+
+}  // namespace
+}  // namespace nacre::app::mvs
