@@ -178,7 +178,7 @@ class Pages(unittest.TestCase):
         self.assertEqual(offered - {"--help", "--quiet", "--verbose"}, set(re.findall(r"^\*\*`(--[a-z-]+)", written, re.MULTILINE)))
 
     def test_the_nodes_of_scenes_are_those_of_the_program(self):
-        page = (SOURCE / "docs/molviewspec.md").read_text()
+        page = (SOURCE / "docs/molviewspec_nodes.md").read_text()
         written = page.partition("<!-- nodes -->\n")[2].partition("<!-- /nodes -->")[0]
         self.assertEqual(written.strip(), program("help", "molviewspec").strip(), "nacre help molviewspec")
 
