@@ -27,8 +27,7 @@ Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32
     label.at = sphere.center;
     if (depth) *depth = sphere.radius;
     label.text = withoutMarkup(text);
-    constexpr double kEm = 0.6;  // Å, measured in Mol*'s pictures
-    label.size = kEm * std::cbrt(static_cast<double>(heavy > 0 ? heavy : atoms.size()));
+    label.size = kEmOfSize * std::cbrt(static_cast<double>(heavy > 0 ? heavy : atoms.size()));
     label.color = color;
     return label;
 }

@@ -11,6 +11,8 @@
 
 namespace nacre::app::mvs {
 
+constexpr double kEmOfSize = 0.6;  ///< em of a label of size 1, Å: measured in Mol*'s pictures
+
 /// The label of some atoms, as Mol* sizes it: the cube root of how many they are.
 /// @param atoms  of the structure, ascending, at least one @param depth  Å from its place to the farthest atom
 Primitives::Label labelOf(const std::string& text, const std::vector<std::uint32_t>& atoms, const Structure& structure,

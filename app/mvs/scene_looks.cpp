@@ -18,8 +18,9 @@ namespace {
 // Mol* draws the balls of its scenes with 0.5 Å, whatever their element, and the sticks with half of that; ours have
 // 0.15 Å.
 constexpr float kBall = 0.5f, kStickScale = 0.25f / 0.15f;
-constexpr float kCartoonScale = 0.8f;  // from our widths to those of Mol*
-constexpr double kTube = 0.2;          // Å, as Mol* has it
+constexpr float kCartoonScale = 0.8f;   // from our widths to those of Mol*
+constexpr float kLineScale = 2 / 1.5f;  // from our lines of 1.5 pixels to those of Mol*
+constexpr double kTube = 0.2;           // Å, as Mol* has it
 constexpr std::uint32_t kDefaultColor = 0xffffffffu;
 
 bool isTrue(const Node& node, const char* name) {
@@ -69,6 +70,7 @@ bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneW
         layer.style = Style::spacefill;
     } else if (type == "line") {
         layer.style = Style::line;
+        layer.atomScale *= kLineScale;
     } else if (type == "backbone") {
         layer.style = Style::backbone;
     } else if (type == "carbohydrate") {

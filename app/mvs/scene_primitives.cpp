@@ -18,6 +18,7 @@ namespace nacre::app::mvs {
 namespace {
 
 constexpr std::uint32_t kWhite = 0xffffffffu;
+constexpr double kPixelsOfWidth = 2;  // of a line of width 1, as Mol* draws it
 
 /// One group of primitives as it is read.
 class PrimitiveGroup {
@@ -227,7 +228,7 @@ private:
             all_.lines.push_back({figure.points[figure.indices[2 * i]],
                                   figure.points[figure.indices[2 * i + 1]],
                                   0,
-                                  std::clamp(width, 0.5, 50.0),
+                                  std::clamp(kPixelsOfWidth * width, 0.5, 50.0),
                                   {},
                                   lookOfGroup(node, figure.groups[i])});
         }
@@ -245,14 +246,14 @@ private:
         mesh.faces = flag(node, "show_triangles", true);
         if (flag(node, "show_wireframe", false)) {
             mesh.wires = look(node, node.param("wireframe_color") ? "wireframe_color" : "color", "");
-            mesh.wireWidth = std::clamp(number(node, "wireframe_width", 1), 0.5, 50.0);
+            mesh.wireWidth = std::clamp(kPixelsOfWidth * number(node, "wireframe_width", 1), 0.5, 50.0);
         }
         if (!mesh.triangles.empty()) all_.meshes.push_back(std::move(mesh));
     }
 
     void addLabel(const Node& node, const glm::dvec3& at, const std::string& text, double size) {
         all_.labels.push_back(
-            {at, withoutMarkup(text), size, colorOf(node.param("label_color")).value_or(labelColor_)});
+            {at, withoutMarkup(text), kEmOfSize * size, colorOf(node.param("label_color")).value_or(labelColor_)});
     }
 
     void label(const Node& node) {

@@ -12,6 +12,7 @@
 #include "engine/scene/representation.h"
 #include "engine/scene/scene_camera.h"
 #include "engine/scene/scene_layers.h"
+#include "tests/mesh/cartoon_makers.h"
 #include "tests/mvs/small_scene.h"
 
 namespace nacre::app::mvs {
@@ -52,9 +53,10 @@ TEST(SceneSizes, FactorsScaleEveryStyle) {
     EXPECT_NEAR(meshRadius(R"({"type": "surface"})"), 1.7, 0.1);
     EXPECT_NEAR(meshRadius(R"({"type": "surface", "size_factor": 2})"), 3.4, 0.1);
     EXPECT_NEAR(meshRadius(R"({"type": "surface", "surface_type": "gaussian", "size_factor": 2})"), 3.4, 0.1);
-    for (const char* type : {"ball_and_stick", "line", "backbone", "spacefill", "carbohydrate"})
+    for (const char* type : {"ball_and_stick", "backbone", "spacefill", "carbohydrate"})
         EXPECT_EQ(layerOf(std::string(R"({"type": ")") + type + R"(", "size_factor": 3})", R"("all")").atomScale, 3)
             << type;
+    EXPECT_FLOAT_EQ(layerOf(R"({"type": "line", "size_factor": 3})").atomScale, 4);  // 6 pixels instead of 1.5
 }
 
 TEST(SceneSizes, PuttyIsATubeOfTheFactorOrOfTheTemperatures) {
@@ -73,6 +75,29 @@ TEST(SceneSizes, AtomsHaveTheRadiiOfMolstar) {
 
 TEST(SceneSizes, CartoonsOfScenesHaveNoDisulphides) {
     EXPECT_FALSE(layerOf(R"({"type": "cartoon"})").cartoon.disulfides);
+}
+
+TEST(SceneSizes, ManyCopiesAreCoarserTogether) {
+    Molecule molecule = test::zigzag(100);
+    SceneGuide guide;
+    guide.layers.emplace_back().atoms = drawnAtoms(molecule);
+    guide.layers[0].colors.assign(100, 0xffffffffu);
+    const auto triangles = [&](int copies) {
+        guide.transforms.clear();
+        guide.lists.assign(1, {});
+        for (int i = 0; i < copies; ++i) {
+            guide.transforms.emplace_back(1.0);
+            guide.transforms.back()[3] = glm::dvec3(10.0 * i, 0, 0);
+            guide.lists[0].push_back(static_cast<std::uint32_t>(i));
+        }
+        guide.listOfResidue.assign(100, 0);
+        molecule.guide = std::make_shared<SceneGuide>(guide);
+        return represented(molecule).triangles.size();
+    };
+    const std::size_t few = triangles(2);
+    EXPECT_EQ(triangles(200), few);  // 20,000 residues
+    EXPECT_LT(triangles(201), few);
+    EXPECT_LT(2 * triangles(601), few);  // 60,100
 }
 
 TEST(SceneColors, SymbolsOfSugarsTakeAColorNode) {
@@ -162,6 +187,20 @@ TEST(SceneFaults, PrimitivesWithFaultsAreLeftOut) {
     EXPECT_TRUE(anyHas(molecule.guide->warnings, "primitive 2: start has a value that is no number"));
     EXPECT_TRUE(anyHas(molecule.guide->warnings, "primitive 3: an index names a vertex that is not there"));
     EXPECT_TRUE(anyHas(molecule.guide->warnings, "primitives 3: an instance is no list of 16 numbers"));
+}
+
+TEST(SceneNodes, LabelsAndLinesHaveTheSizesOfMolstar) {
+    const Molecule molecule = built(scene("", R"(,{"kind": "primitives", "children": [
+        {"kind": "primitive", "params": {"kind": "label", "position": [0,0,0], "text": "a", "label_size": 2}},
+        {"kind": "primitive", "params": {"kind": "distance_measurement", "start": [0,0,0], "end": [10,0,0],
+                                         "label_size": 1.5}},
+        {"kind": "primitive", "params": {"kind": "lines", "vertices": [0,0,0,1,0,0], "indices": [0,1], "width": 3}}]})"));
+    const Primitives& primitives = molecule.guide->primitives;
+    ASSERT_EQ(primitives.labels.size(), 2u);
+    EXPECT_NEAR(primitives.labels[0].size, 1.2, 1e-9);
+    EXPECT_NEAR(primitives.labels[1].size, 0.9, 1e-9);
+    ASSERT_EQ(primitives.lines.size(), 2u);
+    EXPECT_EQ(primitives.lines[1].width, 6);
 }
 
 TEST(SceneNodes, HeadsOfAnArrowHaveSizesOfTheirOwn) {
