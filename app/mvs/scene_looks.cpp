@@ -47,6 +47,7 @@ bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneW
     const float factor = factorOf(node, warnings);
     layer.atomScale = layer.bondScale = factor;
     layer.cartoon.scale = static_cast<double>(type == "putty" ? factor : kCartoonScale * factor);
+    layer.cartoon.overhang = 0.5;
     layer.surface.scale = static_cast<double>(factor);
     layer.surface.radius = layer.radius = molstarRadius;
     if (type == "cartoon") {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "engine/mesh/cartoon_bases.h"
 #include "engine/mesh/cartoon_curve.h"
@@ -74,7 +75,8 @@ public:
         for (const FoldRun& run : runs_) {
             const bool helix = run.kind == SecondaryStructure::helix;
             if (helix && options_.helices == HelixForm::ribbon) continue;  // grows out of the coil
-            const std::size_t first = run.first * step(), last = run.last * step();
+            const auto [begin, last] = framesOf(run);
+            const std::size_t first = std::max(begin, done);
             drawCoil(done, first);
             if (helix)
                 drawHelixSolid(first, last);
@@ -99,6 +101,15 @@ private:
     std::size_t step() const { return static_cast<std::size_t>(options_.segments); }
     int sides() const { return options_.sides; }
 
+    /// The frames between which a run is drawn.
+    std::pair<std::size_t, std::size_t> framesOf(const FoldRun& run) const {
+        const bool solid = run.kind == SecondaryStructure::helix && options_.helices != HelixForm::ribbon;
+        const double share = solid ? 0 : std::clamp(options_.overhang, 0.0, 0.5);  // a solid is off the coil's way
+        const auto over = static_cast<std::size_t>(share * options_.segments);
+        const std::size_t first = run.first * step(), last = run.last * step() + over;
+        return {first > over ? first - over : 0, std::min(last, frames_.size() - 1)};
+    }
+
     /// Atom of the stretch from frame k to the next.
     std::size_t ownerOf(std::size_t k) const {
         const double u = (static_cast<double>(k) + 0.5) / options_.segments + trace_.shift;
@@ -122,7 +133,7 @@ private:
         for (std::size_t k = first; k <= last; ++k) sections.push_back(coil(k));
         for (const FoldRun& run : runs_) {
             if (run.kind != SecondaryStructure::helix || options_.helices != HelixForm::ribbon) continue;
-            const std::size_t from = run.first * step(), to = run.last * step();
+            const auto [from, to] = framesOf(run);
             for (std::size_t k = std::max(from, first); k <= std::min(to, last); ++k) {
                 const double grown = smoothStep(static_cast<double>(std::min(k - from, to - k)) / options_.segments);
                 Section& section = sections[k - first];

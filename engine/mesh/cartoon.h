@@ -37,6 +37,9 @@ struct CartoonOptions {
     int segments = 0, sides = 0;
     double scale = 1;  ///< of all widths and thicknesses
     double tube = 0;   ///< Å: radius of the putty's tube everywhere; 0: by the B factor
+    /// How far helices and strands reach beyond the alpha carbons of their first and last residue, in residues: 0, or
+    /// 0.5 as in Mol*, where every residue's own stretch has its form.
+    double overhang = 0;
     friend bool operator==(const CartoonOptions&, const CartoonOptions&) = default;
 };
 

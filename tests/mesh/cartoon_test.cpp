@@ -201,6 +201,34 @@ TEST(Cartoon, PuttyIsWideWhereBFactorsAre) {
     EXPECT_NEAR(radius(3.8 * 4), 0.680, 1e-3);
 }
 
+TEST(Cartoon, FoldsMayReachHalfAResidueFarther) {
+    const Molecule molecule = zigzag(12);
+    std::vector<SecondaryStructure> folds = all(molecule, SecondaryStructure::none);
+    for (std::size_t i = 4; i < 8; ++i) folds[i] = SecondaryStructure::strand;
+    const auto strand = [&](double overhang) {
+        CartoonOptions options;
+        options.overhang = overhang;
+        const Mesh mesh = cartoonOf(molecule, folds, options);
+        expectSound(mesh, molecule.atoms.size());
+        std::pair<double, double> ends(1e9, -1e9);  // of what is wider than a coil
+        for (const glm::vec3& p : mesh.positions)
+            if (std::abs(p.x) > 0.5f || std::abs(p.y) > 1.5f)
+                ends = {std::min<double>(ends.first, p.z), std::max<double>(ends.second, p.z)};
+        return ends;
+    };
+    const auto [first, last] = strand(0);
+    const auto [earlier, later] = strand(0.5);
+    EXPECT_NEAR(first - earlier, 1.65, 0.5);
+    EXPECT_NEAR(later - last, 1.65, 0.5);
+    const Molecule helix = chainOf(30, -57, -47);
+    for (const HelixForm form : {HelixForm::ribbon, HelixForm::tube, HelixForm::cylinder}) {
+        CartoonOptions options;
+        options.helices = form;
+        options.overhang = 0.5;
+        expectSound(cartoonOf(helix, options), helix.atoms.size());
+    }
+}
+
 TEST(Cartoon, WidthsAreScaled) {
     const auto reach = [](CartoonOptions options, double scale) {
         options.scale = scale;
