@@ -34,7 +34,7 @@ constexpr NodeRow kRows[] = {
     {"representation:ball_and_stick", "", "type ignore_hydrogens size_factor", "", ""},
     {"representation:spacefill", "", "type ignore_hydrogens size_factor", "", ""},
     {"representation:surface", "", "type ignore_hydrogens surface_type size_factor", "",
-     "size_factor: of the atoms' radii"},
+     "size_factor: of the atoms' radii, 4 at most"},
     {"representation:line", "", "type ignore_hydrogens size_factor", "", ""},
     {"representation:backbone", "", "type size_factor", "", ""},
     {"representation:carbohydrate", "", "type size_factor", "",

@@ -18,7 +18,7 @@ namespace {
 // Mol* draws the balls of its scenes with 0.5 Å, whatever their element, and the sticks with half of that; ours have
 // 0.15 Å.
 constexpr float kBall = 0.5f, kStickScale = 0.25f / 0.15f;
-constexpr float kCartoonScale = 0.8f;   // from our widths to those of Mol*
+constexpr float kLargestSurface = 4;    // of a factor: more would cost minutes, and show a ball
 constexpr float kLineScale = 2 / 1.5f;  // from our lines of 1.5 pixels to those of Mol*
 constexpr double kTube = 0.2;           // Å, as Mol* has it
 constexpr std::uint32_t kDefaultColor = 0xffffffffu;
@@ -46,9 +46,9 @@ bool isOfPolymer(const Structure& structure, std::uint32_t residue) {
 bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneWarnings& warnings) {
     const float factor = factorOf(node, warnings);
     layer.atomScale = layer.bondScale = factor;
-    layer.cartoon.scale = static_cast<double>(type == "putty" ? factor : kCartoonScale * factor);
+    layer.cartoon.scale = static_cast<double>(factor) * (type == "putty" ? 1 : kCartoonScale);
     layer.cartoon.overhang = 0.5;
-    layer.surface.scale = static_cast<double>(factor);
+    layer.surface.scale = static_cast<double>(std::min(factor, kLargestSurface));
     layer.surface.radius = layer.radius = molstarRadius;
     if (type == "cartoon") {
         layer.style = Style::cartoon;
@@ -61,6 +61,7 @@ bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneW
         if (const Json* theme = node.param("size_theme"); theme && *theme == "uniform") layer.cartoon.tube = kTube;
     } else if (type == "surface") {
         layer.style = Style::surface;
+        if (factor > kLargestSurface) warnings.add(node, "surfaces have a size_factor of 4 at most");
         const Json* kind = node.param("surface_type");
         if (kind && *kind == "gaussian") layer.surface.kind = SurfaceKind::gaussian;
     } else if (type == "ball_and_stick") {

@@ -66,6 +66,9 @@ struct Structure {
     std::string ref;
 };
 
+/// From the widths of cartoons in pictures without a scene to those of Mol*.
+constexpr double kCartoonScale = 0.8;
+
 /// A parameter that is a text; empty if it is none.
 std::string nodeText(const Node& node, const char* name);
 

@@ -7,6 +7,7 @@
 
 #include "app/files/json_text.h"
 #include "app/mvs/scene_file.h"
+#include "app/mvs/scene_parts.h"
 #include "app/mvs/write_nodes.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
@@ -58,6 +59,8 @@ Out componentOf(const SceneLayer& layer, const Expressions& expressions) {
             nodeOf("opacity", {{"opacity", std::round(static_cast<double>(layer.opacity.front()) * 1e3) / 1e3}}));
     Out params{{"type", layer.cartoon.putty && layer.style == Style::cartoon ? "putty" : typeOf(layer.style)}};
     if (layer.style == Style::cartoon && layer.cartoon.helices != HelixForm::ribbon) params["tubular_helices"] = true;
+    if (layer.style == Style::cartoon && !layer.cartoon.putty)
+        params["size_factor"] = std::round(layer.cartoon.scale / kCartoonScale * 1e3) / 1e3;
     Out representation = nodeOf("representation", std::move(params));
     representation["children"] = std::move(children);
     return nodeOf("component", {{"selector", expressions.of(layer.atoms)}}, std::move(representation));

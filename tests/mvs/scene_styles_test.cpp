@@ -59,6 +59,12 @@ TEST(SceneSizes, FactorsScaleEveryStyle) {
     EXPECT_FLOAT_EQ(layerOf(R"({"type": "line", "size_factor": 3})").atomScale, 4);  // 6 pixels instead of 1.5
 }
 
+TEST(SceneSizes, SurfacesHaveALargest) {
+    const Molecule molecule = built(scene(component(R"("all")", drawn(R"({"type": "surface", "size_factor": 100})"))));
+    EXPECT_EQ(molecule.guide->layers.at(0).surface.scale, 4);
+    EXPECT_TRUE(anyHas(molecule.guide->warnings, "representation 1: surfaces have a size_factor of 4 at most"));
+}
+
 TEST(SceneSizes, PuttyIsATubeOfTheFactorOrOfTheTemperatures) {
     EXPECT_EQ(layerOf(R"({"type": "putty"})").cartoon.tube, 0);
     EXPECT_EQ(layerOf(R"({"type": "putty", "size_theme": "uncertainty"})").cartoon.tube, 0);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
@@ -79,6 +80,17 @@ TEST(WrittenScenes, ReadBackAreTheSame) {
     EXPECT_LT(glm::distance(guide.camera->target, camera().target), 1e-6);
     EXPECT_LT(glm::distance(glm::normalize(guide.camera->direction), camera().direction), 1e-6);
     EXPECT_NEAR(guide.camera->radius, camera().radius, 1e-6);
+}
+
+TEST(WrittenScenes, KeepTheWidthsOfCartoons) {
+    const Molecule m = molecule();
+    PictureDescription d = picture();
+    d.look.style = Style::cartoon;
+    const Molecule again = readBack(writeScene(m, d, {}, camera(), "out.mvsj"));
+    const auto cartoon = std::find_if(again.guide->layers.begin(), again.guide->layers.end(),
+                                      [](const SceneLayer& layer) { return layer.style == Style::cartoon; });
+    ASSERT_NE(cartoon, again.guide->layers.end());
+    EXPECT_NEAR(cartoon->cartoon.scale, 1, 1e-3);
 }
 
 TEST(WrittenScenes, HaveMeasurementsAndTellOfTorsions) {
