@@ -18,9 +18,10 @@ namespace {
 // Mol* draws the balls of its scenes with 0.5 Å, whatever their element, and the sticks with half of that; ours have
 // 0.15 Å.
 constexpr float kBall = 0.5f, kStickScale = 0.25f / 0.15f;
-constexpr float kLargestSurface = 4;    // of a factor: more would cost minutes, and show a ball
-constexpr float kLineScale = 2 / 1.5f;  // from our lines of 1.5 pixels to those of Mol*
-constexpr double kTube = 0.2;           // Å, as Mol* has it
+constexpr float kLargestSurface = 4;        // of a factor: more would cost minutes, and show a ball
+constexpr float kLineScale = 2 / 1.5f;      // from our lines of 1.5 pixels to those of Mol*
+constexpr float kBackboneScale = 2.0f / 3;  // from our tubes of 0.3 Å to those of 0.2 Å
+constexpr double kTube = 0.2;               // Å, as Mol* has it
 constexpr std::uint32_t kDefaultColor = 0xffffffffu;
 
 bool isTrue(const Node& node, const char* name) {
@@ -75,6 +76,7 @@ bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneW
         layer.atomScale *= kLineScale;
     } else if (type == "backbone") {
         layer.style = Style::backbone;
+        layer.atomScale = layer.bondScale = factor * kBackboneScale;
     } else if (type == "carbohydrate") {
         layer.style = Style::carbohydrate;
         layer.ownColors = std::any_of(node.children.begin(), node.children.end(),

@@ -53,10 +53,11 @@ TEST(SceneSizes, FactorsScaleEveryStyle) {
     EXPECT_NEAR(meshRadius(R"({"type": "surface"})"), 1.7, 0.1);
     EXPECT_NEAR(meshRadius(R"({"type": "surface", "size_factor": 2})"), 3.4, 0.1);
     EXPECT_NEAR(meshRadius(R"({"type": "surface", "surface_type": "gaussian", "size_factor": 2})"), 3.4, 0.1);
-    for (const char* type : {"ball_and_stick", "backbone", "spacefill", "carbohydrate"})
+    for (const char* type : {"ball_and_stick", "spacefill", "carbohydrate"})
         EXPECT_EQ(layerOf(std::string(R"({"type": ")") + type + R"(", "size_factor": 3})", R"("all")").atomScale, 3)
             << type;
-    EXPECT_FLOAT_EQ(layerOf(R"({"type": "line", "size_factor": 3})").atomScale, 4);  // 6 pixels instead of 1.5
+    EXPECT_FLOAT_EQ(layerOf(R"({"type": "backbone", "size_factor": 3})").bondScale, 2);  // 0.6 Å instead of 0.3
+    EXPECT_FLOAT_EQ(layerOf(R"({"type": "line", "size_factor": 3})").atomScale, 4);      // 6 pixels instead of 1.5
 }
 
 TEST(SceneSizes, SurfacesHaveALargest) {
