@@ -46,6 +46,12 @@ layout(set = 0, binding = 8, std430) writeonly buffer Edges { uint edges[]; };
 
 // Samples search the list of their bin.
 layout(constant_id = kListedId) const bool kListed = false;
+#ifdef TRIANGLES
+layout(constant_id = kSpheresId) const bool kSpheres = true;
+layout(constant_id = kCylindersId) const bool kCylinders = true;
+#else
+const bool kSpheres = true, kCylinders = true;
+#endif
 const uint kNothing = 0xffffffffu;
 
 vec2 corner;  // of the lane's pixel
@@ -181,13 +187,13 @@ void sampleList(uint at, uint end, uint lane) {
         uint sticks = ballotOf(mine && e.meets && e.cylinder);
         at += uint(kLanes);
 #endif
-        do {
+        if (kSpheres) do {
             uint from = lowestOf(balls);
             keepSphere(handed(e.a, from), subgroupShuffle(e.number, from), balls != 0u);
             balls &= balls - 1u;
         } while (balls != 0u);
 #ifdef CYLINDERS
-        do {
+        if (kCylinders) do {
             uint from = lowestOf(sticks);
             keepStick(handed(e.stick, from), subgroupShuffle(e.number, from), sticks != 0u);
             sticks &= sticks - 1u;
@@ -197,6 +203,7 @@ void sampleList(uint at, uint end, uint lane) {
     } while (more);
 }
 
+#ifndef TRIANGLES
 /// Removes the lowest of some candidates. @returns it, or kNothing if none is left
 uint lowestOut(inout uint candidates[9]) {
     uint lowest = kNothing;
@@ -250,6 +257,7 @@ void sampleNeighbours(ivec2 pixel) {
     } while (more);
 #endif
 }
+#endif
 
 /// Shades a sample's sight where the ray of a position hits it. @returns linear light
 vec3 shadeAt(uint sight, vec2 place) {
@@ -327,15 +335,21 @@ void main() {
         uint word = !some ? 0u : live ? mine : first;
         uvec2 pixel = uvec2(word & 0xffffu, word >> 16);
         corner = vec2(pixel);
-        if (kListed) {
+#ifdef TRIANGLES
+        const bool listed = true;  // neighbours name no triangle
+#else
+        const bool listed = kListed;
+#endif
+        if (listed) {
             uvec2 bin = uvec2(first & 0xffffu, first >> 16) / uint(kTile * kTilesInBin);
             uint list = view.offsets + bin.y * view.across + bin.x;
             // Without work, an empty list: the word before it is the number of a primitive.
             uint at = listAt(some ? list : view.offsets);
             sampleList(at, some ? listAt(list + 1u) : at, lane);
-        } else {
-            sampleNeighbours(ivec2(pixel));
         }
+#ifndef TRIANGLES
+        if (!listed) sampleNeighbours(ivec2(pixel));
+#endif
         vec4 light = shadeEdge();
         if (live) writeEdge(pixel, light);
         filling += gl_NumWorkGroups.x;

@@ -51,6 +51,13 @@ uint listAt(uint i) { return lists[i]; }
 #endif
 layout(set = 0, binding = 3, std430) buffer Numbers { uint numbers[]; };
 layout(constant_id = kSeededId) const bool kSeeded = false;
+#ifdef CYLINDERS
+layout(constant_id = kSpheresId) const bool kSpheres = true;
+layout(constant_id = kCylindersId) const bool kCylinders = true;
+layout(constant_id = kTrianglesId) const bool kTriangles = true;
+#else
+const bool kSpheres = true;
+#endif
 
 vec2 through[kPixels];
 float nearest[kPixels];
@@ -105,6 +112,7 @@ void begin(int i, uint seed) {
 }
 
 layout(constant_id = kNumberedId) const bool kNumbered = false;
+#ifndef SHADED
 uint sightAt(uint number, vec2 q) {
     uint index = place(max(number, 1u));
     uint sight = number;
@@ -142,6 +150,7 @@ uint marked(uint sight, vec2 pixel, float width, float depth) {
     view.contourDepth = 0.0;
     return changes ? sight | kChanges : sight;
 }
+#endif
 
 #ifdef SHADED
 layout(set = 0, binding = 8, std430) writeonly buffer PixelNumbers { uint pixelNumbers[]; };
@@ -155,32 +164,6 @@ uint rimmed(vec4 seen, uint rimWord) {
 }
 #endif
 
-/// @param seenNumber  becomes a sight @param kind  that it is of @param rim  of rimWords
-uint colorAt(inout uint seenNumber, vec2 pixel, uint kind, uint rim) {
-    vec2 q = planePoint(sampledAt(pixel));
-    uint number = max(seenNumber, 1u), index = place(number);
-    Seen seen;
-#ifdef TRIANGLES
-    if (kind == kFacets)
-        seen = seenFacet(index, q);
-    else
-#endif
-#ifdef CYLINDERS
-    if (kind == kSticks)
-        seen = seenStick(index, q);
-    else
-#endif
-        seen = seenBall(index, q);
-#ifdef RIMS
-    vec3 lit = lightOf(seen.hit, storedColor(seen), seen.occlusion, q);
-    return rimmed(vec4(seenNumber == 0u ? vec3(0.0) : lit, seenNumber == 0u ? 0.0 : 1.0), rim);
-#else
-    vec3 color = colorOf(seen.hit, storedColor(seen), seen.occlusion, q);
-    if (kNumbered) seenNumber = seenNumber == 0u ? 0u : sightOf(seen.hit, number);
-    return seenNumber == 0u ? 0u : packUnorm4x8(vec4(color, 1.0));
-#endif
-}
-
 /// The colour of an empty pixel.
 uint emptyColor(int i) {
 #ifdef RIMS
@@ -191,10 +174,6 @@ uint emptyColor(int i) {
 }
 
 #ifdef CYLINDERS
-layout(constant_id = kSpheresId) const bool kSpheres = true;
-layout(constant_id = kCylindersId) const bool kCylinders = true;
-layout(constant_id = kTrianglesId) const bool kTriangles = true;
-
 uint kindOf(uint number) {
     uint index = number - 1u;
     if (kCopies) index = divided(index, view.primitives).y;
@@ -219,42 +198,44 @@ uint placeOfBit(uint word, uint n) {
     n -= n >= here ? here : 0u;
     return at + uint(n >= (word >> at & 1u));
 }
-
-/// Shades the tile's pixels of one kind, as many at a time as there are lanes: if neighbouring lanes showed a stick and
-/// a ball, both would execute both branches.
-void shadeKind(uint kind, uvec2 corner, uint pitch, uint lane, float width, float depth) {
-    uint mine = 0u;  // one bit per pixel: of this lane, and of all lanes in turn
-    for (int i = 0; i < kPixels; ++i) mine |= number[i] != 0u && kindOf(number[i]) == kind ? 1u << i : 0u;
-    uvec2 bits = uvec2(0u);
-    for (int i = 0; i < kLanes; ++i) bits[i * kPixels / 32] |= subgroupShuffle(mine, uint(i)) << (i * kPixels % 32);
-    uint first = uint(bitCount(bits.x)), count = first + uint(bitCount(bits.y)), done = 0u;
-    do {
-        uint slot = done + lane;
-        bool second = slot >= first;
-        uint at = placeOfBit(second ? bits.y : bits.x, slot - (second ? first : 0u)) + (second ? 32u : 0u);
-        at &= uint(kTile * kTile - 1);  // lanes that are over
-        uint from = at / uint(kPixels), row = at % uint(kPixels), seen = 0u, rim = 0u;
-        for (int i = 0; i < kPixels; ++i) {
-            uint there = subgroupShuffle(number[i], from);
-            seen = row == uint(i) ? there : seen;
-#ifdef RIMS
-            uint rimThere = subgroupShuffle(rimWords[i], from);
-            rim = row == uint(i) ? rimThere : rim;
 #endif
-        }
-        seen = slot < count ? seen : 0u;
-        uint pixelOfTile = row * uint(kLanes) + from;
-        uvec2 on = corner + uvec2(pixelOfTile % uint(kTile), pixelOfTile / uint(kTile));
-        vec2 pixel = vec2(on) + 0.5;
-        uint color = colorAt(seen, pixel, kind, rim);
-        uint sight = kNumbered ? marked(seen, pixel, width, depth) : 0u;
-        if (slot < count) {
-            numbers[on.y * pitch + on.x] = color;
-            if (kNumbered) pixelNumbers[on.y * pitch + on.x] = sight;
-        }
-        done += uint(kLanes);
-    } while (done < count);
+
+Hit ballHit(uint index, vec2 q) {
+    vec4 shape = shapeAt(index);
+    return sphereHitThrough(vec4(toView(shape.xyz), shape.w), q);
 }
+#define KIND kBalls
+#define SEEN seenBall
+#define HIT ballHit
+#define SIGHT_AT sightOfBall
+#define MARKED markedBall
+#define COLOR_AT colorOfBall
+#define SHADE shadeBalls
+#include "common/tile_kind.glsl"
+#ifdef CYLINDERS
+Hit stickHit(uint index, vec2 q) {
+    uint at = 2u * index - view.spheres;
+    return stickHitThrough(stickAt(shapeAt(at), shapeAt(at + 1u)), q);
+}
+#define KIND kSticks
+#define SEEN seenStick
+#define HIT stickHit
+#define SIGHT_AT sightOfStick
+#define MARKED markedStick
+#define COLOR_AT colorOfStick
+#define SHADE shadeSticks
+#include "common/tile_kind.glsl"
+#endif
+#ifdef TRIANGLES
+Hit facetHit(uint index, vec2 q) { return facetHitThrough(facetOf(index), q); }
+#define KIND kFacets
+#define SEEN seenFacet
+#define HIT facetHit
+#define SIGHT_AT sightOfFacet
+#define MARKED markedFacet
+#define COLOR_AT colorOfFacet
+#define SHADE shadeFacets
+#include "common/tile_kind.glsl"
 #endif
 #endif
 
@@ -321,7 +302,7 @@ void main() {
         uint sticks = ballotOf(mine && e.meets && e.cylinder);
         at += uint(kLanes);
 #endif
-        do {
+        if (kSpheres) do {
             uint from = lowestOf(balls);
             vec4 sphere = handed(e.a, from);
             uint candidate = subgroupShuffle(e.number, from);
@@ -330,7 +311,7 @@ void main() {
             balls &= balls - 1u;
         } while (balls != 0u);
 #ifdef CYLINDERS
-        do {
+        if (kCylinders) do {
             uint from = lowestOf(sticks);
             Stick stick = handed(e.stick, from);
             uint candidate = subgroupShuffle(e.number, from);
@@ -357,10 +338,10 @@ void main() {
         numbers[here + on.y * pitch + on.x] = emptyColor(i);
         if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = 0u;
     }
-    if (kSpheres) shadeKind(kBalls, corner, pitch, lane, width, depth);
-    if (kCylinders) shadeKind(kSticks, corner, pitch, lane, width, depth);
+    if (kSpheres) shadeBalls(corner, pitch, lane, width, depth);
+    if (kCylinders) shadeSticks(corner, pitch, lane, width, depth);
 #ifdef TRIANGLES
-    if (kTriangles) shadeKind(kFacets, corner, pitch, lane, width, depth);
+    if (kTriangles) shadeFacets(corner, pitch, lane, width, depth);
 #endif
 #else
     // A turn for the pixels of all lanes, unrolled by no compiler, unless all of them are empty.
@@ -390,8 +371,8 @@ void main() {
 #endif
         shown &= shown - 1u;
         uvec2 on = uvec2(i * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
-        numbers[here + on.y * pitch + on.x] = colorAt(seen, first + vec2(on), kBalls, rim);
-        if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = marked(seen, first + vec2(on), width, depth);
+        numbers[here + on.y * pitch + on.x] = colorOfBall(seen, first + vec2(on), rim);
+        if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = markedBall(seen, first + vec2(on), width, depth);
     } while (shown != 0u);
 #endif
 #else

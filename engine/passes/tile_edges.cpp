@@ -54,6 +54,10 @@ gpu::ComputePipeline samplePipeline(gpu::PipelineContext& context, const SceneVi
     setShadingConstants(d.constants, view);
     d.constants.set(layout::kLanesId, caps.lanes);
     d.constants.set(layout::kListedId, view.tiles->edges.listed);
+    if (tileScene(*view.buffers) == TileScene::triangles) {
+        d.constants.set(layout::kSpheresId, view.buffers->sphereCount > 0);
+        d.constants.set(layout::kCylindersId, view.buffers->cylinderCount > 0);
+    }
     d.constants.set(layout::kRowsId, view.tiles->shaded);
     return d;
 }

@@ -64,6 +64,8 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
     if (shades) {
         if (view.rims.any()) d.constants.set(layout::kSubsamplesId, f.subsamples);
         setShadingConstants(d.constants, view);
+    }
+    if (tileScene(scene) != TileScene::spheres) {
         d.constants.set(layout::kSpheresId, scene.sphereCount > 0);
         d.constants.set(layout::kCylindersId, scene.cylinderCount > 0);
         d.constants.set(layout::kTrianglesId, scene.triangleCount > 0);

@@ -144,6 +144,21 @@ TEST(MeshFrame, IsThatOfARayCaster) {
     }
 }
 
+TEST(MeshFrame, ShowsWhatElseTheSceneHas) {
+    PathRenderers renderers;
+    std::vector<std::vector<float>> pictures;
+    for (const bool balls : {false, true})
+        for (const bool sticks : {false, true}) {
+            Representation r = meshScene();
+            if (!balls) r.spheres.clear(), r.sphereLooks.clear();
+            if (!sticks) r.cylinders.clear(), r.cylinderLooks.clear();
+            RenderSettings s = settings(r, 64, Projection::orthographic, {70, -20, 200});
+            s.occlusion.directions = 0;
+            pictures.push_back(sameOnEveryPath(renderers, r, s).rgba);
+            for (std::size_t i = 0; i + 1 < pictures.size(); ++i) EXPECT_NE(pictures[i], pictures.back());
+        }
+}
+
 TEST(MeshFrame, HasNoGaps) {
     Representation r;
     appendMesh(icosphere(glm::vec3(0), 5, 5, 0), glm::dvec3(0), testLook, r);  // 20,480 triangles, some below a pixel

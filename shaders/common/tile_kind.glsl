@@ -1,0 +1,88 @@
+// Colours of the pixels of a tile that show one kind of primitive; included for each, since drivers inline functions
+// before they know which kind is asked for, and optimise all of it each time.
+//   KIND             of kindOf()
+//   SEEN, HIT        what a ray sees of a primitive, by its index; its hit, by the same
+//   SIGHT_AT, MARKED, COLOR_AT, SHADE   names of the functions
+
+uint SIGHT_AT(uint number, vec2 q) {
+    uint index = place(max(number, 1u));
+    return number == 0u ? 0u : sightOf(HIT(index, q), number);
+}
+
+/// Marks a sight that changes from one corner of its pixel to another: the tip of a contour line.
+uint MARKED(uint sight, vec2 pixel, float width, float depth) {
+    if (!kContours || !kNumbered) return sight;
+    view.contourWidth = width;
+    view.contourDepth = depth;
+    uint first = 0u;
+    bool changes = false;
+    for (int i = 0; i < 4; ++i) {
+        uint there = SIGHT_AT(sight & kNumber, planePoint(pixel + vec2(i & 1, i >> 1) - 0.5));
+        changes = changes || (i > 0 && there != first);
+        first = i == 0 ? there : first;
+    }
+    view.contourWidth = 1e9;
+    view.contourDepth = 0.0;
+    return changes ? sight | kChanges : sight;
+}
+
+/// @param seenNumber  becomes a sight @param rim  of rimWords
+uint COLOR_AT(inout uint seenNumber, vec2 pixel, uint rim) {
+    vec2 q = planePoint(sampledAt(pixel));
+    uint number = max(seenNumber, 1u);
+    Seen seen = SEEN(place(number), q);
+#ifdef RIMS
+    vec3 lit = lightOf(seen.hit, storedColor(seen), seen.occlusion, q);
+    return rimmed(vec4(seenNumber == 0u ? vec3(0.0) : lit, seenNumber == 0u ? 0.0 : 1.0), rim);
+#else
+    vec3 color = colorOf(seen.hit, storedColor(seen), seen.occlusion, q);
+    if (kNumbered) seenNumber = seenNumber == 0u ? 0u : sightOf(seen.hit, number);
+    return seenNumber == 0u ? 0u : packUnorm4x8(vec4(color, 1.0));
+#endif
+}
+
+#ifdef CYLINDERS
+/// Shades the tile's pixels of one kind, as many at a time as there are lanes: if neighbouring lanes showed a stick and
+/// a ball, both would execute both branches.
+void SHADE(uvec2 corner, uint pitch, uint lane, float width, float depth) {
+    uint mine = 0u;  // one bit per pixel: of this lane, and of all lanes in turn
+    for (int i = 0; i < kPixels; ++i) mine |= number[i] != 0u && kindOf(number[i]) == KIND ? 1u << i : 0u;
+    uvec2 bits = uvec2(0u);
+    for (int i = 0; i < kLanes; ++i) bits[i * kPixels / 32] |= subgroupShuffle(mine, uint(i)) << (i * kPixels % 32);
+    uint first = uint(bitCount(bits.x)), count = first + uint(bitCount(bits.y)), done = 0u;
+    do {
+        uint slot = done + lane;
+        bool second = slot >= first;
+        uint at = placeOfBit(second ? bits.y : bits.x, slot - (second ? first : 0u)) + (second ? 32u : 0u);
+        at &= uint(kTile * kTile - 1);  // lanes that are over
+        uint from = at / uint(kPixels), row = at % uint(kPixels), seen = 0u, rim = 0u;
+        for (int i = 0; i < kPixels; ++i) {
+            uint there = subgroupShuffle(number[i], from);
+            seen = row == uint(i) ? there : seen;
+#ifdef RIMS
+            uint rimThere = subgroupShuffle(rimWords[i], from);
+            rim = row == uint(i) ? rimThere : rim;
+#endif
+        }
+        seen = slot < count ? seen : 0u;
+        uint pixelOfTile = row * uint(kLanes) + from;
+        uvec2 on = corner + uvec2(pixelOfTile % uint(kTile), pixelOfTile / uint(kTile));
+        vec2 pixel = vec2(on) + 0.5;
+        uint color = COLOR_AT(seen, pixel, rim);
+        uint sight = kNumbered ? MARKED(seen, pixel, width, depth) : 0u;
+        if (slot < count) {
+            numbers[on.y * pitch + on.x] = color;
+            if (kNumbered) pixelNumbers[on.y * pitch + on.x] = sight;
+        }
+        done += uint(kLanes);
+    } while (done < count);
+}
+#endif
+
+#undef KIND
+#undef SEEN
+#undef HIT
+#undef SIGHT_AT
+#undef MARKED
+#undef COLOR_AT
+#undef SHADE
