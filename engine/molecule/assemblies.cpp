@@ -93,7 +93,7 @@ glm::mat4x3 toMatrix(const TransformRows& rows) {
 
 void AssemblyLimits::spend(std::size_t transforms, std::size_t subchains) {
     if (transforms > transforms_ || subchains > subchains_)
-        throw AssemblyFault("the assemblies have more than " + std::to_string(kMaxTransforms) + " transforms or " +
+        throw AssemblyFault("the assemblies have more than " + std::to_string(maxTransforms_) + " transforms or " +
                             std::to_string(kMaxSubchains) + " chains");
     transforms_ -= transforms;
     subchains_ -= subchains;

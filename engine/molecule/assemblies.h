@@ -1,6 +1,7 @@
 #pragma once
 // Shared by the readers of assemblies: transforms, operator expressions, and limits against hostile files.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -26,18 +27,24 @@ TransformRows multiply(const TransformRows& first, const TransformRows& second);
 /// @throws AssemblyFault if a number is not finite or beyond ±1e9
 glm::mat4x3 toMatrix(const TransformRows& rows);
 
-/// Limits for all assemblies of a file together. The largest real ones have some thousand transforms.
+/// Limits for all assemblies of a file together. There may be as many transforms as atoms: one takes less memory on its
+/// way to the device, with its name (memory_bound.h).
 class AssemblyLimits {
 public:
     static constexpr std::size_t kMaxAssemblies = 10'000;
-    static constexpr std::size_t kMaxTransforms = std::size_t{1} << 16;  ///< 3 MB of matrices
+    static constexpr std::size_t kFewTransforms = std::size_t{1} << 16;  ///< always allowed: 3 MB of matrices
+    static constexpr std::size_t kMaxTransforms = std::size_t{1} << 22;  ///< 200 MB
     static constexpr std::size_t kMaxSubchains = std::size_t{1} << 22;   ///< mentions of subchains, 17 MB
+
+    /// @param maxAtoms  that there is memory for
+    explicit AssemblyLimits(std::size_t maxAtoms)
+        : maxTransforms_(std::clamp(maxAtoms, kFewTransforms, kMaxTransforms)), transforms_(maxTransforms_) {}
 
     /// @throws AssemblyFault if more is asked for than is left
     void spend(std::size_t transforms, std::size_t subchains);
 
 private:
-    std::size_t transforms_ = kMaxTransforms, subchains_ = kMaxSubchains;
+    std::size_t maxTransforms_, transforms_, subchains_ = kMaxSubchains;
 };
 
 using TransformsById = std::map<std::string, TransformRows, std::less<>>;

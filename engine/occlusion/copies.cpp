@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "engine/error.h"
-
 namespace nacre {
 namespace {
-
-constexpr std::size_t kMostGroups = 100;
 
 std::vector<glm::dmat4x3> picked(const Copies& copies, const std::vector<std::uint32_t>& which) {
     std::vector<glm::dmat4x3> transforms;
@@ -107,10 +103,6 @@ OcclusionCopies occlusionCopies(const Representation& r, const OcclusionLayout& 
     } else if (!groups) {
         const std::vector<std::uint32_t>& list = copies.lists[*lists.begin()];
         result.groups = {picked(copies, representativeCopies(copies.transforms, list, r.radius))};
-    } else if (copies.lists.size() > kMostGroups) {
-        throw Error("cannot bake ambient occlusion", "",
-                    "the assembly has more than " + std::to_string(kMostGroups) +
-                        " parts with copies of their own (render with --occlusion off)");
     } else {
         for (const std::vector<std::uint32_t>& list : copies.lists) result.groups.push_back(picked(copies, list));
     }

@@ -29,7 +29,6 @@ struct OcclusionCopies {
 };
 
 /// @param texels  in linear order, as in OpenTexels
-/// @throws Error if more than 100 parts of the assembly have their own copies
 OcclusionCopies occlusionCopies(const Representation& representation, const OcclusionLayout& layout,
                                 std::span<const std::uint32_t> texels);
 

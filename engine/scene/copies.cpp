@@ -82,7 +82,7 @@ Placement placeAssembly(const Molecule& molecule, const std::string& id) {
             copiesOfPart.back().push_back(set.add(transform));
         for (const std::uint32_t subchain : assembly.parts[part].subchains) partsOf[subchain].push_back(part);
     }
-    std::map<std::vector<std::uint32_t>, std::uint32_t> listOfParts{{{}, Placement::kNowhere}};
+    std::map<std::vector<std::uint32_t>, std::uint32_t> listOfParts{{{}, Placement::kNowhere}}, indices;
     for (const std::vector<std::uint32_t>& parts : partsOf) {
         const auto [known, added] = listOfParts.emplace(parts, 0);
         if (added) {
@@ -91,7 +91,10 @@ Placement placeAssembly(const Molecule& molecule, const std::string& id) {
                 list.insert(list.end(), copiesOfPart[part].begin(), copiesOfPart[part].end());
             std::sort(list.begin(), list.end());
             list.erase(std::unique(list.begin(), list.end()), list.end());
-            known->second = listIndex(placement.lists, std::move(list));
+            const auto [same, first] =
+                indices.emplace(std::move(list), static_cast<std::uint32_t>(placement.lists.size()));
+            if (first) placement.lists.push_back(same->first);
+            known->second = same->second;
         }
         placement.listOfSubchain.push_back(known->second);
     }

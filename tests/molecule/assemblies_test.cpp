@@ -22,7 +22,7 @@ TransformsById operators() {
 
 /// Where the transforms of an expression put the origin, along x.
 std::vector<float> places(const std::string& expression) {
-    AssemblyLimits limits;
+    AssemblyLimits limits(100);
     std::vector<float> found;
     for (const glm::mat4x3& m : expandOperators(expression, operators(), limits)) found.push_back(m[3].x);
     return found;
@@ -41,7 +41,7 @@ TEST(Assemblies, OperatorExpressions) {
 }
 
 TEST(Assemblies, TheLastFactorIsAppliedFirst) {
-    AssemblyLimits limits;
+    AssemblyLimits limits(100);
     const glm::vec4 origin(0, 0, 0, 1);
     // Shifted by 1 along x, then turned to y; or turned, then shifted.
     EXPECT_EQ(expandOperators("(P)(1)", operators(), limits)[0] * origin, glm::vec3(0, 1, 0));
@@ -52,15 +52,24 @@ TEST(Assemblies, TheLastFactorIsAppliedFirst) {
 TEST(Assemblies, MalformedAndHostileExpressions) {
     for (const char* expression :
          {"", "()", "(1", "1)", "(1)2", "1,,2", "5-2", "61", "(1-60)(61-88)", "-1", "1-", "(1)(", "1-99999999999"}) {
-        AssemblyLimits limits;
+        AssemblyLimits limits(100);
         EXPECT_THROW(expandOperators(expression, operators(), limits), AssemblyFault) << expression;
     }
-    AssemblyLimits limits;
+    AssemblyLimits limits(100);
     EXPECT_THROW(expandOperators("(1-60)(1-60)(1-60)(1-60)(1-60)(1-60)(1-60)(1-60)", operators(), limits),
                  AssemblyFault);
     EXPECT_THROW(toMatrix(shift(HUGE_VAL)), AssemblyFault);
     EXPECT_THROW(toMatrix(shift(NAN)), AssemblyFault);
     EXPECT_THROW(limits.spend(0, AssemblyLimits::kMaxSubchains + 1), AssemblyFault);
+}
+
+TEST(Assemblies, AsManyTransformsAsThereIsMemoryFor) {
+    AssemblyLimits few(10), many(1'000'000), most(SIZE_MAX);
+    EXPECT_NO_THROW(few.spend(AssemblyLimits::kFewTransforms, 0));  // files of real assemblies
+    EXPECT_THROW(few.spend(1, 0), AssemblyFault);
+    EXPECT_NO_THROW(many.spend(1'000'000, 0));
+    EXPECT_THROW(many.spend(1, 0), AssemblyFault);
+    EXPECT_THROW(most.spend(AssemblyLimits::kMaxTransforms + 1, 0), AssemblyFault);
 }
 
 TEST(Assemblies, PartsAreJoined) {

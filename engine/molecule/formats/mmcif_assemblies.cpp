@@ -55,7 +55,7 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
     }
 
     const TransformsById transforms = readOperators(operators);
-    AssemblyLimits limits;
+    AssemblyLimits limits(builder.maxAtoms());
     for (std::size_t row = 0; row < generators.rows(); ++row) {
         const auto assembly = byId.find(generators.get(row, {"assembly_id"}).value_or(""));
         if (assembly == byId.end()) continue;

@@ -14,7 +14,7 @@ namespace nacre {
 namespace {
 
 // Limit for cells of the small categories: a constant, plus a share of the atoms (connections, helices).
-constexpr std::size_t kFewCells = 100'000, kCellsPerAtom = 4, kMostCells = std::size_t{1} << 22;
+constexpr std::size_t kFewCells = 100'000, kCellsPerAtom = 4, kMostCells = std::size_t{1} << 24;
 constexpr std::size_t kMostCellsOfModels = std::size_t{1} << 28;  // read by all models together
 // Limit for text that a file repeats by reference: it costs work.
 constexpr std::size_t kMostRepeatedBytes = std::size_t{64} << 20;

@@ -108,7 +108,7 @@ TransformRows transformOf(const gemmi::Op& operation, const gemmi::UnitCell& cel
 
 Assembly unitCell(const MoleculeBuilder& builder, const MmcifTable& symmetry, const gemmi::UnitCell& cell,
                   const gemmi::Fractional& centre) {
-    AssemblyLimits limits;
+    AssemblyLimits limits(builder.maxAtoms());
     std::vector<glm::mat4x3> transforms;
     for (std::size_t row = 0; row < symmetry.rows(); ++row) {
         const auto text = symmetry.get(row, {"pos_as_xyz", "operation_xyz"});

@@ -43,6 +43,7 @@ public:
     /// Maximum of bonds that a reader may keep until it knows all atoms.
     std::size_t mostBonds() const { return kMostBondsPerAtom * maxAtoms_; }
 
+    std::size_t maxAtoms() const { return maxAtoms_; }
     Molecule& molecule() { return molecule_; }
     const std::string& name() const { return name_; }
 

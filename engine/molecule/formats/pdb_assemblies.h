@@ -12,6 +12,9 @@ namespace nacre::pdb {
 
 class Remark350 {
 public:
+    /// @param maxAtoms  that there is memory for
+    explicit Remark350(std::size_t maxAtoms) : limits_(maxAtoms) {}
+
     /// @param line one that begins with "REMARK 350"
     void add(std::string_view line);
     /// Number of BIOMT1 lines, for FileSummary; 0: none.

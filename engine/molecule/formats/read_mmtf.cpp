@@ -209,7 +209,7 @@ private:
     }
 
     void addAssemblies() {
-        AssemblyLimits limits;
+        AssemblyLimits limits(maxAtoms_);
         MsgpackElements elements(fields_.list("bioAssemblyList"));
         for (MsgpackValue given; elements.next(given);) {
             const auto named = given.find("name");

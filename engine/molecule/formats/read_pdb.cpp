@@ -41,7 +41,8 @@ public:
           wanted_(options.model),
           maxAtoms_(options.maxAtoms),
           flavour_(flavour),
-          conect_(options.maxAtoms) {
+          conect_(options.maxAtoms),
+          remark350_(options.maxAtoms) {
         chainIndex_.fill(-1);
     }
 
