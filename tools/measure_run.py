@@ -95,7 +95,8 @@ class Run:
         """What `nacre bench` reports of a frame by one path."""
         report = self.json(self.nacre, "bench", *arguments, "--visibility", path, "--json")
         return {"wall": report["times"]["frame"]["min"], "cpu": report["times"]["frame_processor"]["min"],
-                "pixels": report["covered_pixels"], "resident": report["memory"]["resident_peak"]}
+                "pixels": report["covered_pixels"], "atoms": report["atoms"]["drawn"],
+                "open": report["times"]["load"] + report["times"]["scene"], "resident": report["memory"]["resident_peak"]}
 
     def jmol(self, path, size, frames):
         self.needs(JMOL, "xvfb-run", "java")

@@ -17,6 +17,8 @@ JMOL_ROWS, STYLE_ROWS, LARGE_ROWS = sized(JMOL), sized(STYLES), sized(LARGE)
 JMOL_COLUMNS = ("ms", "CPU, ms", "Jmol, ms", "Jmol, CPU, ms", "ratio", "CPU ratio")
 JMOL_RATIOS = {"ratio": ("ms", "Jmol, ms"), "CPU ratio": ("CPU, ms", "Jmol, CPU, ms")}
 STYLE_COLUMNS = ("times space-filling", "per covered pixel")
+MESOSCALE_ROWS = tuple(f"{count:,}" for count in (1_000, 10_000, 100_000, 1_000_000))
+MESOSCALE_COLUMNS = ("million atoms", "opened after, s", "ms", "CPU, ms", "resident, MB")
 LARGE_COLUMNS = ("ms", "CPU, ms", "times 4HHB", "CPU, times 4HHB", "resident, MB")
 
 
@@ -76,3 +78,14 @@ def large(run):
             a, b = beside_hemoglobin(run, size, 5, *arguments[name])
             yield f"{name}, {size}", {"ms": a["wall"], "CPU, ms": a["cpu"], "times 4HHB": a["wall"] / b["wall"],
                                       "CPU, times 4HHB": a["cpu"] / b["cpu"], "resident, MB": a["resident"] >> 20}
+
+
+def mesoscale(run):
+    """Scenes of tests/benchmark/large_scene.py, of the proteins of the test data's PDB files."""
+    files = [*sorted(run.data.glob("*.pdb")), run.file("1eve-acetylcholinesterase.pdb.gz"), run.file("1igy.pdb.gz")]
+    for name in MESOSCALE_ROWS:
+        path = run.folder / "large.cif"
+        run.text(ROOT / "tests/benchmark/large_scene.py", "--instances", name.replace(",", ""), "-o", path, *files)
+        best = run.bench(path, "--assembly", "1", "--occlusion", "off", "--size", "640x960", "--frames", "10")
+        yield name, {"million atoms": best["atoms"] / 1e6, "opened after, s": best["open"] / 1e3, "ms": best["wall"],
+                     "CPU, ms": best["cpu"], "resident, MB": best["resident"] >> 20}
