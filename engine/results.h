@@ -121,6 +121,13 @@ struct MeshLevelCount {
     std::uint64_t drawn = 0;      ///< for the last picture, in all copies
 };
 
+/// One level of detail of copies.
+struct CopyLevelCount {
+    double error = 0;           ///< Å; 0: atoms
+    std::uint64_t copies = 0;   ///< drawn by the level, for the last frame
+    std::uint64_t spheres = 0;  ///< of those, seen
+};
+
 /// Statistics of the last picture and its frames.
 struct PictureStats {
     double frameMilliseconds = 0;       ///< from submission to completion, all frames
@@ -148,6 +155,7 @@ struct FrameStats : PictureStats, BakeStats {
     /// Submitted primitives of the last picture or frame, in all copies.
     std::uint64_t spheres = 0, cylinders = 0, triangles = 0;
     std::vector<MeshLevelCount> meshLevels;  ///< finest first; empty without meshes
+    std::vector<CopyLevelCount> copyLevels;  ///< finest first; empty where copies are drawn whole
     std::uint64_t copies = 1;                ///< copies of an assembly
     TileCounts lists;                        ///< of the last frame
     std::uint64_t pipelines = 0;             ///< made so far, which the renderer keeps

@@ -25,7 +25,7 @@ struct OcclusionSettings {
     /// Maximum width of a sphere's patch, 4 to 32 texels. Small pictures show no more than 12. Bake time and the size
     /// of depth maps grow with the square.
     std::uint32_t detail = 32;
-    std::string cache;         ///< folder for finished bakes; empty: none are kept
+    std::string cache;  ///< folder for finished bakes; empty: none are kept
     /// One view's pictures are all that it is for: without a cache, what they show from behind is left out.
     bool once = false;
     double worthKeeping = 50;  ///< milliseconds; shorter bakes are not kept
@@ -72,13 +72,19 @@ struct RenderSettings {
     /// Largest error of a mesh's outline, in distances between samples (a quarter of a pixel at edges). Meshes are
     /// drawn by the coarsest level within it. 0: the finest level.
     double meshError = 0.25;
+    /// Largest error of an outline where a cluster stands for its atoms, in pixels.
+    double levelError = 0.5;
+    /// Number of spheres in all copies from which a view's levels and hidden spheres are found first (seen_copies.h).
+    /// It is a scene of spheres alone.
+    std::uint64_t levelsFrom = std::uint64_t{1} << 25;
     DebugView debug = DebugView::none;  ///< for pictures and window frames, not for layers and picks
     OcclusionSettings occlusion;
     FrameTuning tuning;
 
     /// The settings of a frame: all except the strings and callbacks of the bake.
     RenderSettings ofFrame() const {
-        RenderSettings frame{view, supersample, background, fine, lighting, effects, meshError, debug, {}, tuning};
+        RenderSettings frame{view,      supersample, background, fine,  lighting, effects,
+                             meshError, levelError,  levelsFrom, debug, {},       tuning};
         frame.occlusion.directions = occlusion.directions;
         return frame;
     }

@@ -210,6 +210,7 @@ PlanReport planReport(const PlanOptions& options) {
     report.paperGraph = paperFrame(report.extent);
     report.paper = graph::compile(report.paperGraph, gles);
     report.meshLevels = counts.meshLevels;
+    report.copyLevels = counts.copyLevels;
     if (scene)
         report.geometry = geometryOf(report.frame.graph, counts, report.plannedWith.geometry, PlateShape::automatic,
                                      ImpostorShape::automatic);

@@ -40,6 +40,7 @@ struct PlanReport {
     std::uint32_t samples = 1;             ///< of such a frame per pixel of a picture where colours change
     std::vector<PassGeometry> geometry{};  ///< of the scene that was given
     std::vector<MeshLevelCount> meshLevels{};
+    std::vector<CopyLevelCount> copyLevels{};
     std::vector<EffectCost> costs{};  ///< of the effects that are on
 };
 

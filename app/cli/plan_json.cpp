@@ -145,6 +145,7 @@ std::string planJson(const PlanReport& report) {
     if (!report.geometry.empty())
         json["geometry"] = geometryJson(report.geometry, report.plannedWith.geometry.storesVaryings);
     if (!report.meshLevels.empty()) json["mesh_levels"] = meshLevelsJson(report.meshLevels);
+    if (!report.copyLevels.empty()) json["copy_levels"] = copyLevelsJson(report.copyLevels);
     json["facts"] = Json::array();
     for (const graph::Fact& fact : report.facts)
         json["facts"].push_back({{"what", fact.what}, {"source", fact.source}});

@@ -203,6 +203,15 @@ void levelsText(std::ostream& out, const PlanReport& report) {
     table(out, "  ", levels, 1);
 }
 
+void copyLevelsText(std::ostream& out, const PlanReport& report) {
+    out << "\nlevels of copies\n";
+    std::vector<Row> levels{{"error, angstrom", "copies", "spheres", "", ""}};
+    for (const CopyLevelCount& level : report.copyLevels)
+        levels.push_back(
+            {numberText(std::round(level.error * 1e4) / 1e4), grouped(level.copies), grouped(level.spheres), "", ""});
+    table(out, "  ", levels, 1);
+}
+
 }  // namespace
 
 std::string planText(const PlanReport& report) {
@@ -226,6 +235,7 @@ std::string planText(const PlanReport& report) {
     if (!report.costs.empty()) costsText(out, report);
     if (!report.geometry.empty()) geometryText(out, report);
     if (!report.meshLevels.empty()) levelsText(out, report);
+    if (!report.copyLevels.empty()) copyLevelsText(out, report);
     if (!report.facts.empty()) out << "\nknown facts about " << report.caps << '\n';
     for (const graph::Fact& fact : report.facts) out << "  " << fact.what << "\n    [" << fact.source << "]\n";
     return out.str();

@@ -55,6 +55,14 @@ Json meshLevelsJson(const std::vector<MeshLevelCount>& levels) {
     return list;
 }
 
+Json copyLevelsJson(const std::vector<CopyLevelCount>& levels) {
+    Json list = Json::array();
+    for (const CopyLevelCount& level : levels)
+        list.push_back(
+            {{"error", std::round(level.error * 1e4) / 1e4}, {"copies", level.copies}, {"spheres", level.spheres}});
+    return list;
+}
+
 Json geometryJson(const std::vector<PassGeometry>& passes, bool stored) {
     Json list = Json::array();
     for (const PassGeometry& pass : passes)
@@ -127,6 +135,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
     }
     json["atoms"] = {
         {"read", run.atomsRead}, {"drawn", run.atomsDrawn}, {"submitted", frame.spheres}, {"copies", frame.copies}};
+    if (!frame.copyLevels.empty()) json["atoms"]["levels"] = copyLevelsJson(frame.copyLevels);
     json["bonds"] = {{"known", run.bondsKnown}, {"drawn", run.bondsDrawn}, {"cylinders", frame.cylinders}};
     json["mesh"] = {{"triangles", run.triangles},
                     {"vertices", run.vertices},

@@ -16,6 +16,7 @@ namespace nacre::app {
 nlohmann::ordered_json passesJson(const std::vector<PassCount>& counts, const std::vector<PassTime>& times);
 
 /// Vertex output of the passes: `varying_bytes`, which go through memory (`memory_bytes`) on GPUs that store them.
+nlohmann::ordered_json copyLevelsJson(const std::vector<CopyLevelCount>& levels);
 nlohmann::ordered_json meshLevelsJson(const std::vector<MeshLevelCount>& levels);
 nlohmann::ordered_json geometryJson(const std::vector<PassGeometry>& passes, bool stored);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/frame/seen_scene.h"
 #include "engine/passes/placed_copies.h"
 #include "engine/passes/plates.h"
 #include "engine/passes/translucent.h"
@@ -53,6 +54,14 @@ bool numbers(const graph::Graph& graph, const graph::PassDecl& pass) {
 }  // namespace
 
 SceneCounts countsOf(Representation r, const View& view, double meshError) {
+    RenderSettings settings;
+    settings.occlusion.directions = 0;
+    if (SeenScenes::draws(r, settings)) {
+        SeenScenes scenes;
+        SceneCounts counts = countsOf(scenes.see(r, settings, view), view);
+        counts.copyLevels = scenes.counts();
+        return counts;
+    }
     orderInSpace(r);
     const Chunks chunks = chunksOf(r);
     const passes::PlacedCopies placed = passes::placeCopies(r, view, &chunks, 0, errorInSpace(view, meshError), true);

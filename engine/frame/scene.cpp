@@ -202,6 +202,12 @@ Scene makeScene(const gpu::Device& device, Representation representation) {
     return scene;
 }
 
+Scene makeOrderedScene(const gpu::Device& device, Representation representation) {
+    Scene scene{std::move(representation), {}, 0, 1e9, 1e9, {}, {}, {}};
+    completeScene(device, scene);
+    return scene;
+}
+
 bool recolor(Scene& scene, Representation& r) {
     Representation& now = scene.representation;
     if (scene.buffers.empty() || !hasShapesOf(scene, r)) return false;

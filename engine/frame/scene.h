@@ -23,6 +23,9 @@ struct Scene {
     StreamOrder order;            ///< maps to the caller's order
 };
 
+/// A scene as it is, without a better order. @throws Error
+Scene makeOrderedScene(const gpu::Device& device, Representation representation);
+
 /// Uploads the streams. @throws Error
 Scene makeScene(const gpu::Device& device, Representation representation);
 

@@ -37,7 +37,7 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
       covers_(device, vk::BufferUsageFlagBits::eVertexBuffer, "covers") {}
 
 std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& settings) {
-    const layout::EffectConstants wanted = effectConstants(settings, *scene_);
+    const layout::EffectConstants wanted = effectConstants(settings, *shown_);
     if (effects_ && std::memcmp(&wanted, &lastEffects_, sizeof wanted) == 0) return effects_;
     lastEffects_ = wanted;
     return effects_ = effectBuffers_.upload(std::as_bytes(std::span(&wanted, 1)));
@@ -65,7 +65,7 @@ const SphereBoxes* SceneFrames::boxesOf(const passes::SceneView& seen, const Ren
     // Smaller than that, lists and tiles take longer over them.
     constexpr double kSmallPixels = 2.5;
     constexpr std::uint64_t kMany = 100'000;
-    const SphereBoxes& boxes = scene_->chunks.sphereBoxes;
+    const SphereBoxes& boxes = shown_->chunks.sphereBoxes;
     const bool pays = settings.tuning.cull && seen.radiusPixels <= kSmallPixels && seen.copies.sphereCount() >= kMany;
     const bool drawn = (pays || hides(seen, settings)) && seen.copies.triangles.empty() && std::isfinite(boxes.reach) &&
                        FrontSpheres::tells(passes::tileView(seen, view, imageExtent(view), !edges));
@@ -74,7 +74,7 @@ const SphereBoxes* SceneFrames::boxesOf(const passes::SceneView& seen, const Ren
 
 void SceneFrames::dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view, bool edges) {
     if (!hides(seen, settings)) return;
-    hidden_.drop(seen.copies, scene_->representation, scene_->chunks,
+    hidden_.drop(seen.copies, shown_->representation, shown_->chunks,
                  passes::tileView(seen, view, imageExtent(view), !edges), seen.radiusPixels);
 }
 
@@ -110,7 +110,7 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     const SphereBoxes* boxes = debug ? nullptr : boxesOf(view, settings, request.view, edges);
     if (!debug && !boxes) dropHidden(view, settings, request.view, edges);
     const bool shaded = !debug && shadesByTiles(request);
-    view.tiles = tiles_.prepare(scene_->representation, view, request.view, options.extent,
+    view.tiles = tiles_.prepare(shown_->representation, view, request.view, options.extent,
                                 {shaded, edges, view.rims.any() && request.subsamples, 1, request.mask, boxes});
     if (!view.tiles) {
         options.visibility = view.rims.any() ? Visibility::deferred : Visibility::fragdepth;
@@ -119,7 +119,7 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     }
     if (view.translucent)
         view.translucent->tiles =
-            layerTiles_.prepare(scene_->representation, *view.translucent, request.view, options.extent,
+            layerTiles_.prepare(shown_->representation, *view.translucent, request.view, options.extent,
                                 {false, false, false, kTranslucentLayers, request.mask, nullptr});
     options.shadedByTiles = view.tiles->shaded;
     options.edges = view.tiles->edges.drawn;
@@ -152,6 +152,7 @@ void SceneFrames::count(SeenFrame& seen) {
 }
 
 void SceneFrames::letGo() {
+    shown_ = nullptr;
     for (int held = 0; held < 2; ++held)  // a view holds the light's view, and the translucent one
         views_.eachFree([](passes::SceneView& view) { view.clear(); });
 }
@@ -159,18 +160,26 @@ void SceneFrames::letGo() {
 SeenFrame SceneFrames::see(const FrameRequest& request) {
     letGo();
     RenderSettings settings = request.settings.ofFrame();
+    shown_ = scene_;
+    const bool levels = SeenScenes::draws(scene_->representation, settings);
+    if (levels) settings.occlusion.directions = 0;
     const passes::Atlas used = settings.occlusion.directions > 0 ? request.atlas : passes::Atlas{};
     const Visibility path = settle(settings, request);
     SeenFrame seen;
     seen.atlas = used.image ? used.image : &white_;
+    if (levels) {
+        shown_ = seenScenes_.see(device_, scene_, settings, request.view,
+                                 request.edges && drawsEdges() && settings.debug == DebugView::none);
+        seen.counts.copyLevels = seenScenes_.counts();
+    }
     seen.shape.debug = settings.debug;
     seen.shape.end = request.end;
     seen.shape.merge = settings.tuning.merge;
     seen.shape.transient = settings.tuning.transient;
-    seen.view = viewScene(*scene_, settings, request.view, used, views_);
+    seen.view = viewScene(*shown_, settings, request.view, used, views_);
     passes::SceneView& view = *seen.view;
     const graph::GeometryCaps& geometry = device_.caps().plan.geometry;
-    view.owner = scene_;
+    view.owner = shown_;
     view.coded = isCoded(request);
     view.powers = !device_.caps().software;
     view.fragments = request.fragments;
@@ -182,7 +191,7 @@ SeenFrame SceneFrames::see(const FrameRequest& request) {
     const bool rims = settings.effects.rims();
     if (path == Visibility::deferred || layered || rims)
         view.copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(view.copies.rows))));
-    seen.counts.meshLevels = view.copies.triangleLevels(scene_->representation);
+    seen.counts.meshLevels = view.copies.triangleLevels(shown_->representation);
     if (layered) {
         const auto over = nextView(views_);
         passes::seeTranslucent(*over, view, scene_->translucent);

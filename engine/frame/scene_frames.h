@@ -4,6 +4,7 @@
 #include "engine/frame/declared_frames.h"
 #include "engine/frame/scene.h"
 #include "engine/frame/screen.h"
+#include "engine/frame/seen_scene.h"
 #include "engine/gpu/execute.h"
 #include "engine/gpu/frame_buffers.h"
 #include "engine/passes/hidden_spheres.h"
@@ -84,11 +85,13 @@ private:
 
     const gpu::Device& device_;
     const std::shared_ptr<const Scene>& scene_;  ///< changes between frames
+    std::shared_ptr<const Scene> shown_;         ///< it, or what the current view shows of it
     gpu::Image white_;                           // the atlas for scenes without occlusion
     // Frame memory, reused when frames in flight are done. Carries nothing from one frame to the next.
     SceneViews views_;
     passes::TileFrames tiles_, layerTiles_;
     passes::HiddenSpheres hidden_;
+    SeenScenes seenScenes_;
     layout::EffectConstants lastEffects_{};
     std::shared_ptr<const gpu::Buffer> effects_;  // for the effects
     gpu::FrameBuffers effectBuffers_, copyRows_, covers_;

@@ -70,6 +70,7 @@ struct SceneCounts {
     bool flat = false;                                        ///< no impostor leans
     std::uint64_t translucent = 0;                            ///< triangles beside the others, which one looks through
     std::vector<MeshLevelCount> meshLevels{};
+    std::vector<CopyLevelCount> copyLevels{};
     TileCounts lists{};  ///< tile lists
 };
 

@@ -5,6 +5,7 @@
 #include "engine/error.h"
 #include "engine/occlusion/depth_maps.h"
 #include "engine/occlusion/primitive_tree.h"
+#include "engine/scene/sphere_levels.h"
 
 namespace nacre::occlusion {
 namespace {
@@ -89,6 +90,10 @@ std::uint64_t mapBudget(std::uint64_t bytes, const Representation& representatio
 
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
                             const std::stop_token& stop) {
+    if (!hasNumbers(representation))
+        throw Error("cannot bake ambient occlusion", "",
+                    "the assembly has " + std::to_string(spheresInCopies(representation)) +
+                        " spheres in its copies, more than a bake can tell apart (render with --occlusion off)");
     const std::uint64_t room = mapBudget(options.budgetBytes, representation);
     const DepthMapSizes maps(caps, representation, options.path, room, options.detail);
     const double pixel = maps.pixel(representation);

@@ -239,11 +239,34 @@ void AssemblyScene::eachBall(const SeenBalls& seen, const std::function<void(con
 }
 
 Bounds AssemblyScene::bounds(const SeenBalls& seen) const {
-    checkNumber(seen.balls.size());
+    constexpr std::uint64_t kMany = 100'000'000;
+    if (seen.balls.size() * std::uint64_t{placement_.transforms.size()} > kMany) return roughBounds(seen);
     Box box;
     eachBall(seen, [&](const glm::dvec3& center, double) { box.add(center); });
     Bounds bounds{box.center(), 0};
     eachBall(seen, [&](const glm::dvec3& center, double radius) {
+        bounds.radius = std::max(bounds.radius, glm::length(center - bounds.center) + radius);
+    });
+    return bounds;
+}
+
+/// By a ball about what has the same copies: at most its radius too large.
+Bounds AssemblyScene::roughBounds(const SeenBalls& seen) const {
+    std::vector<std::pair<Bounds, std::uint32_t>> parts;
+    eachRun(
+        seen.balls.size(), [&](std::size_t i) { return listOf(seen.atoms[i]); },
+        [&](std::uint32_t list, std::size_t first, std::size_t count) {
+            parts.emplace_back(boundsOf(std::span(seen.balls).subspan(first, count)), list);
+        });
+    const auto eachPlace = [&](const auto& visit) {
+        for (const auto& [ball, list] : parts)
+            for (const std::uint32_t copy : placement_.lists[list])
+                visit(placement_.transforms[copy] * glm::dvec4(ball.center, 1.0), ball.radius);
+    };
+    Box box;
+    eachPlace([&](const glm::dvec3& center, double) { box.add(center); });
+    Bounds bounds{box.center(), 0};
+    eachPlace([&](const glm::dvec3& center, double radius) {
         bounds.radius = std::max(bounds.radius, glm::length(center - bounds.center) + radius);
     });
     return bounds;
@@ -270,7 +293,8 @@ void AssemblyScene::keepWholeMeshes(Representation& r) {
 }
 
 void AssemblyScene::finish(Representation& r) {
-    checkNumber(r.spheres.size() + r.cylinders.size() + r.triangles.size() + r.coarseTriangles.size());
+    const std::size_t others = r.cylinders.size() + r.wires.size() + r.triangles.size() + r.coarseTriangles.size();
+    if (others > 0) checkNumber(r.spheres.size() + others);  // spheres alone are drawn by levels (sphere_levels.h)
     Copies& copies = r.copies;
     for (const glm::dmat4x3& transform : placement_.transforms) copies.transforms.push_back(about(transform, r.center));
     const auto run = [](std::uint32_t list, std::size_t first, std::size_t count) {

@@ -36,7 +36,7 @@ public:
                        std::vector<std::string>& warnings);
     /// Visits the balls in all their copies.
     void eachBall(const SeenBalls& seen, const std::function<void(const glm::dvec3&, double)>& visit) const;
-    /// Bounds of the balls in all copies. @throws Error if there are too many
+    /// Bounds of the balls in all copies.
     Bounds bounds(const SeenBalls& seen) const;
     /// Number of the list of copies that an atom has; atoms with the same copies share it.
     std::uint32_t listOf(std::uint32_t atom) const;
@@ -54,6 +54,7 @@ private:
     std::uint32_t commonListOf(std::uint32_t atomA, std::uint32_t atomB);
     void addBetweenCopies(const ContactFinder& finder, const Appearance& appearance,
                           std::vector<PlacedContact>& contacts, std::vector<std::string>& warnings);
+    Bounds roughBounds(const SeenBalls& seen) const;
     void spread(std::size_t colors);
     void checkNumber(std::size_t primitives) const;
     static void keepWholeMeshes(Representation& representation);

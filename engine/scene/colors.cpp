@@ -49,6 +49,16 @@ constexpr NamedColor kResidues[] = {
     {"DOD", 0xb8d4ea}, {"SOL", 0xb8d4ea}, {"TIP", 0xb8d4ea}, {"TIP3", 0xb8d4ea}, {"TIP4", 0xb8d4ea}, {"SPC", 0xb8d4ea}};
 constexpr std::uint32_t kOtherResidue = 0xc4beb4;
 
+/// Of the lowest byte of a colour.
+double linearByte(std::uint32_t color) {
+    const double c = (color & 0xff) / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+std::uint32_t codedByte(double light) {
+    const double coded = light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+    return static_cast<std::uint32_t>(std::lround(255 * coded));
+}
+
 }  // namespace
 
 std::uint32_t withOpacity(std::uint32_t color, double opacity) {
@@ -74,17 +84,24 @@ std::uint32_t copyTint(std::size_t tint, std::size_t count) {
 }
 
 std::uint32_t tintedColor(std::uint32_t color, std::uint32_t tint) {
-    const auto linear = [](std::uint32_t byte) {
-        const double c = byte / 255.0;
-        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    };
     std::uint32_t mixed = 0xff000000u;
-    for (const int shift : {0, 8, 16}) {
-        const double light = linear(color >> shift & 0xff) * linear(tint >> shift & 0xff);
-        const double coded = light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-        mixed |= static_cast<std::uint32_t>(std::lround(255 * coded)) << shift;
-    }
+    for (const int shift : {0, 8, 16})
+        mixed |= codedByte(linearByte(color >> shift) * linearByte(tint >> shift)) << shift;
     return mixed;
+}
+
+std::uint32_t meanColor(std::span<const std::uint32_t> colors, std::span<const float> shares) {
+    std::uint32_t mean = 0xff000000u;
+    for (const int shift : {0, 8, 16}) {
+        double sum = 0, all = 0;
+        for (std::size_t i = 0; i < colors.size(); ++i) {
+            const auto share = static_cast<double>(shares[i]);
+            sum += share * linearByte(colors[i] >> shift);
+            all += share;
+        }
+        mean |= codedByte(sum / all) << shift;
+    }
+    return mean;
 }
 
 }  // namespace nacre

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "engine/molecule/molecule.h"
@@ -23,6 +24,9 @@ std::uint32_t copyTint(std::size_t tint, std::size_t count);
 constexpr bool isCopyTint(std::uint32_t color) { return (color >> 24 & 1) == 0; }
 /// A copy's colour in a tint, as shaders mix them: multiplied in linear light.
 std::uint32_t tintedColor(std::uint32_t color, std::uint32_t tint);
+
+/// The mean in linear light, opaque. @param colors  at least one @param shares  same length, above 0
+std::uint32_t meanColor(std::span<const std::uint32_t> colors, std::span<const float> shares);
 
 /// For meshes: the other seven bits of the highest byte store opacity in steps of 1/128, from 1/128 to 1.
 constexpr std::uint32_t kOpacitySteps = 128;

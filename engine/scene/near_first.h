@@ -10,19 +10,34 @@
 
 namespace nacre {
 
+/// @param near  Z
+template <std::uint32_t kDepths>
+std::uint32_t depthStep(const TileView& view, float near) {
+    const float share = (near - view.nearest) / view.range;
+    return static_cast<std::uint32_t>(std::min(std::max(share * kDepths, 0.0f), kDepths - 1.0f));
+}
+
 /// Indices of things from near to far, bucketed into this many depths. Equal depths keep their order.
 /// @tparam T  has `near`, Z
 template <std::uint32_t kDepths, typename T>
 void orderNearFirst(const TileView& view, const std::vector<T>& things, std::vector<std::uint32_t>& order) {
-    const auto depthOf = [&](const T& thing) {
-        const float share = (thing.near - view.nearest) / view.range;
-        return static_cast<std::uint32_t>(std::min(std::max(share * kDepths, 0.0f), kDepths - 1.0f));
-    };
+    const auto depthOf = [&](const T& thing) { return depthStep<kDepths>(view, thing.near); };
     std::array<std::uint32_t, kDepths + 1> at{};
     for (const T& thing : things) ++at[depthOf(thing) + 1];
     for (std::uint32_t i = 1; i <= kDepths; ++i) at[i] += at[i - 1];
     order.resize(things.size());
     for (std::uint32_t i = 0; i < things.size(); ++i) order[at[depthOf(things[i])]++] = i;
+}
+
+/// The things themselves in this order: for more than caches hold.
+template <std::uint32_t kDepths, typename T>
+void sortNearFirst(const TileView& view, const std::vector<T>& things, std::vector<T>& sorted) {
+    const auto depthOf = [&](const T& thing) { return depthStep<kDepths>(view, thing.near); };
+    std::array<std::uint32_t, kDepths + 1> at{};
+    for (const T& thing : things) ++at[depthOf(thing) + 1];
+    for (std::uint32_t i = 1; i <= kDepths; ++i) at[i] += at[i - 1];
+    sorted.resize(things.size());
+    for (const T& thing : things) sorted[at[depthOf(thing)]++] = thing;
 }
 
 /// Rows of a picture; end exclusive.

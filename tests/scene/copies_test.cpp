@@ -65,6 +65,39 @@ RepresentationOptions look(Style style) {
     return options;
 }
 
+/// Atoms that stand in two places each: their own, and one that no other atom has.
+Molecule manyParts(std::uint32_t count) {
+    Molecule m;
+    m.chains = {{"A"}};
+    m.assemblies = {{"1", "", {}}};
+    for (std::uint32_t i = 0; i < count; ++i) {
+        m.subchains.push_back(std::to_string(i));
+        Residue residue;
+        residue.subchain = i;
+        residue.firstAtom = i;
+        residue.atomCount = 1;
+        m.residues.push_back(residue);
+        Atom atom;
+        atom.position = {4.0f * static_cast<float>(i % 256), 4.0f * static_cast<float>(i / 256), 0};
+        atom.element = 6;
+        atom.residue = i;
+        m.atoms.push_back(atom);
+        m.assemblies[0].parts.push_back({{shift(0, 0, 0), shift(0, 0, 4 + static_cast<float>(i) / 1024)}, {i}});
+    }
+    return m;
+}
+
+TEST(Assembly, OfManyPartsWithCopiesOfTheirOwn) {
+    constexpr std::uint32_t kParts = 65536;
+    const Molecule m = manyParts(kParts);
+    const Representation r = represent(m, everyAtom(m), look(Style::spacefill));
+    EXPECT_EQ(r.drawnAtoms, 2u * kParts);
+    EXPECT_EQ(r.copies.transforms.size(), kParts + 1u);
+    ASSERT_EQ(r.copies.spheres.size(), kParts);
+    ASSERT_EQ(r.copies.lists.size(), kParts);
+    for (const PrimitiveRun& run : r.copies.spheres) ASSERT_EQ(r.copies.lists[run.list].size(), 2u);
+}
+
 TEST(Assembly, OfTwoPartsSortsPrimitivesByTheirCopies) {
     Molecule m = threeSubchains();
     // B stands in between A and C in the file and has other copies than both.
@@ -112,7 +145,7 @@ TEST(Assembly, OfNoSuchNameIsRefusedWithTheNamesThereAre) {
     }
 }
 
-TEST(Assembly, ThatStretchesOrHasTooManyAtomsIsRefused) {
+TEST(Assembly, ThatStretchesOrHasTooManySticksIsRefused) {
     Molecule m = threeSubchains();
     m.assemblies = {{"1", "", {{{glm::mat4x3(2.0f)}, {0}}}}};
     EXPECT_THROW(represent(m, everyAtom(m), look(Style::spacefill)), Error);
@@ -125,7 +158,10 @@ TEST(Assembly, ThatStretchesOrHasTooManyAtomsIsRefused) {
     many.assemblies = {{"1", "", {{{}, {0}}}}};
     for (int i = 0; i < 860'000; ++i)
         many.assemblies[0].parts[0].transforms.push_back(shift(static_cast<float>(i), 0, 0));
-    EXPECT_THROW(represent(many, everyAtom(many), look(Style::spacefill)), Error);
+    EXPECT_EQ(represent(many, everyAtom(many), look(Style::spacefill)).drawnAtoms, 4'300'000'000u);  // by levels
+    many.atoms[1].position = {1.5f, 0, 0};
+    many.bonds = {{0, 1, 1, BondSource::file}};
+    EXPECT_THROW(represent(many, everyAtom(many), look(Style::licorice)), Error);
     const std::vector<std::uint32_t> one{0};
     EXPECT_EQ(represent(many, one, look(Style::spacefill)).drawnAtoms, 860'000u);
 }
