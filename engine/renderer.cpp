@@ -4,6 +4,7 @@
 #include "engine/renderer.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "engine/error.h"
@@ -36,6 +37,8 @@ struct Renderer::Impl {
     SceneFrames frames = guarded([&] { return SceneFrames(device, executor, scene); });
     PictureFrames pictures{device, executor, frames};
     std::unique_ptr<WindowFrames> window;
+    /// Decides the bake that pictures that are started read.
+    std::tuple<const Scene*, int, std::uint64_t, OcclusionMaps, std::uint32_t> startedWith{};
 
     explicit Impl(const DeviceOptions& options) : device(options) {
         const std::string selfTest = chooseTested(options);
@@ -84,11 +87,30 @@ struct Renderer::Impl {
     template <typename Draw>
     auto drawFinished(const RenderSettings& settings, const Draw& draw) {
         return guarded([&] {
+            pictures.settle();
             occlusion.finish(settings.occlusion, onlookerOf(settings));
             auto drawn = draw(occlusion.atlas());
             notePicture();
             return drawn;
         });
+    }
+
+    /// Pictures that are started read the bake, which may only change after them.
+    void settleUnlessBaked(const OcclusionSettings& wanted) {
+        std::tuple now(scene.get(), wanted.directions, wanted.bytes, wanted.maps, wanted.detail);
+        if (wanted.once || now != startedWith) pictures.settle();
+        startedWith = std::move(now);
+    }
+
+    /// Runs a call of pictures that are started, and gives them up if it fails.
+    template <typename Call>
+    auto orDrop(const Call& call) {
+        try {
+            return guarded(call);
+        } catch (...) {
+            pictures.drop();
+            throw;
+        }
     }
 
     /// Runs a call, and returns `lost` instead of its result if the device is lost.
@@ -151,6 +173,21 @@ CodedPicture Renderer::renderCoded(const RenderSettings& settings, bool alpha) {
     return impl_->drawFinished(
         settings, [&](const passes::Atlas& atlas) { return impl_->pictures.coded(settings, atlas, alpha); });
 }
+
+void Renderer::startCoded(const RenderSettings& settings, bool alpha) {
+    impl_->orDrop([&] {
+        impl_->settleUnlessBaked(settings.occlusion);
+        impl_->occlusion.finish(settings.occlusion, onlookerOf(settings));
+        impl_->pictures.start(settings, impl_->occlusion.atlas(), alpha);
+        impl_->notePicture();
+    });
+}
+
+CodedPicture Renderer::finishCoded() {
+    return impl_->orDrop([&] { return impl_->pictures.finish(); });
+}
+
+std::size_t Renderer::started() const { return impl_->pictures.started(); }
 
 Picture Renderer::renderPart(const RenderSettings& settings, const PictureRect& part) {
     return impl_->drawFinished(settings,

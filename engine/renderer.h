@@ -57,6 +57,13 @@ public:
     Picture render(const RenderSettings& settings);
     /// As coded(render(settings), alpha), with `fine` off; takes less time where it draws one frame. @throws Error
     CodedPicture renderCoded(const RenderSettings& settings, bool alpha);
+    /// Starts a picture of renderCoded(), while the device draws those started before it; two at a time keep it busy.
+    /// Until all are finished, call no other function that draws. After an Error nothing is started.
+    void startCoded(const RenderSettings& settings, bool alpha);
+    /// The picture started first. @throws Error
+    CodedPicture finishCoded();
+    /// Pictures that are started and not finished.
+    std::size_t started() const;
     /// A rectangle of render()'s picture, equal to the byte. The whole picture may exceed the device's limits.
     /// @param part  its x and y are multiples of PictureRect::kStep; View::quarterTurns is 0 @throws Error
     Picture renderPart(const RenderSettings& settings, const PictureRect& part);

@@ -242,6 +242,11 @@ CodedPicture Drawing::drawCoded(Canvas& canvas, bool alpha, std::size_t* crowded
     return canvas.renderer.renderCoded(settings, alpha);
 }
 
+void Drawing::startCoded(Canvas& canvas, bool alpha) {
+    show(canvas);
+    canvas.renderer.startCoded(settings, alpha);
+}
+
 LayerPicture Drawing::layers(Renderer& renderer) const {
     LayerPicture layers = renderer.layers(settings);
     if (depthShift_ != 0)  // the background's infinity stays

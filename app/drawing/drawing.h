@@ -50,6 +50,10 @@ public:
     Picture draw(Canvas& canvas, std::size_t* crowded = nullptr);
     /// As above, in 8 bits per channel.
     CodedPicture drawCoded(Canvas& canvas, bool alpha, std::size_t* crowded = nullptr);
+    /// Whether startCoded() serves: no words are drawn, and 8 bits per channel hold the picture.
+    bool startsCoded() const { return !words.any() && !settings.fine; }
+    /// Starts a picture of drawCoded(), which the renderer's finishCoded() returns.
+    void startCoded(Canvas& canvas, bool alpha);
     /// Layers of the scene on the renderer. Depths of all frames of a trajectory have one origin.
     LayerPicture layers(Renderer& renderer) const;
     /// Draws the words into a picture. @returns labels left out for lack of room

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <tuple>
@@ -163,19 +164,23 @@ Structure openBytes(const std::string& name, std::string bytes, const std::strin
 namespace {
 
 /// @param alpha  whether to keep it in 8 bits per channel
+void drawNow(app::Drawing& drawing, app::Canvas& canvas, bool alpha, Drawn& drawn) {
+    std::size_t crowded = 0;
+    if (drawing.settings.fine)
+        drawn.picture = drawing.draw(canvas, &crowded);
+    else
+        drawn.codes = drawing.drawCoded(canvas, alpha, &crowded);
+    drawn.warnings = drawing.warnings;
+    if (crowded) drawn.warnings.push_back(std::to_string(crowded) + " labels do not fit into the picture");
+}
+
 Drawn drawAs(const std::string& output, bool alpha, const Structure& structure, const std::string& options,
              const Colors& colors) {
     const PictureDescription request = requestOf(structure, options, output);
     Drawn drawn;
     drawn.format = app::formatOf(request);
     withScene(structure, request, colors, [&](app::Drawing& drawing, app::Canvas& canvas) {
-        std::size_t crowded = 0;
-        if (drawing.settings.fine)
-            drawn.picture = drawing.draw(canvas, &crowded);
-        else
-            drawn.codes = drawing.drawCoded(canvas, alpha || app::hasAlpha(drawn.format, output), &crowded);
-        drawn.warnings = drawing.warnings;
-        if (crowded) drawn.warnings.push_back(std::to_string(crowded) + " labels do not fit into the picture");
+        drawNow(drawing, canvas, alpha || app::hasAlpha(drawn.format, output), drawn);
     });
     return drawn;
 }
@@ -184,6 +189,44 @@ Drawn drawAs(const std::string& output, bool alpha, const Structure& structure, 
 
 Drawn draw(const Structure& structure, const std::string& options, const Colors& colors) {
     return drawAs(kPlain, true, structure, options, colors);
+}
+
+std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::string>& options, const Colors& colors) {
+    std::vector<PictureDescription> requests;
+    for (const std::string& one : options) requests.push_back(requestOf(structure, one, kPlain));
+    std::vector<Drawn> all(requests.size());
+    if (requests.empty()) return all;
+    withScene(structure, requests.front(), colors, [&](app::Drawing& drawing, app::Canvas& canvas) {
+        constexpr std::size_t kInFlight = 2;
+        std::deque<Drawn*> started;
+        const auto finish = [&](std::size_t left) {
+            for (; started.size() > left; started.pop_front()) started.front()->codes = canvas.renderer.finishCoded();
+        };
+        try {
+            for (std::size_t i = 0; i < requests.size(); ++i) {
+                const PictureDescription& request = requests[i];
+                if (deviceKey(request.device) != deviceKey(requests.front().device))
+                    throw app::UsageError("pictures() draws with one device");
+                app::loadMaps(request);
+                drawing.prepare(*structure.molecule, request);
+                all[i].format = app::formatOf(request);
+                if (drawing.startsCoded()) {
+                    drawing.startCoded(canvas, true);
+                    started.push_back(&all[i]);
+                    all[i].warnings = drawing.warnings;
+                    finish(kInFlight - 1);
+                } else {
+                    finish(0);
+                    drawNow(drawing, canvas, true, all[i]);
+                }
+            }
+            finish(0);
+        } catch (...) {
+            while (canvas.renderer.started() > 0) canvas.renderer.finishCoded();
+            throw;
+        }
+    });
+    return all;
 }
 
 LayerPicture drawLayers(const Structure& structure, const std::string& options, const Colors& colors,

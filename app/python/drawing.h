@@ -50,6 +50,8 @@ Structure openBytes(const std::string& name, std::string bytes, const std::strin
 /// Draws with the shared renderer, one thread after another.
 /// @param options  JSON, keys as in `nacre render` @throws app::UsageError, Error
 Drawn draw(const Structure& structure, const std::string& options, const Colors& colors);
+/// Draws a structure by several options, each picture while the last is copied. All have one device.
+std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::string>& options, const Colors& colors);
 LayerPicture drawLayers(const Structure& structure, const std::string& options, const Colors& colors,
                         std::vector<std::string>& warnings);
 

@@ -311,6 +311,15 @@ void addDrawing(py::module_& m) {
         std::vector<std::string> warnings = std::move(drawn.warnings);
         return std::pair(codesOf(std::move(drawn)), std::move(warnings));
     });
+    m.def("render_all", [](const Structure& s, const std::vector<std::string>& options, const Colors& colors) {
+        std::vector<Drawn> all = freely([&] { return drawAll(s, options, colors); });
+        py::list pictures;
+        for (Drawn& drawn : all) {
+            std::vector<std::string> warnings = std::move(drawn.warnings);
+            pictures.append(py::make_tuple(codesOf(std::move(drawn)), std::move(warnings)));
+        }
+        return pictures;
+    });
     m.def("layers", [](const Structure& s, const std::string& options, const Colors& colors) {
         std::vector<std::string> warnings;
         const LayerPicture layers = freely([&] { return drawLayers(s, options, colors, warnings); });

@@ -1,11 +1,16 @@
 #pragma once
 // Frames that the host waits for: pictures, layers, and picking.
 
+#include <deque>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "engine/frame/declared_frames.h"
 #include "engine/frame/picture.h"
 #include "engine/frame/scene_frames.h"
+#include "engine/gpu/submission.h"
 
 namespace nacre {
 
@@ -19,6 +24,15 @@ public:
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas);
     /// As Renderer::renderCoded.
     CodedPicture coded(RenderSettings settings, const passes::Atlas& atlas, bool alpha);
+    /// Starts a picture as coded() draws it: pictures of one frame while earlier ones are drawn, others at once.
+    void start(RenderSettings settings, const passes::Atlas& atlas, bool alpha);
+    /// The picture that was started first, of those that finish() has not returned.
+    CodedPicture finish();
+    std::size_t started() const { return started_.size(); }
+    /// Waits for what is started: what it reads may change then.
+    void settle();
+    /// Gives up what is started.
+    void drop();
     /// As Renderer::renderPart.
     Picture part(const RenderSettings& settings, const passes::Atlas& atlas, const PictureRect& part);
     LayerPicture layers(const RenderSettings& settings, const passes::Atlas& atlas);
@@ -74,6 +88,18 @@ private:
                                              const View& view, Picture& to);
     Picture blocksOfSamples(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
                             bool readBack);
+    /// A picture that is drawn while the host goes on.
+    struct Started {
+        std::array<float, 4> background{};
+        bool alpha = false;
+        Wanted wanted;
+        SeenFrame seen;  ///< what its frame uses
+        std::unique_ptr<gpu::Submission> submission;
+        std::optional<CodedPicture> picture;  ///< instead, if it was drawn at once
+    };
+    bool overlaps(const RenderSettings& settings) const;
+    bool submit(const RenderSettings& settings, const passes::Atlas& atlas, bool alpha);
+
     const std::shared_ptr<DeclaredFrame>& declare(const SeenFrame& seen);
     void tell(const SeenFrame& seen, const FrameTuning& tuning);
 
@@ -85,6 +111,8 @@ private:
     gpu::Timer timer_;
     DeclaredFrames declared_;
     std::shared_ptr<const DeclaredFrame> last_;
+    std::deque<Started> started_;
+    std::vector<std::unique_ptr<gpu::Submission>> spare_;
     mutable std::string planText_;  // of the last frame; made on demand
 };
 

@@ -56,6 +56,36 @@ def test_pictures_are_the_callers_own(dna):
     np.testing.assert_array_equal(dna.render(**SMALL), kept)
 
 
+def test_pictures_are_those_of_render(dna):
+    views = [{"rotate": (0, 30 * turn, 0)} for turn in range(11)]  # more than are drawn together
+    views[3] |= {"color": "chain", "title": "Chains"}
+    views[5] |= {"depth": 16}
+    views[7] |= {"halos": 3}
+    views[8] |= {"size": (20, 30), "style": "licorice"}
+    drawn = list(dna.pictures(views, **SMALL))
+    assert len(drawn) == len(views)
+    for view, picture in zip(views, drawn):
+        np.testing.assert_array_equal(picture, dna.render(**SMALL | view))
+    colours = np.arange(3 * len(dna), dtype=np.uint8).reshape(-1, 3)
+    for view, picture in zip(views[:2], dna.pictures(views[:2], color=colours, **SMALL)):
+        np.testing.assert_array_equal(picture, dna.render(color=colours, **SMALL | view))
+
+
+def test_pictures_are_drawn_as_they_are_asked_for(dna):
+    asked = []
+    pictures = dna.pictures(({"rotate": (0, asked.append(turn) or turn, 0)} for turn in range(100)), **SMALL)
+    assert next(pictures).shape == (32, 48, 4) and len(asked) < 20
+    pictures.close()
+    assert list(dna.pictures([], **SMALL)) == []
+    with pytest.raises(nacre.UsageError, match="halo"):
+        list(dna.pictures([{}, {"halo": 1}], **SMALL))
+    with pytest.raises(nacre.UsageError, match="arrays go with all views"):
+        list(dna.pictures([{"color": np.zeros((len(dna), 3))}], **SMALL))
+    with pytest.raises(nacre.Error):  # in the midst of others
+        list(dna.pictures([{}, {"hide": "all"}, {}], **SMALL))
+    assert dna.render(**SMALL).shape == (32, 48, 4)
+
+
 def test_files_say_that_they_are_srgb(dna, tmp_path):
     ImageCms, Image = pytest.importorskip("PIL.ImageCms"), pytest.importorskip("PIL.Image")
     colours = Image.fromarray(np.random.default_rng(1).integers(0, 256, (64, 64, 3), dtype=np.uint8))

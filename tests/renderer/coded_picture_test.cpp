@@ -2,6 +2,7 @@
 
 #include "engine/coded_picture.h"
 
+#include "engine/error.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -56,6 +57,53 @@ INSTANTIATE_TEST_SUITE_P(Pictures, CodedAtOnce,
                                          CodedCase{"four_samples", {1, 1, 1, 0.7f}, 2},
                                          CodedCase{"halos", {1, 1, 1, 1}, RenderSettings::kEdges, 5}),
                          [](const auto& test) { return std::string(test.param.name); });
+
+TEST(PicturesInFlight, AreThoseOfOneAfterTheOther) {
+    const Representation r = scene("sample:dna", Style::spacefill),
+                         other = scene("sample:glucose", Style::ballAndStick);
+    for (const Visibility path : {Visibility::tiles, Visibility::encoded}) {
+        SCOPED_TRACE(static_cast<int>(path));
+        ValidatedRenderer renderer(path);
+        std::vector<RenderSettings> all;
+        for (int i = 0; i < 9; ++i) {
+            RenderSettings s = settings(r, 90 + 6 * static_cast<std::uint32_t>(i), Projection::perspective);
+            s.occlusion.directions = i < 3 ? 4 : i < 6 ? 8 : 0;  // the bake changes beneath pictures in flight
+            s.occlusion.detail = 8;
+            s.effects.halos.width = i == 4 ? 5 : 0;  // takes more than one frame
+            s.supersample = i == 7 ? 2 : i == 8 ? 1 : RenderSettings::kEdges;
+            all.push_back(s);
+        }
+        const auto sceneOf = [&](std::size_t i) -> const Representation& { return i == 5 ? other : r; };
+        std::vector<CodedPicture> wanted, drawn;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            renderer->setScene(sceneOf(i));
+            wanted.push_back(renderer->renderCoded(all[i], true));
+        }
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (i == 0 || &sceneOf(i) != &sceneOf(i - 1)) renderer->setScene(sceneOf(i));
+            renderer->startCoded(all[i], true);
+            if (renderer->started() > 2) drawn.push_back(renderer->finishCoded());
+        }
+        EXPECT_EQ(renderer->started(), 2u);
+        while (renderer->started() > 0) drawn.push_back(renderer->finishCoded());
+        ASSERT_EQ(drawn.size(), wanted.size());
+        for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_TRUE(drawn[i].bytes == wanted[i].bytes) << i;
+    }
+}
+
+TEST(PicturesInFlight, AFailureGivesThemUp) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    ValidatedRenderer renderer(Visibility::tiles);
+    renderer->setScene(r);
+    RenderSettings s = settings(r, 64, Projection::orthographic);
+    renderer->startCoded(s, true);
+    s.view.width = renderer->maxSize() + 1;
+    EXPECT_THROW(renderer->startCoded(s, true), Error);
+    EXPECT_EQ(renderer->started(), 0u);
+    s.view.width = 64;
+    renderer->startCoded(s, true);
+    EXPECT_TRUE(renderer->finishCoded().bytes == renderer->renderCoded(s, true).bytes);
+}
 
 }  // namespace
 }  // namespace nacre::test

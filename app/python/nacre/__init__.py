@@ -37,6 +37,7 @@ __version__ = _nacre.__version__
 __all__ = ["Error", "FileMissing", "Movie", "Structure", "UsageError", "View", "__version__", "density_map", "from_arrays",
            "from_biopython", "from_gemmi", "open", "options"]
 
+_TOGETHER = 8  # pictures that pictures() holds
 _NOTEBOOK = {"size": (512, 512), "supersample": 2}
 _NOTEBOOK_MOVIE = {"size": (384, 384)}, {"seconds": 4, "fps": 15}
 _MOVIE_TYPES = {".png": "image/png", ".gif": "image/gif", ".mp4": "video/mp4", ".webm": "video/webm"}
@@ -237,6 +238,30 @@ class Structure:
         picture, warnings = _nacre.render(self._core, text, colors)
         _tell(warnings)
         return picture
+
+    def pictures(self, views, **options):
+        """Draws a picture for each view, in turn: a dict of options, which the others complete. As render(), in less time:
+        the next picture is drawn while the last is copied.
+
+        >>> for picture in dna.pictures(({"rotate": (0, y, 0)} for y in range(360)), size=(256, 256)): ...
+        """
+        own, group = not isinstance(options.get("color", ""), str), []
+        for view in views:
+            if not isinstance(view.get("color", ""), str):
+                raise UsageError('"color" of a view: a scheme or a colour; arrays go with all views')
+            if own and "color" in view:
+                raise UsageError('"color" of a view: the colours of all views are given')
+            group.append(options | dict(view))
+            if len(group) == _TOGETHER:
+                yield from self._drawn(group)
+                group = []
+        yield from self._drawn(group)
+
+    def _drawn(self, group):
+        given = [self._given(options) for options in group]
+        for picture, warnings in _nacre.render_all(self._core, [text for _, text in given], given[0][0]) if given else ():
+            _tell(warnings)
+            yield picture
 
     def layers(self, **options):
         """Draws layers for compositing, one sample per pixel, as float32 (id: uint32):
