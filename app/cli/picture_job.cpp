@@ -95,8 +95,8 @@ void PictureJob::drawPicture(Renderer& renderer) {
 
 void PictureJob::sayCrowded(std::size_t labels) const {
     if (labels > 0)
-        sayWarning(std::to_string(labels) + (labels == 1 ? " label" : " labels") +
-                   " do not fit into the picture (use a smaller --text-size, or fewer labels)");
+        sayWarning(std::to_string(labels) + (labels == 1 ? " label does" : " labels do") +
+                   " not fit into the picture (use a smaller --text-size, or fewer labels)");
 }
 
 /// Draws the picture in parts, and writes it meanwhile.

@@ -15,9 +15,9 @@ namespace nacre::app {
 /// its render pass; passes that share one have an extra entry under their joined names. All `ms` add up to the frame's.
 nlohmann::ordered_json passesJson(const std::vector<PassCount>& counts, const std::vector<PassTime>& times);
 
-/// Vertex output of the passes: `varying_bytes`, which go through memory (`memory_bytes`) on GPUs that store them.
 nlohmann::ordered_json copyLevelsJson(const std::vector<CopyLevelCount>& levels);
 nlohmann::ordered_json meshLevelsJson(const std::vector<MeshLevelCount>& levels);
+/// Vertex output of the passes: `varying_bytes`, which go through memory (`memory_bytes`) on GPUs that store them.
 nlohmann::ordered_json geometryJson(const std::vector<PassGeometry>& passes, bool stored);
 
 /// Peak resident memory of this program so far.

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "app/mvs/node_table.h"
@@ -215,17 +216,35 @@ glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& c
     return motion;
 }
 
-void takeMotions(const Node& node, Structure& s) {
-    const auto centroid = [&] {
-        std::vector<glm::dvec4> points;
-        const std::vector<glm::dmat4x3> still{glm::dmat4x3(1.0)};
-        for (const glm::dmat4x3& copy : s.transforms.empty() ? still : s.transforms)
-            for (const Atom& atom : s.molecule->atoms)
-                points.emplace_back(joinedMotion(s.moved, copy) * glm::dvec4(glm::dvec3(atom.position), 1.0), 0.0);
-        return extremeSphere(points).center;
+namespace {
+
+/// Of the atoms in all copies. Of the copies before, it holds the extreme points alone.
+glm::dvec3 centroidOf(const Structure& s) {
+    std::vector<glm::dvec4> points;
+    const auto add = [&](const glm::dmat4x3& copy) {
+        std::vector<glm::dvec3> extreme;
+        if (!points.empty()) extreme = extremePoints(points);
+        points.clear();
+        for (const glm::dvec3& point : extreme) points.emplace_back(point, 0.0);
+        const glm::dmat4x3 motion = joinedMotion(s.moved, copy);
+        for (const Atom& atom : s.molecule->atoms)
+            points.emplace_back(motion * glm::dvec4(glm::dvec3(atom.position), 1.0), 0.0);
     };
-    for (const Node& child : node.children)
-        if (child.kind == "transform") s.moved = joinedMotion(motionOfNode(child, centroid), s.moved);
+    if (s.transforms.empty()) add(glm::dmat4x3(1.0));
+    for (const glm::dmat4x3& copy : s.transforms) add(copy);
+    return points.empty() ? glm::dvec3(0) : extremeSphere(points).center;
+}
+
+}  // namespace
+
+void takeMotions(const Node& node, Structure& s) {
+    std::optional<glm::dvec3> known;  // one for all instances: it takes as long as the structure has atoms
+    const auto centroid = [&] { return known ? *known : *(known = centroidOf(s)); };
+    for (const Node& child : node.children) {
+        if (child.kind != "transform") continue;
+        s.moved = joinedMotion(motionOfNode(child, centroid), s.moved);
+        known.reset();
+    }
     for (const Node& child : node.children)
         if (child.kind == "instance") s.instances.push_back(motionOfNode(child, centroid));
 }
@@ -283,7 +302,8 @@ void tellUnknown(const Node& node, const Node& parent, SceneWarnings& warnings) 
     if (!node.fault.empty()) return warnings.add(node, node.fault + ": it is left out");
     const NodeRow* row = nodeRow(node.kind);
     if (!row) return warnings.add(node, "nodes of this kind are not drawn");
-    if (!row->isBelow(parent.kind)) return warnings.add(node, "it is not drawn below a " + parent.kind + " node");
+    if (!row->isBelow(parent.kind))
+        return warnings.add(node, "it is not drawn below a " + nacre::printable(parent.kind, 40) + " node");
     if (node.kind == "representation" || node.kind == "volume_representation") return;  // each type has its own
     for (const auto& [key, value] : node.params.items())
         if (!value.is_null() && !row->knows(key))

@@ -171,7 +171,9 @@ void drawNow(app::Drawing& drawing, app::Canvas& canvas, bool alpha, Drawn& draw
     else
         drawn.codes = drawing.drawCoded(canvas, alpha, &crowded);
     drawn.warnings = drawing.warnings;
-    if (crowded) drawn.warnings.push_back(std::to_string(crowded) + " labels do not fit into the picture");
+    if (crowded)
+        drawn.warnings.push_back(std::to_string(crowded) + (crowded == 1 ? " label does" : " labels do") +
+                                 " not fit into the picture");
 }
 
 Drawn drawAs(const std::string& output, bool alpha, const Structure& structure, const std::string& options,
@@ -197,13 +199,18 @@ std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::st
     std::vector<Drawn> all(requests.size());
     if (requests.empty()) return all;
     withScene(structure, requests.front(), colors, [&](app::Drawing& drawing, app::Canvas& canvas) {
-        constexpr std::size_t kInFlight = 2;
+        constexpr std::size_t kInFlight = 2, kMostBytes = std::size_t{32} << 20;
+        std::size_t bytes = 0;
         std::deque<Drawn*> started;
         const auto finish = [&](std::size_t left) {
             for (; started.size() > left; started.pop_front()) started.front()->codes = canvas.renderer.finishCoded();
         };
         try {
             for (std::size_t i = 0; i < requests.size(); ++i) {
+                if (bytes >= kMostBytes) {
+                    all.resize(i);  // those that are started lie before
+                    break;
+                }
                 const PictureDescription& request = requests[i];
                 if (deviceKey(request.device) != deviceKey(requests.front().device))
                     throw app::UsageError("pictures() draws with one device");
@@ -219,6 +226,8 @@ std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::st
                     finish(0);
                     drawNow(drawing, canvas, true, all[i]);
                 }
+                const View& view = drawing.settings.view;
+                bytes += std::size_t{view.width} * view.height * (drawing.settings.fine ? sizeof(float) * 4 : 4);
             }
             finish(0);
         } catch (...) {

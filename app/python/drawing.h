@@ -51,6 +51,7 @@ Structure openBytes(const std::string& name, std::string bytes, const std::strin
 /// @param options  JSON, keys as in `nacre render` @throws app::UsageError, Error
 Drawn draw(const Structure& structure, const std::string& options, const Colors& colors);
 /// Draws a structure by several options, each picture while the last is copied. All have one device.
+/// @returns the first pictures, at least one: no more follow when they take 32 MiB
 std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::string>& options, const Colors& colors);
 LayerPicture drawLayers(const Structure& structure, const std::string& options, const Colors& colors,
                         std::vector<std::string>& warnings);

@@ -57,6 +57,16 @@ TEST(WordOptions, EachPutsInkIntoThePictureAndAViewKeepsIt) {
     }
 }
 
+TEST(WordOptions, LabelsWithoutRoomAreCounted) {
+    const TemporaryFolder folder;
+    const auto said = [&](const std::string& labels) {
+        return nacreIn(folder, "render sample:glucose --size 64x64 --occlusion off -o a.png " + labels).err;
+    };
+    const std::string one = "--label 'name C1=A text that is too long for it' ";
+    EXPECT_NE(said(one).find("warning: 1 label does not fit into the picture"), std::string::npos);
+    EXPECT_NE(said(one + one).find("warning: 2 labels do not fit into the picture"), std::string::npos);
+}
+
 TEST(PictureOptions, TransparentEdgesAreRightOnBlackAndOnWhite) {
     const TemporaryFolder folder;
     const std::string draw = "render sample:dna --zoom 1 --size 160x160 --occlusion off --look default -o ";

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <ctime>
 #include <glm/geometric.hpp>
 
 #include "app/mvs/molstar_radii.h"
@@ -133,6 +135,51 @@ TEST(SceneTransforms, RotationsHaveACentre) {
     EXPECT_NEAR(turned.z, 8, 1e-5);
 }
 
+TEST(SceneTransforms, ACentreIsThatOfAllCopies) {
+    const std::string cell = R"("symmetry", "ijk_min": [0,0,0], "ijk_max": [0,0,0])",
+                      all = component(R"("all")", balls());
+    const std::string turn = R"({"kind": "transform", "params": {"rotation": [-1,0,0,0,-1,0,0,0,1],
+        "rotation_center": "centroid"}},)";
+    const auto placesOf = [](const Molecule& molecule) {
+        std::vector<glm::dvec4> places;
+        for (const Atom& atom : molecule.atoms)
+            for (const std::uint32_t copy : molecule.guide->lists[molecule.guide->listOfResidue[atom.residue]])
+                places.emplace_back(molecule.guide->transforms[copy] * glm::dvec4(glm::dvec3(atom.position), 1.0), 0.0);
+        return places;
+    };
+    const std::vector<glm::dvec4> still = placesOf(built(scene(all, "", cell))),
+                                  turned = placesOf(built(scene(turn + all, "", cell)));
+    ASSERT_EQ(still.size(), 36u);
+    ASSERT_EQ(turned.size(), still.size());
+    const glm::dvec3 center = extremeSphere(still).center;
+    for (std::size_t i = 0; i < still.size(); ++i) {
+        EXPECT_NEAR(still[i].x + turned[i].x, 2 * center.x, 1e-4);
+        EXPECT_NEAR(still[i].y + turned[i].y, 2 * center.y, 1e-4);
+    }
+}
+
+// Some 20 s, were it found anew for each.
+TEST(SceneTransforms, ACentreIsFoundOnceForAllInstances) {
+    const std::string instance = R"({"kind": "instance", "params": {"rotation": [0,1,0,-1,0,0,0,0,1],
+        "rotation_center": "centroid"}},)";
+    std::string instances, pdb;
+    for (int i = 0; i < 5000; ++i) instances += instance;
+    for (int i = 0; i < 60'000; ++i) {
+        char line[90];
+        std::snprintf(line, sizeof line, "HETATM%5d  O   HOH A%4d    %8.3f%8.3f%8.3f  1.00  0.00           O\n",
+                      i % 99999, i % 9999, i % 97 * 3.0, i % 89 * 3.0, i % 83 * 3.0);
+        pdb += line;
+    }
+    const SceneTree tree =
+        parseScene(scene(instances + component(R"("all")", drawn(R"({"type": "spacefill"})"))), "a.mvsj");
+    SceneSources sources;
+    sources.fetch = [&](const std::string&) { return pdb; };
+    const std::clock_t begin = std::clock();
+    const Molecule molecule = buildScene(tree, 0, "a.mvsj", sources);
+    EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);
+    EXPECT_EQ(molecule.guide->transforms.size(), 1u);
+}
+
 TEST(SceneFaults, NodesInTheWrongPlaceAreWarnings) {
     const auto warnings = warningsOf(scene(
         component(R"("all")", balls(R"({"kind": "transform", "params": {}})") + R"(,{"kind": "camera", "params": {}})"),
@@ -140,6 +187,13 @@ TEST(SceneFaults, NodesInTheWrongPlaceAreWarnings) {
     EXPECT_TRUE(anyHas(warnings, "transform 1: it is not drawn below a representation node"));
     EXPECT_TRUE(anyHas(warnings, "camera 2: it is not drawn below a component node"));
     EXPECT_TRUE(anyHas(warnings, "root/structure 2: it is not drawn below a root node"));
+    const std::string group = R"({"kind": ")" + std::string(100'000, 'x') + R"(", "children": [{"kind": "focus"}]})";
+    const auto named =
+        built(scene(component(R"("all")", balls()), R"(,{"kind": "primitives_from_uri", "params": {"uri": "b.json"}})"),
+              group)
+            .guide->warnings;
+    ASSERT_TRUE(anyHas(named, "focus 1: it is not drawn below a xxx"));
+    for (const std::string& warning : named) EXPECT_LT(warning.size(), 200u);  // one for each of many children
 }
 
 TEST(SceneFaults, WhatIsNoNodeIsLeftOut) {

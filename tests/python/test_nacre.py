@@ -71,6 +71,27 @@ def test_pictures_are_those_of_render(dna):
         np.testing.assert_array_equal(picture, dna.render(color=colours, **SMALL | view))
 
 
+def test_pictures_have_palettes_of_their_own(dna):
+    values = np.arange(len(dna))
+    views = [{}, {"palette": "plasma"}, {"color_limits": (0, 9)}, {"rotate": (0, 90, 0)}]
+    for view, picture in zip(views, dna.pictures(views, color=values, **SMALL), strict=True):
+        np.testing.assert_array_equal(picture, dna.render(color=values, **SMALL | view))
+
+
+def test_large_pictures_are_not_all_held(dna):
+    large = {"size": (1500, 1450), "depth": 16, "occlusion": "off", "supersample": 1}
+    _, text = dna._given(large)
+    assert len(nacre._nacre.render_all(dna._core, [text] * 3, nacre._nacre.Colors())) == 1
+    assert len(list(dna.pictures([{}, {}], **large))) == 2
+
+
+def test_warnings_of_pictures_name_the_caller(dna):
+    with pytest.warns(UserWarning) as told:
+        dna.render(**SMALL, hide=["chain Z"])
+        list(dna.pictures([{"hide": ["chain Z"]}], **SMALL))
+    assert [warning.filename for warning in told] == [__file__] * 2
+
+
 def test_pictures_are_drawn_as_they_are_asked_for(dna):
     asked = []
     pictures = dna.pictures(({"rotate": (0, asked.append(turn) or turn, 0)} for turn in range(100)), **SMALL)

@@ -98,9 +98,9 @@ def _text(options):
     return f"{{{', '.join(texts)}}}"
 
 
-def _tell(warnings):
+def _tell(warnings, level=3):
     for warning in warnings:
-        _warnings.warn(warning, stacklevel=3)
+        _warnings.warn(warning, stacklevel=level)
 
 
 def _colored(count, options):
@@ -251,6 +251,11 @@ class Structure:
                 raise UsageError('"color" of a view: a scheme or a colour; arrays go with all views')
             if own and "color" in view:
                 raise UsageError('"color" of a view: the colours of all views are given')
+            if own and ("palette" in view or "color_limits" in view):  # other colours than the views before it
+                yield from self._drawn(group)
+                yield from self._drawn([options | dict(view)])
+                group = []
+                continue
             group.append(options | dict(view))
             if len(group) == _TOGETHER:
                 yield from self._drawn(group)
@@ -259,9 +264,13 @@ class Structure:
 
     def _drawn(self, group):
         given = [self._given(options) for options in group]
-        for picture, warnings in _nacre.render_all(self._core, [text for _, text in given], given[0][0]) if given else ():
-            _tell(warnings)
-            yield picture
+        done = 0
+        while done < len(given):
+            texts = [text for _, text in given[done:]]
+            for picture, warnings in _nacre.render_all(self._core, texts, given[0][0]):  # large ones: the first of them
+                done += 1
+                _tell(warnings, 4)
+                yield picture
 
     def layers(self, **options):
         """Draws layers for compositing, one sample per pixel, as float32 (id: uint32):
