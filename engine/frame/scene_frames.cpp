@@ -168,8 +168,8 @@ SeenFrame SceneFrames::see(const FrameRequest& request) {
     SeenFrame seen;
     seen.atlas = used.image ? used.image : &white_;
     if (levels) {
-        shown_ = seenScenes_.see(device_, scene_, settings, request.view,
-                                 request.edges && drawsEdges() && settings.debug == DebugView::none);
+        const bool several = (request.edges && drawsEdges()) || request.samples > 1;
+        shown_ = seenScenes_.see(device_, scene_, settings, request.view, several && settings.debug == DebugView::none);
         seen.counts.copyLevels = seenScenes_.counts();
     }
     seen.shape.debug = settings.debug;

@@ -30,6 +30,14 @@ TileView tileViewOf(const View& view, const RenderSettings& settings) {
 
 }  // namespace
 
+std::uint32_t SeenScenes::gridOf(std::uint32_t width, std::uint32_t height) {
+    static_assert(RenderSettings::kEdgeSamples == RenderSettings::kBlockSamples * RenderSettings::kBlockSamples);
+    constexpr std::uint64_t kMostPlaces = std::uint64_t{1} << 26;  // 512 MB
+    std::uint32_t grid = RenderSettings::kBlockSamples;
+    while (grid > 1 && std::uint64_t{width} * height * grid * grid > kMostPlaces) grid /= 2;
+    return grid;
+}
+
 bool SeenScenes::draws(const Representation& r, const RenderSettings& settings) {
     if (!canHaveLevels(r)) return false;
     if (!hasNumbers(r)) return true;
@@ -38,10 +46,10 @@ bool SeenScenes::draws(const Representation& r, const RenderSettings& settings) 
 
 Representation SeenScenes::show(const Representation& whole, const RenderSettings& settings, const View& view,
                                 bool edges) {
-    static_assert(RenderSettings::kEdgeSamples == RenderSettings::kBlockSamples * RenderSettings::kBlockSamples);
-    const std::uint32_t grid = edges ? RenderSettings::kBlockSamples : 1;
-    copies_.draw(tileViewOf(view, settings), {levels_, whole.copies, view.rotation},
-                 static_cast<float>(settings.levelError) / static_cast<float>(grid), grid);
+    const TileView seen = tileViewOf(view, settings);
+    const float samples = edges ? RenderSettings::kBlockSamples : 1;
+    copies_.draw(seen, {levels_, whole.copies, view.rotation}, static_cast<float>(settings.levelError) / samples,
+                 edges ? gridOf(seen.width, seen.height) : 1, edges);
     Representation r;
     r.spheres.assign(copies_.spheres().begin(), copies_.spheres().end());
     r.sphereLooks.assign(copies_.looks().begin(), copies_.looks().end());

@@ -13,10 +13,13 @@ public:
     /// Whether a scene's views are drawn by levels. They show no occlusion.
     static bool draws(const Representation& representation, const RenderSettings& settings);
 
+    /// Places per pixel and side where pixels have several samples: fewer in a large picture, whose places take memory.
+    static std::uint32_t gridOf(std::uint32_t width, std::uint32_t height);
+
     /// What a view shows of such a scene, without copies. One sample per pixel.
     Representation see(const Representation& whole, const RenderSettings& settings, const View& view);
-    /// As above, on the device. The levels are kept while the scene stays. @param edges  have kEdgeSamples: so the
-    /// levels are finer, and what lies between pixels' centres is found
+    /// As above, on the device. The levels are kept while the scene stays. @param edges  have several samples: so
+    /// the levels are finer, and what lies between pixels' centres is found
     std::shared_ptr<const Scene> see(const gpu::Device& device, const std::shared_ptr<const Scene>& scene,
                                      const RenderSettings& settings, const View& view, bool edges);
     /// Of the last view.

@@ -6,15 +6,20 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "engine/error.h"
+#include "engine/scene/bounds.h"
 
 namespace nacre {
 namespace {
 
 constexpr std::size_t kMostNamed = 20;  // in a message
+// Of all lists of copies together: one for each chain may be as long as all transforms.
+constexpr std::size_t kMostListedCopies = std::size_t{1} << 23;
 
 const Assembly& assemblyOf(const Molecule& molecule, const std::string& id) {
     for (const Assembly& assembly : molecule.assemblies)
@@ -82,11 +87,16 @@ Placement placeAssembly(const Molecule& molecule, const std::string& id) {
             copiesOfPart.back().push_back(set.add(transform));
         for (const std::uint32_t subchain : assembly.parts[part].subchains) partsOf[subchain].push_back(part);
     }
+    std::size_t listed = 0;
     std::map<std::vector<std::uint32_t>, std::uint32_t> listOfParts{{{}, Placement::kNowhere}}, indices;
     for (const std::vector<std::uint32_t>& parts : partsOf) {
         const auto [known, added] = listOfParts.emplace(parts, 0);
         if (added) {
             std::vector<std::uint32_t> list;
+            for (const std::uint32_t part : parts) listed += copiesOfPart[part].size();
+            if (listed > kMostListedCopies)
+                throw Error("cannot draw assembly", id,
+                            "its chains have more than " + std::to_string(kMostListedCopies) + " places together");
             for (const std::uint32_t part : parts)
                 list.insert(list.end(), copiesOfPart[part].begin(), copiesOfPart[part].end());
             std::sort(list.begin(), list.end());
@@ -109,8 +119,37 @@ std::uint32_t commonList(std::vector<std::vector<std::uint32_t>>& lists, std::ui
     return common.empty() ? Placement::kNowhere : listIndex(lists, std::move(common));
 }
 
+namespace {
+
+/// Along a curve through space (G. M. Morton, 1966): neighbours mostly follow each other, in different colours.
+std::vector<std::uint32_t> alongCurve(const std::vector<glm::dvec3>& centers) {
+    constexpr int kBits = 10;
+    Box box;
+    for (const glm::dvec3& center : centers) box.add(center);
+    const glm::dvec3 size = box.high - box.low;
+    const double side = std::max({size.x, size.y, size.z, 1e-3});
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> keys;  // code, number
+    keys.reserve(centers.size());
+    for (const glm::dvec3& center : centers) {
+        const glm::uvec3 cell((center - box.low) / side * double{(1 << kBits) - 1});
+        std::uint32_t code = 0;
+        for (int bit = kBits; bit-- > 0;)
+            for (int axis = 0; axis < 3; ++axis) code = code << 1 | (cell[axis] >> bit & 1);
+        keys.emplace_back(code, static_cast<std::uint32_t>(keys.size()));
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<std::uint32_t> order;
+    order.reserve(keys.size());
+    for (const auto& [code, number] : keys) order.push_back(number);
+    return order;
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> spreadCopies(const std::vector<glm::dvec3>& centers, std::size_t colors) {
+    constexpr std::size_t kMostCompared = std::size_t{1} << 16;  // each with each other
     const std::size_t count = centers.size();
+    if (count > kMostCompared) return alongCurve(centers);
     std::vector<std::uint32_t> order;
     std::vector<bool> used(count);
     // Squared distance from each copy to the nearest that has a colour already.

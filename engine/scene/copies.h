@@ -36,7 +36,8 @@ struct Copies {
 /// Limit of the shaders (shaders/common/layout.h).
 constexpr std::size_t kMostCopyColors = 16;
 
-/// An order of copies in which those that share one of `colors` cycled colours are far apart.
+/// An order of copies in which those that share one of `colors` cycled colours are far apart; of more than 65,536, one
+/// in which neighbours mostly differ.
 /// @param centers  of the copies
 std::vector<std::uint32_t> spreadCopies(const std::vector<glm::dvec3>& centers, std::size_t colors);
 
@@ -48,7 +49,8 @@ struct Placement {
     std::vector<std::uint32_t> listOfSubchain;  ///< kNowhere: not in the assembly
 };
 
-/// @throws Error if no assembly has the id (lists the ids), or a transform is not a rigid motion
+/// @throws Error if no assembly has the id (lists the ids), a transform is not a rigid motion, or the lists are too
+/// long
 Placement placeAssembly(const Molecule& molecule, const std::string& id);
 
 /// The list with the intersection of two lists; added if missing. kNowhere if it is empty.

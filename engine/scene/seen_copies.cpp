@@ -36,6 +36,30 @@ glm::vec3 seen(const glm::dmat3& rotation, const glm::dmat4x3& transform, const 
     return rotation * (transform * glm::dvec4(glm::dvec3(p), 1.0));
 }
 
+/// What pixelOf() takes to a place.
+glm::vec2 planePointOf(const TileView& view, const glm::vec2& place) {
+    const glm::vec2 p = (place - view.axis) / view.pixels;
+    switch (view.quarterTurns & 3) {
+        case 1:
+            return {p.y, p.x};
+        case 2:
+            return {-p.x, p.y};
+        case 3:
+            return {-p.y, -p.x};
+        default:
+            return {p.x, -p.y};
+    }
+}
+
+/// Where the ray through a place meets a sphere in perspective. @returns Z; kNoDepth: nowhere
+float hitFromEye(const TileView& view, const glm::vec3& center, float radius, const glm::vec2& place) {
+    const glm::vec3 way(planePointOf(view, place), -view.origin), from(center.x, center.y, center.z - view.origin);
+    const float squared = glm::dot(way, way), along = glm::dot(way, from) / squared;
+    const glm::vec3 aside = from - way * along;
+    const float h = radius * radius - glm::dot(aside, aside);
+    return h < 0 ? kNoDepth : (along - std::sqrt(h / squared)) * view.origin;
+}
+
 std::size_t levelOf(const LeveledPart& part, float error) {
     std::size_t level = 0;
     while (level + 1 < part.levels.size() && SphereLevels::errorOf(part.levels[level + 1].step) <= error) ++level;
@@ -70,12 +94,15 @@ void SeenCopies::placeAll(const TileView& view, const Scenery& s) {
                 const glm::vec3 center = seen(s.rotation, s.copies.transforms[copy], part.center);
                 const float Z = view.origin - center.z;
                 if (Z + part.radius < view.clipNear || Z - part.radius > view.clipFar) continue;
-                if (view.perspective && Z - part.radius <= 0) continue;  // about the eye
+                const float nearest = Z - part.radius;
+                if (view.perspective && nearest <= 0) {  // about the eye: some of it may be before it
+                    to.push_back({nearest, 0, 0, wide, high, kNoDepth, slices[i].part, copy});
+                    continue;
+                }
                 const Disc disc = discOf(view, center, part.radius);
                 const glm::vec2 at = pixelOf(view, disc.center);
                 const float reach = disc.radius * view.pixels;
                 if (!(at.x + reach > 0 && at.y + reach > 0 && at.x - reach < wide && at.y - reach < high)) continue;
-                const float nearest = Z - part.radius;
                 const float pixels = view.perspective ? view.pixels * view.origin / nearest : view.pixels;
                 to.push_back(
                     {nearest, at.x - reach, at.y - reach, at.x + reach, at.y + reach, pixels, slices[i].part, copy});
@@ -126,7 +153,11 @@ void SeenCopies::drawSphere(const TileView& view, const glm::vec3& center, float
             if (nearest >= z_[i]) continue;
             const float aside = static_cast<float>(x) + 0.5f - at.x, h = within - aside * aside;
             if (h < 0) continue;
-            const float hit = cut ? nearest : Z - std::sqrt(h) * perPixel;
+            // In perspective the disc holds an ellipse.
+            const glm::vec2 place(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+            const float hit = cut                ? nearest
+                              : view.perspective ? hitFromEye(view, center, radius, place)
+                                                 : Z - std::sqrt(h) * perPixel;
             if (hit >= z_[i]) continue;
             if (number == band.found.size()) band.found.push_back(what), band.seen.push_back(cut ? 1 : 0);
             if (cut) return;
@@ -138,8 +169,8 @@ void SeenCopies::drawSphere(const TileView& view, const glm::vec3& center, float
 
 void SeenCopies::drawPlaced(const TileView& view, const Scenery& s, const Placed& placed, float error, Band& band) {
     constexpr std::uint32_t kSpheres = SphereLevels::kSpheres;
-    if (placed.near < view.clipNear ? false
-                                    : isHidden(band, placed.near, placed.left, placed.top, placed.right, placed.bottom))
+    const float before = view.perspective ? std::max(view.clipNear, 0.0f) : view.clipNear;
+    if (placed.near > before && isHidden(band, placed.near, placed.left, placed.top, placed.right, placed.bottom))
         return;
     const LeveledPart& part = s.levels.parts[placed.part];
     const SphereLevel& level = part.levels[levelOf(part, error / placed.pixels)];
@@ -153,17 +184,19 @@ void SeenCopies::drawPlaced(const TileView& view, const Scenery& s, const Placed
         if (level.count > kSpheres) {
             const SphereLevels::Ball& ball = s.levels.balls[first / kSpheres];
             const glm::vec3 center = turn * ball.center + shift;
-            const Disc disc = discOf(view, center, ball.radius);
-            const glm::vec2 at = pixelOf(view, disc.center);
-            const float reach = disc.radius * view.pixels, nearest = view.origin - center.z - ball.radius;
-            if (nearest >= view.clipNear &&
-                isHidden(band, nearest, at.x - reach, at.y - reach, at.x + reach, at.y + reach))
-                continue;
+            const float nearest = view.origin - center.z - ball.radius;
+            if (nearest > before) {
+                const Disc disc = discOf(view, center, ball.radius);
+                const glm::vec2 at = pixelOf(view, disc.center);
+                const float reach = disc.radius * view.pixels;
+                if (isHidden(band, nearest, at.x - reach, at.y - reach, at.x + reach, at.y + reach)) continue;
+            }
         }
         for (std::uint32_t i = first; i < end; ++i) {
             const glm::vec3 center = turn * s.levels.spheres[i].center + shift;
             const float radius = s.levels.spheres[i].radius, Z = view.origin - center.z;
             if (Z + radius < view.clipNear || Z - radius > view.clipFar) continue;
+            if (view.perspective && Z - radius <= 0) continue;  // about the eye
             drawSphere(view, center, radius, {placed.copy, i, level.step}, band);
         }
     }
@@ -192,10 +225,10 @@ void SeenCopies::write(const Scenery& s, Band& band) {
         levelCounts_[step].copies += band.copiesOfStep[step];
 }
 
-void SeenCopies::draw(const TileView& asked, const Scenery& s, float error, std::uint32_t grid) {
+void SeenCopies::draw(const TileView& asked, const Scenery& s, float error, std::uint32_t grid, bool between) {
     constexpr std::size_t kWorth = 4096;  // places that are worth another thread
     const TileView view = finer(asked, grid);
-    between_ = grid > 1;
+    between_ = between;
     width_ = view.width;
     height_ = view.height;
     placeAll(view, s);

@@ -28,12 +28,13 @@ public:
         std::uint64_t spheres = 0;  ///< that are seen
     };
 
-    /// Finds the spheres that are nearest at some place of a grid; with more than one place per pixel, those that may
-    /// be nearest between the places, too.
+    /// Finds the spheres that are nearest at some place of a grid, and, if asked, those that may be nearest between the
+    /// places.
     /// @param view   without outlines
     /// @param error  of outlines, pixels of the view
     /// @param grid   places per pixel and side
-    void draw(const TileView& view, const Scenery& scenery, float error, std::uint32_t grid);
+    /// @param between  whether pixels are sampled between the places, too
+    void draw(const TileView& view, const Scenery& scenery, float error, std::uint32_t grid, bool between);
 
     /// Without those that are hidden, relative to the representation's centre.
     std::span<const Sphere> spheres() const { return spheres_; }

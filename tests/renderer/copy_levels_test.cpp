@@ -6,6 +6,7 @@
 #include <random>
 
 #include "engine/error.h"
+#include "engine/frame/seen_scene.h"
 #include "engine/threads.h"
 #include "tests/renderer/scenes.h"
 
@@ -92,6 +93,22 @@ TEST_P(CopyLevels, ShowWhatTheAtomsShow) {
         }
 }
 
+TEST_P(CopyLevels, AreCutByPlanes) {
+    const Representation r = crowdOfDna();
+    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    renderer->setScene(r);
+    RenderSettings s = settings(r, 160, GetParam(), {12, 20, 5}, 6);
+    s.supersample = 4;
+    s.levelsFrom = 0;
+    const Picture uncut = renderer->render(s);
+    s.effects.clip = {-40, 60};
+    const Picture levels = renderer->render(s);
+    s.levelsFrom = UINT64_MAX;
+    const Picture whole = renderer->render(s);
+    EXPECT_GE(decibelsOf(whole, levels), 38);
+    EXPECT_LT(decibelsOf(uncut, levels), 30);
+}
+
 // One sample per pixel, as in motion, shows atoms below a pixel by chance: levels come as near to the picture of many
 // samples.
 TEST_P(CopyLevels, AreNoWorseInMotion) {
@@ -151,6 +168,33 @@ INSTANTIATE_TEST_SUITE_P(Projections, CopyLevels, testing::Values(Projection::or
                          [](const auto& test) {
                              return test.param == Projection::perspective ? "perspective" : "orthographic";
                          });
+
+TEST(SeenCopies, TakeBoundedMemoryForLargePictures) {
+    EXPECT_EQ(SeenScenes::gridOf(640, 960), 4u);
+    EXPECT_EQ(SeenScenes::gridOf(2048, 2048), 4u);
+    EXPECT_EQ(SeenScenes::gridOf(4096, 4096), 2u);
+    EXPECT_EQ(SeenScenes::gridOf(16384, 16384), 1u);
+}
+
+// Samples beside a pixel's centre may show what no centre shows.
+TEST(FourSamplesOfCopyLevels, HaveNoHoles) {
+    const Representation r = crowdOfDna();
+    DeviceOptions options{true, "", Visibility::fragdepth};
+    options.multisampling = Multisampling::four;
+    Renderer renderer(options);
+    renderer.setScene(r);
+    RenderSettings s = settings(r, 160, Projection::orthographic, {12, 20, 5}, 6);
+    s.background = {0, 0, 0, 0};
+    s.levelsFrom = UINT64_MAX;
+    const Picture whole = renderer.render(s);
+    EXPECT_EQ(renderer.stats().samples, 4u);
+    s.levelsFrom = 0;
+    const Picture levels = renderer.render(s);
+    ASSERT_FALSE(renderer.stats().copyLevels.empty());
+    std::size_t holes = 0;
+    for (std::size_t i = 3; i < whole.rgba.size(); i += 4) holes += levels.rgba[i] < whole.rgba[i] ? 1 : 0;
+    EXPECT_EQ(holes, 0u);
+}
 
 // One atom of each of 70,000 chains in a place of its own: 70,000 squared numbers are more than shaders count.
 TEST(CopiesBeyondNumbers, AreDrawnAndTellTheirAtoms) {

@@ -52,7 +52,7 @@ Molecule ringOf(const std::vector<std::uint32_t>& orders, double reach) {
 }
 
 Representation drawnWith(const Molecule& molecule, Style style, BondOrders orders = BondOrders::ligands,
-                     AromaticForm form = AromaticForm::dashes) {
+                         AromaticForm form = AromaticForm::dashes) {
     RepresentationOptions options{style, ColorScheme::element};
     options.bondOrders = orders;
     options.aromatic = form;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -164,6 +165,54 @@ TEST(Assembly, ThatStretchesOrHasTooManySticksIsRefused) {
     EXPECT_THROW(represent(many, everyAtom(many), look(Style::licorice)), Error);
     const std::vector<std::uint32_t> one{0};
     EXPECT_EQ(represent(many, one, look(Style::spacefill)).drawnAtoms, 860'000u);
+}
+
+TEST(Assembly, WhoseChainsHaveTooManyPlacesIsRefused) {
+    // A chain for each half of 12 parts: 924 lists of 48,000 places.
+    constexpr std::uint32_t kParts = 12;
+    Molecule m;
+    m.chains = {{"A"}};
+    m.assemblies = {{"1", "", {}}};
+    for (std::uint32_t part = 0; part < kParts; ++part) {
+        m.assemblies[0].parts.emplace_back();
+        for (std::uint32_t i = 0; i < 8000; ++i)
+            m.assemblies[0].parts.back().transforms.push_back(
+                shift(static_cast<float>(i), static_cast<float>(part), 0));
+    }
+    for (std::uint32_t which = 0; which < 1u << kParts; ++which) {
+        if (std::popcount(which) != kParts / 2) continue;
+        const auto chain = static_cast<std::uint32_t>(m.subchains.size());
+        m.subchains.push_back(std::to_string(chain));
+        for (std::uint32_t part = 0; part < kParts; ++part)
+            if (which >> part & 1) m.assemblies[0].parts[part].subchains.push_back(chain);
+    }
+    EXPECT_THROW(placeAssembly(m, "1"), Error);
+    m.subchains.resize(1);
+    for (AssemblyPart& part : m.assemblies[0].parts)
+        std::erase_if(part.subchains, [](auto chain) { return chain > 0; });
+    EXPECT_EQ(placeAssembly(m, "1").lists.at(0).size(), 48'000u);
+}
+
+// Comparing each with each other would take hours.
+TEST(CopyColors, OfAMillionCopiesDifferBetweenNeighbours) {
+    constexpr std::uint32_t kSide = 100, kColors = 12;
+    std::vector<glm::dvec3> centers;
+    for (std::uint32_t i = 0; i < kSide * kSide * kSide; ++i)
+        centers.emplace_back(i % kSide, i / kSide % kSide, i / kSide / kSide);
+    const std::vector<std::uint32_t> order = spreadCopies(centers, kColors);
+    ASSERT_EQ(order.size(), centers.size());
+    std::vector<std::uint32_t> colors(order.size(), kColors);
+    for (std::uint32_t i = 0; i < order.size(); ++i) colors[order[i]] = i % kColors;
+    std::size_t pairs = 0, alike = 0;
+    for (std::uint32_t i = 0; i < colors.size(); ++i) {
+        ASSERT_LT(colors[i], kColors);
+        for (const std::uint32_t step : {1u, kSide, kSide * kSide}) {
+            if (i / step % kSide + 1 == kSide) continue;
+            ++pairs;
+            alike += colors[i] == colors[i + step] ? 1 : 0;
+        }
+    }
+    EXPECT_LT(alike * 8, pairs);
 }
 
 /// What the exact bounds are, from the copies' atoms written out.
