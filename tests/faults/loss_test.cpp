@@ -67,6 +67,48 @@ TEST_F(Loss, AtEverySubmissionAndWaitTellsTheWorkAndTheNextDeviceDrawsTheSame) {
     EXPECT_EQ(fresh(), before);
 }
 
+TEST(LossInFlight, GivesUpThePicturesThatAreStarted) {
+    const Representation r = scene("sample:glucose", Style::ballAndStick);
+    RenderSettings s = settings(r, 48, Projection::orthographic);
+    s.occlusion.directions = 0;
+    DeviceOptions options;
+    options.validate = true;
+    options.visibility = Visibility::tiles;
+    const auto run = [&](std::optional<Renderer>& renderer) {
+        renderer.emplace(options);
+        renderer->setScene(r);
+        for (int i = 0; i < 4; ++i) {
+            renderer->startCoded(s, true);
+            if (renderer->started() > 2) renderer->finishCoded();
+        }
+        while (renderer->started() > 0) renderer->finishCoded();
+    };
+    for (const char* function : {"vkQueueSubmit", "vkWaitForFences"}) {
+        faults::reset();
+        {
+            std::optional<Renderer> renderer;
+            run(renderer);
+        }
+        const std::uint64_t calls = faults::count(function);
+        ASSERT_GE(calls, 4u);
+        for (std::uint64_t i = 1; i <= calls; ++i) {
+            SCOPED_TRACE(function + std::string(" ") + std::to_string(i));
+            faults::reset();
+            faults::fail(function, i, VK_ERROR_DEVICE_LOST);
+            {
+                std::optional<Renderer> renderer;
+                EXPECT_THROW(run(renderer), Error);
+                if (renderer) {
+                    EXPECT_EQ(renderer->started(), 0u);
+                    EXPECT_NE(renderer->deviceLoss(), "");
+                    EXPECT_THROW(renderer->startCoded(s, true), Error);
+                }
+            }
+            expectNothingLeft();
+        }
+    }
+}
+
 TEST_F(Loss, TheDriversOwnAccountIsInTheError) {
     faults::offerFaultData(true);
     const std::string text = loseAt("vkQueueSubmit", 3);
