@@ -12,6 +12,7 @@
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/residue_kind.h"
+#include "engine/scene/sphere_levels.h"
 
 namespace nacre::app {
 namespace {
@@ -224,6 +225,12 @@ void placeDistances(const Representation& scene, PlacedWords& placed) {
 
 }  // namespace
 
+namespace {
+
+constexpr std::uint64_t kMostInSight = std::uint64_t{1} << 25;  // spheres that may hide labels: 640 MB
+
+}  // namespace
+
 PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Representation& scene,
                        WordsOfHidden hidden) {
     PlacedWords placed;
@@ -233,7 +240,8 @@ PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Repr
     if (words.distances) placeDistances(scene, placed);
     if (words.labels.empty() && words.measures.empty()) return placed;
     const DrawnAtoms drawn(facts.molecule(), scene);
-    if (words.seenOnly && !words.labels.empty()) placed.sight = std::make_shared<const LabelSight>(scene);
+    if (words.seenOnly && !words.labels.empty() && spheresInCopies(scene) <= kMostInSight)
+        placed.sight = std::make_shared<const LabelSight>(scene);
     for (const Label& label : words.labels) placeLabel(label, facts, drawn, hidden, placed);
     for (const Measure& measure : words.measures) placeMeasure(measure, facts, drawn, hidden, placed);
     return placed;

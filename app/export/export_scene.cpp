@@ -41,6 +41,7 @@ public:
         eachList(scene_.copies.spheres, scene_.spheres.size(), [&](auto i, auto list) { addSphere(i, list); });
         eachList(scene_.copies.cylinders, scene_.cylinders.size(), [&](auto i, auto list) { addStick(i, list); });
         for (auto& [group, mesh] : meshes_) addMesh(group, std::move(mesh.mesh), mesh.occlusion);
+        checkInstances();
         for (auto& [group, instances] : placed_) addInstances(group, std::move(instances));
         if (triangleCount(result_) > kMostExportTriangles)
             throw Error("cannot export molecule", "",
@@ -176,6 +177,16 @@ private:
 
     std::string nameOf(const ExportGroup& group) const {
         return (group.chain.empty() ? std::string("molecule") : "chain " + group.chain) + ", " + group.kind;
+    }
+
+    /// Each copy of a group becomes a node of the file, some 2 kB while it is written.
+    void checkInstances() const {
+        std::size_t copies = 0;
+        for (const auto& placed : placed_) copies += copiesOf(placed.first.list).size();
+        if (copies > kMostExportCopies)
+            throw Error("cannot export molecule", "",
+                        "its instances would have " + std::to_string(copies) + " copies, more than the limit of " +
+                            std::to_string(kMostExportCopies) + " (another --assembly, or fewer colours)");
     }
 
     /// Copies in colours of their own are meshes of their own.

@@ -54,8 +54,9 @@ struct ExportOptions {
 };
 
 constexpr std::size_t kMostExportTriangles = 50'000'000;
+constexpr std::size_t kMostExportCopies = 1'000'000;  ///< of groups of instances, together
 
-/// @throws Error if it would have over kMostExportTriangles in all copies
+/// @throws Error if it would have over kMostExportTriangles in all copies, or over kMostExportCopies
 ExportScene exportScene(const Molecule& molecule, const Representation& scene, const ExportOptions& options);
 
 /// Triangles in all copies.

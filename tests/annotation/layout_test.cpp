@@ -129,6 +129,20 @@ TEST(WordLayout, LabelsOfGroupsStandBesideTheirAtoms) {
     EXPECT_NEAR((box.left + box.right) / 2, 200, 1e-6);
 }
 
+TEST(LabelSights, OfVeryManyCopiesAreNotTaken) {
+    const Molecule m = sampleMolecule("glucose");
+    Representation r = represent(m, std::vector<std::uint32_t>{0}, {Style::spacefill, ColorScheme::element});
+    Words words;
+    words.labels = {parseLabel("id 1=one")};
+    words.seenOnly = true;
+    r.copies.transforms = {glm::dmat4x3(1.0)};
+    r.copies.lists = {{0}};
+    r.copies.spheres = {{0, 1, 0, {}, 2}};
+    EXPECT_NE(placeWords(words, m, r).sight, nullptr);
+    r.copies.lists[0].resize((1 << 25) + 1);
+    EXPECT_EQ(placeWords(words, m, r).sight, nullptr);
+}
+
 /// Two balls in a row to the viewer, with their labels.
 PlacedWords twoInARow(Representation& r, bool oneResidue = false) {
     Molecule m = sampleMolecule("glucose");

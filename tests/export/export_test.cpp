@@ -47,6 +47,20 @@ nlohmann::json glbJson(const std::string& file) {
     return nlohmann::json::parse(file.substr(20, length));
 }
 
+TEST(Export, RefusesInstancesInVeryManyCopies) {
+    const Molecule glucose = sampleMolecule("glucose");
+    Representation scene = represent(glucose, drawnAtoms(glucose), {Style::spacefill, ColorScheme::element, {}});
+    scene.copies.transforms = {glm::dmat4x3(1.0)};
+    scene.copies.lists = {{0}};
+    scene.copies.spheres = {{0, static_cast<std::uint32_t>(scene.spheres.size()), 0, {}, 10}};
+    ExportOptions options;
+    options.instances = true;
+    EXPECT_EQ(exportScene(glucose, scene, options).instances.size(), 3u);
+    // Carbon, hydrogen and oxygen.
+    scene.copies.lists[0].resize(kMostExportCopies / 3 + 1);
+    EXPECT_THROW(exportScene(glucose, scene, options), Error);
+}
+
 TEST(Export, BallsAndSticksAreClosedSolidsInTheirColours) {
     const Molecule glucose = sampleMolecule("glucose");
     const ExportScene scene = exported(glucose, Style::ballAndStick);
