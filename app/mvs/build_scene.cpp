@@ -309,8 +309,10 @@ private:
     }
 
     Molecule withoutStructures() {
-        if (guide_->primitives.empty() && guide_->volumes.empty())
-            throw Error("cannot draw scene", name_, "it shows nothing");
+        if (guide_->primitives.empty() && guide_->volumes.empty()) {
+            const std::vector<std::string> faults = warnings_.take();
+            throw Error("cannot draw scene", name_, "it shows nothing" + (faults.empty() ? "" : ": " + faults.front()));
+        }
         Molecule none;
         none.file.format = "mvs";
         finish(none, {});

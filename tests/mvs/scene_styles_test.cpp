@@ -9,6 +9,7 @@
 
 #include "app/mvs/molstar_radii.h"
 #include "app/mvs/node_table.h"
+#include "engine/error.h"
 #include "engine/molecule/residue_facts.h"
 #include "engine/scene/mesh_scene.h"
 #include "engine/scene/representation.h"
@@ -207,6 +208,17 @@ TEST(SceneFaults, WhatIsNoNodeIsLeftOut) {
     EXPECT_TRUE(anyHas(warnings, "root/node 6: it has no \"kind\""));
     EXPECT_THROW(parseScene(R"({"root": {"kind": null}})", "a"), Error);
     EXPECT_THROW(parseScene(R"({"root": {"kind": "root", "children": 3}})", "a"), Error);
+}
+
+TEST(SceneFaults, TheReasonForNothingIsTold) {
+    try {
+        built(R"({"root": {"kind": "root", "children": [{"params": {"url": "m.cif"}}]}})");
+        FAIL() << "nothing is drawn";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("it shows nothing: root/node 1: it has no \"kind\""),
+                  std::string::npos)
+            << error.what();
+    }
 }
 
 TEST(SceneFaults, CamerasAndFocusesWithFaultsAreLeftOut) {
