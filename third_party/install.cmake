@@ -16,7 +16,7 @@ target_compile_features(nacre_molecule PUBLIC cxx_std_20)
 file(GLOB headers RELATIVE ${CMAKE_SOURCE_DIR}/engine CONFIGURE_DEPENDS engine/molecule/*.h
      engine/molecule/selection/*.h engine/molecule/trajectory/*.h engine/molecule/chemistry/*.h engine/volume/*.h
      engine/mesh/*.h engine/scene/*.h)
-foreach(name baked_occlusion debug_view device_options devices effects error overlay renderer results settings threads)
+foreach(name baked_occlusion coded_picture debug_view device_options devices effects error overlay renderer results settings threads)
     list(APPEND headers ${name}.h)
 endforeach()
 foreach(header ${headers})

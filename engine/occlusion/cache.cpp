@@ -14,7 +14,7 @@ namespace nacre {
 namespace {
 
 // To be raised by whoever changes what a bake gives: patch sizes, directions, open texels, shaders.
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 constexpr std::string_view kPrefix = "occlusion-";  // of files
 
 /// The file: this, the atlas, a bit for each sphere, and the hash of the file's name and all that.
