@@ -13,14 +13,12 @@
 namespace nacre {
 namespace {
 
-// To be raised by whoever changes what a bake gives: patch sizes, directions, open texels, shaders.
-constexpr std::uint32_t kVersion = 5;
 constexpr std::string_view kPrefix = "occlusion-";  // of files
 
 /// The file: this, the atlas, a bit for each sphere, and the hash of the file's name and all that.
 struct Header {
     char magic[8] = {'N', 'A', 'C', 'R', 'E', 'O', 'C', 'C'};
-    std::uint32_t version = kVersion;
+    std::uint32_t version = kOcclusionVersion;
     std::uint32_t sphereEdge = 0, around = 0, along = 0, width = 0, height = 0, sphereRows = 0, sphereCount = 0,
                   cylinderCount = 0;
     std::uint32_t cylinderRows = 0, vertexCount = 0;
@@ -87,7 +85,7 @@ DiskCache occlusionCache(const std::string& folder) { return {folder, kOcclusion
 
 std::string occlusionCacheName(const Representation& representation, std::string_view how) {
     Hash hash;
-    hash.add(kVersion).add(std::uint64_t{how.size()}).add(how.data(), how.size());
+    hash.add(kOcclusionVersion).add(std::uint64_t{how.size()}).add(how.data(), how.size());
     hash.add(std::uint64_t{representation.spheres.size()});
     hash.add(representation.spheres.data(), representation.spheres.size() * sizeof(Sphere));
     hash.add(representation.cylinders.data(), representation.cylinders.size() * sizeof(Cylinder));
@@ -123,7 +121,7 @@ std::optional<FinishedOcclusion> readOcclusion(const DiskCache& cache, const std
     std::memcpy(&header, content.data(), sizeof header);
 
     const Header fresh;
-    if (std::memcmp(header.magic, fresh.magic, sizeof fresh.magic) != 0 || header.version != kVersion ||
+    if (std::memcmp(header.magic, fresh.magic, sizeof fresh.magic) != 0 || header.version != kOcclusionVersion ||
         header.sphereCount != representation.spheres.size() ||
         header.cylinderCount != representation.cylinders.size() ||
         header.vertexCount != representation.meshVertices.size())

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <sstream>
 
+#include "engine/occlusion/cache.h"
 #include "tests/renderer/scenes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -100,6 +102,24 @@ TEST_P(OcclusionCache, QuickBakesAndThoseWithoutAFolderAreNotKept) {
     EXPECT_EQ(files().size(), 0u);
     run([](RenderSettings& s) { s.occlusion.cache.clear(); });
     EXPECT_EQ(files().size(), 0u);
+}
+
+// What a newer engine bakes in another way is not taken from an older one's folder.
+TEST(OcclusionCacheVersion, GoesWithPatchesMapsAndTexels) {
+    std::ostringstream facts;
+    ValidatedRenderer renderer(Visibility::automatic);
+    for (const Style style : {Style::spacefill, Style::ballAndStick, Style::licorice, Style::cartoon, Style::surface}) {
+        const Representation r = scene("sample:dna", style);
+        RenderSettings s = settings(r, 64, Projection::orthographic);
+        s.occlusion.directions = 4;
+        renderer->setScene(r);
+        renderer->render(s);
+        const OcclusionStats& bake = renderer->stats().occlusion;
+        facts << bake.patchTexels << ' ' << bake.mapPixels << ' ' << bake.texels << "; ";
+    }
+    const std::string expected = "32 128 179766; 24 480 348024; 16 384 70634; 32 128 14744; 32 128 61516; ";
+    EXPECT_EQ(facts.str(), expected) << "raise kOcclusionVersion, and write both here";
+    EXPECT_EQ(kOcclusionVersion, 5u) << "write the facts of this version here";
 }
 
 INSTANTIATE_TEST_SUITE_P(Styles, OcclusionCache, testing::Values(Style::spacefill, Style::ballAndStick));
