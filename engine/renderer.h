@@ -60,7 +60,7 @@ public:
     /// Starts a picture of renderCoded(), while the device draws those started before it; two at a time keep it busy.
     /// Until all are finished, call no other function that draws. After an Error nothing is started.
     void startCoded(const RenderSettings& settings, bool alpha);
-    /// The picture started first. @throws Error
+    /// The picture started first. @throws Error, also if none is started
     CodedPicture finishCoded();
     /// Pictures that are started and not finished.
     std::size_t started() const;

@@ -94,9 +94,7 @@ void PictureJob::drawPicture(Renderer& renderer) {
 }
 
 void PictureJob::sayCrowded(std::size_t labels) const {
-    if (labels > 0)
-        sayWarning(std::to_string(labels) + (labels == 1 ? " label does" : " labels do") +
-                   " not fit into the picture (use a smaller --text-size, or fewer labels)");
+    if (labels > 0) sayWarning(crowdedText(labels) + " (use a smaller --text-size, or fewer labels)");
 }
 
 /// Draws the picture in parts, and writes it meanwhile.

@@ -260,4 +260,8 @@ std::size_t Drawing::addWords(const RenderSettings& drawn, Picture& picture, Wor
                                picture, drawn.effects.clip, memory);
 }
 
+std::string crowdedText(std::size_t labels) {
+    return std::to_string(labels) + (labels == 1 ? " label does" : " labels do") + " not fit into the picture";
+}
+
 }  // namespace nacre::app

@@ -103,4 +103,7 @@ private:
     Counts counts_;
 };
 
+/// Of labels that were left out: "2 labels do not fit into the picture".
+std::string crowdedText(std::size_t labels);
+
 }  // namespace nacre::app

@@ -171,9 +171,7 @@ void drawNow(app::Drawing& drawing, app::Canvas& canvas, bool alpha, Drawn& draw
     else
         drawn.codes = drawing.drawCoded(canvas, alpha, &crowded);
     drawn.warnings = drawing.warnings;
-    if (crowded)
-        drawn.warnings.push_back(std::to_string(crowded) + (crowded == 1 ? " label does" : " labels do") +
-                                 " not fit into the picture");
+    if (crowded) drawn.warnings.push_back(app::crowdedText(crowded));
 }
 
 Drawn drawAs(const std::string& output, bool alpha, const Structure& structure, const std::string& options,

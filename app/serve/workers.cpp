@@ -108,9 +108,7 @@ private:
         std::size_t crowded = 0;
         ServedPicture served{encoded(drawing_.draw(*canvas_, &crowded), description), heard.warnings};
         served.warnings.insert(served.warnings.end(), drawing_.warnings.begin(), drawing_.warnings.end());
-        if (crowded > 0)
-            served.warnings.push_back(std::to_string(crowded) + (crowded == 1 ? " label does" : " labels do") +
-                                      " not fit");
+        if (crowded > 0) served.warnings.push_back(crowdedText(crowded));
         return served;
     }
 

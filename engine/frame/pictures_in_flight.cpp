@@ -1,5 +1,6 @@
 // Pictures that are drawn while the host prepares the next and codes the last: the device need not wait for it.
 
+#include "engine/error.h"
 #include "engine/frame/picture_frames.h"
 
 namespace nacre {
@@ -55,6 +56,7 @@ void PictureFrames::start(RenderSettings settings, const passes::Atlas& atlas, b
 }
 
 CodedPicture PictureFrames::finish() {
+    if (started_.empty()) throw Error("cannot finish a picture", "", "none is started");
     Started first = std::move(started_.front());
     started_.pop_front();
     if (first.picture) return std::move(*first.picture);

@@ -96,6 +96,7 @@ TEST(PicturesInFlight, AFailureGivesThemUp) {
     ValidatedRenderer renderer(Visibility::tiles);
     renderer->setScene(r);
     RenderSettings s = settings(r, 64, Projection::orthographic);
+    EXPECT_THROW(renderer->finishCoded(), Error) << "none is started";
     renderer->startCoded(s, true);
     s.view.width = renderer->maxSize() + 1;
     EXPECT_THROW(renderer->startCoded(s, true), Error);
