@@ -70,8 +70,8 @@ float BakedOcclusion::ofVertex(std::uint32_t vertex) const {
 }
 
 float reachingLight(const glm::vec3& base, float open) {
-    const float kLeastSquare = layout::kLeastLight * layout::kLeastLight;
-    const float albedo = (base.r + base.g + base.b) / 3, o = std::sqrt(open * open * (1 - kLeastSquare) + kLeastSquare);
+    const float albedo = (base.r + base.g + base.b) / 3, closed = std::max(2 * layout::kLeastLight - open, 0.0f);
+    const float o = open + closed * closed * (0.25f / layout::kLeastLight);
     const float bounced = o * (o * 2.0404f - 4.7951f) + 2.7552f, first = o * (o * -0.3324f + 0.6417f) + 0.6903f;
     return o * std::max(albedo * bounced + first, 1.0f);
 }

@@ -31,12 +31,14 @@ struct Reach {
 /// reach a point drop to none. Both are exactly 1 under an open sky.
 /// @param base  linear base colour @param open  0 closed to 1 open
 Reach reachOf(vec3 base, float open) {
-    const float kLeastSquare = kLeastLight * kLeastLight;
-    precise float albedo = (base.r + base.g + base.b) * (1.0 / 3.0);
-    precise float direct = sqrt(fma(open * open, 1.0 - kLeastSquare, kLeastSquare));
-    precise float bounced = fma(direct, fma(direct, 2.0404, -4.7951), 2.7552);
-    precise float first = fma(direct, fma(direct, -0.3324, 0.6417), 0.6903);
-    precise float ambient = direct * max(fma(albedo, bounced, first), 1.0);
+    // What does not wait for the occlusion, which comes late from a texture, stands first. The cubic is of the channels' sum.
+    precise float sum = base.r + base.g + base.b;
+    precise float c2 = fma(sum, 2.0404 / 3.0, -0.3324), c1 = fma(sum, -4.7951 / 3.0, 0.6417);
+    precise float c0 = fma(sum, 2.7552 / 3.0, 0.6903);
+    precise float closed = max(2.0 * kLeastLight - open, 0.0);
+    // A parabola: a square root here made frames 5 % slower on a software device.
+    precise float direct = fma(closed * closed, 0.25 / kLeastLight, open);
+    precise float ambient = direct * max(fma(direct, fma(direct, c2, c1), c0), 1.0);
     Reach reach = Reach(direct, ambient);
     if (kDeepening == 1.0) return reach;
     return Reach(mix(1.0, reach.direct, kDeepening), mix(1.0, reach.ambient, kDeepening));
@@ -55,7 +57,6 @@ vec3 shade(vec3 base, vec3 normal, float occlusion, float sun) {
     precise vec3 ambient = fma(vec3(normal.y), slope * kAmbient, level * kAmbient);
     vec3 half_ = normalize(light + vec3(0.0, 0.0, 1.0));
     precise float highlight = kHighlight == 0.0 ? 0.0 : glossy(max(dot(normal, half_), 0.0), 0.16 * kHighlight) * sun;
-    // Occlusion comes late, from a texture: little waits for it.
     Reach reach = reachOf(base, occlusion);
     precise vec3 arriving = fma(ambient, vec3(reach.ambient), vec3(direct * reach.direct));
     precise vec3 lit = fma(base, arriving, vec3(highlight * reach.direct));

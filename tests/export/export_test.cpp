@@ -170,7 +170,7 @@ std::vector<std::array<double, 4>> colorsOf(const std::string& file) {
 /// As the listing of Jimenez et al. (2016) has it, for a visibility that never falls below 0.08.
 double bounced(double visibility, double albedo) {
     const double a = 2.0404 * albedo - 0.3324, b = -4.7951 * albedo + 0.6417, c = 2.7552 * albedo + 0.6903;
-    const double v = std::sqrt(0.9936 * visibility * visibility + 0.0064);
+    const double closed = std::max(0.16 - visibility, 0.0), v = visibility + closed * closed / 0.32;
     return std::max(v, ((v * a + b) * v + c) * v);
 }
 
