@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/scene/front_band.h"
 #include "engine/scene/near_first.h"
 #include "engine/scene/sphere_boxes.h"
 #include "engine/scene/tile_view.h"
@@ -16,6 +17,9 @@ namespace nacre {
 /// band of rows each. Keeps its memory between frames, so that later frames allocate only the threads.
 class FrontSpheres {
 public:
+    /// @param lanes  spheres that are drawn at once
+    explicit FrontSpheres(const FrontLanes& lanes = frontLanes().back()) : lanes_(lanes) {}
+
     /// Whether it supports a view: orthographic, sampled at pixel centres, without clipping planes or outlines.
     static bool tells(const TileView& view);
 
@@ -33,24 +37,6 @@ public:
     void write(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const;
 
 private:
-    /// Transform into pixels and Z.
-    struct Place {
-        glm::vec4 x, y, z;
-        glm::vec3 spanX, spanY, spanZ;  // of a box with half sides of 1 Å
-    };
-    /// Consecutive boxes with one transform.
-    struct Group {
-        float near = 0;  // Z
-        float left = 0, top = 0, right = 0, bottom = 0;
-        std::uint32_t call = 0, group = 0;
-    };
-    /// Four boxes in the picture.
-    struct Rectangles;
-    /// Rows of pixels that one thread draws.
-    struct Band {
-        std::uint32_t first, end;
-        std::vector<std::uint32_t>& doubts;
-    };
     struct Scenery {
         std::span<const Sphere> spheres;
         const SphereBoxes& boxes;
@@ -59,22 +45,14 @@ private:
 
     void begin(const TileView& view, const Scenery& s);
     void list(const Scenery& s);
-    Rectangles rectanglesOf(const Place& place, const SphereBox* boxes) const;
-    bool isHidden(const Band& band, float near, float left, float top, float right, float bottom) const;
-    void drawGroup(const Band& band, const Scenery& s, const Group& group);
-    void drawSpheres(const Band& band, const Scenery& s, const TileCall& call, const Place& place, std::uint32_t first,
-                     std::uint32_t end);
-    void meet(const Band& band, std::size_t at, float Z, bool certain, std::uint32_t number);
     void listDoubts(const Scenery& s);
 
     std::uint32_t width_ = 0, height_ = 0;
-    std::size_t pitch_ = 0;  // pixels per row, including sentinels at its end that hide everything
-    float pixels_ = 1, perPixel_ = 1;
-    float room_ = 0;    // pixels that rounding may move a sphere by
-    float margin_ = 0;  // as above in Z, Å
-    float edge_ = 0;    // as a fraction of the squared radius: hits nearer to the edge do not count
-    std::vector<Place> places_;
-    std::vector<Group> groups_;
+    std::uint32_t pitch_ = 0;  // pixels per row, including sentinels at its end that hide everything
+    FrontLanes lanes_;
+    FrontBand shared_;  // what all bands have in common
+    std::vector<FrontPlace> places_;
+    std::vector<FrontGroup> groups_;
     std::vector<std::uint32_t> order_, inRow_;
     std::vector<RowBand> bands_;
     std::vector<std::vector<std::uint32_t>> doubts_;  // per band

@@ -11,6 +11,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <tuple>
 
 #include "engine/threads.h"
 
@@ -120,14 +121,16 @@ void eachPixel(const TileView& v, const Ball& b, double room, const Work& work) 
         }
 }
 
-class FrontSpheresTest : public testing::TestWithParam<double> {};
+/// Radii, pixels, by each of the processor's numbers of lanes.
+class FrontSpheresTest : public testing::TestWithParam<std::tuple<double, std::size_t>> {};
 
 TEST_P(FrontSpheresTest, NameAllThatMayBeTheNearest) {
     constexpr double kRounding = 3e-5;  // Å that shaders may be off by, at this size of a scene
-    FrontSpheres front;                 // used again and again, as by a renderer
+    const auto [radius, lanes] = GetParam();
+    FrontSpheres front(frontLanes()[lanes]);  // used again and again, as by a renderer
     std::size_t seen = 0, ties = 0, shown = 0, doubts = 0, all = 0;
     for (std::uint32_t seed = 0; seed < 16; ++seed) {
-        const Crowd c(seed, GetParam(), static_cast<int>(seed % 4));
+        const Crowd c(seed, radius, static_cast<int>(seed % 4));
         const Told told = toldBy(front, c);
         const std::vector<Ball> balls = ballsOf(c);
         std::vector<double> least(told.seeds.size(), std::numeric_limits<double>::infinity());
@@ -166,7 +169,23 @@ TEST_P(FrontSpheresTest, NameAllThatMayBeTheNearest) {
     EXPECT_LT(doubts, shown);
 }
 
-INSTANTIATE_TEST_SUITE_P(Radii, FrontSpheresTest, testing::Values(0.3, 0.8, 2.0, 7.0));
+INSTANTIATE_TEST_SUITE_P(Radii, FrontSpheresTest,
+                         testing::Combine(testing::Values(0.3, 0.8, 2.0, 7.0),
+                                          testing::Range(std::size_t{0}, frontLanes().size())));
+
+// Where spheres stand to each other, and not how many are drawn at once, tells which a pixel shows.
+TEST(FrontSpheres, AreTheSameByAnyNumberOfLanes) {
+    for (const double radius : {0.3, 0.8, 2.0, 7.0}) {
+        Crowd c(3, radius, 1);
+        for (std::size_t i = 100; i < 600; ++i) c.spheres[i].center.z += 1e-3f * static_cast<float>(i);  // no ties
+        FrontSpheres four(frontLanes().front());
+        const Told expected = toldBy(four, c);
+        for (const FrontLanes& lanes : frontLanes()) {
+            FrontSpheres front(lanes);
+            EXPECT_EQ(toldBy(front, c).seeds, expected.seeds) << lanes.lanes << " lanes, radius " << radius;
+        }
+    }
+}
 
 TEST(FrontSpheres, DrawNothingOfNothing) {
     Crowd c(1, 0.8, 0);
