@@ -1,14 +1,17 @@
 #include "engine/occlusion/open_texels.h"
 
 #include <algorithm>
-#include <array>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <numbers>
 #include <span>
 
+#include "engine/occlusion/open_patch.h"
+#include "engine/scene/lanes.h"
 #include "engine/threads.h"
 
 namespace nacre {
@@ -19,7 +22,6 @@ constexpr float kDeep = 1e-3f;
 /// Neighbours examined per primitive; normal matter has about forty. A texel inside a later one counts as open: costs
 /// work but changes no light, since no direction reaches it.
 constexpr std::size_t kMostNeighbours = 512;
-constexpr std::uint16_t kBuried = AtlasWord::kNone;
 
 bool inside(const Sphere& s, const glm::vec3& p) {
     const glm::vec3 d = p - s.center;
@@ -37,21 +39,28 @@ bool inside(const Cylinder& c, const glm::vec3& p) {
 }
 
 /// The octahedral normals of a patch, as shaders/common/patch.glsl has them.
-std::vector<glm::vec3> octahedralNormals(std::uint32_t edge) {
-    std::vector<glm::vec3> normals;
-    for (std::uint32_t y = 0; y < edge; ++y)
-        for (std::uint32_t x = 0; x < edge; ++x) {
-            const float px = static_cast<float>(x) / static_cast<float>(edge - 1) * 2.0f - 1.0f;
-            const float py = static_cast<float>(y) / static_cast<float>(edge - 1) * 2.0f - 1.0f;
-            glm::vec3 n(px, py, 1.0f - std::abs(px) - std::abs(py));
-            if (n.z < 0.0f) {
-                n.x = (1.0f - std::abs(py)) * (px >= 0.0f ? 1.0f : -1.0f);
-                n.y = (1.0f - std::abs(px)) * (py >= 0.0f ? 1.0f : -1.0f);
-            }
-            normals.push_back(glm::normalize(n));
+struct OctahedralNormals {
+    std::vector<float> x, y, z;  // filled up to whole lanes
+
+    explicit OctahedralNormals(std::uint32_t edge) {
+        const auto along = [&](std::uint32_t i) {
+            return static_cast<float>(i) / static_cast<float>(edge - 1) * 2.0f - 1.0f;
+        };
+        for (std::uint32_t i = 0; i < edge * edge; ++i) add(along(i % edge), along(i / edge));
+        while (x.size() % kLanes != 0) add(0, 0);
+    }
+
+private:
+    void add(float px, float py) {
+        glm::vec3 n(px, py, 1.0f - std::abs(px) - std::abs(py));
+        if (n.z < 0.0f) {
+            n.x = (1.0f - std::abs(py)) * (px >= 0.0f ? 1.0f : -1.0f);
+            n.y = (1.0f - std::abs(px)) * (py >= 0.0f ? 1.0f : -1.0f);
         }
-    return normals;
-}
+        n = glm::normalize(n);
+        x.push_back(n.x), y.push_back(n.y), z.push_back(n.z);
+    }
+};
 
 /// Two unit vectors that make a frame with w; the same as frameAbout() in shaders/common/patch.glsl.
 void frameAbout(const glm::vec3& w, glm::vec3& u, glm::vec3& v) {
@@ -61,53 +70,26 @@ void frameAbout(const glm::vec3& w, glm::vec3& u, glm::vec3& v) {
     v = {b, s + w.y * w.y * a, -w.y};
 }
 
-/// Maps a texel one or two steps beyond a patch's edge into the patch: beyond an edge follows its mirrored half
-/// (sphere) or the opposite edge (cylinder).
-glm::ivec2 folded(glm::ivec2 p, const glm::ivec2& size, bool sphere) {
-    if (!sphere) {
-        if (p.x < 0) p.x += size.x - 1;
-        if (p.x >= size.x) p.x -= size.x - 1;
-        return p;
-    }
-    for (int i = 0; i < 2; ++i) {
-        if (p[i] >= 0 && p[i] < size[i]) continue;
-        p[i] = p[i] < 0 ? -p[i] : 2 * (size[i] - 1) - p[i];
-        p[1 - i] = size[1 - i] - 1 - p[1 - i];
-    }
-    return p;
-}
-
-/// Steps to the 24 nearest texels, the nearest first.
-std::span<const glm::ivec2> nearSteps() {
-    static const std::vector<glm::ivec2> steps = [] {
-        std::vector<glm::ivec2> list;
-        for (int y = -2; y <= 2; ++y)
-            for (int x = -2; x <= 2; ++x)
-                if (x || y) list.emplace_back(x, y);
-        std::stable_sort(list.begin(), list.end(), [](const glm::ivec2& a, const glm::ivec2& b) {
-            return a.x * a.x + a.y * a.y < b.x * b.x + b.y * b.y;
-        });
-        return list;
-    }();
-    return steps;
-}
-
 /// Finds the open texels of one primitive after the other, and appends them and their words to a list of its own.
 class Finder {
 public:
     Finder(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree)
-        : layout_(layout), r_(r), tree_(tree), normals_(octahedralNormals(layout.sphereEdge)) {}
+        : layout_(layout), r_(r), tree_(tree), normals_(layout.sphereEdge) {}
 
     /// @param wanted  whether it lists the words of what it finds
     void sphere(std::uint32_t i, bool wanted = true) {
-        const Sphere& s = r_.spheres[i];
         const std::uint32_t edge = layout_.sphereEdge;
         found.firstOfSphere.push_back(static_cast<std::uint32_t>(found.texels.size()));
         collect(i);
-        begin(std::size_t{edge} * edge);
-        for (std::uint32_t k = 0; k < edge * edge; ++k)
-            if (!buried(s.center + normals_[k] * s.radius)) open(k, i * edge * edge + k);
-        if (wanted) words({edge, edge}, true, i, 0);
+        begin({edge, edge}, true);
+        for (std::uint32_t k = 0; k < edge * edge; k += kLanes) {
+            std::uint32_t bits = openLanes(r_.spheres[i], k);
+            for (; bits != 0; bits &= bits - 1) {
+                const std::uint32_t texel = k + static_cast<std::uint32_t>(std::countr_zero(bits));
+                open(texel, i * edge * edge + texel);
+            }
+        }
+        if (wanted) words({edge, edge}, i, 0);
         found.sphereTexels = found.texels.size();
     }
 
@@ -115,7 +97,7 @@ public:
         const Cylinder& c = r_.cylinders[i];
         const std::uint32_t around = layout_.around, along = layout_.along;
         collect(static_cast<std::uint32_t>(r_.spheres.size()) + i);
-        begin(std::size_t{around} * along);
+        begin({around, along}, false);
         glm::vec3 u, v;
         frameAbout(glm::normalize(c.b - c.a), u, v);
         const auto base = static_cast<std::uint32_t>(layout_.sphereTexels()) + i * around * along;
@@ -127,7 +109,7 @@ public:
                                     c.radius * (u * std::cos(angle) + v * std::sin(angle));
                 if (!buried(p)) open(y * around + x, base + y * around + x);
             }
-        if (wanted) words({around, along}, false, i, layout_.sphereRows);
+        if (wanted) words({around, along}, i, layout_.sphereRows);
     }
 
     OpenTexels found;
@@ -152,79 +134,48 @@ private:
             if (holds(around_[i], p)) return last_ = i, true;
         return false;
     }
-    void begin(std::size_t texels) {
-        entries_.assign(texels, kBuried);
+    /// Which of kLanes successive texels of a sphere's patch are open: a bit each.
+    std::uint32_t openLanes(const Sphere& s, std::uint32_t first) const {
+        const Lanes x = s.center.x + loadLanes(&normals_.x[first]) * s.radius;
+        const Lanes y = s.center.y + loadLanes(&normals_.y[first]) * s.radius;
+        const Lanes z = s.center.z + loadLanes(&normals_.z[first]) * s.radius;
+        Mask in{};
+        for (const std::uint32_t item : around_) {
+            if (item < r_.spheres.size()) {
+                const Sphere& other = r_.spheres[item];
+                const Lanes dx = x - other.center.x, dy = y - other.center.y, dz = z - other.center.z;
+                const float r = other.radius - kDeep;
+                in |= dx * dx + dy * dy + dz * dz < Lanes{} + r * r;
+            } else {
+                const Cylinder& stick = r_.cylinders[item - r_.spheres.size()];
+                for (std::uint32_t k = 0; k < kLanes; ++k) in[k] |= inside(stick, {x[k], y[k], z[k]}) ? -1 : 0;
+            }
+            if (signsOf(in) == kAllLanes) return 0;
+        }
+        return ~signsOf(in) & kAllLanes;
+    }
+    void begin(const glm::ivec2& size, bool sphere) {
+        patch_.begin(size, sphere);
         base_ = static_cast<std::uint32_t>(found.texels.size());
     }
     void open(std::uint32_t local, std::uint32_t texel) {
-        entries_[local] = static_cast<std::uint16_t>(found.texels.size() - base_);
+        patch_.open(local, static_cast<std::uint16_t>(found.texels.size() - base_));
         found.texels.push_back(texel);
     }
-    std::uint16_t entryAt(const glm::ivec2& at, const glm::ivec2& size, bool sphere) const {
-        const glm::ivec2 p = folded(at, size, sphere);
-        if (p.x < 0 || p.y < 0 || p.x >= size.x || p.y >= size.y) return kBuried;
-        const int place = p.y * size.x + p.x;
-        return entries_[static_cast<std::size_t>(place)];
-    }
-    /// The patch with the margin that nearestOpen() searches, so that no folding is needed.
-    void surround(const glm::ivec2& size, bool sphere) {
-        row_ = static_cast<std::size_t>(size.x) + 2 * kAround;
-        surrounded_.resize(row_ * (static_cast<std::size_t>(size.y) + 2 * kAround));
-        constexpr int kFar = static_cast<int>(kAround);
-        auto* next = surrounded_.data();
-        for (int y = -kFar; y < size.y + kFar; ++y)
-            for (int x = -kFar; x < size.x + kFar; ++x) *next++ = entryAt({x, y}, size, sphere);
-        for (std::size_t i = 0; i < steps_.size(); ++i)
-            steps_[i] = nearSteps()[i].y * static_cast<std::ptrdiff_t>(row_) + nearSteps()[i].x;
-    }
-    /// The nearest open texel, if possible one with another open one behind it, and that one (else the same again).
-    AtlasWord::Source nearestOpen(int x, int y) const {
-        const std::uint16_t* at =
-            surrounded_.data() + (static_cast<std::size_t>(y) + kAround) * row_ + static_cast<std::size_t>(x) + kAround;
-        AtlasWord::Source best;
-        for (const std::ptrdiff_t step : steps_) {
-            const std::uint16_t entry = at[step];
-            if (entry == kBuried) continue;
-            const std::uint16_t beyond = at[2 * step];
-            if (beyond != kBuried) return {entry, beyond};
-            if (best.entry == kBuried) best = {entry, entry};
-        }
-        return best;
-    }
     /// The words of the patch of a shape, whose patches start at a row of the atlas.
-    void words(const glm::ivec2& size, bool sphere, std::uint32_t shape, std::uint32_t top) {
-        if (std::all_of(entries_.begin(), entries_.end(), [](std::uint16_t e) { return e == kBuried; })) return;
-        surround(size, sphere);
-        const auto width = static_cast<std::uint32_t>(size.x), height = static_cast<std::uint32_t>(size.y);
-        const std::uint32_t perRow = layout_.width / width;
-        const std::uint32_t left = shape % perRow * width, row = top + shape / perRow * height;
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; x += 4) {
-                AtlasWord word;
-                word.address =
-                    ((row + static_cast<std::uint32_t>(y)) * layout_.width + left + static_cast<std::uint32_t>(x)) / 4;
-                word.base = base_;
-                bool any = false;
-                for (int k = 0; k < 4; ++k) {
-                    const int place = y * size.x + x + k;
-                    const std::uint16_t own = entries_[static_cast<std::size_t>(place)];
-                    word.sources[k] = own != kBuried ? AtlasWord::Source{own, own} : nearestOpen(x + k, y);
-                    any = any || word.sources[k].entry != kBuried;
-                }
-                if (any) found.words.push_back(word);
-            }
+    void words(const glm::uvec2& size, std::uint32_t shape, std::uint32_t top) {
+        const std::uint32_t perRow = layout_.width / size.x;
+        const std::uint32_t left = shape % perRow * size.x, row = top + shape / perRow * size.y;
+        patch_.addWords(row * layout_.width + left, layout_.width, base_, found.words);
     }
 
+    static constexpr std::uint32_t kAllLanes = (1u << kLanes) - 1;
     const OcclusionLayout& layout_;
     const Representation& r_;
     const PrimitiveTree& tree_;
-    std::vector<glm::vec3> normals_;
+    OctahedralNormals normals_;
     std::vector<std::uint32_t> around_;
-    static constexpr std::size_t kAround = 4;  // two steps of two texels
-    std::vector<std::uint16_t> entries_;       // of the patch: less base_, or kBuried
-    std::vector<std::uint16_t> surrounded_;    // the same, with kAround texels about it
-    std::size_t row_ = 0;                      // of surrounded_
-    std::array<std::ptrdiff_t, 24> steps_{};   // nearSteps() in it
+    OpenPatch patch_;
     std::uint32_t base_ = 0;
     std::size_t last_ = 0;
 };
