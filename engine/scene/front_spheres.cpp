@@ -15,6 +15,22 @@ constexpr float kNothing = std::numeric_limits<float>::max();
 constexpr float kHidesAll = -kNothing;
 constexpr std::uint32_t kMostLanes = 16;
 
+/// Made anew wherever it is needed: copies of single atoms are millions.
+FrontPlace placeOf(const TileView& view, const TileCall& call) {
+    const glm::vec4* rows = call.rows;
+    // As pixelOf().
+    const glm::vec4 across = rows[0] * view.pixels, up = rows[1] * view.pixels;
+    const glm::vec4 turned[4][2] = {{across, -up}, {up, across}, {-across, up}, {-up, -across}};
+    FrontPlace p{turned[view.quarterTurns & 3][0], turned[view.quarterTurns & 3][1], -rows[2], {}, {}, {}};
+    p.x.w += view.axis.x;
+    p.y.w += view.axis.y;
+    p.z.w += view.origin;
+    p.spanX = glm::abs(glm::vec3(p.x));
+    p.spanY = glm::abs(glm::vec3(p.y));
+    p.spanZ = glm::abs(glm::vec3(p.z));
+    return p;
+}
+
 }  // namespace
 
 bool FrontSpheres::tells(const TileView& view) {
@@ -29,23 +45,9 @@ void FrontSpheres::begin(const TileView& view, const Scenery& s) {
     shared_.pitch = pitch_;
     shared_.pixels = view.pixels;
     shared_.perPixel = 1 / view.pixels;
-    places_.clear();
     float far = 0;  // Å from the origin, of anything
-    for (const TileCall& call : s.calls) {
-        const glm::vec4* rows = call.rows;
-        // As pixelOf().
-        const glm::vec4 across = rows[0] * view.pixels, up = rows[1] * view.pixels;
-        const glm::vec4 turned[4][2] = {{across, -up}, {up, across}, {-across, up}, {-up, -across}};
-        FrontPlace p{turned[view.quarterTurns & 3][0], turned[view.quarterTurns & 3][1], -rows[2], {}, {}, {}};
-        p.x.w += view.axis.x;
-        p.y.w += view.axis.y;
-        p.z.w += view.origin;
-        p.spanX = glm::abs(glm::vec3(p.x));
-        p.spanY = glm::abs(glm::vec3(p.y));
-        p.spanZ = glm::abs(glm::vec3(p.z));
-        places_.push_back(p);
-        far = std::max({far, std::abs(rows[0].w), std::abs(rows[1].w), std::abs(rows[2].w)});
-    }
+    for (const TileCall& call : s.calls)
+        far = std::max({far, std::abs(call.rows[0].w), std::abs(call.rows[1].w), std::abs(call.rows[2].w)});
     // Bound of the terms of a position: three products with a unit vector, and a shift; half the picture.
     far += 1.75f * s.boxes.reach;
     const float wide = (static_cast<float>(std::max(width_, height_)) + std::abs(view.axis.x) + std::abs(view.axis.y)) *
@@ -61,7 +63,7 @@ void FrontSpheres::begin(const TileView& view, const Scenery& s) {
     shared_.margin = room / kLeast + (6 * far + 4 * (std::abs(view.origin) + view.range)) * kStep;
 }
 
-void FrontSpheres::list(const Scenery& s) {
+void FrontSpheres::list(const TileView& view, const Scenery& s) {
     constexpr std::uint32_t kOfGroup = SphereBoxes::kSpheres * SphereBoxes::kBoxes;
     std::array<SphereBox, kMostLanes> boxes;
     std::array<FrontRectangle, kMostLanes> found;
@@ -69,10 +71,11 @@ void FrontSpheres::list(const Scenery& s) {
     const auto count = static_cast<std::uint32_t>(s.boxes.groups.size());
     for (std::uint32_t c = 0; c < s.calls.size(); ++c) {
         const TileCall& call = s.calls[c];
+        const FrontPlace place = placeOf(view, call);
         const std::uint32_t end = (call.first + call.count + kOfGroup - 1) / kOfGroup;
         for (std::uint32_t g = call.first / kOfGroup; g < end; g += lanes_.lanes) {
             for (std::uint32_t k = 0; k < lanes_.lanes; ++k) boxes[k] = s.boxes.groups[std::min(g + k, count - 1)];
-            lanes_.rectangles(shared_, places_[c], boxes.data(), found.data());
+            lanes_.rectangles(shared_, place, boxes.data(), found.data());
             for (std::uint32_t k = 0; k < lanes_.lanes && g + k < end; ++k) {
                 const FrontRectangle& r = found[k];
                 if (r.right > 0 && r.bottom > 0 && r.left < static_cast<float>(width_) &&
@@ -87,7 +90,13 @@ void FrontSpheres::listDoubts(const Scenery& s) {
     std::uint32_t most = 0;
     for (const TileCall& call : s.calls) most = std::max(most, call.number + call.first + call.count);
     marks_.assign(most / 64 + 1, 0);
-    const auto mark = [&](std::uint32_t number) { marks_[number / 64] |= std::uint64_t{1} << number % 64; };
+    shown_ = 0;
+    const auto mark = [&](std::uint32_t number) {
+        std::uint64_t& word = marks_[number / 64];
+        const std::uint64_t bit = std::uint64_t{1} << number % 64;
+        shown_ += (word & bit) == 0;
+        word |= bit;
+    };
     for (std::size_t b = 0; b < bands_.size(); ++b) std::for_each(doubts_[b].begin(), doubts_[b].end(), mark);
     doubtCalls_.clear();
     for (const TileCall& call : s.calls) {
@@ -111,8 +120,6 @@ void FrontSpheres::listDoubts(const Scenery& s) {
         for (std::uint32_t x = 0; x < width_; ++x)
             if (z[x] != kNothing && (x == 0 || number[x] != number[x - 1])) mark(number[x]);
     }
-    shown_ = 0;
-    for (const std::uint64_t word : marks_) shown_ += static_cast<std::size_t>(std::popcount(word));
 }
 
 void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, const SphereBoxes& boxes,
@@ -120,7 +127,7 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
     constexpr std::size_t kWorth = 512;  // groups that are worth another thread
     const Scenery s{spheres, boxes, calls};
     begin(view, s);
-    list(s);
+    list(view, s);
     orderNearFirst<2048>(view, groups_, order_);
     partRows(
         height_, std::min<std::size_t>(groups_.size() / kWorth + 1, threadsPerTask()), groups_,
@@ -138,10 +145,13 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
             std::fill_n(z_.data() + y * pitch_, width_, kNothing);
             std::fill_n(z_.data() + y * pitch_ + width_, pitch_ - width_, kHidesAll);
         }
+        const auto top = static_cast<float>(band.first), bottom = static_cast<float>(band.end);
         for (const std::uint32_t i : order_) {
             const FrontGroup& group = groups_[i];
+            if (group.bottom < top || group.top > bottom) continue;
             if (!band.isHidden({group.near, group.left, group.top, group.right, group.bottom}))
-                lanes_.draw(band, s.spheres, s.boxes, s.calls[group.call], places_[group.call], group.group);
+                lanes_.draw(band, s.spheres, s.boxes, s.calls[group.call], placeOf(view, s.calls[group.call]),
+                            group.group);
         }
     });
     listDoubts(s);

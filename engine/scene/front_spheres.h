@@ -44,14 +44,13 @@ private:
     };
 
     void begin(const TileView& view, const Scenery& s);
-    void list(const Scenery& s);
+    void list(const TileView& view, const Scenery& s);
     void listDoubts(const Scenery& s);
 
     std::uint32_t width_ = 0, height_ = 0;
     std::uint32_t pitch_ = 0;  // pixels per row, including sentinels at its end that hide everything
     FrontLanes lanes_;
     FrontBand shared_;  // what all bands have in common
-    std::vector<FrontPlace> places_;
     std::vector<FrontGroup> groups_;
     std::vector<std::uint32_t> order_, inRow_;
     std::vector<RowBand> bands_;
