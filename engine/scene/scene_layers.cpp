@@ -327,21 +327,38 @@ std::string tooltipOf(const SceneGuide& guide, std::uint32_t atom) {
     return text;
 }
 
-Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers) {
+namespace {
+
+/// Visits centre and radius of all that layers show, in all copies.
+template <typename Visit>
+void eachLayerBall(const Molecule& molecule, std::span<const SceneLayer> layers, const Visit& visit) {
     const SceneGuide& guide = *molecule.guide;
-    std::vector<glm::dvec4> balls;
     for (const SceneLayer& layer : layers)
         for (const std::uint32_t index : layer.atoms) {
             const Atom& atom = molecule.atoms[index];
+            const glm::dvec3 center(atom.position);
             const double radius = static_cast<double>(ballRadius(layer, atom.element) * layer.atomScale);
             if (guide.transforms.empty()) {
-                balls.emplace_back(glm::dvec3(atom.position), radius);
+                visit(center, radius);
                 continue;
             }
             for (const std::uint32_t copy : guide.lists[listOf(molecule, guide, index)])
-                balls.emplace_back(guide.transforms[copy] * glm::dvec4(glm::dvec3(atom.position), 1.0), radius);
+                visit(guide.transforms[copy] * glm::dvec4(center, 1.0), radius);
         }
-    return balls.empty() ? Bounds{{}, 1} : boundsOf(balls);
+}
+
+}  // namespace
+
+Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers) {
+    // Twice, since copies of atoms may be too many to be kept.
+    Box box;
+    eachLayerBall(molecule, layers, [&](const glm::dvec3& center, double) { box.add(center); });
+    if (!(box.low.x <= box.high.x)) return {{}, 1};
+    Bounds bounds{box.center(), 0};
+    eachLayerBall(molecule, layers, [&](const glm::dvec3& center, double radius) {
+        bounds.radius = std::max(bounds.radius, glm::length(center - bounds.center) + radius);
+    });
+    return bounds;
 }
 
 Representation representLayers(const ResidueFacts& facts, const GuidedLayers& guided,
