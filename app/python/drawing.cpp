@@ -192,10 +192,21 @@ Drawn draw(const Structure& structure, const std::string& options, const Colors&
 }
 
 std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::string>& options, const Colors& colors) {
+    // What fails after a first picture is the first of the next call, so that those before it are not lost.
     std::vector<PictureDescription> requests;
-    for (const std::string& one : options) requests.push_back(requestOf(structure, one, kPlain));
+    for (const std::string& one : options) {
+        try {
+            requests.push_back(requestOf(structure, one, kPlain));
+        } catch (const std::exception&) {
+            if (requests.empty()) throw;
+            break;
+        }
+    }
     std::vector<Drawn> all(requests.size());
     if (requests.empty()) return all;
+    for (const PictureDescription& request : requests)
+        if (deviceKey(request.device) != deviceKey(requests.front().device))
+            throw app::UsageError("pictures() draws with one device");
     withScene(structure, requests.front(), colors, [&](app::Drawing& drawing, app::Canvas& canvas) {
         constexpr std::size_t kInFlight = 2, kMostBytes = std::size_t{32} << 20;
         std::size_t bytes = 0;
@@ -210,10 +221,14 @@ std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::st
                     break;
                 }
                 const PictureDescription& request = requests[i];
-                if (deviceKey(request.device) != deviceKey(requests.front().device))
-                    throw app::UsageError("pictures() draws with one device");
-                app::loadMaps(request);
-                drawing.prepare(*structure.molecule, request);
+                try {
+                    app::loadMaps(request);
+                    drawing.prepare(*structure.molecule, request);
+                } catch (const std::exception&) {
+                    if (i == 0) throw;
+                    all.resize(i);
+                    break;
+                }
                 all[i].format = app::formatOf(request);
                 if (drawing.startsCoded()) {
                     drawing.startCoded(canvas, true);

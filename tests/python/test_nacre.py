@@ -107,6 +107,27 @@ def test_pictures_are_drawn_as_they_are_asked_for(dna):
     assert dna.render(**SMALL).shape == (32, 48, 4)
 
 
+@pytest.mark.parametrize("wrong, words", [
+    ({"halo": 1}, "halo"), ({"hide": "all"}, "."), ({"color_limits": (0, 1)}, "color_limits"),
+    ({"color": [1, 2]}, "arrays go with all views"), (None, ".")])
+def test_pictures_before_a_wrong_view_are_drawn(dna, wrong, words):
+    views = [{"rotate": (0, 30 * turn, 0)} for turn in range(3)]
+    drawn = []
+    with pytest.raises(Exception, match=words):
+        for picture in dna.pictures(views + [wrong, {}], **SMALL):
+            drawn.append(picture)
+    assert len(drawn) == len(views)
+    for view, picture in zip(views, drawn):
+        np.testing.assert_array_equal(picture, dna.render(**SMALL | view))
+
+
+def test_no_color_is_the_usual_one(dna):
+    for picture in dna.pictures([{}, {"color": None}], color=None, **SMALL):
+        np.testing.assert_array_equal(picture, dna.render(**SMALL))
+    chains, = dna.pictures([{"color": "chain"}], color=None, **SMALL)
+    np.testing.assert_array_equal(chains, dna.render(color="chain", **SMALL))
+
+
 def test_files_say_that_they_are_srgb(dna, tmp_path):
     ImageCms, Image = pytest.importorskip("PIL.ImageCms"), pytest.importorskip("PIL.Image")
     colours = Image.fromarray(np.random.default_rng(1).integers(0, 256, (64, 64, 3), dtype=np.uint8))

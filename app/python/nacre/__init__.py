@@ -103,11 +103,40 @@ def _tell(warnings, level=3):
         _warnings.warn(warning, stacklevel=level)
 
 
+def _of_atoms(color):
+    """Whether a color is one for each atom."""
+    return color is not None and not isinstance(color, str)
+
+
+def _groups(views, options):
+    """Options of pictures that are drawn together. What is wrong with one is told after those before it."""
+    own, group = _of_atoms(options.get("color")), []
+    try:
+        for view in views:
+            if _of_atoms(view.get("color")):
+                raise UsageError('"color" of a view: a scheme or a colour; arrays go with all views')
+            if own and "color" in view:
+                raise UsageError('"color" of a view: the colours of all views are given')
+            if own and ("palette" in view or "color_limits" in view):  # other colours than the views before it
+                yield group
+                group = []
+                yield [options | dict(view)]
+                continue
+            group.append(options | dict(view))
+            if len(group) == _TOGETHER:
+                yield group
+                group = []
+    except Exception:
+        yield group
+        raise
+    yield group
+
+
 def _colored(count, options):
     """Takes colours or values per atom out of the options."""
     options = dict(options)
     color, limits = options.get("color"), options.pop("color_limits", None)
-    if color is None or isinstance(color, str):
+    if not _of_atoms(color):
         if limits is not None:
             raise UsageError('"color_limits" goes with values in "color", one for each atom')
         return _nacre.Colors(), _text(options)
@@ -245,32 +274,27 @@ class Structure:
 
         >>> for picture in dna.pictures(({"rotate": (0, y, 0)} for y in range(360)), size=(256, 256)): ...
         """
-        own, group = not isinstance(options.get("color", ""), str), []
-        for view in views:
-            if not isinstance(view.get("color", ""), str):
-                raise UsageError('"color" of a view: a scheme or a colour; arrays go with all views')
-            if own and "color" in view:
-                raise UsageError('"color" of a view: the colours of all views are given')
-            if own and ("palette" in view or "color_limits" in view):  # other colours than the views before it
-                yield from self._drawn(group)
-                yield from self._drawn([options | dict(view)])
-                group = []
-                continue
-            group.append(options | dict(view))
-            if len(group) == _TOGETHER:
-                yield from self._drawn(group)
-                group = []
-        yield from self._drawn(group)
+        for group in _groups(views, options):
+            yield from self._drawn(group)
 
     def _drawn(self, group):
-        given = [self._given(options) for options in group]
+        texts, colors, failure = [], None, None
+        for options in group:
+            try:
+                given, text = self._given(options)
+            except Exception as error:  # after the pictures before it
+                failure = error
+                break
+            colors = colors or given
+            texts.append(text)
         done = 0
-        while done < len(given):
-            texts = [text for _, text in given[done:]]
-            for picture, warnings in _nacre.render_all(self._core, texts, given[0][0]):  # large ones: the first of them
+        while done < len(texts):
+            for picture, warnings in _nacre.render_all(self._core, texts[done:], colors):  # large ones: the first of them
                 done += 1
                 _tell(warnings, 4)
                 yield picture
+        if failure:
+            raise failure
 
     def layers(self, **options):
         """Draws layers for compositing, one sample per pixel, as float32 (id: uint32):
