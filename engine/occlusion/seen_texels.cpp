@@ -63,6 +63,14 @@ std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representa
     return seen;
 }
 
+/// A bit for each of four texels: of a patch row by row, whose edge is a multiple of 4, or of all vertices.
+std::vector<std::uint8_t> wordsOf(const std::vector<bool>& texels) {
+    std::vector<std::uint8_t> words((texels.size() + 3) / 4, 0);
+    for (std::size_t i = 0; i < texels.size(); ++i)
+        if (texels[i]) words[i / 4] |= static_cast<std::uint8_t>(1u << i % 4);
+    return words;
+}
+
 }  // namespace
 
 std::optional<Onlooker> onlookerOf(const RenderSettings& settings) {
@@ -76,29 +84,32 @@ std::optional<Onlooker> onlookerOf(const RenderSettings& settings) {
 
 void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representation& r, const Onlooker& onlooker) {
     if (layout.sphereEdge == 1) return;
-    const std::vector<bool> ofSphere = seenOfSphere(layout.sphereEdge, onlooker.towards);
-    const std::vector<bool> ofVertices = seenOfVertices(layout, r, onlooker);
+    const std::vector<std::uint8_t> ofSphere = wordsOf(seenOfSphere(layout.sphereEdge, onlooker.towards));
+    const std::vector<std::uint8_t> ofVertices = wordsOf(seenOfVertices(layout, r, onlooker));
+    const std::uint32_t perRow = layout.width / 4, perPatch = layout.sphereEdge / 4;
     const std::uint64_t vertexRow = std::uint64_t{layout.sphereRows} + layout.cylinderRows;
-    const auto isSeen = [&](std::uint64_t texel) {
-        const std::uint64_t row = texel / layout.width, column = texel % layout.width, edge = layout.sphereEdge;
-        if (row < layout.sphereRows) return static_cast<bool>(ofSphere[row % edge * edge + column % edge]);
-        if (row < vertexRow) return true;
-        const std::uint64_t place = texel - vertexRow * layout.width;
-        return place < ofVertices.size() && ofVertices[place];
+    const auto seenOf = [&](std::uint32_t word) -> std::uint32_t {
+        const std::uint32_t row = word / perRow, column = word % perRow;
+        if (row < layout.sphereRows) return ofSphere[row % layout.sphereEdge * perPatch + column % perPatch];
+        if (row < vertexRow) return 15;
+        const std::uint64_t place = word - vertexRow * perRow;
+        return place < ofVertices.size() ? ofVertices[place] : 0u;
     };
     std::vector<std::uint32_t> keptBefore(open.texels.size() + 1, 0);
     const auto keep = [&](const AtlasWord& word, std::uint16_t entry) { keptBefore[word.base + entry + 1] = 1; };
-    for (AtlasWord& word : open.words)
-        for (std::uint64_t i = 0; i < 4; ++i) {
+    for (AtlasWord& word : open.words) {
+        const std::uint32_t seen = seenOf(word.address);
+        for (std::uint32_t i = 0; i < 4; ++i) {
             AtlasWord::Source& source = word.sources[i];
             if (source.entry == AtlasWord::kNone) continue;
-            if (!isSeen(4 * std::uint64_t{word.address} + i)) {
+            if ((seen >> i & 1) == 0) {
                 source = {};
                 continue;
             }
             keep(word, source.entry);
             keep(word, source.beyond);
         }
+    }
     std::erase_if(open.words, [](const AtlasWord& word) {
         return std::all_of(std::begin(word.sources), std::end(word.sources),
                            [](const AtlasWord::Source& source) { return source.entry == AtlasWord::kNone; });
