@@ -21,15 +21,16 @@ turns. It keeps the occlusion of a structure while only the view changes.
 from __future__ import annotations
 
 import base64 as _base64
-import errno as _errno
 import json as _json
 import os as _os
 import tempfile as _tempfile
-import warnings as _warnings
 
 import numpy as _numpy
 
 from . import _nacre
+from ._given import FileMissing
+from ._given import colored as _colored, groups as _groups, kind as _kind, tell as _tell, text as _text
+from ._given import writable as _writable
 from ._nacre import Error, UsageError
 from ._view import View
 
@@ -37,129 +38,9 @@ __version__ = _nacre.__version__
 __all__ = ["Error", "FileMissing", "Movie", "Structure", "UsageError", "View", "__version__", "density_map", "from_arrays",
            "from_biopython", "from_gemmi", "open", "options"]
 
-_TOGETHER = 8  # pictures that pictures() holds
 _NOTEBOOK = {"size": (512, 512), "supersample": 2}
 _NOTEBOOK_MOVIE = {"size": (384, 384)}, {"seconds": 4, "fps": 15}
 _MOVIE_TYPES = {".png": "image/png", ".gif": "image/gif", ".mp4": "video/mp4", ".webm": "video/webm"}
-
-
-class FileMissing(Error, FileNotFoundError):
-    """The file, or the folder to write to, does not exist."""
-
-    def __init__(self, message, path=None):
-        super().__init__(message)
-        self.errno, self.strerror, self.filename = _errno.ENOENT, _os.strerror(_errno.ENOENT), path
-
-    def __str__(self):
-        return self.args[0]
-
-    def __reduce__(self):
-        return FileMissing, (self.args[0], self.filename)
-
-
-def _writable(path):
-    path = _os.fspath(path)
-    folder = _os.path.dirname(path)
-    if folder and not _os.path.isdir(folder):
-        raise FileMissing(f"cannot write file: {path}: No such file or directory", path)
-    return path
-
-
-def _plain(value):
-    """The value in types that JSON has."""
-    if isinstance(value, _os.PathLike):
-        return _os.fspath(value)
-    if isinstance(value, _numpy.ndarray):
-        return value.tolist()
-    if isinstance(value, _numpy.generic):
-        return value.item()
-    if isinstance(value, dict):
-        return {str(key): _plain(entry) for key, entry in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(entry) for entry in value]
-    return value
-
-
-def _kind(value):
-    """A value's type, for messages."""
-    kind = type(value)
-    return kind.__name__ if kind.__module__ == "builtins" else f"{kind.__module__}.{kind.__name__}"
-
-
-def _text(options):
-    texts = []
-    for name, value in options.items():
-        try:
-            texts.append(f"{_json.dumps(name)}: {_json.dumps(_plain(value), allow_nan=False)}")
-        except TypeError as error:
-            raise UsageError(f'"{name}": {error}') from None
-        except ValueError:
-            raise UsageError(f'"{name}": expected finite numbers, not {value!r}') from None
-    return f"{{{', '.join(texts)}}}"
-
-
-def _tell(warnings, level=3):
-    for warning in warnings:
-        _warnings.warn(warning, stacklevel=level)
-
-
-def _of_atoms(color):
-    """Whether a color is one for each atom."""
-    return color is not None and not isinstance(color, str)
-
-
-def _groups(views, options):
-    """Options of pictures that are drawn together. What is wrong with one is told after those before it."""
-    own, group = _of_atoms(options.get("color")), []
-    try:
-        for view in views:
-            if _of_atoms(view.get("color")):
-                raise UsageError('"color" of a view: a scheme or a colour; arrays go with all views')
-            if own and "color" in view:
-                raise UsageError('"color" of a view: the colours of all views are given')
-            if own and ("palette" in view or "color_limits" in view):  # other colours than the views before it
-                yield group
-                group = []
-                yield [options | dict(view)]
-                continue
-            group.append(options | dict(view))
-            if len(group) == _TOGETHER:
-                yield group
-                group = []
-    except Exception:
-        yield group
-        raise
-    yield group
-
-
-def _colored(count, options):
-    """Takes colours or values per atom out of the options."""
-    options = dict(options)
-    color, limits = options.get("color"), options.pop("color_limits", None)
-    if not _of_atoms(color):
-        if limits is not None:
-            raise UsageError('"color_limits" goes with values in "color", one for each atom')
-        return _nacre.Colors(), _text(options)
-    del options["color"]
-    array = _numpy.asarray(color)
-    if array.dtype.kind not in "biuf":
-        raise UsageError(f'"color": expected a scheme, a colour, values or colours of the atoms, not {_kind(color)}')
-    if array.ndim == 1 and len(array) == count:
-        if limits is not None:
-            limits = tuple(float(limit) for limit in limits)
-            if len(limits) != 2 or not _numpy.all(_numpy.isfinite(limits)) or limits[0] == limits[1]:
-                raise UsageError('"color_limits": expected two finite numbers that differ')
-        palette = options.pop("palette", "viridis")
-        return _nacre.Colors.of_values(array.astype(float).tolist(), palette, limits), _text(options)
-    if array.shape != (count, 3):
-        raise UsageError(f'"color": expected {count} values or ({count}, 3) colours, one for each atom, not an array of shape '
-                         f"{array.shape}")
-    if limits is not None:
-        raise UsageError('"color_limits" goes with values, not colours')
-    whole = array.dtype.kind in "iu"
-    if not _numpy.all(_numpy.isfinite(array)) or array.min() < 0 or array.max() > (255 if whole else 1):
-        raise UsageError('"color": expected whole numbers from 0 to 255, or others from 0 to 1')
-    return _nacre.Colors(_numpy.round(array * (1 if whole else 255)).astype(_numpy.uint8)), _text(options)
 
 
 class Movie:
