@@ -16,7 +16,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
     file(CONFIGURE OUTPUT ${SOURCE} @ONLY CONTENT [[
 #include <bit>
 #include <cstdint>
-#include "app/annotation/font.h"
+#include "app/annotation/system_font.h"
 namespace nacre::app {
 static_assert(std::endian::native == std::endian::little, "the words below are");
 static const std::uint64_t kWords[] = {@words@};

@@ -2,7 +2,6 @@
 // Performance functions of newer Android versions: the display's rate, thermal forecasts, and hints about a frame's
 // duration. Looked up by name, since minSdk is older; missing functions do nothing. For the render thread.
 
-#include <cstdint>
 #include <limits>
 
 struct ANativeWindow;

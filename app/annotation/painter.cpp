@@ -13,7 +13,7 @@
 #include FT_OUTLINE_H
 #include FT_STROKER_H
 
-#include "app/annotation/font.h"
+#include "app/annotation/system_font.h"
 #include "app/annotation/visual_text.h"
 #include "app/files/code_points.h"
 #include "engine/error.h"

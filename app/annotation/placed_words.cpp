@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
-#include <numeric>
 #include <set>
-#include <stdexcept>
 
 #include "app/annotation/measurement.h"
 #include "app/picture/label_fields.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"
-#include "engine/molecule/residue_kind.h"
+#include "engine/molecule/residue_facts.h"
 #include "engine/scene/sphere_levels.h"
 
 namespace nacre::app {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,5 +20,9 @@ using FindFont = std::function<std::optional<FontFile>(const std::vector<char32_
 /// The font that fontconfig's fc-match finds; on Android by script, from those on every device. Caches answers. Empty
 /// without fontconfig, as on Apple's systems. Thread-safe.
 std::optional<FontFile> systemFontWith(const std::vector<char32_t>& characters);
+
+/// DejaVu Sans as a TrueType file: the font of pictures and of the panel. Built in, so that pictures look the same on
+/// every machine.
+std::span<const std::byte> fontFile();
 
 }  // namespace nacre::app

@@ -13,11 +13,10 @@
 #include <thread>
 #include <vector>
 
-#include "app/cli/batch_files.h"
 #include "app/cli/batch_lines.h"
-#include "app/cli/batch_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/picture_job.h"
+#include "app/cli/picture_options.h"
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
 #include "app/files/spare_memory.h"

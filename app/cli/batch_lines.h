@@ -1,11 +1,15 @@
 #pragma once
-// Jobs as lines of text, from a file or a pipe.
+// Jobs as lines of text, from a file or a pipe; and the files that they read and write: no job may overwrite another's
+// output or input.
 
 #include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <unordered_map>
+
+#include "app/cli/options.h"
 
 namespace nacre::app {
 
@@ -41,6 +45,22 @@ private:
     std::size_t at_ = 0;  ///< position of the next line
     std::mutex turn_;
     std::uint64_t number_ = 0;
+};
+
+/// Files are identified by location, whatever path or link leads there, in 40 bytes each.
+class BatchFiles {
+public:
+    /// @param jobs  the job list itself, which is also read
+    explicit BatchFiles(const std::string& jobs);
+
+    /// Records what a job reads and writes; thread-safe. Later jobs are unknown, but pictures and layers have their own
+    /// file endings, and stats only replace stats.
+    /// @throws UsageError if it would write a file that an earlier job reads or writes
+    void claim(const PictureDescription& job);
+
+private:
+    std::mutex turn_;
+    std::unordered_map<std::size_t, bool> files_;  ///< by location: whether they are written
 };
 
 }  // namespace nacre::app

@@ -1,10 +1,12 @@
 // `nacre help TOPIC`: a text about several options, and those options' own help.
 
 #include <algorithm>
+#include <sstream>
 
 #include "app/cli/option_words.h"
 #include "app/mvs/node_table.h"
 #include "app/picture/options.h"
+#include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
 
 namespace nacre::app {
@@ -62,6 +64,126 @@ std::string described(const OptionSpec& option) {
     return text + "\n";
 }
 
+/// Text that man(7) shows as it stands; dashes are minus signs, to be searched for and copied.
+std::string roff(const std::string& text) {
+    std::string out;
+    bool lineStart = true;
+    for (const char c : text) {
+        if (lineStart && (c == '.' || c == '\'')) out += "\\&";
+        if (c == '\\')
+            out += "\\e";
+        else if (c == '-')
+            out += "\\-";
+        else if (c == '\'')
+            out += "\\(aq";
+        else if (c == '`')
+            out += "\\(ga";
+        else if (c == '^')
+            out += "\\(ha";
+        else if (c == '~')
+            out += "\\(ti";
+        else
+            out += c;
+        lineStart = c == '\n';
+    }
+    return out;
+}
+
+/// As above in one paragraph: joins lines.
+std::string roffFlow(std::string text) {
+    for (char& c : text)
+        if (c == '\n') c = ' ';
+    return roff(text);
+}
+
+void addRoffOption(std::ostringstream& page, const OptionSpec& option) {
+    page << ".TP\n";
+    std::string names;
+    if (option.positional()) names = "\\fI" + option.names + "\\fR" + (option.repeatable ? " ..." : "");
+    for (const std::string& name : writtenNames(option))
+        names += (names.empty() ? "\\fB" : ", \\fB") + roff(name) + "\\fR";
+    page << names;
+    if (!option.type.empty()) page << " \\fI" << roff(option.type) << "\\fR";
+    page << '\n' << roffFlow(option.help) << (option.help.ends_with('.') ? "" : ".");
+    if (!option.fallback.empty()) page << " Default: " << roffFlow(option.fallback) << '.';
+    page << '\n';
+}
+
+/// Examples and environment with their layout.
+void addRoffLines(std::ostringstream& page, const std::string& text) {
+    if (text.empty()) return;
+    page << ".nf\n";
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) page << (line.empty() ? "\\&" : roff(line)) << '\n';
+    page << ".fi\n";
+}
+
+std::string synopsisOf(const CommandSpec& command) {
+    std::string text = "\\fBnacre " + command.name + "\\fR";
+    for (const OptionSpec& option : command.options)
+        if (option.positional()) text += " \\fI" + option.names + "\\fR" + (option.repeatable ? " ..." : "");
+    return text + " [\\fIOPTION\\fR]...";
+}
+
+struct ReferenceGroup {
+    const char* title;
+    Topics topics;
+};
+constexpr ReferenceGroup kReferenceGroups[] = {
+    {"Input", Topic::input | Topic::reading},
+    {"Trajectories and several inputs", Topic::trajectory | Topic::fit},
+    {"Representation", Topic::style | Topic::atoms},
+    {"Colours", Topic::color | Topic::background},
+    {"Selections", static_cast<Topics>(Topic::rules)},
+    {"Interactions", static_cast<Topics>(Topic::interactions)},
+    {"Cartoons and surfaces", static_cast<Topics>(Topic::mesh)},
+    {"Density maps", static_cast<Topics>(Topic::map)},
+    {"Geometry beside the molecule", static_cast<Topics>(Topic::geometry)},
+    {"Camera", Topic::camera | Topic::aim},
+    {"Looks and saved views", Topic::look | Topic::view | Topic::thumbnail},
+    {"Light and effects", Topic::lighting | Topic::effects},
+    {"Ambient occlusion", Topic::occlusion | Topic::detail},
+    {"Labels, legend, title", static_cast<Topics>(Topic::words)},
+    {"Size and quality", Topic::size | Topic::samples | Topic::levels | Topic::paper},
+    {"Files", static_cast<Topics>(Topic::files)},
+    {"Device", Topic::device | Topic::path | Topic::frame | Topic::validation | Topic::debug},
+};
+
+std::string referenceEntry(const Option& option) {
+    const PictureDescription plain;
+    std::string text = option.positional ? "**`INPUT`**" : "**`--" + std::string(option.key);
+    if (!option.positional) text += (option.syntax.empty() ? "" : " " + option.syntax) + "`**";
+    const std::string standard = option.standard == "=" ? option.print(plain) : option.standard;
+    if (!standard.empty()) text += " (default: " + standard + ")";
+    std::string help = option.help;
+    std::replace(help.begin(), help.end(), '\n', ' ');
+    return text + "\\\n" + help + ".\n";
+}
+
+bool isKeyword(const Option& option) {
+    return has(kEveryTopic & ~kReading & ~(Topic::files | Topic::view), option.topic);
+}
+
+bool takesNumbers(const Option& option) {
+    try {
+        PictureDescription tried;
+        option.parse("1", tried);
+        return true;
+    } catch (const std::invalid_argument&) {
+        return false;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+const char* keywordType(const Option& option) {
+    if (option.kind == Option::Kind::flag) return "bool";
+    if (option.kind == Option::Kind::list) return "str | Sequence[str]";
+    if (option.syntax == "on|off") return "str | bool";
+    if (option.syntax == "WxH" || option.syntax == "X,Y,Z") return "str | Sequence[float]";
+    return option.syntax.find("SEL") == std::string::npos && takesNumbers(option) ? "str | float" : "str";
+}
+
 }  // namespace
 
 std::vector<std::string> helpTopicNames() {
@@ -98,6 +220,62 @@ std::string helpTopic(const std::string& name, std::span<const CommandSpec> comm
             for (const OptionSpec& spec : render->options)
                 if (spec.longName() == (option.positional ? "INPUT" : "--" + std::string(option.key)))
                     text += "\n" + described(spec);
+    return text;
+}
+
+std::string manualPage(const CommandSpec& program, std::span<const CommandSpec> commands) {
+    std::ostringstream page;
+    page << ".TH NACRE 1 \"\" \"nacre\" \"User Commands\"\n"
+         << ".SH NAME\nnacre \\- draw molecules\n.SH SYNOPSIS\n";
+    for (const CommandSpec& command : commands)
+        page << (&command == &commands.front() ? "" : ".br\n") << synopsisOf(command) << '\n';
+    page << ".SH DESCRIPTION\n"
+         << roffFlow(program.about)
+         << " It reads PDB, mmCIF and other structure files, works out the bonds, and draws on Vulkan, with or without "
+            "a "
+            "GPU. \\fBnacre help\\fR \\fITOPIC\\fR explains: "
+         <<
+        [] {
+            std::string names;
+            for (const std::string& name : helpTopicNames()) names += (names.empty() ? "" : ", ") + name;
+            return names;
+        }()
+         << ".\n";
+    for (const OptionSpec& option : program.options) addRoffOption(page, option);
+    page << ".SH COMMANDS\n";
+    for (const CommandSpec& command : commands) {
+        page << ".SS nacre " << command.name << '\n' << roffFlow(command.about) << ".\n";
+        for (const OptionSpec& option : command.options) addRoffOption(page, option);
+        if (!command.footer.empty()) page << ".PP\n";
+        addRoffLines(page, command.footer);
+    }
+    page << ".SH EXIT STATUS\n.TP\n0\nDone.\n.TP\n1\nFailed, with one line on standard error.\n.TP\n2\nWrong usage.\n"
+         << ".SH EXAMPLES AND ENVIRONMENT\n";
+    addRoffLines(page, program.footer);
+    return page.str();
+}
+
+std::string referencePage() {
+    std::string page =
+        "# Reference of options\n\n"
+        "Options of `nacre render`; the other commands take those that concern them. Jobs of `nacre batch` and Python\n"
+        "have the same keys without dashes. `nacre help reference` writes this page.\n";
+    for (const ReferenceGroup& group : kReferenceGroups) {
+        page += std::string("\n## ") + group.title + "\n";
+        for (const Option& option : options())
+            if (has(group.topics, option.topic)) page += "\n" + referenceEntry(option);
+    }
+    return page;
+}
+
+std::string pythonKeywords() {
+    std::string text;
+    for (const Option& option : options()) {
+        if (!isKeyword(option)) continue;
+        std::string key(option.key);
+        std::replace(key.begin(), key.end(), '-', '_');
+        text += "    " + key + ": " + keywordType(option) + "\n";
+    }
     return text;
 }
 

@@ -2,15 +2,83 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
+#include <utility>
 
 #include "app/files/printable.h"
+#include "app/input/read_input.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/scene/representation.h"
 
 namespace nacre::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Counts the interactions of single models or frames.
+class Counter {
+public:
+    explicit Counter(const Molecule& molecule) : molecule_(molecule) {}
+
+    void add(const Interaction& contact, int occasion) {
+        std::string first = nameOf(contact.a), second = nameOf(contact.b);
+        if (second < first) std::swap(first, second);
+        const std::string key = std::string(interactionKindName(contact.kind)) + "\t" + first + "\t" + second;
+        const auto [place, added] = index_.emplace(key, counted_.size());
+        if (added) counted_.push_back({{contact, 0, 0, contact.distance, contact.distance}, occasion - 1, 0});
+        Counted& counted = counted_[place->second];
+        if (counted.last != occasion) {
+            counted.last = occasion;
+            counted.here = contact.distance;
+            ++counted.frequency.count;
+            counted.frequency.sum += contact.distance;
+        } else if (contact.distance < counted.here) {
+            counted.frequency.sum += contact.distance - counted.here;
+            counted.here = contact.distance;
+        }
+        counted.frequency.least = std::min(counted.frequency.least, contact.distance);
+        counted.frequency.most = std::max(counted.frequency.most, counted.here);
+    }
+
+    std::vector<ContactFrequency> sorted() const {
+        std::vector<ContactFrequency> all;
+        for (const Counted& counted : counted_) all.push_back(counted.frequency);
+        std::stable_sort(all.begin(), all.end(),
+                         [](const ContactFrequency& l, const ContactFrequency& r) { return l.count > r.count; });
+        return all;
+    }
+
+private:
+    /// A name independent of a ring's or group's first atom.
+    std::string nameOf(const InteractionEnd& end) const {
+        std::vector<std::uint32_t> atoms = end.atoms;
+        std::sort(atoms.begin(), atoms.end(), [&](std::uint32_t l, std::uint32_t r) {
+            return molecule_.atoms[l].name.view() < molecule_.atoms[r].name.view();
+        });
+        return endName(molecule_, atoms);
+    }
+
+    struct Counted {
+        ContactFrequency frequency;
+        int last;     ///< occasion that it was met at
+        double here;  ///< the shortest there
+    };
+    const Molecule& molecule_;
+    std::map<std::string, std::size_t> index_;
+    std::vector<Counted> counted_;
+};
+
+std::string percent(std::size_t count, std::size_t of) {
+    return decimals(100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::size_t>(of, 1)), 1);
+}
+
+double mean(const ContactFrequency& frequency) { return frequency.sum / static_cast<double>(frequency.count); }
+
+}  // namespace
 
 using Json = nlohmann::ordered_json;
 
@@ -186,6 +254,76 @@ std::string interactionText(const Molecule& molecule, const std::vector<Interact
         line += decimals(interaction.distance, 2) + " Å  " + named(interaction.a) + "  -  " + named(interaction.b);
         for (const std::uint32_t water : interaction.waters) line += "  by " + endName(molecule, {water});
         text += line + "\n";
+    }
+    return text;
+}
+
+ContactFrequencies contactFrequencies(const Molecule& molecule, const ContactOptions& contacts,
+                                      const TrajectoryOptions& trajectory) {
+    const InteractionQuery query = interactionQuery(molecule, contacts);
+    const InteractionFinder finder(molecule, contacts.rules);
+    Counter counter(molecule);
+    if (!trajectory.path.empty()) {
+        const std::unique_ptr<Motion> motion = openMotion(trajectory, molecule);
+        Molecule moved = molecule;
+        const std::size_t frames = motion->frames();
+        for (std::size_t frame = 0; frame < frames; ++frame) {
+            movePositions(moved, motion->positions(frame));
+            for (const Interaction& contact : finder.find(moved, query)) counter.add(contact, static_cast<int>(frame));
+        }
+        return {counter.sorted(), frames};
+    }
+    const auto modelOf = [&](std::uint32_t atom) {
+        return molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model;
+    };
+    std::set<int> models;
+    for (const Chain& chain : molecule.chains) models.insert(chain.model);
+    std::vector<Interaction> found = finder.find(molecule, query);
+    std::stable_sort(found.begin(), found.end(), [&](const Interaction& l, const Interaction& r) {
+        return modelOf(l.a.atoms.front()) < modelOf(r.a.atoms.front());
+    });
+    for (const Interaction& contact : found) counter.add(contact, modelOf(contact.a.atoms.front()));
+    return {counter.sorted(), molecule.modelsAreInputs ? 1 : models.size()};
+}
+
+Json frequencyList(const Molecule& molecule, const ContactFrequencies& frequencies) {
+    Json list = Json::array();
+    for (const ContactFrequency& frequency : frequencies.contacts) {
+        Json json = interactionList(molecule, {frequency.first}).front();
+        list.push_back({{"kind", json["kind"]},
+                        {"a", json["a"]},
+                        {"b", json["b"]},
+                        {"count", frequency.count},
+                        {"share", static_cast<double>(frequency.count) / static_cast<double>(frequencies.of)},
+                        {"distance",
+                         {{"mean", thousandths(mean(frequency))},
+                          {"min", thousandths(frequency.least)},
+                          {"max", thousandths(frequency.most)}}}});
+    }
+    return list;
+}
+
+std::string frequencyCsv(const Molecule& molecule, const ContactFrequencies& frequencies) {
+    std::string text = "kind,a,b,count,of,percent,mean_distance,min_distance,max_distance\n";
+    for (const ContactFrequency& frequency : frequencies.contacts)
+        text += std::string(interactionKindName(frequency.first.kind)) + "," +
+                csvCell(endName(molecule, frequency.first.a.atoms)) + "," +
+                csvCell(endName(molecule, frequency.first.b.atoms)) + "," + std::to_string(frequency.count) + "," +
+                std::to_string(frequencies.of) + "," + percent(frequency.count, frequencies.of) + "," +
+                decimals(mean(frequency), 3) + "," + decimals(frequency.least, 3) + "," + decimals(frequency.most, 3) +
+                "\n";
+    return text;
+}
+
+std::string frequencyText(const Molecule& molecule, const ContactFrequencies& frequencies) {
+    std::string text = "  interactions in " + std::to_string(frequencies.of) + " models or frames\n";
+    for (const ContactFrequency& frequency : frequencies.contacts) {
+        std::string share = percent(frequency.count, frequencies.of) + " %";
+        share.insert(0, share.size() < 7 ? 7 - share.size() : 0, ' ');
+        std::string line = "    " + share + "  " + std::string(interactionKindName(frequency.first.kind));
+        line.resize(std::max<std::size_t>(line.size(), 28), ' ');
+        text += line + decimals(mean(frequency), 2) + " Å  " + endName(molecule, frequency.first.a.atoms) + "  -  " +
+                endName(molecule, frequency.first.b.atoms) + "\n";
     }
     return text;
 }

@@ -3,7 +3,6 @@
 #include <sstream>
 
 #include "app/cli/info_command.h"
-#include "app/files/messages.h"
 #include "app/files/printable.h"
 #include "engine/molecule/residue_facts.h"
 

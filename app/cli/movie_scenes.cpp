@@ -9,7 +9,7 @@
 #include "app/drawing/scenes.h"
 #include "app/files/messages.h"
 #include "app/input/input_files.h"
-#include "app/input/trajectory_input.h"
+#include "app/input/read_input.h"
 #include "app/movie/movie_file.h"
 #include "app/picture/input_names.h"
 #include "app/picture/saved_view.h"

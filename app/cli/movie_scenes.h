@@ -1,18 +1,33 @@
 #pragma once
 // The pictures of a movie, drawn by renderers that are kept between frames.
 
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 
 #include "app/cli/movie_options.h"
-#include "app/cli/movie_source.h"
 #include "app/cli/progress.h"
 #include "app/drawing/drawing.h"
 #include "engine/molecule/model_file.h"
 #include "engine/molecule/trajectory/motion.h"
+#include "engine/results.h"
 
 namespace nacre::app {
+
+/// Where a movie's pictures come from.
+class MovieSource {
+public:
+    virtual ~MovieSource() = default;
+    virtual std::uint64_t frames() const = 0;
+    /// A frame, 0..frames() - 1, in any order. @throws Error
+    virtual Picture draw(std::uint64_t frame) = 0;
+    /// The model, record, frame of a trajectory or snapshot that a frame shows, from 1; none if all show the same.
+    virtual std::optional<int> modelOf(std::uint64_t frame) const = 0;
+    /// Called with the finished share while occlusion is baked.
+    std::function<void(double)> onBake;
+};
 
 /// Whether any background, of the options or of a key view, is not opaque. @throws Error
 bool isTransparent(const MovieOptions& options);

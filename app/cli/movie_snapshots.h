@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/cli/movie_options.h"
-#include "app/cli/movie_source.h"
+#include "app/cli/movie_scenes.h"
 #include "app/cli/progress.h"
 #include "app/download/load_scene.h"
 #include "app/drawing/drawing.h"

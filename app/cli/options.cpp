@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <string_view>
 
-#include "app/cli/batch_options.h"
 #include "app/cli/examples.h"
 #include "app/cli/option_words.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/serve_command_options.h"
 #include "app/drawing/complete.h"
 #include "app/export/scene_files.h"
 #include "app/files/output_file.h"

@@ -1,13 +1,12 @@
 #pragma once
 // The command line as plain data.
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/cli/command_spec.h"
-#include "app/desktop/view_options.h"
+#include "app/desktop/view_command.h"
 #include "app/export/export_scene.h"
 #include "app/movie/camera_path.h"
 #include "app/picture/description.h"

@@ -1,7 +1,15 @@
 #include "app/cli/picture_options.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+
 #include "app/cli/movie_options.h"
+#include "app/drawing/complete.h"
+#include "app/files/output_file.h"
 #include "app/movie/movie_file.h"
+#include "app/picture/option_values.h"
+#include "app/picture/saved_view.h"
 
 namespace nacre::app {
 namespace {
@@ -17,6 +25,25 @@ std::string writtenName(const Option& option) {
     std::string name = key;
     for (char& c : name) c = static_cast<char>(c - 'a' + 'A');
     return name;
+}
+
+constexpr int kMostJobs = 64;
+
+/// One device draws all: these are the batch's, and no job's.
+constexpr Topics kOfTheDevice = Topic::device | Topic::path | Topic::validation;
+/// These are a job's alone.
+constexpr Topics kOfOneJob = Topic::input | Topic::files;
+
+/// "8080", "0.0.0.0:8080", "[::1]:8080". @throws std::invalid_argument
+void takeAddress(const std::string& text, ServeOptions& options) {
+    const std::size_t colon = text.rfind(':');
+    if (colon != std::string::npos) {
+        options.address = text.substr(0, colon);
+        if (options.address.starts_with('[') && options.address.ends_with(']'))
+            options.address = options.address.substr(1, options.address.size() - 2);
+        if (options.address.empty()) throw std::invalid_argument("expected ADDRESS:PORT");
+    }
+    options.port = static_cast<int>(parseInteger(text.substr(colon == std::string::npos ? 0 : colon + 1), 0, 65535));
 }
 
 }  // namespace
@@ -89,6 +116,113 @@ void addLooks(CommandSpec& command, LooksOptions& options) {
     command.value("--columns", "N", "4", "Looks per row of the sheet, 1 to 16",
                   [&](const std::string& text) { options.columns = static_cast<int>(parseInteger(text, 1, 16)); });
     command.flag("--json", options.json, "All looks as one JSON object; each works as --look FILE");
+}
+
+void addBatch(CommandSpec& command, BatchOptions& options) {
+    command
+        .value("JOBS", "", "", "A file of jobs, one JSON object per line; - for standard input",
+               [&](const std::string& text) { options.path = fileName(text); })
+        .required = true;
+    options.parallel = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, unsigned{kMostJobs}));
+    command.value(
+        "--jobs", "N", "one per processor",
+        "Pictures processed at the same time, 1 to 64; files are read and written while one is drawn",
+        [&](const std::string& text) { options.parallel = static_cast<int>(parseInteger(text, 1, kMostJobs)); });
+    command.flag("--resume", options.resume, "Skip jobs whose files exist");
+    // Applies the common options now, so that errors show before any work.
+    addPicture(command, options.tried, kEveryTopic & ~kOfTheDevice & ~kOfOneJob, &options.common);
+    addPicture(command, options.tried, kOfTheDevice);
+}
+
+PictureDescription jobOf(const std::string& json, const BatchOptions& batch) {
+    std::vector<OptionValue> values = batch.common;
+    for (OptionValue& value : optionValuesOf(json)) {
+        if (has(kOfTheDevice, option(value.key).topic) || value.key == "capture")
+            throw UsageError("\"" + value.key + "\" is the batch's: all jobs are drawn by one device");
+        if (value.value == "-" || isStandardOutput(value.value))
+            throw UsageError("\"" + value.key + "\": a job's files have names");
+        values.push_back(std::move(value));
+    }
+    PictureDescription job;
+    setOptions(values, job);
+    if (job.output.empty()) throw UsageError("\"output\" is required");
+    completePicture(job);
+    return job;
+}
+
+void addServe(CommandSpec& command, ServeOptions& options) {
+    options.workers = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 64u));
+    options.picture.input.memoryMegabytes = 2048;
+    command.value("--listen", "[ADDRESS:]PORT", "127.0.0.1:8080",
+                  "Address to listen on; port 0: any free port. Only this machine can reach 127.0.0.1",
+                  [&](const std::string& text) { takeAddress(text, options); });
+    command.value("--root", "DIR", "none", "Folder whose files are inputs; nothing outside it is read",
+                  [&](const std::string& text) {
+                      if (!std::filesystem::is_directory(fileName(text)))
+                          throw std::invalid_argument("'" + text + "' is not a folder");
+                      options.root = text;
+                  });
+    command.flag("--allow-download", options.picture.input.allowDownload,
+                 "Download the structures that requests name; otherwise only the cache is used");
+    command.value("--jobs", "N", "one per processor", "Pictures drawn at the same time, 1 to 64",
+                  [&](const std::string& text) { options.workers = static_cast<int>(parseInteger(text, 1, 64)); });
+    command.value("--queue", "N", "64", "Requests that wait for a worker, 1 to 10000; more are answered with 429",
+                  [&](const std::string& text) { options.queue = static_cast<int>(parseInteger(text, 1, 10000)); });
+    command.value("--timeout", "S", "60", "Maximum time of a request in seconds, 1 to 3600",
+                  [&](const std::string& text) { options.seconds = parseNumber(text, 1, 3600); });
+    command.value(
+        "--pictures", "MB|off", "256", "Disk cache of pictures, up to 1048576 MB; the least recently used are removed",
+        [&](const std::string& text) { options.cacheMiB = text == "off" ? 0 : parseInteger(text, 1, 1 << 20); });
+    command.value("--memory", "MB", "2048", "Memory limit for a molecule, 1 to 1048576", [&](const std::string& text) {
+        options.picture.input.memoryMegabytes = parseInteger(text, 1, 1 << 20);
+    });
+    command.value("--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre",
+                  "Folder for downloads, ambient occlusion and pictures",
+                  [&](const std::string& text) { options.picture.input.cache = fileName(text); });
+    addPicture(command, options.picture, Topic::device | Topic::path);
+}
+
+void checkLooks(const LooksOptions& options) {
+    const bool input = !options.picture.input.path.empty(), output = !options.picture.output.empty();
+    if (input != output) throw UsageError(input ? "--output is required for a sheet" : "INPUT is required for a sheet");
+}
+
+void checkMovie(MovieOptions& options) {
+    PictureDescription& picture = options.picture;
+    if (!options.views.empty() && !picture.view.empty())
+        throw UsageError("--view and --views exclude each other: name it among them");
+    if (!options.views.empty() && picture.input.path.empty()) {
+        PictureDescription first;
+        applySavedView(options.views.front(), first);
+        picture.view = first.view;
+        const TrajectoryOptions given = picture.input.trajectory;
+        picture.input = inputOf(first, picture.input);
+        picture.input.namedBy = first.input.namedBy;
+        if (!given.path.empty()) picture.input.trajectory = given;
+        if (given.frame != 1) picture.input.trajectory.frame = given.frame;
+    }
+    if (!takeInput(picture)) throw UsageError("INPUT is required: a file, pdb:1BNA, or sample:dna");
+    if (!picture.input.further.empty() && options.models) throw UsageError("--models is for one INPUT");
+    checkFrames(picture, options.models);
+    takeSeveral(picture);
+    if (isStandardOutput(picture.output) && isStandardOutput(options.report))
+        throw UsageError("--output and --report cannot both be standard output");
+    checkMotion(options);
+    checkSize(picture, kMostSamplesHeld);
+    std::vector<NamedFile> further{{"--report", options.report, true}};
+    for (const std::string& view : options.views)
+        if (view != picture.view) further.push_back({"--views", view});
+    checkFiles(picture, std::move(further));
+}
+
+bool checkWindow(PictureDescription& first) {
+    checkDebug(first);
+    const bool named = takeInput(first);
+    takeSeveral(first);
+    if (!first.input.further.empty() && !first.input.trajectory.path.empty())
+        throw UsageError("a window moves one INPUT: leave out --trajectory, or the others");
+    checkFiles(first);
+    return named;
 }
 
 }  // namespace nacre::app

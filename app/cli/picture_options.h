@@ -1,9 +1,13 @@
 #pragma once
-// The options of commands that draw pictures: rows of app/picture/options.h, and additions of some commands.
+// The options of commands that draw pictures: rows of app/picture/options.h, and additions of some commands, of `nacre
+// batch` with a line in its job list, and of `nacre serve`.
 
-#include <functional>
+#include <string>
+#include <vector>
 
+#include "app/cli/command_spec.h"
 #include "app/cli/options.h"
+#include "app/serve/serve_options.h"
 
 namespace nacre::app {
 
@@ -26,5 +30,14 @@ void checkLooks(const LooksOptions& options);
 void checkMovie(MovieOptions& options);
 /// As above for a window. @returns whether there is an INPUT
 bool checkWindow(PictureDescription& first);
+
+/// @param options  receives values; outlives the command
+void addBatch(CommandSpec& command, BatchOptions& options);
+
+/// The picture of a job's line, after the options common to all. @throws UsageError
+PictureDescription jobOf(const std::string& json, const BatchOptions& batch);
+
+/// Options of `nacre serve`.
+void addServe(CommandSpec& command, ServeOptions& options);
 
 }  // namespace nacre::app

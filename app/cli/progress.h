@@ -3,6 +3,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <cstdio>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -48,5 +49,23 @@ private:
 
 /// Callback of a download as bytes arrive.
 std::function<void(double)> downloadProgress(Progress& progress);
+
+/// A movie's progress for a waiting program: lines of JSON.
+class MovieReport {
+public:
+    /// @param path  "-": standard output; empty: no report. @throws Error
+    explicit MovieReport(const std::string& path);
+    ~MovieReport();
+    MovieReport(const MovieReport&) = delete;
+    MovieReport& operator=(const MovieReport&) = delete;
+
+    /// {"baked": 0.43} while the first frame's occlusion is baked.
+    void baked(double share);
+    /// {"frame": 12, "frames": 180} after each frame. @param model  shown, if there are several: "model": 4
+    void drawn(std::uint64_t frame, std::uint64_t frames, std::optional<int> model);
+
+private:
+    std::FILE* file_ = nullptr;
+};
 
 }  // namespace nacre::app

@@ -5,7 +5,6 @@
 #include "app/download/load_scene.h"
 #include "app/files/cache_folder.h"
 #include "app/files/messages.h"
-#include "app/input/input_files.h"
 
 namespace nacre::app {
 

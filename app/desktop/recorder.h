@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/panel/recording.h"
+#include "app/panel/panel_input.h"
 #include "app/picture/saved_view.h"
 
 namespace nacre::app {

@@ -1,9 +1,14 @@
 #include "app/desktop/state_files.h"
 
+#include <charconv>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
+#include "app/files/json_text.h"
 #include "app/viewer/kept_files.h"
+#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {
@@ -20,6 +25,36 @@ std::string pathOf(const char* variable, const char* underHome, const char* name
 
 std::string viewPath() { return pathOf("XDG_STATE_HOME", ".local/state", "view.json"); }
 std::string pipelinePath() { return pathOf("XDG_CACHE_HOME", ".cache", "pipelines.bin"); }
+
+constexpr std::uintmax_t kLargestList = 4u << 20;
+
+std::string hexOf(const std::vector<std::uint32_t>& pixels) {
+    constexpr char kDigits[] = "0123456789abcdef";
+    std::string text;
+    for (const std::uint32_t pixel : pixels)
+        for (int shift = 0; shift < 24; shift += 8) {
+            text += kDigits[pixel >> (shift + 4) & 15];
+            text += kDigits[pixel >> shift & 15];
+        }
+    return text;
+}
+
+/// Empty unless it is a picture of this size.
+std::vector<std::uint32_t> pixelsOf(const std::string& hex, std::size_t count) {
+    std::vector<std::uint32_t> pixels;
+    if (hex.size() != count * 6) return pixels;
+    for (std::size_t i = 0; i < hex.size(); i += 6) {
+        std::uint32_t pixel = 0xff000000;
+        for (std::size_t byte = 0; byte < 3; ++byte) {
+            unsigned value = 0;
+            const char* at = hex.data() + i + 2 * byte;
+            if (std::from_chars(at, at + 2, value, 16).ptr != at + 2) return {};
+            pixel |= value << (8 * byte);
+        }
+        pixels.push_back(pixel);
+    }
+    return pixels;
+}
 
 }  // namespace
 
@@ -40,6 +75,51 @@ std::string freeName(const std::string& input, const std::string& extension) {
         name += extension;
         if (!fs::exists(name)) return name;
     }
+}
+
+RecentFiles::RecentFiles(std::string path) : path_(std::move(path)) {
+    std::error_code none;
+    if (path_.empty() || std::filesystem::file_size(path_, none) > kLargestList || none) return;
+    std::ifstream in(path_);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const auto list = parseJson<nlohmann::json>(text);
+    if (!list.is_array()) return;
+    for (const auto& entry : list) {
+        if (files_.size() == kMost || !entry.is_object() || !entry.contains("input") || !entry["input"].is_string())
+            continue;
+        RecentFile file;
+        file.input = entry["input"];
+        file.name = entry.contains("name") && entry["name"].is_string() ? entry["name"].get<std::string>() : file.input;
+        if (entry.contains("picture") && entry["picture"].is_string())
+            file.pixels = pixelsOf(entry["picture"], std::size_t{kPicture.width} * kPicture.height);
+        if (!file.pixels.empty()) file.width = kPicture.width, file.height = kPicture.height;
+        files_.push_back(std::move(file));
+    }
+}
+
+void RecentFiles::add(const std::string& input, const std::string& name, const Picture& picture) {
+    RecentFile file;
+    file.input = input;
+    file.name = name;
+    if (picture.width == kPicture.width && picture.height == kPicture.height) {
+        file.width = picture.width, file.height = picture.height;
+        for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+            std::uint8_t rgb[3];
+            codePixel(&picture.rgba[i], false, rgb);
+            file.pixels.push_back(0xff000000u | rgb[0] | rgb[1] << 8 | rgb[2] << 16);
+        }
+    }
+    std::erase_if(files_, [&](const RecentFile& other) { return other.input == input; });
+    files_.insert(files_.begin(), std::move(file));
+    if (files_.size() > kMost) files_.resize(kMost);
+    write();
+}
+
+void RecentFiles::write() const {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const RecentFile& file : files_)
+        list.push_back({{"input", file.input}, {"name", file.name}, {"picture", hexOf(file.pixels)}});
+    keepText(path_, jsonText(list));
 }
 
 }  // namespace nacre::app

@@ -1,8 +1,14 @@
 #pragma once
 
-#include "app/desktop/view_options.h"
+#include "app/picture/description.h"
 
 namespace nacre::app {
+
+/// Options of a window.
+struct ViewOptions {
+    PictureDescription first;  ///< initial contents; `size` is the window's
+    bool restore = false;      ///< no input given: the start screen, which offers to restore the last session
+};
 
 /// Opens a window and returns when it is closed, or ended by a signal; saves its state in both cases. @throws Error
 void viewCommand(const ViewOptions& options);

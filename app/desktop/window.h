@@ -2,13 +2,12 @@
 // A window of the desktop's window system, by GLFW.
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/viewer/events.h"
 #include "engine/device_options.h"
-#include "engine/renderer.h"
+#include "engine/results.h"
 
 struct GLFWwindow;
 

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "app/desktop/file_dialog.h"
-#include "app/desktop/recent_files.h"
 #include "app/desktop/recorder.h"
-#include "app/desktop/view_options.h"
+#include "app/desktop/state_files.h"
+#include "app/desktop/view_command.h"
 #include "app/desktop/window.h"
-#include "app/panel/input_queue.h"
 #include "app/panel/panel.h"
+#include "app/panel/panel_input.h"
 #include "app/viewer/session.h"
 
 namespace nacre::app {

@@ -10,7 +10,7 @@
 #include "app/drawing/scenes.h"
 #include "app/files/printable.h"
 #include "app/input/input_files.h"
-#include "app/input/trajectory_input.h"
+#include "app/input/read_input.h"
 #include "app/mvs/scene_file.h"
 #include "app/viewer/local_molecules.h"
 #include "engine/error.h"

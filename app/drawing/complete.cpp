@@ -7,7 +7,10 @@
 
 #include "app/input/input_files.h"
 #include "app/picture/input_names.h"
+#include "app/picture/option_text.h"
+#include "app/picture/options.h"
 #include "app/picture/usage_error.h"
+#include "engine/scene/color_schemes.h"
 
 namespace nacre::app {
 namespace {
@@ -20,6 +23,16 @@ std::uint32_t sideOf(const char* name, double pixels) {
         throw UsageError(std::string(name) + ": " + std::to_string(static_cast<std::int64_t>(rounded)) +
                          " pixels; 1 to " + std::to_string(kLargestSide) + " are drawn");
     return static_cast<std::uint32_t>(rounded);
+}
+
+/// Whether a visible colouring uses such a palette.
+bool takesPalette(const Representation& scene, Palette palette) {
+    const PaletteUse use = isRamp(palette) ? PaletteUse::ramp : PaletteUse::kinds;
+    return std::ranges::any_of(scene.legends, [&](const Legend& legend) {
+        const auto scheme = colorSchemeFromName(legend.scheme.substr(0, legend.scheme.find(':')));
+        if (!scheme) return legend.ramp != Palette::automatic && use == PaletteUse::ramp;  // of a table
+        return paletteUse(*scheme) == use;
+    });
 }
 
 }  // namespace
@@ -142,6 +155,28 @@ PictureDescription withWholePaths(PictureDescription picture) {
     std::string& trajectory = picture.input.trajectory.path;
     if (!trajectory.empty()) trajectory = std::filesystem::absolute(trajectory).lexically_normal().string();
     return picture;
+}
+
+std::vector<std::string> idleOptions(const PictureDescription& options, const Representation& scene,
+                                     const Effects& effects, double reach) {
+    std::vector<std::string> said;
+    PictureDescription drawn = options;
+    drawn.effects = effects;
+    for (const std::string& key : options.given) {
+        const std::string needs(option(key).needs);
+        if (needs.empty()) continue;
+        if (const std::string on = option(needs).print(drawn); on.empty() || on == "off")
+            said.push_back("--" + key + " changes nothing without --" + needs);
+    }
+    if (const Palette palette = options.look.palette; palette != Palette::automatic && !takesPalette(scene, palette))
+        said.push_back("--palette " + std::string(paletteName(palette)) + " changes nothing: nothing is coloured by " +
+                       (isRamp(palette) ? "numbers" : "categories"));
+    if (options.words.seenOnly && options.words.labels.empty())
+        said.push_back("--show-labels changes nothing without --label");
+    if (effects.clip.near >= reach || effects.clip.far <= -reach)
+        said.push_back("the clipping planes remove everything: the molecule reaches " + numberText(std::ceil(reach)) +
+                       " A from its centre");
+    return said;
 }
 
 }  // namespace nacre::app

@@ -1,10 +1,13 @@
 #pragma once
-// Completes and checks a description before drawing: rules that involve several options.
+// Completes and checks a description before drawing: rules that involve several options. Finds options without visible
+// effect.
 
+#include <string>
 #include <vector>
 
 #include "app/files/output_file.h"
 #include "app/picture/description.h"
+#include "engine/scene/representation.h"
 
 namespace nacre::app {
 
@@ -32,5 +35,11 @@ void checkFormat(const PictureDescription& picture);
 
 /// The description with paths valid from any folder, for a window that outlives its command line.
 PictureDescription withWholePaths(PictureDescription picture);
+
+/// Warnings, one sentence each, for options that change nothing in the picture, and for clipping that leaves nothing.
+/// @param effects  of the picture: zooming to a part also clips
+/// @param reach  of the scene from its centre, Å
+std::vector<std::string> idleOptions(const PictureDescription& options, const Representation& scene,
+                                     const Effects& effects, double reach);
 
 }  // namespace nacre::app

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "app/drawing/guided.h"
+#include "app/drawing/scenes.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/selection/selection.h"
 

@@ -1,15 +1,17 @@
 #pragma once
-// From a molecule to its scene.
+// From a molecule to its scene. For scene files: what their guide says, and what options change of it.
 
 #include <algorithm>
 #include <optional>
 #include <string>
 
+#include "app/picture/description.h"
 #include "app/picture/saved_view.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/residue_facts.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/representation.h"
+#include "engine/scene/scene_camera.h"
 
 namespace nacre::app {
 
@@ -39,5 +41,22 @@ RenderSettings shadingOf(const PictureDescription& picture);
 void uncoverIn(Representation& scene, const ResidueFacts& facts, const PictureDescription& view);
 /// The representation of a view's molecule. @throws Error if it is empty
 Representation sceneOfView(const ResidueFacts& facts, const PictureDescription& view);
+
+/// The scene of a molecule that has a guide. @param drawn  what rules may show @throws Error
+Representation guidedSceneOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
+                             const RepresentationOptions& look);
+
+/// Bounds of a scene without atoms.
+Bounds frameOfGuide(const SceneGuide& guide);
+
+/// The camera of a scene file, if the picture has no other one; else null.
+const SceneCamera* sceneCamera(const Molecule& molecule, const PictureDescription& picture);
+
+/// Takes settings that no option gives from a scene file.
+void takeGuide(const Molecule& molecule, const PictureDescription& picture, RenderSettings& settings);
+
+/// Puts a scene file's camera and background into a view that has none of its own, for a hand that turns on from there.
+/// @param radius  that the camera goes by, Å about the scene's centre
+void takeSceneLook(const Molecule& molecule, double radius, PictureDescription& view);
 
 }  // namespace nacre::app

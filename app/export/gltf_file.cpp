@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <glm/common.hpp>
 #include <map>
 #include <nlohmann/json.hpp>

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstring>
 #include <glm/geometric.hpp>
-#include <tuple>
 #include <unordered_map>
 
 #include "app/export/scene_files.h"

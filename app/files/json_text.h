@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <stdexcept>
@@ -59,6 +61,22 @@ Json parseJson(const std::string& text, std::string& twice) {
         return true;
     };
     return Json::parse(text, watch, false);
+}
+
+/// All of a file that people write, or of a pipe. @param task  beginning of an error, as "cannot read colours"
+inline std::string readTextFile(const std::string& task, const std::string& path, std::size_t mostBytes) {
+    std::error_code error;
+    if (std::filesystem::is_directory(path, error)) throw Error(task, path, "it is a folder");
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw Error(task, path, "the file is missing or not readable");
+    std::string text;
+    char buffer[1 << 16];
+    while (file.read(buffer, sizeof buffer) || file.gcount() > 0) {
+        text.append(buffer, static_cast<std::size_t>(file.gcount()));
+        if (text.size() > mostBytes)
+            throw Error(task, path, "it is larger than the limit of " + std::to_string(mostBytes >> 20) + " MB");
+    }
+    return text;
 }
 
 /// Parses a file that people write. @param task  beginning of an error, as "cannot read colours"

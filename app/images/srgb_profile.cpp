@@ -1,6 +1,5 @@
 #include "app/images/srgb_profile.h"
 
-#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <string_view>

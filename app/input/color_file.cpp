@@ -1,9 +1,6 @@
 #include "app/input/color_file.h"
 
 #include <algorithm>
-#include <array>
-#include <filesystem>
-#include <fstream>
 
 #include "app/files/json_text.h"
 #include "app/input/color_rows.h"
@@ -120,22 +117,6 @@ ColorTable readJson(const std::string& text, const std::string& name, const std:
     return reader.finish();
 }
 
-std::string bytesOfTable(const std::string& path) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) throw Error("cannot read colours", path, "it is a folder");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Error("cannot read colours", path, "the file is missing or not readable");
-    std::string text;
-    std::array<char, 1 << 16> buffer{};
-    while (file.read(buffer.data(), buffer.size()) || file.gcount() > 0) {
-        text.append(buffer.data(), static_cast<std::size_t>(file.gcount()));
-        if (text.size() > kMostTableBytes)
-            throw Error("cannot read colours", path,
-                        "it is larger than the limit of " + std::to_string(kMostTableBytes >> 20) + " MB");
-    }
-    return text;
-}
-
 }  // namespace
 
 ColorTable readColorTable(const std::string& text, const std::string& name, const std::string& column) {
@@ -154,7 +135,8 @@ RepresentationOptions withTables(RepresentationOptions look) {
         else if (isTableText(coloring.source))
             table = readColorTable(coloring.source, "--color-from", coloring.column);
         else
-            table = readColorTable(bytesOfTable(coloring.source), coloring.source, coloring.column);
+            table = readColorTable(readTextFile("cannot read colours", coloring.source, kMostTableBytes),
+                                   coloring.source, coloring.column);
         coloring.table = std::make_shared<const ColorTable>(std::move(table));
     }
     return look;

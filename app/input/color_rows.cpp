@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "app/picture/appearance_values.h"
 #include "app/picture/option_values.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"
-#include "engine/molecule/floating_point.h"
 #include "engine/molecule/nearest_word.h"
 #include "engine/molecule/text.h"
-#include "engine/scene/palettes.h"
-#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {
@@ -138,8 +134,7 @@ void ColorRows::chooseUnknown(const Cells& names, const std::vector<std::string>
 template <typename Number>
 Number ColorRows::whole(const std::string& text, std::uint64_t number, const char* what) const {
     Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) fail(number, "'" + text + "' is not a " + what);
+    if (!readWhole(text, value)) fail(number, "'" + text + "' is not a " + what);
     return value;
 }
 
@@ -230,17 +225,14 @@ std::uint32_t ColorRows::colorOf(const std::string& text, std::uint64_t number) 
     try {
         const std::array<float, 4> color = parseColor(text);
         if (color[3] < 1) fail(number, "a colour must be opaque: '" + text + "'");
-        return packedColor(std::uint32_t{toByte(color[0])} << 16 | std::uint32_t{toByte(color[1])} << 8 |
-                           std::uint32_t{toByte(color[2])});
+        return opaqueColor(color);
     } catch (const std::invalid_argument& error) {
         fail(number, error.what());
     }
 }
 double ColorRows::valueOf(const std::string& text, std::uint64_t number) const {
     double value = 0;
-    const auto [end, error] = fromChars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        fail(number, "'" + text + "' is not a number");
+    if (!readWhole(text, value) || !std::isfinite(value)) fail(number, "'" + text + "' is not a number");
     return value;
 }
 

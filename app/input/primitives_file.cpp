@@ -2,20 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <glm/geometric.hpp>
-#include <iterator>
 #include <numbers>
 
 #include "app/files/json_text.h"
 #include "app/picture/appearance_values.h"
+#include "app/picture/option_text.h"
 #include "app/picture/option_values.h"
 #include "app/picture/words.h"
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
 #include "engine/molecule/selection/selection.h"
 #include "engine/scene/appearance.h"
-#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {
@@ -24,11 +22,6 @@ using PrimitiveJson = nlohmann::json;
 
 constexpr std::size_t kMostFileBytes = std::size_t{256} << 20;
 constexpr double kThickest = 1000;  // maximum of radii and widths, Å or pixels
-
-std::uint32_t packed(const std::array<float, 4>& color) {
-    return packedColor(std::uint32_t{toByte(color[0])} << 16 | std::uint32_t{toByte(color[1])} << 8 |
-                       std::uint32_t{toByte(color[2])});
-}
 
 /// The keys of one primitive; keys that are never asked for are unknown.
 class Keys {
@@ -94,7 +87,7 @@ public:
 
     static double within(const PrimitiveJson& value, double low, double high) {
         if (!value.is_number() || !(value.get<double>() >= low && value.get<double>() <= high))
-            throw std::invalid_argument("expected a number from " + shortText(low) + " to " + shortText(high));
+            throw std::invalid_argument("expected a number from " + numberText(low) + " to " + numberText(high));
         return value.get<double>();
     }
     static glm::dvec3 threeNumbers(const PrimitiveJson& v) {
@@ -108,17 +101,10 @@ public:
         if (!v.is_string()) throw std::invalid_argument("expected a colour's name or #rrggbb");
         const std::array<float, 4> color = parseColor(v.get<std::string>());
         if (color[3] < 1) throw std::invalid_argument("expected an opaque colour (\"opacity\" makes it translucent)");
-        return packed(color);
+        return opaqueColor(color);
     }
 
 private:
-    static std::string shortText(double value) {
-        std::string text = std::to_string(value);
-        text.erase(text.find_last_not_of('0') + 1);
-        if (text.back() == '.') text.pop_back();
-        return text;
-    }
-
     const PrimitiveJson& object_;
     const PlaceOf& placeOf_;
     std::vector<std::string> known_;
@@ -328,20 +314,6 @@ private:
     Primitives& all_;
 };
 
-std::string textOfFile(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw Error("cannot read primitives", path, "the file is missing or not readable");
-    std::string text;
-    char buffer[1 << 16];
-    while (file.read(buffer, sizeof buffer) || file.gcount() > 0) {
-        text.append(buffer, static_cast<std::size_t>(file.gcount()));
-        if (text.size() > kMostFileBytes)
-            throw Error("cannot read primitives", path,
-                        "it is larger than the limit of " + std::to_string(kMostFileBytes >> 20) + " MB");
-    }
-    return text;
-}
-
 }  // namespace
 
 Primitives readPrimitives(const std::string& text, const std::string& name, const PlaceOf& placeOf) {
@@ -390,7 +362,8 @@ Primitives primitivesOf(const std::vector<PrimitiveSource>& sources, const Molec
         else if (isJsonText(source.text))
             all.append(readPrimitives(source.text, "--primitives", placeOf));
         else
-            all.append(readPrimitives(textOfFile(source.text), source.text, placeOf));
+            all.append(readPrimitives(readTextFile("cannot read primitives", source.text, kMostFileBytes), source.text,
+                                      placeOf));
     }
     return all;
 }

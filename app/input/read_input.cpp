@@ -2,17 +2,81 @@
 
 #include <unistd.h>
 
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
 #include <string_view>
 
+#include "app/files/messages.h"
+#include "app/input/input_files.h"
+#include "app/picture/input_names.h"
 #include "engine/error.h"
 #include "engine/molecule/chemistry/hydrogens.h"
+#include "engine/molecule/join_models.h"
+#include "engine/molecule/matched_atoms.h"
 #include "engine/molecule/memory_bound.h"
+#include "engine/molecule/superpose.h"
 
 namespace nacre::app {
 namespace {
 
 constexpr std::string_view kSample = "sample:";
 constexpr std::uint64_t kUsualMemory = std::uint64_t{2} << 30;  // if the system does not report it
+
+int modelOf(const Molecule& molecule, std::uint32_t atom) {
+    return molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model;
+}
+
+/// The one INPUT that some atoms are of. @throws Error if there are several
+int inputOf(const Molecule& molecule, const std::vector<bool>& atoms, const Selection& selection) {
+    int input = 0;
+    for (std::uint32_t i = 0; i < atoms.size(); ++i) {
+        if (!atoms[i] || modelOf(molecule, i) == input) continue;
+        if (input != 0) throw Error("cannot fit", selection.text, "it has atoms of several INPUTs: /NAME and ...");
+        input = modelOf(molecule, i);
+    }
+    if (input == 0) throw Error("cannot fit", selection.text, "it has no atoms");
+    return input;
+}
+
+/// Root of the mean squared distance from the middle, Å.
+double spreadOf(const std::vector<glm::dvec3>& points) {
+    glm::dvec3 sum(0);
+    for (const glm::dvec3& point : points) sum += point;
+    const glm::dvec3 middle = sum / static_cast<double>(points.size());
+    double squares = 0;
+    for (const glm::dvec3& point : points) squares += glm::dot(point - middle, point - middle);
+    return std::sqrt(squares / static_cast<double>(points.size()));
+}
+
+std::string fitInput(Molecule& molecule, const FitOptions& fit) {
+    const std::vector<bool> moving = selectAtoms(molecule, fit.moving), fixed = selectAtoms(molecule, fit.fixed);
+    const int moved = inputOf(molecule, moving, fit.moving);
+    if (moved == inputOf(molecule, fixed, fit.fixed))
+        throw Error("cannot fit", fit.moving.text, "it is of the same INPUT as " + fit.fixed.text);
+    const AtomPairs pairs = matchAtoms(molecule, moving, fixed);
+    if (pairs.first.size() < 3)
+        throw Error("cannot fit", fit.moving.text,
+                    "fewer than three of its atoms have a counterpart in " + fit.fixed.text);
+    std::vector<glm::dvec3> from, to;
+    for (const std::uint32_t atom : pairs.first) from.emplace_back(molecule.atoms[atom].position);
+    for (const std::uint32_t atom : pairs.second) to.emplace_back(molecule.atoms[atom].position);
+    const Superposition onto = superpose(to, from);
+    for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
+        if (modelOf(molecule, i) == moved)
+            molecule.atoms[i].position = glm::vec3(onto(glm::dvec3(molecule.atoms[i].position)));
+    // Less related molecules give worse fits than these.
+    constexpr double kFarApart = 3, kShareOfSpread = 0.6;  // Å
+    const bool unlike = 10 * pairs.sameResidues < 3 * pairs.residues;
+    if (onto.rmsd > kFarApart && (unlike || onto.rmsd > kShareOfSpread * spreadOf(to)))
+        sayWarning("the fit of " + fit.moving.text + " onto " + fit.fixed.text +
+                   " may make no sense: " + std::to_string(pairs.sameResidues) + " of " +
+                   std::to_string(pairs.residues) + " residues have a counterpart, and atoms end far from theirs");
+    char rmsd[40];
+    std::snprintf(rmsd, sizeof rmsd, "%.3f", onto.rmsd);
+    return "fit of " + fit.moving.text + " onto " + fit.fixed.text + ": " + std::to_string(pairs.first.size()) +
+           " pairs of atoms, RMSD " + rmsd + " Å";
+}
 
 }  // namespace
 
@@ -53,6 +117,66 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
         if (input.format || !isMapFile(input.path)) throw;
         throw Error("cannot read molecule", input.path, "it is a density map: name a molecule, and this with --map");
     }
+}
+
+Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
+                    const std::function<void(const std::string&)>& tell) {
+    for (std::size_t i = 0; i < molecules.size(); ++i)
+        for (Chain& chain : molecules[i].chains) chain.model = static_cast<int>(i + 1);
+    Molecule whole = joinModels(input.path, std::move(molecules), kMaxAtoms);
+    whole.modelsAreInputs = true;
+    whole.inputs = inputNames(input);
+    whole.assemblies.clear();  // they arrange one molecule, not all
+    for (const FitOptions& fit : input.fits) tell(fitInput(whole, fit));
+    return whole;
+}
+
+MotionOptions motionOptions(const TrajectoryOptions& options, const Molecule& molecule) {
+    MotionOptions motion;
+    motion.whole = options.whole;
+    motion.smoothed = static_cast<std::size_t>(options.smooth);
+    if (options.fit) {
+        const std::vector<bool> fitted = selectAtoms(molecule, *options.fit);
+        for (std::uint32_t i = 0; i < fitted.size(); ++i)
+            if (fitted[i]) motion.fitted.push_back(i);
+        if (motion.fitted.size() < 3)
+            throw Error("cannot fit frames", options.path, "--fit-frames selects fewer than three atoms");
+    }
+    return motion;
+}
+
+std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molecule& molecule) {
+    for (const std::string& notice : trajectoryNotices(options)) sayNotice(notice);
+    auto opened = std::make_unique<Motion>(openTrajectory(options.path), molecule, motionOptions(options, molecule));
+    if (opened->trajectory().cutOff())
+        sayWarning(options.path + " ends within a frame: the " + std::to_string(opened->frames()) +
+                   " whole ones are read");
+    return opened;
+}
+
+void moveToFrame(const TrajectoryOptions& options, Molecule& molecule) {
+    if (options.path.empty()) return;
+    const std::unique_ptr<Motion> motion = openMotion(options, molecule);
+    if (static_cast<std::uint64_t>(options.frame) > motion->frames())
+        throw Error(
+            "cannot read trajectory", options.path,
+            "there is no frame " + std::to_string(options.frame) + "; it has " + std::to_string(motion->frames()));
+    movePositions(molecule, motion->positions(static_cast<std::size_t>(options.frame - 1)));
+    sayTorn(*motion, options.path);
+}
+
+bool sayTorn(const Motion& motion, const std::string& path) {
+    if (motion.torn())
+        sayWarning("frame " + std::to_string(*motion.torn() + 1) + " of " + path +
+                   " is fitted with molecules that the periodic box cuts: use --whole");
+    if (motion.boxless())
+        sayNote("frame " + std::to_string(*motion.boxless() + 1) + " of " + path +
+                " has no periodic box: --whole does nothing there");
+    return motion.torn() || motion.boxless();
+}
+
+void movePositions(Molecule& molecule, const std::vector<glm::vec3>& positions) {
+    for (std::size_t i = 0; i < positions.size(); ++i) molecule.atoms[i].position = positions[i];
 }
 
 }  // namespace nacre::app

@@ -1,12 +1,16 @@
 #pragma once
-// From an input's name to a molecule, without network access.
+// From an input's name to a molecule, without network access: one, several superposed and joined, or a structure with
+// moving atoms.
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "app/picture/input_options.h"
 #include "engine/molecule/molecule.h"
+#include "engine/molecule/trajectory/motion.h"
 #include "engine/volume/read_map.h"
 
 namespace nacre::app {
@@ -28,5 +32,28 @@ MapLimits mapLimits();
 Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
                      const std::function<std::string(const std::string&)>& readFile = {},
                      const std::function<void(double)>& onModel = {});
+
+/// Joins molecules in the order of the INPUTs, fitted as the options say.
+/// @param tell  receives the result of each fit, one line
+/// @throws Error if a fit has fewer than three pairs of atoms, or moves its reference
+Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
+                    const std::function<void(const std::string&)>& tell);
+
+/// Processing of frames. @throws Error if too few atoms are selected to fit
+MotionOptions motionOptions(const TrajectoryOptions& options, const Molecule& molecule);
+
+/// Opens the trajectory of some options; reports a file that ends within a frame, and notices of a saved view.
+/// @throws Error if its atoms are not the molecule's, or nothing is selected to fit
+std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molecule& molecule);
+
+/// Warns about frames fitted by molecules that the periodic box cuts, and about frames without the box needed to make
+/// molecules whole. @returns whether it did
+bool sayTorn(const Motion& motion, const std::string& path);
+
+/// Moves the atoms to the options' frame. Does nothing without a trajectory. @throws Error
+void moveToFrame(const TrajectoryOptions& options, Molecule& molecule);
+
+/// @param positions  of the molecule's atoms
+void movePositions(Molecule& molecule, const std::vector<glm::vec3>& positions);
 
 }  // namespace nacre::app

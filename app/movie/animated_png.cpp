@@ -10,7 +10,6 @@
 #include <new>
 #include <numeric>
 
-#include "app/movie/checked_stream.h"
 #include "app/movie/movie_file.h"
 #include "engine/coded_picture.h"
 

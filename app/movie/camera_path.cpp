@@ -1,7 +1,6 @@
 #include "app/movie/camera_path.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>

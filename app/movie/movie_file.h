@@ -1,11 +1,13 @@
 #pragma once
 // Writes movies to files: an interface, and one writer per format.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/files/output_file.h"
 #include "app/picture/option_values.h"
 #include "engine/results.h"
 
@@ -58,5 +60,28 @@ std::unique_ptr<MovieFile> makeAnimatedPng(const std::string& path, const MovieS
 std::unique_ptr<MovieFile> makeGif(const std::string& path, const MovieShape& shape);
 std::unique_ptr<MovieFile> makeVideo(const std::string& path, const MovieShape& shape);
 std::unique_ptr<MovieFile> makeFrameFolder(const std::string& path, const MovieShape& shape);
+
+/// A file written sequentially, with every failure reported.
+class CheckedStream {
+public:
+    /// @param extension  of a temporary file for standard output @throws Error
+    explicit CheckedStream(const std::string& path, const std::string& extension = {});
+    ~CheckedStream();
+    CheckedStream(const CheckedStream&) = delete;
+    CheckedStream& operator=(const CheckedStream&) = delete;
+
+    /// Appends. @throws Error
+    void write(const void* bytes, std::size_t count);
+    /// Overwrites existing bytes. @throws Error
+    void writeAt(std::uint64_t offset, const void* bytes, std::size_t count);
+    /// Closes the file and moves it to its place. @throws Error
+    void commit();
+    const std::string& path() const { return file_.path(); }
+
+private:
+    OutputFile file_;
+    int stream_ = -1;
+    std::uint64_t size_ = 0;
+};
 
 }  // namespace nacre::app

@@ -1,7 +1,6 @@
 #include "app/mvs/annotations.h"
 
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 
 #include "app/files/json_text.h"

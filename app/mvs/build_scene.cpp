@@ -1,11 +1,9 @@
 #include "app/mvs/build_scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
-#include <set>
 
 #include "app/mvs/camera_nodes.h"
 #include "app/mvs/node_table.h"
@@ -253,17 +251,7 @@ private:
             const Residue& residue = s.molecule->residues[s.molecule->atoms[atom].residue];
             return residue.subchain >= s.listOfSubchain.size() || s.listOfSubchain[residue.subchain] != UINT32_MAX;
         };
-        for (SceneLayer& layer : s.layers) {
-            SceneLayer kept = layer;
-            kept.atoms.clear(), kept.colors.clear(), kept.opacity.clear();
-            for (std::size_t i = 0; i < layer.atoms.size(); ++i) {
-                if (!isPlaced(layer.atoms[i])) continue;
-                kept.atoms.push_back(layer.atoms[i]);
-                kept.colors.push_back(layer.colors[i]);
-                if (!layer.opacity.empty()) kept.opacity.push_back(layer.opacity[i]);
-            }
-            layer = std::move(kept);
-        }
+        for (SceneLayer& layer : s.layers) keepAtoms(layer, [&](std::size_t i) { return isPlaced(layer.atoms[i]); });
     }
 
     /// Labels become primitives while structures still have their own atoms; tooltips those of the whole.

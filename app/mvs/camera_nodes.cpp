@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "app/mvs/molstar_radii.h"
-#include "engine/molecule/element.h"
+#include "app/mvs/primitive_values.h"
 #include "engine/scene/scene_camera.h"
 
 namespace nacre::app::mvs {
@@ -29,14 +29,6 @@ std::optional<glm::dvec3> vectorOf(const Node& node, const char* name) {
             throw std::invalid_argument(std::string(name) + " is no list of three numbers within 1e6");
     }
     return v;
-}
-
-double numberOf(const Node& node, const char* name, double otherwise) {
-    const Json* value = node.param(name);
-    if (!value) return otherwise;
-    if (!value->is_number() || !(std::abs(value->get<double>()) <= kFarthest))
-        throw std::invalid_argument(std::string(name) + " is no number within 1e6");
-    return value->get<double>();
 }
 
 /// How far a layer reaches beyond the spheres of a chain's atoms, Å, as Mol* counts it: balls twice.
@@ -96,8 +88,8 @@ void addChains(const Molecule& molecule, const SceneGuide& guide, std::span<cons
 
 /// What a focus node shows of a ball; sets the camera's directions. @throws std::invalid_argument
 glm::dvec4 focusBall(const Node& node, const Bounds& bounds, SceneCamera& camera) {
-    const double radius = numberOf(
-        node, "radius", bounds.radius * numberOf(node, "radius_factor", 1) + numberOf(node, "radius_extent", 0));
+    const double radius =
+        number(node, "radius", bounds.radius * number(node, "radius_factor", 1) + number(node, "radius_extent", 0));
     const glm::dvec3 direction = vectorOf(node, "direction").value_or(glm::dvec3(0, 0, -1));
     camera.up = vectorOf(node, "up").value_or(glm::dvec3(0, 1, 0));
     camera.direction = direction;
@@ -118,7 +110,7 @@ void CameraNodes::takeCamera(const Node& node, SceneWarnings& warnings) try {
     // The position is that of a camera to which a ball of half its distance fills the picture.
     camera.radius = distance / 2;
     camera.distance = camera.radius / std::sin(glm::radians(camera.fovDegrees) / 2);
-    camera.nearest = std::max(numberOf(node, "near", 0), 0.0);
+    camera.nearest = std::max(number(node, "near", 0), 0.0);
     camera_ = camera;
 } catch (const std::invalid_argument& why) {
     warnings.add(node, why.what() + std::string(": it is left out"));

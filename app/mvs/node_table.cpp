@@ -1,6 +1,9 @@
 #include "app/mvs/node_table.h"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <vector>
 
 namespace nacre::app::mvs {
 namespace {
@@ -96,14 +99,15 @@ constexpr NodeRow kRows[] = {
     {"primitive:box", "", "kind center extent show_faces face_color show_edges edge_radius edge_color tooltip", "", ""},
 };
 
-/// Whether a word is one of some with blanks between them.
+/// Words with blanks between them.
+std::vector<std::string> divided(std::string_view words) {
+    std::istringstream text{std::string(words)};
+    return {std::istream_iterator<std::string>(text), {}};
+}
+
 bool isAmong(std::string_view word, std::string_view words) {
-    while (!words.empty()) {
-        const std::size_t end = std::min(words.find(' '), words.size());
-        if (words.substr(0, end) == word) return true;
-        words.remove_prefix(std::min(end + 1, words.size()));
-    }
-    return false;
+    const std::vector<std::string> all = divided(words);
+    return std::find(all.begin(), all.end(), word) != all.end();
 }
 
 }  // namespace
@@ -116,21 +120,12 @@ std::span<const NodeRow> nodeRows() { return kRows; }
 
 std::string nodeTable() {
     std::string table = "| node | parameter | drawn | remark |\n|---|---|---|---|\n";
-    const auto add = [&](const NodeRow& row, std::string_view words, const char* drawn) {
-        std::string kind(row.kind);
-        if (const std::size_t colon = kind.find(':'); colon != std::string::npos) kind.replace(colon, 1, " ");
-        while (!words.empty()) {
-            const std::size_t end = std::min(words.find(' '), words.size());
-            table += "| " + kind + " | `" + std::string(words.substr(0, end)) + "` | " + drawn + " | |\n";
-            words.remove_prefix(std::min(end + 1, words.size()));
-        }
-    };
     for (const NodeRow& row : kRows) {
         std::string kind(row.kind);
-        if (const std::size_t colon = kind.find(':'); colon != std::string::npos) kind.replace(colon, 1, " ");
+        std::replace(kind.begin(), kind.end(), ':', ' ');
         table += "| " + kind + " | | yes | " + std::string(row.remark) + " |\n";
-        add(row, row.params, "yes");
-        add(row, row.unused, "no");
+        for (const std::string& word : divided(row.params)) table += "| " + kind + " | `" + word + "` | yes | |\n";
+        for (const std::string& word : divided(row.unused)) table += "| " + kind + " | `" + word + "` | no | |\n";
     }
     return table;
 }

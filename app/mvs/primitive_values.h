@@ -1,5 +1,5 @@
 #pragma once
-// The parameters of a primitive's node, checked. All throw std::invalid_argument with the reason.
+// The parameters of a node, checked. All throw std::invalid_argument with the reason.
 
 #include <glm/vec3.hpp>
 #include <string>
@@ -17,7 +17,8 @@ double number(const Node& node, const char* name, double otherwise);
 std::vector<double> numbers(const Node& node, const char* name);
 /// What is neither true nor false is taken as not given.
 bool flag(const Node& node, const char* name, bool otherwise);
-/// @param name  of the parameter, for errors
+/// A list of so many numbers within 1e6. @param name  of the parameter, for errors
+std::vector<double> numbersIn(const std::string& name, const Json& value, std::size_t count);
 glm::dvec3 vectorIn(const char* name, const Json& value);
 
 /// With two digits behind the point at most.

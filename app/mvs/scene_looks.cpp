@@ -1,10 +1,9 @@
 // Representations of a component: their style, colours and opacity.
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/mvs/molstar_radii.h"
-#include "app/mvs/node_table.h"
+#include "app/mvs/primitive_values.h"
 #include "app/mvs/scene_parts.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"
@@ -23,11 +22,6 @@ constexpr float kLineScale = 2 / 1.5f;      // from our lines of 1.5 pixels to t
 constexpr float kBackboneScale = 2.0f / 3;  // from our tubes of 0.3 Å to those of 0.2 Å
 constexpr double kTube = 0.2;               // Å, as Mol* has it
 constexpr std::uint32_t kDefaultColor = 0xffffffffu;
-
-bool isTrue(const Node& node, const char* name) {
-    const Json* value = node.param(name);
-    return value && value->is_boolean() && value->get<bool>();
-}
 
 float factorOf(const Node& node, SceneWarnings& warnings) {
     const Json* value = node.param("size_factor");
@@ -54,7 +48,7 @@ bool setStyle(const Node& node, std::string_view type, SceneLayer& layer, SceneW
     if (type == "cartoon") {
         layer.style = Style::cartoon;
         layer.cartoon.disulfides = false;  // Mol* draws none
-        if (isTrue(node, "tubular_helices")) layer.cartoon.helices = HelixForm::tube;
+        if (flag(node, "tubular_helices", false)) layer.cartoon.helices = HelixForm::tube;
     } else if (type == "putty") {
         layer.style = Style::cartoon;
         layer.cartoon.disulfides = false;
@@ -151,11 +145,8 @@ void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms
     SceneLayer layer;
     if (!setStyle(node, name, layer, warnings))
         return warnings.add(node, "there is no representation '" + nacre::printable(name) + "': it is left out");
-    if (const NodeRow* row = nodeRow("representation:" + name))
-        for (const auto& [key, value] : node.params.items())
-            if (!value.is_null() && !row->knows(key))
-                warnings.add(node, "its parameter '" + nacre::printable(key) + "' is not used");
-    const bool bare = isTrue(node, "ignore_hydrogens");
+    if (const NodeRow* row = nodeRow("representation:" + name)) tellUnused(node, *row, warnings);
+    const bool bare = flag(node, "ignore_hydrogens", false);
     const bool ofPolymers = layer.style == Style::cartoon || layer.style == Style::backbone;
     for (const std::uint32_t atom : atoms)
         if ((!bare || !isHydrogen(structure.molecule->atoms[atom].element)) &&
@@ -164,17 +155,9 @@ void addRepresentation(const Node& node, const std::vector<std::uint32_t>& atoms
     layer.colors.assign(layer.atoms.size(), kDefaultColor);
     paintChildren(node, structure, files, layer, warnings);
     // Atoms without opacity are not drawn.
-    SceneLayer seen = layer;
-    if (!layer.opacity.empty()) {
-        seen.atoms.clear(), seen.colors.clear(), seen.opacity.clear();
-        for (std::size_t i = 0; i < layer.atoms.size(); ++i) {
-            if (static_cast<double>(layer.opacity[i]) < kLeastOpacity) continue;
-            seen.atoms.push_back(layer.atoms[i]);
-            seen.colors.push_back(layer.colors[i]);
-            seen.opacity.push_back(layer.opacity[i]);
-        }
-    }
-    if (!seen.atoms.empty()) structure.layers.push_back(std::move(seen));
+    if (!layer.opacity.empty())
+        keepAtoms(layer, [&](std::size_t i) { return static_cast<double>(layer.opacity[i]) >= kLeastOpacity; });
+    if (!layer.atoms.empty()) structure.layers.push_back(std::move(layer));
 }
 
 std::vector<std::uint32_t> colorsOfAll(const Node& representation, const Structure& structure, SceneFiles& files) {

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <optional>
 #include <stdexcept>
 
 #include "app/mvs/node_table.h"
+#include "app/mvs/primitive_values.h"
 #include "app/picture/appearance_values.h"
 #include "engine/error.h"
 #include "engine/molecule/crystal.h"
@@ -16,7 +18,6 @@
 #include "engine/molecule/text.h"
 #include "engine/scene/copies.h"
 #include "engine/scene/scene_camera.h"
-#include "engine/srgb.h"
 
 namespace nacre::app::mvs {
 namespace {
@@ -93,16 +94,11 @@ void placeCopies(std::vector<glm::dmat4x3> copies, Structure& s) {
 std::vector<double> numbersOf(const Node& node, const char* name, std::size_t count) {
     const Json* value = node.param(name);
     if (!value) return {};
-    constexpr double kLargest = 1e6;
-    if (!value->is_array() || value->size() != count)
-        refuseNode(node, std::string(name) + " is no list of " + std::to_string(count) + " numbers");
-    std::vector<double> numbers;
-    for (const Json& each : *value) {
-        if (!each.is_number() || !(std::abs(each.get<double>()) <= kLargest))
-            refuseNode(node, std::string(name) + " has a value that is no number within 1e6");
-        numbers.push_back(each.get<double>());
+    try {
+        return numbersIn(name, *value, count);
+    } catch (const std::invalid_argument& why) {
+        refuseNode(node, why.what());
     }
-    return numbers;
 }
 
 }  // namespace
@@ -141,10 +137,7 @@ std::string nodeText(const Node& node, const char* name) {
 std::optional<std::uint32_t> colorOf(const Json* value) {
     if (!value || !value->is_string()) return std::nullopt;
     try {
-        const std::array<float, 4> color = parseColor(value->get<std::string>());
-        std::uint32_t packed = 0xff000000u;
-        for (std::size_t i = 0; i < 3; ++i) packed |= static_cast<std::uint32_t>(toByte(color[i])) << (8 * i);
-        return packed;
+        return opaqueColor(parseColor(value->get<std::string>()));
     } catch (const std::invalid_argument&) {
         return std::nullopt;
     }
@@ -190,8 +183,7 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
 glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& centroid) {
     glm::dmat4x3 motion(1.0);
     if (const std::vector<double> matrix = numbersOf(node, "matrix", 16); !matrix.empty()) {
-        for (int column = 0; column < 4; ++column)
-            for (int row = 0; row < 3; ++row) motion[column][row] = matrix[static_cast<std::size_t>(4 * column + row)];
+        motion = glm::dmat4x3(glm::make_mat4(matrix.data()));
     } else {
         const std::vector<double> turn = numbersOf(node, "rotation", 9), shift = numbersOf(node, "translation", 3);
         for (std::size_t i = 0; i < turn.size(); ++i)
@@ -305,9 +297,26 @@ void tellUnknown(const Node& node, const Node& parent, SceneWarnings& warnings) 
     if (!row->isBelow(parent.kind))
         return warnings.add(node, "it is not drawn below a " + nacre::printable(parent.kind, 40) + " node");
     if (node.kind == "representation" || node.kind == "volume_representation") return;  // each type has its own
+    tellUnused(node, *row, warnings);
+}
+
+void tellUnused(const Node& node, const NodeRow& row, SceneWarnings& warnings) {
     for (const auto& [key, value] : node.params.items())
-        if (!value.is_null() && !row->knows(key))
+        if (!value.is_null() && !row.knows(key))
             warnings.add(node, "its parameter '" + nacre::printable(key) + "' is not used");
+}
+
+void keepAtoms(SceneLayer& layer, const std::function<bool(std::size_t)>& keeps) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < layer.atoms.size(); ++i) {
+        if (!keeps(i)) continue;
+        layer.atoms[kept] = layer.atoms[i];
+        layer.colors[kept] = layer.colors[i];
+        if (!layer.opacity.empty()) layer.opacity[kept] = layer.opacity[i];
+        ++kept;
+    }
+    layer.atoms.resize(kept), layer.colors.resize(kept);
+    if (!layer.opacity.empty()) layer.opacity.resize(kept);
 }
 
 }  // namespace nacre::app::mvs

@@ -1,7 +1,6 @@
 #pragma once
 // The parts of a scene while its tree is walked. Used by build_scene.cpp.
 
-#include <array>
 #include <functional>
 #include <glm/mat4x3.hpp>
 #include <map>
@@ -13,6 +12,7 @@
 #include "app/mvs/annotations.h"
 #include "app/mvs/build_scene.h"
 #include "app/mvs/expressions.h"
+#include "app/mvs/node_table.h"
 #include "engine/scene/scene_guide.h"
 
 namespace nacre::app::mvs {
@@ -104,5 +104,10 @@ std::vector<AnnotationRow> rowsOf(const Node& node, const char* field, const Str
 
 /// Warns of a node that is not drawn where it is, and of parameters that nobody asks for.
 void tellUnknown(const Node& node, const Node& parent, SceneWarnings& warnings);
+/// Warns of parameters that the node's row does not name.
+void tellUnused(const Node& node, const NodeRow& row, SceneWarnings& warnings);
+
+/// Drops the other atoms of a layer. @param keeps  by their place in the layer
+void keepAtoms(SceneLayer& layer, const std::function<bool(std::size_t)>& keeps);
 
 }  // namespace nacre::app::mvs

@@ -10,7 +10,6 @@
 #include "app/mvs/node_table.h"
 #include "app/mvs/primitive_values.h"
 #include "app/mvs/scene_labels.h"
-#include "engine/molecule/element.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/scene_camera.h"
 
@@ -59,9 +58,7 @@ private:
         const std::string kind = nodeText(node, "kind");
         const NodeRow* row = nodeRow("primitive:" + kind);
         if (!row) return warnings_.add(node, "there is no primitive '" + nacre::printable(kind) + "': it is left out");
-        for (const auto& [key, value] : node.params.items())
-            if (!value.is_null() && !row->knows(key))
-                warnings_.add(node, "its parameter '" + nacre::printable(key) + "' is not used");
+        tellUnused(node, *row, warnings_);
         if (kind == "tube") tube(node);
         if (kind == "arrow") arrow(node);
         if (kind == "lines") lines(node);

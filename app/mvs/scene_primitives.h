@@ -1,8 +1,6 @@
 #pragma once
 // The primitives of a scene: nodes `primitives` and `primitives_from_uri`.
 
-#include <functional>
-#include <optional>
 #include <span>
 
 #include "app/mvs/scene_parts.h"

@@ -90,6 +90,14 @@ Snapshot readSnapshot(Json& json, const std::string& place, TreeReader& reader, 
     return snapshot;
 }
 
+Json jsonOf(const std::string& text, const std::string& name) {
+    if (text.size() > kMostSceneBytes)
+        refuseScene(name, "it is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
+    Json json = parseJson<Json>(text);
+    if (json.is_discarded()) refuseScene(name, isTooDeep(text) ? "it is nested too deep" : "it is no JSON");
+    return json;
+}
+
 }  // namespace
 
 const Json* Node::param(const char* name) const {
@@ -112,20 +120,14 @@ bool looksLikeScene(std::string_view text) {
 }
 
 Node parseNode(const std::string& text, const std::string& name) {
-    if (text.size() > kMostSceneBytes)
-        refuseScene(name, "it is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
-    Json json = parseJson<Json>(text);
-    if (json.is_discarded()) refuseScene(name, isTooDeep(text) ? "it is nested too deep" : "it is no JSON");
+    Json json = jsonOf(text, name);
     Node node = TreeReader(name).read(json, name);
     if (!node.fault.empty()) refuseScene(name, node.fault);
     return node;
 }
 
 SceneTree parseScene(const std::string& text, const std::string& name) {
-    if (text.size() > kMostSceneBytes)
-        refuseScene(name, "it is larger than " + std::to_string(kMostSceneBytes >> 20) + " MiB");
-    Json json = parseJson<Json>(text);
-    if (json.is_discarded()) refuseScene(name, isTooDeep(text) ? "it is nested too deep" : "it is no JSON");
+    Json json = jsonOf(text, name);
     if (!json.is_object()) refuseScene(name, "it is no scene: no object");
     SceneTree tree;
     if (const auto metadata = json.find("metadata"); metadata != json.end() && metadata->is_object()) {

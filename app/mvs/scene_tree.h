@@ -3,7 +3,6 @@
 // Format: github.com/molstar/mol-view-spec, schema of version 1.2.
 
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
-#include "app/mvs/node_table.h"
+#include "app/mvs/primitive_values.h"
 #include "engine/error.h"
 #include "engine/molecule/text.h"
 #include "engine/volume/read_map.h"
@@ -23,11 +23,6 @@ std::optional<double> valueOf(const Node& node, const char* name, SceneWarnings&
     if (value->is_number() && std::isfinite(value->get<double>())) return value->get<double>();
     warnings.add(node, std::string(name) + " is no number");
     return std::nullopt;
-}
-
-bool flagOf(const Node& node, const char* name, bool otherwise) {
-    const Json* value = node.param(name);
-    return value && value->is_boolean() ? value->get<bool>() : otherwise;
 }
 
 /// The same values elsewhere, shared.
@@ -97,9 +92,7 @@ private:
             warnings_.add(node, "there is no representation '" + nacre::printable(type) + "' of maps: it is left out");
             return {};
         }
-        for (const auto& [key, value] : node.params.items())
-            if (!value.is_null() && !row->knows(key))
-                warnings_.add(node, "its parameter '" + nacre::printable(key) + "' is not used");
+        tellUnused(node, *row, warnings_);
         SceneVolume volume;
         volume.color = kVolumeColor;
         look(node, volume);
@@ -147,8 +140,8 @@ private:
         const double relative = valueOf(node, "relative_isovalue", warnings_).value_or(0);
         volume.level =
             valueOf(node, "absolute_isovalue", warnings_).value_or(statistics.mean + relative * statistics.rms);
-        volume.wires = flagOf(node, "show_wireframe", false);
-        volume.faces = flagOf(node, "show_faces", true);
+        volume.wires = flag(node, "show_wireframe", false);
+        volume.faces = flag(node, "show_faces", true);
         return (volume.wires || volume.faces) && volume.opacity > 0;
     }
 

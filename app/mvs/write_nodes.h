@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <nlohmann/json.hpp>
-#include <span>
 #include <string>
 #include <vector>
 

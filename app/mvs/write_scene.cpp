@@ -9,6 +9,7 @@
 #include "app/mvs/scene_file.h"
 #include "app/mvs/scene_parts.h"
 #include "app/mvs/write_nodes.h"
+#include "app/picture/option_text.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/text.h"
@@ -18,24 +19,7 @@ namespace nacre::app::mvs {
 namespace {
 
 const char* typeOf(Style style) {
-    switch (style) {
-        case Style::spacefill:
-            return "spacefill";
-        case Style::cartoon:
-            return "cartoon";
-        case Style::surface:
-            return "surface";
-        case Style::line:
-            return "line";
-        case Style::backbone:
-            return "backbone";
-        case Style::carbohydrate:
-            return "carbohydrate";
-        case Style::ballAndStick:
-        case Style::licorice:
-            break;
-    }
-    return "ball_and_stick";
+    return style == Style::ballAndStick || style == Style::licorice ? "ball_and_stick" : styleName(style);
 }
 
 /// Colours of a layer: the most frequent one for all, the others for their atoms.

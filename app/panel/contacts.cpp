@@ -6,7 +6,7 @@
 
 #include "app/annotation/measurement.h"
 #include "app/panel/panel_state.h"
-#include "app/picture/pocket.h"
+#include "app/picture/looks.h"
 
 namespace nacre::app {
 namespace {

@@ -4,7 +4,6 @@
 
 #include "app/panel/panel_state.h"
 #include "app/picture/appearance_values.h"
-#include "app/picture/option_text.h"
 #include "app/picture/options.h"
 
 namespace nacre::app {

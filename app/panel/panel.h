@@ -12,7 +12,6 @@
 #include "app/annotation/system_font.h"
 #include "app/panel/controls.h"
 #include "app/panel/panel_input.h"
-#include "app/panel/recording.h"
 #include "app/viewer/viewer.h"
 
 struct ImGuiContext;

@@ -2,13 +2,17 @@
 // Pointer, keys and touches for the panel. Dear ImGui gets a finger's press when it is lifted: before, it may turn into
 // scrolling.
 
+#include <cstdint>
 #include <deque>
+#include <functional>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "app/viewer/events.h"
+#include "engine/results.h"
 
 struct ImGuiContext;
 
@@ -67,6 +71,56 @@ private:
     int frames_ = 2;                   // drawn since the last click or key
     bool focusMoves_ = false;          // by that click or key
     float dragged_ = 0, gliding_ = 0;  // pixels per second: of the finger, and of the scrolling list
+};
+
+/// Mouse and key events in order. The panel shows the effect of a click or key only a frame or two later: following
+/// events wait until then, and none is lost, however short the press or slow the frames.
+class InputQueue {
+public:
+    enum class Kind { pointer, key };
+
+    /// Handles an event at once, or after those that wait.
+    void add(const PanelInput& panel, Kind kind, std::function<void()> handle) {
+        events_.push_back({kind, std::move(handle)});
+        go(panel);
+    }
+    /// Handles events that need not wait any more; call it after each frame.
+    void frameDrawn(const PanelInput& panel) { go(panel); }
+    bool empty() const { return events_.empty(); }
+
+private:
+    struct Event {
+        Kind kind;
+        std::function<void()> handle;
+    };
+    void go(const PanelInput& panel) {
+        while (!events_.empty() && panel.answered(events_.front().kind == Kind::key)) {
+            const Event event = std::move(events_.front());
+            events_.pop_front();
+            event.handle();
+        }
+    }
+    std::deque<Event> events_;
+};
+
+struct RecordingWish {
+    enum class Motion { spin, rock, models, views };
+    Motion motion = Motion::spin;
+    double seconds = 6, framesPerSecond = 30;
+    PixelSize size;
+    bool loop = false;  ///< for keyframes: the last leads back to the first
+    bool transparent = false;
+    std::string path;
+};
+
+struct RecordingState {
+    bool running = false, stopping = false;
+    double share = 0;                     ///< of the frames, 0..1
+    std::uint64_t frame = 0, frames = 0;  ///< finished, and total; 0: not known yet
+    double left = -1;                     ///< remaining seconds, estimated; negative: not known
+    std::string path;
+    std::string message;  ///< result of the last recording
+    bool failed = false;
 };
 
 }  // namespace nacre::app

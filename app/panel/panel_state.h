@@ -212,7 +212,7 @@ void beginProgress(PanelFrame& f, const char* name);
 /// Scrolls the current window with the finger.
 void followFinger(PanelFrame& f);
 
-// Controls of options (option_controls.cpp)
+// Controls of options (controls.cpp)
 // Rounded, so that saved views are readable.
 double inHundredths(float value);
 /// For a number that is "off" at its lower end. @returns whether it is on

@@ -1,7 +1,5 @@
 // The start screen: open a file, recent files, samples, and databases.
 
-#include <algorithm>
-#include <cmath>
 #include <span>
 #include <utility>
 

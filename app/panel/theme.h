@@ -3,8 +3,6 @@
 
 #include <imgui.h>
 
-#include <span>
-
 namespace nacre::app {
 
 /// Straight alpha, sRGB-coded. Text has a contrast of 4.5:1 or more (WCAG 2.1, 1.4.3), lines and marks that carry

@@ -1,7 +1,6 @@
 #include "app/picture/appearance_values.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -9,10 +8,8 @@
 #include "app/picture/geometry_options.h"
 #include "app/picture/option_text.h"
 #include "app/picture/option_values.h"
-#include "engine/molecule/floating_point.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/palettes.h"
-#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {
@@ -88,11 +85,6 @@ std::string_view ours(std::string_view text, std::span<const Synonym> synonyms) 
 Style parseStyle(std::string_view text) {
     if (lowerCase(text) == "putty")
         throw std::invalid_argument("putty is a form of cartoons: --style cartoon --putty on");
-    constexpr std::pair<const char*, Style> kStyles[] = {
-        {"spacefill", Style::spacefill}, {"ball-and-stick", Style::ballAndStick},
-        {"licorice", Style::licorice},   {"cartoon", Style::cartoon},
-        {"surface", Style::surface},     {"line", Style::line},
-        {"backbone", Style::backbone},   {"carbohydrate", Style::carbohydrate}};
     std::vector<std::string> words;
     for (const auto& [name, style] : kStyles) {
         if (ours(text, kStyleSynonyms) == name) return style;
@@ -109,9 +101,7 @@ namespace {
 std::uint32_t parseAtomColor(std::string_view text) {
     const std::array<float, 4> color = parseColor(text);
     if (color[3] < 1.0f) throw std::invalid_argument("atoms cannot be transparent: '" + std::string(text) + "'");
-    std::uint32_t rgb = 0;
-    for (std::size_t i = 0; i < 3; ++i) rgb = rgb << 8 | toByte(color[i]);
-    return packedColor(rgb);
+    return opaqueColor(color);
 }
 
 bool isColor(std::string_view text) {
@@ -121,11 +111,6 @@ bool isColor(std::string_view text) {
         return false;
     }
     return true;
-}
-
-bool readWhole(std::string_view text, double& value) {
-    const auto [end, error] = fromChars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size();
 }
 
 std::vector<std::string> palettesOf(bool ramps) {

@@ -3,7 +3,6 @@
 // std::invalid_argument with the reason, as text that continues "--option: "; functions for selections also
 // nacre::Error.
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -1,12 +1,13 @@
 #include "app/picture/color_values.h"
 
 #include <charconv>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "app/picture/option_values.h"
 #include "engine/molecule/text.h"
+#include "engine/scene/palettes.h"
+#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {
@@ -194,6 +195,12 @@ std::array<float, 4> parseColor(std::string_view text) {
         if (digits.size() == 8) return unpack(value);
     }
     refuse(text, "'transparent', a colour's name, #rgb, #rrggbb or #rrggbbaa", colorNames());
+}
+
+std::uint32_t opaqueColor(const std::array<float, 4>& color) {
+    std::uint32_t rgb = 0;
+    for (std::size_t i = 0; i < 3; ++i) rgb = rgb << 8 | toByte(color[i]);
+    return packedColor(rgb);
 }
 
 }  // namespace nacre::app

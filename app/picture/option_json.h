@@ -1,6 +1,8 @@
 #pragma once
-// Options from JSON: batch jobs and Python's arguments. Same table, values and messages as on the command line.
+// Options from JSON: batch jobs and Python's arguments. Same table, values and messages as on the command line. And the
+// table as JSON Schema: for pages that offer options, and for programs that check requests.
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,5 +27,9 @@ std::vector<OptionValue> optionValuesOf(const std::string& json, const std::stri
 /// Sets options as one command line with all of them would, in any order; if an option that is not repeatable occurs
 /// twice, the last one wins. @throws UsageError
 void setOptions(std::span<const OptionValue> values, PictureDescription& description);
+
+/// JSON Schema of an object of options, with the form of each value in "x-syntax" and some values in "examples".
+/// @param has  whether an option is in it
+std::string optionSchema(const std::string& title, const std::function<bool(const Option&)>& has);
 
 }  // namespace nacre::app

@@ -27,24 +27,8 @@ std::string exactText(double value) {
 }
 
 const char* styleName(Style style) {
-    switch (style) {
-        case Style::spacefill:
-            return "spacefill";
-        case Style::ballAndStick:
-            return "ball-and-stick";
-        case Style::licorice:
-            return "licorice";
-        case Style::cartoon:
-            return "cartoon";
-        case Style::line:
-            return "line";
-        case Style::backbone:
-            return "backbone";
-        case Style::carbohydrate:
-            return "carbohydrate";
-        case Style::surface:
-            return "surface";
-    }
+    for (const auto& [name, one] : kStyles)
+        if (one == style) return name;
     return "";
 }
 

@@ -1,27 +1,16 @@
 #include "app/picture/option_values.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
 #include "app/picture/option_text.h"
-#include "engine/molecule/floating_point.h"
 #include "engine/molecule/nearest_word.h"
 #include "engine/molecule/trajectory/motion.h"
 #include "engine/settings.h"
 
 namespace nacre::app {
-namespace {
-
-template <class Number>
-bool parseWhole(std::string_view text, Number& value) {
-    const auto [end, error] = fromChars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size();
-}
-
-}  // namespace
 
 void refuse(std::string_view text, const std::string& wanted, std::span<const std::string> words) {
     throw std::invalid_argument("expected " + wanted + ", not '" + std::string(text) + "'" + suggestion(text, words));
@@ -52,8 +41,8 @@ Size parseSize(std::string_view text) {
     const std::string wanted = "WIDTHxHEIGHT, each 1 to " + std::to_string(kLargestSide);
     const std::size_t cross = text.find('x');
     Size size;
-    if (cross == std::string_view::npos || !parseWhole(text.substr(0, cross), size.width) ||
-        !parseWhole(text.substr(cross + 1), size.height))
+    if (cross == std::string_view::npos || !readWhole(text.substr(0, cross), size.width) ||
+        !readWhole(text.substr(cross + 1), size.height))
         refuse(text, wanted);
     for (const std::uint32_t side : {size.width, size.height})
         if (side < 1 || side > kLargestSide) refuse(text, wanted);
@@ -73,14 +62,14 @@ Length parseLength(std::string_view text) {
         }
     if (text.ends_with("px")) number.remove_suffix(2);
     double value = 0;
-    if (!parseWhole(number, value) || !(value > 0) || !(value <= kLargestSide))
+    if (!readWhole(number, value) || !(value > 0) || !(value <= kLargestSide))
         refuse(text, "a length such as 85mm, 8.5cm, 3.3in or 1200px");
     return {value * scale, inches};
 }
 
 std::optional<double> pointsOf(std::string_view text) {
     double points = 0;
-    if (!text.ends_with("pt") || !parseWhole(text.substr(0, text.size() - 2), points)) return std::nullopt;
+    if (!text.ends_with("pt") || !readWhole(text.substr(0, text.size() - 2), points)) return std::nullopt;
     return points;
 }
 
@@ -100,7 +89,7 @@ glm::dvec3 parseRotation(std::string_view text) {
     std::string_view rest = text;
     for (int i = 0; i < 3; ++i) {
         const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
-        if (comma == std::string_view::npos || !parseWhole(rest.substr(0, comma), angles[i]) ||
+        if (comma == std::string_view::npos || !readWhole(rest.substr(0, comma), angles[i]) ||
             !std::isfinite(angles[i]))
             refuse(text, "three angles X,Y,Z in degrees");
         rest.remove_prefix(i < 2 ? comma + 1 : comma);
@@ -110,14 +99,14 @@ glm::dvec3 parseRotation(std::string_view text) {
 
 double parseNumber(std::string_view text, double low, double high) {
     double value = 0;
-    if (!parseWhole(text, value) || !(value >= low && value <= high))
+    if (!readWhole(text, value) || !(value >= low && value <= high))
         refuse(text, "a number from " + numberText(low) + " to " + numberText(high));
     return value;
 }
 
 std::int64_t parseInteger(std::string_view text, std::int64_t low, std::int64_t high) {
     std::int64_t value = 0;
-    if (!parseWhole(text, value) || value < low || value > high)
+    if (!readWhole(text, value) || value < low || value > high)
         refuse(text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
     return value;
 }
@@ -125,7 +114,7 @@ std::int64_t parseInteger(std::string_view text, std::int64_t low, std::int64_t 
 int parseModel(std::string_view text) {
     if (text == "all") return kAllModels;
     int value = 0;
-    if (!parseWhole(text, value) || value < 1) refuse(text, "'all' or a model's number from 1");
+    if (!readWhole(text, value) || value < 1) refuse(text, "'all' or a model's number from 1");
     return value;
 }
 
@@ -140,7 +129,7 @@ std::int64_t parseSmoothing(std::string_view text) {
 int parseOcclusion(std::string_view text) {
     if (text == "off") return 0;
     std::int64_t value = 0;
-    if (!parseWhole(text, value) || value < 1 || value > kMostDirections)
+    if (!readWhole(text, value) || value < 1 || value > kMostDirections)
         refuse(text, "'off' or a number of directions from 1 to " + std::to_string(kMostDirections));
     return static_cast<int>(value);
 }
@@ -163,7 +152,7 @@ std::size_t parseChoice(std::string_view text, std::span<const char* const> choi
 std::uint32_t parseSupersample(std::string_view text) {
     if (text == "auto") return RenderSettings::kEdges;
     std::uint32_t value = 0;
-    if (!parseWhole(text, value) || value < 1 || value > kMostSupersample)
+    if (!readWhole(text, value) || value < 1 || value > kMostSupersample)
         refuse(text, "'auto' or a whole number from 1 to " + std::to_string(kMostSupersample));
     return value;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/molecule/floating_point.h"
 #include "engine/molecule/read.h"
 
 namespace nacre::app {
@@ -20,6 +21,13 @@ constexpr std::uint64_t kMostSamplesHeld = std::uint64_t{1} << 27;  ///< for a p
 constexpr int kMostDirections = 4096;                               ///< occlusion
 constexpr double kSmallestZoom = 1e-4, kLargestZoom = 1e4;
 constexpr double kSmallestFov = 1, kLargestFov = 120;  ///< degrees
+
+/// All of a text as a number. @returns whether it is one, and nothing else; does not throw
+template <typename Number>
+bool readWhole(std::string_view text, Number& value) {
+    const auto [end, error] = fromChars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size();
+}
 
 /// Throws the reason why `text` is invalid. @param words  the nearest is suggested
 [[noreturn]] void refuse(std::string_view text, const std::string& wanted, std::span<const std::string> words = {});

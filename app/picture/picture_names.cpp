@@ -1,7 +1,6 @@
 #include "app/picture/picture_names.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "app/files/output_file.h"
 

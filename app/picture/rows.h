@@ -1,8 +1,6 @@
 #pragma once
 // The rows of options.h by subject, and helpers to write them.
 
-#include <span>
-
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"
 

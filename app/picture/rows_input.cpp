@@ -2,7 +2,6 @@
 
 #include "app/picture/input_names.h"
 #include "app/picture/looks.h"
-#include "app/picture/pocket.h"
 #include "app/picture/rows.h"
 #include "app/picture/saved_view.h"
 #include "engine/molecule/read.h"

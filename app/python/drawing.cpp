@@ -18,7 +18,6 @@
 #include "app/input/read_input.h"
 #include "app/picture/input_names.h"
 #include "app/picture/option_json.h"
-#include "app/picture/option_schema.h"
 #include "app/picture/picture_names.h"
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"

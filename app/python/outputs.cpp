@@ -9,7 +9,7 @@
 #include "app/drawing/map_layers.h"
 #include "app/drawing/scenes.h"
 #include "app/export/scene_files.h"
-#include "app/input/trajectory_input.h"
+#include "app/input/read_input.h"
 #include "app/movie/camera_path.h"
 #include "app/movie/movie_encoder.h"
 #include "app/movie/movie_file.h"

@@ -1,7 +1,6 @@
 #pragma once
 // Converts a request to a picture's description, and rejects options that requests may not use.
 
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>

@@ -1,36 +1,20 @@
 #include "app/serve/problem.h"
 
+#include <utility>
+
 #include "app/files/json_text.h"
 
 namespace nacre::app {
 
 const char* titleOf(int status) {
-    switch (status) {
-        case 400:
-            return "Bad Request";
-        case 401:
-            return "Unauthorized";
-        case 403:
-            return "Forbidden";
-        case 404:
-            return "Not Found";
-        case 405:
-            return "Method Not Allowed";
-        case 413:
-            return "Content Too Large";
-        case 414:
-            return "URI Too Long";
-        case 421:
-            return "Misdirected Request";
-        case 422:
-            return "Unprocessable Content";
-        case 429:
-            return "Too Many Requests";
-        case 503:
-            return "Service Unavailable";
-        default:
-            return "Internal Server Error";
-    }
+    constexpr std::pair<int, const char*> kTitles[] = {
+        {400, "Bad Request"},       {401, "Unauthorized"},        {403, "Forbidden"},
+        {404, "Not Found"},         {405, "Method Not Allowed"},  {413, "Content Too Large"},
+        {414, "URI Too Long"},      {421, "Misdirected Request"}, {422, "Unprocessable Content"},
+        {429, "Too Many Requests"}, {503, "Service Unavailable"}};
+    for (const auto& [code, title] : kTitles)
+        if (code == status) return title;
+    return "Internal Server Error";
 }
 
 std::string problemJson(int status, const std::string& detail) {

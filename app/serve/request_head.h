@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "app/serve/http_server.h"
 #include "app/serve/picture_request.h"
 #include "app/serve/problem.h"
 

@@ -2,17 +2,35 @@
 // The viewer's frames on its screen: their timing, ambient occlusion, and failures. Out-of-memory failures are reported
 // and retried a little later. The shell replaces a lost device.
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/viewer/events.h"
-#include "app/viewer/retry.h"
 #include "app/viewer/screen.h"
 #include "app/viewer/stage.h"
 
 namespace nacre::app {
+
+/// Delays retries: longer after each consecutive failure.
+class Retry {
+public:
+    static constexpr double kFirstSeconds = 0.5, kLastSeconds = 8;
+
+    bool due(double now) const { return now >= at_; }
+    double at() const { return at_; }
+    void failed(double now) {
+        at_ = now + wait_;
+        wait_ = std::min(2 * wait_, kLastSeconds);
+    }
+    void succeeded() { *this = {}; }
+
+private:
+    double at_ = -std::numeric_limits<double>::infinity(), wait_ = kFirstSeconds;
+};
 
 struct ViewerOptions {
     std::uint32_t mostSamples = 4;   ///< per pixel side, for refinement

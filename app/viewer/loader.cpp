@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/drawing/guided.h"
 #include "app/drawing/scenes.h"
-#include "app/input/trajectory_input.h"
+#include "app/input/read_input.h"
 #include "app/picture/options.h"
 #include "app/viewer/presets.h"
 #include "engine/error.h"

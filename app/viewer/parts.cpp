@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "engine/molecule/residue_kind.h"
+#include "engine/molecule/residue_facts.h"
 
 namespace nacre::app {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 // Picked atoms and their measurements, the selection, and the atom under a resting pointer.
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>

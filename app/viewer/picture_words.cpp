@@ -1,6 +1,10 @@
 #include "app/viewer/picture_words.h"
 
+#include <algorithm>
+
 #include "app/annotation/painter.h"
+#include "app/picture/option_text.h"
+#include "app/picture/options.h"
 #include "engine/error.h"
 #include "engine/scene/orientation.h"
 
@@ -13,6 +17,19 @@ PlacedWords wordsOf(const PictureDescription& view, const Document& document) {
     const std::vector<Legend>& ofMaps = document.maps.shown.legends;
     if (view.words.legend) words.legends.insert(words.legends.end(), ofMaps.begin(), ofMaps.end());
     return words;
+}
+
+std::string meaningOf(std::string_view key, std::string_view value) {
+    for (const auto& choice : option(key).control.choices)
+        if (choice.value == value) return choice.meaning;
+    return {};
+}
+
+std::string colorMeaning(const Coloring& coloring) {
+    if (coloring.scheme == ColorScheme::uniform) return "Everything has one colour.";
+    if (coloring.scheme == ColorScheme::element && coloring != Coloring(ColorScheme::element))
+        return "Carbon has one colour, other elements their own: oxygen red, nitrogen blue.";
+    return meaningOf("color", colorSchemeName(coloring.scheme));
 }
 
 }  // namespace
@@ -56,6 +73,21 @@ void PictureWords::paint(const PictureDescription& saved, const View& view, doub
     if (transparent) background = {0, 0, 0, 0};
     WordPainter().paint(wordsOf(saved, stage_.document), view, size, saved.words.color, background, picture,
                         saved.effects.clip);
+}
+
+std::string originText(const FileSummary& file) {
+    std::string text = file.method;
+    if (file.resolution) text += (text.empty() ? "" : ", ") + numberText(*file.resolution) + " Å";
+    if (file.organism.empty()) return text;
+    return file.organism + (text.empty() ? "" : ". " + text);
+}
+
+std::string explanationText(const PictureDescription& picture, const Representation& scene) {
+    std::string colors = colorMeaning(picture.look.color);
+    const auto& rules = picture.look.rules;
+    if (!colors.empty() && std::any_of(rules.begin(), rules.end(), [](const Rule& rule) { return rule.on; }))
+        colors.replace(colors.size() - 1, 1, "; rules change some parts.");
+    return meaningOf("style", styleName(scene.style)) + " " + colors;
 }
 
 }  // namespace nacre::app

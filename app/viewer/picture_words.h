@@ -1,8 +1,13 @@
 #pragma once
-// Labels, measurements, legend and the like: their positions in the document, and pictures with them.
+// Labels, measurements, legend and the like: their positions in the document, and pictures with them. The explanation
+// of a picture in words: its molecule, style and colours.
+
+#include <string>
 
 #include "app/annotation/placed_words.h"
+#include "app/picture/description.h"
 #include "app/viewer/frames.h"
+#include "engine/scene/representation.h"
 
 namespace nacre::app {
 
@@ -36,5 +41,11 @@ private:
     const Frames& frames_;
     PlacedWords placed_;
 };
+
+/// "Homo sapiens. X-ray diffraction, 1.9 Å", from the file; empty: not stated.
+std::string originText(const FileSummary& file);
+
+/// Two sentences about style and colours. @param scene  drawn for the picture
+std::string explanationText(const PictureDescription& picture, const Representation& scene);
 
 }  // namespace nacre::app

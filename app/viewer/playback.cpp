@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "app/input/trajectory_input.h"
+#include "app/input/read_input.h"
 #include "engine/error.h"
 
 namespace nacre::app {

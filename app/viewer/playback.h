@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "app/viewer/frames.h"
-#include "app/viewer/play_clock.h"
 #include "app/viewer/player.h"
 #include "app/viewer/reading.h"
 

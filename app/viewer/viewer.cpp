@@ -11,7 +11,7 @@
 #include "app/picture/input_names.h"
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"
-#include "app/viewer/explanation.h"
+#include "app/viewer/picture_words.h"
 #include "engine/error.h"
 
 namespace nacre::app {

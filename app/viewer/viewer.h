@@ -7,13 +7,12 @@
 // cannot be loaded for lack of memory, the previous one stays.
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/viewer/camera_control.h"
 #include "app/viewer/frames.h"
-#include "app/viewer/mouse.h"
+#include "app/viewer/gestures.h"
 #include "app/viewer/picking.h"
 #include "app/viewer/picture_words.h"
 #include "app/viewer/playback.h"
@@ -71,7 +70,7 @@ public:
     void undo(double now);
     void redo(double now);
     std::string title() const;
-    /// Explains the picture (explanation.h); empty without a document.
+    /// Explains the picture (picture_words.h); empty without a document.
     std::string explanation() const;
     /// Whether labels, measurements or rules changed since the molecule was opened or the view saved.
     bool hasUnsavedWork() const;

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/info_command.h"
-#include "app/cli/info_frequencies.h"
 #include "app/cli/info_interactions.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "app/desktop/processes.h"
-#include "app/desktop/recent_files.h"
+#include "app/desktop/state_files.h"
 #include "tests/desktop/environment.h"
 
 namespace nacre::app {

@@ -1,8 +1,8 @@
-#include "app/movie/palette.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "app/movie/gif.h"
 
 namespace nacre::app {
 namespace {

@@ -1,7 +1,6 @@
 // Events that come faster than frames are drawn: none is lost, and each goes where those before it have led.
 
-#include "app/panel/input_queue.h"
-
+#include "app/panel/panel_input.h"
 #include "tests/panel/panel_bench.h"
 
 namespace nacre::app::test {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/input/join_inputs.h"
+#include "app/input/read_input.h"
 #include "app/panel/panel.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/drawing/scenes.h"
-#include "app/input/trajectory_input.h"
+#include "app/input/read_input.h"
 #include "tests/panel/panel_bench.h"
 
 namespace nacre::app::test {

@@ -4,8 +4,6 @@
 
 #include <numbers>
 
-#include "app/viewer/mouse.h"
-
 namespace nacre::app {
 namespace {
 

@@ -7,7 +7,7 @@
 
 #include "app/drawing/scenes.h"
 #include "app/input/map_input.h"
-#include "app/input/trajectory_input.h"
+#include "app/input/read_input.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
