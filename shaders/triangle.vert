@@ -73,7 +73,8 @@ void main() {
     vec2 ab = b.xy - a.xy, ca = a.xy - c.xy, bc = c.xy - b.xy;
     float longA = abs(bc.x) + abs(bc.y), longB = abs(ca.x) + abs(ca.y), longC = abs(ab.x) + abs(ab.y);
     float around = longA + longB + longC;
-    float area = abs(edgeSide(ab, ca));  // twice
+    float turned = edgeSide(ab, ca), area = abs(turned);  // twice
+    bool away = kFrontsOnly && turned > 0.0 && area > 1e-3 * around * around;
     // The rasteriser may move a corner by the snap margin, and the floats above are right to some 1e-6 of the picture.
     float margin = 1.5 * snapReach() + 4e-6 * (abs(a.x) + abs(a.y) + around);
 #ifdef PLATE
@@ -85,7 +86,7 @@ void main() {
     vec2 q = a.xy + way + (way * around - (longB * ab - longC * ca)) * (margin / max(area, 1e-30));
 #ifdef PLATE
     float Z = farZ(a, b, c), front = nearZ(a, b, c);
-    bool drawn = area > -2.0 * margin * around && area > 1e-3 * around * around;
+    bool drawn = !away && area > -2.0 * margin * around && area > 1e-3 * around * around;
     if (kClip && (front < view.clipNear || Z > view.clipFar)) drawn = false;
     if (!drawn) q = a.xy;
     gl_Position = clipPosition(q, encodedDepth(Z + 1e-4 * (Z - view.depthStart)) + 1e-6);
@@ -96,7 +97,7 @@ void main() {
         q = low + 2.001 * size * vec2(corner == 1, corner == 2);
     }
     vec3 middle = vertexPosition(f.a, f.step) + vertexPosition(f.b, f.step) + vertexPosition(f.c, f.step);
-    if (isCutOff(toView(middle / 3.0))) q = a.xy;
+    if (away || isCutOff(toView(middle / 3.0))) q = a.xy;
     float room = 1e-4 * (1.0 + abs(view.origin));
     gl_Position = clipPosition(q, encodedDepth(nearZ(a, b, c) - room));
 #endif

@@ -194,6 +194,7 @@ Representation visiblePart(const Representation& scene, const Seen& seen) {
         run.count = static_cast<std::uint32_t>(kept.size()) - first;
     };
     for (MeshRun& mesh : part.meshes) {
+        mesh.closed = false;
         keep(scene.triangles, mesh, part.triangles);
         for (MeshRun::Level& level : mesh.levels) keep(scene.coarseTriangles, level, part.coarseTriangles);
     }

@@ -131,6 +131,7 @@ bool hasShapesOf(const Scene& scene, const Representation& r) {
 void completeScene(const gpu::Device& device, Scene& scene) {
     fitBuffer(scene.representation, passes::mostShapeBytes(device.caps()));
     scene.translucent = translucentRuns(scene.representation);
+    scene.solid = isSolid(scene.representation) && scene.translucent.empty();
     scene.chunks = chunksOf(scene.representation);
     scene.buffers = passes::makeSceneBuffers(device, scene.representation);
     double sum = 0;
@@ -196,14 +197,14 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const Sc
 }
 
 Scene makeScene(const gpu::Device& device, Representation representation) {
-    Scene scene{std::move(representation), {}, 0, 1e9, 1e9, {}, {}, {}};
+    Scene scene{std::move(representation), {}, 0, 1e9, 1e9, {}, {}, {}, false};
     scene.order = orderInSpace(scene.representation);
     completeScene(device, scene);
     return scene;
 }
 
 Scene makeOrderedScene(const gpu::Device& device, Representation representation) {
-    Scene scene{std::move(representation), {}, 0, 1e9, 1e9, {}, {}, {}};
+    Scene scene{std::move(representation), {}, 0, 1e9, 1e9, {}, {}, {}, false};
     completeScene(device, scene);
     return scene;
 }
@@ -238,7 +239,7 @@ bool isMoved(const Scene& scene, const Representation& r) {
 }
 
 Scene makeMovedScene(const gpu::Device& device, Representation representation, const Scene& before) {
-    Scene scene{std::move(representation), {}, 0, 1e9, 1e9, {}, {}, before.order};
+    Scene scene{std::move(representation), {}, 0, 1e9, 1e9, {}, {}, before.order, false};
     putInOrder(scene.representation, scene.order);
     completeScene(device, scene);
     return scene;
@@ -282,6 +283,9 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
                                     view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom,
                         meshErrorOf(settings, view), true);
     seen->perspective = view.projection == Projection::perspective;
+    // Where a surface folds, its inner side may look out. Nothing else of it does.
+    seen->frontsOnly = scene.solid && !settings.effects.clip.on() && settings.effects.contours.width <= 0 &&
+                       !seen->rims.any() && (!seen->perspective || view.eyeDistance > view.radius);
     seen->quarterTurns = view.quarterTurns;
     seen->plates = settings.tuning.plates;
     seen->impostor = settings.tuning.impostor;

@@ -21,6 +21,7 @@ struct Scene {
     Chunks chunks;
     TranslucentRuns translucent;  ///< of the translucent triangles
     StreamOrder order;            ///< maps to the caller's order
+    bool solid = false;           ///< from outside, backs of triangles are behind fronts
 };
 
 /// A scene as it is, without a better order. @throws Error

@@ -278,6 +278,7 @@ void setGeometryConstants(gpu::Specialization& constants, const SceneView& view,
     constants.set(layout::kWholeImageId, view.wholeImage);
     constants.set(layout::kCutId, view.cut);
     constants.set(layout::kClipId, view.effects.clip.on());
+    constants.set(layout::kFrontsOnlyId, view.frontsOnly);
     constants.set(layout::kContoursId, rim > 0 || (view.effects.contours.width > 0 && !view.effects.linesByGroups()));
 }
 

@@ -45,6 +45,7 @@ struct SceneView {
     bool coded = false;                           ///< write colour sRGB-coded, else linear
     bool powers = false;                          ///< the device computes powers in a few instructions
     bool perspective = false;
+    bool frontsOnly = false;    ///< triangles are invisible from behind
     std::uint32_t samples = 1;  ///< of a pixel, which a fragment tells it covers
     int quarterTurns = 0;       ///< as in View
     float wireScale = 1;        ///< this picture's pixels per pixel of the requested picture; 0: no wires

@@ -85,6 +85,7 @@ TileView tileView(const SceneView& seen, const View& view, graph::Extent image, 
     v.contour = std::max(c.contourWidth, seen.rims.widest());
     v.wireScale = seen.wireScale;
     v.centers = centers;
+    v.frontsOnly = seen.frontsOnly;
     return v;
 }
 

@@ -288,7 +288,9 @@ void AssemblyScene::keepWholeMeshes(Representation& r) {
         const bool whole = std::any_of(runs.begin(), runs.end(), [&](const PrimitiveRun& run) {
             return run.first <= mesh.first && mesh.first + mesh.count <= run.first + run.count;
         });
-        if (!whole) mesh.levels.clear();
+        if (whole) continue;
+        mesh.levels.clear();
+        mesh.closed = false;
     }
 }
 

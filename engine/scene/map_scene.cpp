@@ -70,6 +70,7 @@ void addColored(const Mesh& mesh, const std::vector<std::uint32_t>& colors, doub
             return SphereLook{withOpacity(colors[number], opacity), 0};
         },
         scene);
+    scene.meshes.back().closed = false;  // a map's box cuts it
     scene.radius = std::max(scene.radius, meshReach(scene));
 }
 

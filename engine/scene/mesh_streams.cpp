@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <span>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -78,10 +79,51 @@ private:
     }
 };
 
+/// Whether each edge is shared by two triangles of opposite direction, vertices compared by position: a number for each
+/// directed edge is added where it is met, and subtracted where it is met the other way.
+class EdgeSum {
+public:
+    explicit EdgeSum(const Representation& r) : vertices_(r.meshVertices) {}
+    void add(const Triangle& t) {
+        const std::uint64_t a = numberOf(t.a), b = numberOf(t.b), c = numberOf(t.c);
+        add(a, b);
+        add(b, c);
+        add(c, a);
+    }
+    bool isZero() const { return sum_ == 0; }
+
+private:
+    static std::uint64_t mixed(std::uint64_t x) {
+        x = (x ^ x >> 32) * 0x9e3779b97f4a7c15u;
+        return x ^ x >> 29;
+    }
+    std::uint64_t numberOf(std::uint32_t v) const {
+        return mixed(std::uint64_t{vertices_[v].xz} << 32 | vertices_[v].yz);
+    }
+    void add(std::uint64_t from, std::uint64_t to) { sum_ += mixed(from + 3 * to) - mixed(to + 3 * from); }
+
+    const std::vector<MeshVertex>& vertices_;
+    std::uint64_t sum_ = 0;
+};
+
+bool isClosed(const Representation& r, std::span<const Triangle> triangles) {
+    EdgeSum edges(r);
+    for (const Triangle& t : triangles) edges.add(t);
+    return edges.isZero();
+}
+
 }  // namespace
 
 const Triangle& drawnTriangle(const Representation& r, std::size_t number) {
     return number < r.triangles.size() ? r.triangles[number] : r.coarseTriangles[number - r.triangles.size()];
+}
+
+bool isSolid(const Representation& r) {
+    std::size_t closed = 0;
+    for (const MeshRun& mesh : r.meshes) closed += mesh.closed ? mesh.count : 0;
+    const auto mirrors = [](const glm::dmat4x3& m) { return glm::dot(glm::cross(m[0], m[1]), m[2]) < 0; };
+    return closed > 0 && closed == r.triangles.size() &&
+           std::none_of(r.copies.transforms.begin(), r.copies.transforms.end(), mirrors);
 }
 
 glm::vec3 normalOf(const MeshVertex& v) {
@@ -147,10 +189,12 @@ void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<S
     run.endVertex = static_cast<std::uint32_t>(r.meshVertices.size());
     run.first = add(mesh.triangles, r.triangles);
     run.count = countFrom(run.first, r.triangles);
+    run.closed = isClosed(r, std::span(r.triangles).subspan(run.first));
     for (std::size_t i = 0; i < mesh.coarser.size(); ++i) {
         const MeshLevel& level = mesh.coarser[i];
         const std::uint32_t first = add(level.triangles, r.coarseTriangles);
         run.levels.push_back({level.error, first, countFrom(first, r.coarseTriangles), base + order.ends[i]});
+        run.closed = run.closed && isClosed(r, std::span(r.coarseTriangles).subspan(first));
     }
     r.meshes.push_back(std::move(run));
 }

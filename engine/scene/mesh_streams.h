@@ -42,7 +42,12 @@ struct MeshRun {
     std::uint32_t firstVertex = 0, endVertex = 0;
     float error = 0;       ///< Å, of its own triangles: not 0 where all of them were too many for a device
     bool surface = false;  ///< of a molecule
+    /// Each level is a closed surface with its front outside: where nothing cuts it, a back is behind some front.
+    bool closed = false;
 };
+
+/// Whether all triangles belong to closed meshes, and no copy is a mirror image.
+bool isSolid(const Representation& representation);
 
 /// A drawn triangle by number; numbering continues with the coarse ones.
 const Triangle& drawnTriangle(const Representation& representation, std::size_t number);

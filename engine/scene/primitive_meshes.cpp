@@ -273,6 +273,7 @@ void PrimitiveMeshes::append(const Mesh& mesh) {
             return SphereLook{withOpacity(look.color, look.opacity), look.note};
         },
         scene_);
+    scene_.meshes.back().closed = false;  // a file may wind them inwards
 }
 
 void PrimitiveMeshes::finish() {

@@ -80,6 +80,7 @@ void keepTriangles(Representation& r, const Keep& keep) {
         mesh.first = first;
         mesh.count = kept - first;
         mesh.levels.clear();
+        mesh.closed = false;
     }
     r.triangles.resize(kept);
     r.coarseTriangles.clear();

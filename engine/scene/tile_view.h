@@ -45,6 +45,7 @@ struct TileView {
     /// Pixels are sampled at their centres only: triangles between centres are dropped and, with one layer, those
     /// hidden at every centre; pixels begin with the nearest.
     bool centers = false;
+    bool frontsOnly = false;         ///< triangles are invisible from behind
     float wireScale = 1;             ///< pixels per pixel of the picture, for the width of wires
     const TileMask* mask = nullptr;  ///< null: all tiles are drawn
     std::uint32_t layers = 1;        ///< number of nearest primitives per pixel

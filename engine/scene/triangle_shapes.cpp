@@ -12,6 +12,7 @@ TriangleLens::TriangleLens(const TileView& view)
     : width(view.width),
       height(view.height),
       perspective(view.perspective),
+      frontsOnly(view.frontsOnly),
       axisX(view.axis.x),
       axisY(view.axis.y),
       clips(view.clips()),
@@ -41,6 +42,9 @@ void TriangleShapes::place(const TriangleLens& lens, const Triangle* triangles, 
 }
 
 namespace {
+
+/// A triangle faces one way, whatever the rounding, from this much area over its outline and a corner's error on.
+constexpr float kCertain = 16;
 
 Lanes ofLeast(Lanes a, Lanes b, Lanes c) { return lesser(a, lesser(b, c)); }
 Lanes ofMost(Lanes a, Lanes b, Lanes c) { return greater(a, greater(b, c)); }
@@ -76,10 +80,20 @@ void TriangleShapes::placeFour(const TriangleLens& lens, LanePoints a, LanePoint
     // Whole numbers are cut off towards 0, where the picture begins.
     const auto seen = [&](Lanes place, Lanes size) { return lesser(greater(place, none), size); };
     const auto pixelsOf = [&](Lanes place) { return __builtin_convertvector(place, Mask); };
-    const Lanes leftmost = seen(ofLeast(a.x, b.x, c.x) + (0.5f - kRoom), width),
-                rightmost = seen(ofMost(a.x, b.x, c.x) + (0.5f + kRoom), width),
-                topmost = seen(ofLeast(a.y, b.y, c.y) + (0.5f - kRoom), height),
-                lowest = seen(ofMost(a.y, b.y, c.y) + (0.5f + kRoom), height), Z = ofLeast(a.z, b.z, c.z);
+    const Lanes lowX = ofLeast(a.x, b.x, c.x), highX = ofMost(a.x, b.x, c.x), lowY = ofLeast(a.y, b.y, c.y),
+                highY = ofMost(a.y, b.y, c.y);
+    Lanes leftmost = seen(lowX + (0.5f - kRoom), width), rightmost = seen(highX + (0.5f + kRoom), width),
+          topmost = seen(lowY + (0.5f - kRoom), height), lowest = seen(highY + (0.5f + kRoom), height),
+          Z = ofLeast(a.z, b.z, c.z);
+    if (lens.frontsOnly) {
+        const Lanes off = greater(farther(lowX, highX, lens.axisX), farther(lowY, highY, lens.axisY));
+        const Mask away = twice > kCertain * lens.rounded(off) * 2 * (highX - lowX + highY - lowY);
+        leftmost = away ? width : leftmost;
+        rightmost = away ? none : rightmost;
+        topmost = away ? height : topmost;
+        lowest = away ? none : lowest;
+        Z = away ? none + std::numeric_limits<float>::max() : Z;
+    }
     storeLanes(pixelsOf(leftmost), &left[first]);
     storeLanes(pixelsOf(rightmost), &right[first]);
     storeLanes(pixelsOf(topmost), &top[first]);
@@ -102,8 +116,8 @@ void TriangleShapes::findPlanes(const TriangleLens& lens, std::uint32_t first) {
     const Lanes off = greater(farther(ofLeast(ax, bx, cx) + x, ofMost(ax, bx, cx) + x, lens.axisX),
                               farther(ofLeast(ay, by, cy) + y, ofMost(ay, by, cy) + y, lens.axisY));
     const Lanes area = loadLanes(&area_[first]), around = edge[0].length + edge[1].length + edge[2].length;
-    const Lanes rounded = lens.error + 1e-6f * off;  // pixels that a corner may be off
-    const Mask narrow = ~(area > 16 * rounded * around);
+    const Lanes rounded = lens.rounded(off);
+    const Mask narrow = ~(area > kCertain * rounded * around);
     storeLanes(narrow, &splinter[first]);
     Mask outside[4] = {};  // of the first pixels
     for (int k = 0; k < 3; ++k) {

@@ -15,6 +15,7 @@ namespace nacre {
 struct TriangleLens {
     std::uint32_t width = 0, height = 0;
     bool perspective = false;
+    bool frontsOnly = false;                // those that certainly turn away hold no centre
     float axisX = 0, axisY = 0, error = 0;  // pixels
     float errorOfZ = 0;
     bool clips = false;
@@ -23,6 +24,8 @@ struct TriangleLens {
     TriangleLens() = default;
     explicit TriangleLens(const TileView& view);
     float keyOf(float Z) const { return perspective ? 1 / Z : -Z; }
+    /// Pixels that a corner may be off. @param off  its distance from the axis, pixels
+    Lanes rounded(Lanes off) const { return error + 1e-6f * off; }
     float errorOfKey(float key) const { return errorOfZ * (perspective ? key * key : 1.0f); }
 };
 

@@ -255,7 +255,10 @@ void remove(const Covers& covers, Representation& scene, Uncovered& result) {
     shorten(scene.copies.cylinders, sticks);
     shorten(scene.triangleModels, triangles);
     shorten(scene.copies.triangles, triangles);
-    for (MeshRun& mesh : scene.meshes) shorten(mesh.levels, coarse);
+    for (MeshRun& mesh : scene.meshes) {
+        shorten(mesh.levels, coarse);
+        mesh.closed = false;
+    }
     shorten(scene.meshes, triangles);
 }
 

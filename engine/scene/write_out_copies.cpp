@@ -48,6 +48,7 @@ void writeRunOut(const Representation& from, const PlacedRun& placed, Representa
     for (glm::vec3& n : mesh.normals) n = turn * n;
     appendMesh(
         mesh, {}, [&](std::uint32_t look) { return from.meshLooks[look]; }, to);
+    to.meshes.back().closed = false;  // a mirror image turns inwards
 }
 
 }  // namespace

@@ -289,6 +289,7 @@ vec2 nearestOnEdge(vec2 from, vec2 to) {
     return vec2(distance, share);
 }
 
+layout(constant_id = kFrontsOnlyId) const bool kFrontsOnly = false;
 /// A triangle from projected() corners. Depth is interpolated as a weighted mean of the corners', so a hit is never in
 /// front of or behind all of them. Where the near plane clips a mesh, its inner side is visible: it counts as the cap,
 /// at its own depth. Not for TRANSLUCENT ones, which are transparent.
@@ -300,6 +301,7 @@ Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint joins, vec2 q) {
     precise float sum = ofA + ofB + ofC;
     hit.inside = (min(ofA, min(ofB, ofC)) >= 0.0 || max(ofA, max(ofB, ofC)) <= 0.0) && sum != 0.0;
     hit.back = sum < 0.0;
+    if (kFrontsOnly) hit.inside = hit.inside && !hit.back;
     precise float unit = 1.0 / (sum == 0.0 ? 1.0 : sum);
     precise vec3 shares = vec3(ofA, ofB, ofC) * unit;
     precise float along = shares.x * a.z + shares.y * b.z + shares.z * c.z;

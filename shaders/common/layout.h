@@ -26,6 +26,7 @@ const int kSpheresId = 7;       // bool: the scene has spheres
 const int kCylindersId = 8;     // bool: and cylinders
 const int kTrianglesId = 9;     // bool: and triangles
 const int kWiresId = 14;        // bool: there are wires among the cylinders
+const int kFrontsOnlyId = 17;   // bool: triangles are invisible from behind, as others of their meshes are in front
 // Polygons, and depth.
 const int kCornersId = 10;        // of a primitive's polygon
 const int kRimId = 11;            // float: of a plate, in radii of its sphere

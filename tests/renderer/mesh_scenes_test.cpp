@@ -1,5 +1,7 @@
 // Cartoons in copies, of models, in fog, cut, and moved: one picture on every path, and counted.
 
+#include <utility>
+
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -8,7 +10,7 @@ namespace {
 struct MeshSceneCase {
     const char* name;
     Projection projection = Projection::orthographic;
-    bool copies = false, models = false, fog = false, clip = false, contours = false;
+    bool copies = false, models = false, fog = false, clip = false, contours = false, inverted = false;
 };
 void PrintTo(const MeshSceneCase& c, std::ostream* out) { *out << c.name; }
 
@@ -22,7 +24,11 @@ Representation meshSceneOf(const MeshSceneCase& c) {
     }
     if (c.models)
         for (std::size_t i = 0; i < m.chains.size(); ++i) m.chains[i].model = static_cast<int>(i) + 1;
-    return represent(m, drawnAtoms(m), options);
+    Representation r = represent(m, drawnAtoms(m), options);
+    if (c.inverted)
+        for (auto* stream : {&r.triangles, &r.coarseTriangles})
+            for (Triangle& t : *stream) std::swap(t.b, t.c);
+    return r;
 }
 
 class MeshScenes : public SharedRenderers<MeshSceneCase> {};
@@ -64,6 +70,13 @@ TEST_P(MeshScenes, AreTheSameOnEveryPath) {
     }
     EXPECT_GT(picked, 2u);
     EXPECT_EQ(missed, 0u);
+    if (c.inverted) {  // the fronts of what counts as closed are seen alone: here its inner sides
+        Representation open = r;
+        for (MeshRun& mesh : open.meshes) EXPECT_TRUE(std::exchange(mesh.closed, false));
+        ValidatedRenderer renderer(Visibility::tiles);
+        renderer->setScene(open);
+        EXPECT_FALSE(renderer->layers(s).z == first.z);
+    }
     if (c.fog || c.clip || c.contours) {
         EXPECT_FALSE(rendererOf(Visibility::tiles)->render(plain).rgba == picture.rgba);
     }
@@ -76,6 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
                     MeshSceneCase{"Fog", Projection::perspective, false, false, true},
                     MeshSceneCase{"Cut", Projection::orthographic, false, false, false, true},
                     MeshSceneCase{"Lined", Projection::orthographic, false, false, false, false, true},
+                    MeshSceneCase{"Inverted", Projection::orthographic, false, false, false, false, false, true},
+                    MeshSceneCase{"InvertedCopies", Projection::perspective, true, false, false, false, false, true},
                     MeshSceneCase{"CutCopiesInFog", Projection::perspective, true, false, true, true}),
     [](const auto& tested) { return std::string(tested.param.name); });
 

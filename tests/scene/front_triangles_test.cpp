@@ -12,6 +12,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "engine/scene/representation.h"
 #include "engine/scene/tile_lists.h"
@@ -174,6 +175,7 @@ struct ShaderHit {
         const float of[] = {side(1, 2), side(2, 0), side(0, 1)};
         const float sum = r.sum(r.sum(of[0], of[1]), of[2]);
         inside = sum != 0 && (std::min({of[0], of[1], of[2]}) >= 0 || std::max({of[0], of[1], of[2]}) <= 0);
+        if (s.view.frontsOnly) inside = inside && sum > 0;
         if (!inside) return;
         const float unit = r.quotient(1, sum);
         float mean = 0;
@@ -187,17 +189,21 @@ struct ShaderHit {
 class FrontTrianglesTest : public testing::TestWithParam<bool> {};
 
 struct Judged {
-    std::size_t certain = 0, wrong = 0;
+    std::size_t certain = 0, wrong = 0, listed = 0;
 };
-Judged judged(Dice& dice, bool perspective, bool flat) {
-    std::size_t certain = 0, wrong = 0;
+Judged judged(Dice& dice, bool perspective, bool flat, bool frontsOnly = false) {
+    std::size_t certain = 0, wrong = 0, inLists = 0;
     for (int scene = 0; scene < 600; ++scene) {
-        const AimedScene s(dice, perspective, flat);
+        AimedScene s(dice, perspective, flat);
+        s.view.frontsOnly = frontsOnly;
+        if (scene % 2 == 1)  // they are wound clockwise
+            for (Triangle& t : s.mesh.triangles) std::swap(t.b, t.c);
         const TileCall call{s.rows, 0, static_cast<std::uint32_t>(s.mesh.triangles.size()), 1};
         TileLists lists;
         lists.build(s.view, {{}, {}, {}, {}, {}, s.mesh.triangles, s.mesh.meshVertices, {&call, 1}});
         std::vector<std::uint32_t> words(lists.words());
         lists.write(words.data());
+        inLists += lists.kept();
         const auto listed = words.end() - static_cast<std::ptrdiff_t>(lists.entries());
         for (const glm::uvec2 aim : s.aims) {
             std::uint32_t seed = 0;
@@ -221,7 +227,7 @@ Judged judged(Dice& dice, bool perspective, bool flat) {
             }
         }
     }
-    return {certain, wrong};
+    return {certain, wrong, inLists};
 }
 
 TEST_P(FrontTrianglesTest, WhatIsCertainIsWhatAnyShaderFinds) {
@@ -229,6 +235,15 @@ TEST_P(FrontTrianglesTest, WhatIsCertainIsWhatAnyShaderFinds) {
     const Judged judgement = judged(dice, GetParam(), false);
     EXPECT_EQ(judgement.wrong, 0u);
     EXPECT_GT(judgement.certain, 300u);
+}
+
+TEST_P(FrontTrianglesTest, BacksAreNeitherCertainNorListed) {
+    Dice dice(GetParam() ? 7 : 6), again(GetParam() ? 7 : 6);
+    const Judged fronts = judged(dice, GetParam(), false, true), all = judged(again, GetParam(), false);
+    EXPECT_EQ(fronts.wrong, 0u);
+    EXPECT_GT(fronts.certain, 100u);
+    EXPECT_LT(fronts.certain, 3 * all.certain / 4);
+    EXPECT_LT(fronts.listed, 3 * all.listed / 4);
 }
 
 /// There nothing but what rounding does to Z tells which is nearer.

@@ -9,6 +9,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 #include "engine/scene/representation.h"
 
@@ -80,6 +81,48 @@ TEST(MeshStreams, WhatIsNotFiniteOrHasNoAreaIsLeftOut) {
     EXPECT_EQ(r.triangles.size(), 10u - 3 - 2);
     for (const Triangle& t : r.triangles) EXPECT_TRUE(t.a != 3 && t.b != 3 && t.c != 3);
     EXPECT_TRUE(std::isfinite(normalOf(r.meshVertices[0]).z));
+}
+
+/// A tetrahedron whose faces have vertices of their own, with a level of two triangles back to back.
+Mesh tetrahedron() {
+    const glm::vec3 corners[] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+    Mesh mesh;
+    for (const glm::uvec3 t : {glm::uvec3(0, 1, 2), glm::uvec3(0, 3, 1), glm::uvec3(0, 2, 3), glm::uvec3(1, 3, 2)}) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (int k = 0; k < 3; ++k) {
+            mesh.positions.push_back(corners[t[k]]);
+            mesh.normals.emplace_back(0, 0, 1);
+            mesh.atoms.push_back(0);
+        }
+        mesh.triangles.emplace_back(first, first + 1, first + 2);
+    }
+    mesh.coarser.push_back({0.5f, {{0, 1, 2}, {2, 1, 0}}});
+    return mesh;
+}
+
+TEST(MeshStreams, AMeshIsClosedIfAllItsLevelsAre) {
+    const Mesh closed = tetrahedron();
+    Mesh holed = closed, turned = closed, coarselyHoled = closed;
+    holed.triangles.pop_back();
+    std::swap(turned.triangles[1].x, turned.triangles[1].y);
+    coarselyHoled.coarser[0].triangles.pop_back();
+    const std::pair<const Mesh*, bool> cases[] = {
+        {&closed, true}, {&holed, false}, {&turned, false}, {&coarselyHoled, false}};
+    for (const auto& [mesh, isClosed] : cases) {
+        Representation r;
+        appendMesh(*mesh, glm::dvec3(0), lookOf, r);
+        EXPECT_EQ(r.meshes[0].closed, isClosed);
+        EXPECT_EQ(isSolid(r), isClosed);
+    }
+    Representation r;
+    appendMesh(closed, glm::dvec3(0), lookOf, r);
+    r.copies.transforms = {glm::dmat4x3(1), glm::dmat4x3(1)};
+    EXPECT_TRUE(isSolid(r));
+    r.copies.transforms[1][0].x = -1;  // a mirror image turns inside out
+    EXPECT_FALSE(isSolid(r));
+    r.copies.transforms.clear();
+    appendMesh(holed, glm::dvec3(0), lookOf, r);
+    EXPECT_FALSE(isSolid(r));
 }
 
 TEST(MeshStreams, OfAMeshWhoseListsDoNotFitThereIsNone) {
