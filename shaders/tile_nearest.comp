@@ -184,15 +184,6 @@ uint rimmed(vec4 seen, uint rimWord) {
 }
 #endif
 
-/// The colour of an empty pixel.
-uint emptyColor(int i) {
-#ifdef RIMS
-    return rimmed(vec4(0.0), rimWords[i]);
-#else
-    return 0u;
-#endif
-}
-
 #ifdef CYLINDERS
 uint kindOf(uint number) {
     uint index = number - 1u;
@@ -282,8 +273,8 @@ void main() {
     // Row by row of all bins.
     uint pitch = view.across * uint(kTile * kTilesInBin);
     uint here = (corner.y + lane / uint(kTile)) * pitch + corner.x + lane % uint(kTile);
+    uint seeds[kPixels];
     if (kSeeded) {
-        uint seeds[kPixels];
         for (int i = 0; i < kPixels; ++i)
             seeds[i] = numbers[here + uint((i * kLanes) / kTile) * pitch + uint((i * kLanes) % kTile)];
         beginAll(seeds);
@@ -355,12 +346,25 @@ void main() {
     view.contourDepth = 0.0;
 #ifdef SHADED
 #ifdef CYLINDERS
+    // Empty pixels are cleared, but for halos and lines over them, and seeds that turn out to show nothing.
+#ifdef RIMS
     for (int i = 0; i < kPixels; ++i) {
         uvec2 on = uvec2(i * kLanes) / uvec2(1u, kTile) % uint(kTile);
-        if (number[i] != 0u) continue;
-        numbers[here + on.y * pitch + on.x] = emptyColor(i);
-        if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = 0u;
+        if (number[i] == 0u) numbers[here + on.y * pitch + on.x] = rimmed(vec4(0.0), rimWords[i]);
     }
+#else
+    if (kSeeded) {
+        uint lost = 0u, rows = 0u;
+        for (int i = 0; i < kPixels; ++i) lost |= number[i] == 0u && seeds[i] != 0u ? 1u << i : 0u;
+        rows = bitsOfAll(lost);
+        do {
+            uint i = lowestOf(rows);
+            uvec2 on = uvec2(i * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
+            if ((lost >> i & 1u) != 0u) numbers[here + on.y * pitch + on.x] = 0u;
+            rows &= rows - 1u;
+        } while (rows != 0u);
+    }
+#endif
     if (kSpheres) shadeBalls(corner, pitch, lane, width, depth);
     if (kCylinders) shadeSticks(corner, pitch, lane, width, depth);
 #ifdef TRIANGLES

@@ -116,6 +116,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;
+    frame.cleared = work.shaded && (!r.cylinders.empty() || !r.wires.empty() || !r.triangles.empty());
     frame.subsamples = work.subsamples;
     upload(frame, seen.copies, image, work.kept);
     frame.edges.drawn = work.edges;
@@ -139,7 +140,7 @@ void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::Bu
 
 /// Tiles are drawn where something may show. Elsewhere the words of the frame before go.
 void TileFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept,
-                              const char* name) const {
+                              bool all, const char* name) const {
     constexpr std::size_t kBin = TileLists::kBinPixels;
     const std::size_t bytes = 4 * kept * TileLists::pixelsOfBins(image.width, image.height);
     const bool grows = words.buffer.size < bytes;
@@ -162,6 +163,10 @@ void TileFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::
                 std::fill_n(pixels + y * pitch + kept * x * kBin, kept * kBin, 0u);
         }
     words.written.assign(lists.spans().begin(), lists.spans().end());
+    if (all)
+        for (const TileLists::Span& s : words.written)
+            for (std::size_t y = s.y * kBin; y < (s.y + std::size_t{1}) * kBin; ++y)
+                std::fill_n(pixels + y * pitch + kept * s.x * kBin, kept * (s.endX - s.x) * kBin, 0u);
     if (!lists.masked()) return;
     constexpr std::size_t kTile = TileLists::kTilePixels;
     for (const TileLists::Span& s : words.written)
@@ -188,7 +193,7 @@ void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent 
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
     reserve(device_, f.words, 4 * lists.words(), kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
     reserve(device_, f.rows, rowBytes, kReadByTiles, vk::Format::eR32G32B32A32Sfloat, "copies");
-    prepareWords(f.numbers, lists, image, kept, "primitive numbers");
+    prepareWords(f.numbers, lists, image, kept, f.cleared && !lists.seeded(), "primitive numbers");
     if (lists.seeded()) writeSeeds(f);
     reserve(device_, f.spans, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
             vk::Format::eUndefined, "rows of tiles");
@@ -206,7 +211,7 @@ void TileFrames::uploadEdges(TileFrame& f, graph::Extent image) const {
     reserve(device_, f.edges.pixels, 4 * (layout::kEdgeHeader + pixels), kReadByTiles, vk::Format::eR32Uint,
             "edge pixels");
     if (f.shaded)
-        prepareWords(f.edges.numbers, f.lists, image, 1, "primitive numbers");
+        prepareWords(f.edges.numbers, f.lists, image, 1, f.cleared, "primitive numbers");
     else
         reserve(device_, f.edges.colors, 8 * pixels, kReadByTiles, vk::Format::eR32G32Uint, "edge colours");
     const std::uint32_t header[layout::kEdgeHeader] = {0, f.lists.down() * TileLists::kBinPixels};

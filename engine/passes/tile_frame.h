@@ -58,8 +58,9 @@ struct TileWork {
 struct TileFrame {
     TileLists lists;
     layout::TileConstants constants{};
-    bool copies = false;  ///< primitives have the transforms of copies
-    bool shaded = false;  ///< `numbers` are colours
+    bool copies = false;   ///< primitives have the transforms of copies
+    bool shaded = false;   ///< `numbers` are colours
+    bool cleared = false;  ///< of what is shaded, covered pixels alone are written
     bool subsamples = false;
     TileBuffer words;    ///< TileLists::write()
     TileBuffer rows;     ///< PlacedCopies::rows
@@ -95,8 +96,8 @@ public:
 
 private:
     /// Reserves the words of an image's pixels, and clears leftovers of earlier frames where none will be written.
-    /// @param kept  words per pixel
-    void prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept,
+    /// @param kept  words per pixel @param all  clears the others as well: the device writes those of covered pixels
+    void prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept, bool all,
                       const char* name) const;
     static void writeSeeds(TileFrame& frame);
     void upload(TileFrame& frame, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const;
