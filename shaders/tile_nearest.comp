@@ -97,39 +97,7 @@ void keep(int i, Hit hit, uint candidate, bool live) {
 #endif
 }
 
-/// A pixel begins with the nearest triangle, or sphere, where the host knows it: no list need name that.
-void begin(int i, uint seed, Hit hit) {
-    float depth = encodedDepth(hit.order);
-    bool sees = seed != 0u && hit.inside && depth < nearest[i];
-    nearest[i] = sees ? depth : nearest[i];
-    number[i] = sees ? seed : 0u;
-}
-#ifdef TRIANGLES
-/// Fetches all before it uses any: each triangle is read from memory, and processors wait for several at a time.
-void beginAll(uint seeds[kPixels]) {
-    uvec4 record[kPixels], a[kPixels], b[kPixels], c[kPixels];
-    for (int i = 0; i < kPixels; ++i)
-        record[i] = shapeBits(place(seeds[i] == 0u ? view.spheres + view.cylinders + 1u : seeds[i]) + view.cylinders);
-    for (int i = 0; i < kPixels; ++i) {
-        a[i] = shapeBits(record[i].x);
-        b[i] = shapeBits(record[i].y);
-        c[i] = shapeBits(record[i].z);
-    }
-    for (int i = 0; i < kPixels; ++i) {
-        place(max(seeds[i], 1u));  // its copy
-        float step = uintBitsToFloat(record[i].w);
-        begin(i, seeds[i], triangleHitThrough(cornerOf(a[i], step), cornerOf(b[i], step), cornerOf(c[i], step), 0u,
-                                              through[i]));
-    }
-}
-#else
-void beginAll(uint seeds[kPixels]) {
-    for (int i = 0; i < kPixels; ++i) {
-        vec4 shape = shapeAt(place(max(seeds[i], 1u)));
-        begin(i, seeds[i], sphereHitThrough(vec4(toView(shape.xyz), shape.w), through[i]));
-    }
-}
-#endif
+#include "common/tile_seeds.glsl"
 
 layout(constant_id = kNumberedId) const bool kNumbered = false;
 #ifndef SHADED
