@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
 
 #include "engine/mesh/probe_places.h"
 #include "engine/mesh/unit_vectors.h"
@@ -14,7 +13,9 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kSlack = 0.05;  // Å^2, so that nothing is lost between a circle's wedge and its neighbours
+constexpr double kSlack = 0.05;   // Å^2, so that nothing is lost between a circle's wedge and its neighbours
+constexpr double kBorder = 0.05;  // Å, the same for boxes
+constexpr double kTouch = 1e-6;   // Å^2: a node there is on a sphere
 constexpr double kNowhere = 1e9;
 constexpr float kDeepInside = 1e3f;  // for nodes far from every probe position
 
@@ -27,6 +28,7 @@ public:
           outside_(probe < step * 1.001 ? step * 1.001 : 0),
           places_(balls, probe) {
         for (const SurfaceBall& ball : balls) widest_ = std::max(widest_, ball.radius);
+        if (probe_ > 0) findBoxes();
     }
 
     std::vector<std::array<dvec3, 2>> reaches() const override {
@@ -35,12 +37,8 @@ public:
             const double reach = ball.radius + probe_ + outside_;
             boxes.push_back({ball.center - reach, ball.center + reach});
         }
-        for (const ProbeCircle& circle : places_.circles()) {
-            const dvec3 half = circle.radius * glm::sqrt(glm::max(1.0 - circle.axis * circle.axis, dvec3(0)));
-            const dvec3 &a = balls_[circle.a].center, &b = balls_[circle.b].center;
-            boxes.push_back(
-                {glm::min(glm::min(a, b), circle.center - half), glm::max(glm::max(a, b), circle.center + half)});
-        }
+        if (probe_ == 0) return boxes;
+        boxes.insert(boxes.end(), ofCircles_.begin(), ofCircles_.end());
         for (const ProbePoint& point : places_.points()) boxes.push_back({point.place - reach_, point.place + reach_});
         return boxes;
     }
@@ -52,6 +50,7 @@ public:
         std::fill(origins.begin(), origins.end(), kNoSource);
         for (const std::uint32_t source : sources)
             if (source < balls_.size()) fillBall(block, source, values, origins);
+        if (probe_ == 0) return;  // leave() asks for no distance
         for (const std::uint32_t source : sources) {
             if (source < balls_.size()) {
                 if (places_.isOpen(source)) nearBall(block, source, values, origins);
@@ -71,7 +70,8 @@ public:
         for (int round = 0; round < 3; ++round) {
             const double share = std::clamp(a + (b - a) * (atA > atB ? atA / (atA - atB) : 0.5), 0.02, 0.98);
             place = inside.place + (outside.place - inside.place) * share;
-            nearest = nearer(nearestOf(inside.origin, place), nearestOf(outside.origin, place));
+            nearest = nearestOf(inside.origin, place);
+            if (outside.origin != inside.origin) nearest = nearer(nearest, nearestOf(outside.origin, place));
             const double value = nearest.distance - probe_;
             if (value > 0)
                 a = share, atA = value;
@@ -148,22 +148,78 @@ private:
         return point;
     }
 
-    template <typename Visit>
-    static void eachNode(const GridBlock& block, const NodeRange& range, const Visit& visit) {
+    /// Boxes of the nodes whose nearest place is on a ball's sphere, or on a circle. Such nodes are between the place
+    /// and a ball's centre, and no farther than reach_ from the place.
+    void findBoxes() {
+        ofBalls_ = places_.openBoxes();
+        for (std::uint32_t i = 0; i < balls_.size(); ++i) {
+            if (!places_.isOpen(i)) continue;
+            const dvec3& center = balls_[i].center;
+            const double least = std::max(1 - reach_ / places_.reachOf(i), 0.0);
+            const auto [low, high] = ofBalls_[i];
+            ofBalls_[i] = {glm::min(low, center + (low - center) * least) - kBorder,
+                           glm::max(high, center + (high - center) * least) + kBorder};
+        }
+        for (const ProbeCircle& circle : places_.circles()) {
+            const auto [low, high] = ProbePlaces::boxOf(circle);
+            const dvec3 &a = balls_[circle.a].center, &b = balls_[circle.b].center;
+            ofCircles_.push_back({glm::max(glm::min(glm::min(a, b), low), low - reach_) - kBorder,
+                                  glm::min(glm::max(glm::max(a, b), high), high + reach_) + kBorder});
+        }
+    }
+
+    /// Part of a row of nodes, Å from a source's centre.
+    struct Span {
+        double low = -1e9, high = 1e9;
+        void clip(const Span& other) { low = std::max(low, other.low), high = std::min(high, other.high); }
+    };
+    static Span ofBall(double squaredReach, double squaredOff) {
+        const double half = std::sqrt(std::max(squaredReach - squaredOff, 0.0));
+        return squaredOff < squaredReach ? Span{-half, half} : Span{1, -1};
+    }
+
+    static int floorOf(double value) {
+        const int cut = static_cast<int>(value);
+        return cut - (value < cut ? 1 : 0);
+    }
+
+    /// Visits nodes row by row. @param spanOf  part of a row to visit, by its y and z from the centre
+    /// @param visitRow  first node's index and x, number of nodes, and y and z from the centre
+    template <typename SpanOf, typename VisitRow>
+    static void eachRow(const GridBlock& block, const NodeRange& range, const dvec3& center, const SpanOf& spanOf,
+                        const VisitRow& visitRow) {
+        const double perStep = 1 / block.step;
         for (int z = range.first.z; z <= range.last.z; ++z)
             for (int y = range.first.y; y <= range.last.y; ++y) {
-                std::size_t index = block.index({range.first.x, y, z});
-                for (int x = range.first.x; x <= range.last.x; ++x, ++index)
-                    visit(index, dvec3(x * block.step, y * block.step, z * block.step));
+                const double wayY = y * block.step - center.y, wayZ = z * block.step - center.z;
+                const Span span = spanOf(wayY, wayZ);
+                if (span.low > span.high) continue;
+                const double low = (center.x + span.low) * perStep, high = (center.x + span.high) * perStep;
+                const int first = low > range.first.x ? -floorOf(-low) : range.first.x;
+                const int last = high < range.last.x ? floorOf(high) : range.last.x;
+                if (first <= last) visitRow(block.index({first, y, z}), first, last - first + 1, wayY, wayZ);
             }
+    }
+    template <typename SpanOf, typename Visit>
+    static void eachNode(const GridBlock& block, const NodeRange& range, const dvec3& center, const SpanOf& spanOf,
+                         const Visit& visit) {
+        eachRow(block, range, center, spanOf, [&](std::size_t i, int x, int count, double wayY, double wayZ) {
+            for (const int end = x + count; x < end; ++x, ++i) visit(i, dvec3(x * block.step - center.x, wayY, wayZ));
+        });
     }
 
     void fillBall(const GridBlock& block, std::uint32_t number, std::vector<float>& values,
                   std::vector<std::uint32_t>& origins) const {
-        const SurfaceBall& ball = balls_[number];
+        const dvec3& center = balls_[number].center;
         const double reach = places_.reachOf(number), to = reach + outside_;
-        eachNode(block, {block, ball.center - to, ball.center + to}, [&](std::size_t i, const dvec3& place) {
-            const dvec3 way = place - ball.center;
+        const NodeRange range(block, center - to, center + to);
+        const auto inside = [&](double y, double z) { return ofBall(reach * reach, y * y + z * z); };
+        if (outside_ == 0)
+            return eachRow(block, range, center, inside, [&](std::size_t i, int, int count, double, double) {
+                std::fill_n(values.begin() + static_cast<std::ptrdiff_t>(i), count, kDeepInside);
+            });
+        const auto within = [&](double y, double z) { return ofBall(to * to, y * y + z * z); };
+        eachNode(block, range, center, within, [&](std::size_t i, const dvec3& way) {
             const double squared = glm::dot(way, way);
             if (squared < reach * reach) {
                 values[i] = kDeepInside;
@@ -188,40 +244,50 @@ private:
 
     void nearBall(const GridBlock& block, std::uint32_t number, std::vector<float>& values,
                   std::vector<std::uint32_t>& origins) const {
-        const SurfaceBall& ball = balls_[number];
+        const dvec3& center = balls_[number].center;
         const double reach = places_.reachOf(number), least = std::max(reach - reach_, 0.0);
+        const double farthest = reach * reach + kTouch;
         const std::span<const std::uint32_t> neighbours = places_.neighbours(number);
         std::size_t last = 0;  // who was in the way of the node before is likely to be again
-        eachNode(block, {block, ball.center - reach, ball.center + reach}, [&](std::size_t i, const dvec3& place) {
-            const dvec3 way = place - ball.center;
+        const auto [low, high] = ofBalls_[number];
+        const auto within = [&](double y, double z) { return ofBall(farthest, y * y + z * z); };
+        eachNode(block, {block, low, high}, center, within, [&](std::size_t i, const dvec3& way) {
             const double squared = glm::dot(way, way);
-            if (squared >= reach * reach || squared < least * least) return;
-            const double length = std::sqrt(squared);
-            if (static_cast<float>(reach - length - probe_) >= values[i]) return;
-            const dvec3 found = ball.center + unitOr(way, dvec3(0, 0, 1)) * reach;
+            if (squared > farthest || squared < least * least) return;
+            const double length = std::sqrt(squared), distance = std::max(reach - length, 0.0);
+            if (static_cast<float>(distance - probe_) >= values[i]) return;
+            const dvec3 found = center + (length > 1e-9 ? way * (reach / length) : dvec3(0, 0, reach));
             if (last < neighbours.size() && places_.covers(neighbours[last], found)) return;
             for (std::size_t n = 0; n < neighbours.size(); ++n)
                 if (places_.covers(neighbours[n], found)) {
                     last = n;
                     return;
                 }
-            take(i, reach - length, number, values, origins);
+            take(i, distance, number, values, origins);
         });
     }
 
     /// A circle has a node's nearest position only if the node is between the directions from there to both centres.
     void nearCircle(const GridBlock& block, std::uint32_t source, std::vector<float>& values,
                     std::vector<std::uint32_t>& origins) const {
-        const ProbeCircle& circle = places_.circles()[source - balls_.size()];
-        const dvec3 half = circle.radius * glm::sqrt(glm::max(1.0 - circle.axis * circle.axis, dvec3(0)));
-        const dvec3 &a = balls_[circle.a].center, &b = balls_[circle.b].center;
-        const double heightA = glm::dot(a - circle.center, circle.axis),
-                     heightB = glm::dot(b - circle.center, circle.axis);
-        const NodeRange range(block, glm::min(glm::min(a, b), circle.center - half),
-                              glm::max(glm::max(a, b), circle.center + half));
-        eachNode(block, range, [&](std::size_t i, const dvec3& place) {
-            const dvec3 way = place - circle.center;
-            const double height = glm::dot(way, circle.axis);
+        const std::size_t number = source - balls_.size();
+        const ProbeCircle& circle = places_.circles()[number];
+        const dvec3& axis = circle.axis;
+        const double heightA = glm::dot(balls_[circle.a].center - circle.center, axis),
+                     heightB = glm::dot(balls_[circle.b].center - circle.center, axis);
+        const double slack = kSlack / circle.radius;
+        const Span heights{std::max(std::min(heightA, 0.0) - slack, -reach_),
+                           std::min(std::max(heightB, 0.0) + slack, reach_)};
+        // The circle's plane and its parallels clip a row, unless it runs along them.
+        const auto within = [&](double y, double z) {
+            const double off = axis.y * y + axis.z * z;
+            if (std::abs(axis.x) < 1e-3) return Span{};
+            const double first = (heights.low - off) / axis.x, second = (heights.high - off) / axis.x;
+            return Span{std::min(first, second), std::max(first, second)};
+        };
+        const auto [low, high] = ofCircles_[number];
+        eachNode(block, {block, low, high}, circle.center, within, [&](std::size_t i, const dvec3& way) {
+            const double height = glm::dot(way, axis);
             const double out = std::sqrt(std::max(glm::dot(way, way) - height * height, 0.0));
             const double inwards = circle.radius - out;
             const double squared = inwards * inwards + height * height;
@@ -229,25 +295,18 @@ private:
             if (inwards < 0 || squared > reach_ * reach_ || height * circle.radius < heightA * inwards - kSlack ||
                 height * circle.radius > heightB * inwards + kSlack)
                 return;
-            if (static_cast<float>(std::sqrt(squared) - probe_) >= values[i]) return;
-            if (isOpen(circle, std::atan2(glm::dot(way, circle.y), glm::dot(way, circle.x))))
-                take(i, std::sqrt(squared), source, values, origins);
+            const double distance = std::sqrt(squared);
+            if (static_cast<float>(distance - probe_) >= values[i]) return;
+            if (circle.isOpen({glm::dot(way, circle.x), glm::dot(way, circle.y)}))
+                take(i, distance, source, values, origins);
         });
-    }
-
-    static bool isOpen(const ProbeCircle& circle, double angle) {
-        constexpr double kTurn = 2 * std::numbers::pi;
-        for (const OpenArc& arc : circle.arcs)
-            for (const double turned : {angle, angle + kTurn, angle - kTurn})
-                if (turned >= arc.begin && turned <= arc.end) return true;
-        return false;
     }
 
     void nearPoint(const GridBlock& block, std::uint32_t source, std::vector<float>& values,
                    std::vector<std::uint32_t>& origins) const {
         const dvec3& point = places_.points()[source - balls_.size() - places_.circles().size()].place;
-        eachNode(block, {block, point - reach_, point + reach_}, [&](std::size_t i, const dvec3& place) {
-            const dvec3 way = place - point;
+        const auto within = [&](double y, double z) { return ofBall(reach_ * reach_, y * y + z * z); };
+        eachNode(block, {block, point - reach_, point + reach_}, point, within, [&](std::size_t i, const dvec3& way) {
             const double squared = glm::dot(way, way);
             if (squared <= reach_ * reach_) take(i, std::sqrt(squared), source, values, origins);
         });
@@ -257,6 +316,7 @@ private:
     double probe_, reach_, widest_ = 0;
     double outside_;  ///< Å, to which distances are known beyond the probe's places, of probes smaller than a cell
     ProbePlaces places_;
+    std::vector<ProbeBox> ofBalls_, ofCircles_;
 };
 
 }  // namespace

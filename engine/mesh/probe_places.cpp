@@ -1,9 +1,12 @@
 #include "engine/mesh/probe_places.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
+#include <compare>
+#include <glm/common.hpp>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
 #include "engine/mesh/unit_vectors.h"
@@ -14,11 +17,22 @@ namespace {
 
 using glm::dvec3;
 
-/// Part of a circle that a ball covers.
-struct CoveredArc {
-    double begin = 0, end = 0;
-    std::uint32_t by = 0;
-};
+constexpr ProbeBox kEmpty{dvec3(1e30), dvec3(-1e30)};
+
+void include(ProbeBox& box, const dvec3& place) {
+    box[0] = glm::min(box[0], place);
+    box[1] = glm::max(box[1], place);
+}
+
+/// Sectors of a turn, one bit each, that lie within a part of it.
+std::uint32_t sectorsWithin(double begin, double end) {
+    constexpr int kSectors = 32;
+    const int first = static_cast<int>(begin * kSectors / OpenArc::kTurn) + 1;
+    const int count = std::min(static_cast<int>(end * kSectors / OpenArc::kTurn) - first, kSectors);
+    if (count <= 0) return 0;
+    const std::uint64_t bits = ((std::uint64_t{1} << count) - 1) << first % kSectors;
+    return static_cast<std::uint32_t>(bits | bits >> kSectors);
+}
 
 }  // namespace
 
@@ -34,13 +48,14 @@ ProbePlaces::ProbePlaces(const std::vector<SurfaceBall>& balls, double probe)
     std::vector<std::atomic<char>> open(balls_.size());
     inParallel(found.size(), [&](std::size_t part) {
         const std::size_t end = std::min(balls_.size(), (part + 1) * kTogether);
+        std::vector<CoveredArc> covered;
         for (std::size_t a = part * kTogether; a < end; ++a) {
             const auto neighbours = grid_.neighbours(static_cast<std::uint32_t>(a));
             for (const std::uint32_t b : neighbours) {
                 if (b < a) continue;
                 ProbeCircle circle;
                 if (!circleOf(static_cast<std::uint32_t>(a), b, circle)) continue;
-                if (!openArcs(circle, found[part].points)) continue;
+                if (!openArcs(circle, covered, found[part].points)) continue;
                 open[a] = open[b] = 1;
                 found[part].circles.push_back(std::move(circle));
             }
@@ -51,13 +66,78 @@ ProbePlaces::ProbePlaces(const std::vector<SurfaceBall>& balls, double probe)
         std::move(part.circles.begin(), part.circles.end(), std::back_inserter(circles_));
         points_.insert(points_.end(), part.points.begin(), part.points.end());
     }
+    dropRepeated();
+}
+
+bool ProbePlaces::isCovered(std::uint32_t ball, const dvec3& place) const {
+    const auto neighbours = grid_.neighbours(ball);
+    return std::any_of(neighbours.begin(), neighbours.end(), [&](auto other) { return covers(other, place); });
+}
+
+/// Leaves one of points that are the same, as one where three spheres meet is found on each of their circles.
+void ProbePlaces::dropRepeated() {
+    struct Balls {
+        std::array<std::uint32_t, 3> sorted;
+        std::uint32_t point;
+        auto operator<=>(const Balls&) const = default;
+    };
+    std::vector<Balls> balls;
+    for (const ProbePoint& point : points_) {
+        balls.push_back({{point.a, point.b, point.c}, static_cast<std::uint32_t>(balls.size())});
+        std::sort(balls.back().sorted.begin(), balls.back().sorted.end());
+    }
+    std::sort(balls.begin(), balls.end());
+    std::vector<char> repeated(points_.size(), 0);
+    for (std::size_t i = 0; i < balls.size(); ++i)
+        for (std::size_t k = i + 1; k < balls.size() && balls[k].sorted == balls[i].sorted; ++k)
+            if (glm::distance(points_[balls[i].point].place, points_[balls[k].point].place) < kSame)
+                repeated[balls[k].point] = 1;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+        if (!repeated[i]) points_[kept++] = points_[i];
+    points_.resize(kept);
 }
 
 /// For a ball without open circles: whether it is fully open, not covered.
 bool ProbePlaces::isAlone(std::uint32_t ball) const {
-    const dvec3 place = balls_[ball].center + dvec3(0, 0, reachOf(ball));
-    const auto neighbours = grid_.neighbours(ball);
-    return std::none_of(neighbours.begin(), neighbours.end(), [&](auto other) { return covers(other, place); });
+    return !isCovered(ball, balls_[ball].center + dvec3(0, 0, reachOf(ball)));
+}
+
+/// It reaches farthest along an axis at an arc's ends, or where the circle does.
+ProbeBox ProbePlaces::boxOf(const ProbeCircle& circle) {
+    ProbeBox box = kEmpty;
+    for (const OpenArc& arc : circle.arcs) {
+        include(box, circle.at(arc.begin));
+        include(box, circle.at(arc.end));
+        for (int axis = 0; axis < 3; ++axis) {
+            const glm::dvec2 way(circle.x[axis], circle.y[axis]);
+            const double length = glm::length(way);
+            if (length < kTouch) continue;
+            if (arc.holds(way)) include(box, circle.at(way / length));
+            if (arc.holds(-way)) include(box, circle.at(-way / length));
+        }
+    }
+    return box;
+}
+
+/// It reaches farthest along an axis at its border, which is arcs, or at the sphere's poles.
+std::vector<ProbeBox> ProbePlaces::openBoxes() const {
+    std::vector<ProbeBox> boxes(balls_.size(), kEmpty);
+    for (const ProbeCircle& circle : circles_)
+        for (const dvec3& corner : boxOf(circle)) {
+            include(boxes[circle.a], corner);
+            include(boxes[circle.b], corner);
+        }
+    inParallel((balls_.size() + kTogether - 1) / kTogether, [&](std::size_t part) {
+        const auto end = static_cast<std::uint32_t>(std::min(balls_.size(), (part + 1) * kTogether));
+        for (auto ball = static_cast<std::uint32_t>(part * kTogether); ball < end; ++ball)
+            for (int pole = 0; isOpen(ball) && pole < 6; ++pole) {
+                dvec3 place = balls_[ball].center;
+                place[pole / 2] += pole % 2 ? reachOf(ball) : -reachOf(ball);
+                if (!isCovered(ball, place)) include(boxes[ball], place);
+            }
+    });
+    return boxes;
 }
 
 /// False if the spheres do not meet.
@@ -78,43 +158,58 @@ bool ProbePlaces::circleOf(std::uint32_t a, std::uint32_t b, ProbeCircle& circle
     return true;
 }
 
-/// Arcs that no third ball covers. Adds their ends, which are found on all three circles, or on fewer if more than
-/// three spheres meet numerically. @return false if nothing is open
-bool ProbePlaces::openArcs(ProbeCircle& circle, std::vector<ProbePoint>& points) const {
-    constexpr double kTurn = 2 * std::numbers::pi;
-    std::vector<CoveredArc> covered;
+/// Parts of a circle that third balls cover. @return false if nothing is left for sure
+bool ProbePlaces::coveredArcs(const ProbeCircle& circle, std::vector<CoveredArc>& covered) const {
+    covered.clear();
+    std::uint32_t sectors = 0;
     for (const std::uint32_t other : grid_.neighbours(circle.a)) {
         if (other == circle.b) continue;
         const dvec3 way = balls_[other].center - circle.center;
-        const double x = glm::dot(way, circle.x), y = glm::dot(way, circle.y), reach = reachOf(other);
-        const double most = std::hypot(x, y);
+        const double reach = reachOf(other);
         const double least = (glm::dot(way, way) + circle.radius * circle.radius - reach * reach) / (2 * circle.radius);
-        if (least >= most - kTouch) continue;
-        if (least <= -most) return false;
-        const double middle = std::atan2(y, x), half = std::acos(std::clamp(least / most, -1.0, 1.0));
-        double begin = middle - half;
-        if (begin < 0) begin += kTurn;
-        covered.push_back({begin, begin + 2 * half, other});
+        const glm::dvec2 towards(glm::dot(way, circle.x), glm::dot(way, circle.y));
+        const double squared = glm::dot(towards, towards);
+        if (least + kTouch > 0 && (least + kTouch) * (least + kTouch) >= squared) continue;
+        if (least <= 0 && least * least >= squared) return false;
+        // The directions with half the covered angle on either side of the one towards the ball.
+        const double most = std::sqrt(squared), cosine = least / most;
+        const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
+        const glm::dvec2 along = towards * (cosine / most), aside = glm::dvec2(-towards.y, towards.x) * (sine / most);
+        CoveredArc arc{0, 0, along - aside, along + aside, other};
+        arc.begin = OpenArc::turnTo(arc.beginWay);
+        arc.end = OpenArc::turnTo(arc.endWay);
+        if (arc.end < arc.begin) arc.end += OpenArc::kTurn;
+        if (cosine < 0 && arc.end - arc.begin < OpenArc::kTurn / 4) return false;  // all but rounding
+        covered.push_back(arc);
+        sectors |= sectorsWithin(arc.begin, arc.end);
+        if (~sectors == 0) return false;
     }
+    return true;
+}
+
+/// Arcs that no third ball covers. Adds their ends, which are found on all three circles, or on fewer if more than
+/// three spheres meet numerically. @param covered  scratch @return false if nothing is open
+bool ProbePlaces::openArcs(ProbeCircle& circle, std::vector<CoveredArc>& covered,
+                           std::vector<ProbePoint>& points) const {
+    if (!coveredArcs(circle, covered)) return false;
     if (covered.empty()) {
-        circle.arcs.push_back({0, kTurn});
+        circle.arcs.emplace_back();
         return true;
     }
     std::sort(covered.begin(), covered.end(),
               [](const CoveredArc& a, const CoveredArc& b) { return a.begin < b.begin; });
     // Behind the one that reaches farthest over the end of the turn.
-    std::size_t farthest = 0;
-    for (std::size_t i = 0; i < covered.size(); ++i)
-        if (covered[i].end > covered[farthest].end) farthest = i;
-    double end = covered[farthest].end - kTurn;
-    std::uint32_t by = covered[farthest].by;
+    const CoveredArc* last = &covered[0];
+    for (const CoveredArc& arc : covered)
+        if (arc.end > last->end) last = &arc;
+    double end = last->end - OpenArc::kTurn;
     for (const CoveredArc& arc : covered) {
         if (arc.begin > end) {
-            circle.arcs.push_back({end, arc.begin});
-            points.push_back({circle.a, circle.b, by, circle.at(end)});
-            points.push_back({circle.a, circle.b, arc.by, circle.at(arc.begin)});
+            circle.arcs.push_back({last->endWay, arc.beginWay, arc.begin - end});
+            points.push_back({circle.a, circle.b, last->by, circle.at(last->endWay)});
+            points.push_back({circle.a, circle.b, arc.by, circle.at(arc.beginWay)});
         }
-        if (arc.end > end) end = arc.end, by = arc.by;
+        if (arc.end > end) end = arc.end, last = &arc;
     }
     return !circle.arcs.empty();
 }

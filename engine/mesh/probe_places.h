@@ -1,9 +1,10 @@
 #pragma once
 // The boundary of the possible centres of a probe that touches balls: that of a union of larger balls.
 
-#include <cmath>
+#include <array>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -13,9 +14,22 @@
 
 namespace nacre {
 
-/// Arc of a circle that no other ball covers, from 0 to 2 pi; `begin` may be below 0.
+/// Arc of a circle that no other ball covers, between two directions in the circle's plane.
 struct OpenArc {
-    double begin = 0, end = 0;
+    static constexpr double kTurn = 4;  ///< a turn as turnTo() has it
+    glm::dvec2 begin{1, 0}, end{1, 0};  ///< unit vectors, counter-clockwise
+    double span = kTurn;
+
+    /// A number that grows with the angle of a direction, from 0 to kTurn, and costs no trigonometric function.
+    static double turnTo(const glm::dvec2& way) {
+        if (way.y >= 0) return way.x >= 0 ? way.y / (way.x + way.y) : 1 - way.x / (way.y - way.x);
+        return way.x < 0 ? 2 - way.y / (-way.x - way.y) : 3 + way.x / (way.x - way.y);
+    }
+    bool holds(const glm::dvec2& way) const {
+        const bool afterBegin = begin.x * way.y - begin.y * way.x >= 0, beforeEnd = way.x * end.y - way.y * end.x >= 0;
+        if (span > kTurn / 2) return span >= kTurn || afterBegin || beforeEnd;
+        return afterBegin && beforeEnd && glm::dot(way, begin + end) >= 0;
+    }
 };
 
 /// The circle where two spheres meet, or its open arcs.
@@ -25,13 +39,27 @@ struct ProbeCircle {
     double radius = 0;
     std::vector<OpenArc> arcs;
 
-    glm::dvec3 at(double angle) const { return center + (x * std::cos(angle) + y * std::sin(angle)) * radius; }
+    glm::dvec3 at(const glm::dvec2& way) const { return center + (x * way.x + y * way.y) * radius; }
+    bool isOpen(const glm::dvec2& way) const {
+        for (const OpenArc& arc : arcs)
+            if (arc.holds(way)) return true;
+        return false;
+    }
 };
+
+using ProbeBox = std::array<glm::dvec3, 2>;  ///< low, high
 
 /// An open point of three spheres.
 struct ProbePoint {
     std::uint32_t a = 0, b = 0, c = 0;  ///< balls
     glm::dvec3 place{};
+};
+
+/// Part of a circle that a ball covers.
+struct CoveredArc {
+    double begin = 0, end = 0;  ///< as OpenArc::turnTo(); `end` may be beyond a turn
+    glm::dvec2 beginWay{}, endWay{};
+    std::uint32_t by = 0;
 };
 
 /// Spheres around the balls, larger by the probe's radius, and their intersections.
@@ -44,6 +72,10 @@ public:
     const std::vector<ProbePoint>& points() const { return points_; }
     /// Whether the probe can touch a ball anywhere.
     bool isOpen(std::uint32_t ball) const { return open_[ball] != 0; }
+    /// Around the open arcs of a circle.
+    static ProbeBox boxOf(const ProbeCircle& circle);
+    /// Around the open part of each ball's sphere; empty (low above high) for others.
+    std::vector<ProbeBox> openBoxes() const;
     std::span<const std::uint32_t> neighbours(std::uint32_t ball) const { return grid_.neighbours(ball); }
 
     const BallGrid& grid() const { return grid_; }
@@ -59,11 +91,15 @@ public:
 
 private:
     static constexpr double kTouch = 1e-9;        ///< Å: touching a sphere is not inside
+    static constexpr double kSame = 1e-6;         ///< Å: farthest apart of points found twice
     static constexpr std::size_t kTogether = 64;  ///< balls
 
+    void dropRepeated();
     bool isAlone(std::uint32_t ball) const;
+    bool isCovered(std::uint32_t ball, const glm::dvec3& place) const;
     bool circleOf(std::uint32_t a, std::uint32_t b, ProbeCircle& circle) const;
-    bool openArcs(ProbeCircle& circle, std::vector<ProbePoint>& points) const;
+    bool coveredArcs(const ProbeCircle& circle, std::vector<CoveredArc>& covered) const;
+    bool openArcs(ProbeCircle& circle, std::vector<CoveredArc>& covered, std::vector<ProbePoint>& points) const;
 
     const std::vector<SurfaceBall>& balls_;
     double probe_;

@@ -1,7 +1,7 @@
 #include "engine/mesh/surface.h"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
 #include <glm/common.hpp>
 #include <map>
@@ -12,11 +12,10 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "engine/mesh/block_cutter.h"
 #include "engine/mesh/creases.h"
-#include "engine/mesh/marching_cubes.h"
 #include "engine/mesh/mesh_measures.h"
 #include "engine/mesh/probe_field.h"
-#include "engine/mesh/solids.h"
 #include "engine/mesh/surface_field.h"
 #include "engine/molecule/element.h"
 #include "engine/threads.h"
@@ -29,88 +28,6 @@ constexpr double kSurfaceOfAtom = 5;           // Å^2, of a protein, as 4HHB's 
 constexpr double kTrianglesPerCellFace = 2.3;  // of a surface of a cell's face
 constexpr double kAimedTriangles = 1.5e6;
 constexpr double kFarthestCell = 1e9;  // cells from the middle: where whole numbers are still exact
-
-/// An edge of the grid, by its lower node and its direction.
-struct GridEdge {
-    glm::ivec3 node{};
-    int direction = 0;
-    friend bool operator==(const GridEdge&, const GridEdge&) = default;
-};
-struct GridEdgeHash {
-    std::size_t operator()(const GridEdge& edge) const {
-        std::size_t h = static_cast<std::size_t>(edge.direction);
-        for (const int v : {edge.node.x, edge.node.y, edge.node.z})
-            h = (h ^ static_cast<std::size_t>(static_cast<unsigned>(v))) * 0x9e3779b97f4a7c15u;
-        return h ^ h >> 32;
-    }
-};
-
-/// Output of a block: a mesh, and its vertices shared with other blocks.
-struct BlockMesh {
-    Mesh mesh;
-    std::vector<std::pair<std::uint32_t, GridEdge>> shared;
-};
-
-/// Cuts one block.
-class BlockCutter {
-public:
-    BlockCutter(const SurfaceField& field, const GridBlock& block, const glm::dvec3& shift)
-        : field_(field), block_(block), shift_(shift) {
-        const glm::ivec3 n = block.nodes();
-        values_.resize(static_cast<std::size_t>(n.x) * n.y * n.z);
-        origins_.resize(values_.size());
-    }
-
-    BlockMesh cut(std::span<const std::uint32_t> sources) {
-        field_.fill(block_, sources, values_, origins_);
-        const auto isInside = [](float value) { return value > 0; };
-        if (std::none_of(values_.begin(), values_.end(), isInside)) return {};
-        vertices_.assign(values_.size() * 3, kNoSource);
-        for (int z = block_.first.z; z < block_.last.z; ++z)
-            for (int y = block_.first.y; y < block_.last.y; ++y)
-                for (int x = block_.first.x; x < block_.last.x; ++x) cutCell({x, y, z});
-        return std::move(result_);
-    }
-
-private:
-    static glm::ivec3 corner(int c) { return {c & 1, c >> 1 & 1, c >> 2 & 1}; }
-
-    void cutCell(const glm::ivec3& cell) {
-        std::size_t inside = 0;
-        for (int c = 0; c < kCellCorners; ++c)
-            if (values_[block_.index(cell + corner(c))] > 0) inside |= std::size_t{1} << c;
-        for (const CellTriangle& triangle : cellTriangles()[inside])
-            result_.mesh.triangles.emplace_back(vertexOn(cell, triangle[0]), vertexOn(cell, triangle[1]),
-                                                vertexOn(cell, triangle[2]));
-    }
-
-    std::uint32_t vertexOn(const glm::ivec3& cell, std::uint8_t number) {
-        const CellEdge edge = cellEdges()[number];
-        const glm::ivec3 a = cell + corner(edge.from), b = cell + corner(edge.to), way = b - a;
-        const int direction = way.x ? 0 : way.y ? 1 : 2;
-        const std::size_t atA = block_.index(a), atB = block_.index(b);
-        std::uint32_t& vertex = vertices_[3 * atA + direction];
-        if (vertex != kNoSource) return vertex;
-        const SurfaceField::Node nodeA{block_.place(a), values_[atA], origins_[atA]};
-        const SurfaceField::Node nodeB{block_.place(b), values_[atB], origins_[atB]};
-        const bool aInside = values_[atA] > 0;
-        const SurfacePoint point = field_.cross(aInside ? nodeA : nodeB, aInside ? nodeB : nodeA);
-        vertex = addVertex(result_.mesh, point.place + shift_, point.normal, point.atom);
-        for (int i = 0; i < 3; ++i)
-            if (i != direction && (a[i] == block_.first[i] || a[i] == block_.last[i])) {
-                result_.shared.emplace_back(vertex, GridEdge{a, direction});
-                break;
-            }
-        return vertex;
-    }
-
-    const SurfaceField& field_;
-    GridBlock block_;
-    glm::dvec3 shift_;
-    std::vector<float> values_;
-    std::vector<std::uint32_t> origins_, vertices_;
-    BlockMesh result_;
-};
 
 struct BlockOrder {
     bool operator()(const glm::ivec3& a, const glm::ivec3& b) const {
@@ -228,9 +145,13 @@ Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, con
     std::vector<std::pair<glm::ivec3, const std::vector<std::uint32_t>*>> list;
     for (const auto& [place, sources] : blocks) list.emplace_back(place, &sources);
     std::vector<BlockMesh> meshes(list.size());
-    inParallel(list.size(), [&](std::size_t i) {
-        const glm::ivec3 first = list[i].first * kBlockCells;
-        meshes[i] = BlockCutter(*field, {first, first + kBlockCells, step}, middle - origin).cut(*list[i].second);
+    std::atomic<std::size_t> next{0};
+    inParallel(std::min<std::size_t>(threadsPerTask(), list.size()), [&](std::size_t) {
+        BlockCutter cutter(*field, middle - origin);  // its memory serves block after block
+        for (std::size_t i = next++; i < list.size(); i = next++) {
+            const glm::ivec3 first = list[i].first * kBlockCells;
+            meshes[i] = cutter.cut({first, first + kBlockCells, step}, *list[i].second);
+        }
     });
     Mesh mesh = joined(meshes);
     if (!options.cavities) dropCavities(mesh);  // by connectivity, which creases break
