@@ -6,6 +6,7 @@
 #include "engine/occlusion/depth_maps.h"
 #include "engine/occlusion/primitive_tree.h"
 #include "engine/scene/sphere_levels.h"
+#include "engine/scene/translucency.h"
 
 namespace nacre::occlusion {
 namespace {
@@ -99,10 +100,15 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
     const double pixel = maps.pixel(representation);
     BakePreparation result = prepared(caps, representation, options, maps.bytes, pixel, stop);
     if (stop.stop_requested()) return result;
-    if (options.onlooker && representation.copies.transforms.empty())
-        keepSeen(result.open, result.layout, representation, *options.onlooker);
     if (options.path == OcclusionMaps::tiles)
         result.occluders = OccluderMeshes(representation, DepthMapSizes::kMeshError * pixel, static_cast<float>(pixel));
+    if (options.onlooker && representation.copies.transforms.empty()) {
+        HiddenTriangles hidden;
+        if (options.path == OcclusionMaps::tiles && !representation.triangles.empty() &&
+            translucentRuns(representation).empty())
+            hidden = {result.occluders, options.onlooker->towards, representation.radius, maps.pixels};
+        keepSeen(result.open, result.layout, representation, *options.onlooker, hidden);
+    }
     result.copies = occlusionCopies(representation, result.layout, result.open.texels);
     return result;
 }

@@ -11,7 +11,7 @@ namespace nacre::occlusion {
 namespace {
 
 // Width of a cell, pixels of a map. Middles of so many vertices of a surface lie within a quarter of a pixel of it, and
-// a question allows a pixel.
+// a question allows a pixel. Cells of 3 raise the RMS of 4HHB's surface by 0.003.
 constexpr float kCell = 2;
 
 std::uint64_t mixed(std::uint64_t x) {  // the finaliser of splitmix64
@@ -97,6 +97,24 @@ private:
     std::vector<float> counts_;
 };
 
+/// The triangles with one vertex for all at a position: at creases a mesh has one for each side.
+std::vector<glm::uvec3> joinedAtPositions(const OccluderMesh& mesh) {
+    std::vector<std::uint32_t> slots(std::bit_ceil(2 * mesh.positions.size() + 1), UINT32_MAX);
+    std::vector<std::uint32_t> firstOf(mesh.positions.size());
+    for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::vec3 p = mesh.positions[i] + 0.0f;  // no negative zero
+        const auto bits = [](float x) { return std::uint64_t{std::bit_cast<std::uint32_t>(x)}; };
+        std::size_t at = mixed(mixed(bits(p.x) << 32 | bits(p.y)) ^ bits(p.z)) & (slots.size() - 1);
+        while (slots[at] != UINT32_MAX && mesh.positions[slots[at]] != p) at = (at + 1) & (slots.size() - 1);
+        if (slots[at] == UINT32_MAX) slots[at] = i;
+        firstOf[i] = slots[at];
+    }
+    std::vector<glm::uvec3> joined;
+    joined.reserve(mesh.triangles.size());
+    for (const glm::uvec3& t : mesh.triangles) joined.emplace_back(firstOf[t.x], firstOf[t.y], firstOf[t.z]);
+    return joined;
+}
+
 OccluderMesh clustered(const Representation& r, const OccluderMesh& fine, std::span<const std::uint32_t> vertices,
                        float cell) {
     Clusters clusters(vertices.size());
@@ -131,7 +149,7 @@ OccluderMesh occluderMesh(const Representation& r, std::uint32_t first, std::uin
     std::vector<std::uint32_t> vertices;
     OccluderMesh mesh = plainMesh(r, trianglesOf(r, first, count), vertices);
     // What is left out of a closed mesh leaves a closed one.
-    const bool closed = isClosed(mesh.triangles);
+    const bool closed = isClosed(mesh.triangles) || isClosed(joinedAtPositions(mesh));
     if (OccluderMesh coarse = clustered(r, mesh, vertices, kCell * pixel);
         2 * coarse.triangles.size() <= mesh.triangles.size())
         mesh = std::move(coarse);

@@ -33,6 +33,10 @@ public:
     /// Makes those that are drawn with an allowed error ahead. @param error, pixel  Å
     OccluderMeshes(const Representation& representation, double error, float pixel);
     const OccluderMesh& of(const Representation& representation, std::uint32_t first, std::uint32_t count, float pixel);
+    template <typename Visit>
+    void each(const Visit& visit) const {
+        for (const auto& [triangles, mesh] : meshes_) visit(mesh);
+    }
 
 private:
     std::map<std::pair<std::uint32_t, std::uint32_t>, OccluderMesh> meshes_;  // by first triangle and count

@@ -41,7 +41,8 @@ std::vector<bool> seenOfSphere(std::uint32_t edge, const glm::dvec3& towards) {
 
 /// For each texel of a vertex, outer and inner, whether a triangle shows that side. Of triangles seen along their
 /// plane, or that are too thin for a pixel's rounding, either side may be shown.
-std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representation& r, const Onlooker& from) {
+std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representation& r, const Onlooker& from,
+                                 const occlusion::HiddenTriangles& hidden) {
     constexpr float kFlat = 0.1f;
     constexpr double kThinPixels = 0.1;
     std::vector<bool> seen(2 * std::size_t{layout.vertexCount}, false);
@@ -51,7 +52,8 @@ std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representa
     for (std::size_t i = 0; i < count; ++i) {
         const Triangle& t = drawnTriangle(r, i);
         const auto at = [&](std::uint32_t vertex) { return positionOf(r.meshVertices[vertex], t.step); };
-        const glm::vec3 a = at(t.a), ab = at(t.b) - a, ac = at(t.c) - a, normal = glm::cross(ab, ac);
+        const glm::vec3 a = at(t.a), b = at(t.b), c = at(t.c), ab = b - a, ac = c - a, normal = glm::cross(ab, ac);
+        if (hidden.hides(a, b, c)) continue;
         const float length = glm::length(normal), facing = glm::dot(normal, towards);
         const float longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
         const bool either = !(std::abs(facing) > kFlat * length) || !(length > thinnest * longest);
@@ -82,10 +84,11 @@ std::optional<Onlooker> onlookerOf(const RenderSettings& settings) {
     return Onlooker{glm::transpose(view.rotation) * glm::dvec3(0, 0, 1), view.pixelsPerAngstrom};
 }
 
-void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representation& r, const Onlooker& onlooker) {
+void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representation& r, const Onlooker& onlooker,
+              const occlusion::HiddenTriangles& hidden) {
     if (layout.sphereEdge == 1) return;
     const std::vector<std::uint8_t> ofSphere = wordsOf(seenOfSphere(layout.sphereEdge, onlooker.towards));
-    const std::vector<std::uint8_t> ofVertices = wordsOf(seenOfVertices(layout, r, onlooker));
+    const std::vector<std::uint8_t> ofVertices = wordsOf(seenOfVertices(layout, r, onlooker, hidden));
     const std::uint32_t perRow = layout.width / 4, perPatch = layout.sphereEdge / 4;
     const std::uint64_t vertexRow = std::uint64_t{layout.sphereRows} + layout.cylinderRows;
     const auto seenOf = [&](std::uint32_t word) -> std::uint32_t {

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "engine/occlusion/hidden_triangles.h"
 #include "engine/occlusion/open_texels.h"
 #include "engine/settings.h"
 
@@ -22,10 +23,11 @@ struct Onlooker {
 /// turned to one side.
 std::optional<Onlooker> onlookerOf(const RenderSettings& settings);
 
-/// Drops the texels of spheres and meshes that a picture can only show from behind, and all that nothing takes its
-/// value from. Texels of cylinders stay. Values of the others do not change.
+/// Drops the texels of spheres and meshes that a picture can only show from behind, those of hidden triangles, and all
+/// that nothing takes its value from. Texels of cylinders stay. Values of the others do not change.
 /// @param representation  without copies
+/// @param hidden  for that viewer
 void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representation& representation,
-              const Onlooker& onlooker);
+              const Onlooker& onlooker, const occlusion::HiddenTriangles& hidden = {});
 
 }  // namespace nacre

@@ -55,6 +55,24 @@ TEST(OccluderMesh, OfLargeTrianglesIsTheMesh) {
     EXPECT_FALSE(occlusion::occluderMesh(r, 3, count - 3, 0.1f).closed);
 }
 
+TEST(OccluderMesh, IsClosedWhereTheSidesOfACreaseMeet) {
+    // Each triangle has vertices of its own, as at creases.
+    const Mesh ball = icosphere({0, 0, 0}, 3, 2, 0);
+    Mesh creased;
+    for (const glm::uvec3& t : ball.triangles) {
+        const auto first = static_cast<std::uint32_t>(creased.positions.size());
+        for (int i = 0; i < 3; ++i) {
+            creased.positions.push_back(ball.positions[t[i]]);
+            creased.normals.push_back(glm::normalize(ball.positions[t.x] + ball.positions[t.y] + ball.positions[t.z]));
+            creased.atoms.push_back(0);
+        }
+        creased.triangles.emplace_back(first, first + 1, first + 2);
+    }
+    EXPECT_TRUE(occluderOf(creased, 0.01f).closed);
+    creased.triangles.pop_back();
+    EXPECT_FALSE(occluderOf(creased, 0.01f).closed);
+}
+
 TEST(OccluderMesh, KeepsTheSidesOfASheetApart) {
     Mesh sheet;
     constexpr std::uint32_t kSide = 60;

@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(Styles, Once,
                                          Case{"fine", Style::spacefill, 32, 0.75},
                                          Case{"sticks", Style::ballAndStick, 16, 0.95},
                                          Case{"cartoon", Style::cartoon, 16, 0.75},
-                                         Case{"surface", Style::surface, 16, 0.75}),
+                                         Case{"surface", Style::surface, 16, 0.55}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 // Where a picture may show any side, or the bake is kept for others.
