@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
 namespace nacre {
 
@@ -62,6 +63,13 @@ struct Shadow {
     friend bool operator==(const Shadow&, const Shadow&) = default;
 };
 
+/// Blur of what lies before or behind the focus, as a lens shows it.
+struct DepthOfField {
+    double strength = 0;          ///< width of a point's blur per distance from the focus, 0..1; 0: all is sharp
+    std::optional<double> focus;  ///< Å from the centre, away from the viewer; none: the centre
+    friend bool operator==(const DepthOfField&, const DepthOfField&) = default;
+};
+
 struct Effects {
     Light light;
     Contours contours;
@@ -69,6 +77,7 @@ struct Effects {
     Fog fog;
     Shadow shadow;
     Clip clip;
+    DepthOfField depthOfField;  ///< of pictures, and of windows at rest
     friend bool operator==(const Effects&, const Effects&) = default;
 
     /// Effects that need the primitive of each pixel.

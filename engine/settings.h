@@ -99,7 +99,7 @@ struct WindowFrame {
     };
     Quality quality = Quality::live;
     double scale = 1;
-    std::uint32_t samples = 1;         ///< samples per pixel of the finished refined picture: 1, 4, 9 or 16
+    std::uint32_t samples = 1;         ///< samples per pixel of the finished refined picture: 1, 4, 9, 16 or 64
     std::uint32_t sample = 0;          ///< the sample of this frame; 0 starts again
     const Overlay* overlay = nullptr;  ///< read during the call only
     double meshError = 2;              ///< factor of RenderSettings::meshError for live frames

@@ -11,6 +11,7 @@
 #include "app/drawing/scenes.h"
 #include "engine/device_plan.h"
 #include "engine/error.h"
+#include "engine/frame/lens.h"
 
 namespace nacre::app {
 namespace {
@@ -116,6 +117,29 @@ PlannedFrame framePlanned(const PlanOptions& options, const PlanReport& report, 
     return planned;
 }
 
+/// The second frame of a picture with depth of field, as drawn behind the first.
+PlannedFrame lensPlanned(const PlanReport& report) {
+    ScreenOptions screen{report.extent, report.visibility, report.encoded, {VK_FORMAT_R8_UNORM, {1, 1}}, {}};
+    screen.targets = kLensTargets;
+    screen.prepass = graph::platesReject(report.visibility, report.plannedWith);
+    PlannedFrame planned{report.visibility, 1, screenFrame(screen), {}};
+    declareLens(planned.frame, report.extent, nullptr);
+    planned.frame.graph.output(planned.frame.targets[0]);
+    planned.plan = graph::compile(planned.frame.graph, report.plannedWith);
+    return planned;
+}
+
+/// A lens costs a frame of its own.
+EffectCost costOfLens(const PlanReport& report, std::uint32_t samples) {
+    const PlannedFrame lens = lensPlanned(report);
+    EffectCost cost{"depth-of-field", visibilityName(lens.visibility), {}, samples, 0, 0, 0};
+    for (const graph::PassDecl& pass : lens.frame.graph.passes()) cost.passes.push_back(pass.name);
+    cost.loaded = static_cast<std::int64_t>(lens.plan.total.loaded);
+    cost.stored = static_cast<std::int64_t>(lens.plan.total.stored);
+    cost.tileBytes = graph::tileBytesPerPixel(lens.plan);
+    return cost;
+}
+
 /// The option that makes a mesh translucent.
 const char* opacityOption(const RepresentationOptions& look) {
     return look.surfaceOpacity < 1 ? "surface-opacity" : look.cartoonOpacity < 1 ? "cartoon-opacity" : "show";
@@ -167,6 +191,7 @@ std::vector<EffectCost> costsOf(const PlanOptions& options, const PlanReport& re
         cost.tileBytes = more(graph::tileBytesPerPixel(with.plan), graph::tileBytesPerPixel(none.plan));
         costs.push_back(std::move(cost));
     }
+    if (asked.depthOfField.strength > 0) costs.push_back(costOfLens(report, none.samples));
     return costs;
 }
 

@@ -5,6 +5,7 @@
 #include "app/annotation/painter.h"
 #include "app/drawing/aim.h"
 #include "app/drawing/complete.h"
+#include "app/drawing/focus.h"
 #include "app/drawing/map_layers.h"
 #include "app/drawing/scenes.h"
 #include "app/files/cache_folder.h"
@@ -144,6 +145,7 @@ void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& des
     takeGuide(molecule, description_, settings);
     viewScene(molecule);
     uncoverTarget(aim, description_.aim, facts, *scene_, settings, run);
+    focusLens(molecule, description_, scene_->center, settings);
     run.clip = clipText(settings.effects.clip);
     warnings = molecule.guide ? molecule.guide->warnings : std::vector<std::string>();
     warnings.insert(warnings.end(), scene_->warnings.begin(), scene_->warnings.end());

@@ -25,12 +25,8 @@ struct Sight {
     double distance(const glm::dvec3& v) const { return glm::length(v - at(v.z)); }
 };
 
-}  // namespace
-
-glm::dvec3 focusOf(const Molecule& molecule, const PictureDescription& d, const Seen& seen, const glm::dvec3& center) {
-    if (const SceneCamera* camera = sceneCamera(molecule, d)) return camera->target;
-    constexpr std::uint32_t kAnySize = 256;
-    const View view = viewOf(seen.camera, seen.radius, kAnySize, kAnySize);
+/// As focusOf(), for a view of the scene.
+glm::dvec3 focusIn(const Molecule& molecule, const PictureDescription& d, const View& view, const glm::dvec3& center) {
     const Sight sight{-view.pan, view.eyeDistance};
     const auto placeOf = [&](std::uint32_t atom) {
         return view.rotation * (glm::dvec3(molecule.atoms[atom].position) - center);
@@ -55,7 +51,26 @@ glm::dvec3 focusOf(const Molecule& molecule, const PictureDescription& d, const 
             if (front == -std::numeric_limits<double>::infinity() && away < closest) closest = away, depth = v.z;
         }
     }
-    return glm::transpose(view.rotation) * sight.at(depth) + center;
+    return sight.at(depth);
+}
+
+}  // namespace
+
+glm::dvec3 focusOf(const Molecule& molecule, const PictureDescription& d, const Seen& seen, const glm::dvec3& center) {
+    if (const SceneCamera* camera = sceneCamera(molecule, d)) return camera->target;
+    constexpr std::uint32_t kAnySize = 256;
+    const View view = viewOf(seen.camera, seen.radius, kAnySize, kAnySize);
+    return glm::transpose(view.rotation) * focusIn(molecule, d, view, center) + center;
+}
+
+void focusLens(const Molecule& molecule, const PictureDescription& d, const glm::dvec3& center,
+               RenderSettings& settings) {
+    DepthOfField& lens = settings.effects.depthOfField;
+    if (lens.strength <= 0 || lens.focus) return;
+    if (const SceneCamera* camera = sceneCamera(molecule, d))
+        lens.focus = -(settings.view.rotation * (camera->target - center)).z;
+    else if (!d.aim.turns || d.aim.zoomTo || d.aim.uncover)  // a movie from all sides keeps its distance
+        lens.focus = -focusIn(molecule, d, settings.view, center).z;
 }
 
 }  // namespace nacre::app

@@ -5,6 +5,7 @@
 
 #include "app/picture/description.h"
 #include "engine/molecule/molecule.h"
+#include "engine/settings.h"
 
 namespace nacre::app {
 
@@ -20,5 +21,9 @@ struct Seen {
 /// @param center  of the scene
 glm::dvec3 focusOf(const Molecule& molecule, const PictureDescription& picture, const Seen& seen,
                    const glm::dvec3& center);
+
+/// Focuses the lens of pictures at that place, unless its distance is given or there is no lens.
+void focusLens(const Molecule& molecule, const PictureDescription& picture, const glm::dvec3& center,
+               RenderSettings& settings);
 
 }  // namespace nacre::app

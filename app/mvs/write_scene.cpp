@@ -82,6 +82,7 @@ std::vector<std::string> notesOf(const PictureDescription& d) {
     add(e.contours.width > 0 || e.halos.width > 0, "outlines and halos");
     add(e.fog.range != Fog::Range::off || e.shadow.strength > 0, "fog and shadows");
     add(e.clip.on(), "clipping planes");
+    add(e.depthOfField.strength > 0, "depth of field and its focus");
     add(d.words.legend || d.words.scaleBar != ScaleBar::off, "legend and scale bar");
     add(d.look.contacts.of.has_value(), "interactions");
     add(!d.input.further.empty(), "further INPUTs");

@@ -38,6 +38,18 @@ bool slideValue(Widgets& ui, const char* name, double& value, double low, double
     return true;
 }
 
+/// Off at its lower end. The focus is at what the camera looks at until it is moved.
+void slideDepthOfField(PanelFrame& f, double radius) {
+    if (!slideOption(f, "depth-of-field")) return;
+    std::optional<double>& focus = f.look.effects.depthOfField.focus;
+    bool automatic = !focus;
+    f.ui.toggle("Focus on the middle of the view", automatic);
+    if (automatic != !focus) automatic ? focus.reset() : void(focus = 0);
+    const double reach = std::ceil(radius);
+    double depth = focus.value_or(0);
+    if (focus && slideValue(f.ui, "Focus depth", depth, -reach, reach, "Focus depth: %.1f Å")) focus = depth;
+}
+
 /// Off at its lower end. @param radius  of the scene, Å: the default fog range is from the centre to it
 void slideFog(PanelFrame& f, double radius) {
     Fog& fog = f.look.effects.fog;
@@ -93,6 +105,7 @@ void drawEffects(PanelFrame& f) {
         slideOutlines(f);
         slideHalos(f);
         slideFog(f, radius);
+        slideDepthOfField(f, radius);
     }
     if (f.ui.unfold("Clipping planes")) {
         slidePlanes(f.ui, f.look.effects.clip, radius);

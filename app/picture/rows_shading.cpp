@@ -12,7 +12,7 @@ using E = Effects;
 using enum Option::Save;
 
 constexpr double kWidest = 64, kDeepest = 1000, kFarthest = 1e6;  // pixels, Å, Å
-constexpr double kBrightest = 10, kSharpest = 2000;
+constexpr double kBrightest = 10, kSharpest = 2000, kPercent = 100;
 constexpr std::int64_t kMostOcclusionMegabytes = 65536;
 inline constexpr std::array<const char*, 3> kCaps{"plain", "dark", "hatched"};
 
@@ -207,6 +207,28 @@ std::vector<Option> lightEffectRows() {
             "shadow", "F|off", "Cast shadows that remove this fraction of the direct light, 0 to 1",
             [](T text, P& d) { d.effects.shadow.strength = text == "off" ? 0 : parseNumber(text, 0, 1); },
             [](const P& d) { return offOr(d.effects.shadow.strength); }, {}, {"Shadow", 0, 1, "Shadow: %.2f"}),
+        effect(
+            "depth-of-field", "PERCENT|off",
+            "Blur what lies before or behind the focus, 0.1 to 50: something 20 Å away from it looks\n"
+            "wider by 20 * PERCENT / 100 Å. Windows show it at rest",
+            [](T text, P& d) {
+                d.effects.depthOfField.strength = text == "off" ? 0 : parseNumber(text, 0.1, 50) / kPercent;
+            },
+            [](const P& d) { return offOr(d.effects.depthOfField.strength * kPercent); }, {},
+            {"Depth of field", 0, 20, "Depth of field: %.1f %%"}),
+        effect(
+            "focus-depth", "A|auto",
+            "Distance of the focus from the centre in Å, away from the viewer. auto: what the camera looks at,\n"
+            "which are the atoms of --zoom-to or --uncover, else the nearest atom in the picture's middle",
+            [](T text, P& d) {
+                std::optional<double>& focus = d.effects.depthOfField.focus;
+                text == "auto" ? focus.reset() : void(focus = parseNumber(text, -kFarthest, kFarthest));
+            },
+            [](const P& d) {
+                const std::optional<double>& focus = d.effects.depthOfField.focus;
+                return focus ? numberText(*focus) : "auto";
+            },
+            "depth-of-field"),
         light<&Light::ambient>("ambient", "Ambient light, 0 to 10", {"Ambient light", 0, 2, "Ambient light: %.2f"}),
         light<&Light::direct>("direct", "Direct light, from over the left shoulder, 0 to 10",
                               {"Direct light", 0, 2, "Direct light: %.2f"}),

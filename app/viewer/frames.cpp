@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "app/drawing/focus.h"
 #include "app/drawing/scenes.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
@@ -65,6 +66,7 @@ RenderSettings Frames::pictureSettings(PixelSize size) const {
     s.view = viewOf(view.camera, stage_.radius(), size.width, size.height);
     const double reach = std::max(stage_.document.scene.radius, stage_.document.maps.shown.radius);
     if (reach > s.view.radius) reachTo(s.view, reach);
+    if (stage_.shown()) focusLens(*stage_.document.molecule, view, stage_.document.scene.center, s);
     s.occlusion.bytes = options_.occlusionBytes;
     s.occlusion.cache = options_.occlusionCache;
     s.tuning = options_.tuning;
@@ -107,7 +109,9 @@ std::string Frames::coarseness() const {
 }
 
 std::uint32_t Frames::refinedSamples() const {
-    const std::uint32_t n = debug_ == DebugView::none ? options_.mostSamples : 1;  // numbers have no mean
+    constexpr std::uint32_t kThroughLens = 8;  // each through another point of it
+    if (debug_ != DebugView::none) return 1;   // numbers have no mean
+    const std::uint32_t n = stage_.view().effects.depthOfField.strength > 0 ? kThroughLens : options_.mostSamples;
     return n * n;
 }
 

@@ -18,6 +18,7 @@ namespace nacre {
 enum class FrameEnd : std::uint8_t {
     left,            ///< stays on the device
     readBack,        ///< read by the host
+    throughLens,     ///< a picture blurred by depth, read by the host
     window,          ///< drawn into the window's image
     onWindow,        ///< copied to the window
     scaledOnWindow,  ///< scaled to the window

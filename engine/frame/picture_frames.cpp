@@ -7,6 +7,7 @@
 
 #include "engine/error.h"
 #include "engine/frame/geometry.h"
+#include "engine/frame/lens.h"
 #include "engine/frame/picture.h"
 #include "engine/graph/visibility.h"
 #include "engine/milliseconds.h"
@@ -15,19 +16,6 @@
 
 namespace nacre {
 namespace {
-
-using passes::Output;
-
-constexpr ScreenTarget kLayerTargets[] = {{"colour", VK_FORMAT_R32G32B32A32_SFLOAT, Output::color, "impostor colour"},
-                                          {"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Output::surface, "surface layer"},
-                                          {"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
-
-constexpr ScreenTarget kFineTargets[] = {kLayerTargets[0]};
-
-/// Where layers are translucent, colour is of a frame of its own.
-constexpr ScreenTarget kSolidTargets[] = {kLayerTargets[1], kLayerTargets[2]};
-
-constexpr ScreenTarget kPickTargets[] = {{"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
 
 constexpr std::uint32_t kBlockPixels = 384;  ///< a side: 2 million samples and those of their rim
 static_assert(kBlockPixels % PictureRect::kStep == 0);
@@ -39,7 +27,8 @@ std::uint64_t pixelBytes(const ScreenTarget& target, graph::Extent extent) {
 }
 
 /// Declares the use of the targets, or of colours from compute shading.
-void declareEnd(ScreenFrame& frame, const FrameShape& shape) {
+void declareEnd(ScreenFrame& frame, const FrameShape& shape, const passes::Lens& lens) {
+    if (shape.end == FrameEnd::throughLens) declareLens(frame, shape.options.extent, &lens);
     if (shape.options.shadedByTiles) return frame.graph.output(frame.numbers);
     for (std::size_t i = 0; i < frame.targets.size(); ++i) {
         if (shape.end == FrameEnd::left) {
@@ -88,7 +77,8 @@ bool isFine(const RenderSettings& settings) { return settings.fine && settings.d
 std::uint32_t rimOf(const RenderSettings& settings) {
     constexpr std::uint32_t kRim = PictureRect::kStep;
     static_assert(kRim == TileLists::kBinPixels);  // its bins are those of the whole
-    const double reach = std::max(settings.effects.contours.width, settings.effects.halos.width);
+    double reach = std::max(settings.effects.contours.width, settings.effects.halos.width);
+    if (hasLens(settings)) reach += largestCircle(settings) + passes::kLensBlock;
     return kRim * std::max(static_cast<std::uint32_t>(std::ceil(reach / kRim)), 1u);
 }
 
@@ -120,15 +110,15 @@ std::span<const ScreenTarget> PictureFrames::pictureTargets(const RenderSettings
 }
 
 const std::shared_ptr<DeclaredFrame>& PictureFrames::declare(const SeenFrame& seen) {
-    return declared_.of(seen.shape, [&](ScreenFrame& frame) { declareEnd(frame, seen.shape); });
+    return declared_.of(seen.shape, [&](ScreenFrame& frame) { declareEnd(frame, seen.shape, lens_); });
 }
 
 PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                                          std::span<const ScreenTarget> targets, bool readBack, const char* name,
-                                         Samples samples, const TileMask* mask) {
+                                         Samples samples, const TileMask* mask, const gpu::Buffer* sharp) {
     std::shared_ptr<passes::FragmentCounter> fragments;
     if (settings.tuning.countFragments) fragments = std::make_shared<passes::FragmentCounter>(device_);
-    const FrameEnd end = readBack ? FrameEnd::readBack : FrameEnd::left;
+    const FrameEnd end = sharp ? FrameEnd::throughLens : readBack ? FrameEnd::readBack : FrameEnd::left;
     const bool edges = samples == Samples::edges;
     SeenFrame seen = frames_.see({settings,
                                   atlas,
@@ -144,6 +134,7 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
                                   mask});
     const std::shared_ptr<DeclaredFrame> declared = declare(seen);
     SceneFrames::bind(*declared, seen);
+    if (sharp) declared->imports.bind(*declared->frame.sharp, *sharp);
     Drawn drawn;
     drawn.edges = seen.shape.options.edges;
     if (edges && !drawn.edges) return drawn;
@@ -216,7 +207,7 @@ Picture PictureFrames::resolved(const Drawn& drawn, const RenderSettings& settin
                                 std::uint32_t n) {
     Picture picture = emptyPicture(wanted.inner.width, wanted.inner.height);
     const std::uint64_t samples = resolve(drawn, settings, wanted.view, {0, n, wanted.inner}, picture);
-    const std::uint64_t pixels = putOver(picture, settings.background);
+    const std::uint64_t pixels = putOver(picture, behind(settings));
     stats_.coveredPixels = wantsEdges(settings) ? pixels : samples;
     return picture;
 }
@@ -239,6 +230,7 @@ Picture PictureFrames::part(const RenderSettings& settings, const passes::Atlas&
 CodedPicture PictureFrames::coded(RenderSettings settings, const passes::Atlas& atlas, bool alpha) {
     settings.fine = false;
     const Wanted wanted = wantedOf(settings);
+    if (hasLens(settings)) return nacre::coded(throughLens(settings, atlas, wanted), alpha);
     const std::optional<Drawn> drawn = inOnePixelEach(settings, atlas, wanted);
     if (!drawn) return nacre::coded(inSeveral(settings, atlas, wanted), alpha);
     const auto [pixels, rowPixels] = rowsOf(*drawn, wanted.view, 1);
@@ -247,6 +239,11 @@ CodedPicture PictureFrames::coded(RenderSettings settings, const passes::Atlas& 
 }
 
 Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
+    return hasLens(settings) ? throughLens(settings, atlas, wanted) : sharp(settings, atlas, wanted);
+}
+
+/// Without the lens. If there is one, the background is left out, too.
+Picture PictureFrames::sharp(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
     const std::optional<Drawn> drawn = inOnePixelEach(settings, atlas, wanted);
     return drawn ? resolved(*drawn, settings, wanted, 1) : inSeveral(settings, atlas, wanted);
 }
@@ -347,26 +344,12 @@ Picture PictureFrames::blocksOfSamples(const RenderSettings& settings, const pas
     stats_.passTimes = sum.passTimes;
     if (!readBack) return {};
     whole = cut(std::move(whole), all);
-    stats_.coveredPixels = putOver(whole, settings.background);
+    stats_.coveredPixels = putOver(whole, behind(settings));
     return whole;
 }
 
-LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes::Atlas& atlas) {
-    std::vector<gpu::Buffer> pixels;
-    if (frames_.translucent()) {
-        pixels = draw(settings, atlas, settings.view, kFineTargets, true, "screen").pixels;
-        for (gpu::Buffer& layer : draw(settings, atlas, settings.view, kSolidTargets, true, "solid").pixels)
-            pixels.push_back(std::move(layer));
-    } else {
-        pixels = draw(settings, atlas, settings.view, kLayerTargets, true, "screen").pixels;
-    }
-    return assembleLayers(settings.view.width, settings.view.height, reinterpret_cast<const float*>(pixels[0].mapped),
-                          reinterpret_cast<const float*>(pixels[1].mapped),
-                          reinterpret_cast<const std::uint32_t*>(pixels[2].mapped), settings.background,
-                          stats_.coveredPixels);
-}
-
 void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& atlas) {
+    if (hasLens(settings)) return void(throughLens(settings, atlas, wantedOf(settings)));
     const bool edges = wantsEdges(settings);
     const std::uint32_t n = edges ? 1 : std::max(settings.supersample, 1u);
     const View view = scaled(settings.view, n);
@@ -384,18 +367,6 @@ void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& a
         blocksOfSamples(settings, atlas, {view, {0, 0, image.width, image.height}}, false);
     else if (!edges)
         drawn();
-}
-
-std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, double y, double reach) {
-    // A separate picture around the position, as large as the reach. Its middle pixel contains (x, y).
-    const auto side = static_cast<std::uint32_t>(2 * std::ceil(std::clamp(reach, 0.0, 100.0)) + 1);
-    RenderSettings small = settings;
-    small.occlusion.directions = 0;
-    small.tuning.countFragments = false;
-    small.view.pan = -planePointAt(settings.view, std::floor(x) + 0.5, std::floor(y) + 0.5);
-    small.view.width = small.view.height = side;
-    const auto pixels = draw(small, {}, small.view, kPickTargets, true, "pick").pixels;
-    return nearestAtom(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), side, reach);
 }
 
 }  // namespace nacre

@@ -1,6 +1,7 @@
 #pragma once
 // Frames that the host waits for: pictures, layers, and picking.
 
+#include <array>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -11,8 +12,13 @@
 #include "engine/frame/picture.h"
 #include "engine/frame/scene_frames.h"
 #include "engine/gpu/submission.h"
+#include "engine/passes/lens.h"
 
 namespace nacre {
+
+/// The target of pictures with more than 8 bits per channel.
+constexpr ScreenTarget kFineTargets[] = {
+    {"colour", VK_FORMAT_R32G32B32A32_SFLOAT, passes::Output::color, "impostor colour"}};
 
 class PictureFrames {
 public:
@@ -71,11 +77,14 @@ private:
     std::span<const ScreenTarget> pictureTargets(const RenderSettings& settings, Samples samples = Samples::one) const;
     Drawn draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                std::span<const ScreenTarget> targets, bool readBack, const char* name, Samples samples = Samples::one,
-               const TileMask* mask = nullptr);
+               const TileMask* mask = nullptr, const gpu::Buffer* sharp = nullptr);
     Samples singleOrResolved(const RenderSettings& settings) const;
     bool drawsEdges(const RenderSettings& settings) const;  ///< in the frame itself
     void checkSize(const View& view) const;
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
+    Picture sharp(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
+    Picture throughLens(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
+    static std::array<float, 4> behind(const RenderSettings& settings);
     std::uint64_t resolve(const Drawn& drawn, const RenderSettings& settings, const View& view, ResolvedPart part,
                           Picture& to);
     Picture resolved(const Drawn& drawn, const RenderSettings& settings, const Wanted& wanted, std::uint32_t n);
@@ -110,6 +119,7 @@ private:
     SceneCounts counts_;
     gpu::Timer timer_;
     DeclaredFrames declared_;
+    passes::Lens lens_;  // of the next frame that ends with one
     std::shared_ptr<const DeclaredFrame> last_;
     std::deque<Started> started_;
     std::vector<std::unique_ptr<gpu::Submission>> spare_;

@@ -1,6 +1,7 @@
 // Pictures that are drawn while the host prepares the next and codes the last: the device need not wait for it.
 
 #include "engine/error.h"
+#include "engine/frame/lens.h"
 #include "engine/frame/picture_frames.h"
 
 namespace nacre {
@@ -9,8 +10,8 @@ namespace nacre {
 bool PictureFrames::overlaps(const RenderSettings& settings) const {
     const FrameTuning& tuning = settings.tuning;
     const bool edges = settings.supersample == RenderSettings::kEdges;
-    return device_.caps().tiles.shade && settings.debug == DebugView::none && !tuning.countFragments &&
-           !tuning.timePasses && (edges ? drawsEdges(settings) : settings.supersample == 1) &&
+    return device_.caps().tiles.shade && settings.debug == DebugView::none && !hasLens(settings) &&
+           !tuning.countFragments && !tuning.timePasses && (edges ? drawsEdges(settings) : settings.supersample == 1) &&
            singleOrResolved(settings) == Samples::one;
 }
 

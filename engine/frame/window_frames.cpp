@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/frame/lens.h"
 #include "engine/frame/picture.h"
 #include "engine/passes/read_back.h"
 #include "engine/passes/resample.h"
@@ -15,10 +16,18 @@ using Quality = WindowFrame::Quality;
 /// Format of sample sums: blendable on every device; sums sixteen samples within a quarter of an 8-bit step.
 constexpr VkFormat kSumFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
-/// The view through sample i of a number of samples, arranged in rows as those of a picture. Each of sixteen is far
-/// from the previous ones.
-View throughSampleOf(View view, std::uint32_t samples, std::uint32_t i) {
-    if (samples == RenderSettings::kEdgeSamples) i = i * 5 % samples;
+/// A point of the lens for sample i: no two are close, and none is where its neighbours in a pixel are.
+glm::dvec2 lensPoint(std::uint32_t samples, std::uint32_t i) {
+    constexpr double kGoldenAngle = 2.399963229728653;
+    const std::uint32_t k = (i * 19 + 7) % samples;
+    return std::sqrt((k + 0.5) / samples) * glm::dvec2(std::cos(k * kGoldenAngle), std::sin(k * kGoldenAngle));
+}
+
+/// The view through sample i of a number of samples, arranged in rows as those of a picture. Each of many is far from
+/// the previous ones. With a lens, each is seen through another point of it: that blurs, and costs no pass.
+View throughSampleOf(const RenderSettings& settings, View view, std::uint32_t samples, std::uint32_t i) {
+    if (hasLens(settings) && samples > 1) view = throughLens(settings, view, lensPoint(samples, i));
+    if (samples >= RenderSettings::kEdgeSamples) i = i * 5 % samples;
     const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(samples)));
     const glm::dvec2 at = (glm::dvec2(i % side, i / side) + 0.5) / static_cast<double>(side) - 0.5;
     view.pan += glm::dvec2(-at.x, at.y) / view.pixelsPerAngstrom;
@@ -158,6 +167,7 @@ void WindowFrames::declareEnd(ScreenFrame& frame, const FrameShape& shape) {
             break;
         case FrameEnd::left:
         case FrameEnd::readBack:
+        case FrameEnd::throughLens:
         case FrameEnd::window:
             break;
     }
@@ -191,7 +201,7 @@ SeenFrame WindowFrames::see(const RenderSettings& settings, const passes::Atlas&
         seen.shape.options.name = "kept screen";
         seen.shape.end = end;
     } else if (frame.quality == Quality::refined) {
-        view = throughSampleOf(view, frame.samples, frame.sample);
+        view = throughSampleOf(drawn, view, frame.samples, frame.sample);
         seen = frames_.see({drawn, atlas, view, {&target_, 1}, "refinement", end, nullptr, false, radiusBefore});
     } else {
         drawn.supersample = 1;

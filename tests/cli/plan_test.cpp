@@ -175,6 +175,22 @@ TEST(Plan, TellsWhatEachOptionOfTheLookCosts) {
     EXPECT_EQ(jsonOf(options)["costs"].size(), 5u);
 }
 
+TEST(Plan, TellsThatDepthOfFieldIsAnotherFrame) {
+    PlanOptions options = encodedOn("mali");
+    const Json before = jsonOf(options);
+    options.picture.effects.depthOfField.strength = 0.05;
+    const Json json = jsonOf(options);
+    EXPECT_EQ(json["memory_bytes"], before["memory_bytes"]);  // the first frame is what it was
+    ASSERT_EQ(json["costs"].size(), 1u);
+    const Json& cost = json["costs"][0];
+    EXPECT_EQ(cost["option"], "depth-of-field");
+    EXPECT_EQ(cost["passes"], Json({"opaque prepass", "depth encoding", "surface layer", "upload", "circles",
+                                    "largest circles", "reach of circles", "depth of field"}));
+    const int pixels = json["size"][0].get<int>() * json["size"][1].get<int>();
+    EXPECT_GT(cost["loaded"], pixels * (16 + 16));      // colour and distance come from memory
+    EXPECT_GT(cost["stored"], pixels * (16 + 8 + 16));  // distance, circles, the result
+}
+
 TEST(Plan, TranslucentLayersLeaveTheTileAndTheOpaqueFrameStaysOnIt) {
     PlanOptions options = encodedOn("mali");
     options.picture.input.path = "sample:glucose";

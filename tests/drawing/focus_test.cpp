@@ -52,6 +52,31 @@ TEST_F(FocusTest, GoesWithTheCamera) {
     expectFocus({1 + 10 * (eye - 1) / eye, 2, 4});
 }
 
+TEST_F(FocusTest, IsWhereALensIsSharp) {
+    const auto depth = [&] {
+        RenderSettings settings;
+        settings.effects = picture.effects;
+        settings.view = viewOf(picture.camera, 12, 256, 256);
+        focusLens(molecule, picture, kCenter, settings);
+        return settings.effects.depthOfField.focus;
+    };
+    EXPECT_EQ(depth(), std::nullopt);  // there is no lens
+    set("depth-of-field", "5");
+    EXPECT_NEAR(depth().value(), -5, 1e-9);
+    set("rotate", "0,180,0");  // about the centre: the other one is in front
+    EXPECT_NEAR(depth().value(), -5, 1e-9);
+    set("zoom-to", "element C");
+    EXPECT_NEAR(depth().value(), 5, 1e-9);
+    set("focus-depth", "2.5");
+    EXPECT_EQ(depth(), 2.5);
+    set("focus-depth", "auto");
+    set("zoom-to", "element O");
+    picture.aim.turns = true;
+    EXPECT_NEAR(depth().value(), 1, 1e-9);
+    picture.aim.zoomTo.reset();
+    EXPECT_EQ(depth(), std::nullopt);  // a movie from all sides: the centre, in every frame
+}
+
 TEST_F(FocusTest, HasTheDepthOfWhatIsZoomedTo) {
     set("zoom-to", "element N");
     expectFocus({1, 2, -2});

@@ -101,6 +101,8 @@ const std::map<std::string_view, std::string>& otherValues() {
                                                                  {"fog", "-5,20"},
                                                                  {"fog-strength", "0.3"},
                                                                  {"shadow", "0.5"},
+                                                                 {"depth-of-field", "7"},
+                                                                 {"focus-depth", "-4.5"},
                                                                  {"ambient", "0.5"},
                                                                  {"direct", "2"},
                                                                  {"highlight", "0"},

@@ -14,6 +14,7 @@ struct PartCase {
     Projection projection;
     std::uint32_t supersample;
     bool fine;
+    double lens = 0;
 };
 void PrintTo(const PartCase& c, std::ostream* out) { *out << c.name; }
 
@@ -33,6 +34,7 @@ TEST_P(Parts, AreThePictureToTheBit) {
     s.background = {0.2f, 0.3f, 0.9f, 0.5f};
     s.occlusion.directions = 0;
     s.effects.contours.width = 2.5;
+    s.effects.depthOfField.strength = GetParam().lens;
     s.effects.shadow.strength = 0.7;
     s.effects.fog.range = Fog::Range::automatic;
     s.effects.clip = {-0.4 * r.radius, 0.7 * r.radius, Clip::Cap::hatched};
@@ -72,6 +74,8 @@ INSTANTIATE_TEST_SUITE_P(
         PartCase{"edges_of_sticks_in_perspective", "sample:glucose", Style::ballAndStick, Projection::perspective,
                  RenderSettings::kEdges, false},
         PartCase{"fine", "sample:glucose", Style::licorice, Projection::orthographic, RenderSettings::kEdges, true},
+        PartCase{"through_a_lens", "sample:dna", Style::spacefill, Projection::perspective, RenderSettings::kEdges,
+                 true, 0.2},
         PartCase{"nine_samples", "sample:dna", Style::spacefill, Projection::perspective, 3, false}),
     [](const auto& test) { return std::string(test.param.name); });
 

@@ -95,6 +95,23 @@ TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
     }
 }
 
+TEST(WindowFrames, RestThroughALensTakesNoPassMore) {
+    if (!hasHeadlessSurfaces()) GTEST_SKIP() << "no VK_EXT_headless_surface";
+    const Representation r = scene("sample:glucose", Style::ballAndStick);
+    Renderer renderer(windowOptions(Visibility::encoded));
+    renderer.setScene(r);
+    RenderSettings s = settings(r, 96, Projection::perspective);
+    renderer.present(s, {});
+    Camera camera;
+    s.view = viewOf(camera, r.radius, renderer.windowSize().width, renderer.windowSize().height);
+    s.effects.depthOfField.strength = 0.1;
+    EXPECT_EQ(renderer.present(s, {}), FrameOutcome::shown);
+    for (std::uint32_t i = 0; i < 64; ++i)
+        ASSERT_EQ(renderer.present(s, {Quality::refined, 1, 64, i, nullptr}), FrameOutcome::shown);
+    EXPECT_EQ(renderer.present(s, {Quality::kept, 1, 1, 0, nullptr}), FrameOutcome::shown);
+    for (const std::string& message : renderer.validationMessages()) ADD_FAILURE() << message;
+}
+
 TEST(WindowFrames, FourSamplesInMotionAreValidUnderAnOverlayAndAtAnySize) {
     if (!hasHeadlessSurfaces()) GTEST_SKIP() << "no VK_EXT_headless_surface";
     const Representation r = scene("sample:glucose", Style::ballAndStick);

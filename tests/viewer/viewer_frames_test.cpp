@@ -310,6 +310,18 @@ TEST(Viewer, DebugViewsComeOneAfterTheOtherAndAreNotAveraged) {
     }
 }
 
+TEST(Viewer, RestsThroughManyPointsOfALens) {
+    Bench b;
+    PictureDescription look = b.viewer.view();
+    setOption(option("depth-of-field"), "5", look);
+    b.viewer.setLook(look, b.now);
+    b.run(4);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+    EXPECT_EQ(b.screen.frames.back().samples, 64u);
+    EXPECT_EQ(b.screen.settings.back().effects.depthOfField.strength, 0.05);
+    EXPECT_TRUE(b.screen.settings.back().effects.depthOfField.focus);
+}
+
 TEST(Viewer, LowMemoryEndsSupersampling) {
     Bench b;
     b.viewer.frames().setMostSamples(1);

@@ -93,6 +93,8 @@ class Options(TypedDict, total=False):
     fog: str
     fog_strength: str | float
     shadow: str | float
+    depth_of_field: str | float
+    focus_depth: str | float
     ambient: str | float
     direct: str | float
     highlight: str | float

@@ -1,0 +1,107 @@
+#include "engine/frame/lens.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/mat3x3.hpp>
+
+#include "engine/frame/geometry.h"
+#include "engine/frame/scene.h"
+
+namespace nacre {
+
+using passes::LensStep;
+
+namespace {
+
+constexpr double kLargestShare = 1.0 / 16;  // of the picture's shorter side
+constexpr double kLargestPixels = 128;
+
+bool isPerspective(const View& view) { return view.projection == Projection::perspective; }
+
+/// Z of the view's centre.
+double centerOf(const View& view) { return isPerspective(view) ? view.eyeDistance : view.radius; }
+
+/// Z of what is sharp, before the eye.
+double focusOf(const RenderSettings& settings, const View& view) {
+    constexpr double kNearest = 0.01;  // Å
+    const double focus = centerOf(view) + settings.effects.depthOfField.focus.value_or(0);
+    return isPerspective(view) ? std::max(focus, kNearest) : focus;
+}
+
+}  // namespace
+
+bool hasLens(const RenderSettings& settings) {
+    return settings.effects.depthOfField.strength > 0 && settings.debug == DebugView::none;
+}
+
+double largestCircle(const RenderSettings& settings) {
+    if (!hasLens(settings)) return 0;
+    return std::clamp(kLargestShare * std::min(settings.view.width, settings.view.height), 1.0, kLargestPixels);
+}
+
+passes::Lens lensOf(const RenderSettings& settings, const View& view) {
+    passes::Lens lens;
+    lens.focus = static_cast<float>(focusOf(settings, view));
+    const double radius = 0.5 * settings.effects.depthOfField.strength * view.pixelsPerAngstrom;
+    lens.pixels = static_cast<float>(radius * (isPerspective(view) ? view.eyeDistance : 1));
+    lens.most = static_cast<float>(largestCircle(settings));
+    lens.perspective = isPerspective(view) ? 1.0f : 0.0f;
+    lens.rim = static_cast<float>(settings.effects.contours.width);
+    lens.rimDepth = static_cast<float>(settings.effects.contours.depth);
+    return lens;
+}
+
+View throughLens(const RenderSettings& settings, View view, glm::dvec2 point) {
+    // The scene turns about its centre, and the image plane shifts so that what is sharp stays where it is.
+    const double focus = focusOf(settings, view), center = centerOf(view);
+    const double scale = isPerspective(view) ? focus / center : 1;
+    const glm::dvec2 turn = 0.5 * settings.effects.depthOfField.strength * scale * point;
+    const double z = center - focus;  // of what is sharp
+    const glm::dvec3 back = glm::normalize(glm::dvec3(-turn, 1.0));
+    const glm::dvec3 right = glm::normalize(glm::dvec3(1, 0, 0) - back.x * back);
+    const glm::dmat3 rows(right, glm::cross(back, right), back);
+    view.rotation = glm::transpose(rows) * view.rotation;
+    view.pan -= turn * z * (isPerspective(view) ? center / focus : 1);
+    return view;
+}
+
+void declareLens(ScreenFrame& f, graph::Extent extent, const passes::Lens* lens) {
+    constexpr VkFormat kFine = VK_FORMAT_R32G32B32A32_SFLOAT;
+    graph::Graph& g = f.graph;
+    const std::uint64_t bytes = std::uint64_t{extent.width} * extent.height * graph::bytesPerTexel(kFine);
+    const graph::Buffer sharp = g.importBuffer("sharp pixels", bytes);
+    f.sharp = sharp;
+    const graph::Image picture = g.image("sharp picture", {kFine, extent});
+    const auto copy = [=](gpu::PassContext& c) {
+        const vk::BufferImageCopy whole(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
+                                        {extent.width, extent.height, 1});
+        c.commands.copyBufferToImage(c.buffer(sharp), c.image(picture), vk::ImageLayout::eTransferDstOptimal, whole);
+    };
+    graph::PassBuilder upload = g.transfer("upload").copiesFrom(sharp).copiesTo(picture);
+    if (lens) upload.record(copy);
+
+    const auto pass = [&](const char* name, LensStep step, VkFormat format, graph::Extent size,
+                          std::vector<graph::Image> images) {
+        const graph::Image made = g.image(name, {format, size});
+        graph::PassBuilder drawn = g.graphics(name);
+        for (const graph::Image image : images) drawn.samples(image);
+        drawn.color(made);
+        if (!lens) return made;
+        drawn.record({[=](gpu::PassContext& c) {
+                          std::vector<vk::ImageView> views;
+                          for (const graph::Image image : images) views.push_back(c.view(image));
+                          passes::drawLens(c, step, *lens, views);
+                      },
+                      [=](gpu::PipelineContext& c) { passes::wantLens(c, step); }});
+        return made;
+    };
+    const auto inBlocks = [](std::uint32_t pixels) { return (pixels + passes::kLensBlock - 1) / passes::kLensBlock; };
+    const graph::Extent blocks{inBlocks(extent.width), inBlocks(extent.height)};
+    const graph::Image circles =
+        pass("circles", LensStep::circles, VK_FORMAT_R32G32_UINT, extent, {picture, f.targets[0]});
+    const graph::Image largest = pass("largest circles", LensStep::reach, VK_FORMAT_R32_SFLOAT, blocks, {circles});
+    const graph::Image reach = pass("reach of circles", LensStep::spread, VK_FORMAT_R32_SFLOAT, blocks, {largest});
+    f.targets[0] = pass(kLensPass, LensStep::gather, kFine, extent, {picture, circles, reach});
+}
+
+}  // namespace nacre

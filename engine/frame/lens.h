@@ -1,0 +1,34 @@
+#pragma once
+// Depth of field: passes behind a frame that draws how far away each pixel is, and the lens they stand for.
+
+#include "engine/frame/screen.h"
+#include "engine/passes/lens.h"
+#include "engine/settings.h"
+
+namespace nacre {
+
+/// The target of such a frame: as of layers, on every path.
+constexpr ScreenTarget kLensTargets[] = {
+    {"surface", VK_FORMAT_R32G32B32A32_SFLOAT, passes::Output::surface, "surface layer"}};
+
+/// The passes begin with this one.
+constexpr const char* kLensPass = "depth of field";
+
+/// Whether pictures by these settings are drawn through a lens.
+bool hasLens(const RenderSettings& settings);
+
+/// The lens of a view's pictures. @param view  of the settings, or a part of it
+passes::Lens lensOf(const RenderSettings& settings, const View& view);
+
+/// Largest radius of a circle that a lens shows, pixels.
+double largestCircle(const RenderSettings& settings);
+
+/// A view through a point of the lens: the mean of all is what the lens shows. @param point  in the unit disc
+View throughLens(const RenderSettings& settings, View view, glm::dvec2 point);
+
+/// Declares the passes that blur a picture, which is brought to the device. ScreenFrame::sharp is its pixels, linear,
+/// premultiplied floats; the first target becomes the result.
+/// @param lens  read when the passes are recorded; null: the frame is only planned
+void declareLens(ScreenFrame& frame, graph::Extent extent, const passes::Lens* lens);
+
+}  // namespace nacre

@@ -1,0 +1,177 @@
+// Depth of field against the mean of many pictures through points of the lens, and what it must never do.
+
+#include "engine/frame/lens.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+namespace {
+
+constexpr std::uint32_t kLensPixels = 192;
+
+RenderSettings lensSettings(const Representation& r, Projection projection, double strength, double focus) {
+    RenderSettings s = settings(r, kLensPixels, projection);
+    s.fine = true;
+    s.effects.depthOfField = {strength, focus};
+    return s;
+}
+
+/// The mean of pictures through points that are evenly spread over the lens.
+std::vector<float> meanThroughLens(Renderer& renderer, RenderSettings s, int points) {
+    const RenderSettings lens = s;
+    s.effects.depthOfField = {};
+    std::vector<float> sum;
+    for (int i = 0; i < points; ++i) {
+        const double away = std::sqrt((i + 0.5) / points), angle = 2.399963 * i;
+        s.view = throughLens(lens, lens.view, away * glm::dvec2(std::cos(angle), std::sin(angle)));
+        const Picture one = renderer.render(s);
+        sum.resize(one.rgba.size());
+        for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += one.rgba[k] / static_cast<float>(points);
+    }
+    return sum;
+}
+
+double codedLight(float linear) { return std::pow(std::clamp(linear, 0.0f, 1.0f), 1 / 2.2); }
+
+/// Signal to noise of two pictures, dB.
+double lensDecibels(const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) sum += std::pow(codedLight(a[k]) - codedLight(b[k]), 2);
+    return -10 * std::log10(sum / static_cast<double>(a.size()));
+}
+
+class Lens : public SharedRenderers<Projection> {};
+
+TEST_P(Lens, IsTheMeanOfPicturesThroughIt) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    renderer->setScene(r);
+    for (const double strength : {0.05, 0.15})
+        for (const double focus : {-0.5 * r.radius, 0.0}) {
+            RenderSettings s = lensSettings(r, GetParam(), strength, focus);
+            s.supersample = RenderSettings::kEdges;
+            const std::vector<float> blurred = renderer->render(s).rgba;
+            const std::vector<float> mean = meanThroughLens(*renderer.operator->(), s, 100);
+            s.effects.depthOfField = {};
+            const double off = lensDecibels(renderer->render(s).rgba, mean), on = lensDecibels(blurred, mean);
+            EXPECT_GT(on, 36) << strength << ", " << focus;
+            EXPECT_GT(on, off + 0.5) << strength << ", " << focus;
+        }
+}
+
+TEST_P(Lens, ShowsTheSamePictureOnEveryPath) {
+    for (const Style style : {Style::spacefill, Style::cartoon}) {
+        const Representation r = scene("sample:dna", style);
+        RenderSettings s = lensSettings(r, GetParam(), 0.1, -0.4 * r.radius);
+        s.background = {0.2f, 0.3f, 0.9f, 0.5f};
+        s.effects.contours.width = 2;
+        std::vector<float> first;
+        for (const Visibility path : kPaths) {
+            ValidatedRenderer& renderer = rendererOf(path);
+            renderer->setScene(r);
+            const std::vector<float> picture = renderer->render(s).rgba;
+            EXPECT_EQ(renderer->stats().frames, 2u);
+            if (first.empty()) first = picture;
+            EXPECT_EQ(picture, first) << visibilityName(path);
+        }
+    }
+}
+
+TEST_P(Lens, CostsNothingWhenOff) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    renderer->setScene(r);
+    RenderSettings s = lensSettings(r, GetParam(), 0, -5);
+    const std::vector<float> off = renderer->render(s).rgba;
+    EXPECT_EQ(renderer->stats().frames, 1u);
+    EXPECT_EQ(renderer->planText().find("circles"), std::string::npos);
+    s.effects.depthOfField = {};
+    EXPECT_EQ(off, renderer->render(s).rgba);
+    s.effects.depthOfField.strength = 0.1;
+    EXPECT_NE(off, renderer->render(s).rgba);
+    EXPECT_NE(renderer->planText().find("circles"), std::string::npos);
+}
+
+TEST_P(Lens, ShinesNothingBlurredOverWhatIsSharpAndNearer) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    renderer->setScene(r);
+    RenderSettings s = lensSettings(r, GetParam(), 0, 0);
+    const LayerPicture layers = renderer->layers(s);
+    const std::vector<float> sharp = renderer->render(s).rgba;
+    const double front = *std::min_element(layers.z.begin(), layers.z.end());
+    const double center = s.view.projection == Projection::perspective ? s.view.eyeDistance : s.view.radius;
+    s.effects.depthOfField = {0.5, front - center};  // nothing is before the focus
+    const std::vector<float> blurred = renderer->render(s).rgba;
+    const passes::Lens lens = lensOf(s, s.view);
+    int same = 0, changed = 0;
+    for (std::size_t i = 0; i < layers.z.size(); ++i) {
+        const bool is = std::equal(&sharp[4 * i], &sharp[4 * i] + 4, &blurred[4 * i]);
+        const float z = layers.z[i];
+        const float radius = lens.pixels * std::abs(z - lens.focus) / (lens.perspective > 0 ? z : 1);
+        if (radius < 0.59f) {
+            EXPECT_TRUE(is) << i;
+            ++same;
+        }
+        changed += !is;
+    }
+    EXPECT_GT(same, 20);
+    EXPECT_GT(changed, 3000);
+}
+
+TEST_P(Lens, LeavesNoHardEdgeOfWhatIsBlurred) {
+    Representation r;
+    const auto add = [&](glm::vec3 center, float radius, std::uint32_t color) {
+        r.spheres.push_back({center, radius});
+        r.sphereLooks.push_back({color, static_cast<std::uint32_t>(r.spheres.size())});
+    };
+    add({0, 0, 10}, 3, 0xff0000ffu);    // before the focus
+    for (int x = -20; x <= 20; x += 2)  // a wall, which is sharp
+        for (int y = -20; y <= 20; y += 2) add({x, y, -10}, 3, 0xffffffffu);
+    r.radius = 35;
+    RenderSettings s = lensSettings(r, GetParam(), 0.5, 7);
+    s.view.pixelsPerAngstrom *= 2;
+    s.lighting = false;
+    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    renderer->setScene(r);
+    const auto steepest = [&] {
+        const std::vector<float> picture = renderer->render(s).rgba;
+        float step = 0;
+        for (std::size_t x = 1; x < kLensPixels / 2; ++x) {
+            const std::size_t at = 4 * (kLensPixels / 2 * kLensPixels + x) + 2;  // blue, which one of them has
+            step = std::max(step, std::abs(picture[at] - picture[at - 4]));
+        }
+        return step;
+    };
+    EXPECT_LT(steepest(), 0.25f);
+    s.effects.depthOfField = {};
+    EXPECT_GT(steepest(), 0.9f);
+}
+
+TEST_P(Lens, BlursWhatIsTransparentAsWhatLiesOnABackground) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    renderer->setScene(r);
+    RenderSettings s = lensSettings(r, GetParam(), 0.1, 0);
+    const std::vector<float> onWhite = renderer->render(s).rgba;
+    s.background = {0, 0, 0, 0};
+    const std::vector<float> alone = renderer->render(s).rgba;
+    float most = 0;
+    int partly = 0;
+    for (std::size_t i = 0; i < alone.size(); i += 4) {
+        partly += alone[i + 3] > 0.1f && alone[i + 3] < 0.9f;
+        for (std::size_t c = 0; c < 3; ++c)
+            most = std::max(most, std::abs(alone[i + c] + 1 - alone[i + 3] - onWhite[i + c]));
+    }
+    EXPECT_LT(most, 1e-5f);
+    EXPECT_GT(partly, 300);
+}
+
+INSTANTIATE_TEST_SUITE_P(Views, Lens, testing::Values(Projection::orthographic, Projection::perspective),
+                         [](const auto& p) { return p.param == Projection::perspective ? "perspective" : "parallel"; });
+
+}  // namespace
+}  // namespace nacre::test
