@@ -131,7 +131,8 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
                                   {},
                                   samples == Samples::block,
                                   samples == Samples::resolved ? graph::kMultisamples : 1,
-                                  mask});
+                                  mask,
+                                  samples == Samples::edges || samples == Samples::block});
     const std::shared_ptr<DeclaredFrame> declared = declare(seen);
     SceneFrames::bind(*declared, seen);
     if (sharp) declared->imports.bind(*declared->frame.sharp, *sharp);
@@ -296,6 +297,16 @@ std::optional<FinerPlaces> PictureFrames::coarsePicture(const RenderSettings& se
     return FinerPlaces(to);
 }
 
+/// Draws finer places from the samples of one frame by tiles, for pictures by other paths. @returns whether it can
+bool PictureFrames::addEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+                             const FinerPlaces& places, Picture& to) {
+    if (drawsEdges(settings) || !frames_.drawsEdges(true) || settings.effects.rims()) return false;
+    const Drawn drawn = draw(settings, atlas, view, pictureTargets(settings), true, "finer screen", Samples::edges);
+    if (!drawn.edges) return false;
+    resolve(drawn, settings, view, {0, 1, {0, 0, to.width, to.height}, 0, 0, &places}, to);
+    return true;
+}
+
 /// As many samples on a grid where a picture with one sample per pixel shows that colours change, in blocks, so that
 /// memory does not grow with the picture. A frame for each sample would list the scene as often; and lists that were
 /// too long are not, of a quarter of the pixels' side.
@@ -315,8 +326,10 @@ Picture PictureFrames::blocksOfSamples(const RenderSettings& settings, const pas
     };
     const std::optional<FinerPlaces> places = coarsePicture(settings, atlas, wanted.view, whole);
     if (places) drew();
+    const bool inOneFrame = places && addEdges(settings, atlas, wanted.view, *places, whole);
+    if (inOneFrame) drew();
     const std::uint32_t most = wanted.view.quarterTurns == 0 ? kBlockPixels : std::max(all.width, all.height);
-    for (std::uint32_t top = 0; top < all.height; top += most)
+    for (std::uint32_t top = 0; top < all.height && !inOneFrame; top += most)
         for (std::uint32_t left = 0; left < all.width; left += most) {
             PictureRect rect{all.x + left, all.y + top, std::min(most, all.width - left),
                              std::min(most, all.height - top)};

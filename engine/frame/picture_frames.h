@@ -95,6 +95,8 @@ private:
     Picture inSeveral(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
     std::optional<FinerPlaces> coarsePicture(const RenderSettings& settings, const passes::Atlas& atlas,
                                              const View& view, Picture& to);
+    bool addEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+                  const FinerPlaces& places, Picture& to);
     Picture blocksOfSamples(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
                             bool readBack);
     /// A picture that is drawn while the host goes on.

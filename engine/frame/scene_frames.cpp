@@ -80,7 +80,7 @@ void SceneFrames::dropHidden(passes::SceneView& seen, const RenderSettings& sett
 
 /// Whether compute shades by tiles what is asked for, if it is no debug view.
 bool SceneFrames::shadesByTiles(const FrameRequest& request) const {
-    return device_.caps().visibility == Visibility::tiles && device_.caps().tiles.shade && isCoded(request) &&
+    return pathOf(request.finer) == Visibility::tiles && device_.caps().tiles.shade && isCoded(request) &&
            !request.fragments;
 }
 
@@ -95,7 +95,7 @@ Visibility SceneFrames::settle(RenderSettings& settings, const FrameRequest& req
     const bool color = std::any_of(request.targets.begin(), request.targets.end(),
                                    [](const ScreenTarget& t) { return t.output == passes::Output::color; });
     if (debug || !color) settings.effects.shadow = {};
-    const Visibility usual = device_.caps().visibility;
+    const Visibility usual = pathOf(request.finer);
     if (settings.effects.rims()) return shadesByTiles(request) ? Visibility::tiles : Visibility::deferred;
     return debug ? debugVisibility(settings.debug, usual) : usual;
 }
@@ -106,14 +106,17 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     passes::SceneView& view = *seen.view;
     if (options.visibility != Visibility::tiles) return;
     const bool debug = seen.shape.debug != DebugView::none;
-    const bool edges = request.edges && drawsEdges() && !debug;
+    const bool edges = request.edges && drawsEdges(request.finer) && !debug;
     const SphereBoxes* boxes = debug ? nullptr : boxesOf(view, settings, request.view, edges);
     if (!debug && !boxes) dropHidden(view, settings, request.view, edges);
     const bool shaded = !debug && shadesByTiles(request);
     view.tiles = tiles_.prepare(shown_->representation, view, request.view, options.extent,
                                 {shaded, edges, view.rims.any() && request.subsamples, 1, request.mask, boxes});
     if (!view.tiles) {
-        options.visibility = view.rims.any() ? Visibility::deferred : Visibility::fragdepth;
+        const Visibility usual = device_.caps().visibility;
+        options.visibility = view.rims.any()              ? Visibility::deferred
+                             : usual == Visibility::tiles ? Visibility::fragdepth
+                                                          : usual;
         if (boxes) dropHidden(view, settings, request.view, edges);
         return;
     }
@@ -168,7 +171,7 @@ SeenFrame SceneFrames::see(const FrameRequest& request) {
     SeenFrame seen;
     seen.atlas = used.image ? used.image : &white_;
     if (levels) {
-        const bool several = (request.edges && drawsEdges()) || request.samples > 1;
+        const bool several = (request.edges && drawsEdges(request.finer)) || request.samples > 1;
         shown_ = seenScenes_.see(device_, scene_, settings, request.view, several && settings.debug == DebugView::none);
         seen.counts.copyLevels = seenScenes_.counts();
     }

@@ -29,6 +29,7 @@ struct FrameRequest {
     bool subsamples = false;         ///< kBlockSamples x kBlockSamples of its pixels are one of a picture
     std::uint32_t samples = 1;       ///< per pixel, unless lacksSamples() has a reason against it
     const TileMask* mask = nullptr;  ///< not null: only these tiles' pixels matter, on every path
+    bool finer = false;              ///< it adds samples to a picture that a frame of the device's path drew
 };
 
 /// A scene as a frame shows it.
@@ -57,8 +58,15 @@ public:
     void letGo();
 
     /// Whether one frame can draw edges with more samples than the rest; otherwise all pixels have equally many.
-    bool drawsEdges() const {
-        return device_.caps().visibility == Visibility::tiles && device_.caps().tiles.drawsEdges && !translucent();
+    /// @param finer  as FrameRequest has it
+    bool drawsEdges(bool finer = false) const {
+        return pathOf(finer) == Visibility::tiles && device_.caps().tiles.drawsEdges && !translucent();
+    }
+    /// The path of a frame, before its effects are asked. On devices that shade by tiles these add samples, whatever
+    /// path is wanted: other paths draw each sample as a pixel.
+    Visibility pathOf(bool finer) const {
+        const gpu::Caps& caps = device_.caps();
+        return finer && caps.tiles.shade && caps.plan.tiles ? Visibility::tiles : caps.visibility;
     }
 
     /// Why a frame by these settings has one sample of a pixel, whatever the device can. Empty: it can have more.

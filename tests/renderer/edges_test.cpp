@@ -165,7 +165,7 @@ TEST(EdgesOf, HalosHaveNoSeams) {
             << row;
 }
 
-/// The paths leave pixels alone whose neighbours have nearly the same colour, and draw the same of the others.
+/// The paths leave pixels alone whose neighbours have nearly the same colour, and bring others close to many samples.
 TEST(EdgesOf, SamplesAreWhereColorsChange) {
     const Representation r = scene("sample:dna", Style::spacefill);
     RenderSettings s = settings(r, 192, Projection::orthographic, {20, 0, 0}, 4);
@@ -187,12 +187,16 @@ TEST(EdgesOf, SamplesAreWhereColorsChange) {
             const Picture truth = renderer->render(s);
             s.supersample = 1;
             const Picture one = renderer->render(s);
-            s.supersample = 4;
-            const Picture all = renderer->render(s);
             s.supersample = RenderSettings::kEdges;
             const Picture picture = renderer->render(s);
             EXPECT_GT(likeness(picture, truth), 40);
-            std::size_t alone = 0, wrong = 0;
+            const auto stepsOff = [&](std::size_t at, const Picture& p) {
+                float most = 0;
+                for (std::size_t c = 0; c < 4; ++c)
+                    most = std::max(most, std::abs(std::sqrt(p.rgba[4 * at + c]) - std::sqrt(truth.rgba[4 * at + c])));
+                return 255 * most;
+            };
+            std::size_t alone = 0, wrong = 0, finer = 0, closer = 0;
             for (std::size_t y = 1; y + 1 < 192; ++y)
                 for (std::size_t x = 1; x + 1 < 192; ++x) {
                     const std::size_t here = 192 * y + x;
@@ -201,14 +205,17 @@ TEST(EdgesOf, SamplesAreWhereColorsChange) {
                         most = std::max(most, stepsApart(one, here, there));
                     if (most > 14 && most < 18) continue;  // rounding
                     alone += most < 16 ? 1 : 0;
-                    const Picture& expected = most < 16 || (rims && path == Visibility::tiles) ? one : all;
-                    if (most >= 16 && &expected == &one) continue;  // its samples stand elsewhere
-                    wrong += std::equal(&expected.rgba[4 * here], &expected.rgba[4 * here] + 4, &picture.rgba[4 * here])
-                                 ? 0
-                                 : 1;
+                    if (most >= 16) {  // tiles add samples, on a grid of their own
+                        closer += stepsOff(here, picture) <= stepsOff(here, one) + 4 ? 1 : 0;
+                        ++finer;
+                        continue;
+                    }
+                    wrong += std::equal(&one.rgba[4 * here], &one.rgba[4 * here] + 4, &picture.rgba[4 * here]) ? 0 : 1;
                 }
             EXPECT_EQ(wrong, 0u);
             EXPECT_GT(alone, 192u * 192u / 2);
+            EXPECT_GT(finer, 500u);
+            EXPECT_GT(closer, finer * 97 / 100);
         }
 }
 

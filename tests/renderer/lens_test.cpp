@@ -133,6 +133,7 @@ TEST_P(Lens, LeavesNoHardEdgeOfWhatIsBlurred) {
         for (int y = -20; y <= 20; y += 2) add({x, y, -10}, 3, 0xffffffffu);
     r.radius = 35;
     RenderSettings s = lensSettings(r, GetParam(), 0.5, 7);
+    s.view.rotation = glm::dmat3(1);
     s.view.pixelsPerAngstrom *= 2;
     s.lighting = false;
     ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
