@@ -30,7 +30,9 @@ COMMANDS = ("`nacre --help`", "`nacre info 1crn.pdb`", "`nacre render sample:dna
             "`nacre render 4hhb.cif.gz --cache off`", "`nacre render 4hhb.cif.gz --cache off --style cartoon`",
             "`nacre render 4hhb.cif.gz --cache off --style surface`")
 EFFECTS = {"plain": "", "`--halos 6`": "", "`--contours 2 --contour-weights 3`": "",
-           "`--style surface --surface-opacity 0.5`": "--style surface", "`--visibility encoded`": ""}
+           "`--style surface --surface-opacity 0.5`": "--style surface", "`--depth-of-field 10`": "",
+           "`--visibility encoded`": "", "`--visibility fragdepth`": "", "`--visibility encoded --halos 6`": "",
+           "`--visibility encoded --depth-of-field 10`": ""}
 PATHS = ("encoded", "fragdepth", "deferred", "raster-order", "tiles")
 FRAMES = {"1BNA": "1bna.pdb", "4HHB": "4hhb.cif.gz", "1AON": "1aon-groel.pdb.gz"}
 BAKES = {"1BNA": "1BNA", "4HHB": "4HHB", "1AON": "1AON", "3J6R, 16 directions": "3J6R capsid"}
