@@ -60,13 +60,12 @@ bool wantsEdges(const RenderSettings& settings) {
     return settings.supersample == RenderSettings::kEdges && settings.debug == DebugView::none;
 }
 
-/// Adds a number of each row, which the same passes have.
+/// Adds a number of each row to that of the same pass.
 template <typename Row, typename Number>
 void addUp(std::vector<Row>& sum, const std::vector<Row>& more, Number Row::*number) {
-    sum.resize(more.size());
-    for (std::size_t i = 0; i < more.size(); ++i) {
-        sum[i].name = more[i].name;
-        sum[i].*number += more[i].*number;
+    for (const Row& row : more) {
+        const auto same = std::ranges::find(sum, row.name, &Row::name);
+        same == sum.end() ? sum.push_back(row) : void((*same).*number += row.*number);
     }
 }
 
