@@ -131,7 +131,7 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
                                   samples == Samples::block,
                                   samples == Samples::resolved ? graph::kMultisamples : 1,
                                   mask,
-                                  samples == Samples::edges || samples == Samples::block});
+                                  samples == Samples::edges || samples == Samples::block || sharp});
     const std::shared_ptr<DeclaredFrame> declared = declare(seen);
     SceneFrames::bind(*declared, seen);
     if (sharp) declared->imports.bind(*declared->frame.sharp, *sharp);

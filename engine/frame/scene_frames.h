@@ -29,7 +29,7 @@ struct FrameRequest {
     bool subsamples = false;         ///< kBlockSamples x kBlockSamples of its pixels are one of a picture
     std::uint32_t samples = 1;       ///< per pixel, unless lacksSamples() has a reason against it
     const TileMask* mask = nullptr;  ///< not null: only these tiles' pixels matter, on every path
-    bool finer = false;              ///< it adds samples to a picture that a frame of the device's path drew
+    bool finer = false;              ///< it adds samples or depth to a picture by the device's path
 };
 
 /// A scene as a frame shows it.
