@@ -9,11 +9,11 @@
 namespace nacre::passes {
 namespace {
 
-constexpr std::array kImages{kSampled, kSampled, kSampled};
-constexpr auto kFragments = vk::ShaderStageFlagBits::eFragment;
+constexpr std::array kLensImages{kSampled, kSampled, kSampled};
+constexpr auto kLensStages = vk::ShaderStageFlagBits::eFragment;
 
 const gpu::Layout& lensLayout(gpu::PipelineContext& context) {
-    return context.pipelines.layout({"lens layout", kImages, kFragments, sizeof(Lens)});
+    return context.pipelines.layout({"lens layout", kLensImages, kLensStages, sizeof(Lens)});
 }
 
 FullScreenPass passOf(LensStep step) {
@@ -34,13 +34,13 @@ FullScreenPass passOf(LensStep step) {
 
 void drawLens(gpu::PassContext& context, LensStep step, const Lens& lens, std::span<const vk::ImageView> images) {
     // Always written, even if the shader reads fewer: lavapipe accesses all.
-    std::array<vk::ImageView, kImages.size()> views;
+    std::array<vk::ImageView, kLensImages.size()> views;
     views.fill(images[0]);
     std::copy(images.begin(), images.end(), views.begin());
     const gpu::Layout& layout = lensLayout(context);
     bindFullScreen(context, passOf(step), layout);
     bindTextures(context, layout, vk::Filter::eNearest, views);
-    drawFullScreen(context, layout, kFragments, lens);
+    drawFullScreen(context, layout, kLensStages, lens);
 }
 
 void wantLens(gpu::PipelineContext& context, LensStep step) {
