@@ -184,6 +184,7 @@ Hit ballHit(uint index, vec2 q) {
     return sphereHitThrough(vec4(toView(shape.xyz), shape.w), q);
 }
 #define KIND kBalls
+#define FIRST 0u
 #define SEEN seenBall
 #define HIT ballHit
 #define SIGHT_AT sightOfBall
@@ -197,6 +198,7 @@ Hit stickHit(uint index, vec2 q) {
     return stickHitThrough(stickAt(shapeAt(at), shapeAt(at + 1u)), q);
 }
 #define KIND kSticks
+#define FIRST view.spheres
 #define SEEN seenStick
 #define HIT stickHit
 #define SIGHT_AT sightOfStick
@@ -208,6 +210,7 @@ Hit stickHit(uint index, vec2 q) {
 #ifdef TRIANGLES
 Hit facetHit(uint index, vec2 q) { return facetHitThrough(facetOf(index), q); }
 #define KIND kFacets
+#define FIRST (view.spheres + view.cylinders)
 #define SEEN seenFacet
 #define HIT facetHit
 #define SIGHT_AT sightOfFacet

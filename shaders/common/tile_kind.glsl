@@ -1,11 +1,12 @@
 // Colours of the pixels of a tile that show one kind of primitive; included for each, since drivers inline functions
 // before they know which kind is asked for, and optimise all of it each time.
 //   KIND             of kindOf()
+//   FIRST            index of the first of the kind: what lanes without a pixel read
 //   SEEN, HIT        what a ray sees of a primitive, by its index; its hit, by the same
 //   SIGHT_AT, MARKED, COLOR_AT, SHADE   names of the functions
 
 uint SIGHT_AT(uint number, vec2 q) {
-    uint index = place(max(number, 1u));
+    uint index = max(place(max(number, 1u)), FIRST);
     return number == 0u ? 0u : sightOf(HIT(index, q), number);
 }
 
@@ -30,7 +31,7 @@ uint MARKED(uint sight, vec2 pixel, float width, float depth) {
 uint COLOR_AT(inout uint seenNumber, vec2 pixel, uint rim) {
     vec2 q = planePoint(sampledAt(pixel));
     uint number = max(seenNumber, 1u);
-    Seen seen = SEEN(place(number), q);
+    Seen seen = SEEN(max(place(number), FIRST), q);
 #ifdef RIMS
     vec3 lit = lightOf(seen.hit, storedColor(seen), seen.occlusion, q);
     return rimmed(vec4(seenNumber == 0u ? vec3(0.0) : lit, seenNumber == 0u ? 0.0 : 1.0), rim);
@@ -80,6 +81,7 @@ void SHADE(uvec2 corner, uint pitch, uint lane, float width, float depth) {
 #endif
 
 #undef KIND
+#undef FIRST
 #undef SEEN
 #undef HIT
 #undef SIGHT_AT
