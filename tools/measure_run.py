@@ -106,11 +106,11 @@ class Run:
         return {"wall": row["wall"], "cpu": row["processor"]}
 
     def google(self, program, *arguments):
-        """@returns name -> the row of a Google Benchmark program, of statistic "min" """
+        """@returns name -> the row of a Google Benchmark program, of statistic "min", or its one run """
         rows = self.json(self.program(program), *arguments, "--benchmark_format=json",
                          "--benchmark_enable_random_interleaving=true")["benchmarks"]
         return {row["run_name"].split("/iterations")[0].split("/repeats")[0]: row for row in rows
-                if row.get("aggregate_name") == "min"}
+                if row.get("aggregate_name") == "min" or row["repetitions"] == 1}
 
     def window(self, *arguments, seconds):
         """What `nacre view --stats` reports of a window that is ended after some seconds."""

@@ -2,6 +2,8 @@
 
 import gzip
 
+from measure_run import ROOT
+
 SIZES = ("640x960", "2048x1536")
 JMOL = {"1BNA": "1bna.mmtf", "4HHB": "4hhb.pdb", "4V5A": "4v5a-ribosome.mmtf"}
 STYLES = {"perspective": ["--projection", "perspective"], "ball and stick": ["--style", "ball-and-stick"],

@@ -158,7 +158,7 @@ def baked(run):
 def rays(run):
     for line in run.text(run.program("occlusion_table"), 5000, 4096).splitlines()[2:]:
         name, *values = [cell.strip() for cell in line.strip("|").split("|")]
-        yield name, dict(zip(DIRECTIONS, map(float, values)))
+        yield f"`{name}`" if ":" in name else name, dict(zip(DIRECTIONS, map(float, values)))
 
 
 def fragments(run):
