@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <iterator>
 
+#include "app/annotation/element_names.h"
 #include "engine/molecule/element.h"
 #include "engine/scene/contacts.h"
 
@@ -17,27 +17,6 @@ std::string formatted(const char* format, double value) {
     std::snprintf(text, sizeof text, format, value);
     return text;
 }
-
-constexpr std::string_view kElementNames[] = {
-    "Atom",         "Hydrogen",    "Helium",    "Lithium",      "Beryllium",   "Boron",        "Carbon",
-    "Nitrogen",     "Oxygen",      "Fluorine",  "Neon",         "Sodium",      "Magnesium",    "Aluminium",
-    "Silicon",      "Phosphorus",  "Sulfur",    "Chlorine",     "Argon",       "Potassium",    "Calcium",
-    "Scandium",     "Titanium",    "Vanadium",  "Chromium",     "Manganese",   "Iron",         "Cobalt",
-    "Nickel",       "Copper",      "Zinc",      "Gallium",      "Germanium",   "Arsenic",      "Selenium",
-    "Bromine",      "Krypton",     "Rubidium",  "Strontium",    "Yttrium",     "Zirconium",    "Niobium",
-    "Molybdenum",   "Technetium",  "Ruthenium", "Rhodium",      "Palladium",   "Silver",       "Cadmium",
-    "Indium",       "Tin",         "Antimony",  "Tellurium",    "Iodine",      "Xenon",        "Caesium",
-    "Barium",       "Lanthanum",   "Cerium",    "Praseodymium", "Neodymium",   "Promethium",   "Samarium",
-    "Europium",     "Gadolinium",  "Terbium",   "Dysprosium",   "Holmium",     "Erbium",       "Thulium",
-    "Ytterbium",    "Lutetium",    "Hafnium",   "Tantalum",     "Tungsten",    "Rhenium",      "Osmium",
-    "Iridium",      "Platinum",    "Gold",      "Mercury",      "Thallium",    "Lead",         "Bismuth",
-    "Polonium",     "Astatine",    "Radon",     "Francium",     "Radium",      "Actinium",     "Thorium",
-    "Protactinium", "Uranium",     "Neptunium", "Plutonium",    "Americium",   "Curium",       "Berkelium",
-    "Californium",  "Einsteinium", "Fermium",   "Mendelevium",  "Nobelium",    "Lawrencium",   "Rutherfordium",
-    "Dubnium",      "Seaborgium",  "Bohrium",   "Hassium",      "Meitnerium",  "Darmstadtium", "Roentgenium",
-    "Copernicium",  "Nihonium",    "Flerovium", "Moscovium",    "Livermorium", "Tennessine",   "Oganesson",
-    "Deuterium"};
-static_assert(std::size(kElementNames) == 120);
 
 }  // namespace
 
@@ -118,10 +97,6 @@ std::string contactText(const Molecule& molecule, const Interaction& contact) {
                        endText(molecule, contact.a) + " to " + endText(molecule, contact.b);
     for (const std::uint32_t water : contact.waters) text += " by " + shortAtomText(molecule, water);
     return text;
-}
-
-std::string_view elementName(Element element) {
-    return element < std::size(kElementNames) ? kElementNames[element] : kElementNames[0];
 }
 
 }  // namespace nacre::app

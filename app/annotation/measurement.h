@@ -4,7 +4,6 @@
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "engine/molecule/chemistry/interactions.h"
 #include "engine/molecule/molecule.h"
@@ -33,8 +32,5 @@ std::string contactText(const Molecule& molecule, const Interaction& contact);
 
 /// "HIS 87 NE2", as far as known. @param atom index into Molecule::atoms
 std::string shortAtomText(const Molecule& molecule, std::uint32_t atom);
-
-/// IUPAC's name, "Oxygen"; "Atom" for an unknown element.
-std::string_view elementName(Element element);
 
 }  // namespace nacre::app

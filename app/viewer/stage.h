@@ -1,87 +1,14 @@
 #pragma once
-// State shared by the viewer's parts: the wanted view with the interactive camera and its undo history (each user
-// action is a step, a drag counts once), the document shown, notifications of changes to both, and messages to the
-// user: shown for a while, errors until they are dismissed.
+// State shared by the viewer's parts: the wanted view with the interactive camera, the document shown, and
+// notifications of changes to both.
 
-#include <limits>
-#include <string>
-#include <vector>
-
-#include "app/picture/description.h"
 #include "app/viewer/camera_motion.h"
 #include "app/viewer/frame_schedule.h"
+#include "app/viewer/history.h"
 #include "app/viewer/loader.h"
+#include "app/viewer/messages.h"
 
 namespace nacre::app {
-
-/// Messages to the user.
-class Messages {
-public:
-    static constexpr double kSeconds = 4;  ///< duration of a message
-
-    /// @param errorsStay  errors stay until dismissed: the shell shows failure()
-    Messages(FrameSchedule& schedule, bool errorsStay) : schedule_(schedule), errorsStay_(errorsStay) {}
-
-    void say(const std::string& message, double now) {
-        message_ = message;
-        until_ = now + kSeconds;
-        schedule_.overlayChanged();
-    }
-    /// Reports an error.
-    void fail(const std::string& what, double now) {
-        if (!errorsStay_) return say(what, now);
-        failure_ = what;
-        message_.clear();
-        schedule_.overlayChanged();
-    }
-    void dismissFailure() {
-        if (failure_.empty()) return;
-        failure_.clear();
-        schedule_.overlayChanged();
-    }
-    void clear() { message_.clear(); }
-    /// @returns when something is due; infinity: never
-    double advance(double now) {
-        if (!message_.empty() && now >= until_) say("", now);
-        return message_.empty() ? std::numeric_limits<double>::infinity() : until_;
-    }
-
-    const std::string& message() const { return message_; }
-    const std::string& failure() const { return failure_; }
-
-private:
-    FrameSchedule& schedule_;
-    bool errorsStay_;
-    std::string message_, failure_;
-    double until_ = 0;
-};
-
-/// Undo history of views.
-class History {
-public:
-    static constexpr std::size_t kMost = 200;  ///< views
-
-    /// Clears the history except for one view.
-    void begin(const PictureDescription& view);
-    /// Call before an action: the current view becomes a step, unless it is the last one; clears the redo steps.
-    void remember(const PictureDescription& now);
-    /// The current view may not be a step yet: it becomes one before the next undo.
-    void acted() { acted_ = true; }
-    bool empty() const { return views_.empty(); }
-    // For the current view
-    bool canUndo(const PictureDescription& now) const { return at_ > 0 || isAnother(now); }
-    bool canRedo(const PictureDescription& now) const { return at_ + 1 < views_.size() && !isAnother(now); }
-    /// The previous or next view; null: none. Valid until the next call.
-    const PictureDescription* undo(const PictureDescription& now) { return go(now, -1); }
-    const PictureDescription* redo(const PictureDescription& now) { return go(now, 1); }
-
-private:
-    bool isAnother(const PictureDescription& now) const;
-    const PictureDescription* go(const PictureDescription& now, int step);
-    std::vector<PictureDescription> views_;
-    std::size_t at_ = 0;
-    bool acted_ = false;
-};
 
 class Stage {
 public:

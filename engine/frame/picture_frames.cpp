@@ -65,7 +65,10 @@ template <typename Row, typename Number>
 void addUp(std::vector<Row>& sum, const std::vector<Row>& more, Number Row::*number) {
     for (const Row& row : more) {
         const auto same = std::ranges::find(sum, row.name, &Row::name);
-        same == sum.end() ? sum.push_back(row) : void((*same).*number += row.*number);
+        if (same == sum.end())
+            sum.push_back(row);
+        else
+            (*same).*number += row.*number;
     }
 }
 

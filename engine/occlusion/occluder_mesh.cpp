@@ -97,24 +97,6 @@ private:
     std::vector<float> counts_;
 };
 
-/// The triangles with one vertex for all at a position: at creases a mesh has one for each side.
-std::vector<glm::uvec3> joinedAtPositions(const OccluderMesh& mesh) {
-    std::vector<std::uint32_t> slots(std::bit_ceil(2 * mesh.positions.size() + 1), UINT32_MAX);
-    std::vector<std::uint32_t> firstOf(mesh.positions.size());
-    for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
-        const glm::vec3 p = mesh.positions[i] + 0.0f;  // no negative zero
-        const auto bits = [](float x) { return std::uint64_t{std::bit_cast<std::uint32_t>(x)}; };
-        std::size_t at = mixed(mixed(bits(p.x) << 32 | bits(p.y)) ^ bits(p.z)) & (slots.size() - 1);
-        while (slots[at] != UINT32_MAX && mesh.positions[slots[at]] != p) at = (at + 1) & (slots.size() - 1);
-        if (slots[at] == UINT32_MAX) slots[at] = i;
-        firstOf[i] = slots[at];
-    }
-    std::vector<glm::uvec3> joined;
-    joined.reserve(mesh.triangles.size());
-    for (const glm::uvec3& t : mesh.triangles) joined.emplace_back(firstOf[t.x], firstOf[t.y], firstOf[t.z]);
-    return joined;
-}
-
 OccluderMesh clustered(const Representation& r, const OccluderMesh& fine, std::span<const std::uint32_t> vertices,
                        float cell) {
     Clusters clusters(vertices.size());
@@ -132,28 +114,14 @@ OccluderMesh clustered(const Representation& r, const OccluderMesh& fine, std::s
 
 }  // namespace
 
-/// A number for each directed edge is added where it is met, and subtracted where it is met the other way.
-bool isClosed(std::span<const glm::uvec3> triangles) {
-    const auto edge = [](std::uint64_t from, std::uint64_t to) { return mixed(from << 32 | to); };
-    std::uint64_t sum = 0;
-    const auto add = [&](std::uint32_t from, std::uint32_t to) { sum += edge(from, to) - edge(to, from); };
-    for (const glm::uvec3& t : triangles) {
-        add(t.x, t.y);
-        add(t.y, t.z);
-        add(t.z, t.x);
-    }
-    return sum == 0;
-}
-
 OccluderMesh occluderMesh(const Representation& r, std::uint32_t first, std::uint32_t count, float pixel) {
     std::vector<std::uint32_t> vertices;
-    OccluderMesh mesh = plainMesh(r, trianglesOf(r, first, count), vertices);
-    // What is left out of a closed mesh leaves a closed one.
-    const bool closed = isClosed(mesh.triangles) || isClosed(joinedAtPositions(mesh));
+    const std::span<const Triangle> triangles = trianglesOf(r, first, count);
+    OccluderMesh mesh = plainMesh(r, triangles, vertices);
     if (OccluderMesh coarse = clustered(r, mesh, vertices, kCell * pixel);
         2 * coarse.triangles.size() <= mesh.triangles.size())
         mesh = std::move(coarse);
-    mesh.closed = closed;
+    mesh.closed = isClosed(r, triangles);  // what is left out of a closed mesh leaves a closed one
     return mesh;
 }
 

@@ -18,9 +18,6 @@ struct OccluderMesh {
     bool closed = false;                ///< backs lie behind fronts and are left out
 };
 
-/// Whether each edge of some triangles belongs to another one that runs the other way.
-bool isClosed(std::span<const glm::uvec3> triangles);
-
 /// Triangles numbered as by drawnTriangle(). Vertices that share a cell and roughly a normal become one, in their
 /// middle, where that leaves at most half of the triangles.
 /// @param pixel  of the map, Å

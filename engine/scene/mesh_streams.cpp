@@ -106,13 +106,13 @@ private:
     std::uint64_t sum_ = 0;
 };
 
+}  // namespace
+
 bool isClosed(const Representation& r, std::span<const Triangle> triangles) {
     EdgeSum edges(r);
     for (const Triangle& t : triangles) edges.add(t);
     return edges.isZero();
 }
-
-}  // namespace
 
 const Triangle& drawnTriangle(const Representation& r, std::size_t number) {
     return number < r.triangles.size() ? r.triangles[number] : r.coarseTriangles[number - r.triangles.size()];

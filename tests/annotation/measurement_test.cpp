@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/annotation/element_names.h"
 #include "engine/molecule/read.h"
 
 namespace nacre::app {

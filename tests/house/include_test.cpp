@@ -133,7 +133,7 @@ const std::vector<Arrows> kLibraries = {
     {"curl/", {"app/download/curl_library.h"}},
     {"imgui", {"app/panel/"}},
     {"gemmi/", {"engine/molecule/", "engine/volume/"}},
-    {"zip.h", {"app/mvs/scene_file.cpp"}},
+    {"zip.h", {"app/mvs/archive.cpp"}},
     {"nlohmann/", {"app/"}},
     {"pybind11/", {"app/python/module.cpp"}},
 };

@@ -3,8 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
+#include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "engine/occlusion/mesh_heights.h"
 #include "tests/renderer/meshes.h"
@@ -23,13 +27,24 @@ occlusion::OccluderMesh occluderOf(const Mesh& mesh, float pixel) {
     return occlusion::occluderMesh(r, 0, static_cast<std::uint32_t>(r.triangles.size()), pixel);
 }
 
+/// Whether each edge has a triangle on either side, counted.
+bool hasNoBorder(const std::vector<glm::uvec3>& triangles) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> turns;
+    for (const glm::uvec3& t : triangles)
+        for (int i = 0; i < 3; ++i) {
+            const std::uint32_t from = t[i], to = t[(i + 1) % 3];
+            turns[std::minmax(from, to)] += from < to ? 1 : -1;
+        }
+    return std::ranges::all_of(turns, [](const auto& edge) { return edge.second == 0; });
+}
+
 TEST(OccluderMesh, OfSmallTrianglesHasFewer) {
     constexpr float kRadius = 5, kPixel = 0.4f;
     const Mesh ball = icosphere({0, 0, 0}, kRadius, 5, 0);
     const occlusion::OccluderMesh coarse = occluderOf(ball, kPixel);
     EXPECT_LT(coarse.triangles.size(), ball.triangles.size() / 4);
     EXPECT_TRUE(coarse.closed);
-    EXPECT_TRUE(occlusion::isClosed(coarse.triangles));
+    EXPECT_TRUE(hasNoBorder(coarse.triangles));
     for (const glm::vec3& p : coarse.positions) EXPECT_NEAR(glm::length(p), kRadius, kPixel / 4);
     for (const glm::uvec3& t : coarse.triangles) {
         const glm::vec3 a = coarse.positions[t.x], b = coarse.positions[t.y], c = coarse.positions[t.z];

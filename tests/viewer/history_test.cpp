@@ -1,12 +1,13 @@
 // Undo and redo: whatever was done, taking all of it back ends where it began, and doing it again where it ended.
 
+#include "app/viewer/history.h"
+
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "app/picture/appearance_values.h"
 #include "app/viewer/parts.h"
-#include "app/viewer/stage.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"

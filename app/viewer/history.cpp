@@ -1,4 +1,4 @@
-#include "app/viewer/stage.h"
+#include "app/viewer/history.h"
 
 #include "app/picture/options.h"
 
