@@ -54,7 +54,7 @@ public:
             for (const Control& any : panel().controls())
                 if (any.seen() && any.window == "Nacre")
                     events_.pointer({(any.seenLeft + any.seenRight) / 2, (any.seenTop + any.seenBottom) / 2});
-            events_.wheel(-1);
+            events_.wheel(-1, {});
             for (int k = 0; k < 3; ++k) session_.step(0.02);
             c = find(name);
         }

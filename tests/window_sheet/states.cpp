@@ -141,6 +141,18 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              d.click("Light, outlines, fog");
              d.click("Halo colour");
          }},
+        {"look, depth of field",
+         {1000, 1000},
+         p,
+         [](Driver& d) {
+             PictureDescription look = d.viewer().view();
+             look.effects.depthOfField.strength = 0.5;
+             look.effects.depthOfField.focus = -20;
+             d.viewer().setLook(look, seconds());
+             d.click("Light, outlines, fog");
+             d.click("Focus on the middle of the view");
+             d.click("Focus on the middle of the view");
+         }},
         {"parts", kUsual, p, page(Panel::Page::parts)},
         {"parts, sequence", kUsual, p, sequence},
         {"parts, sequence, light, narrow", kNarrow, p, [=](Driver& d) { light(d), sequence(d); }},

@@ -1,0 +1,147 @@
+// The page of parts: rows, several molecules, the sequence.
+
+#include "app/panel/panel.h"
+#include "tests/panel/panel_bench.h"
+
+namespace nacre::app::test {
+namespace {
+
+TEST(Panel, RowsOfPartsHideAndColour) {
+    Bench b("sample:dna", kUsual);
+    b.panel.showPage(Panel::Page::parts);
+    b.settle();
+    const std::size_t all = b.viewer.document()->scene.drawnAtoms;
+    b.click("Hide Chain A");
+    EXPECT_LT(b.viewer.document()->scene.drawnAtoms, all);
+    b.click("Show Chain A");
+    EXPECT_EQ(b.viewer.document()->scene.drawnAtoms, all);
+    EXPECT_TRUE(b.viewer.view().look.rules.empty());
+    b.click("Undo");
+    EXPECT_LT(b.viewer.document()->scene.drawnAtoms, all);
+    b.click("Colour of Chain B");
+    b.click("Vermilion");
+    ASSERT_EQ(b.viewer.view().look.rules.size(), 2u);
+    EXPECT_EQ(b.viewer.view().look.rules.back().coloring, Coloring::uniform(IM_COL32(0xd5, 0x5e, 0, 255)));
+    b.panel.showPage(Panel::Page::select);
+    b.settle();
+    bool named = false;
+    for (const Control& c : b.panel.controls()) named |= c.role == "button" && c.name.ends_with(": Vermilion");
+    EXPECT_TRUE(named);
+}
+
+TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
+    Bench b("sample:dna", {1000, 900});
+    b.panel.showStart();
+    b.settle();
+    b.click("Add to current scene");
+    b.click("Buckyball");
+    ASSERT_EQ(b.viewer.document()->molecule->atoms.size(), 486u + 60u);
+    EXPECT_EQ(b.viewer.title(), "sample:dna + sample:buckyball - Nacre");
+    EXPECT_EQ(b.viewer.playback().models(), 1) << "molecules are no models to step through";
+    ASSERT_EQ(b.viewer.view().look.rules.size(), 1u);
+    EXPECT_EQ(b.viewer.view().look.rules[0].selection.text, "/buckyball");
+    b.panel.showPage(Panel::Page::parts);
+    b.settle();
+    expectReadable(b, "parts of two molecules");
+    const auto drawn = [&] { return b.viewer.document()->scene.drawnAtoms; };
+    const std::size_t all = drawn();
+    b.click("Hide 60C");
+    EXPECT_EQ(drawn(), all - 60);
+    b.click("Hide Chain A");
+    EXPECT_LT(drawn(), 300u);
+    EXPECT_EQ(b.viewer.view().look.rules.back().selection.text, "/dna and chain A and polymer");
+    // A click says which molecule it means, and so does what is typed.
+    b.viewer.picking().select("/buckyball");
+    EXPECT_EQ(b.viewer.picking().selection().count, 60u);
+    // What is saved with both is read with both, and means the same.
+    const PictureDescription again = parseSavedView(savedViewJson(b.viewer.view()), "view");
+    EXPECT_EQ(again.input.further, b.viewer.view().input.further);
+    EXPECT_EQ(again.look.rules, b.viewer.view().look.rules);
+    for (int i = 0; i < 3; ++i) b.click("Undo");
+    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), 486u);
+    EXPECT_TRUE(b.viewer.view().look.rules.empty());
+    b.click("Redo");
+    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), 546u);
+    b.viewer.reading().open("sample:glucose", b.now);
+    b.settle();
+    EXPECT_TRUE(b.viewer.view().input.further.empty());
+}
+
+TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
+    Bench b("sample:dna", {1000, 900});
+    b.viewer.reading().open(std::vector<std::string>{"sample:dna", "sample:dna"}, b.now);
+    b.settle();
+    ASSERT_EQ(b.viewer.document()->molecule->atoms.size(), 2u * 486u);
+    b.panel.showPage(Panel::Page::parts);
+    b.settle();
+    b.click("Superposed on dna");
+    ASSERT_EQ(b.viewer.view().input.fits.size(), 1u);
+    EXPECT_EQ(b.viewer.view().input.fits[0].fixed.text, "/dna");
+    EXPECT_EQ(b.viewer.document()->view.input.fits, b.viewer.view().input.fits) << b.viewer.messages().failure();
+    expectReadable(b, "a fit");
+    b.click("Superposed on dna");
+    EXPECT_TRUE(b.viewer.view().input.fits.empty());
+    b.click("Undo");
+    EXPECT_EQ(b.viewer.view().input.fits.size(), 1u);
+    // What cannot be laid stays where it is, and the view does not say otherwise.
+    Sources unlike = sampleSources();
+    unlike.read = [read = unlike.read](const PictureDescription& view) {
+        if (!view.input.fits.empty())
+            throw Error("cannot fit", "/dna_2", "fewer than three of its atoms have a counterpart");
+        return read(view);
+    };
+    Bench other("sample:dna", {1000, 900}, 1, PanelHand::mouse, unlike);
+    other.viewer.reading().add("sample:dna", other.now);
+    other.panel.showPage(Panel::Page::parts);
+    other.settle();
+    other.click("Superposed on dna");
+    EXPECT_NE(other.viewer.messages().failure(), "");
+    const PictureDescription& view = other.viewer.view();
+    EXPECT_TRUE(view.input.fits.empty());
+    EXPECT_EQ(other.find("Superposed on dna")->value, "off");
+}
+
+TEST(Panel, ADragAcrossTheSequenceSelectsResidues) {
+    Bench b("sample:dna", kUsual);
+    b.panel.showPage(Panel::Page::parts);
+    b.settle();
+    b.click("Chain A");
+    const Control* sequence = b.find("Sequence of Chain A");
+    ASSERT_TRUE(sequence);
+    const double y = sequence->top + 15, x = sequence->left + 36, letter = 11.5;
+    b.panel.input().pointer({x + letter * 2.5, y});
+    b.frame();
+    b.panel.input().button(MouseButton::left, true);
+    b.frame();
+    b.panel.input().pointer({x + letter * 4.5, y});
+    b.frame();
+    b.panel.input().button(MouseButton::left, false);
+    b.settle();
+    EXPECT_EQ(b.viewer.picking().selection().text, "chain A and resi 3-5");
+    EXPECT_GT(b.viewer.picking().selection().count, 50u);
+    EXPECT_EQ(b.viewer.picking().annotations().selected.size(), b.viewer.picking().selection().count);
+}
+
+TEST(Panel, KeysGoAlongTheSequence) {
+    Bench b("sample:dna", kUsual);
+    b.panel.showPage(Panel::Page::parts);
+    b.settle();
+    b.click("Chain A");
+    const auto focused = [&] {
+        const Control* sequence = b.find("Sequence of Chain A");
+        return sequence && sequence->focused;
+    };
+    for (int i = 0; i < 60 && !focused(); ++i) b.press(SpecialKey::tab);
+    ASSERT_TRUE(focused());
+    b.press(SpecialKey::right);
+    b.settle();
+    EXPECT_EQ(b.viewer.picking().selection().text, "chain A and resi 1");
+    b.press(SpecialKey::right);
+    b.press(SpecialKey::right, {true, false});
+    b.settle();
+    EXPECT_EQ(b.viewer.picking().selection().text, "chain A and resi 2-3");
+    EXPECT_TRUE(focused());
+}
+
+}  // namespace
+}  // namespace nacre::app::test
