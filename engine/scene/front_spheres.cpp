@@ -128,7 +128,7 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
     const Scenery s{spheres, boxes, calls};
     begin(view, s);
     list(view, s);
-    orderNearFirst<2048>(view, groups_, order_);
+    sortNearFirst<2048>(view, groups_, sorted_);
     partRows(
         height_, std::min<std::size_t>(groups_.size() / kWorth + 1, threadsPerTask()), groups_,
         [&](const FrontGroup& group) { return frontPixelAt((group.top + group.bottom) * 0.5f, 0, height_ - 1); },
@@ -146,8 +146,7 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
             std::fill_n(z_.data() + y * pitch_ + width_, pitch_ - width_, kHidesAll);
         }
         const auto top = static_cast<float>(band.first), bottom = static_cast<float>(band.end);
-        for (const std::uint32_t i : order_) {
-            const FrontGroup& group = groups_[i];
+        for (const FrontGroup& group : sorted_) {
             if (group.bottom < top || group.top > bottom) continue;
             if (!band.isHidden({group.near, group.left, group.top, group.right, group.bottom}))
                 lanes_.draw(band, s.spheres, s.boxes, s.calls[group.call], placeOf(view, s.calls[group.call]),

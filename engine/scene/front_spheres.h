@@ -51,8 +51,8 @@ private:
     std::uint32_t pitch_ = 0;  // pixels per row, including sentinels at its end that hide everything
     FrontLanes lanes_;
     FrontBand shared_;  // what all bands have in common
-    std::vector<FrontGroup> groups_;
-    std::vector<std::uint32_t> order_, inRow_;
+    std::vector<FrontGroup> groups_, sorted_;
+    std::vector<std::uint32_t> inRow_;
     std::vector<RowBand> bands_;
     std::vector<std::vector<std::uint32_t>> doubts_;  // per band
     std::vector<float> z_;                            // of each pixel's sphere
