@@ -15,8 +15,13 @@
 
 namespace nacre::test {
 
+/// What windows measure unless a test says otherwise. A frame of 1280 x 720, as large as SwiftShader's are by themselves,
+/// takes it longer than all else.
+inline void haveSmallWindows() { faults::setWindowSize(160, 120); }
+
 /// Puts the layer above the validation layer, for this process and those that it starts.
 inline const bool faultLayerInForce = [] {
+    haveSmallWindows();
     setenv("VK_ADD_LAYER_PATH", NACRE_FAULT_LAYER_FOLDER, 1);
     setenv("VK_INSTANCE_LAYERS", "VK_LAYER_NACRE_faults", 1);
     return true;

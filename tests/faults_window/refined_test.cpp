@@ -35,7 +35,7 @@ TEST(Refined, TakesTwoImagesMoreHoweverManySamplesThereAre) {
         EXPECT_EQ(imagesOf(Quality::live, 1), 0u) << visibilityName(path);
         for (const std::string& message : renderer.validationMessages()) ADD_FAILURE() << message;
     }
-    faults::setWindowSize(0, 0);
+    haveSmallWindows();
 }
 
 }  // namespace

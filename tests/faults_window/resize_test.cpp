@@ -14,7 +14,7 @@ struct Maintained {
     }
     ~Maintained() {
         faults::hideExtensions({});
-        faults::setWindowSize(0, 0);
+        haveSmallWindows();
     }
 };
 

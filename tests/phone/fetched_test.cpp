@@ -21,7 +21,7 @@ void expectTheSame(const Representation& r, RenderSettings s) {
     s.fine = true;
     for (const Visibility path : paths()) {
         SCOPED_TRACE(visibilityName(path));
-        ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
+        ValidatedRenderer renderer(path);
         renderer->setScene(r);
         s.tuning.countFragments = false;
         const Picture fetched = renderer->render(s);
@@ -67,7 +67,7 @@ TEST(Fetched, OtherColoursReachWhatIsFetched) {
     s.supersample = 1;
     for (const Visibility path : paths()) {
         SCOPED_TRACE(visibilityName(path));
-        ValidatedRenderer fresh(path, ValidatedRenderer::fresh), renderer(path, ValidatedRenderer::fresh);
+        ValidatedRenderer fresh(path), renderer(path);
         fresh->setScene(after);
         renderer->setScene(before);
         const Picture first = renderer->render(s);

@@ -113,7 +113,7 @@ TEST(Phone, DrawsEveryPathAndStyleAlike) {
             const Representation r = scene("sample:glucose", style);
             std::vector<std::uint32_t> ids;
             for (const Visibility path : kPaths) {
-                ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
+                ValidatedRenderer renderer(path);
                 renderer->setScene(r);
                 RenderSettings s = settings(r, 96, projection);
                 s.occlusion.directions = 4;
@@ -252,7 +252,7 @@ TEST(Phone, LosesNothingWithAnEncoder) {
         for (const Visibility path : kPaths) {
             const Representation r = scene("sample:glucose", style);
             const RenderSettings s = settings(r, 96, Projection::orthographic);
-            ValidatedRenderer validated(path, ValidatedRenderer::fresh);
+            ValidatedRenderer validated(path);
             validated->setScene(r);
             const std::vector<float> expected = validated->render(s).rgba;
             const Unvalidated phone;
@@ -329,7 +329,7 @@ TEST(Phone, BakesByEveryKindOfDepthMap) {
     for (const OcclusionMaps maps :
          {OcclusionMaps::automatic, OcclusionMaps::encoded, OcclusionMaps::fragdepth, OcclusionMaps::tiles})
         for (const int directions : {1, 20}) {
-            ValidatedRenderer renderer(Visibility::automatic, ValidatedRenderer::fresh);
+            ValidatedRenderer renderer(Visibility::automatic);
             renderer->setScene(r);
             RenderSettings s = settings(r, 64, Projection::orthographic);
             s.occlusion.directions = directions;
@@ -348,7 +348,7 @@ TEST(Phone, DrawsNoMoreInstancesAtOnceThanPhonesTake) {
     ASSERT_GT(r.spheres.size(), 512u);
     ASSERT_GT(r.cylinders.size(), 512u);
     for (const Visibility path : kPaths) {
-        ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
+        ValidatedRenderer renderer(path);
         renderer->setScene(r);
         RenderSettings s = settings(r, 64, Projection::orthographic);
         s.occlusion.directions = 1;
@@ -379,7 +379,7 @@ TEST(Phone, ShowsEveryDebugViewAndRungOfEncodedDepth) {
 TEST(Phone, DrawsEveryKindOfPlateAndOutline) {
     Representation r = scene("sample:glucose", Style::ballAndStick);
     for (const Visibility path : kPaths) {
-        ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
+        ValidatedRenderer renderer(path);
         renderer->setScene(r);
         RenderSettings s = settings(r, 64, Projection::orthographic);
         for (const PlateShape plates : {PlateShape::none, PlateShape::octagon, PlateShape::dome3})

@@ -20,13 +20,26 @@
 namespace nacre::app {
 namespace {
 
-// What SwiftShader says of a surface without a window, whatever is asked for.
-constexpr PixelSize kSize{1280, 720};
+// What a layer says of every surface: SwiftShader's 1280 x 720 take four times as long to draw.
+constexpr PixelSize kSize{640, 360};
 constexpr double kScale = 2;  // pixels a point
+
+/// Programs' layers are those of the environment: one stands above the driver for as long as this lives.
+struct Layer {
+    Layer(const char* folder, const char* name) {
+        setenv("VK_ADD_LAYER_PATH", folder, 1);
+        setenv("VK_INSTANCE_LAYERS", name, 1);
+    }
+    ~Layer() {
+        for (const char* name : {"VK_ADD_LAYER_PATH", "VK_INSTANCE_LAYERS", "NACRE_PHONE", "NACRE_PHONE_WRONG"})
+            unsetenv(name);
+    }
+};
 
 /// The system's part: a surface, a file, a clock.
 class Host {
 public:
+    Host() { faults::setWindowSize(kSize.width, kSize.height); }
     PhoneHost lend() {
         PhoneHost host;
         host.validate = true;
@@ -71,6 +84,7 @@ public:
     }
 
     int surfaces = 0;
+    const Layer layer{NACRE_FAULT_LAYER_FOLDER, "VK_LAYER_NACRE_faults"};
     const test::TemporaryFolder folder;
     double now = 100;
 };
@@ -109,8 +123,8 @@ TEST(PhoneSession, DrawsComesToRestAndPicks) {
     EXPECT_EQ(framesOf(session), drawn) << "a picture that stands still is not drawn again";
 
     // A tap in the middle; the display link wakes for the time that a second one would take.
-    session.viewer().touch({1, TouchPhase::began, {320, 180}}, host.now);
-    session.viewer().touch({1, TouchPhase::ended, {320, 180}}, host.now + 0.05);
+    session.viewer().touch({1, TouchPhase::began, {160, 90}}, host.now);
+    session.viewer().touch({1, TouchPhase::ended, {160, 90}}, host.now + 0.05);
     host.now += 0.05;
     host.run(session);
     ASSERT_EQ(session.viewer().picking().picks().size(), 1u);
@@ -131,7 +145,7 @@ TEST(PhoneSession, TheDebugPageTellsWhatTheRendererDoes) {
     Host host;
     PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
     session.setSeen(true);
-    session.resize(kSize, 0.5);  // all of the panel has room
+    session.resize(kSize, 0.25);  // all of the panel has room
     session.viewer().frames().setMostSamples(1);
     host.run(session);
     for (const auto& [role, name] : {std::pair("button", "Menu"), {"tab", "More"}, {"button", "For developers"}}) {
@@ -237,20 +251,7 @@ TEST(PhoneSession, DrawsInteractions) {
     }
 }
 
-/// A layer that stands above the driver for as long as this lives.
-struct Layer {
-    Layer(const char* folder, const char* name) {
-        setenv("VK_ADD_LAYER_PATH", folder, 1);
-        setenv("VK_INSTANCE_LAYERS", name, 1);
-    }
-    ~Layer() {
-        for (const char* name : {"VK_ADD_LAYER_PATH", "VK_INSTANCE_LAYERS", "NACRE_PHONE", "NACRE_PHONE_WRONG"})
-            unsetenv(name);
-    }
-};
-
 TEST(PhoneSession, ALostDeviceIsReplacedAndTheLossIsSaid) {
-    const Layer layer(NACRE_FAULT_LAYER_FOLDER, "VK_LAYER_NACRE_faults");
     Host host;
     PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
     begin(session);
@@ -283,13 +284,13 @@ TEST(PhoneSession, ALostDeviceIsReplacedAndTheLossIsSaid) {
 }
 
 TEST(PhoneSession, ADeviceIsTriedAtItsFirstStartAndAWrongPathIsNotTaken) {
-    const Layer layer(NACRE_PHONE_LAYER_FOLDER, "VK_LAYER_NACRE_phone");
     const test::TemporaryFolder folder;
-    setenv("NACRE_PHONE", "moltenvk", 1);
-    setenv("NACRE_PHONE_WRONG", "min", 1);
     std::string found;
     for (int start = 0; start < 2; ++start) {
         Host host;
+        const Layer layer(NACRE_PHONE_LAYER_FOLDER, "VK_LAYER_NACRE_phone");
+        setenv("NACRE_PHONE", "moltenvk", 1);
+        setenv("NACRE_PHONE_WRONG", "min", 1);
         PhoneHost lent = host.lend();
         lent.validate = false;  // what stands below the layer is no phone
         lent.cache = folder / "cache";
@@ -330,7 +331,7 @@ TEST(PhoneSession, APointerThatTouchesNothingNamesTheAtomBelow) {
     PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
     begin(session);
     host.run(session);
-    session.hover(glm::dvec2(320, 180));
+    session.hover(glm::dvec2(160, 90));
     host.now += 1;
     host.run(session, 0.5);
     EXPECT_EQ(session.viewer().picking().annotations().hover.substr(0, 6), "Oxygen");
@@ -353,7 +354,7 @@ TEST(PhoneSession, VoiceOverHearsAndMovesEveryControl) {
     };
     PhoneSession session(std::move(lent), viewOf("/far/pair.pdb"));
     begin(session);
-    session.resize(kSize, 1);  // as large as a tablet
+    session.resize(kSize, 0.5);  // as large as a tablet
     host.run(session);
     const auto value = [&](const std::string& role, const std::string& name) {
         for (const Control& c : session.spoken())

@@ -1,10 +1,8 @@
 // Frames for a window that nobody sees (VK_EXT_headless_surface, which SwiftShader has and lavapipe 22.3 has not;
 // tests/desktop draws into real windows there).
 
-#include <algorithm>
-
 #include "engine/error.h"
-#include "tests/renderer/scenes.h"
+#include "tests/faults/fault_run.h"
 #include "tests/support/headless_surface.h"
 
 namespace nacre::test {
@@ -27,16 +25,6 @@ DeviceOptions windowOptions(Visibility visibility, Multisampling samples = Multi
     return options;
 }
 
-bool hasHeadlessSurfaces() {
-    std::uint32_t count = 0;
-    vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr);
-    std::vector<VkExtensionProperties> list(count);
-    vkEnumerateInstanceExtensionProperties(nullptr, &count, list.data());
-    return std::any_of(list.begin(), list.end(), [](const VkExtensionProperties& e) {
-        return std::string_view(e.extensionName) == VK_EXT_HEADLESS_SURFACE_EXTENSION_NAME;
-    });
-}
-
 Overlay triangle() {
     Overlay overlay;
     overlay.vertices = {{5, 5, 0, 0, 0xff0000ff}, {60, 5, 0, 0, 0xff00ff00}, {5, 60, 0, 0, 0xffff0000}};
@@ -46,7 +34,6 @@ Overlay triangle() {
 }
 
 TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
-    if (!hasHeadlessSurfaces()) GTEST_SKIP() << "no VK_EXT_headless_surface";
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     for (const Visibility path : kPaths) {
         Renderer renderer(windowOptions(path));
@@ -96,7 +83,6 @@ TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
 }
 
 TEST(WindowFrames, RestThroughALensTakesNoPassMore) {
-    if (!hasHeadlessSurfaces()) GTEST_SKIP() << "no VK_EXT_headless_surface";
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     Renderer renderer(windowOptions(Visibility::encoded));
     renderer.setScene(r);
@@ -113,7 +99,6 @@ TEST(WindowFrames, RestThroughALensTakesNoPassMore) {
 }
 
 TEST(WindowFrames, FourSamplesInMotionAreValidUnderAnOverlayAndAtAnySize) {
-    if (!hasHeadlessSurfaces()) GTEST_SKIP() << "no VK_EXT_headless_surface";
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     {
         Renderer renderer(windowOptions(Visibility::fragdepth, Multisampling::four));
