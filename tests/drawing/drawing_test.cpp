@@ -25,12 +25,11 @@ protected:
         drawing.prepare(molecule, picture);
         return drawing.draw(canvas);
     }
-    /// Draws by one that has drawn nothing yet.
-    Picture anew() const {
-        Canvas other{DeviceOptions{}};
+    /// Draws by one that has drawn nothing yet, on a canvas of such drawings: TwoShareACanvas says what comes of that.
+    Picture anew() {
         Drawing fresh;
         fresh.prepare(molecule, picture);
-        return fresh.draw(other);
+        return fresh.draw(other_);
     }
     void set(std::string_view key, const std::string& value) { setOption(option(key), value, picture); }
 
@@ -38,6 +37,9 @@ protected:
     PictureDescription picture;
     Canvas canvas{DeviceOptions{}};
     Drawing drawing;
+
+private:
+    Canvas other_{DeviceOptions{}};
 };
 
 TEST_F(DrawingTest, ViewShadingAndWordsBuildNoSceneAndNoBake) {
