@@ -123,7 +123,7 @@ PlannedFrame lensPlanned(const PlanReport& report) {
     screen.targets = kLensTargets;
     screen.prepass = graph::platesReject(report.visibility, report.plannedWith);
     PlannedFrame planned{report.visibility, 1, screenFrame(screen), {}};
-    declareLens(planned.frame, report.extent, nullptr);
+    declareLens(planned.frame, report.extent, VK_FORMAT_R8G8B8A8_SRGB, nullptr);
     planned.frame.graph.output(planned.frame.targets[0]);
     planned.plan = graph::compile(planned.frame.graph, report.plannedWith);
     return planned;

@@ -29,9 +29,14 @@ auto membersOf(const ScreenOptions& o) {
                       shaded, edges, rims, shadow, layers, samples, layersByTiles);
 }
 
+auto membersOf(const PictureEnd& e) {
+    const auto& [image, first, masked, samples] = e;
+    return std::tuple(image, first, masked, samples);
+}
+
 auto membersOf(const FrameShape& s) {
-    const auto& [options, debug, end, window, overlay, merge, transient] = s;
-    return std::tuple(membersOf(options), debug, end, window, overlay, merge, transient);
+    const auto& [options, debug, end, picture, window, overlay, merge, transient] = s;
+    return std::tuple(membersOf(options), debug, end, membersOf(picture), window, overlay, merge, transient);
 }
 
 }  // namespace

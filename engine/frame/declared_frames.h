@@ -18,7 +18,9 @@ namespace nacre {
 enum class FrameEnd : std::uint8_t {
     left,            ///< stays on the device
     readBack,        ///< read by the host
-    throughLens,     ///< a picture blurred by depth, read by the host
+    resolved,        ///< in the image of its picture
+    coarse,          ///< the same, and read by the host, who sees where it takes more samples
+    throughLens,     ///< that image blurred by depth, read by the host
     window,          ///< drawn into the window's image
     onWindow,        ///< copied to the window
     scaledOnWindow,  ///< scaled to the window
@@ -27,11 +29,20 @@ enum class FrameEnd : std::uint8_t {
     sumOnWindow,     ///< shows the sum only: no scene is drawn
 };
 
+/// The image that a picture's frames end in, and how one of them does.
+struct PictureEnd {
+    graph::ImageDesc image{};
+    bool first = true;          ///< nothing is in it yet
+    bool masked = false;        ///< only some pixels are replaced
+    std::uint32_t samples = 1;  ///< n: n x n pixels of the frame are one of it
+};
+
 /// Everything that decides how a frame is declared and planned.
 struct FrameShape {
     ScreenOptions options;
     DebugView debug = DebugView::none;
     FrameEnd end = FrameEnd::left;
+    PictureEnd picture{};  ///< for ends in an image, and through the lens
     graph::Extent window;  ///< its image's size, for ends in a window
     bool overlay = false;  ///< the window has an overlay
     bool merge = true, transient = true;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/graph/graph.h"
 #include "engine/results.h"
 #include "engine/scene/tile_view.h"
 
@@ -13,10 +14,15 @@ namespace nacre {
 class FinerPlaces {
 public:
     FinerPlaces() = default;
-    /// @param seen  linear, premultiplied, without a background
-    explicit FinerPlaces(const Picture& seen);
+    /// @param seen  RGBA8, premultiplied with sRGB-coded colour, without a background
+    /// @param least  steps of 255 that are visible, a power of 2
+    FinerPlaces(const std::uint32_t* seen, std::uint32_t rowPixels, graph::Extent image, std::uint32_t least);
+    /// @param seen  four linear floats per pixel, premultiplied
+    FinerPlaces(const float* seen, graph::Extent image, std::uint32_t least);
 
     bool finer(std::uint32_t x, std::uint32_t y) const { return pixels_[std::size_t{y} * across_ + x] != 0; }
+    /// A byte per pixel, row by row: 0 where one sample is enough.
+    const std::vector<std::uint8_t>& bytes() const { return pixels_; }
     /// The smallest rectangle that contains all finer pixels of a part. Its position relative to the part is a multiple
     /// of PictureRect::kStep. @returns an empty one if there are none
     PictureRect boundsIn(const PictureRect& part) const;

@@ -26,11 +26,12 @@ constexpr ScreenTarget kPickTargets[] = {{"identity", VK_FORMAT_R32G32_UINT, Out
 LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes::Atlas& atlas) {
     std::vector<gpu::Buffer> pixels;
     if (frames_.translucent()) {
-        pixels = draw(settings, atlas, settings.view, kFineTargets, true, "screen").pixels;
-        for (gpu::Buffer& layer : draw(settings, atlas, settings.view, kSolidTargets, true, "solid").pixels)
+        pixels = draw(settings, atlas, settings.view, kFineTargets, {FrameEnd::readBack}, "screen").pixels;
+        for (gpu::Buffer& layer :
+             draw(settings, atlas, settings.view, kSolidTargets, {FrameEnd::readBack}, "solid").pixels)
             pixels.push_back(std::move(layer));
     } else {
-        pixels = draw(settings, atlas, settings.view, kLayerTargets, true, "screen").pixels;
+        pixels = draw(settings, atlas, settings.view, kLayerTargets, {FrameEnd::readBack}, "screen").pixels;
     }
     return assembleLayers(settings.view.width, settings.view.height, reinterpret_cast<const float*>(pixels[0].mapped),
                           reinterpret_cast<const float*>(pixels[1].mapped),
@@ -46,7 +47,7 @@ std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, do
     small.tuning.countFragments = false;
     small.view.pan = -planePointAt(settings.view, std::floor(x) + 0.5, std::floor(y) + 0.5);
     small.view.width = small.view.height = side;
-    const auto pixels = draw(small, {}, small.view, kPickTargets, true, "pick").pixels;
+    const auto pixels = draw(small, {}, small.view, kPickTargets, {FrameEnd::readBack}, "pick").pixels;
     return nearestAtom(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), side, reach);
 }
 

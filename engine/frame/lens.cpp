@@ -6,6 +6,7 @@
 
 #include "engine/frame/geometry.h"
 #include "engine/frame/scene.h"
+#include "engine/passes/read_back.h"
 
 namespace nacre {
 
@@ -65,24 +66,15 @@ View throughLens(const RenderSettings& settings, View view, glm::dvec2 point) {
     return view;
 }
 
-void declareLens(ScreenFrame& f, graph::Extent extent, const passes::Lens* lens) {
-    constexpr VkFormat kFine = VK_FORMAT_R32G32B32A32_SFLOAT;
+void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const passes::Lens* lens) {
+    constexpr VkFormat kPair = VK_FORMAT_R32G32_UINT;
     graph::Graph& g = f.graph;
-    const std::uint64_t bytes = std::uint64_t{extent.width} * extent.height * graph::bytesPerTexel(kFine);
-    const graph::Buffer sharp = g.importBuffer("sharp pixels", bytes);
-    f.sharp = sharp;
-    const graph::Image picture = g.image("sharp picture", {kFine, extent});
-    const auto copy = [=](gpu::PassContext& c) {
-        const vk::BufferImageCopy whole(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
-                                        {extent.width, extent.height, 1});
-        c.commands.copyBufferToImage(c.buffer(sharp), c.image(picture), vk::ImageLayout::eTransferDstOptimal, whole);
-    };
-    graph::PassBuilder upload = g.transfer("upload").copiesFrom(sharp).copiesTo(picture);
-    if (lens) upload.record(copy);
-
-    const auto pass = [&](const char* name, LensStep step, VkFormat format, graph::Extent size,
+    const graph::Image picture = g.importImage("picture", {format, extent}, passes::kTextureState);
+    f.picture = picture;
+    const bool coded = format == VK_FORMAT_R8G8B8A8_UNORM;
+    const auto pass = [&](const char* name, LensStep step, VkFormat texels, graph::Extent size,
                           std::vector<graph::Image> images) {
-        const graph::Image made = g.image(name, {format, size});
+        const graph::Image made = g.image(name, {texels, size});
         graph::PassBuilder drawn = g.graphics(name);
         for (const graph::Image image : images) drawn.samples(image);
         drawn.color(made);
@@ -90,18 +82,19 @@ void declareLens(ScreenFrame& f, graph::Extent extent, const passes::Lens* lens)
         drawn.record({[=](gpu::PassContext& c) {
                           std::vector<vk::ImageView> views;
                           for (const graph::Image image : images) views.push_back(c.view(image));
-                          passes::drawLens(c, step, *lens, views);
+                          passes::drawLens(c, {step, coded}, *lens, views);
                       },
-                      [=](gpu::PipelineContext& c) { passes::wantLens(c, step); }});
+                      [=](gpu::PipelineContext& c) {
+                          passes::wantLens(c, {step, coded});
+                      }});
         return made;
     };
     const auto inBlocks = [](std::uint32_t pixels) { return (pixels + passes::kLensBlock - 1) / passes::kLensBlock; };
     const graph::Extent blocks{inBlocks(extent.width), inBlocks(extent.height)};
-    const graph::Image circles =
-        pass("circles", LensStep::circles, VK_FORMAT_R32G32_UINT, extent, {picture, f.targets[0]});
-    const graph::Image largest = pass("largest circles", LensStep::reach, VK_FORMAT_R32_SFLOAT, blocks, {circles});
-    const graph::Image reach = pass("reach of circles", LensStep::spread, VK_FORMAT_R32_SFLOAT, blocks, {largest});
-    f.targets[0] = pass(kLensPass, LensStep::gather, kFine, extent, {picture, circles, reach});
+    const graph::Image circles = pass("circles", LensStep::circles, kPair, extent, {picture, f.targets[0]});
+    const graph::Image largest = pass("largest circles", LensStep::reach, kPair, blocks, {circles});
+    const graph::Image reach = pass("reach of circles", LensStep::spread, kPair, blocks, {largest});
+    f.targets[0] = pass(kLensPass, LensStep::gather, format, extent, {picture, circles, reach});
 }
 
 }  // namespace nacre

@@ -26,9 +26,8 @@ double largestCircle(const RenderSettings& settings);
 /// A view through a point of the lens: the mean of all is what the lens shows. @param point  in the unit disc
 View throughLens(const RenderSettings& settings, View view, glm::dvec2 point);
 
-/// Declares the passes that blur a picture, which is brought to the device. ScreenFrame::sharp is its pixels, linear,
-/// premultiplied floats; the first target becomes the result.
-/// @param lens  read when the passes are recorded; null: the frame is only planned
-void declareLens(ScreenFrame& frame, graph::Extent extent, const passes::Lens* lens);
+/// Declares the passes that blur a picture, ScreenFrame::picture. The first target becomes the result.
+/// @param format  of both @param lens  read when the passes are recorded; null: the frame is only planned
+void declareLens(ScreenFrame& frame, graph::Extent extent, VkFormat format, const passes::Lens* lens);
 
 }  // namespace nacre

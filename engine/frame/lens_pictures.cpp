@@ -1,43 +1,42 @@
 // Pictures with depth of field. All paths and all ways to sample end in one image, which is blurred on the device.
 
 #include <algorithm>
-#include <span>
-#include <utility>
 
 #include "engine/frame/lens.h"
 #include "engine/frame/picture_frames.h"
 
 namespace nacre {
 
-/// What a picture is put over before the lens: nothing, if there is one.
-std::array<float, 4> PictureFrames::behind(const RenderSettings& settings) {
-    return hasLens(settings) ? std::array<float, 4>{} : settings.background;
+/// Draws a picture into its image. The host does not read it.
+void PictureFrames::sharp(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
+    const bool edges = wantsEdges(settings);
+    if (!edges || drawsEdges(settings)) {
+        Ending ending = inImage(settings, wanted.view, edges ? Samples::edges : singleOrResolved(settings));
+        if (!edges) ending.picture.samples = std::max(settings.supersample, 1u);
+        const Drawn drawn = inOneFrame(settings, atlas, wanted, ending);
+        if (!edges || drawn.edges) return;
+    }
+    finerPicture(settings, atlas, wanted);
 }
 
 /// Draws a picture, then how far away its pixels are, and blurs it by that.
-Picture PictureFrames::throughLens(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
+PictureFrames::Drawn PictureFrames::throughLens(const RenderSettings& settings, const passes::Atlas& atlas,
+                                                const Wanted& wanted) {
     const graph::Extent image = imageExtent(wanted.view);
-    const Picture all = sharp(settings, atlas, {wanted.view, {0, 0, image.width, image.height}});
+    sharp(settings, atlas, {wanted.view, {0, 0, image.width, image.height}});
     const PictureStats first = stats_;
-    const gpu::Buffer pixels =
-        gpu::makeBuffer(device_, std::span(all.rgba), vk::BufferUsageFlagBits::eTransferSrc, "sharp pixels");
     RenderSettings depths = settings;
     depths.supersample = 1;
     depths.occlusion.directions = 0;
-    lens_ = lensOf(settings, wanted.view);
-    const Drawn drawn =
-        draw(depths, {}, wanted.view, kLensTargets, true, "depth of field", Samples::one, nullptr, &pixels);
-    Picture blurred = emptyPicture(image.width, image.height);
-    const auto* const floats = reinterpret_cast<const float*>(drawn.pixels[0].mapped);
-    std::copy_n(floats, blurred.rgba.size(), blurred.rgba.begin());
-    blurred = cut(std::move(blurred), wanted.inner);
+    picture_.lens = lensOf(settings, wanted.view);
+    Drawn drawn =
+        draw(depths, {}, wanted.view, kLensTargets, {FrameEnd::throughLens, {picture_.image.desc}}, "depth of field");
     stats_.frames = first.frames + 1;
     stats_.samples = first.samples;
     stats_.frameMilliseconds += first.frameMilliseconds;
     stats_.passes.insert(stats_.passes.begin(), first.passes.begin(), first.passes.end());
     stats_.passTimes.insert(stats_.passTimes.begin(), first.passTimes.begin(), first.passTimes.end());
-    stats_.coveredPixels = putOver(blurred, settings.background);
-    return blurred;
+    return drawn;
 }
 
 }  // namespace nacre

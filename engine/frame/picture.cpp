@@ -31,14 +31,13 @@ std::uint64_t resolve(const ResolvedPart& part, Picture& to, const Add& add) {
     std::uint64_t covered = 0;
     for (std::uint32_t y = 0; y < part.rect.height; ++y)
         for (std::uint32_t x = 0; x < part.rect.width; ++x) {
-            if (part.only && !part.only->finer(part.x + x, part.y + y)) continue;
             const std::size_t first =
                 std::size_t{part.rect.y + y} * n * part.rowPixels + std::size_t{part.rect.x + x} * n;
             std::array<float, 4> sum{};
             for (std::uint32_t j = 0; j < n; ++j)
                 for (std::uint32_t i = 0; i < n; ++i)
                     covered += add(first + std::size_t{j} * part.rowPixels + i, sum) ? 1 : 0;
-            float* pixel = to.rgba.data() + 4 * (std::size_t{part.y + y} * to.width + part.x + x);
+            float* pixel = to.rgba.data() + 4 * (std::size_t{y} * to.width + x);
             for (std::size_t c = 0; c < 4; ++c) pixel[c] = sum[c] / samples;
         }
     return covered;

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "engine/coded_picture.h"
-#include "engine/frame/finer_places.h"
 #include "engine/results.h"
 
 namespace nacre {
@@ -17,9 +16,6 @@ struct ResolvedPart {
     std::uint32_t rowPixels;  ///< per row on the device
     std::uint32_t n;          ///< n x n device pixels form one pixel of the picture
     PictureRect rect;         ///< the wanted part, in pixels of the picture
-    /// In the result: where the part lies, and the only pixels of the result that are replaced; null: all of them.
-    std::uint32_t x = 0, y = 0;
-    const FinerPlaces* only = nullptr;
 };
 
 /// Averages in linear light.

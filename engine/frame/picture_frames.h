@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "engine/frame/declared_frames.h"
+#include "engine/frame/finer_places.h"
 #include "engine/frame/picture.h"
+#include "engine/frame/resolve.h"
 #include "engine/frame/scene_frames.h"
 #include "engine/gpu/submission.h"
-#include "engine/passes/lens.h"
 
 namespace nacre {
 
@@ -74,31 +75,47 @@ private:
         block,     ///< kBlockSamples x kBlockSamples pixels are one of the picture
         resolved,  ///< kMultisamples, which the render pass averages
     };
+    /// What becomes of a frame's result.
+    struct Ending {
+        FrameEnd end = FrameEnd::left;
+        PictureEnd picture{};
+        passes::ResolvePlace place{};
+    };
+    static bool wantsEdges(const RenderSettings& settings);
+    static bool isFine(const RenderSettings& settings);
+    static bool averagesOnHost(const RenderSettings& settings);
     std::span<const ScreenTarget> pictureTargets(const RenderSettings& settings, Samples samples = Samples::one) const;
     Drawn draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-               std::span<const ScreenTarget> targets, bool readBack, const char* name, Samples samples = Samples::one,
-               const TileMask* mask = nullptr, const gpu::Buffer* sharp = nullptr);
+               std::span<const ScreenTarget> targets, const Ending& ending, const char* name,
+               Samples samples = Samples::one, const TileMask* mask = nullptr);
     Samples singleOrResolved(const RenderSettings& settings) const;
     bool drawsEdges(const RenderSettings& settings) const;  ///< in the frame itself
     void checkSize(const View& view) const;
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
-    Picture sharp(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
-    Picture throughLens(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
-    static std::array<float, 4> behind(const RenderSettings& settings);
     std::uint64_t resolve(const Drawn& drawn, const RenderSettings& settings, const View& view, ResolvedPart part,
                           Picture& to);
     Picture resolved(const Drawn& drawn, const RenderSettings& settings, const Wanted& wanted, std::uint32_t n);
     static Wanted wantedOf(const RenderSettings& settings);
     static std::pair<const std::byte*, std::uint32_t> rowsOf(const Drawn& drawn, const View& view, std::uint32_t n);
-    std::optional<Drawn> inOnePixelEach(const RenderSettings& settings, const passes::Atlas& atlas,
-                                        const Wanted& wanted);
+    Drawn inOnePixelEach(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
+    Drawn inOneFrame(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
+                     const Ending& ending);
     Picture inSeveral(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
+
+    // Pictures that take several frames end in picture_.image.
+    void makePicture(const graph::ImageDesc& desc);
+    Ending inImage(const RenderSettings& settings, const View& shown, Samples samples);
+    Drawn readPicture();
     std::optional<FinerPlaces> coarsePicture(const RenderSettings& settings, const passes::Atlas& atlas,
-                                             const View& view, Picture& to);
-    bool addEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                  const FinerPlaces& places, Picture& to);
-    Picture blocksOfSamples(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
-                            bool readBack);
+                                             const View& view);
+    bool addEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view);
+    template <typename Drew>
+    void drawBlocks(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
+                    const FinerPlaces* places, const Drew& drew);
+    void finerPicture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
+    void sharp(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
+    Drawn throughLens(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
+
     /// A picture that is drawn while the host goes on.
     struct Started {
         std::array<float, 4> background{};
@@ -121,7 +138,7 @@ private:
     SceneCounts counts_;
     gpu::Timer timer_;
     DeclaredFrames declared_;
-    passes::Lens lens_;  // of the next frame that ends with one
+    PictureImage picture_;
     std::shared_ptr<const DeclaredFrame> last_;
     std::deque<Started> started_;
     std::vector<std::unique_ptr<gpu::Submission>> spare_;

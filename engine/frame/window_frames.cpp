@@ -167,6 +167,8 @@ void WindowFrames::declareEnd(ScreenFrame& frame, const FrameShape& shape) {
             break;
         case FrameEnd::left:
         case FrameEnd::readBack:
+        case FrameEnd::resolved:
+        case FrameEnd::coarse:
         case FrameEnd::throughLens:
         case FrameEnd::window:
             break;

@@ -5,6 +5,7 @@
 
 #include "engine/passes/bindings.h"
 #include "shaders.h"
+#include "shaders/common/layout.h"
 
 namespace nacre::passes {
 namespace {
@@ -16,35 +17,42 @@ const gpu::Layout& lensLayout(gpu::PipelineContext& context) {
     return context.pipelines.layout({"lens layout", kLensImages, kLensStages, sizeof(Lens)});
 }
 
-FullScreenPass passOf(LensStep step) {
+gpu::ShaderWords shaderOf(LensStep step) {
     switch (step) {
         case LensStep::circles:
-            return {shaders::lensCircles, {}, {}};
+            return shaders::lensCircles;
         case LensStep::reach:
-            return {shaders::lensReach, {}, {}};
+            return shaders::lensReach;
         case LensStep::spread:
-            return {shaders::lensSpread, {}, {}};
+            return shaders::lensSpread;
         case LensStep::gather:
             break;
     }
-    return {shaders::lensGather, {}, {}};
+    return shaders::lensGather;
+}
+
+FullScreenPass passOf(const LensPass& pass) {
+    FullScreenPass drawn{shaderOf(pass.step), {}, {}};
+    drawn.constants.set(layout::kCodedId, pass.coded);
+    return drawn;
 }
 
 }  // namespace
 
-void drawLens(gpu::PassContext& context, LensStep step, const Lens& lens, std::span<const vk::ImageView> images) {
+void drawLens(gpu::PassContext& context, const LensPass& pass, const Lens& lens,
+              std::span<const vk::ImageView> images) {
     // Always written, even if the shader reads fewer: lavapipe accesses all.
     std::array<vk::ImageView, kLensImages.size()> views;
     views.fill(images[0]);
     std::copy(images.begin(), images.end(), views.begin());
     const gpu::Layout& layout = lensLayout(context);
-    bindFullScreen(context, passOf(step), layout);
+    bindFullScreen(context, passOf(pass), layout);
     bindTextures(context, layout, vk::Filter::eNearest, views);
     drawFullScreen(context, layout, kLensStages, lens);
 }
 
-void wantLens(gpu::PipelineContext& context, LensStep step) {
-    wantFullScreen(context, passOf(step), lensLayout(context));
+void wantLens(gpu::PipelineContext& context, const LensPass& pass) {
+    wantFullScreen(context, passOf(pass), lensLayout(context));
 }
 
 }  // namespace nacre::passes

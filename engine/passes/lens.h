@@ -21,9 +21,14 @@ constexpr std::uint32_t kLensBlock = 16;
 
 enum class LensStep : std::uint8_t { circles, reach, spread, gather };
 
+struct LensPass {
+    LensStep step{};
+    bool coded = false;  ///< the picture is sRGB-coded, and so is the result
+};
+
 /// @param images  that the step reads, in the order of its bindings
-void drawLens(gpu::PassContext& context, LensStep step, const Lens& lens, std::span<const vk::ImageView> images);
+void drawLens(gpu::PassContext& context, const LensPass& pass, const Lens& lens, std::span<const vk::ImageView> images);
 /// Requests the pipeline.
-void wantLens(gpu::PipelineContext& context, LensStep step);
+void wantLens(gpu::PipelineContext& context, const LensPass& pass);
 
 }  // namespace nacre::passes

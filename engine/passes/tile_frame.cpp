@@ -145,7 +145,7 @@ void TileFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::
     const std::size_t bytes = 4 * kept * TileLists::pixelsOfBins(image.width, image.height);
     const bool grows = words.buffer.size < bytes;
     if (grows) words.quads = nullptr;
-    reserve(device_, words, bytes, kReadByTiles, vk::Format::eR32Uint, name);
+    reserve(device_, words, bytes, kReadByTiles | Usage::eTransferSrc, vk::Format::eR32Uint, name);
     if (grows && device_.caps().tiles.texels)
         words.quads = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32G32B32A32Uint, name);
     if (grows || words.across != lists.across()) {

@@ -46,8 +46,8 @@ struct MeshRun {
     bool closed = false;
 };
 
-/// Whether each edge of some triangles belongs to another one that runs the other way. Vertices at one position count as
-/// one: at creases a mesh has one for each side.
+/// Whether each edge of some triangles belongs to another one that runs the other way. Vertices at one position count
+/// as one: at creases a mesh has one for each side.
 bool isClosed(const Representation& representation, std::span<const Triangle> triangles);
 /// Whether all triangles belong to closed meshes, and no copy is a mirror image.
 bool isSolid(const Representation& representation);

@@ -80,6 +80,26 @@ TEST_P(Lens, ShowsTheSamePictureOnEveryPath) {
     }
 }
 
+TEST_P(Lens, ReadsTheImageThatAllPathsAndSamplesEndIn) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    for (const double halos : {0.0, 4.0})
+        for (const std::uint32_t samples : {2u, RenderSettings::kEdges}) {
+            RenderSettings s = lensSettings(r, GetParam(), 0.1, -0.4 * r.radius);
+            s.fine = false;
+            s.supersample = samples;
+            s.effects.halos.width = halos;
+            std::vector<float> first;
+            for (const Visibility path : kPaths) {
+                ValidatedRenderer& renderer = rendererOf(path);
+                renderer->setScene(r);
+                const std::vector<float> picture = renderer->render(s).rgba;
+                EXPECT_EQ(renderer->planText().find("upload"), std::string::npos);
+                if (first.empty()) first = picture;
+                EXPECT_GT(lensDecibels(picture, first), 40) << visibilityName(path) << ", " << samples << ", " << halos;
+            }
+        }
+}
+
 TEST_P(Lens, CostsNothingWhenOff) {
     const Representation r = scene("sample:dna", Style::spacefill);
     ValidatedRenderer& renderer = rendererOf(Visibility::tiles);

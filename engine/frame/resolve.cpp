@@ -1,0 +1,56 @@
+#include "engine/frame/resolve.h"
+
+#include "engine/passes/read_back.h"
+
+namespace nacre {
+
+namespace {
+
+/// All pixels go as they are. @param drawn  none: words of a buffer
+void declareCopy(ScreenFrame& f, graph::Image picture, graph::Extent extent, std::optional<graph::Image> drawn,
+                 const PictureImage& to) {
+    const vk::ImageSubresourceLayers color(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
+    const vk::Extent3D size(extent.width, extent.height, 1);
+    constexpr auto kFrom = vk::ImageLayout::eTransferSrcOptimal, kTo = vk::ImageLayout::eTransferDstOptimal;
+    graph::PassBuilder pass = f.graph.transfer("picture").copiesTo(picture);
+    if (drawn)
+        pass.copiesFrom(*drawn).record([=](gpu::PassContext& c) {
+            c.commands.copyImage(c.image(*drawn), kFrom, c.image(picture), kTo,
+                                 vk::ImageCopy(color, {}, color, {}, size));
+        });
+    else
+        pass.copiesFrom(f.numbers).record([=, &to, words = f.numbers](gpu::PassContext& c) {
+            c.commands.copyBufferToImage(c.buffer(words), c.image(picture), kTo,
+                                         vk::BufferImageCopy(0, to.tiles->rowPixels(), 0, color, {}, size));
+        });
+    f.graph.output(picture);
+}
+
+}  // namespace
+
+void declareResolve(ScreenFrame& f, const FrameShape& shape, const PictureImage& to) {
+    const PictureEnd& end = shape.picture;
+    const graph::Image picture = f.graph.importImage("picture", end.image, passes::kTextureState, end.first);
+    f.picture = picture;
+    std::optional<graph::Image> drawn;
+    if (!shape.options.shadedByTiles) drawn = f.targets[0];
+    if (end.first && end.samples == 1) return declareCopy(f, picture, end.image.extent, drawn, to);
+    std::optional<graph::Clear> clear;
+    if (end.first) clear = graph::Clear{0.0f};
+    graph::PassBuilder pass = f.graph.graphics("picture");
+    drawn ? pass.samples(*drawn) : pass.reads(f.numbers);
+    if (end.masked) {
+        f.finer = f.graph.importImage("finer pixels", {VK_FORMAT_R8_UNORM, end.image.extent}, passes::kTextureState);
+        pass.samples(*f.finer);
+    }
+    const passes::Resolving how{end.samples, end.image.format == VK_FORMAT_R8G8B8A8_UNORM, end.masked};
+    pass.color(picture, clear).record([=, &to, mask = f.finer](gpu::PassContext& c) {
+        passes::Resolved what;
+        drawn ? void(what.image = c.view(*drawn)) : void(what.tiles = to.tiles);
+        if (mask) what.mask = c.view(*mask);
+        passes::resolve(c, how, to.place, what);
+    });
+    f.graph.output(picture);
+}
+
+}  // namespace nacre

@@ -1,0 +1,59 @@
+#include "engine/passes/resolve.h"
+
+#include "engine/passes/tile_bindings.h"
+#include "shaders.h"
+
+namespace nacre::passes {
+namespace {
+
+constexpr std::array kOfImage{kSampled, kSampled};
+constexpr std::array kOfWords{kTexel, kSampled};
+
+/// As shaders/resolve.frag has them.
+struct Push {
+    std::int32_t x, y, fromX, fromY, pitch, samples;
+};
+
+const gpu::Layout& resolveLayout(gpu::PipelineContext& context, bool words, bool masked) {
+    const std::span<const Type> types = words ? kOfWords : kOfImage;
+    const char* const name = words ? (masked ? "resolve masked words" : "resolve words")
+                                   : (masked ? "resolve masked pixels" : "resolve pixels");
+    return context.pipelines.layout({name, types.first(masked ? 2 : 1), kDraw, sizeof(Push)});
+}
+
+FullScreenPass passOf(const Resolving& how, bool words) {
+    FullScreenPass pass{words ? (how.masked ? shaders::resolveWordsMasked : shaders::resolveWords)
+                              : (how.masked ? shaders::resolveImageMasked : shaders::resolveImage),
+                        {},
+                        {}};
+    pass.constants.set(layout::kSamplesId, how.samples > 1);
+    pass.constants.set(layout::kCodedId, how.coded);
+    return pass;
+}
+
+}  // namespace
+
+void resolve(gpu::PassContext& context, const Resolving& how, const ResolvePlace& place, const Resolved& what) {
+    const bool words = what.tiles != nullptr;
+    const gpu::Layout& layout = resolveLayout(context, words, how.masked);
+    const auto at = [](std::uint32_t pixels) { return static_cast<std::int32_t>(pixels); };
+    context.commands.setScissor(
+        0, vk::Rect2D({at(place.rect.x), at(place.rect.y)}, {place.rect.width, place.rect.height}));
+    bindFullScreen(context, passOf(how, words), layout);
+    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
+    TileBindings to(context, set);
+    const auto sample = [&](vk::ImageView image) {
+        to.sample({context.pipelines.sampler(vk::Filter::eNearest), image, vk::ImageLayout::eShaderReadOnlyOptimal});
+    };
+    if (words)
+        to.read(what.tiles->numbers);
+    else
+        sample(what.image);
+    if (how.masked) sample(*what.mask);
+    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
+    drawFullScreen(context, layout, kDraw,
+                   Push{at(place.rect.x), at(place.rect.y), place.x, place.y, words ? at(what.tiles->rowPixels()) : 0,
+                        at(how.samples)});
+}
+
+}  // namespace nacre::passes
