@@ -127,6 +127,21 @@ TEST(SamePicture, WhateverWasDrawnBefore) {
     }
 }
 
+TEST(SamePicture, OfSticksWhateverWasDrawnBefore) {
+    // Shaders write the pixels that sticks cover: the host clears the others, where a frame before has drawn some.
+    ValidatedRenderer used(Visibility::tiles);
+    for (const Style style : {Style::licorice, Style::ballAndStick}) {
+        const Representation r = scene("sample:dna", style);
+        ValidatedRenderer fresh(Visibility::tiles);
+        used->setScene(r);
+        fresh->setScene(r);
+        const RenderSettings s = settings(r, 200, Projection::orthographic, {20, 30, 10});
+        const Picture picture = fresh->render(s);
+        used->render(settings(r, 200, Projection::orthographic, {50, -10, 80}));
+        EXPECT_EQ(used->render(s).rgba, picture.rgba);
+    }
+}
+
 TEST(SamePicture, OfEveryMoleculeThatThereIs) {
     NACRE_NEEDS_DATA();
     std::vector<std::unique_ptr<ValidatedRenderer>> renderers;
