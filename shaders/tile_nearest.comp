@@ -221,12 +221,10 @@ Hit facetHit(uint index, vec2 q) { return facetHitThrough(facetOf(index), q); }
 #endif
 #endif
 
-void main() {
-    view = push;
+/// @param index  number of the tile among those of the lists
+void drawTile(uint index) {
     uint lane = gl_SubgroupInvocationID;
-    // Where rows of workgroups do not come out even, the last tile is drawn again.
-    uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets - 1u);
-    uint tile = listAt(group);
+    uint tile = listAt(index);
     uvec2 corner = cornerOf(tile);
     uvec2 bin = corner / uint(kTile * kTilesInBin);
     uint at = listAt(view.offsets + bin.y * view.across + bin.x);
@@ -379,5 +377,25 @@ void main() {
         numbers[here + on.y * pitch + on.x] = 
             kNumbered ? marked(sightAt(number[i], through[i]), first + vec2(on), width, depth) : number[i];
     }
+#endif
+}
+
+void main() {
+    view = push;
+    // Where rows of workgroups do not come out even, the last tile is drawn again.
+    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+#ifdef SHADED
+    // To begin a workgroup takes a software device as long as to shade a row of pixels: each draws several tiles.
+    float width = view.contourWidth, depth = view.contourDepth;
+    uint groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y, ofGroup = (view.offsets + groups - 1u) / groups;
+    uint at = min(group * ofGroup, view.offsets - 1u), end = min(at + ofGroup, view.offsets);
+    do {
+        view.contourWidth = width;
+        view.contourDepth = depth;
+        drawTile(at);
+        ++at;
+    } while (at < end);
+#else
+    drawTile(min(group, view.offsets - 1u));
 #endif
 }

@@ -88,11 +88,11 @@ inline void setTileView(gpu::Specialization& constants, const SceneView& view, f
     constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
 }
 
-/// One workgroup per tile.
+/// @param count  of workgroups
 inline void dispatchTiles(gpu::PassContext& context, std::size_t count) {
     constexpr std::uint32_t kRow = 65535;  // required limit of workgroups per dimension
-    const auto tiles = static_cast<std::uint32_t>(count);
-    context.commands.dispatch(std::min(tiles, kRow), (tiles + kRow - 1) / kRow, 1);
+    const auto groups = static_cast<std::uint32_t>(count);
+    context.commands.dispatch(std::min(groups, kRow), (groups + kRow - 1) / kRow, 1);
 }
 
 /// Binds the rows of bins, and draws them.

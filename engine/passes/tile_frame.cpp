@@ -54,6 +54,16 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
     return t;
 }
 
+/// Where compute shades, a workgroup draws several tiles, one after another: to begin one takes a software device as
+/// long as to shade some rows of pixels. Together their lists are as long as one may be. @param walks  of a list
+std::uint32_t groupsOfTiles(const TileLists& lists, bool shaded, std::uint32_t walks) {
+    constexpr std::uint32_t kMost = 16, kGroups = 64;  // tiles of a group; groups that keep all processors busy
+    const auto tiles = static_cast<std::uint32_t>(lists.tiles().size());
+    const std::uint32_t together = kLongestList / (walks * std::max(lists.longest(), 1u));
+    const std::uint32_t ofGroup = shaded ? std::clamp(std::min(tiles / kGroups, together), 1u, kMost) : 1;
+    return (tiles + ofGroup - 1) / ofGroup;
+}
+
 /// Maximum of workgroups that draw edges. Each fills its lanes repeatedly: on a software device an empty workgroup
 /// costs as much as a full one. No loop may exceed lavapipe's limit.
 std::uint32_t groupsOfEdges(const TileLists& lists, const gpu::TileCaps& caps) {
@@ -113,6 +123,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     if (frame.lists.longest() > kLongestListOfEdges && std::exchange(work.edges, false) && !triangles_.empty()) build();
     const std::uint32_t walks = seen.rims.any() ? 2 : 1;
     if (frame.lists.longest() > kLongestList / walks) return nullptr;
+    frame.groups = groupsOfTiles(frame.lists, work.shaded, walks);
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;

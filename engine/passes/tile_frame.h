@@ -58,6 +58,7 @@ struct TileWork {
 struct TileFrame {
     TileLists lists;
     layout::TileConstants constants{};
+    std::uint32_t groups = 0;  ///< of the workgroups that draw its tiles
     bool copies = false;   ///< primitives have the transforms of copies
     bool shaded = false;   ///< `numbers` are colours
     bool cleared = false;  ///< of what is shaded, covered pixels alone are written

@@ -135,7 +135,7 @@ void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles
         to.sample(shadowOf(context, view, *pass.atlas));
     };
     bindTiles(context, nearestLayout(context, shades), nearestPipeline(context, view, shades), f.constants, write);
-    dispatchTiles(context, f.lists.tiles().size());
+    dispatchTiles(context, shades ? f.groups : f.lists.tiles().size());
 }
 
 void want(gpu::PipelineContext& context, const SceneView& view, const TileShading& pass) {
