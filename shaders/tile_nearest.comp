@@ -153,30 +153,7 @@ uint rimmed(vec4 seen, uint rimWord) {
 #endif
 
 #ifdef CYLINDERS
-uint kindOf(uint number) {
-    uint index = number - 1u;
-    if (kCopies) index = divided(index, view.primitives).y;
-#ifdef TRIANGLES
-    if (isTriangle(index)) return kFacets;
-#endif
-    return index < view.spheres ? kBalls : kSticks;
-}
-
-/// Where the n-th bit of a word is that is set, from 0 on. By the bits of its bytes, of half a byte, of a quarter.
-uint placeOfBit(uint word, uint n) {
-    uint pairs = word - (word >> 1 & 0x55555555u);
-    uint fours = (pairs & 0x33333333u) + (pairs >> 2 & 0x33333333u);
-    uint upTo = (fours + (fours >> 4) & 0x0f0f0f0fu) * 0x01010101u;
-    uint at = 8u * (uint(n >= (upTo & 63u)) + uint(n >= (upTo >> 8 & 63u)) + uint(n >= (upTo >> 16 & 63u)));
-    n -= upTo << 8 >> at & 63u;
-    uint here = fours >> at & 7u;
-    at += n >= here ? 4u : 0u;
-    n -= n >= here ? here : 0u;
-    here = pairs >> at & 3u;
-    at += n >= here ? 2u : 0u;
-    n -= n >= here ? here : 0u;
-    return at + uint(n >= (word >> at & 1u));
-}
+#include "common/tile_slots.glsl"
 #endif
 
 Hit ballHit(uint index, vec2 q) {
@@ -221,8 +198,8 @@ Hit facetHit(uint index, vec2 q) { return facetHitThrough(facetOf(index), q); }
 #endif
 #endif
 
-/// @param index  number of the tile among those of the lists
-void drawTile(uint index) {
+/// @param index  number of the tile among those of the lists @param last  of those of the group
+void drawTile(uint index, bool last) {
     uint lane = gl_SubgroupInvocationID;
     uint tile = listAt(index);
     uvec2 corner = cornerOf(tile);
@@ -334,10 +311,10 @@ void drawTile(uint index) {
         } while (rows != 0u);
     }
 #endif
-    if (kSpheres) shadeBalls(corner, pitch, lane, width, depth);
-    if (kCylinders) shadeSticks(corner, pitch, lane, width, depth);
+    if (kSpheres) shadeBalls(leftBalls, last, corner, pitch, lane, width, depth);
+    if (kCylinders) shadeSticks(leftSticks, last, corner, pitch, lane, width, depth);
 #ifdef TRIANGLES
-    if (kTriangles) shadeFacets(corner, pitch, lane, width, depth);
+    if (kTriangles) shadeFacets(leftFacets, last, corner, pitch, lane, width, depth);
 #endif
 #else
     // A turn for the pixels of all lanes, unrolled by no compiler, unless all of them are empty.
@@ -389,13 +366,16 @@ void main() {
     float width = view.contourWidth, depth = view.contourDepth;
     uint groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y, ofGroup = (view.offsets + groups - 1u) / groups;
     uint at = min(group * ofGroup, view.offsets - 1u), end = min(at + ofGroup, view.offsets);
+#ifdef CYLINDERS
+    leftBalls = leftSticks = leftFacets = Left(0u, 0u, 0u, 0u);
+#endif
     do {
         view.contourWidth = width;
         view.contourDepth = depth;
-        drawTile(at);
+        drawTile(at, at + 1u == end);
         ++at;
     } while (at < end);
 #else
-    drawTile(min(group, view.offsets - 1u));
+    drawTile(min(group, view.offsets - 1u), true);
 #endif
 }

@@ -44,39 +44,32 @@ uint COLOR_AT(inout uint seenNumber, vec2 pixel, uint rim) {
 
 #ifdef CYLINDERS
 /// Shades the tile's pixels of one kind, as many at a time as there are lanes: if neighbouring lanes showed a stick and
-/// a ball, both would execute both branches.
-void SHADE(uvec2 corner, uint pitch, uint lane, float width, float depth) {
+/// a ball, both would execute both branches. Those that fill no lanes are left to the next tile of the group.
+/// @param left  of the tile before; becomes what this one leaves @param last  whether no tile follows
+void SHADE(inout Left left, bool last, uvec2 corner, uint pitch, uint lane, float width, float depth) {
     uint mine = 0u;  // one bit per pixel: of this lane, and of all lanes in turn
     for (int i = 0; i < kPixels; ++i) mine |= number[i] != 0u && kindOf(number[i]) == KIND ? 1u << i : 0u;
     uvec2 bits = uvec2(0u);
     for (int i = 0; i < kLanes; ++i) bits[i * kPixels / 32] |= subgroupShuffle(mine, uint(i)) << (i * kPixels % 32);
-    uint first = uint(bitCount(bits.x)), count = first + uint(bitCount(bits.y)), done = 0u;
+    uint before = left.count, count = before + uint(bitCount(bits.x) + bitCount(bits.y)), done = 0u;
     do {
         uint slot = done + lane;
-        bool second = slot >= first;
-        uint at = placeOfBit(second ? bits.y : bits.x, slot - (second ? first : 0u)) + (second ? 32u : 0u);
-        at &= uint(kTile * kTile - 1);  // lanes that are over
-        uint from = at / uint(kPixels), row = at % uint(kPixels), seen = 0u, rim = 0u;
-        for (int i = 0; i < kPixels; ++i) {
-            uint there = subgroupShuffle(number[i], from);
-            seen = row == uint(i) ? there : seen;
-#ifdef RIMS
-            uint rimThere = subgroupShuffle(rimWords[i], from);
-            rim = row == uint(i) ? rimThere : rim;
-#endif
-        }
-        seen = slot < count ? seen : 0u;
-        uint pixelOfTile = row * uint(kLanes) + from;
-        uvec2 on = corner + uvec2(pixelOfTile % uint(kTile), pixelOfTile / uint(kTile));
-        vec2 pixel = vec2(on) + 0.5;
+        Left own = pixelOf(bits, slot - before, corner);
+        bool older = slot < before, live = slot < count;
+        uint seen = live ? older ? left.number : own.number : 0u, on = older ? left.on : own.on;
+        uint rim = older ? left.rim : own.rim;
+        uvec2 at = uvec2(on & 0xffffu, on >> 16);
+        vec2 pixel = vec2(at) + 0.5;
         uint color = COLOR_AT(seen, pixel, rim);
         uint sight = kNumbered ? MARKED(seen, pixel, width, depth) : 0u;
-        if (slot < count) {
-            numbers[on.y * pitch + on.x] = color;
-            if (kNumbered) pixelNumbers[on.y * pitch + on.x] = sight;
+        if (live) {
+            numbers[at.y * pitch + at.x] = color;
+            if (kNumbered) pixelNumbers[at.y * pitch + at.x] = sight;
         }
         done += uint(kLanes);
-    } while (done < count);
+    } while (last ? done < count : done + uint(kLanes) <= count);
+    left = pixelOf(bits, done + lane - before, corner);
+    left.count = max(count, done) - done;
 }
 #endif
 

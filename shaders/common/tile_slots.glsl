@@ -1,0 +1,55 @@
+// The pixels of a tile that show one kind of primitive, in turn, for common/tile_kind.glsl.
+
+uint kindOf(uint number) {
+    uint index = number - 1u;
+    if (kCopies) index = divided(index, view.primitives).y;
+#ifdef TRIANGLES
+    if (isTriangle(index)) return kFacets;
+#endif
+    return index < view.spheres ? kBalls : kSticks;
+}
+
+/// Where the n-th bit of a word is that is set, from 0 on. By the bits of its bytes, of half a byte, of a quarter.
+uint placeOfBit(uint word, uint n) {
+    uint pairs = word - (word >> 1 & 0x55555555u);
+    uint fours = (pairs & 0x33333333u) + (pairs >> 2 & 0x33333333u);
+    uint upTo = (fours + (fours >> 4) & 0x0f0f0f0fu) * 0x01010101u;
+    uint at = 8u * (uint(n >= (upTo & 63u)) + uint(n >= (upTo >> 8 & 63u)) + uint(n >= (upTo >> 16 & 63u)));
+    n -= upTo << 8 >> at & 63u;
+    uint here = fours >> at & 7u;
+    at += n >= here ? 4u : 0u;
+    n -= n >= here ? here : 0u;
+    here = pairs >> at & 3u;
+    at += n >= here ? 2u : 0u;
+    n -= n >= here ? here : 0u;
+    return at + uint(n >= (word >> at & 1u));
+}
+
+/// Pixels that a tile leaves to the next, one per lane: as many as there are.
+struct Left {
+    uint number, on, rim;  // of the lane's; its place in the picture is x | y << 16
+    uint count;
+};
+Left leftBalls, leftSticks, leftFacets;
+
+/// The n-th pixel of those that have a bit. @param bits  of all lanes in turn
+Left pixelOf(uvec2 bits, uint n, uvec2 corner) {
+    uint first = uint(bitCount(bits.x));
+    bool second = n >= first;
+    uint at = placeOfBit(second ? bits.y : bits.x, n - (second ? first : 0u)) + (second ? 32u : 0u);
+    at &= uint(kTile * kTile - 1);  // lanes that are over
+    uint from = at / uint(kPixels), row = at % uint(kPixels);
+    Left pixel = Left(0u, 0u, 0u, 0u);
+    for (int i = 0; i < kPixels; ++i) {
+        uint there = subgroupShuffle(number[i], from);
+        pixel.number = row == uint(i) ? there : pixel.number;
+#ifdef RIMS
+        uint rimThere = subgroupShuffle(rimWords[i], from);
+        pixel.rim = row == uint(i) ? rimThere : pixel.rim;
+#endif
+    }
+    uint pixelOfTile = row * uint(kLanes) + from;
+    uvec2 on = corner + uvec2(pixelOfTile % uint(kTile), pixelOfTile / uint(kTile));
+    pixel.on = on.x | on.y << 16;
+    return pixel;
+}
