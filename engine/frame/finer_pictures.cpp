@@ -14,8 +14,6 @@
 namespace nacre {
 namespace {
 
-constexpr std::uint32_t kVisible = 16;       ///< steps of 255 between neighbours; fewer leave 50 dB and more
-constexpr std::uint32_t kOfLines = 32;       ///< of pictures full of lines, which leave 44 dB: fewer cost them 0.3
 constexpr std::uint32_t kBlockPixels = 384;  ///< a side: 2 million samples and those of their rim
 static_assert(kBlockPixels % PictureRect::kStep == 0);
 
@@ -102,18 +100,20 @@ std::optional<FinerPlaces> PictureFrames::coarsePicture(const RenderSettings& se
                                                         const View& view) {
     constexpr double kSmallPixels = 0.75;  // half of a width
     constexpr double kThinLine = 0.34;     // of the widest, as shaders/common/rims.glsl has it
-    const Contours& lines = settings.effects.contours;
-    if (view.quarterTurns != 0) return {};
-    if (settings.effects.linesByGroups() && kThinLine * lines.width < 1) return {};
+    const double width = settings.effects.contours.width;
+    const bool thin = settings.effects.linesByGroups() && kThinLine * width < 1;
+    if (view.quarterTurns != 0 || (thin && width < 1)) return {};
     Ending ending = inImage(settings, view, Samples::one);
     ending.end = FrameEnd::coarse;
     const Drawn drawn = draw(settings, atlas, view, pictureTargets(settings), ending, "coarse screen");
     if (drawn.smallestPixels < kSmallPixels) return {};
     const auto [pixels, rowPixels] = rowsOf(drawn, view, 1);
     const graph::Extent image = imageExtent(view);
-    const std::uint32_t least = settings.effects.linesByGroups() ? kOfLines : kVisible;
-    return isFine(settings) ? FinerPlaces(reinterpret_cast<const float*>(pixels), image, least)
-                            : FinerPlaces(reinterpret_cast<const std::uint32_t*>(pixels), rowPixels, image, least);
+    FinerPlaces places = isFine(settings)
+                             ? FinerPlaces(reinterpret_cast<const float*>(pixels), image)
+                             : FinerPlaces(reinterpret_cast<const std::uint32_t*>(pixels), rowPixels, image);
+    if (thin) places.grow();  // some pixels have a thin line beside their centres
+    return places;
 }
 
 /// Draws finer places from the samples of one frame by tiles, for pictures by other paths. @returns whether it can

@@ -8,27 +8,18 @@
 namespace nacre {
 namespace {
 
-/// Tells whether any channel differs.
-class Difference {
-public:
-    constexpr explicit Difference(std::uint32_t least)
-        : room_(kNone + least * kOnes), within_((kNone | (kNone - kOnes)) & ~((2 * least - 1) * kOnes)) {}
-    constexpr bool operator()(std::uint32_t a, std::uint32_t b) const {
-        const std::uint32_t even = (a & kBytes) + room_ - (b & kBytes);
-        const std::uint32_t odd = (a >> 8 & kBytes) + room_ - (b >> 8 & kBytes);
-        return (((even & within_) ^ kNone) | ((odd & within_) ^ kNone)) != 0;
-    }
-
-private:
-    static constexpr std::uint32_t kBytes = 0x00ff00ff, kOnes = 0x00010001, kNone = 0x02000200;
-    std::uint32_t room_, within_;
-};
-static_assert(!Difference(16)(0x80818283, 0x80818283) && !Difference(16)(0x80, 0x8f) && Difference(16)(0x80, 0x91));
-static_assert(!Difference(32)(0x80 << 16, 0x9f << 16) && Difference(32)(0x80 << 16, 0xa1 << 16));
-static_assert(Difference(16)(0, 0xff000000) && Difference(32)(0xff00, 0));
+/// Whether any channel differs by 16 steps or more. Smaller differences leave 50 dB and more.
+constexpr bool differs(std::uint32_t a, std::uint32_t b) {
+    constexpr std::uint32_t kBytes = 0x00ff00ff, kRoom = 0x02100210, kWithin = 0x03e003e0, kNone = 0x02000200;
+    const std::uint32_t even = (a & kBytes) + kRoom - (b & kBytes);
+    const std::uint32_t odd = (a >> 8 & kBytes) + kRoom - (b >> 8 & kBytes);
+    return (((even & kWithin) ^ kNone) | ((odd & kWithin) ^ kNone)) != 0;
+}
+static_assert(!differs(0x80818283, 0x80818283) && !differs(0x80, 0x8f) && differs(0x80, 0x91) &&
+              differs(0, 0xff000000));
 
 /// Marks the pixels of two rows that differ.
-void compare(Difference differs, const std::uint32_t* a, const std::uint32_t* b, std::uint32_t count, std::uint8_t* ofA,
+void compare(const std::uint32_t* a, const std::uint32_t* b, std::uint32_t count, std::uint8_t* ofA,
              std::uint8_t* ofB) {
     for (std::uint32_t x = 0; x < count; ++x) {
         const std::uint8_t apart = differs(a[x], b[x]) ? 0xff : 0;
@@ -51,18 +42,33 @@ std::vector<std::uint32_t> stepsOf(const float* seen, std::size_t count) {
 
 }  // namespace
 
-FinerPlaces::FinerPlaces(const std::uint32_t* seen, std::uint32_t rowPixels, graph::Extent image, std::uint32_t least)
+FinerPlaces::FinerPlaces(const std::uint32_t* seen, std::uint32_t rowPixels, graph::Extent image)
     : across_(image.width), pixels_(std::size_t{image.width} * image.height) {
-    const Difference differs(least);
     for (std::uint32_t y = 0; y < image.height; ++y, seen += rowPixels) {
         std::uint8_t* const row = pixels_.data() + std::size_t{y} * across_;
-        compare(differs, seen, seen + 1, image.width - 1, row, row + 1);
-        if (y + 1 < image.height) compare(differs, seen, seen + rowPixels, image.width, row, row + across_);
+        compare(seen, seen + 1, image.width - 1, row, row + 1);
+        if (y + 1 < image.height) compare(seen, seen + rowPixels, image.width, row, row + across_);
     }
 }
 
-FinerPlaces::FinerPlaces(const float* seen, graph::Extent image, std::uint32_t least)
-    : FinerPlaces(stepsOf(seen, std::size_t{image.width} * image.height).data(), image.width, image, least) {}
+FinerPlaces::FinerPlaces(const float* seen, graph::Extent image)
+    : FinerPlaces(stepsOf(seen, std::size_t{image.width} * image.height).data(), image.width, image) {}
+
+void FinerPlaces::grow() {
+    const std::size_t down = across_ == 0 ? 0 : pixels_.size() / across_;
+    std::vector<std::uint8_t> wide = pixels_;
+    for (std::size_t y = 0; y < down; ++y)
+        for (std::size_t x = 1; x < across_; ++x) {
+            const std::size_t at = y * across_ + x;
+            wide[at] |= pixels_[at - 1];
+            wide[at - 1] |= pixels_[at];
+        }
+    pixels_ = wide;
+    for (std::size_t at = across_; at < pixels_.size(); ++at) {
+        pixels_[at] |= wide[at - across_];
+        pixels_[at - across_] |= wide[at];
+    }
+}
 
 PictureRect FinerPlaces::boundsIn(const PictureRect& part) const {
     std::uint32_t left = part.width, top = part.height, right = 0, bottom = 0;

@@ -15,10 +15,12 @@ class FinerPlaces {
 public:
     FinerPlaces() = default;
     /// @param seen  RGBA8, premultiplied with sRGB-coded colour, without a background
-    /// @param least  steps of 255 that are visible, a power of 2
-    FinerPlaces(const std::uint32_t* seen, std::uint32_t rowPixels, graph::Extent image, std::uint32_t least);
+    FinerPlaces(const std::uint32_t* seen, std::uint32_t rowPixels, graph::Extent image);
     /// @param seen  four linear floats per pixel, premultiplied
-    FinerPlaces(const float* seen, graph::Extent image, std::uint32_t least);
+    FinerPlaces(const float* seen, graph::Extent image);
+
+    /// Adds the eight pixels around each finer one.
+    void grow();
 
     bool finer(std::uint32_t x, std::uint32_t y) const { return pixels_[std::size_t{y} * across_ + x] != 0; }
     /// A byte per pixel, row by row: 0 where one sample is enough.
