@@ -36,6 +36,22 @@ constexpr HelpTopic kTopics[] = {
      "#rgb\n"
      "or #rrggbb; for backgrounds also #rrggbbaa. element:COLOR colours carbons in COLOR, other atoms by element.\n",
      Topic::color | Topic::background},
+    {"styles",
+     "A style says how atoms are drawn, all of them (--style) or those of a selection (--show).\n",
+     Topic::style | Topic::mesh | Topic::levels | Topic::atoms | Topic::geometry},
+    {"labels", "Text in the picture: labels, measurements, a legend, a scale bar and a title.\n",
+     static_cast<Topics>(Topic::words)},
+    {"interactions",
+     "Dashed lines between atoms, with the definitions of a program or paper. `nacre info FILE --interactions SEL` "
+     "lists\n"
+     "them as text, CSV or JSON:\n"
+     "  nacre render 1hpv.pdb -o a.png --pocket ligand\n"
+     "  nacre info 1hpv.pdb --interactions ligand\n",
+     static_cast<Topics>(Topic::interactions)},
+    {"maps",
+     "Density maps as contours, dots or slices. Options that may be repeated go by the order of the maps:\n"
+     "  nacre render 3nzd.cif --map 3nzd.ccp4.gz --map 3nzd_diff.ccp4.gz --map-around ligand -o a.png\n",
+     static_cast<Topics>(Topic::map)},
     {"formats",
      "The format of a structure file is recognised by its content, else by its ending; it may be compressed (gzip, xz, "
      "bzip2, "

@@ -103,7 +103,8 @@ class Pages(unittest.TestCase):
         texts = {page.name: "\n".join(line for _, line in lines_outside_code(page)) for page in PAGES}
         for command in commands():
             texts[f"nacre {command} --help"] = program(command, "--help")
-        for topic in ("selections", "colors", "formats", "views", "light", "devices"):
+        known = subprocess.run([PROGRAM, "help", "nothing"], capture_output=True, text=True).stderr
+        for topic in re.search("topics are (.*) and every command", known).group(1).split(", "):
             texts[f"nacre help {topic}"] = program("help", topic)
         for name, text in texts.items():
             for phrase, better in RETIRED.items():
