@@ -3,6 +3,8 @@
 #include <bit>
 #include <cmath>
 
+#include "engine/molecule/text.h"
+
 namespace nacre {
 
 namespace {
