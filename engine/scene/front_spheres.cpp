@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "engine/threads.h"
@@ -63,6 +64,23 @@ void FrontSpheres::begin(const TileView& view, const Scenery& s) {
     shared_.margin = room / kLeast + (6 * far + 4 * (std::abs(view.origin) + view.range)) * kStep;
 }
 
+/// The runs that calls are parts of: in another order a part is not in one piece. What the calls leave out of a run is
+/// beside the picture.
+std::span<const TileCall> FrontSpheres::wholeRuns(const SphereBoxes& boxes, std::span<const TileCall> calls) {
+    const std::vector<std::uint32_t>& starts = boxes.starts;
+    runs_.clear();
+    for (const TileCall& call : calls) {
+        if (call.count == 0) continue;
+        const std::uint32_t first = *std::prev(std::upper_bound(starts.begin(), starts.end(), call.first));
+        const std::uint32_t end = *std::lower_bound(starts.begin(), starts.end(), call.first + call.count);
+        if (runs_.empty() || runs_.back().number != call.number || runs_.back().first > first ||
+            runs_.back().first + runs_.back().count < first)
+            runs_.push_back({call.rows, first, 0, call.number});
+        runs_.back().count = std::max(runs_.back().count, end - runs_.back().first);
+    }
+    return runs_;
+}
+
 void FrontSpheres::list(const TileView& view, const Scenery& s) {
     constexpr std::uint32_t kOfGroup = SphereBoxes::kSpheres * SphereBoxes::kBoxes;
     std::array<SphereBox, kMostLanes> boxes;
@@ -86,9 +104,9 @@ void FrontSpheres::list(const TileView& view, const Scenery& s) {
     }
 }
 
-void FrontSpheres::listDoubts(const Scenery& s) {
+void FrontSpheres::listDoubts(std::span<const TileCall> calls) {
     std::uint32_t most = 0;
-    for (const TileCall& call : s.calls) most = std::max(most, call.number + call.first + call.count);
+    for (const TileCall& call : calls) most = std::max(most, call.number + call.first + call.count);
     marks_.assign(most / 64 + 1, 0);
     shown_ = 0;
     const auto mark = [&](std::uint32_t number) {
@@ -99,7 +117,7 @@ void FrontSpheres::listDoubts(const Scenery& s) {
     };
     for (std::size_t b = 0; b < bands_.size(); ++b) std::for_each(doubts_[b].begin(), doubts_[b].end(), mark);
     doubtCalls_.clear();
-    for (const TileCall& call : s.calls) {
+    for (const TileCall& call : calls) {
         const std::uint32_t end = call.number + call.first + call.count;
         for (std::uint32_t at = call.number + call.first; at < end;) {
             const std::uint64_t rest = marks_[at / 64] >> at % 64;
@@ -125,7 +143,8 @@ void FrontSpheres::listDoubts(const Scenery& s) {
 void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, const SphereBoxes& boxes,
                         std::span<const TileCall> calls) {
     constexpr std::size_t kWorth = 512;  // groups that are worth another thread
-    const Scenery s{spheres, boxes, calls};
+    const bool own = !boxes.spheres.empty();
+    const Scenery s{own ? boxes.spheres : spheres, boxes, own ? wholeRuns(boxes, calls) : calls};
     begin(view, s);
     list(view, s);
     sortNearFirst<2048>(view, groups_, sorted_);
@@ -153,7 +172,7 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
                             group.group);
         }
     });
-    listDoubts(s);
+    listDoubts(calls);
 }
 
 bool FrontSpheres::isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, std::uint32_t endY) const {

@@ -43,14 +43,16 @@ private:
         std::span<const TileCall> calls;
     };
 
+    std::span<const TileCall> wholeRuns(const SphereBoxes& boxes, std::span<const TileCall> calls);
     void begin(const TileView& view, const Scenery& s);
     void list(const TileView& view, const Scenery& s);
-    void listDoubts(const Scenery& s);
+    void listDoubts(std::span<const TileCall> calls);
 
     std::uint32_t width_ = 0, height_ = 0;
     std::uint32_t pitch_ = 0;  // pixels per row, including sentinels at its end that hide everything
     FrontLanes lanes_;
     FrontBand shared_;  // what all bands have in common
+    std::vector<TileCall> runs_;
     std::vector<FrontGroup> groups_, sorted_;
     std::vector<std::uint32_t> inRow_;
     std::vector<RowBand> bands_;

@@ -74,8 +74,23 @@ struct Told {
     std::vector<std::uint32_t> seeds;
     std::set<std::uint32_t> doubts;
 };
-Told toldBy(FrontSpheres& front, const Crowd& c) {
-    const SphereBoxes boxes = sphereBoxesOf(c.spheres);
+/// Boxes in an order of their own: each run from its end.
+SphereBoxes ownBoxes(const std::vector<Sphere>& stream) {
+    const std::vector<std::uint32_t> starts{0, 700, 2201, static_cast<std::uint32_t>(stream.size())};
+    std::vector<std::uint32_t> numbers;
+    for (std::size_t run = 0; run + 1 < starts.size(); ++run)
+        for (std::uint32_t i = starts[run + 1]; i > starts[run]; --i) numbers.push_back(i - 1);
+    std::vector<Sphere> spheres;
+    for (const std::uint32_t number : numbers) spheres.push_back(stream[number]);
+    SphereBoxes boxes = sphereBoxesOf(spheres);
+    boxes.spheres = spheres;
+    boxes.numbers = numbers;
+    boxes.starts = starts;
+    return boxes;
+}
+
+Told toldBy(FrontSpheres& front, const Crowd& c, bool own = false) {
+    const SphereBoxes boxes = own ? ownBoxes(c.spheres) : sphereBoxesOf(c.spheres);
     front.draw(c.view, c.spheres, boxes, c.calls);
     Told told;
     told.seeds.resize(std::size_t{c.view.width} * c.view.height);
@@ -121,17 +136,17 @@ void eachPixel(const TileView& v, const Ball& b, double room, const Work& work) 
         }
 }
 
-/// Radii, pixels, by each of the processor's numbers of lanes.
-class FrontSpheresTest : public testing::TestWithParam<std::tuple<double, std::size_t>> {};
+/// Radii, pixels, by each of the processor's numbers of lanes, and whether boxes have an order of their own.
+class FrontSpheresTest : public testing::TestWithParam<std::tuple<double, std::size_t, bool>> {};
 
 TEST_P(FrontSpheresTest, NameAllThatMayBeTheNearest) {
     constexpr double kRounding = 3e-5;  // Å that shaders may be off by, at this size of a scene
-    const auto [radius, lanes] = GetParam();
+    const auto [radius, lanes, own] = GetParam();
     FrontSpheres front(frontLanes()[lanes]);  // used again and again, as by a renderer
     std::size_t seen = 0, ties = 0, shown = 0, doubts = 0, all = 0;
     for (std::uint32_t seed = 0; seed < 16; ++seed) {
         const Crowd c(seed, radius, static_cast<int>(seed % 4));
-        const Told told = toldBy(front, c);
+        const Told told = toldBy(front, c, own);
         const std::vector<Ball> balls = ballsOf(c);
         std::vector<double> least(told.seeds.size(), std::numeric_limits<double>::infinity());
         for (const Ball& b : balls)
@@ -171,7 +186,7 @@ TEST_P(FrontSpheresTest, NameAllThatMayBeTheNearest) {
 
 INSTANTIATE_TEST_SUITE_P(Radii, FrontSpheresTest,
                          testing::Combine(testing::Values(0.3, 0.8, 2.0, 7.0),
-                                          testing::Range(std::size_t{0}, frontLanes().size())));
+                                          testing::Range(std::size_t{0}, frontLanes().size()), testing::Bool()));
 
 // Where spheres stand to each other, and not how many are drawn at once, tells which a pixel shows.
 TEST(FrontSpheres, AreTheSameByAnyNumberOfLanes) {
@@ -185,6 +200,23 @@ TEST(FrontSpheres, AreTheSameByAnyNumberOfLanes) {
             EXPECT_EQ(toldBy(front, c).seeds, expected.seeds) << lanes.lanes << " lanes, radius " << radius;
         }
     }
+}
+
+// Parts of runs are drawn as whole runs, once, since what they leave out is beside the picture.
+TEST(FrontSpheres, DrawRunsOnceHoweverTheyAreParted) {
+    Crowd c(3, 0.8, 1);
+    for (std::size_t i = 100; i < 600; ++i) c.spheres[i].center.z += 1e-3f * static_cast<float>(i);  // no ties
+    c.calls.erase(c.calls.begin() + 2);
+    FrontSpheres front;
+    const Told expected = toldBy(front, c, true);
+    std::vector<TileCall> parts;
+    for (const TileCall& call : c.calls)
+        for (std::uint32_t first = 0; first < call.count; first += 250)
+            parts.push_back({call.rows, first, 250, call.number});
+    c.calls = parts;
+    const Told told = toldBy(front, c, true);
+    EXPECT_EQ(told.seeds, expected.seeds);
+    EXPECT_EQ(told.doubts, expected.doubts);
 }
 
 TEST(FrontSpheres, DrawNothingOfNothing) {
