@@ -94,10 +94,10 @@ void main() {
     // If rows of workgroups are uneven, the last bin is processed again, but not listed again.
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint bins = view.offsets / uint(kTilesInBin * kTilesInBin);  // that have tiles
-    uint tile = listAt(min(group, bins - 1u) * uint(kTilesInBin * kTilesInBin));  // x | y << 16
+    uint tile = listAt(min(group, bins - 1u) * uint(kTilesInBin * kTilesInBin));  // x | y << 16, and where bins may show primitives between centres 1 << 31
     uint quadsAcross = view.across * uint(kQuadsAcross), height = edgePixels[1];
     uint x = (tile & 0xffffu) / uint(kTilesInBin) * uint(kQuadsAcross) + lane % uint(kQuadsAcross);
-    uint y = (tile >> 16) / uint(kTilesInBin) * uint(kBin) + lane / uint(kQuadsAcross) * uint(kRowsOfLane);
+    uint y = (tile >> 16 & 0xfffu) / uint(kTilesInBin) * uint(kBin) + lane / uint(kQuadsAcross) * uint(kRowsOfLane);
 
     uint found = 0u, foundBelow = 0u;  // one bit per pixel, row by row; below the eighth row, if a lane has as many
     uint at = y * quadsAcross + x;
@@ -110,7 +110,7 @@ void main() {
                      parts(here, rightOf(here, at, final));
         // The sight may change inside a pixel, without a neighbour.
         if (kContours) edge |= uvec4(equal(here.sights & kChanges, uvec4(kChanges)));
-        if (kEverywhere) edge = uvec4(1u);
+        if (kEverywhere && (kContours || tile >> 31 != 0u)) edge = uvec4(1u);
         uint bits = (edge.x | edge.y << 1 | edge.z << 2 | edge.w << 3) << uint(4 * (r & 7));
         found |= r < 8 ? bits : 0u;
         foundBelow |= r < 8 ? 0u : bits;

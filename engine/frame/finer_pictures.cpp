@@ -118,7 +118,9 @@ std::optional<FinerPlaces> PictureFrames::coarsePicture(const RenderSettings& se
 
 /// Draws finer places from the samples of one frame by tiles, for pictures by other paths. @returns whether it can
 bool PictureFrames::addEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view) {
-    if (drawsEdges(settings) || !frames_.drawsEdges(true) || settings.effects.rims()) return false;
+    if (drawsEdges(settings) || frames_.isFineMesh(settings.view) || !frames_.drawsEdges(true) ||
+        settings.effects.rims())
+        return false;
     Ending ending = inImage(settings, view, Samples::one);
     ending.picture.first = false;
     ending.picture.masked = true;

@@ -226,8 +226,10 @@ bool PictureFrames::averagesOnHost(const RenderSettings& settings) {
     return !hasLens(settings) && !wantsEdges(settings) && settings.supersample > 1;
 }
 
+/// In the frame itself. A small picture of a fine mesh is not: there the host finds the triangle of each sample, as it
+/// does with one sample per pixel, where a frame with edges searches long lists.
 bool PictureFrames::drawsEdges(const RenderSettings& settings) const {
-    return frames_.drawsEdges() && !settings.effects.rims();
+    return frames_.drawsEdges() && !settings.effects.rims() && !frames_.isFineMesh(settings.view);
 }
 
 /// Draws a picture with a pixel for each of its own.

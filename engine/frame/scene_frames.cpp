@@ -50,6 +50,13 @@ void SceneFrames::checkBlending(VkFormat format) const {
                 "it does not blend 32 bits per channel, which layers and 16-bit pictures need; use 8 bits");
 }
 
+bool SceneFrames::isFineMesh(const View& view) const {
+    constexpr std::uint32_t kLargest = 384;  // a side: one block of samples
+    constexpr std::uint64_t kPixels = 8;     // per triangle
+    return std::max(view.width, view.height) <= kLargest &&
+           scene_->representation.triangles.size() * kPixels > std::uint64_t{view.width} * view.height;
+}
+
 std::string SceneFrames::lacksSamples(const RenderSettings& settings) const {
     if (settings.debug != DebugView::none) return "debug views show single samples";
     if (settings.fine) return "16 bits per channel and sample do not fit the tile";

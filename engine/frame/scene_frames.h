@@ -69,6 +69,9 @@ public:
         return finer && caps.tiles.shade && caps.plan.tiles ? Visibility::tiles : caps.visibility;
     }
 
+    /// Whether a view is small, and shows a mesh of so many triangles that samples would search long lists.
+    bool isFineMesh(const View& view) const;
+
     /// Why a frame by these settings has one sample of a pixel, whatever the device can. Empty: it can have more.
     std::string lacksSamples(const RenderSettings& settings) const;
 

@@ -116,6 +116,8 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     const auto build = [&] {
         TileView asked = tileView(seen, view, image, !work.edges && !work.subsamples);
         asked.layers = work.kept;
+        asked.edges = work.edges;
+        asked.small = work.edges ? static_cast<float>(kSmallPixels) : 0.0f;
         asked.mask = work.mask;
         frame.lists.build(asked, scenery);
     };

@@ -37,7 +37,7 @@ void reserve(const gpu::Device& device, TileBuffer& buffer, std::size_t bytes, v
 /// Data for drawing a frame's edges.
 struct TileEdges {
     bool drawn = false;
-    bool everywhere = false;   ///< primitives are so small that one may lie between pixel centres
+    bool everywhere = false;   ///< some primitives are so small that one may lie between pixel centres
     bool listed = false;       ///< samples search the lists, not only the pixel's neighbours
     TileBuffer pixels;         ///< edge pixels: kEdgeHeader words, then groups of as many as a subgroup has lanes
     std::uint32_t groups = 0;  ///< number of groups

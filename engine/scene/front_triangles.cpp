@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::uint32_t kGroup = TriangleShapes::kMost;
+constexpr std::uint32_t kAllAway = (1u << kLanes) - 1;
 constexpr float kBehindAll = -std::numeric_limits<float>::max();
 
 }  // namespace
@@ -32,8 +33,10 @@ public:
     void expect(std::size_t groups) { doubts_.resize(groups); }
 
     /// @param index  of the group's first triangle
-    void draw(const TriangleLens& lens, const Group& group, std::uint32_t index, const glm::vec4* corners) {
+    /// @param boxes  receives bounds of each four triangles; null: none
+    void draw(const TriangleLens& lens, const Group& group, std::uint32_t index, const glm::vec4* corners, Box* boxes) {
         shapes_.place(lens, group.triangles, group.count, corners);
+        if (boxes) std::copy(shapes_.boxes.begin(), shapes_.boxes.end(), boxes);
         for (std::uint32_t first = 0; first < group.count; first += kLanes) {
             const bool drawn = !isHidden(lens, shapes_.boxes[first / kLanes]);
             if (drawn) shapes_.findPlanes(lens, first);
@@ -72,6 +75,16 @@ public:
         return rows_[y] ? index_[y * lens.width + x] : kNone;
     }
     bool anyIn(std::size_t y) const { return rows_[y] != 0; }
+
+    /// Whether all samples of the pixels that a box meets, and those of their neighbours' centres, show what is nearer.
+    bool covers(const TriangleLens& lens, Box box) const {
+        constexpr std::int32_t kAround = 2;  // a pixel whose centre is beside the box, and its neighbour
+        box.left = std::max(box.left - kAround, 0);
+        box.top = std::max(box.top - kAround, 0);
+        box.right = std::min(box.right + kAround, static_cast<std::int32_t>(lens.width));
+        box.bottom = std::min(box.bottom + kAround, static_cast<std::int32_t>(lens.height));
+        return isHidden(lens, box);
+    }
     /// For each group the triangles that may be nearer than those of the pixels, one bit each.
     const std::vector<std::uint32_t>& doubts() const { return doubts_; }
 
@@ -86,7 +99,7 @@ private:
     }
 
     /// Whether the nearest point of a box is certainly behind each of its pixels.
-    bool isHidden(const TriangleLens& lens, const TriangleShapes::Box& box) const {
+    bool isHidden(const TriangleLens& lens, const Box& box) const {
         if (lens.perspective && !(box.nearest > 0)) return false;
         const float nearest = lens.keyOf(box.nearest);
         const Lanes key = Lanes{} + (nearest + lens.errorOfKey(nearest));
@@ -184,6 +197,7 @@ FrontTriangles::~FrontTriangles() = default;
 
 void FrontTriangles::begin(const TileView& view) {
     lens_ = TriangleLens(view);
+    edges_ = view.edges;
     groups_.clear();
     used_ = 0;
     layer(0);
@@ -209,30 +223,53 @@ void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> 
         std::min({count / kGroupsOfThread + 1, kMostThreads, kMostPixels / pixels + 1, std::size_t{threadsPerTask()}});
     layer(threads - 1);
     for (std::size_t i = 0; i < threads; ++i) layers_[i]->expect(groups_.size());
+    if (edges_) boxes_.resize(groups_.size());
     inParallel(threads, [&](std::size_t thread) {
         const std::size_t first = before + count * thread / threads, end = before + count * (thread + 1) / threads;
         for (std::size_t i = first; i < end; ++i)
-            layers_[thread]->draw(lens_, groups_[i], static_cast<std::uint32_t>(i) * kGroup, corners.data());
+            layers_[thread]->draw(lens_, groups_[i], static_cast<std::uint32_t>(i) * kGroup, corners.data(),
+                                  edges_ ? boxes_[i].data() : nullptr);
+    });
+}
+
+/// Puts what the threads drew into the first layer.
+void FrontTriangles::merge() {
+    constexpr std::size_t kRows = 64;  // of a slice
+    Layer& all = *layers_[0];
+    if (used_ == 1) return;
+    const std::size_t slices = (lens_.height + kRows - 1) / kRows;
+    doubtsOfSlices_.resize(std::max(doubtsOfSlices_.size(), slices));
+    inParallel(slices, [&](std::size_t slice) {
+        std::vector<std::uint32_t>& doubts = doubtsOfSlices_[slice];
+        doubts.clear();
+        for (std::size_t i = 1; i < used_; ++i)
+            for (std::size_t y = slice * kRows; y < std::min<std::size_t>((slice + 1) * kRows, lens_.height); ++y)
+                all.takeRow(lens_, *layers_[i], y, [&](std::uint32_t index) { doubts.push_back(index); });
+    });
+    for (std::size_t i = 1; i < used_; ++i) all.takeDoubts(*layers_[i]);
+    for (std::size_t slice = 0; slice < slices; ++slice)
+        for (const std::uint32_t index : doubtsOfSlices_[slice]) all.doubt(index);
+}
+
+/// All triangles that samples between centres may see.
+void FrontTriangles::doubtUncovered() {
+    constexpr std::size_t kSlice = 256;  // groups
+    Layer& all = *layers_[0];
+    inParallel((groups_.size() + kSlice - 1) / kSlice, [&](std::size_t slice) {
+        for (std::size_t i = slice * kSlice; i < std::min((slice + 1) * kSlice, groups_.size()); ++i)
+            for (std::uint32_t first = 0; first < groups_[i].count; first += kLanes) {
+                const Box& box = boxes_[i][first / kLanes];
+                if (box.away == kAllAway || all.covers(lens_, box)) continue;
+                for (std::uint32_t k = first; k < std::min(first + kLanes, groups_[i].count); ++k)
+                    if ((box.away >> (k - first) & 1) == 0) all.doubt(static_cast<std::uint32_t>(i) * kGroup + k);
+            }
     });
 }
 
 void FrontTriangles::end() {
-    constexpr std::size_t kRows = 64;  // of a slice
-    Layer& all = *layers_[0];
-    if (used_ > 1) {
-        const std::size_t slices = (lens_.height + kRows - 1) / kRows;
-        doubtsOfSlices_.resize(std::max(doubtsOfSlices_.size(), slices));
-        inParallel(slices, [&](std::size_t slice) {
-            std::vector<std::uint32_t>& doubts = doubtsOfSlices_[slice];
-            doubts.clear();
-            for (std::size_t i = 1; i < used_; ++i)
-                for (std::size_t y = slice * kRows; y < std::min<std::size_t>((slice + 1) * kRows, lens_.height); ++y)
-                    all.takeRow(lens_, *layers_[i], y, [&](std::uint32_t index) { doubts.push_back(index); });
-        });
-        for (std::size_t i = 1; i < used_; ++i) all.takeDoubts(*layers_[i]);
-        for (std::size_t slice = 0; slice < slices; ++slice)
-            for (const std::uint32_t index : doubtsOfSlices_[slice]) all.doubt(index);
-    }
+    const Layer& all = *layers_[0];
+    merge();
+    if (edges_) doubtUncovered();
     doubts_.clear();
     for (std::size_t group = 0; group < all.doubts().size(); ++group)
         for (std::uint32_t bits = all.doubts()[group]; bits != 0; bits &= bits - 1)

@@ -25,15 +25,16 @@ public:
     FrontTriangles();
     ~FrontTriangles();
 
-    /// Clears. Pixels are sampled at their centres only, and triangles have no outlines.
+    /// Clears. Triangles have no outlines. Unless the view draws edges, pixels are sampled at their centres only.
     void begin(const TileView& view);
     /// Draws triangles, by several threads if there are many.
     /// @param corners  of all vertices, transformed for the runs: pixel and Z
     void draw(std::span<const Run> runs, std::span<const glm::vec4> corners);
     /// Finds per pixel the triangle that is certainly nearest, whatever a shader's rounding; doubtful ones are listed.
+    /// Where a view draws edges, those are all that are not behind what the centres around them show.
     void end();
 
-    /// Number of further triangles that may be visible at some pixel.
+    /// Number of further triangles that may be visible at some pixel, or at one of its samples.
     std::size_t doubts() const { return doubts_.size(); }
     /// @param number  receives the triangle's number
     const Triangle& doubt(std::size_t index, const glm::vec4*& rows, std::uint32_t& number) const;
@@ -52,13 +53,19 @@ private:
         const glm::vec4* rows = nullptr;
         std::uint32_t number = 0;
     };
+    using Box = TriangleShapes::Box;
+    using BoxesOfGroup = decltype(TriangleShapes::boxes);
     Layer& layer(std::size_t number);
     std::uint32_t numberOf(std::uint32_t index) const;
+    void merge();
+    void doubtUncovered();
 
     TriangleLens lens_;
+    bool edges_ = false;
     std::vector<std::unique_ptr<Layer>> layers_;  // one per thread
     std::size_t used_ = 0;                        // of layers_
     std::vector<Group> groups_;
+    std::vector<BoxesOfGroup> boxes_;  // of the groups, where edges are drawn
     std::vector<std::uint32_t> doubts_;
     std::vector<std::vector<std::uint32_t>> doubtsOfSlices_;
 };

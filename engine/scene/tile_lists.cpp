@@ -108,6 +108,14 @@ void TileLists::add(const TileView& view, std::uint32_t number, glm::vec2 low, g
     kept.push_back(k);
 }
 
+/// A sphere or a cylinder. @param reach  half of its width, pixels
+void TileLists::addRound(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near,
+                         float reach) {
+    const std::size_t before = kept_.size();
+    add(view, number, low, high, near, kept_);
+    if (reach < view.small && kept_.size() > before) small_.push_back(static_cast<std::uint32_t>(before));
+}
+
 void TileLists::addSpheres(const TileView& view, std::span<const Sphere> spheres, const TileCall& call) {
     for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
         const glm::vec3 center = placed(call.rows, spheres[i].center);
@@ -116,7 +124,7 @@ void TileLists::addSpheres(const TileView& view, std::span<const Sphere> spheres
         const Disc disc = discOf(view, center, reachOf(view, center.z, radius));
         const glm::vec2 at = pixelOf(view, disc.center);
         const float reach = disc.radius * view.pixels;
-        add(view, call.number + i, at - reach, at + reach, Z - radius, kept_);
+        addRound(view, call.number + i, at - reach, at + reach, Z - radius, reach);
     }
 }
 
@@ -128,8 +136,8 @@ void TileLists::addCylinders(const TileView& view, const TileScenery& s, const T
         const Disc da = discOf(view, a, reachOf(view, a.z, radius)), db = discOf(view, b, reachOf(view, b.z, radius));
         const glm::vec2 pa = pixelOf(view, da.center), pb = pixelOf(view, db.center);
         const float ra = da.radius * view.pixels, rb = db.radius * view.pixels;
-        add(view, call.number + i, glm::min(pa - ra, pb - rb), glm::max(pa + ra, pb + rb),
-            view.origin - std::max(a.z, b.z) - radius, kept_);
+        addRound(view, call.number + i, glm::min(pa - ra, pb - rb), glm::max(pa + ra, pb + rb),
+                 view.origin - std::max(a.z, b.z) - radius, std::min(ra, rb));
     }
 }
 
@@ -283,6 +291,15 @@ void TileLists::count() {
     for (std::size_t i = 1; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];
 }
 
+void TileLists::findSmall() {
+    smallBins_.clear();
+    if (small_.empty()) return;
+    smallBins_.resize(std::size_t{across_} * down_);
+    for (const std::uint32_t i : small_)
+        for (std::uint32_t y = kept_[i].y; y < kept_[i].endY; ++y)
+            for (std::uint32_t x = kept_[i].x; x < kept_[i].endX; ++x) smallBins_[std::size_t{y} * across_ + x] = 1;
+}
+
 void TileLists::listTiles() {
     bins_.clear();
     spans_.clear();
@@ -314,6 +331,7 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
     across_ = (view.width + kBinPixels - 1) / kBinPixels;
     down_ = (view.height + kBinPixels - 1) / kBinPixels;
     kept_.clear();
+    small_.clear();
     mask(view);
     drawsSpheres_ = s.boxes != nullptr;
     if (drawsSpheres_) frontSpheres_.draw(view, s.spheres, *s.boxes, s.sphereCalls);
@@ -321,22 +339,25 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
         addSpheres(view, s.spheres, call);
     keptSpheres_ = kept_.size();
     for (const TileCall& call : s.cylinderCalls) addCylinders(view, s, call);
-    const bool drawsTriangles = view.centers && view.layers == 1 && view.contour == 0 && !s.triangleCalls.empty();
+    const bool drawsTriangles =
+        (view.centers || view.edges) && view.layers == 1 && view.contour == 0 && !s.triangleCalls.empty();
     if (drawsTriangles)
         addFrontTriangles(view, s);
     else
         addTriangles(view, s);
     seeded_ = drawsTriangles || drawsSpheres_;
     if (seeded_) findSeeds();
+    findSmall();
     order();
     count();
     listTiles();
 }
 
 void TileLists::write(std::uint32_t* to) {
-    constexpr int kUnwanted = 12;  // shaders/common/tile_lists.glsl
+    constexpr int kUnwanted = 12, kSmall = 31;  // shaders/common/tile_lists.glsl
     for (const Tile& t : tiles_)
-        *to++ = t.x | (masked() ? mask_.unwanted(t.x, t.y) << kUnwanted : 0u) | std::uint32_t{t.y} << 16;
+        *to++ = t.x | (masked() ? mask_.unwanted(t.x, t.y) << kUnwanted : 0u) | std::uint32_t{t.y} << 16 |
+                (showsSmall(t.x / kTilesInBin, t.y / kTilesInBin) ? 1u << kSmall : 0u);
     const auto base = static_cast<std::uint32_t>(words() - entries());
     for (const std::uint32_t offset : offsets_) *to++ = base + offset;
     *to++ = 1;

@@ -40,7 +40,8 @@ struct TileScenery {
 };
 
 /// Where pixels are sampled at their centres only, most triangles enter no list: the host knows the nearest one for
-/// nearly every pixel. Likewise for spheres with boxes.
+/// nearly every pixel. Likewise for spheres with boxes. Where edges are drawn, triangles enter that no pixels around
+/// them hide.
 ///
 /// Bins of `kBinPixels` per side, row by row from the top left, each with its list, and the tiles of the bins whose
 /// list is not empty or that begin with triangles. Keeps its memory between frames.
@@ -81,6 +82,10 @@ public:
     /// Whether a tile is drawn if its bin holds anything.
     bool draws(std::uint32_t x, std::uint32_t y) const { return !masked() || mask_.unwanted(x, y) != kAllUnwanted; }
     bool masked() const { return !mask_.wanted.empty(); }
+    /// Whether a bin may show a primitive of less than TileView::small.
+    bool showsSmall(std::size_t x, std::size_t y) const {
+        return !smallBins_.empty() && smallBins_[y * across_ + x] != 0;
+    }
     /// Whether pixels begin with a primitive from writeSeeds().
     bool seeded() const { return seeded_; }
     /// Numbers of the nearest triangles or spheres of some pixels of a row, 0: none that is certain.
@@ -98,9 +103,9 @@ public:
     std::size_t keptSpheres() const { return keptSpheres_; }
     std::size_t entries() const { return offsets_.empty() ? 0 : offsets_.back(); }
     std::uint32_t longest() const { return longest_; }  ///< entries of a list
-    /// Size of the device's data in words: tiles (x | y << 16); begin of each bin's list and end of the last; a
-    /// primitive's number, 1; the lists. So the word before a list is a valid number, which readers of an empty list
-    /// may load.
+    /// Size of the device's data in words: tiles (x | y << 16 | 1 << 31 where showsSmall()); begin of each bin's list
+    /// and end of the last; a primitive's number, 1; the lists. So the word before a list is a valid number, which
+    /// readers of an empty list may load.
     std::size_t words() const { return tiles_.size() + offsets_.size() + 1 + entries(); }
     void write(std::uint32_t* to);
 
@@ -121,6 +126,7 @@ private:
     void findSeeds();
     void add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near,
              std::vector<Kept>& kept) const;
+    void addRound(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near, float reach);
     void addSpheres(const TileView& view, std::span<const Sphere> spheres, const TileCall& call);
     void addCylinders(const TileView& view, const TileScenery& scenery, const TileCall& call);
     void placeCorners(const TileView& view, const TileScenery& scenery, const MeshPart& part);
@@ -137,12 +143,15 @@ private:
     bool drawsBin(std::size_t bin) const { return drawnBins_.empty() || drawnBins_[bin] != 0; }
     bool drawsAny(const Kept& k) const;
     static constexpr std::uint32_t kAllUnwanted = 15;
+    void findSmall();
     void listTiles();
 
     std::uint32_t across_ = 0, down_ = 0, longest_ = 0;
     TileMask mask_;                        // empty: all tiles are drawn
     std::vector<std::uint8_t> drawnBins_;  // as above
     std::vector<Kept> kept_;
+    std::vector<std::uint32_t> small_;     // of those, primitives below TileView::small
+    std::vector<std::uint8_t> smallBins_;  // that show any; empty: none does
     std::vector<std::vector<Kept>> keptOfSlices_;
     std::size_t keptSpheres_ = 0;
     std::vector<std::uint32_t> order_, offsets_, cursors_;

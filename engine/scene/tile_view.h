@@ -45,6 +45,10 @@ struct TileView {
     /// Pixels are sampled at their centres only: triangles between centres are dropped and, with one layer, those
     /// hidden at every centre; pixels begin with the nearest.
     bool centers = false;
+    /// Pixels are sampled at their centres first, and then between them: those begin with the nearest triangle, too,
+    /// and triangles behind all around them are dropped.
+    bool edges = false;
+    float small = 0;                 ///< primitives of a lesser half width may lie between centres, pixels
     bool frontsOnly = false;         ///< triangles are invisible from behind
     float wireScale = 1;             ///< pixels per pixel of the picture, for the width of wires
     const TileMask* mask = nullptr;  ///< null: all tiles are drawn

@@ -85,9 +85,11 @@ void TriangleShapes::placeFour(const TriangleLens& lens, LanePoints a, LanePoint
     Lanes leftmost = seen(lowX + (0.5f - kRoom), width), rightmost = seen(highX + (0.5f + kRoom), width),
           topmost = seen(lowY + (0.5f - kRoom), height), lowest = seen(highY + (0.5f + kRoom), height),
           Z = ofLeast(a.z, b.z, c.z);
+    std::uint32_t turnedOff = 0;
     if (lens.frontsOnly) {
         const Lanes off = greater(farther(lowX, highX, lens.axisX), farther(lowY, highY, lens.axisY));
         const Mask away = twice > kCertain * lens.rounded(off) * 2 * (highX - lowX + highY - lowY);
+        turnedOff = signsOf(away);
         leftmost = away ? width : leftmost;
         rightmost = away ? none : rightmost;
         topmost = away ? height : topmost;
@@ -100,8 +102,12 @@ void TriangleShapes::placeFour(const TriangleLens& lens, LanePoints a, LanePoint
     storeLanes(pixelsOf(lowest), &bottom[first]);
     storeLanes(Z, &nearest[first]);
     const auto pixel = [](float place) { return static_cast<std::int32_t>(place); };
-    boxes[first / kLanes] = {pixel(leastOf(leftmost)), pixel(-leastOf(-rightmost)), pixel(leastOf(topmost)),
-                             pixel(-leastOf(-lowest)), leastOf(Z)};
+    boxes[first / kLanes] = {pixel(leastOf(leftmost)),
+                             pixel(-leastOf(-rightmost)),
+                             pixel(leastOf(topmost)),
+                             pixel(-leastOf(-lowest)),
+                             leastOf(Z),
+                             turnedOff};
 }
 
 void TriangleShapes::findPlanes(const TriangleLens& lens, std::uint32_t first) {

@@ -50,6 +50,7 @@ public:
     struct Box {
         std::int32_t left, right, top, bottom;
         float nearest;
+        std::uint32_t away;  ///< a bit for each triangle that is invisible, since it turns away
     };
     std::array<Box, kMost / kLanes> boxes;
 

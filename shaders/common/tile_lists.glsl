@@ -7,8 +7,8 @@ layout(local_size_x_id = 50) in;  // kLanesId
 const int kTile = 8;
 #include "lanes.glsl"
 
-/// Corner of a tile, pixels. @param tile  x | unwanted quarters << 12 | y << 16, of a list
-uvec2 cornerOf(uint tile) { return uvec2(tile & 0xfffu, tile >> 16) * uint(kTile); }
+/// Corner of a tile, pixels. @param tile  x | unwanted quarters << 12 | y << 16 | small primitives << 31, of a list
+uvec2 cornerOf(uint tile) { return uvec2(tile & 0xfffu, tile >> 16 & 0xfffu) * uint(kTile); }
 /// Whether a pixel of a tile, counted row by row, is in a quarter that is wanted.
 bool isWanted(uint tile, uint pixel) {
     uint quarter = pixel / uint(kTile * kTile / 2) * 2u + pixel % uint(kTile) / uint(kTile / 2);

@@ -107,6 +107,49 @@ TEST(EdgesOf, SticksThinnerThanAPixel) {
     EXPECT_GT(likeness(renderer->render(s), truth), 36);
 }
 
+/// Only the bins of a thin stick have samples in all of their pixels.
+TEST(EdgesOf, SticksThinnerThanAPixelBesideOthers) {
+    Representation r;
+    r.spheres = {{{0, 0, 0}, 8}};
+    r.sphereLooks = {{0xff4060c0u, 1}};
+    r.radius = 12;
+    RenderSettings s = settings(r, 192, Projection::orthographic);
+    s.tuning.countFragments = true;
+    s.supersample = RenderSettings::kEdges;
+    const auto edges = [&] {
+        ValidatedRenderer renderer(Visibility::tiles);
+        renderer->setScene(r);
+        renderer->render(s);
+        for (const PassCount& count : renderer->stats().passes)
+            if (count.name == "edge samples") return count.shadedFragments;
+        return std::uint64_t{0};
+    };
+    const std::uint64_t alone = edges();
+    r.cylinders = {{{9, 9, 0}, 0.03f, {7, 9, 0}, 0}};
+    r.cylinderLooks = {{0xffc06040u, 0xffc06040u, 2, 2}};
+    const std::uint64_t beside = edges();
+    EXPECT_GT(beside, alone + 10);
+    EXPECT_LT(beside, alone + 500);
+}
+
+/// Samples of a small picture search no long lists: the host finds the triangle of each.
+TEST(EdgesOf, FineMeshesInSmallPictures) {
+    NACRE_NEEDS_DATA();
+    const Representation r = scene("1crn.pdb", Style::cartoon);
+    ValidatedRenderer renderer(Visibility::tiles);
+    renderer->setScene(r);
+    for (const auto& [size, blocks] : {std::pair(96u, true), std::pair(400u, false)}) {
+        SCOPED_TRACE(size);
+        RenderSettings s = settings(r, size, Projection::orthographic);
+        s.supersample = 8;
+        const Picture truth = renderer->render(s);
+        s.supersample = RenderSettings::kEdges;
+        EXPECT_GT(likeness(renderer->render(s), truth), 38);
+        EXPECT_EQ(renderer->planText().find("edge samples") == std::string::npos, blocks);
+        EXPECT_EQ(renderer->stats().samples, 16u);
+    }
+}
+
 /// Whose sides are no whole tiles.
 TEST(EdgesOf, OddPictures) {
     const Representation r = scene("sample:dna", Style::spacefill);

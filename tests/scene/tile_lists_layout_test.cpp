@@ -40,6 +40,37 @@ TEST(TileListsLayout, TilesAndSpansAreThoseOfBinsThatAreNotEmpty) {
     }
 }
 
+/// Where a primitive may lie between the centres of pixels, all of its bins' pixels are edges.
+TEST(TileListsLayout, TilesTellWhereSmallPrimitivesMayBe) {
+    const std::vector<Sphere> spheres = {{{-24, 24, 0}, 3}, {{-8, 24, 0}, 0.5f}};
+    const std::vector<Cylinder> cylinders = {{{8, 24, 0}, 2, {8, 20, 0}, 0}, {{24, 24, 0}, 0.2f, {24, 6, 0}, 0}};
+    const TileCall balls{kUnturned, 0, 2, 1}, sticks{kUnturned, 0, 2, 3};
+    TileView view = smallView();
+    view.width = view.height = 64;
+    view.axis = {32, 32};
+    const auto small = [&](float limit) {
+        view.small = limit;
+        TileLists lists;
+        lists.build(view, {spheres, {&balls, 1}, cylinders, {&sticks, 1}});
+        std::vector<std::uint32_t> words(lists.words());
+        lists.write(words.data());
+        std::set<std::pair<std::uint32_t, std::uint32_t>> bins;
+        for (std::size_t i = 0; i < lists.tiles().size(); ++i) {
+            const std::uint32_t x = words[i] & 0xfff, y = words[i] >> 16 & 0xfff;
+            EXPECT_EQ(x, lists.tiles()[i].x);
+            EXPECT_EQ(y, lists.tiles()[i].y);
+            const bool told = words[i] >> 31 != 0;
+            EXPECT_EQ(told, lists.showsSmall(x / TileLists::kTilesInBin, y / TileLists::kTilesInBin));
+            if (told) bins.emplace(x / TileLists::kTilesInBin, y / TileLists::kTilesInBin);
+        }
+        return bins;
+    };
+    using Bins = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+    EXPECT_EQ(small(0), Bins{});
+    EXPECT_EQ(small(0.3f), (Bins{{3, 0}, {3, 1}}));
+    EXPECT_EQ(small(0.75f), (Bins{{1, 0}, {3, 0}, {3, 1}}));
+}
+
 /// Shaders read the word before a list that is empty as if it were the list's: it has to be a number of a primitive.
 TEST(TileListsLayout, TheWordBeforeAListIsTheNumberOfAPrimitive) {
     Representation sheet;  // far wider than the picture: the host knows all that its pixels show

@@ -67,7 +67,8 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
     TileLists lists;  // used again and again, as by a renderer
     std::size_t met = 0, listed = 0, meetings = 0, begun = 0;
     for (std::uint32_t seed = 0; seed < 12; ++seed) {
-        const ListedScene s = randomListedScene(seed, perspective, turns);
+        ListedScene s = randomListedScene(seed, perspective, turns);
+        s.view.edges = seed % 4 == 1;
         lists.build(s.view, s.scenery());
         const std::vector<std::uint32_t> numbers = listsOf(lists);
         listed += numbers.size();
@@ -104,7 +105,7 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
                         const glm::dvec3 a = placed(call.rows, c.a), b = placed(call.rows, c.b);
                         if (distanceToSegment(ray, a, b) < c.radius) expect(call.number + i, x, y);
                     }
-                // Asked at the centres alone, a pixel wants the nearest triangle.
+                // Where the host draws triangles, a pixel's centre wants the nearest.
                 double nearest = std::numeric_limits<double>::infinity();
                 for (const TileCall& call : s.triangleCalls)
                     for (std::uint32_t i = call.first; i < call.first + call.count; ++i)
@@ -112,8 +113,8 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
                 for (const TileCall& call : s.triangleCalls)
                     for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
                         const double distance = distanceTo(ray, call.rows, s.mesh, i);
-                        if (std::isfinite(distance) && (!s.view.centers || distance == nearest))
-                            expect(call.number + i, x, y);
+                        const bool drawn = s.view.centers || s.view.edges;
+                        if (std::isfinite(distance) && (!drawn || distance == nearest)) expect(call.number + i, x, y);
                         if (std::isfinite(distance)) ++meetings;
                     }
             }
@@ -154,6 +155,44 @@ TEST(TileLists, LeaveOutTrianglesBehindOthersAtAllCenters) {
     v.clipNear = -TileView::kNoPlane;
     v.contour = 0.1f;  // there are lines about them
     EXPECT_EQ(listed(), (std::set<std::uint32_t>{1, 2, 3, 4}));
+}
+
+/// Where edges are drawn, samples between centres see what may pass beside a triangle near its rim.
+TEST(TileLists, LeaveOutTrianglesBehindAllCentersAroundThem) {
+    TileView v = smallView();
+    v.edges = true;
+    Mesh mesh;
+    const auto add = [&](glm::vec2 a, glm::vec2 b, glm::vec2 c, float z) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (const glm::vec2 corner : {a, b, c})
+            mesh.positions.emplace_back(corner, z), mesh.normals.emplace_back(0, 0, 1), mesh.atoms.push_back(0);
+        mesh.triangles.emplace_back(first, first + 1, first + 2);
+    };
+    // Four each, since as many are judged together: deep behind what covers the left half, and near its rim.
+    for (const float x : {-6.0f, -1.6f})
+        for (const float y : {-4.0f, -2.0f, 0.0f, 2.0f}) add({x, y}, {x + 1, y}, {x, y + 1}, -1);
+    add({0, -90}, {0, 90}, {-90, 0}, 0);
+    add({3, 0}, {4, 0}, {3, 1}, -1);    // beside it
+    add({-6, 0}, {-5, 0}, {-6, 1}, 1);  // in front, and so small that few centres are in it
+    add({-6, 4}, {-6, 5}, {-5, 4}, 1);  // as well, turned away
+    Representation r;
+    appendMesh(
+        mesh, glm::dvec3(0), [](std::uint32_t) { return SphereLook{}; }, r);
+    const TileCall call{kUnturned, 0, 12, 1};
+    TileLists lists;
+    const auto listed = [&] {
+        lists.build(v, {{}, {}, {}, {}, {}, r.triangles, r.meshVertices, {&call, 1}});
+        return namedBy(lists, v);
+    };
+    EXPECT_EQ(listed(), (std::set<std::uint32_t>{5, 6, 7, 8, 9, 10, 11, 12}));
+    EXPECT_TRUE(lists.seeded());
+    v.frontsOnly = true;
+    const std::set<std::uint32_t> fronts = listed();
+    EXPECT_TRUE(fronts.contains(11));
+    EXPECT_FALSE(fronts.contains(12));
+    v.edges = v.frontsOnly = false;
+    EXPECT_EQ(listed().size(), 12u);
+    EXPECT_FALSE(lists.seeded());
 }
 
 TEST(TileLists, LeaveOutTrianglesBetweenTheCentersOfPixels) {
