@@ -78,12 +78,6 @@ std::string percent(std::size_t count, std::size_t of) {
 
 double mean(const ContactFrequency& frequency) { return frequency.sum / static_cast<double>(frequency.count); }
 
-}  // namespace
-
-using Json = nlohmann::ordered_json;
-
-namespace {
-
 double rounded(double value, double steps) { return std::round(value * steps) / steps; }
 
 bool severalModels(const Molecule& molecule) {

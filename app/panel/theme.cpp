@@ -1,6 +1,7 @@
 #include "app/panel/theme.h"
 
 #include <cmath>
+#include <initializer_list>
 
 namespace nacre::app {
 namespace {

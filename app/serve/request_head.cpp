@@ -1,5 +1,7 @@
 #include "app/serve/request_head.h"
 
+#include <httplib.h>
+
 #include <algorithm>
 #include <charconv>
 #include <sstream>

@@ -7,6 +7,10 @@
 #include "app/serve/picture_request.h"
 #include "app/serve/problem.h"
 
+namespace httplib {
+struct Request;
+}
+
 namespace nacre::app {
 
 /// Why a request is refused by its head alone, if it is: a method or a host that is not served, or a body from another
