@@ -1,10 +1,10 @@
 #include "app/serve/request_head.h"
 
-#include <httplib.h>
-
 #include <algorithm>
 #include <charconv>
 #include <sstream>
+
+#include "app/serve/http_server.h"
 
 namespace nacre::app {
 namespace {

@@ -21,12 +21,17 @@ std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass)
     return name;
 }
 
+/// Values of the attachments up to the last that is cleared.
 std::vector<vk::ClearValue> clearsOf(const graph::RenderPassPlan& pass) {
     std::vector<vk::ClearValue> clears;
-    for (const graph::Attachment& a : pass.attachments)
+    std::size_t count = 0;
+    for (const graph::Attachment& a : pass.attachments) {
         clears.push_back(graph::isDepthFormat(a.format)
                              ? vk::ClearValue(vk::ClearDepthStencilValue(a.clear.value[0], 0))
                              : vk::ClearValue(vk::ClearColorValue(a.clear.value)));
+        if (a.load == graph::Load::clear) count = clears.size();
+    }
+    clears.resize(count);
     return clears;
 }
 

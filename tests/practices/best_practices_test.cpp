@@ -75,7 +75,12 @@ constexpr Allowed kOfLayers[] = {
 };
 
 constexpr Allowed kOfSamples[] = {
-    {"Pipeline-SortAndBind", "AMD, NVIDIA: a coarse frame shows where the fine one that follows has samples", kAmd},
+    {"vkCmdBeginRenderPass-attachment-needs-readback",
+     "Arm, IMG: samples are added to a picture of which an earlier frame drew the rest; windows do not do it", kArm},
+    {"RenderPass-copyimage-loadopload",
+     "Arm, IMG: as above; the host reads the earlier frame, to see where the picture needs samples", kArm},
+    {"PipelineBarrier-readToReadBarrier",
+     "AMD, NVIDIA: what a lens or another frame may read ends as a texture, and is then read back", kAmd},
     {"AllocateMemory-ReuseAllocations", "NVIDIA: what the samples are added up in goes with the picture", kNvidia,
      true},
 };
