@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 #include <limits>
 
 #include "engine/scene/lanes.h"
@@ -37,22 +38,21 @@ public:
     void draw(const TriangleLens& lens, const Group& group, std::uint32_t index, const glm::vec4* corners, Box* boxes) {
         shapes_.place(lens, group.triangles, group.count, corners);
         if (boxes) std::copy(shapes_.boxes.begin(), shapes_.boxes.end(), boxes);
-        for (std::uint32_t first = 0; first < group.count; first += kLanes) {
-            const bool drawn = !isHidden(lens, shapes_.boxes[first / kLanes]);
-            if (drawn) shapes_.findPlanes(lens, first);
-            for (std::uint32_t i = first; i < first + kLanes; ++i) drawn_[i] = drawn;
-        }
-        if (lens.perspective) keepFromEye(group.count, index);
         // Front faces of a solid are in front of its back faces.
         std::array<std::uint32_t, 2 * kGroup> order;
-        std::size_t first = kGroup, end = kGroup;
-        for (std::uint32_t i = 0; i < group.count; ++i) {
-            const bool holds = drawn_[i] && shapes_.holdsCenter(i), away = shapes_.turnedAway[i];
-            order[end] = order[first - 1] = i;
-            end += holds && away;
-            first -= holds && !away;
+        std::size_t begin = kGroup, end = kGroup;
+        for (std::uint32_t first = 0; first < group.count; first += kLanes) {
+            if (isHidden(lens, shapes_.boxes[first / kLanes])) continue;
+            shapes_.findPlanes(lens, first);
+            for (std::uint32_t i = first; i < std::min(first + kLanes, group.count); ++i) {
+                if (lens.perspective && !isBeforeEye(i, index)) continue;
+                const bool holds = shapes_.holdsCenter(i), away = shapes_.turnedAway[i];
+                order[end] = order[begin - 1] = i;
+                end += holds && away;
+                begin -= holds && !away;
+            }
         }
-        for (std::size_t k = first; k < end; ++k) draw(lens, order[k], index + order[k]);
+        for (std::size_t k = begin; k < end; ++k) draw(lens, order[k], index + order[k]);
     }
 
     /// Merges a row of pixels of another layer into this one. @param doubtful  receives triangles that become doubtful
@@ -89,13 +89,11 @@ public:
     const std::vector<std::uint32_t>& doubts() const { return doubts_; }
 
 private:
-    /// Skips triangles not fully in front of the eye.
-    void keepFromEye(std::uint32_t count, std::uint32_t index) {
-        for (std::uint32_t i = 0; i < count; ++i)
-            if (!(shapes_.nearest[i] > 0)) {
-                doubt(index + i);
-                drawn_[i] = false;
-            }
+    /// Whether a triangle is fully in front of the eye; another one is in doubt.
+    bool isBeforeEye(std::uint32_t i, std::uint32_t index) {
+        if (shapes_.nearest[i] > 0) return true;
+        doubt(index + i);
+        return false;
     }
 
     /// Whether the nearest point of a box is certainly behind each of its pixels.
@@ -136,6 +134,20 @@ private:
         index_[at] = index;
     }
 
+    /// Draws a triangle that certainly contains these centres, where it is certainly the nearest. @returns where it is
+    std::uint32_t takeCertain(std::size_t at, Lanes behind, Lanes before, std::uint32_t index, std::uint32_t lanes) {
+        constexpr Mask kBit = {1, 2, 4, 8};
+        const Lanes ofBehind = loadLanes(&behind_[at]), ofBefore = loadLanes(&before_[at]);
+        const Mask wins = ((kBit & static_cast<std::int32_t>(lanes)) != 0) & (behind > ofBefore);
+        Mask ofIndex;
+        std::memcpy(&ofIndex, &index_[at], sizeof ofIndex);
+        storeLanes(wins ? behind : ofBehind, &behind_[at]);
+        storeLanes(wins ? before : ofBefore, &before_[at]);
+        ofIndex = wins ? Mask{} + static_cast<std::int32_t>(index) : ofIndex;
+        std::memcpy(&index_[at], &ofIndex, sizeof ofIndex);
+        return signsOf(wins);
+    }
+
     /// One that may hold a centre, with the largest key that it may have there.
     void hold(const TriangleLens& lens, std::uint32_t i, std::uint32_t index, std::size_t at, float before,
               bool certain) {
@@ -155,7 +167,6 @@ private:
     void draw(const TriangleLens& lens, std::uint32_t i, std::uint32_t index);
 
     TriangleShapes shapes_;
-    std::array<bool, kGroup> drawn_{};
     // Bounds of the key of the nearest triangle that certainly contains the centre.
     std::vector<float> behind_, before_;
     std::vector<std::uint32_t> index_;
@@ -184,6 +195,7 @@ void FrontTriangles::Layer::draw(const TriangleLens& lens, std::uint32_t i, std:
             if (held == 0) continue;
             const std::uint32_t certain =
                 signsOf(bitsOf(inside[0] - ofA) & bitsOf(inside[1] - ofB) & bitsOf(inside[2] - ofC));
+            if (!lens.clips) held &= ~takeCertain(at, before - 2 * s.error[i], before, index, held & certain);
             for (; held != 0; held &= held - 1) {
                 const auto k = static_cast<std::uint32_t>(std::countr_zero(held));
                 hold(lens, i, index, at + k, before[k], (certain >> k & 1) != 0);
