@@ -236,11 +236,13 @@ void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> 
     layer(threads - 1);
     for (std::size_t i = 0; i < threads; ++i) layers_[i]->expect(groups_.size());
     if (edges_) boxes_.resize(groups_.size());
+    // In turns: neighbouring groups take about as long.
+    constexpr std::size_t kTurn = 64;
     inParallel(threads, [&](std::size_t thread) {
-        const std::size_t first = before + count * thread / threads, end = before + count * (thread + 1) / threads;
-        for (std::size_t i = first; i < end; ++i)
-            layers_[thread]->draw(lens_, groups_[i], static_cast<std::uint32_t>(i) * kGroup, corners.data(),
-                                  edges_ ? boxes_[i].data() : nullptr);
+        for (std::size_t turn = before + thread * kTurn; turn < groups_.size(); turn += threads * kTurn)
+            for (std::size_t i = turn; i < std::min(turn + kTurn, groups_.size()); ++i)
+                layers_[thread]->draw(lens_, groups_[i], static_cast<std::uint32_t>(i) * kGroup, corners.data(),
+                                      edges_ ? boxes_[i].data() : nullptr);
     });
 }
 
