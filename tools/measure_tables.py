@@ -181,7 +181,8 @@ def meshes(run):
     for row, (file, style) in MESHES.items():
         options = [run.file(file), "--style", style, "--size", "640x960", "--mesh-error", "0.5"]
         levels = run.json(run.nacre, "plan", *options, "--json")["mesh_levels"]
-        found = run.bench(*options, "--occlusion", "off")
+        # The first run compiles shaders beside its frames.
+        found = min((run.bench(*options, "--occlusion", "off") for _ in range(run.rounds)), key=lambda times: times["wall"])
         yield row, {"triangles drawn": sum(level["drawn"] for level in levels), "all": levels[0]["triangles"],
                     "ms": found["wall"], "CPU, ms": found["cpu"]}
 
