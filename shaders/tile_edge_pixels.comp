@@ -94,7 +94,8 @@ void main() {
     // If rows of workgroups are uneven, the last bin is processed again, but not listed again.
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint bins = view.offsets / uint(kTilesInBin * kTilesInBin);  // that have tiles
-    uint tile = listAt(min(group, bins - 1u) * uint(kTilesInBin * kTilesInBin));  // x | y << 16, and where bins may show primitives between centres 1 << 31
+    // x | y << 16; 1 << 31 where the bin may show primitives between the centres of pixels
+    uint tile = listAt(min(group, bins - 1u) * uint(kTilesInBin * kTilesInBin));
     uint quadsAcross = view.across * uint(kQuadsAcross), height = edgePixels[1];
     uint x = (tile & 0xffffu) / uint(kTilesInBin) * uint(kQuadsAcross) + lane % uint(kQuadsAcross);
     uint y = (tile >> 16 & 0xfffu) / uint(kTilesInBin) * uint(kBin) + lane / uint(kQuadsAcross) * uint(kRowsOfLane);

@@ -362,7 +362,7 @@ void main() {
     // Where rows of workgroups do not come out even, the last tile is drawn again.
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
 #ifdef SHADED
-    // To begin a workgroup takes a software device as long as to shade a row of pixels: each draws several tiles.
+    // A software device takes as long to begin a workgroup as to shade some rows of pixels: each draws several tiles.
     float width = view.contourWidth, depth = view.contourDepth;
     uint groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y, ofGroup = (view.offsets + groups - 1u) / groups;
     uint at = min(group * ofGroup, view.offsets - 1u), end = min(at + ofGroup, view.offsets);

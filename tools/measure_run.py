@@ -106,7 +106,7 @@ class Run:
         return {"wall": row["wall"], "cpu": row["processor"]}
 
     def google(self, program, *arguments):
-        """@returns name -> the row of a Google Benchmark program, of statistic "min", or its one run """
+        """@returns name -> the row of a Google Benchmark program, of statistic "min", or its one run"""
         rows = self.json(self.program(program), *arguments, "--benchmark_format=json",
                          "--benchmark_enable_random_interleaving=true")["benchmarks"]
         return {row["run_name"].split("/iterations")[0].split("/repeats")[0]: row for row in rows

@@ -36,15 +36,12 @@ constexpr HelpTopic kTopics[] = {
      "#rgb\n"
      "or #rrggbb; for backgrounds also #rrggbbaa. element:COLOR colours carbons in COLOR, other atoms by element.\n",
      Topic::color | Topic::background},
-    {"styles",
-     "A style says how atoms are drawn, all of them (--style) or those of a selection (--show).\n",
+    {"styles", "A style says how atoms are drawn, all of them (--style) or those of a selection (--show).\n",
      Topic::style | Topic::mesh | Topic::levels | Topic::atoms | Topic::geometry},
     {"labels", "Text in the picture: labels, measurements, a legend, a scale bar and a title.\n",
      static_cast<Topics>(Topic::words)},
     {"interactions",
-     "Dashed lines between atoms, with the definitions of a program or paper. `nacre info FILE --interactions SEL` "
-     "lists\n"
-     "them as text, CSV or JSON:\n"
+     "Interactions are drawn as dashed lines. `nacre info FILE --interactions SEL` lists them as text, CSV or JSON:\n"
      "  nacre render 1hpv.pdb -o a.png --pocket ligand\n"
      "  nacre info 1hpv.pdb --interactions ligand\n",
      static_cast<Topics>(Topic::interactions)},

@@ -19,7 +19,7 @@ enum class FrameEnd : std::uint8_t {
     left,            ///< stays on the device
     readBack,        ///< read by the host
     resolved,        ///< in the image of its picture
-    coarse,          ///< the same, and read by the host, who sees where it takes more samples
+    coarse,          ///< the same, and read by the host, which finds where more samples are needed
     throughLens,     ///< that image blurred by depth, read by the host
     window,          ///< drawn into the window's image
     onWindow,        ///< copied to the window

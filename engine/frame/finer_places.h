@@ -22,7 +22,6 @@ public:
     /// Adds the eight pixels around each finer one.
     void grow();
 
-    bool finer(std::uint32_t x, std::uint32_t y) const { return pixels_[std::size_t{y} * across_ + x] != 0; }
     /// A byte per pixel, row by row: 0 where one sample is enough.
     const std::vector<std::uint8_t>& bytes() const { return pixels_; }
     /// The smallest rectangle that contains all finer pixels of a part. Its position relative to the part is a multiple
@@ -34,6 +33,8 @@ public:
     TileMask tilesOf(const PictureRect& shown, const PictureRect& wanted) const;
 
 private:
+    bool finer(std::uint32_t x, std::uint32_t y) const { return pixels_[std::size_t{y} * across_ + x] != 0; }
+
     std::uint32_t across_ = 0;
     std::vector<std::uint8_t> pixels_;
 };

@@ -153,16 +153,6 @@ Picture emptyPicture(std::uint32_t width, std::uint32_t height) {
     return {width, height, std::vector<float>(std::size_t{4} * width * height)};
 }
 
-/// A part of a picture.
-Picture cut(Picture picture, const PictureRect& part) {
-    if (part.width == picture.width && part.height == picture.height) return picture;
-    Picture inner = emptyPicture(part.width, part.height);
-    for (std::uint32_t row = 0; row < part.height; ++row)
-        std::copy_n(picture.rgba.data() + 4 * (std::size_t{part.y + row} * picture.width + part.x),
-                    std::size_t{4} * part.width, inner.rgba.data() + std::size_t{4} * row * part.width);
-    return inner;
-}
-
 std::uint32_t nearestAtom(const std::uint32_t* identity, std::uint32_t side, double reach) {
     std::uint32_t atom = 0;
     double nearest = reach * reach + 0.5;

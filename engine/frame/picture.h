@@ -36,8 +36,6 @@ CodedPicture codePixels(const std::uint32_t* pixels, const ResolvedPart& part, c
                         bool alpha, std::uint64_t& covered);
 
 Picture emptyPicture(std::uint32_t width, std::uint32_t height);
-/// A part of a picture.
-Picture cut(Picture picture, const PictureRect& part);
 
 /// @param identity  atom and occlusion bits of a square @returns the atom nearest to its middle, within `reach` pixels
 std::uint32_t nearestAtom(const std::uint32_t* identity, std::uint32_t side, double reach);

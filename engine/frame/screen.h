@@ -89,7 +89,7 @@ struct ScreenFrame {
     graph::Buffer edgePixels{};                 ///< imported, where `edges` are: their pixels
     std::vector<graph::Buffer> pixels;          ///< imported, of targets that the host reads
     std::optional<graph::Image> picture;        ///< imported: the image that the picture ends in
-    std::optional<graph::Image> finer;          ///< imported, where it replaces some pixels alone: which
+    std::optional<graph::Image> finer;          ///< imported, if only some pixels are replaced: which
     std::optional<graph::Image> sum;            ///< imported, of a window: of its picture's samples
 
     /// The pass samples the shadow map. @returns the pass

@@ -104,9 +104,10 @@ void FrontSpheres::list(const TileView& view, const Scenery& s) {
     }
 }
 
-void FrontSpheres::listDoubts(std::span<const TileCall> calls) {
+/// @param drawn  of which the calls are parts
+void FrontSpheres::listDoubts(std::span<const TileCall> drawn, std::span<const TileCall> calls) {
     std::uint32_t most = 0;
-    for (const TileCall& call : calls) most = std::max(most, call.number + call.first + call.count);
+    for (const TileCall& call : drawn) most = std::max(most, call.number + call.first + call.count);
     marks_.assign(most / 64 + 1, 0);
     shown_ = 0;
     const auto mark = [&](std::uint32_t number) {
@@ -172,7 +173,7 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
                             group.group);
         }
     });
-    listDoubts(calls);
+    listDoubts(s.calls, calls);
 }
 
 bool FrontSpheres::isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, std::uint32_t endY) const {

@@ -46,7 +46,7 @@ private:
     std::span<const TileCall> wholeRuns(const SphereBoxes& boxes, std::span<const TileCall> calls);
     void begin(const TileView& view, const Scenery& s);
     void list(const TileView& view, const Scenery& s);
-    void listDoubts(std::span<const TileCall> calls);
+    void listDoubts(std::span<const TileCall> drawn, std::span<const TileCall> calls);
 
     std::uint32_t width_ = 0, height_ = 0;
     std::uint32_t pitch_ = 0;  // pixels per row, including sentinels at its end that hide everything

@@ -2,15 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <cmath>
 #include <fstream>
 #include <memory>
-#include <thread>
 
 #include "app/phone/session.h"
 #include "engine/error.h"
 #include "engine/scene/scene_guide.h"
+#include "tests/phone/run_to_rest.h"
 #include "tests/support/headless_surface.h"
 #include "tests/support/temporary_folder.h"
 
@@ -49,18 +47,7 @@ public:
         session->viewer().frames().setMostSamples(1);
     }
 
-    void run() {
-        for (int steps = 0; steps < 20'000; ++steps) {
-            const double wake = session->step();
-            if (session->viewer().reading().loader().busy())
-                session->viewer().reading().loader().wait();
-            else if (wake > now_ + 5)
-                return;
-            std::this_thread::sleep_for(std::chrono::microseconds(500));
-            now_ = std::max(now_ + 1.0 / 60, std::isfinite(wake) ? wake : now_);
-        }
-        ADD_FAILURE() << "it never rests";
-    }
+    void run() { test::runToRest(*session, now_); }
 
 private:
     const test::TemporaryFolder folder_;

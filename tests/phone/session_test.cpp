@@ -6,14 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <thread>
 
 #include "engine/devices.h"
 #include "engine/error.h"
 #include "tests/fault_layer/faults.h"
+#include "tests/phone/run_to_rest.h"
 #include "tests/support/headless_surface.h"
 #include "tests/support/temporary_folder.h"
 
@@ -68,20 +67,7 @@ public:
         return host;
     }
 
-    /// As the display link does: steps until nothing is due for `quiet` seconds.
-    void run(PhoneSession& session, double quiet = 5) {
-        for (int steps = 0; steps < 20'000; ++steps) {
-            const double wake = session.step();
-            if (session.viewer().reading().loader().busy())
-                session.viewer().reading().loader().wait();
-            else if (wake > now + quiet)
-                return;
-            // The device bakes beside the frames, in its own time.
-            std::this_thread::sleep_for(std::chrono::microseconds(500));
-            now = std::max(now + 1.0 / 60, std::isfinite(wake) ? wake : now);
-        }
-        ADD_FAILURE() << "it never rests";
-    }
+    void run(PhoneSession& session, double quiet = 5) { test::runToRest(session, now, quiet); }
 
     int surfaces = 0;
     const Layer layer{NACRE_FAULT_LAYER_FOLDER, "VK_LAYER_NACRE_faults"};
