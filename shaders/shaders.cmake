@@ -1,4 +1,4 @@
-# Compiles every stage at build time, validates it, and embeds it as words.
+# Compiles every stage at build time, optimizes and validates it, and embeds it as words.
 # nacre_shader(NAME SOURCE [DEFINE...]) makes the header NAME.h with `inline const std::uint32_t NAME[]`; the engine's own
 # are declared in "shaders.h" and defined in shaders.cpp, so that no other file reads their words.
 set(NACRE_SHADER_DIR ${CMAKE_BINARY_DIR}/shaders)
@@ -7,6 +7,14 @@ file(GLOB NACRE_SHADER_COMMON CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/comm
 set(NACRE_SHADER_EMBED ${CMAKE_SOURCE_DIR}/shaders/embed.cmake)
 set(NACRE_SHADER_HEADERS)
 set(NACRE_SHADER_NAMES)
+# Calls are inlined and variables become values here, not in each driver. Blocks are not merged, as -O does: the validation
+# layer (1.3.239) makes invalid loops of such where it instruments them.
+set(NACRE_SHADER_PASSES
+    --merge-return --inline-entry-points-exhaustive --eliminate-dead-functions --private-to-local
+    --scalar-replacement=100 --convert-local-access-chains --eliminate-local-single-store --ssa-rewrite
+    --eliminate-dead-code-aggressive --scalar-replacement=100 --convert-local-access-chains --ssa-rewrite
+    --copy-propagate-arrays --simplify-instructions --eliminate-dead-code-aggressive --redundancy-elimination --vector-dce
+    --eliminate-dead-code-aggressive)
 
 function(nacre_shader name source)
     set(input ${CMAKE_SOURCE_DIR}/shaders/${source})
@@ -17,6 +25,7 @@ function(nacre_shader name source)
     add_custom_command(
         OUTPUT ${header}
         COMMAND ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.1 ${defines} -o ${binary} ${input}
+        COMMAND ${SPIRV_OPT} ${NACRE_SHADER_PASSES} ${binary} -o ${binary}
         COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${binary}
         COMMAND ${CMAKE_COMMAND} -DINPUT=${binary} -DOUTPUT=${header} -DNAME=${name} -P ${NACRE_SHADER_EMBED}
         DEPENDS ${input} ${NACRE_SHADER_COMMON} ${NACRE_SHADER_EMBED}

@@ -53,6 +53,7 @@ if(NOT CMAKE_CROSSCOMPILING)
 endif()
 
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+find_program(SPIRV_OPT spirv-opt REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
 if(NACRE_APPS)

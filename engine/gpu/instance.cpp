@@ -23,7 +23,9 @@ bool hasExtension(const std::vector<vk::ExtensionProperties>& list, const char* 
 
 VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                        const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
-    static_cast<ValidationLog*>(user)->add(data->pMessage ? data->pMessage : "");
+    // A vertex shader serves fragment shaders of several outputs. Drivers link both stages, and drop what is not read.
+    const bool unread = data->pMessageIdName && std::strstr(data->pMessageIdName, "Shader-OutputNotConsumed");
+    if (!unread) static_cast<ValidationLog*>(user)->add(data->pMessage ? data->pMessage : "");
     return VK_FALSE;
 }
 
