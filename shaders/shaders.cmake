@@ -1,4 +1,4 @@
-# Compiles every stage at build time, optimizes and validates it, and embeds it as words.
+# Compiles every stage at build time, validates it, and embeds it as words.
 # nacre_shader(NAME SOURCE [DEFINE...]) makes the header NAME.h with `inline const std::uint32_t NAME[]`; the engine's own
 # are declared in "shaders.h" and defined in shaders.cpp, so that no other file reads their words.
 set(NACRE_SHADER_DIR ${CMAKE_BINARY_DIR}/shaders)
@@ -7,8 +7,9 @@ file(GLOB NACRE_SHADER_COMMON CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/comm
 set(NACRE_SHADER_EMBED ${CMAKE_SOURCE_DIR}/shaders/embed.cmake)
 set(NACRE_SHADER_HEADERS)
 set(NACRE_SHADER_NAMES)
-# Calls are inlined and variables become values here, not in each driver. Blocks are not merged, as -O does: the validation
-# layer (1.3.239) makes invalid loops of such where it instruments them.
+# Of lists of tiles, which software devices draw: calls are inlined and variables become values here, not by Mesa in each
+# process. Phones' compilers do better without: Adreno's vertex shader of plates has 27 instructions so, 37 with it.
+# Blocks are not merged, as by -O: the validation layer (1.3.239) makes invalid loops of them where it instruments shaders.
 set(NACRE_SHADER_PASSES
     --merge-return --inline-entry-points-exhaustive --eliminate-dead-functions --private-to-local
     --scalar-replacement=100 --convert-local-access-chains --eliminate-local-single-store --ssa-rewrite
@@ -22,10 +23,14 @@ function(nacre_shader name source)
     set(header ${NACRE_SHADER_DIR}/${name}.h)
     set(defines ${ARGN})
     list(TRANSFORM defines PREPEND -D)
+    set(optimize)
+    if(source MATCHES "^(tile|edge)_")
+        set(optimize COMMAND ${SPIRV_OPT} ${NACRE_SHADER_PASSES} ${binary} -o ${binary})
+    endif()
     add_custom_command(
         OUTPUT ${header}
         COMMAND ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.1 ${defines} -o ${binary} ${input}
-        COMMAND ${SPIRV_OPT} ${NACRE_SHADER_PASSES} ${binary} -o ${binary}
+        ${optimize}
         COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${binary}
         COMMAND ${CMAKE_COMMAND} -DINPUT=${binary} -DOUTPUT=${header} -DNAME=${name} -P ${NACRE_SHADER_EMBED}
         DEPENDS ${input} ${NACRE_SHADER_COMMON} ${NACRE_SHADER_EMBED}
