@@ -174,7 +174,7 @@ private:
     std::vector<std::uint32_t> doubts_;  // doubts()
 };
 
-void FrontTriangles::Layer::draw(const TriangleLens& lens, std::uint32_t i, std::uint32_t index) {
+NACRE_CLONED void FrontTriangles::Layer::draw(const TriangleLens& lens, std::uint32_t i, std::uint32_t index) {
     const TriangleShapes& s = shapes_;
     const std::int32_t left = s.left[i], right = s.right[i], top = s.top[i], bottom = s.bottom[i];
     for (std::int32_t y = top; y < bottom; ++y) beginRow(lens, static_cast<std::size_t>(y));

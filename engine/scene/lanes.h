@@ -5,6 +5,14 @@
 #include <cstdint>
 #include <cstring>
 
+/// Before the definition of a function: it is compiled for AVX2, too, and the loader picks one. Clang 14 has no such
+/// members.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
+#define NACRE_CLONED __attribute__((target_clones("avx2", "default")))
+#else
+#define NACRE_CLONED
+#endif
+
 namespace nacre {
 
 constexpr std::uint32_t kLanes = 4;

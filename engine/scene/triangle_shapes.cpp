@@ -61,8 +61,8 @@ struct LaneEdge {
 
 }  // namespace
 
-void TriangleShapes::placeFour(const TriangleLens& lens, LanePoints a, LanePoints b, LanePoints c,
-                               std::uint32_t first) {
+NACRE_CLONED void TriangleShapes::placeFour(const TriangleLens& lens, LanePoints a, LanePoints b, LanePoints c,
+                                            std::uint32_t first) {
     constexpr float kRoom = 1.0f / 32;
     const Lanes none{}, width = none + static_cast<float>(lens.width), height = none + static_cast<float>(lens.height);
     const Lanes twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -110,7 +110,7 @@ void TriangleShapes::placeFour(const TriangleLens& lens, LanePoints a, LanePoint
                              turnedOff};
 }
 
-void TriangleShapes::findPlanes(const TriangleLens& lens, std::uint32_t first) {
+NACRE_CLONED void TriangleShapes::findPlanes(const TriangleLens& lens, std::uint32_t first) {
     const Lanes none{};
     const auto corner = [&](const Row<float>* of, int k) { return loadLanes(&of[k][first]); };
     const auto pixel = [&](const Row<std::int32_t>& of) { return loadLanes(&of[first]); };
