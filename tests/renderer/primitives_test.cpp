@@ -44,12 +44,12 @@ Representation withPrimitives() {
 TEST(PrimitivePictures, AreTheSameOnEveryPath) {
     PathRenderers renderers;
     const Representation r = withPrimitives();
+    // Whole and cut, in either projection once: each of the four has pipelines of its own on five paths.
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
         RenderSettings s = settings(r, 120, projection, {20, 30, 5});
         s.occlusion.directions = 8;
         s.effects.contours.width = 1;
-        sameOnEveryPath(renderers, r, s);
-        s.effects.clip.near = -1;
+        if (projection == Projection::perspective) s.effects.clip.near = -1;
         sameOnEveryPath(renderers, r, s);
     }
 }

@@ -40,7 +40,7 @@ TEST_P(SamePicture, WhateverThePath) {
     const Case& c = GetParam();
     if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
     const Representation r = scene(c.file, c.style);
-    RenderSettings s = settings(r, 256, c.projection, {75, -40, 120});
+    RenderSettings s = settings(r, 160, c.projection, {75, -40, 120});
     std::vector<LayerPicture> pictures;
     for (const Visibility visibility : kPaths) {
         ValidatedRenderer& renderer = rendererOf(visibility);
@@ -61,7 +61,7 @@ TEST_P(SamePicture, WhateverThePlatesAndImpostors) {
     const Case& c = GetParam();
     if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
     const Representation r = scene(c.file, c.style);
-    RenderSettings s = settings(r, 256, c.projection, {33, 190, -70});
+    RenderSettings s = settings(r, 160, c.projection, {33, 190, -70});
     for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth}) {
         ValidatedRenderer& renderer = rendererOf(visibility);
         renderer->setScene(r);
@@ -83,7 +83,7 @@ TEST_P(SamePicture, OfColourToo) {
     const Case& c = GetParam();
     if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
     const Representation r = scene(c.file, c.style);
-    RenderSettings s = settings(r, 200, c.projection);
+    RenderSettings s = settings(r, 128, c.projection);
     std::vector<float> first;
     for (const Visibility visibility : kPaths) {
         ValidatedRenderer& renderer = rendererOf(visibility);

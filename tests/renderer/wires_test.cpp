@@ -20,21 +20,22 @@ Representation withWires(float width) {
     return r;
 }
 
-TEST(Wires, AreTheSameOnEveryPath) {
+void expectWiresOnEveryPath(Projection projection) {
     PathRenderers renderers;
-    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-        const Representation r = withWires(1.5f);
-        RenderSettings s = settings(r, 200, projection, {20, 30, 5});
-        s.occlusion.directions = 8;
-        s.effects.contours.width = 1;
-        sameOnEveryPath(renderers, r, s);
-        const LayerPicture picture = renderers[Visibility::tiles]->layers(s);
-        std::size_t nameless = 0;
-        for (std::size_t i = 0; i < picture.id.size(); ++i)
-            nameless += picture.id[i] == 0 && std::isfinite(picture.z[i]);
-        EXPECT_GT(nameless, 1000u) << "lines have depth, and name no atom";
-    }
+    const Representation r = withWires(1.5f);
+    RenderSettings s = settings(r, 200, projection, {20, 30, 5});
+    s.occlusion.directions = 8;
+    s.effects.contours.width = 1;
+    sameOnEveryPath(renderers, r, s);
+    const LayerPicture picture = renderers[Visibility::tiles]->layers(s);
+    std::size_t nameless = 0;
+    for (std::size_t i = 0; i < picture.id.size(); ++i) nameless += picture.id[i] == 0 && std::isfinite(picture.z[i]);
+    EXPECT_GT(nameless, 1000u) << "lines have depth, and name no atom";
 }
+
+TEST(Wires, AreTheSameOnEveryPath) { expectWiresOnEveryPath(Projection::orthographic); }
+
+TEST(Wires, AreTheSameOnEveryPathInPerspective) { expectWiresOnEveryPath(Projection::perspective); }
 
 /// Pixels of a row that show lines.
 std::size_t pinkAcross(const Picture& p, std::uint32_t row) {
@@ -92,24 +93,26 @@ TEST(Wires, NeedNoPipelineForAnotherScale) {
 }
 
 /// Colours that go over from corner to corner are the same on every path, and others than those of the nearest corners.
-TEST(BlendedColors, AreTheSameOnEveryPath) {
+void expectBlendedColorsOnEveryPath(double opacity) {
     PathRenderers renderers;
-    for (const float opacity : {1.0f, 0.5f}) {
-        Representation r = scene("sample:glucose", Style::surface);
-        for (std::size_t i = 0; i < r.meshLooks.size(); ++i)
-            r.meshLooks[i].color = withOpacity(i % 2 ? 0xff2040e0u : 0xff40e020u, static_cast<double>(opacity));
-        if (opacity < 1) orderByTranslucency(r, r.triangles.begin(), r.triangles.end());
-        RenderSettings s = settings(r, 160, Projection::perspective, {20, 30, 5});
-        s.occlusion.directions = 8;
-        r.blendsColors = true;
-        sameOnEveryPath(renderers, r, s);
-        renderers[Visibility::tiles]->setScene(r);
-        const Picture blended = renderers[Visibility::tiles]->render(s);
-        r.blendsColors = false;
-        renderers[Visibility::tiles]->setScene(r);
-        EXPECT_NE(renderers[Visibility::tiles]->render(s).rgba, blended.rgba);
-    }
+    Representation r = scene("sample:glucose", Style::surface);
+    for (std::size_t i = 0; i < r.meshLooks.size(); ++i)
+        r.meshLooks[i].color = withOpacity(i % 2 ? 0xff2040e0u : 0xff40e020u, opacity);
+    if (opacity < 1) orderByTranslucency(r, r.triangles.begin(), r.triangles.end());
+    RenderSettings s = settings(r, 160, Projection::perspective, {20, 30, 5});
+    s.occlusion.directions = 8;
+    r.blendsColors = true;
+    sameOnEveryPath(renderers, r, s);
+    renderers[Visibility::tiles]->setScene(r);
+    const Picture blended = renderers[Visibility::tiles]->render(s);
+    r.blendsColors = false;
+    renderers[Visibility::tiles]->setScene(r);
+    EXPECT_NE(renderers[Visibility::tiles]->render(s).rgba, blended.rgba);
 }
+
+TEST(BlendedColors, AreTheSameOnEveryPath) { expectBlendedColorsOnEveryPath(1); }
+
+TEST(BlendedColors, AreTheSameOnEveryPathWhereLightGoesThroughThem) { expectBlendedColorsOnEveryPath(0.5); }
 
 TEST(Wires, ChangeNothingOfOcclusion) {
     ValidatedRenderer renderer(Visibility::automatic);
