@@ -38,8 +38,9 @@ TEST(ProgressText, FitsANarrowTerminal) {
 MeasuredRun longRun(const TemporaryFolder& folder, bool terminal) {
     test::RunOptions options;
     options.terminal = terminal;
+    options.oneCore = true;
     MeasuredRun run;
-    for (const char* directions : {"1024", "4096"}) {
+    for (const char* directions : {"4096", "16384"}) {
         run = test::runMeasured(
             {"render", "sample:dna", "-o", folder / "a.png", "--size", "32x32", "--occlusion", directions}, options);
         if (run.seconds > 1.5) break;
@@ -80,17 +81,16 @@ std::string bigStructure(const TemporaryFolder& folder, int side) {
 TEST(Progress, IsSeenWhileASurfaceIsMadeAndWhileABatchIsDrawn) {
     const TemporaryFolder folder;
     test::RunOptions options;
-    options.terminal = true;
-    const std::string big = bigStructure(folder, 40);
+    options.terminal = options.oneCore = true;
+    const std::string big = bigStructure(folder, 32);
     MeasuredRun run;
-    for (const char* resolution : {"0.7", "0.4", "0.25"}) {
+    for (const char* resolution : {"0.3", "0.2", "0.15"}) {
         run = test::runMeasured(
             {"export", big, "-o", folder / "a.ply", "--style", "surface", "--surface-resolution", resolution}, options);
         if (run.err.find("nacre: building the scene") != std::string::npos) break;
     }
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_NE(run.err.find("nacre: building the scene"), std::string::npos) << run.err;
-    options.terminal = true;
     std::ofstream(folder / "jobs") << "{\"input\": \"" << big << "\", \"output\": \"" << folder / "b.png"
                                    << "\", \"size\": \"32x32\", \"occlusion\": \"512\"}\n";
     run = test::runMeasured({"batch", folder / "jobs"}, options);

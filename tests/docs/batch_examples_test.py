@@ -138,7 +138,7 @@ class Examples(unittest.TestCase):
 
     @unittest.skipUnless(importlib.util.find_spec("distributed"), "python3-distributed is not installed")
     def test_dask(self):
-        count = 2000 if os.environ.get("NACRE_LONG_TESTS") else 400
+        count = 2000 if os.environ.get("NACRE_LONG_TESTS") else 200
         (self.folder / "bin/nacre").write_text(
             f'#!/bin/sh\nexec "{PROGRAM}" "$@" --size 32x32 --occlusion off --cache off --model 1\n')
         paths = self.make_many(count, lambda number: f"many/{number:04}.pdb")
@@ -158,7 +158,7 @@ class Examples(unittest.TestCase):
         self.assertEqual(times, [output.stat().st_mtime_ns for output in outputs])
 
     def test_object_store(self):
-        count, store = 400, self.folder / "store"
+        count, store = 200, self.folder / "store"
         (self.folder / "bin/nacre").write_text(
             f'#!/bin/sh\nexec "{PROGRAM}" "$@" --size 32x32 --occlusion off --cache off\n')
         def key(number):

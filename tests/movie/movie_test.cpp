@@ -236,7 +236,7 @@ TEST(Movie, StopsCleanlyAndKeepsWhatIsWhole) {
     for (const char* name : {"a.gif", "a.png", "a.mp4", "f/"}) {
         const TemporaryFolder folder;
         std::string said;
-        for (const char* seconds : {"1", "4", "16", "64"}) {  // until a frame is drawn, however slow the machine
+        for (const char* seconds : {"0.4", "1", "4", "16", "64"}) {  // until a frame is drawn, however slow the machine
             said = outputOf("cd '" + folder.path() + "' && timeout --foreground --preserve-status -s INT " + seconds +
                             " '" NACRE_PROGRAM "' movie sample:dna --spin y --seconds 3000 -o " + name + kSmall +
                             "2>&1; echo code $?");

@@ -19,9 +19,9 @@
 namespace nacre::app {
 namespace {
 
-// What a layer says of every surface: SwiftShader's 1280 x 720 take four times as long to draw.
-constexpr PixelSize kSize{640, 360};
-constexpr double kScale = 2;  // pixels a point
+// What a layer says of every surface: SwiftShader's 1280 x 720 take sixteen times as long to draw.
+constexpr PixelSize kSize{320, 180};
+constexpr double kScale = 1;  // pixels a point
 
 /// Programs' layers are those of the environment: one stands above the driver for as long as this lives.
 struct Layer {
@@ -131,7 +131,7 @@ TEST(PhoneSession, TheDebugPageTellsWhatTheRendererDoes) {
     Host host;
     PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
     session.setSeen(true);
-    session.resize(kSize, 0.25);  // all of the panel has room
+    session.resize(kSize, 0.125);  // all of the panel has room
     session.viewer().frames().setMostSamples(1);
     host.run(session);
     for (const auto& [role, name] : {std::pair("button", "Menu"), {"tab", "More"}, {"button", "For developers"}}) {
@@ -340,7 +340,7 @@ TEST(PhoneSession, VoiceOverHearsAndMovesEveryControl) {
     };
     PhoneSession session(std::move(lent), viewOf("/far/pair.pdb"));
     begin(session);
-    session.resize(kSize, 0.5);  // as large as a tablet
+    session.resize(kSize, 0.25);  // as large as a tablet
     host.run(session);
     const auto value = [&](const std::string& role, const std::string& name) {
         for (const Control& c : session.spoken())

@@ -103,7 +103,7 @@ void draw(const std::string& arguments, Said& said, const std::string& enables =
         << (settings / "log") << "\nkhronos_validation.enables = " << enables << "\n";
     setenv("VK_LAYER_SETTINGS_PATH", settings.path().c_str(), 1);
     const Outcome outcome =
-        nacreIn(folder, "render sample:glucose -o a.png --size 256x256 --cache off --supersample " + arguments);
+        nacreIn(folder, "render sample:glucose -o a.png --size 128x128 --cache off --supersample " + arguments);
     unsetenv("VK_LAYER_SETTINGS_PATH");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const std::string text = contentOf(settings / "log");

@@ -123,11 +123,16 @@ class LoadTest(unittest.TestCase):
         server = self.serve("--jobs", "1", "--pictures", "off")
         effects = ("contours=1", "halos=2", "shadow=0.5", "clip=0", "transparent=on", "lighting=off", "fog=auto", "occlusion=off",
                    "projection=perspective", "contours=1&contour-weights=3", "clip=0&cap=hatched")
-        for style in ("spacefill", "ball-and-stick", "cartoon", "surface", "line"):
-            for effect in effects:
-                answer = server.ask(f"picture?input=sample:dna&size=32x32&occlusion-detail=12&style={style}&{effect}")
-                self.assertEqual(answer[0], 200, answer[2])
-        self.assertGreater(server.metric("nacre_devices_total"), 1)
+        styles = ("ball-and-stick", "surface", "spacefill", "line", "licorice")
+        pictures = [f"picture?input=sample:glucose&size=32x32&occlusion-detail=4&style={style}&{effect}"
+                    for style in styles for effect in effects]
+        left = 3  # pictures of the second device
+        while left and pictures:
+            answer = server.ask(pictures.pop(0))
+            self.assertEqual(answer[0], 200, answer[2])
+            if server.metric("nacre_devices_total") > 1:
+                left -= 1
+        self.assertEqual(left, 0)
         self.assertEqual(server.stop(), 0)
 
     def test_what_is_sent_slowly_is_dropped(self):

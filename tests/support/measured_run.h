@@ -3,11 +3,13 @@
 
 #include <fcntl.h>
 #include <pty.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
@@ -35,6 +37,7 @@ struct MeasuredRun {
 struct RunOptions {
     std::vector<std::pair<std::string, std::string>> environment;
     bool terminal = false;        ///< standard error is a terminal
+    bool oneCore = false;         ///< so that it takes as long as it works, however many cores there are
     std::function<bool()> until;  ///< asked again and again; once it is true signals end the program
     int signal = SIGINT;
     bool once = false;               ///< no second signal follows the first
@@ -50,6 +53,12 @@ namespace detail {
     dup2(none, STDIN_FILENO);
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);
+    if (options.oneCore) {
+        cpu_set_t one;
+        CPU_ZERO(&one);
+        CPU_SET(static_cast<unsigned>(std::max(sched_getcpu(), 0)), &one);
+        sched_setaffinity(0, sizeof one, &one);
+    }
     for (const auto& [name, text] : options.environment) setenv(name.c_str(), text.c_str(), 1);
     std::string program = NACRE_PROGRAM;
     std::vector<std::string> copies = arguments;
