@@ -16,16 +16,24 @@ set(NACRE_SHADER_PASSES
     --eliminate-dead-code-aggressive --scalar-replacement=100 --convert-local-access-chains --ssa-rewrite
     --copy-propagate-arrays --simplify-instructions --eliminate-dead-code-aggressive --redundancy-elimination --vector-dce
     --eliminate-dead-code-aggressive)
+# With USUAL, branches of other pictures are left out.
+set(NACRE_USUAL_PASSES
+    --fold-spec-const-op-composite --simplify-instructions --ccp --eliminate-dead-branches --eliminate-dead-code-aggressive
+    --redundancy-elimination --eliminate-dead-code-aggressive --vector-dce)
 
 function(nacre_shader name source)
     set(input ${CMAKE_SOURCE_DIR}/shaders/${source})
     set(binary ${NACRE_SHADER_DIR}/${name}.spv)
     set(header ${NACRE_SHADER_DIR}/${name}.h)
     set(defines ${ARGN})
+    set(passes ${NACRE_SHADER_PASSES})
+    if(USUAL IN_LIST defines)
+        list(APPEND passes ${NACRE_USUAL_PASSES})
+    endif()
     list(TRANSFORM defines PREPEND -D)
     set(optimize)
     if(source MATCHES "^(tile|edge)_")
-        set(optimize COMMAND ${SPIRV_OPT} ${NACRE_SHADER_PASSES} ${binary} -o ${binary})
+        set(optimize COMMAND ${SPIRV_OPT} ${passes} ${binary} -o ${binary})
     endif()
     add_custom_command(
         OUTPUT ${header}
@@ -140,6 +148,12 @@ endforeach()
 foreach(scene Spheres Cylinders Triangles)
     nacre_shader(tileShaded${scene} tile_nearest.comp TEXELS ${defines${scene}} SHADED)
     nacre_shader(tileRimmed${scene} tile_nearest.comp TEXELS ${defines${scene}} SHADED RIMS)
+endforeach()
+# Software devices make these before a first picture.
+set(definesMeshes ${definesTriangles} MESHES)
+foreach(scene Spheres Cylinders Triangles Meshes)
+    nacre_shader(tileShaded${scene}Usual tile_nearest.comp TEXELS ${defines${scene}} SHADED USUAL)
+    nacre_shader(tileEdgesTexels${scene}Usual tile_edges.comp TEXELS ${defines${scene}} USUAL)
 endforeach()
 nacre_shader(tileMean tile_mean.frag)
 foreach(view Depth Encoded Plates Overdraw Occlusion Patches Id Normals Tiles)

@@ -4,7 +4,8 @@
 // as many entries as it has lanes: each lane fetches one and tests it against the tile; entries that pass are broadcast.
 // It ends where the next entry begins behind the tile's farthest pixel.
 //   TEXELS      as in common/streams.glsl
-//   CYLINDERS, TRIANGLES   the scene has some
+//   CYLINDERS, TRIANGLES   the scene has some; MESHES: triangles alone
+//   USUAL       as in common/usual.glsl
 //   SHADED      what is written of a pixel is not its number, but its colour, sRGB-coded, and row by row
 //   RIMS        of that, lines and halos are found by a second walk of the list, and laid over
 // A driver that runs a loop's body once before it looks whether to leave (lavapipe 22.3) has the loops that it wants:
@@ -51,7 +52,9 @@ uint listAt(uint i) { return lists[i]; }
 #endif
 layout(set = 0, binding = 3, std430) buffer Numbers { uint numbers[]; };
 layout(constant_id = kSeededId) const bool kSeeded = false;
-#ifdef CYLINDERS
+#if defined(MESHES)
+const bool kSpheres = false, kCylinders = false, kTriangles = true;
+#elif defined(CYLINDERS)
 layout(constant_id = kSpheresId) const bool kSpheres = true;
 layout(constant_id = kCylindersId) const bool kCylinders = true;
 layout(constant_id = kTrianglesId) const bool kTriangles = true;

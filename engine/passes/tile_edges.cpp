@@ -1,6 +1,7 @@
 #include "engine/passes/tile_edges.h"
 
 #include "engine/passes/tile_bindings.h"
+#include "engine/passes/usual_stages.h"
 #include "shaders.h"
 
 namespace nacre::passes {
@@ -59,6 +60,8 @@ gpu::ComputePipeline samplePipeline(gpu::PipelineContext& context, const SceneVi
         d.constants.set(layout::kCylindersId, view.buffers->cylinderCount > 0);
     }
     d.constants.set(layout::kRowsId, view.tiles->shaded);
+    if (caps.texels && !view.fragments && isUsual(d.constants))
+        d.code = NACRE_USUAL_STAGE(tileEdgesTexels, *view.buffers);
     return d;
 }
 

@@ -3,6 +3,7 @@
 #include "engine/passes/primitives.h"
 #include "engine/passes/tile_bindings.h"
 #include "engine/passes/tile_edges.h"
+#include "engine/passes/usual_stages.h"
 #include "shaders.h"
 
 namespace nacre::passes {
@@ -73,6 +74,7 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
     d.constants.set(layout::kNumberedId, f.edges.drawn);
     d.constants.set(layout::kSeededId, f.lists.seeded());
     d.constants.set(layout::kLanesId, caps.lanes);
+    if (shades && !view.rims.any() && isUsual(d.constants)) d.code = NACRE_USUAL_STAGE(tileShaded, scene);
     return d;
 }
 

@@ -8,6 +8,7 @@
 #include "hit.glsl"
 #include "patch.glsl"
 #include "shading.glsl"
+#include "usual.glsl"
 #ifndef ATLAS
 #define ATLAS 0
 #endif
@@ -18,8 +19,8 @@
 layout(set = 0, binding = ATLAS) uniform sampler2D occlusionAtlas;
 layout(set = 0, binding = SHADOW) uniform sampler2D shadowMap;
 layout(constant_id = kOcclusionId) const bool kOcclusion = true;
-layout(constant_id = kCapId) const int kCap = 0;
-layout(constant_id = kShadowId) const bool kShadow = false;
+USUALLY(kCapId) const int kCap = 0;
+USUALLY(kShadowId) const bool kShadow = false;
 // The target takes sRGB-coded colour as it is; otherwise linear light.
 layout(constant_id = kCodedId) const bool kCoded = false;
 

@@ -2,7 +2,8 @@
 // a pixel shows. Copies take the colours of a list in turn.
 #include "effects.glsl"
 #include "srgb.glsl"
-layout(constant_id = kCopyColorsId) const int kCopyColors = 0;
+#include "usual.glsl"
+USUALLY(kCopyColorsId) const int kCopyColors = 0;
 
 uint copyHere() {
 #ifdef COPY_OF_PIXEL
@@ -24,7 +25,7 @@ vec3 colorInCopy(vec3 color, uint bits) {
 vec3 linearColor(uint srgb) { return colorInCopy(linearFromSrgb(unpackUnorm4x8(srgb).rgb), srgb); }
 
 /// The colour of a triangle's place, as it is stored: that of the nearest corner, or in between. @param bits  of corners
-layout(constant_id = kBlendColorsId) const bool kBlendColors = false;
+USUALLY(kBlendColorsId) const bool kBlendColors = false;
 uint cornerColor(uvec3 bits, uint corner, vec3 shares) {
     uint nearest = corner == 0u ? bits.x : corner == 1u ? bits.y : bits.z;
     if (!kBlendColors) return nearest;

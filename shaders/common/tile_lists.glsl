@@ -1,8 +1,9 @@
 // The lists of the `tiles` path (engine/scene/tile_lists.h) in its compute stages: one subgroup per tile, in chunks of
 // as many entries as it has lanes.
 
+#include "usual.glsl"
 layout(constant_id = kLanesId) const int kLanes = 8;
-layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
+USUALLY(kTilesInBinId) const int kTilesInBin = 2;
 layout(local_size_x_id = 50) in;  // kLanesId
 const int kTile = 8;
 #include "lanes.glsl"

@@ -1,7 +1,8 @@
 // Quarter turns clockwise by which the image is the upright picture turned: a display's pre-rotation.
 #include "layout.h"
+#include "usual.glsl"
 
-layout(constant_id = kQuarterTurnsId) const int kQuarterTurns = 0;
+USUALLY(kQuarterTurnsId) const int kQuarterTurns = 0;
 
 vec2 turned(vec2 p) {
     return kQuarterTurns == 1 ? vec2(-p.y, p.x) : kQuarterTurns == 2 ? -p : kQuarterTurns == 3 ? vec2(p.y, -p.x) : p;

@@ -1,0 +1,17 @@
+#include "engine/passes/usual_stages.h"
+
+#include <algorithm>
+#include <span>
+
+namespace nacre::passes {
+
+bool isUsual(const gpu::Specialization& constants) {
+    const vk::SpecializationInfo info = constants.info();
+    const auto* values = static_cast<const std::uint32_t*>(info.pData);
+    return std::ranges::all_of(std::span(info.pMapEntries, info.mapEntryCount), [&](const auto& entry) {
+        const auto usual = std::ranges::find(kUsualConstants, static_cast<int>(entry.constantID), &UsualConstant::id);
+        return usual == std::end(kUsualConstants) || values[entry.offset / sizeof(std::uint32_t)] == usual->value;
+    });
+}
+
+}  // namespace nacre::passes
