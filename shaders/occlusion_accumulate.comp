@@ -19,7 +19,7 @@
 
 layout(local_size_x = 64) in;
 
-layout(constant_id = kTapsId) const int kTaps = 1;        // 1 or 4: pixels asked for a texel
+layout(constant_id = kTapsId) const int kTaps = 1;        // 1, 2 or 4: pixels asked for a texel
 layout(constant_id = kSpreadId) const float kSpread = 0.0;  // of four taps, pixels
 
 layout(set = 0, binding = 2, std430) readonly buffer Texels { uint texels[]; };
@@ -69,14 +69,14 @@ bool shows(int i, ivec2 pixel, float front) {
 #endif
 }
 
-/// Whether the depth map of direction i shows the texel, `aside` pixels from its position.
-bool frontmost(int i, vec3 center, vec3 axis, float radius, vec3 at, vec2 aside) {
+/// Whether the depth map of direction i shows the texel, `aside` pixels from its position. @param room  as many
+bool frontmost(int i, vec3 center, vec3 axis, float radius, vec3 at, vec2 aside, float room) {
     vec2 place = clamp(floor(at.xy + aside), vec2(0.0), vec2(bake.mapPixels - 1));
     // The height that this surface itself has at the pixel's centre, so that it never shadows itself; or the texel's
     // own height, if lower: near a contact the surface at the centre may lie inside a neighbour that does not hide the
     // texel. A pixel's width of slack, more for a shifted tap, covers the neighbour's slope.
     float front = max(ownHeight(center, axis, radius, place + 0.5, at.z), at.z);
-    return shows(i, ivec2(place), front + 1.0 + length(aside));
+    return shows(i, ivec2(place), front + 1.0 + room);
 }
 
 /// Contribution of direction d to a texel, as in Sums. @param i  of the direction in the batch
@@ -96,10 +96,13 @@ vec2 asked(int i, Direction d, Texel texel) {
 #endif
     float seen = 0.0;
     [[unroll]] for (int tap = 0; tap < kTaps; ++tap) {
-        // Four taps form a rotated square, so that each has its own column and row.
-        vec2 aside = tap % 2 == 0 ? vec2(0.75, 0.25) : vec2(-0.25, 0.75);
-        aside *= kTaps == 1 ? 0.0 : tap < 2 ? kSpread : -kSpread;
-        if (frontmost(i, center, axis, radius, at, aside)) seen += 1.0 / float(kTaps);
+        // Four taps form a rotated square, so that each has its own column and row. Two are its opposite corners: which
+        // of them, a bit of the direction says, so that it does not matter how many a batch has.
+        bool first = kTaps == 2 ? (floatBitsToUint(d.u.x) & 1u) == 0u : tap % 2 == 0;
+        vec2 aside = first ? vec2(0.75, 0.25) : vec2(-0.25, 0.75);
+        aside *= kTaps == 1 ? 0.0 : 2 * tap < kTaps ? kSpread : -kSpread;
+        float room = kTaps == 1 ? 0.0 : length(vec2(0.75, 0.25) * kSpread);
+        if (frontmost(i, center, axis, radius, at, aside, room)) seen += 1.0 / float(kTaps);
     }
     return vec2(seen * counted, cosine);
 }

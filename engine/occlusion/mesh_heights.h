@@ -9,16 +9,9 @@
 #include <vector>
 
 #include "engine/occlusion/occluder_mesh.h"
+#include "engine/occlusion/triangle_heights.h"
 
 namespace nacre::occlusion {
-
-/// One depth map among others: heights, Å, row by row from the top.
-struct HeightMap {
-    float* heights = nullptr;  ///< of its first pixel
-    std::uint32_t pitch = 0;   ///< pixels per row of the buffer
-    std::uint32_t pixels = 0;  ///< width, at least 4
-    float perAngstrom = 1;     ///< pixels
-};
 
 class MeshHeights {
 public:
@@ -30,7 +23,7 @@ public:
               const HeightMap& map);
 
 private:
-    std::vector<glm::vec3> corners_;  // of vertices: pixel of the map and height
+    std::vector<glm::vec4> corners_;  // of vertices: pixel of the map and height
 };
 
 }  // namespace nacre::occlusion

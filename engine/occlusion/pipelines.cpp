@@ -81,7 +81,7 @@ gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const A
     if (heights && context.device.caps().tiles.texels)
         d.constants.set(layout::kLanesId, context.device.caps().tiles.lanes);
     if (accumulation.spread > 0) {
-        d.constants.set(layout::kTapsId, 4u);
+        d.constants.set(layout::kTapsId, accumulation.taps);
         d.constants.set(layout::kSpreadId, accumulation.spread);
     }
     return d;

@@ -22,7 +22,8 @@ struct Accumulation {
     bool heights = false;      ///< maps are a buffer of heights
     bool narrow = false;       ///< directions are layout::NarrowDirections
     std::uint32_t across = 1;  ///< maps per row
-    float spread = 0;          ///< distance of the four taps per texel, pixels; 0: one tap
+    float spread = 0;          ///< distance of the taps per texel, pixels; 0: one tap
+    std::uint32_t taps = 4;    ///< 2 or 4, where spread
 };
 
 /// Storage buffers of shapes, directions (uniform), texels and sums, and the depth maps: an image, or heights.

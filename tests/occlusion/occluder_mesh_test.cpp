@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
+#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -148,6 +149,33 @@ TEST(MeshHeights, DrawsOnItsMapAlone) {
     square.closed = false;
     drawn.draw(square, 0, square.triangles.size(), rows, {heights.data(), kPitch, kPixels, 1});
     EXPECT_NE(heights, before);
+}
+
+TEST(MeshHeights, AreTheSameWithAnyLanes) {
+    constexpr std::uint32_t kPixels = 50;
+    std::mt19937 random(1);  // not a distribution of the library's, whose numbers vary
+    const auto within = [&](float least, float most) {
+        return least + (most - least) * static_cast<float>(random() % 65536) / 65536;
+    };
+    std::vector<glm::vec4> corners;
+    std::vector<glm::uvec3> triangles;
+    for (std::uint32_t i = 0; i < 3000; ++i) {
+        const float x = within(-3, kPixels + 3), y = within(-3, kPixels + 3), size = i % 100 == 0 ? 20 : 1.5f;
+        for (int corner = 0; corner < 3; ++corner)
+            corners.emplace_back(x + within(-size, size), y + within(-size, size), within(-20, 20), 0);
+        triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+    }
+    triangles.emplace_back(5, 5, 5);  // without an area
+    std::vector<float> least;
+    for (const occlusion::TriangleLanes& lanes : occlusion::triangleLanes())
+        for (const bool fronts : {false, true}) {
+            std::vector<float> heights(std::size_t{kPixels} * kPixels, -1e30f);
+            lanes.draw(corners.data(), triangles.data(), triangles.size(), fronts,
+                       {heights.data(), kPixels, kPixels, 1});
+            least.insert(least.end(), heights.begin(), heights.end());
+            const auto* same = &least[fronts ? heights.size() : 0];
+            EXPECT_TRUE(std::equal(heights.begin(), heights.end(), same)) << lanes.lanes;
+        }
 }
 
 }  // namespace

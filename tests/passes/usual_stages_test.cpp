@@ -38,7 +38,7 @@ TEST(UsualStages, HaveAllOthersConstants) {
     for (const auto& [stage, usualStage] : stages) {
         std::set<int> others;
         std::ranges::set_difference(specializationIds(stage), usual, std::inserter(others, others.end()));
-        EXPECT_EQ(specializationIds(usualStage), others);
+        EXPECT_TRUE(std::ranges::includes(others, specializationIds(usualStage)));
         EXPECT_LT(usualStage.size(), stage.size() * 2 / 3);
     }
 }

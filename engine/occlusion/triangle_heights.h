@@ -1,0 +1,33 @@
+#pragma once
+// Triangles that one thread draws on a depth map: by as many lanes as the processor has.
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+
+namespace nacre::occlusion {
+
+/// One depth map among others: heights, Å, row by row from the top.
+struct HeightMap {
+    float* heights = nullptr;  ///< of its first pixel
+    std::uint32_t pitch = 0;   ///< pixels per row of the buffer
+    std::uint32_t pixels = 0;  ///< width, at least 4
+    float perAngstrom = 1;     ///< pixels
+};
+
+/// Keeps the larger height per pixel. @param corners  of all vertices: pixel of the map, height, and a word of room
+/// @param fronts  only triangles that are seen from their fronts
+using DrawTriangles = void (*)(const glm::vec4* corners, const glm::uvec3* triangles, std::size_t count, bool fronts,
+                               const HeightMap& map);
+
+struct TriangleLanes {
+    std::uint32_t lanes = 0;
+    DrawTriangles draw = nullptr;
+};
+
+/// Those that this processor can use, the fewest first: 4, then 8. All draw the same bits.
+std::span<const TriangleLanes> triangleLanes();
+
+}  // namespace nacre::occlusion
