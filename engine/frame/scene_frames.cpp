@@ -63,8 +63,11 @@ std::string SceneFrames::lacksSamples(const RenderSettings& settings) const {
     return nacre::lacksSamples(settings.effects, translucent());
 }
 
-bool SceneFrames::hides(const passes::SceneView& seen, const RenderSettings& settings) {
-    return settings.tuning.cull && seen.copies.sphereCount() >= settings.tuning.hideFrom;
+bool SceneFrames::hides(const passes::SceneView& seen, const RenderSettings& settings, Visibility path) const {
+    // Where depth is tested late, a processor takes longer to shade what is hidden than to find it.
+    const bool late = device_.caps().software && !graph::platesReject(path, device_.caps().plan);
+    const bool many = path == Visibility::tiles && seen.copies.sphereCount() >= settings.tuning.hideFrom;
+    return settings.tuning.cull && (late || many);
 }
 
 const SphereBoxes* SceneFrames::boxesOf(const passes::SceneView& seen, const RenderSettings& settings, const View& view,
@@ -74,13 +77,13 @@ const SphereBoxes* SceneFrames::boxesOf(const passes::SceneView& seen, const Ren
     constexpr std::uint64_t kMany = 100'000;
     const SphereBoxes& boxes = shown_->chunks.sphereBoxes;
     const bool pays = settings.tuning.cull && seen.radiusPixels <= kSmallPixels && seen.copies.sphereCount() >= kMany;
-    const bool drawn = (pays || hides(seen, settings)) && seen.copies.triangles.empty() && std::isfinite(boxes.reach) &&
+    const bool drawn = (pays || hides(seen, settings, Visibility::tiles)) && seen.copies.triangles.empty() &&
+                       std::isfinite(boxes.reach) &&
                        FrontSpheres::tells(passes::tileView(seen, view, imageExtent(view), !edges));
     return drawn ? &boxes : nullptr;
 }
 
-void SceneFrames::dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view, bool edges) {
-    if (!hides(seen, settings)) return;
+void SceneFrames::dropHidden(passes::SceneView& seen, const View& view, bool edges) {
     hidden_.drop(seen.copies, shown_->representation, shown_->chunks,
                  passes::tileView(seen, view, imageExtent(view), !edges), seen.radiusPixels);
 }
@@ -111,11 +114,14 @@ Visibility SceneFrames::settle(RenderSettings& settings, const FrameRequest& req
 void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, const FrameRequest& request) {
     ScreenOptions& options = seen.shape.options;
     passes::SceneView& view = *seen.view;
-    if (options.visibility != Visibility::tiles) return;
     const bool debug = seen.shape.debug != DebugView::none;
+    if (options.visibility != Visibility::tiles) {
+        if (!debug && hides(view, settings, options.visibility)) dropHidden(view, request.view, request.samples > 1);
+        return;
+    }
     const bool edges = request.edges && drawsEdges(request.finer) && !debug;
     const SphereBoxes* boxes = debug ? nullptr : boxesOf(view, settings, request.view, edges);
-    if (!debug && !boxes) dropHidden(view, settings, request.view, edges);
+    if (!debug && !boxes && hides(view, settings, Visibility::tiles)) dropHidden(view, request.view, edges);
     const bool shaded = !debug && shadesByTiles(request);
     view.tiles = tiles_.prepare(shown_->representation, view, request.view, options.extent,
                                 {shaded, edges, view.rims.any() && request.subsamples, 1, request.mask, boxes});
@@ -124,7 +130,7 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
         options.visibility = view.rims.any()              ? Visibility::deferred
                              : usual == Visibility::tiles ? Visibility::fragdepth
                                                           : usual;
-        if (boxes) dropHidden(view, settings, request.view, edges);
+        if (hides(view, settings, options.visibility)) dropHidden(view, request.view, edges);
         return;
     }
     if (view.translucent)

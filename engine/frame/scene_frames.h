@@ -85,13 +85,13 @@ private:
     void addLists(SeenFrame& seen, const RenderSettings& settings, const FrameRequest& request);
     void addCovers(SeenFrame& seen, const TileMask& mask);
     static void count(SeenFrame& seen);
-    /// Whether a view has enough spheres for the host to cull hidden ones.
-    static bool hides(const passes::SceneView& seen, const RenderSettings& settings);
+    /// Whether the host finds hidden spheres before a path draws the others.
+    bool hides(const passes::SceneView& seen, const RenderSettings& settings, Visibility path) const;
     /// Bounding boxes, where the host can draw them instead of spheres; else null.
     const SphereBoxes* boxesOf(const passes::SceneView& seen, const RenderSettings& settings, const View& view,
                                bool edges) const;
     /// Removes hidden spheres from a view. @param edges  also test samples between pixel centres
-    void dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view, bool edges);
+    void dropHidden(passes::SceneView& seen, const View& view, bool edges);
     void checkBlending(VkFormat format) const;
 
     const gpu::Device& device_;

@@ -247,6 +247,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.software = identity.software;
     constexpr double kNever = std::numeric_limits<double>::infinity();
     if (caps.software) caps.plan.geometry = {false, kNever, kNever, kNever};  // a triangle costs a hundred fragments
+    if (caps.software) caps.plan.conservativeDepth = false;  // none of them tests early what writes depth
     caps.tiles = tileCapsOf(device);
     caps.tiles.shade = caps.software && caps.tiles.texels;
     caps.plan.tiles = caps.tiles.lacks.empty();

@@ -66,6 +66,26 @@ TEST_P(Culling, NeverChangesABit) {
     }
 }
 
+// Where shaders write depth, software devices test it behind them: there the host drops what is hidden.
+TEST(LateDepthTests, AreSparedHiddenSpheres) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    for (const Visibility path : kPaths) {
+        ValidatedRenderer renderer(path);
+        renderer->setScene(r);
+        for (const double halos : {0.0, 3.0}) {
+            RenderSettings s = settings(r, 120, Projection::perspective, {20, 70, 0});
+            s.effects.halos.width = halos;
+            s.tuning.cull = false;
+            const Picture whole = renderer->render(s);
+            s.tuning.cull = true;
+            EXPECT_EQ(renderer->render(s).rgba, whole.rgba) << visibilityName(path);
+            if (halos > 0) continue;  // reaches from behind what hides the spheres
+            const bool late = path == Visibility::fragdepth || path == Visibility::deferred;
+            EXPECT_EQ(renderer->stats().spheres + 40 < r.spheres.size(), late) << visibilityName(path);
+        }
+    }
+}
+
 // Enough chunks for several threads, which share the picture's rows.
 TEST(CopiesBehindCopies, NeverChangeABit) {
     Molecule m = molecule("sample:dna");
