@@ -41,13 +41,16 @@ void main() {
     // An outline is as far away as what it bounds, and so is a pixel that something covers beside its centre.
     bool partly = Z == kNothing && seen.a > 0.0;
     float room = partly ? rim.x + 1.5 : rim.x > 0.0 ? rim.x + 0.5 : 0.0;
-    int most = int(min(ceil(room), 4.0));
-    for (int y = -most; y <= most; ++y)
-        for (int x = -most; x <= most; ++x) {
-            vec2 away = vec2(x, y) * max(room / float(most), 1.0);
-            float other = dot(away, away) <= room * room ? depthAt(here + ivec2(round(away))) : Z;
-            front = other < Z - rim.y ? min(front, other) : front;
-        }
+    // Around the pixel, in rings of twelve: what is outlined is wider than their gaps.
+    const mat2 next = mat2(0.8660254, 0.5, -0.5, 0.8660254);
+    float rings = min(ceil(room / 3.0), 4.0);
+    vec2 way = vec2(room, 0.0);
+    for (float left = 12.0 * rings; left > 0.0; --left) {
+        vec2 away = ceil(left / 12.0) / rings * way;
+        float other = depthAt(here + ivec2(away + 0.2 * sign(away)));
+        way = next * way;
+        front = other < Z - rim.y ? min(front, other) : front;
+    }
     circle = uvec2(packUnorm4x8(sqrt(seen)), floatBitsToUint(circleAt(front)));
 }
 #elif defined(REACH)
@@ -110,11 +113,12 @@ void main() {
     float samples = clamp(floor(4.0 + 2.5 * reach), 8.0, 48.0), perSample = 1.0 / samples;
     // Sixteen neighbours take different samples.
     ivec2 cell = here & 3;
-    float turn = kGolden / 16.0 * samples * float((cell.x * 5 + cell.y * 3 + 7 * (cell.x ^ cell.y)) & 15);
+    int order = (cell.x * 5 + cell.y * 3 + 7 * (cell.x ^ cell.y)) & 15;
+    float turn = kGolden / 16.0 * samples * float(order);
     vec2 way = reach * vec2(cos(turn), sin(turn));
     const mat2 further = mat2(cos(kGolden), sin(kGolden), -sin(kGolden), cos(kGolden));
     float areaOut = 6.28318 * perSample * reach * reach, spacingOut = 0.5 * sqrt(areaOut);
-    for (float t = 0.5 * perSample; t < 1.0; t += perSample) {
+    for (float t = perSample * (float((order * 7 + 4) & 15) + 0.5) / 16.0; t < 1.0; t += perSample) {
         // Denser at the centre, where small circles lie. The line is close to the root of t.
         float away = reach * t, spacing = max(spacingOut * (0.19 + 0.85 * t), 1.0);
         uvec2 other = texelFetch(circles, clamp(here + ivec2(round(t * way)), ivec2(0), last), 0).xy;

@@ -105,6 +105,7 @@ std::optional<FinerPlaces> PictureFrames::coarsePicture(const RenderSettings& se
     if (view.quarterTurns != 0 || (thin && width < 1)) return {};
     Ending ending = inImage(settings, view, Samples::one);
     ending.end = FrameEnd::coarse;
+    ending.finer = settings.effects.rims();  // no path but `deferred` has them beside the device's
     const Drawn drawn = draw(settings, atlas, view, pictureTargets(settings), ending, "coarse screen");
     if (drawn.smallestPixels < kSmallPixels) return {};
     const auto [pixels, rowPixels] = rowsOf(drawn, view, 1);
@@ -117,14 +118,19 @@ std::optional<FinerPlaces> PictureFrames::coarsePicture(const RenderSettings& se
 }
 
 /// Draws finer places from the samples of one frame by tiles, for pictures by other paths. @returns whether it can
-bool PictureFrames::addEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view) {
+bool PictureFrames::addEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+                             const FinerPlaces& places) {
     if (drawsEdges(settings) || frames_.isFineMesh(settings.view) || !frames_.drawsEdges(true) ||
         settings.effects.rims())
         return false;
+    const PictureRect whole = wholeOf(imageExtent(view));
+    const PictureRect rect = hasLens(settings) ? places.boundsIn(whole) : whole;  // else they are all over it
+    const auto [part, inner] = withRim(view, rect, rimOf(settings));
     Ending ending = inImage(settings, view, Samples::one);
     ending.picture.first = false;
     ending.picture.masked = true;
-    return draw(settings, atlas, view, pictureTargets(settings), ending, "finer screen", Samples::edges).edges;
+    ending.place = {rect, static_cast<std::int32_t>(inner.x), static_cast<std::int32_t>(inner.y)};
+    return draw(settings, atlas, part, pictureTargets(settings), ending, "finer screen", Samples::edges).edges;
 }
 
 /// Draws all blocks of a picture with kBlockSamples x kBlockSamples samples, where it needs them.
@@ -173,13 +179,14 @@ void PictureFrames::finerPicture(const RenderSettings& settings, const passes::A
         addUp(sum.passes, stats_.passes, &PassCount::shadedFragments);
         addUp(sum.passTimes, stats_.passTimes, &PassTime::milliseconds);
     };
-    const std::optional<FinerPlaces> places = coarsePicture(settings, atlas, wanted.view);
+    std::optional<FinerPlaces> places = coarsePicture(settings, atlas, wanted.view);
     if (places) {
         drew();
+        if (hasLens(settings) && leaveBlurred(settings, wanted.view, *places)) drew();
         picture_.finer = passes::makeTexture(device_, executor_, {VK_FORMAT_R8_UNORM, picture_.image.desc.extent},
                                              places->bytes(), "finer pixels");
     }
-    if (places && addEdges(settings, atlas, wanted.view))
+    if (places && places->any() && addEdges(settings, atlas, wanted.view, *places))
         drew();
     else
         drawBlocks(settings, atlas, wanted, places ? &*places : nullptr, drew);

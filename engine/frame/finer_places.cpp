@@ -70,6 +70,16 @@ void FinerPlaces::grow() {
     }
 }
 
+void FinerPlaces::keep(const std::vector<std::uint8_t>& sharp) {
+    const std::size_t pairs = (across_ + 1) / 2;
+    for (std::size_t at = 0, y = 0; at < pixels_.size(); ++y)
+        for (std::size_t x = 0; x < across_; ++x, ++at) pixels_[at] &= sharp[y / 2 * pairs + x / 2];
+}
+
+bool FinerPlaces::any() const {
+    return std::ranges::any_of(pixels_, [](std::uint8_t pixel) { return pixel != 0; });
+}
+
 PictureRect FinerPlaces::boundsIn(const PictureRect& part) const {
     std::uint32_t left = part.width, top = part.height, right = 0, bottom = 0;
     for (std::uint32_t y = 0; y < part.height; ++y)

@@ -22,6 +22,11 @@ public:
     /// Adds the eight pixels around each finer one.
     void grow();
 
+    /// Leaves out what is not sharp. @param sharp  a byte for each 2 x 2 pixels, row by row: not 0 where they are
+    void keep(const std::vector<std::uint8_t>& sharp);
+    /// Whether there is any.
+    bool any() const;
+
     /// A byte per pixel, row by row: 0 where one sample is enough.
     const std::vector<std::uint8_t>& bytes() const { return pixels_; }
     /// The smallest rectangle that contains all finer pixels of a part. Its position relative to the part is a multiple

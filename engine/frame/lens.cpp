@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/mat3x3.hpp>
+#include <limits>
 
 #include "engine/frame/geometry.h"
 #include "engine/frame/scene.h"
@@ -50,6 +51,39 @@ passes::Lens lensOf(const RenderSettings& settings, const View& view) {
     lens.rim = static_cast<float>(settings.effects.contours.width);
     lens.rimDepth = static_cast<float>(settings.effects.contours.depth);
     return lens;
+}
+
+namespace {
+
+/// Each becomes the least of itself and those beside it. @param step  from one to the next
+void takeLeast(float* values, std::size_t count, std::size_t step) {
+    for (std::size_t i = step; i < count; ++i) values[i - step] = std::min(values[i - step], values[i]);
+    for (std::size_t i = count; i-- > step;) values[i] = std::min(values[i], values[i - step]);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> sharpPlaces(const float* surface, graph::Extent extent, const passes::Lens& lens,
+                                      double rim) {
+    constexpr float kBlurred = 1.5f;  // pixels of radius: more samples there gain nothing
+    constexpr float kNothing = std::numeric_limits<float>::infinity();
+    std::vector<float> radii(std::size_t{extent.width} * extent.height);
+    for (float& radius : radii) {
+        const bool hit = surface[0] != 0 || surface[1] != 0 || surface[2] != 0;
+        const float Z = surface[3];
+        radius = hit ? std::abs(lens.pixels * (Z - lens.focus) * (lens.perspective > 0 ? 1 / Z : 1)) : kNothing;
+        surface += 4;
+    }
+    // What differs from a neighbour, and rims beside it.
+    for (auto left = static_cast<std::size_t>(2 + std::ceil(0.5 * rim)); left > 0; --left) {
+        for (std::size_t y = 0; y < extent.height; ++y) takeLeast(radii.data() + y * extent.width, extent.width, 1);
+        takeLeast(radii.data(), radii.size(), extent.width);
+    }
+    std::vector<std::uint8_t> sharp(radii.size());
+    std::ranges::transform(radii, sharp.begin(), [](float radius) -> std::uint8_t {
+        return radius < kBlurred || radius == kNothing ? 0xff : 0;
+    });
+    return sharp;
 }
 
 View throughLens(const RenderSettings& settings, View view, glm::dvec2 point) {

@@ -1,6 +1,9 @@
 #pragma once
 // Depth of field: passes behind a frame that draws how far away each pixel is, and the lens they stand for.
 
+#include <cstdint>
+#include <vector>
+
 #include "engine/frame/screen.h"
 #include "engine/passes/lens.h"
 #include "engine/settings.h"
@@ -19,6 +22,11 @@ bool hasLens(const RenderSettings& settings);
 
 /// The lens of a view's pictures. @param view  of the settings, or a part of it
 passes::Lens lensOf(const RenderSettings& settings, const View& view);
+
+/// Where a picture through the lens shows single pixels, as a byte for each of a frame of half its resolution: 0 where
+/// all nearby is blurred by more. @param surface  what that frame shows, as kLensTargets have it
+/// @param lens  of the picture @param rim  width of outlines and halos, pixels
+std::vector<std::uint8_t> sharpPlaces(const float* surface, graph::Extent extent, const passes::Lens& lens, double rim);
 
 /// Largest radius of a circle that a lens shows, pixels.
 double largestCircle(const RenderSettings& settings);

@@ -7,6 +7,30 @@
 
 namespace nacre {
 
+namespace {
+
+/// Of frames that tell how far away pixels are.
+RenderSettings distances(RenderSettings settings) {
+    settings.supersample = 1;
+    settings.occlusion.directions = 0;
+    return settings;
+}
+
+}  // namespace
+
+/// Drops the places that the lens blurs so much that one sample is enough. @returns whether that took a frame
+bool PictureFrames::leaveBlurred(const RenderSettings& settings, const View& view, FinerPlaces& places) {
+    if (!places.any()) return false;
+    // Pixels go in pairs from the top left, in parts of pictures, too.
+    const View half = scaled(partOf(view, 0, 0, view.width + view.width % 2, view.height + view.height % 2), 0.5);
+    const Drawn drawn =
+        draw(distances(settings), {}, half, kLensTargets, {FrameEnd::readBack, {}, {}, true}, "distances");
+    const auto* surface = reinterpret_cast<const float*>(drawn.pixels[0].mapped);
+    const double rim = std::max(settings.effects.contours.width, settings.effects.halos.width);
+    places.keep(sharpPlaces(surface, imageExtent(half), lensOf(settings, view), rim));
+    return true;
+}
+
 /// Draws a picture into its image. The host does not read it.
 void PictureFrames::sharp(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
     const bool edges = wantsEdges(settings);
@@ -25,12 +49,9 @@ PictureFrames::Drawn PictureFrames::throughLens(const RenderSettings& settings, 
     const graph::Extent image = imageExtent(wanted.view);
     sharp(settings, atlas, {wanted.view, {0, 0, image.width, image.height}});
     const PictureStats first = stats_;
-    RenderSettings depths = settings;
-    depths.supersample = 1;
-    depths.occlusion.directions = 0;
     picture_.lens = lensOf(settings, wanted.view);
-    Drawn drawn =
-        draw(depths, {}, wanted.view, kLensTargets, {FrameEnd::throughLens, {picture_.image.desc}}, "depth of field");
+    const Ending ending{FrameEnd::throughLens, {picture_.image.desc}, {}, true};
+    Drawn drawn = draw(distances(settings), {}, wanted.view, kLensTargets, ending, "depth of field");
     stats_.frames = first.frames + 1;
     stats_.samples = first.samples;
     stats_.frameMilliseconds += first.frameMilliseconds;

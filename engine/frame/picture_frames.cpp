@@ -98,7 +98,7 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
                                          Samples samples, const TileMask* mask) {
     std::shared_ptr<passes::FragmentCounter> fragments;
     if (settings.tuning.countFragments) fragments = std::make_shared<passes::FragmentCounter>(device_);
-    const bool edges = samples == Samples::edges, lens = ending.end == FrameEnd::throughLens;
+    const bool edges = samples == Samples::edges;
     SeenFrame seen = frames_.see({settings,
                                   atlas,
                                   view,
@@ -111,7 +111,7 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
                                   samples == Samples::block,
                                   samples == Samples::resolved ? graph::kMultisamples : 1,
                                   mask,
-                                  samples == Samples::edges || samples == Samples::block || lens});
+                                  edges || samples == Samples::block || ending.finer});
     seen.shape.picture = ending.picture;
     Drawn drawn;
     drawn.edges = seen.shape.options.edges;

@@ -80,6 +80,7 @@ private:
         FrameEnd end = FrameEnd::left;
         PictureEnd picture{};
         passes::ResolvePlace place{};
+        bool finer = false;  ///< as FrameRequest has it
     };
     static bool wantsEdges(const RenderSettings& settings);
     static bool isFine(const RenderSettings& settings);
@@ -108,7 +109,9 @@ private:
     Drawn readPicture();
     std::optional<FinerPlaces> coarsePicture(const RenderSettings& settings, const passes::Atlas& atlas,
                                              const View& view);
-    bool addEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view);
+    bool leaveBlurred(const RenderSettings& settings, const View& view, FinerPlaces& places);
+    bool addEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+                  const FinerPlaces& places);
     template <typename Drew>
     void drawBlocks(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
                     const FinerPlaces* places, const Drew& drew);

@@ -102,7 +102,7 @@ TEST(Geometry, OfALargeProteinIsAQuarterOfWhatPyramidsWithoutIndicesTook) {
 }
 
 TEST(Geometry, OfAPictureIsToldByItsFrame) {
-    ValidatedRenderer renderer(Visibility::fragdepth);
+    ValidatedRenderer renderer(Visibility::rasterOrder);
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     renderer->setScene(r);
     RenderSettings s = settings(r, 32, Projection::orthographic);

@@ -100,6 +100,50 @@ TEST_P(Lens, ReadsTheImageThatAllPathsAndSamplesEndIn) {
         }
 }
 
+TEST_P(Lens, AddsSamplesOnlyWhereItIsSharp) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    for (const Visibility path : {Visibility::tiles, Visibility::encoded}) {
+        ValidatedRenderer& renderer = rendererOf(path);
+        renderer->setScene(r);
+        for (const double halos : {0.0, 4.0}) {
+            if (halos == 0 && path == Visibility::tiles) continue;  // draws its edges in one frame
+            RenderSettings s = lensSettings(r, GetParam(), 0.1, -r.radius - 40);
+            s.fine = false;
+            s.effects.halos.width = halos;
+            const auto decibels = [&] {
+                s.supersample = 4;
+                const std::vector<float> exact = renderer->render(s).rgba;
+                s.supersample = RenderSettings::kEdges;
+                return lensDecibels(renderer->render(s).rgba, exact);
+            };
+            EXPECT_GT(decibels(), 42) << visibilityName(path) << ", " << halos;
+            EXPECT_EQ(renderer->stats().frames, 3u);  // the picture, distances, and the lens
+            s.effects.depthOfField.focus = -0.4 * r.radius;
+            EXPECT_GT(decibels(), 40) << visibilityName(path) << ", " << halos;
+            EXPECT_EQ(renderer->stats().frames, 4u);
+        }
+    }
+}
+
+TEST(LensPlaces, AreSharpWithinPixelsOfWhatTheLensShowsSharp) {
+    constexpr std::uint32_t kAcross = 20, kDown = 10;
+    std::vector<float> surface(std::size_t{4} * kAcross * kDown);
+    for (std::size_t i = 0; i < std::size_t{kAcross} * kDown; ++i) {
+        const bool hit = i % kAcross >= 10;
+        surface[4 * i + 2] = hit ? 1 : 0;
+        surface[4 * i + 3] = hit && i == 5 * kAcross + 15 ? 20 : 30;
+    }
+    passes::Lens lens;
+    lens.focus = 20;
+    lens.pixels = 0.5f;
+    const std::vector<std::uint8_t> sharp = sharpPlaces(surface.data(), {kAcross, kDown}, lens, 0);
+    const auto at = [&](int x, int y) { return sharp[static_cast<std::size_t>(y) * kAcross + x] != 0; };
+    EXPECT_TRUE(at(15, 5) && at(13, 3) && at(17, 7));  // near what is at the focus
+    EXPECT_FALSE(at(12, 5) || at(18, 5) || at(15, 2) || at(15, 8));
+    EXPECT_FALSE(at(8, 5));  // beside what is blurred
+    EXPECT_TRUE(at(7, 5));   // something smaller than the frame's pixels may be there
+}
+
 TEST_P(Lens, CostsNothingWhenOff) {
     const Representation r = scene("sample:dna", Style::spacefill);
     ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
