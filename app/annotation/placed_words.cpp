@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "app/annotation/measurement.h"
@@ -189,12 +190,15 @@ void placeLabel(const Label& label, const ResidueFacts& facts, const DrawnAtoms&
 void placeMeasure(const Measure& measure, const ResidueFacts& facts, const DrawnAtoms& drawn, WordsOfHidden hidden,
                   PlacedWords& placed) {
     PlacedMeasure result;
+    std::optional<std::uint32_t> before;
     for (const Selection& point : measure.points) {
         const std::vector<std::uint32_t> atoms = drawnOf(point, facts, drawn, "cannot measure", hidden, placed);
         if (atoms.empty()) return;
         if (atoms.size() > 1)
             throw Error("cannot measure", point.text,
                         "it has " + std::to_string(atoms.size()) + " drawn atoms, where one is needed (name CA, say)");
+        if (before == atoms.front()) throw Error("cannot measure", point.text, "it is the same atom as the one before");
+        before = atoms.front();
         result.points.push_back(drawn.places[atoms.front()].at);
         result.atoms += (result.atoms.empty() ? "" : " to ") + shortAtomText(facts.molecule(), atoms.front());
     }

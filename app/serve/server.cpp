@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -81,6 +82,21 @@ std::string without(std::string text, const std::string& place) {
     return text;
 }
 
+/// "127.0.0.1:8080", "[::1]:8080"
+std::string placeOf(const ServeOptions& asked, int port) {
+    const bool colons = asked.address.find(':') != std::string::npos;
+    return (colons ? "[" + asked.address + "]" : asked.address) + ":" + std::to_string(port);
+}
+
+/// Why binding failed, and what to do. @param reason  of errno; 0: the address has no meaning
+std::string whyNotBound(const ServeOptions& asked, int reason) {
+    const std::string free = "--listen " + placeOf(asked, 0) + " takes a free port";
+    if (reason == EADDRINUSE) return "another program listens there; stop it, or name another port: " + free;
+    if (reason == EACCES) return "this port needs more rights; name one from 1024 on, or any: " + free;
+    return "not an address of this machine; --listen 127.0.0.1:" + std::to_string(asked.port) +
+           " is for programs of this machine, --listen 0.0.0.0:" + std::to_string(asked.port) + " for its network";
+}
+
 }  // namespace
 
 struct Server::Parts {
@@ -98,13 +114,12 @@ struct Server::Parts {
         });
         http.set_default_headers({{"X-Content-Type-Options", "nosniff"}});
         addRoutes();
+        errno = 0;
         if (options.port == 0)
             bound = http.bind_to_any_port(options.address.c_str());
         else if (http.bind_to_port(options.address.c_str(), options.port))
             bound = options.port;
-        if (bound <= 0)
-            throw Error("cannot listen", options.address + ":" + std::to_string(options.port),
-                        "the port is taken, or the address is not this machine's");
+        if (bound <= 0) throw Error("cannot listen", placeOf(options, options.port), whyNotBound(options, errno));
         http.holdConnections(1024);
     }
 
@@ -325,7 +340,7 @@ void serveCommand(const ServeOptions& options) {
     const StopRequest stop;
     Server server(options);
     std::thread listening([&] { server.run(); });
-    sayNote("serving http://" + options.address + ":" + std::to_string(server.port()) + "/ (Ctrl C stops it)");
+    sayNote("serving http://" + placeOf(options, server.port()) + "/ (Ctrl C stops it)");
     while (!stop.asked()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
     server.stop();
     listening.join();

@@ -26,6 +26,12 @@ std::shared_ptr<ByteFile> ByteFile::open(const std::string& path) {
     return std::shared_ptr<ByteFile>(new ByteFile(file, static_cast<std::uint64_t>(status.st_size)));
 }
 
+std::string ByteFile::whyNotOpened(const std::string& path) {
+    if (errno != 0) return std::strerror(errno);
+    struct stat status {};
+    return stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode) ? "it is a folder" : "it is not a plain file";
+}
+
 std::shared_ptr<ByteFile> ByteFile::temporary() {
     const char* own = std::getenv("TMPDIR");
     for (const std::string folder : {own && *own ? own : "/var/tmp", "/var/tmp", "/tmp"}) {

@@ -14,6 +14,8 @@ class ByteFile {
 public:
     /// @returns null if it does not exist or is not a regular file
     static std::shared_ptr<ByteFile> open(const std::string& path);
+    /// Why open() has just returned null.
+    static std::string whyNotOpened(const std::string& path);
     /// In TMPDIR, else /var/tmp, else /tmp. @returns null if no file can be made
     static std::shared_ptr<ByteFile> temporary();
     ~ByteFile();

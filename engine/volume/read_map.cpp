@@ -161,7 +161,7 @@ DensityMap readMap(const std::string& name, std::string bytes, const MapLimits& 
 
 DensityMap readMapFile(const std::string& path, const MapLimits& limits) {
     const auto file = ByteFile::open(path);
-    if (!file) cannotReadMap(path, "no such file, or not a plain one");
+    if (!file) cannotReadMap(path, ByteFile::whyNotOpened(path));
     const std::string start = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
     const bool packed = !compressionOf(start).empty();
     if (packed || formatOf(path, start) != MapFormat::ccp4) {

@@ -76,6 +76,9 @@ TEST(Words, WhatCannotBeSaidIsAnError) {
     words.measures.push_back(parseMeasure("resi 3,id 5"));
     EXPECT_NE(faultOf([&] { placeWords(words, dna.molecule, dna.scene); }).find("where one is needed"),
               std::string::npos);
+    words.measures = {parseMeasure("id 5,5")};
+    EXPECT_EQ(faultOf([&] { placeWords(words, dna.molecule, dna.scene); }),
+              "cannot measure: id 5: it is the same atom as the one before");
     EXPECT_NE(faultOf([] { parseMeasure("id 5"); }).find("two atoms"), std::string::npos);
     EXPECT_NE(faultOf([] { parseMeasure("1,2,3,4,5"); }).find("two atoms"), std::string::npos);
     EXPECT_NE(faultOf([] { parseMeasure("1,,3"); }), "");

@@ -78,6 +78,7 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
           Case{"render sample:dna b=sample:dna --fit", "--fit: expected SEL SEL"},
           Case{"render sample:dna -o a.png --sytle licorice", "did you mean '--style'?"},
           Case{"render sample:dna -o a.png --silhouette on", "no option --silhouette (did you mean '--contours'?)"},
+          Case{"serve --port 8080", "nacre serve has no option --port (did you mean '--listen'?)"},
           Case{"render sample:dna -o a.png --sel all", "did you mean '--show'?"},
           Case{"render sample:dna -o a.png --opacity 1",
                "mean '--surface-opacity', '--cartoon-opacity' or '--map-opacity'?"},
@@ -149,6 +150,19 @@ TEST(CommandLine, OfAFileThatIsNotThereItSaysWhatWasProbablyMeant) {
             expectOneErrorLine(outcome);
             EXPECT_TRUE(outcome.err.ends_with(c.says)) << outcome.err;
         }
+    }
+}
+
+TEST(CommandLine, OfDataThatIsNoFileItSaysWhatItIs) {
+    const TemporaryFolder folder;
+    for (const auto& [options, says] : {std::pair("--map .", "cannot read map: .: it is a folder\n"),
+                                        std::pair("--map none.ccp4", "none.ccp4: No such file or directory\n"),
+                                        std::pair("--map /dev/null", "/dev/null: it is not a plain file\n"),
+                                        std::pair("--trajectory .", "cannot read trajectory: .: it is a folder\n")}) {
+        const Outcome outcome = nacreIn(folder, "render sample:glucose -o a.png --size 8x8 " + std::string(options));
+        EXPECT_EQ(outcome.code, 1) << options;
+        expectOneErrorLine(outcome);
+        EXPECT_TRUE(outcome.err.ends_with(says)) << outcome.err;
     }
 }
 

@@ -2,7 +2,9 @@
 import concurrent.futures
 import io
 import json
+import os
 import re
+import socket
 import subprocess
 import sys
 import unittest
@@ -222,12 +224,23 @@ class ServeTest(ServedTest):
         for status, headers, _ in answers:
             self.assertEqual(headers["Retry-After"], "1" if status == 429 else None)
 
-    def test_a_port_that_is_taken(self):
-        port = self.server.url.rstrip("/").rsplit(":", 1)[1]
-        run = subprocess.run([PROGRAM, "serve", "--listen", port], capture_output=True, text=True, timeout=60)
-        self.assertEqual(run.returncode, 1)
-        self.assertIn("cannot listen", run.stderr)
-        self.assertEqual(run.stderr.count("\n"), 1)
+    @unittest.skipUnless(socket.has_ipv6 and os.path.exists("/proc/net/if_inet6"), "no IPv6")
+    def test_its_address_of_ipv6_is_one_that_browsers_take(self):
+        server = Server(PROGRAM, self.folder, listen="[::1]:0")
+        self.assertTrue(server.url.startswith("http://[::1]:"), server.url)
+        self.assertEqual(server.ask("health")[0], 200)
+        self.assertEqual(server.stop(), 0)
+
+    def test_addresses_where_it_cannot_listen(self):
+        taken = self.server.url.rstrip("/").rsplit(":", 1)[1]
+        for listen, where, why in ((taken, "127.0.0.1:" + taken, "another program listens there; stop it, or name another port: "
+                                                                 "--listen 127.0.0.1:0 takes a free port"),
+                                   ("192.0.2.1:8080", "192.0.2.1:8080", "not an address of this machine; --listen 127.0.0.1:8080"),
+                                   ("nowhere.invalid:8080", "nowhere.invalid:8080", "not an address of this machine")):
+            run = subprocess.run([PROGRAM, "serve", "--listen", listen], capture_output=True, text=True, timeout=60)
+            self.assertEqual(run.returncode, 1)
+            self.assertIn(f"cannot listen: {where}: {why}", run.stderr)
+            self.assertEqual(run.stderr.count("\n"), 1)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,5 @@
 #include "engine/molecule/trajectory/trajectory.h"
 
-#include <cerrno>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -11,7 +10,7 @@
 namespace nacre {
 
 TrajectoryFile::TrajectoryFile(const std::string& path) : name_(path), file_(ByteFile::open(path)) {
-    if (!file_) fail(errno != 0 ? std::strerror(errno) : "it is not a plain file");
+    if (!file_) fail(ByteFile::whyNotOpened(path));
 }
 
 void TrajectoryFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
