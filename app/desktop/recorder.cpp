@@ -27,12 +27,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-std::string ownProgram() {
-    std::error_code error;
-    const fs::path path = fs::read_symlink("/proc/self/exe", error);
-    if (error) throw Error("cannot record", "", "the program's own path is unknown");
-    return path.string();
-}
+/// The program that runs, also when another one has taken its place on disk.
+constexpr const char* kOwnProgram = "/proc/self/exe";
 
 std::string temporaryFolder() {
     std::string name = (fs::temp_directory_path() / "nacre-movie-XXXXXX").string();
@@ -131,7 +127,7 @@ void Recorder::start(const RecordingWish& wish, PictureDescription shown, std::v
         files.push_back(writeView(folder_, files.size() + 1, key));
     }
     std::vector<std::string> words = movieArguments(wish, shown, writeView(folder_, 0, shown), files);
-    words.insert(words.begin(), program_.empty() ? ownProgram() : program_);
+    words.insert(words.begin(), program_.empty() ? kOwnProgram : program_);
     words.insert(words.end(), fixed.begin(), fixed.end());
 
     Pipe reports, complaints;

@@ -36,8 +36,10 @@ std::vector<std::string> moduleNames() {
     // A program that was found along PATH is there under the name that was typed, which leads nowhere.
     const std::filesystem::path name = info.dli_fname;
     std::error_code error;
-    const std::filesystem::path program =
-        std::filesystem::canonical(name.has_parent_path() ? name : "/proc/self/exe", error).parent_path();
+    std::filesystem::path file = std::filesystem::canonical(name.has_parent_path() ? name : "/proc/self/exe", error);
+    // One that an update took away still runs, and its module may be where it was.
+    if (error) file = std::filesystem::read_symlink("/proc/self/exe", error);
+    const std::filesystem::path program = file.parent_path();
     return {(program / NACRE_IMAGE_MODULE).string(), (program / NACRE_MODULE_FOLDER / NACRE_IMAGE_MODULE).string()};
 }
 

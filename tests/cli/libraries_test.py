@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """What nacre loads at its start: libraries that few commands need are loaded by those. libraries_test.py PROGRAM"""
 
+import glob
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -34,6 +36,19 @@ class Libraries(unittest.TestCase):
         self.assertTrue([name for name in names if name.startswith("libvulkan_")])
         for driver in ("libvulkan_intel", "libvulkan_radeon", "libvulkan_nouveau"):
             self.assertFalse([name for name in names if name.startswith(driver)], driver)
+
+    def test_a_program_that_is_gone_from_disk_still_writes_all_formats(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program, picture = folder + "/nacre", folder + "/a.tif"
+            shutil.copy(PROGRAM, program)
+            for module in glob.glob(os.path.dirname(PROGRAM) + "/*.so"):
+                os.symlink(os.path.abspath(module), folder + "/" + os.path.basename(module))
+            words = [program, "render", "-", "--format", "xyz", "-o", picture, "--size", "16x16", "--occlusion", "off"]
+            with subprocess.Popen(words, stdin=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
+                os.remove(program)
+                errors = running.communicate("1\n\nC 0 0 0\n", timeout=60)[1]
+            self.assertEqual((running.returncode, errors), (0, ""))
+            self.assertTrue(os.path.exists(picture))
 
 
 if __name__ == "__main__":

@@ -3,7 +3,10 @@
 #include "app/desktop/recorder.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
@@ -93,6 +96,39 @@ TEST(Recorder, SaysWhyItCannot) {
     Recorder none({}, "/nonexistent/nacre");
     EXPECT_THROW(none.start(r.wish, r.shown, {}, {}), Error);
     EXPECT_FALSE(none.state().running);
+}
+
+/// This test's program in the place of nacre.
+__attribute__((constructor)) void makeMovie(int count, char** words) {
+    if (count < 5 || words[1] != std::string_view("movie")) return;
+    std::puts("{\"frame\": 1, \"frames\": 1}");
+    std::fflush(stdout);
+    _exit(words[3] == std::string_view("--output") ? 0 : 1);
+}
+
+TEST(Recorder, DISABLED_InAProgramThatIsGoneFromDisk) {
+    const std::string program = std::filesystem::read_symlink("/proc/self/exe");
+    ASSERT_EQ(std::filesystem::path(program).filename(), "gone");
+    std::filesystem::remove(program);
+    Recorder recorder({});
+    PictureDescription shown;
+    shown.input.path = "sample:glucose";
+    RecordingWish wish;
+    wish.path = "film.gif";
+    recorder.start(wish, shown, {}, {});
+    while (recorder.state().running) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_EQ(recorder.state().message, "saved film.gif");
+    EXPECT_EQ(recorder.state().frame, 1u);
+}
+
+TEST(Recorder, RecordsWhenItsProgramIsGoneFromDisk) {
+    const TemporaryFolder folder;
+    const std::string program = folder / "gone";
+    std::filesystem::copy_file("/proc/self/exe", program);
+    const std::string command =
+        "'" + program + "' --gtest_also_run_disabled_tests --gtest_filter='Recorder.DISABLED_*'";
+    EXPECT_EQ(std::system((command + " >'" + (folder / "log") + "' 2>&1").c_str()), 0) << contentOf(folder / "log");
+    EXPECT_FALSE(std::filesystem::exists(program));
 }
 
 TEST(Recorder, AsksForWhatTheWindowShows) {
