@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 
 #include "engine/molecule/formats/mmcif_model.h"
 #include "engine/molecule/text.h"
@@ -8,23 +10,67 @@ namespace nacre {
 
 namespace {
 
-/// Where to look a residue up: the runs with the same chain, number and insertion code.
-using ResidueIndex = std::multimap<std::string, std::uint32_t>;  // no hash that a file could aim at
+constexpr std::size_t kMaxAlternates = 16;
 
-std::string residueKey(std::string_view chain, std::string_view number, std::string_view insertion) {
-    std::string key(chain);
-    return key.append(1, '\n').append(number).append(1, '\n').append(insertion.substr(0, 1));
-}
-
-ResidueIndex indexResidues(const Molecule& molecule) {
-    ResidueIndex index;
-    for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) {
-        const Residue& residue = molecule.residues[i];
-        const std::string_view insertion(&residue.insertionCode, residue.insertionCode ? 1 : 0);
-        index.emplace(residueKey(molecule.chains[residue.chain].name, std::to_string(residue.number), insertion), i);
+/// Finds atoms by their residue and name. A file may have one huge residue and connections to each of its atoms.
+class AtomIndex {
+public:
+    explicit AtomIndex(const Molecule& molecule) : molecule_(molecule) {
+        for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) {
+            const Residue& residue = molecule.residues[i];
+            const std::string_view insertion(&residue.insertionCode, residue.insertionCode ? 1 : 0);
+            residues_.emplace(
+                key(molecule.chains[residue.chain].name, std::to_string(residue.number), insertion, residue.name), i);
+        }
     }
-    return index;
-}
+
+    static std::string key(std::string_view chain, std::string_view number, std::string_view insertion,
+                           const Name& component) {
+        std::string key(chain);
+        key.append(1, '\n').append(number).append(1, '\n').append(insertion.substr(0, 1));
+        return key.append(1, '\n').append(component.view());
+    }
+
+    /// At most kMaxAlternates atoms. @param alternate  '\0': any
+    std::vector<std::uint32_t> find(const std::string& residue, const Name& name, char alternate) {
+        const std::vector<std::uint32_t>& atoms = atomsOf(residue);
+        const Place place(name.bytes, static_cast<unsigned char>(alternate));
+        auto at = std::lower_bound(atoms.begin(), atoms.end(), place,
+                                   [&](std::uint32_t atom, const Place& sought) { return placeOf(atom) < sought; });
+        std::vector<std::uint32_t> found;
+        for (; at != atoms.end() && found.size() < kMaxAlternates; ++at) {
+            const Atom& atom = molecule_.atoms[*at];
+            if (atom.name != name || (alternate && atom.alternate != alternate)) break;
+            found.push_back(*at);
+        }
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+private:
+    using Place = std::pair<std::array<char, 8>, unsigned char>;
+    Place placeOf(std::uint32_t atom) const {
+        return {molecule_.atoms[atom].name.bytes, static_cast<unsigned char>(molecule_.atoms[atom].alternate)};
+    }
+
+    /// Atoms of all runs of the residue, sorted when they are asked for first.
+    const std::vector<std::uint32_t>& atomsOf(const std::string& residue) {
+        const auto [known, added] = atoms_.try_emplace(residue);
+        if (!added) return known->second;
+        const auto runs = residues_.equal_range(residue);
+        for (auto run = runs.first; run != runs.second; ++run) {
+            const Residue& r = molecule_.residues[run->second];
+            for (std::uint32_t i = 0; i < r.atomCount; ++i) known->second.push_back(r.firstAtom + i);
+        }
+        std::stable_sort(known->second.begin(), known->second.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return placeOf(a) < placeOf(b); });
+        return known->second;
+    }
+
+    const Molecule& molecule_;
+    std::multimap<std::string, std::uint32_t> residues_;       // no hash that a file could aim at
+    std::map<std::string, std::vector<std::uint32_t>> atoms_;  ///< of residues that were asked for
+};
 
 /// The column names of one partner of a connection.
 struct Partner {
@@ -36,35 +82,15 @@ constexpr Partner kPartners[2] = {
     {"ptnr2_auth_asym_id", "ptnr2_label_asym_id", "ptnr2_auth_seq_id", "ptnr2_label_seq_id", "pdbx_ptnr2_pdb_ins_code",
      "ptnr2_label_comp_id", "ptnr2_auth_comp_id", "ptnr2_label_atom_id", "pdbx_ptnr2_label_alt_id"}};
 
-// A hostile file may have one huge residue and many connections to it; real ones are far below these.
-constexpr std::size_t kMaxComparisons = 200'000'000;
-constexpr std::size_t kMaxAlternates = 16;
-
-/// @param comparisons counts the atoms compared
-std::vector<std::uint32_t> findAtoms(const Molecule& molecule, const ResidueIndex& index, const MmcifTable& table,
-                                     std::size_t row, const Partner& partner, std::size_t& comparisons) {
-    std::vector<std::uint32_t> found;
+std::vector<std::uint32_t> findAtoms(AtomIndex& index, const MmcifTable& table, std::size_t row,
+                                     const Partner& partner) {
     const auto text = [&](const char* first, const char* second) {
         return table.get(row, {first, second}).value_or("");
     };
-    const auto range =
-        index.equal_range(residueKey(text(partner.authAsym, partner.labelAsym), text(partner.authSeq, partner.labelSeq),
-                                     text(partner.insertion, partner.insertion)));
-    const Name comp(text(partner.authComp, partner.comp)), name(text(partner.atom, partner.atom));
-    const auto alternate = table.get(row, {partner.alternate});
-    for (auto i = range.first; i != range.second; ++i) {
-        const Residue& residue = molecule.residues[i->second];
-        ++comparisons;
-        if (residue.name != comp) continue;
-        comparisons += residue.atomCount;
-        for (std::uint32_t a = residue.firstAtom; a < residue.firstAtom + residue.atomCount; ++a) {
-            const Atom& atom = molecule.atoms[a];
-            const bool same = !alternate || alternate->substr(0, 1) == std::string_view(&atom.alternate, 1);
-            if (same && atom.name == name) found.push_back(a);
-            if (found.size() == kMaxAlternates) return found;
-        }
-    }
-    return found;
+    const std::string_view alternate = text(partner.alternate, partner.alternate);
+    return index.find(AtomIndex::key(text(partner.authAsym, partner.labelAsym), text(partner.authSeq, partner.labelSeq),
+                                     text(partner.insertion, partner.insertion), text(partner.authComp, partner.comp)),
+                      text(partner.atom, partner.atom), alternate.empty() ? '\0' : alternate[0]);
 }
 
 /// Bonds between atoms of the model itself: covalent ones and a metal's coordination, but no hydrogen bonds.
@@ -86,17 +112,13 @@ int mmcifBondOrder(std::optional<std::string_view> text) {
 
 void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections) {
     const Molecule& molecule = builder.molecule();
-    ResidueIndex index;
-    std::size_t missing = 0, comparisons = 0;
+    std::optional<AtomIndex> index;
+    std::size_t missing = 0;
     for (std::size_t row = 0; row < connections.rows(); ++row) {
         if (!isBond(connections, row)) continue;
-        if (comparisons > kMaxComparisons) {
-            builder.warn("too many connections of _struct_conn to huge residues; the rest is passed over");
-            break;
-        }
-        if (index.empty()) index = indexResidues(molecule);
-        const auto first = findAtoms(molecule, index, connections, row, kPartners[0], comparisons);
-        const auto second = findAtoms(molecule, index, connections, row, kPartners[1], comparisons);
+        if (!index) index.emplace(molecule);
+        const auto first = findAtoms(*index, connections, row, kPartners[0]);
+        const auto second = findAtoms(*index, connections, row, kPartners[1]);
         if (first.empty() || second.empty()) ++missing;
         const int order = mmcifBondOrder(connections.get(row, {"pdbx_value_order"}));
         for (const std::uint32_t a : first)
