@@ -69,7 +69,7 @@ glm::dmat4x3 about(const glm::dmat4x3& transform, const glm::dvec3& center) {
 }  // namespace
 
 AssemblyScene::AssemblyScene(const Molecule& molecule, const std::string& id)
-    : molecule_(molecule), id_(id), placement_(placeAssembly(molecule, id)) {}
+    : molecule_(molecule), id_(id), placement_(placeAssembly(molecule, id)), lists_(placement_.lists) {}
 
 std::uint32_t AssemblyScene::listOf(std::uint32_t atom) const {
     return placement_.listOfSubchain[molecule_.residues[molecule_.atoms[atom].residue].subchain];
@@ -79,7 +79,7 @@ std::uint32_t AssemblyScene::commonListOf(std::uint32_t atomA, std::uint32_t ato
     const std::uint32_t a = listOf(atomA), b = listOf(atomB);
     if (a == b) return a;
     const auto [known, added] = common_.emplace(std::minmax(a, b), 0);
-    if (added) known->second = commonList(placement_.lists, a, b);
+    if (added) known->second = lists_.common(a, b);
     return known->second;
 }
 
@@ -106,6 +106,7 @@ void AssemblyScene::spread(std::size_t colors) {
         for (std::uint32_t& copy : list) copy = places[copy];
         std::sort(list.begin(), list.end());
     }
+    lists_.index();
 }
 
 void AssemblyScene::colorByCopy(Appearance& appearance) {
@@ -204,7 +205,7 @@ void AssemblyScene::addBetweenCopies(const ContactFinder& finder, const Appearan
             if (list.empty()) continue;
             std::sort(list.begin(), list.end());
             contact.copy = list.front();
-            contact.list = listIndex(placement_.lists, std::move(list));
+            contact.list = lists_.add(std::move(list));
             contacts.push_back(std::move(contact));
         }
 }
@@ -298,7 +299,6 @@ void AssemblyScene::finish(Representation& r) {
     const std::size_t others = r.cylinders.size() + r.wires.size() + r.triangles.size() + r.coarseTriangles.size();
     if (others > 0) checkNumber(r.spheres.size() + others);  // spheres alone are drawn by levels (sphere_levels.h)
     Copies& copies = r.copies;
-    for (const glm::dmat4x3& transform : placement_.transforms) copies.transforms.push_back(about(transform, r.center));
     const auto run = [](std::uint32_t list, std::size_t first, std::size_t count) {
         return PrimitiveRun{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), list, {}, 0};
     };
@@ -333,7 +333,10 @@ void AssemblyScene::finish(Representation& r) {
             });
         });
     keepWholeMeshes(r);
-    copies.lists = placement_.lists;
+    // What millions of copies take is not in memory twice.
+    for (glm::dmat4x3& transform : placement_.transforms) transform = about(transform, r.center);
+    copies.transforms = std::move(placement_.transforms);
+    copies.lists = std::move(placement_.lists);
     copies.colors = copyColors_;
     r.drawnBonds = bondsOfCopies_;
 }

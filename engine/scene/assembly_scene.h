@@ -47,7 +47,8 @@ public:
     std::uint32_t colorOf(std::uint32_t tint, std::uint32_t copy) const;
     /// Atoms in all their copies.
     std::size_t countCopies(std::span<const std::uint32_t> atoms) const;
-    /// Sets the copies of a representation that has its primitives. @throws Error if there are too many
+    /// Sets the copies of a representation that has its primitives, and has none itself then. @throws Error if there
+    /// are too many
     void finish(Representation& representation);
 
 private:
@@ -62,6 +63,7 @@ private:
     const Molecule& molecule_;
     std::string id_;
     Placement placement_;
+    CopyLists lists_;  ///< of the placement
     std::vector<std::uint32_t> atoms_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> common_;  ///< lists that were asked for
     std::vector<std::uint32_t> listOfContact_;

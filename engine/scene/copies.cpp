@@ -1,14 +1,15 @@
 #include "engine/scene/copies.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "engine/error.h"
@@ -33,23 +34,41 @@ const Assembly& assemblyOf(const Molecule& molecule, const std::string& id) {
     throw Error("cannot draw assembly", id, "the file has no such assembly; it has " + names);
 }
 
-/// Numbers transforms, equal ones alike.
-class TransformSet {
-public:
-    explicit TransformSet(std::vector<glm::dmat4x3>& transforms) : transforms_(transforms) {}
-    std::uint32_t add(const glm::mat4x3& transform) {
-        std::array<float, 12> key{};
-        for (int i = 0; i < 12; ++i) key[static_cast<std::size_t>(i)] = transform[i / 3][i % 3];
-        const auto next = static_cast<std::uint32_t>(transforms_.size());
-        const auto [found, added] = known_.emplace(key, next);
-        if (added) transforms_.emplace_back(transform);
-        return found->second;
+/// The different transforms of all parts, in the order in which they come first, and by part their numbers.
+std::vector<std::vector<std::uint32_t>> numberTransforms(const Assembly& assembly,
+                                                         std::vector<glm::dmat4x3>& transforms) {
+    std::vector<const glm::mat4x3*> all;
+    for (const AssemblyPart& part : assembly.parts)
+        for (const glm::mat4x3& transform : part.transforms) all.push_back(&transform);
+    const auto before = [&](std::uint32_t a, std::uint32_t b) {
+        const float *l = &(*all[a])[0][0], *r = &(*all[b])[0][0];
+        return std::lexicographical_compare(l, l + 12, r, r + 12);
+    };
+    std::vector<std::uint32_t> order(all.size()), numbers(all.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return before(a, b) || (!before(b, a) && a < b);  // stable without a stable sort's memory
+    });
+    std::size_t different = 0;
+    for (std::size_t i = 0, first = 0; i < order.size(); ++i) {
+        if (i == 0 || before(order[first], order[i])) first = i, ++different;
+        numbers[order[i]] = order[first];
     }
-
-private:
-    std::vector<glm::dmat4x3>& transforms_;
-    std::map<std::array<float, 12>, std::uint32_t> known_;
-};
+    transforms.reserve(different);
+    std::vector<std::vector<std::uint32_t>> byPart;
+    std::uint32_t i = 0;
+    for (const AssemblyPart& part : assembly.parts) {
+        byPart.emplace_back();
+        byPart.back().reserve(part.transforms.size());
+        for (const glm::mat4x3& transform : part.transforms) {
+            const std::uint32_t first = numbers[i];
+            numbers[i] = first < i ? numbers[first] : static_cast<std::uint32_t>(transforms.size());
+            if (first == i) transforms.emplace_back(transform);
+            byPart.back().push_back(numbers[i++]);
+        }
+    }
+    return byPart;
+}
 
 /// Shape and size must stay: a radius has no direction in which it could be stretched.
 void checkRigid(const Assembly& assembly) {
@@ -66,57 +85,63 @@ void checkRigid(const Assembly& assembly) {
 
 }  // namespace
 
-std::uint32_t listIndex(std::vector<std::vector<std::uint32_t>>& lists, std::vector<std::uint32_t> list) {
-    const auto found = std::find(lists.begin(), lists.end(), list);
-    const auto index = static_cast<std::uint32_t>(found - lists.begin());
-    if (found == lists.end()) lists.push_back(std::move(list));
-    return index;
+void CopyLists::index() {
+    order_.clear();
+    for (std::uint32_t i = 0; i < lists_.size(); ++i) order_.insert(i);
+}
+
+std::uint32_t CopyLists::add(std::vector<std::uint32_t> list) {
+    lists_.push_back(std::move(list));
+    const auto [found, added] = order_.insert(static_cast<std::uint32_t>(lists_.size() - 1));
+    if (!added) lists_.pop_back();
+    return *found;
+}
+
+std::uint32_t CopyLists::common(std::uint32_t a, std::uint32_t b) {
+    if (a == b) return a;
+    std::vector<std::uint32_t> both;
+    std::set_intersection(lists_[a].begin(), lists_[a].end(), lists_[b].begin(), lists_[b].end(),
+                          std::back_inserter(both));
+    if (both.empty()) return Placement::kNowhere;
+    const std::size_t places = both.size(), before = lists_.size();
+    const std::uint32_t list = add(std::move(both));
+    if (lists_.size() > before && (added_ += places) > kMostListedCopies)
+        throw Error("cannot draw assembly", "",
+                    "its bonds have more than " + std::to_string(kMostListedCopies) + " places together");
+    return list;
 }
 
 Placement placeAssembly(const Molecule& molecule, const std::string& id) {
     const Assembly& assembly = assemblyOf(molecule, id);
     checkRigid(assembly);
     Placement placement;
-    TransformSet set(placement.transforms);
+    const std::vector<std::vector<std::uint32_t>> copiesOfPart = numberTransforms(assembly, placement.transforms);
     // Subchains that the same parts mention have the same copies.
     std::vector<std::vector<std::uint32_t>> partsOf(molecule.subchains.size());
-    std::vector<std::vector<std::uint32_t>> copiesOfPart;
-    for (std::uint32_t part = 0; part < assembly.parts.size(); ++part) {
-        copiesOfPart.emplace_back();
-        for (const glm::mat4x3& transform : assembly.parts[part].transforms)
-            copiesOfPart.back().push_back(set.add(transform));
+    for (std::uint32_t part = 0; part < assembly.parts.size(); ++part)
         for (const std::uint32_t subchain : assembly.parts[part].subchains) partsOf[subchain].push_back(part);
-    }
     std::size_t listed = 0;
-    std::map<std::vector<std::uint32_t>, std::uint32_t> listOfParts{{{}, Placement::kNowhere}}, indices;
+    std::map<std::vector<std::uint32_t>, std::uint32_t> listOfParts{{{}, Placement::kNowhere}};
+    CopyLists lists(placement.lists);
     for (const std::vector<std::uint32_t>& parts : partsOf) {
         const auto [known, added] = listOfParts.emplace(parts, 0);
         if (added) {
-            std::vector<std::uint32_t> list;
+            const std::size_t before = listed;
             for (const std::uint32_t part : parts) listed += copiesOfPart[part].size();
             if (listed > kMostListedCopies)
                 throw Error("cannot draw assembly", id,
                             "its chains have more than " + std::to_string(kMostListedCopies) + " places together");
+            std::vector<std::uint32_t> list;
+            list.reserve(listed - before);
             for (const std::uint32_t part : parts)
                 list.insert(list.end(), copiesOfPart[part].begin(), copiesOfPart[part].end());
             std::sort(list.begin(), list.end());
             list.erase(std::unique(list.begin(), list.end()), list.end());
-            const auto [same, first] =
-                indices.emplace(std::move(list), static_cast<std::uint32_t>(placement.lists.size()));
-            if (first) placement.lists.push_back(same->first);
-            known->second = same->second;
+            known->second = lists.add(std::move(list));
         }
         placement.listOfSubchain.push_back(known->second);
     }
     return placement;
-}
-
-std::uint32_t commonList(std::vector<std::vector<std::uint32_t>>& lists, std::uint32_t a, std::uint32_t b) {
-    if (a == b) return a;
-    std::vector<std::uint32_t> common;
-    std::set_intersection(lists[a].begin(), lists[a].end(), lists[b].begin(), lists[b].end(),
-                          std::back_inserter(common));
-    return common.empty() ? Placement::kNowhere : listIndex(lists, std::move(common));
 }
 
 namespace {

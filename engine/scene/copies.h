@@ -5,6 +5,7 @@
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,11 +54,35 @@ struct Placement {
 /// long
 Placement placeAssembly(const Molecule& molecule, const std::string& id);
 
-/// The list with the intersection of two lists; added if missing. kNowhere if it is empty.
-std::uint32_t commonList(std::vector<std::vector<std::uint32_t>>& lists, std::uint32_t a, std::uint32_t b);
+/// Finds lists of copies by what they hold. Bonds between many parts ask for as many lists as there are bonds.
+class CopyLists {
+public:
+    /// @param lists  outlives this and stays in its place; call index() after its lists were changed
+    explicit CopyLists(std::vector<std::vector<std::uint32_t>>& lists) : lists_(lists), order_(Order{this}) { index(); }
+    CopyLists(const CopyLists&) = delete;
+    void index();
 
-/// The list that holds these copies; added if there is none yet. @param list  ascending
-std::uint32_t listIndex(std::vector<std::vector<std::uint32_t>>& lists, std::vector<std::uint32_t> list);
+    /// The list that holds these copies; added if there is none yet. @param list  ascending
+    std::uint32_t add(std::vector<std::uint32_t> list);
+    /// The list with the intersection of two lists; added if missing. Placement::kNowhere if it is empty.
+    /// @throws Error if the lists added for this are too long
+    std::uint32_t common(std::uint32_t a, std::uint32_t b);
+    /// Lists compared so far.
+    std::uint64_t comparisons() const { return comparisons_; }
+
+private:
+    struct Order {
+        CopyLists* of;
+        bool operator()(std::uint32_t a, std::uint32_t b) const {
+            ++of->comparisons_;
+            return of->lists_[a] < of->lists_[b];
+        }
+    };
+    std::vector<std::vector<std::uint32_t>>& lists_;
+    std::set<std::uint32_t, Order> order_;  // no hash that a file could aim at
+    std::uint64_t comparisons_ = 0;
+    std::size_t added_ = 0;  // places in lists of common()
+};
 
 /// How one copy stands to another, and all pairs of copies that stand so: the second is where `image` takes the first,
 /// seen from the first one's place.

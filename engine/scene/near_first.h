@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/scene/tile_view.h"
@@ -29,15 +30,17 @@ void orderNearFirst(const TileView& view, const std::vector<T>& things, std::vec
     for (std::uint32_t i = 0; i < things.size(); ++i) order[at[depthOf(things[i])]++] = i;
 }
 
-/// The things themselves in this order: for more than caches hold.
+/// The things themselves in this order, of several lists: for more than caches hold.
 template <std::uint32_t kDepths, typename T>
-void sortNearFirst(const TileView& view, const std::vector<T>& things, std::vector<T>& sorted) {
+void sortNearFirst(const TileView& view, std::span<std::vector<T>> lists, std::vector<T>& sorted) {
     const auto depthOf = [&](const T& thing) { return depthStep<kDepths>(view, thing.near); };
     std::array<std::uint32_t, kDepths + 1> at{};
-    for (const T& thing : things) ++at[depthOf(thing) + 1];
+    for (const std::vector<T>& things : lists)
+        for (const T& thing : things) ++at[depthOf(thing) + 1];
     for (std::uint32_t i = 1; i <= kDepths; ++i) at[i] += at[i - 1];
-    sorted.resize(things.size());
-    for (const T& thing : things) sorted[at[depthOf(thing)]++] = thing;
+    sorted.resize(at[kDepths]);
+    for (const std::vector<T>& things : lists)
+        for (const T& thing : things) sorted[at[depthOf(thing)]++] = thing;
 }
 
 /// Rows of a picture; end exclusive.

@@ -68,7 +68,7 @@ std::size_t levelOf(const LeveledPart& part, float error) {
 
 }  // namespace
 
-/// Lists what is not beside the picture.
+/// Lists what is not beside the picture, from near to far.
 void SeenCopies::placeAll(const TileView& view, const Scenery& s) {
     constexpr std::size_t kSlice = 16384;
     struct Slice {
@@ -87,31 +87,32 @@ void SeenCopies::placeAll(const TileView& view, const Scenery& s) {
     const auto wide = static_cast<float>(view.width), high = static_cast<float>(view.height);
     inParallel(hands, [&](std::size_t hand) {
         std::vector<Placed>& to = placedOfSlices_[hand];
+        const std::size_t first = hand * slices.size() / hands, end = (hand + 1) * slices.size() / hands;
+        const std::span<const Slice> own = std::span(slices).subspan(first, end - first);
         to.clear();
-        for (std::size_t i = hand * slices.size() / hands; i < (hand + 1) * slices.size() / hands; ++i) {
-            const LeveledPart& part = s.levels.parts[slices[i].part];
-            for (const std::uint32_t copy : slices[i].copies) {
+        std::size_t most = 0;
+        for (const Slice& slice : own) most += slice.copies.size();
+        to.reserve(most);  // what is left out of it is not touched, and takes no memory
+        for (const Slice& slice : own) {
+            const LeveledPart& part = s.levels.parts[slice.part];
+            for (const std::uint32_t copy : slice.copies) {
                 const glm::vec3 center = seen(s.rotation, s.copies.transforms[copy], part.center);
                 const float Z = view.origin - center.z;
                 if (Z + part.radius < view.clipNear || Z - part.radius > view.clipFar) continue;
                 const float nearest = Z - part.radius;
                 if (view.perspective && nearest <= 0) {  // about the eye: some of it may be before it
-                    to.push_back({nearest, 0, 0, wide, high, kNoDepth, slices[i].part, copy});
+                    to.push_back({nearest, wide / 2, high / 2, kNoDepth, slice.part, copy});
                     continue;
                 }
                 const Disc disc = discOf(view, center, part.radius);
                 const glm::vec2 at = pixelOf(view, disc.center);
                 const float reach = disc.radius * view.pixels;
                 if (!(at.x + reach > 0 && at.y + reach > 0 && at.x - reach < wide && at.y - reach < high)) continue;
-                const float pixels = view.perspective ? view.pixels * view.origin / nearest : view.pixels;
-                to.push_back(
-                    {nearest, at.x - reach, at.y - reach, at.x + reach, at.y + reach, pixels, slices[i].part, copy});
+                to.push_back({nearest, at.x, at.y, reach, slice.part, copy});
             }
         }
     });
-    placed_.clear();
-    for (std::size_t hand = 0; hand < hands; ++hand)
-        placed_.insert(placed_.end(), placedOfSlices_[hand].begin(), placedOfSlices_[hand].end());
+    sortNearFirst<2048>(view, std::span(placedOfSlices_).first(hands), sorted_);
 }
 
 bool SeenCopies::isHidden(const Band& band, float near, float left, float top, float right, float bottom) const {
@@ -170,10 +171,15 @@ void SeenCopies::drawSphere(const TileView& view, const glm::vec3& center, float
 void SeenCopies::drawPlaced(const TileView& view, const Scenery& s, const Placed& placed, float error, Band& band) {
     constexpr std::uint32_t kSpheres = SphereLevels::kSpheres;
     const float before = view.perspective ? std::max(view.clipNear, 0.0f) : view.clipNear;
-    if (placed.near > before && isHidden(band, placed.near, placed.left, placed.top, placed.right, placed.bottom))
-        return;
+    const float left = placed.x - placed.reach, right = placed.x + placed.reach;
+    const float top = placed.y - placed.reach, bottom = placed.y + placed.reach;
+    if (placed.near > before && isHidden(band, placed.near, left, top, right, bottom)) return;
+    const bool aboutTheEye = view.perspective && placed.near <= 0;
+    const float pixels = aboutTheEye        ? kNoDepth
+                         : view.perspective ? view.pixels * view.origin / placed.near
+                                            : view.pixels;
     const LeveledPart& part = s.levels.parts[placed.part];
-    const SphereLevel& level = part.levels[levelOf(part, error / placed.pixels)];
+    const SphereLevel& level = part.levels[levelOf(part, error / pixels)];
     const glm::dmat4x3& transform = s.copies.transforms[placed.copy];
     const glm::mat3 turn = s.rotation * glm::dmat3(transform[0], transform[1], transform[2]);
     const glm::vec3 shift = s.rotation * transform[3];
@@ -232,10 +238,9 @@ void SeenCopies::draw(const TileView& asked, const Scenery& s, float error, std:
     width_ = view.width;
     height_ = view.height;
     placeAll(view, s);
-    sortNearFirst<2048>(view, placed_, sorted_);
     partRows(
-        height_, std::min<std::size_t>(placed_.size() / kWorth + 1, threadsPerTask()), placed_,
-        [&](const Placed& p) { return placeAt((p.top + p.bottom) * 0.5f, 0, height_ - 1); }, inRow_, rows_);
+        height_, std::min<std::size_t>(sorted_.size() / kWorth + 1, threadsPerTask()), sorted_,
+        [&](const Placed& p) { return placeAt(p.y, 0, height_ - 1); }, inRow_, rows_);
     bands_.resize(std::max(bands_.size(), rows_.size()));
     z_.resize(std::max(z_.size(), std::size_t{width_} * height_));
     nearest_.resize(z_.size());

@@ -44,9 +44,8 @@ public:
 private:
     /// A part in its place, whose ball may show.
     struct Placed {
-        float near = 0;                                  // Z
-        float left = 0, top = 0, right = 0, bottom = 0;  // of the ball, pixels
-        float pixels = 1;                                // per Å
+        float near = 0;                 // Z
+        float x = 0, y = 0, reach = 0;  // of the ball, pixels
         std::uint32_t part = 0, copy = 0;
     };
     /// From a part to view space.
@@ -79,7 +78,7 @@ private:
     bool between_ = false;
     std::uint32_t width_ = 0, height_ = 0;
     std::vector<std::vector<Placed>> placedOfSlices_;
-    std::vector<Placed> placed_, sorted_;
+    std::vector<Placed> sorted_;
     std::vector<std::uint32_t> inRow_;
     std::vector<RowBand> rows_;
     std::vector<Band> bands_;

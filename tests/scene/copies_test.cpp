@@ -99,6 +99,18 @@ TEST(Assembly, OfManyPartsWithCopiesOfTheirOwn) {
     for (const PrimitiveRun& run : r.copies.spheres) ASSERT_EQ(r.copies.lists[run.list].size(), 2u);
 }
 
+TEST(Assembly, BondsBetweenManyPartsFindTheirListsWithoutReadingAll) {
+    constexpr std::uint32_t kLists = 100'000;
+    std::vector<std::vector<std::uint32_t>> lists;
+    for (std::uint32_t i = 0; i < kLists; ++i) lists.push_back({0, i + 1, i + 2});
+    CopyLists index(lists);
+    for (std::uint32_t i = 0; i + 1 < kLists; ++i) ASSERT_EQ(index.common(i, i + 1), kLists + i);
+    ASSERT_EQ(lists.back(), (std::vector<std::uint32_t>{0, kLists}));
+    EXPECT_EQ(index.common(0, 5), 2 * kLists - 1) << "the place that all have";
+    EXPECT_EQ(index.common(3, 4), kLists + 3);
+    EXPECT_LT(index.comparisons(), kLists * 2 * 20u * 2);
+}
+
 TEST(Assembly, OfTwoPartsSortsPrimitivesByTheirCopies) {
     Molecule m = threeSubchains();
     // B stands in between A and C in the file and has other copies than both.
