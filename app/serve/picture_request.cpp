@@ -71,6 +71,12 @@ OptionValue valueOf(const std::string& key, const std::string& text) {
     if (!row) throw Problem(400, "there is no option \"" + key + "\" (GET /options lists them)");
     if (!isServed(*row)) throw Problem(400, "\"" + key + "\" is set by the server");
     if (takesText(*row) && !isTableText(text)) throw Problem(400, "\"" + key + "\" takes text here, not a file name");
+    if (name == "format" && !formatFromName(text)) {
+        std::string names;
+        for (const std::string& ending : pictureEndings()) names += (names.empty() ? "" : ", ") + ending.substr(1);
+        throw Problem(400, "format: expected one of " + names + " for the picture, or an input's format (" +
+                               formatNames() + "), not '" + text + "'");
+    }
     if (name == "look" && text.find_first_of("./\\") != std::string::npos)
         throw Problem(400, "\"look\" takes a look's name here");
     OptionValue value{name, text};

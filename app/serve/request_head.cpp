@@ -65,6 +65,8 @@ std::optional<Problem> refusalOf(const httplib::Request& request, bool local) {
         return Problem(421, "this server answers for this machine alone: localhost, 127.0.0.1 or [::1]");
     if (post && request.get_header_value("Sec-Fetch-Site") == "cross-site")
         return Problem(403, "a page of another site may not send bodies here");
+    if (post && !request.has_header("Content-Length") && !request.has_header("Transfer-Encoding"))
+        return Problem(400, "a POST request has a body, whose length Content-Length says");
     return {};
 }
 

@@ -11,7 +11,7 @@ import unittest
 import urllib.parse
 import zipfile
 
-from served import PDB, ServedTest, Server
+from served import PDB, ROOM, Client, ServedTest, Server
 
 PROGRAM = sys.argv.pop(1)
 
@@ -125,6 +125,10 @@ class ServeTest(ServedTest):
         told = json.loads(self.server.ask("structures", PDB.encode())[2])
         self.assertEqual(self.server.ask("picture?size=64x64&input=" + told["input"])[0], 200)
         self.refused("picture", 400, "empty", b"")
+        endless = Client(self.server.port).send("POST /picture " + ROOM + "Connection: close\r\n\r\n").rest()
+        self.assertIn(b" 400 ", endless.partition(b"\r\n")[0])
+        self.assertIn(b"whose length Content-Length says", endless)
+        self.refused("picture?input=gly.pdb&format=bmp", 400, "format: expected one of png, ")
         self.refused("picture", 413, "64 MiB", bytes((64 << 20) + 1))
         self.refused("picture", 422, "maps", json.dumps({"input": "gly.pdb", "map": ["/etc/passwd"]}).encode())
         for key in ("primitives", "color-from"):
