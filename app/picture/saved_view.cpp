@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 
 #include "app/files/json_text.h"
@@ -19,8 +18,6 @@ namespace {
 using Json = nlohmann::json;  // sorts its keys, so that many of them are no burden
 using OrderedJson = nlohmann::ordered_json;
 using Kind = Option::Kind;
-
-constexpr std::size_t kMostBytes = 1 << 20;
 
 /// A number or text as an option would have it.
 std::string textOf(const Json& value) {
@@ -261,11 +258,8 @@ PictureDescription parseSavedView(const std::string& json, const std::string& na
 }
 
 std::string readViewText(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string text;
-    for (char c = 0; text.size() <= kMostBytes && file.get(c);) text.push_back(c);
-    if (text.empty()) throw Error("cannot read view", path, "the file is missing, empty or not readable");
-    if (text.size() > kMostBytes) throw Error("cannot read view", path, "it is too large for a view");
+    const std::string text = readTextFile("cannot read view", path, kMostViewBytes);
+    if (text.empty()) throw Error("cannot read view", path, "it is empty");
     return text;
 }
 

@@ -7,6 +7,7 @@
 //    "further-inputs": [{"name": "drug", "input": "b.sdf"}], "fits": [["/drug", "/receptor and resn STI"]], ...}
 // `orientation` is a unit quaternion (v = Q (p - C)), `pan` is in Å. Every key is optional.
 
+#include <cstddef>
 #include <string>
 
 #include "app/picture/description.h"
@@ -16,7 +17,8 @@ namespace nacre::app {
 /// @param name of the file, for messages. @throws Error that names the key
 PictureDescription parseSavedView(const std::string& json, const std::string& name);
 PictureDescription readSavedView(const std::string& path);
-/// The file's text. @throws Error if it is missing, or too large for a view
+constexpr std::size_t kMostViewBytes = std::size_t{1} << 20;
+/// The file's text. @throws Error if it is missing, empty, or larger than kMostViewBytes
 std::string readViewText(const std::string& path);
 std::string savedViewJson(const PictureDescription& view);
 

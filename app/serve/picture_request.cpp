@@ -153,7 +153,7 @@ PictureRequest pictureRequest(const Query& query, const std::string& body, const
     try {
         bool isView = false;
         if (!body.empty()) {
-            const std::string text = fs::file_size(body) < kMostBodyBytes ? readViewText(body) : std::string();
+            const std::string text = fs::file_size(body) <= kMostViewBytes ? readViewText(body) : std::string();
             const nlohmann::json json = parseJson<nlohmann::json>(text);
             isView = json.is_object() && (json.contains("input") || json.contains("rules") || json.contains("style"));
             if (isView) takeView(text, "the request's view", d);

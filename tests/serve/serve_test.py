@@ -124,6 +124,9 @@ class ServeTest(ServedTest):
         self.assertNotEqual(body, self.server.ask("picture?input=gly.pdb&style=licorice&zoom=1&size=64x64&color-from=" + table)[2])
         told = json.loads(self.server.ask("structures", PDB.encode())[2])
         self.assertEqual(self.server.ask("picture?size=64x64&input=" + told["input"])[0], 200)
+        remarks = ("REMARK 999 " + "x" * 69 + "\n") * 30000  # more than a view may have
+        status, _, large = self.server.ask("picture?size=64x64", (remarks + PDB).encode())
+        self.assertEqual((status, large), (200, self.server.ask("picture?size=64x64", PDB.encode())[2]))
         self.refused("picture", 400, "empty", b"")
         endless = Client(self.server.port).send("POST /picture " + ROOM + "Connection: close\r\n\r\n").rest()
         self.assertIn(b" 400 ", endless.partition(b"\r\n")[0])

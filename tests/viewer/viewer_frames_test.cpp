@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/picture/options.h"
 #include "tests/viewer/viewer_bench.h"
 
 namespace nacre::app::test {
