@@ -1,5 +1,7 @@
 // The page of parts: rows, several molecules, the sequence.
 
+#include <imgui.h>
+
 #include "app/panel/panel.h"
 #include "tests/panel/panel_bench.h"
 
