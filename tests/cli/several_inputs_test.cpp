@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "app/picture/input_names.h"
+#include "app/picture/saved_view.h"
 #include "engine/error.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_data.h"
