@@ -162,6 +162,7 @@ DensityMap readMap(const std::string& name, std::string bytes, const MapLimits& 
 DensityMap readMapFile(const std::string& path, const MapLimits& limits) {
     const auto file = ByteFile::open(path);
     if (!file) cannotReadMap(path, ByteFile::whyNotOpened(path));
+    if (file->size() == 0) cannotReadMap(path, "it is empty");
     const std::string start = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
     const bool packed = !compressionOf(start).empty();
     if (packed || formatOf(path, start) != MapFormat::ccp4) {

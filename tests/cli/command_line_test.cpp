@@ -155,7 +155,9 @@ TEST(CommandLine, OfAFileThatIsNotThereItSaysWhatWasProbablyMeant) {
 
 TEST(CommandLine, OfDataThatIsNoFileItSaysWhatItIs) {
     const TemporaryFolder folder;
+    std::ofstream(folder / "empty.ccp4");
     for (const auto& [options, says] : {std::pair("--map .", "cannot read map: .: it is a folder\n"),
+                                        std::pair("--map empty.ccp4", "cannot read map: empty.ccp4: it is empty\n"),
                                         std::pair("--map none.ccp4", "none.ccp4: No such file or directory\n"),
                                         std::pair("--map /dev/null", "/dev/null: it is not a plain file\n"),
                                         std::pair("--trajectory .", "cannot read trajectory: .: it is a folder\n")}) {
