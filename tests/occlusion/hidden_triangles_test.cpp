@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "engine/occlusion/occluder_mesh.h"
+#include "tests/renderer/meshes.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {

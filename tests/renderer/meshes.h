@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/scene/camera.h"
 #include "engine/scene/representation.h"
 
 namespace nacre::test {
