@@ -83,6 +83,16 @@ const SphereBoxes* SceneFrames::boxesOf(const passes::SceneView& seen, const Ren
     return drawn ? &boxes : nullptr;
 }
 
+/// Whether the host draws a scene of spheres and cylinders.
+bool SceneFrames::drawsShapes(const passes::SceneView& seen, const View& view) const {
+    constexpr std::uint64_t kMost = 1'000'000;  // memory of 200 bytes each
+    const Representation& r = shown_->representation;
+    return !r.cylinders.empty() && r.wires.empty() && seen.copies.triangles.empty() && !seen.rims.any() &&
+           seen.copies.sphereCount() + seen.copies.cylinderCount() <= kMost &&
+           seen.copies.rows.size() / 3 * seen.constants.primitives < FrontShape::kMostNumbers &&
+           FrontShapes::tells(passes::tileView(seen, view, imageExtent(view), true));
+}
+
 void SceneFrames::dropHidden(passes::SceneView& seen, const View& view, bool edges) {
     hidden_.drop(seen.copies, shown_->representation, shown_->chunks,
                  passes::tileView(seen, view, imageExtent(view), !edges), seen.radiusPixels);
@@ -123,8 +133,9 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     const SphereBoxes* boxes = debug ? nullptr : boxesOf(view, settings, request.view, edges);
     if (!debug && !boxes && hides(view, settings, Visibility::tiles)) dropHidden(view, request.view, edges);
     const bool shaded = !debug && shadesByTiles(request);
+    const bool drawn = shaded && !edges && !boxes && !request.mask && drawsShapes(view, request.view);
     view.tiles = tiles_.prepare(shown_->representation, view, request.view, options.extent,
-                                {shaded, edges, view.rims.any() && request.subsamples, 1, request.mask, boxes});
+                                {shaded, edges, view.rims.any() && request.subsamples, 1, request.mask, boxes, drawn});
     if (!view.tiles) {
         const Visibility usual = device_.caps().visibility;
         options.visibility = view.rims.any()              ? Visibility::deferred

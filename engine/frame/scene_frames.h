@@ -91,6 +91,7 @@ private:
     const SphereBoxes* boxesOf(const passes::SceneView& seen, const RenderSettings& settings, const View& view,
                                bool edges) const;
     /// Removes hidden spheres from a view. @param edges  also test samples between pixel centres
+    bool drawsShapes(const passes::SceneView& seen, const View& view) const;
     void dropHidden(passes::SceneView& seen, const View& view, bool edges);
     void checkBlending(VkFormat format) const;
 

@@ -53,6 +53,7 @@ struct TileWork {
     std::uint32_t kept = 1;              ///< numbers of a pixel
     const TileMask* mask = nullptr;      ///< as TileView has it
     const SphereBoxes* boxes = nullptr;  ///< as TileScenery has it
+    bool drawn = false;                  ///< likewise, if compute shades
 };
 
 struct TileFrame {
@@ -63,7 +64,7 @@ struct TileFrame {
     bool shaded = false;   ///< `numbers` are colours
     bool cleared = false;  ///< of what is shaded, covered pixels alone are written
     bool subsamples = false;
-    TileBuffer words;    ///< TileLists::write()
+    TileBuffer words;    ///< TileLists::write(), or FrontShapes::write()
     TileBuffer rows;     ///< PlacedCopies::rows
     PixelWords numbers;  ///< of the nearest primitives, counted from 1; sights, where edges are drawn
     TileBuffer spans;    ///< TileLists::spans() as vertices

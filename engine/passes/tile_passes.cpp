@@ -57,14 +57,19 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
     const TileFrame& f = *view.tiles;
     const SceneBuffers& scene = *view.buffers;
     const gpu::TileCaps& caps = context.device.caps().tiles;
-    gpu::ComputePipeline d{context.pass,
-                           nearestShader(caps.texels, tileScene(scene), shades, view.rims.any()),
-                           {},
-                           *nearestLayout(context, shades).pipeline};
+    gpu::ComputePipeline d{
+        context.pass,
+        f.lists.shapes() ? shaders::tilePixels : nearestShader(caps.texels, tileScene(scene), shades, view.rims.any()),
+        {},
+        *nearestLayout(context, shades).pipeline};
     setTileView(d.constants, view, view.rims.widest());
     if (shades) {
         if (view.rims.any()) d.constants.set(layout::kSubsamplesId, f.subsamples);
         setShadingConstants(d.constants, view);
+    }
+    if (f.lists.shapes()) {
+        d.constants.set(layout::kLanesId, caps.lanes);
+        return d;
     }
     if (tileScene(scene) != TileScene::spheres) {
         d.constants.set(layout::kSpheresId, scene.sphereCount > 0);

@@ -27,11 +27,16 @@ bool FrontBand::isHidden(const FrontRectangle& r) const {
     return true;
 }
 
+void ShapeBand::meet(std::size_t at, std::uint32_t shape, float from) const {
+    meetings->push_back({static_cast<std::uint32_t>(at), shape, from});
+}
+
 // The same code for each number of lanes: the compiler must know the processor's instructions where it is compiled, and
 // none of them may get into a function that others use, too.
 namespace lanes4 {
 #define NACRE_LANES 4
 #include "engine/scene/front_lanes.inc"
+#include "engine/scene/front_shapes.inc"
 #undef NACRE_LANES
 }  // namespace lanes4
 
@@ -45,6 +50,7 @@ namespace lanes4 {
 namespace lanes8 {
 #define NACRE_LANES 8
 #include "engine/scene/front_lanes.inc"
+#include "engine/scene/front_shapes.inc"
 #undef NACRE_LANES
 }  // namespace lanes8
 #if defined(__clang__)
@@ -58,6 +64,7 @@ namespace lanes8 {
 namespace lanes16 {
 #define NACRE_LANES 16
 #include "engine/scene/front_lanes.inc"
+#include "engine/scene/front_shapes.inc"
 #undef NACRE_LANES
 }  // namespace lanes16
 #if defined(__clang__)
@@ -69,10 +76,10 @@ namespace lanes16 {
 
 std::span<const FrontLanes> frontLanes() {
     static constexpr FrontLanes kLanesOf[] = {
-        {4, lanes4::drawGroup, lanes4::findRectangles},
+        {4, lanes4::drawGroup, lanes4::findRectangles, lanes4::drawShapes, lanes4::tellRow},
 #if defined(__x86_64__)
-        {8, lanes8::drawGroup, lanes8::findRectangles},
-        {16, lanes16::drawGroup, lanes16::findRectangles},
+        {8, lanes8::drawGroup, lanes8::findRectangles, lanes8::drawShapes, lanes8::tellRow},
+        {16, lanes16::drawGroup, lanes16::findRectangles, lanes16::drawShapes, lanes16::tellRow},
 #endif
     };
 #if defined(__x86_64__)

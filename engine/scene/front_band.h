@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/scene/representation.h"
+#include "engine/scene/shape_band.h"
 #include "engine/scene/sphere_boxes.h"
 #include "engine/scene/tile_view.h"
 
@@ -71,6 +72,8 @@ struct FrontLanes {
     std::uint32_t lanes = 0;
     DrawFrontGroup draw = nullptr;
     FindFrontRectangles rectangles = nullptr;
+    DrawShapes shapes = nullptr;
+    TellShapes tell = nullptr;
 };
 
 /// Those that this processor can use, the fewest first: 4, then 8, then 16.

@@ -154,7 +154,8 @@ struct StickHit {
 };
 
 /// Orthographic: the pixel's position across and along the projected axis suffices.
-StickHit parallelStickHit(Stick c, vec2 q) {
+/// @param sideKnown  whether it is known that the hit is on the side, and inside
+StickHit parallelStickHit(Stick c, vec2 q, const bool sideKnown) {
     StickHit found;
     Hit hit = noHit();
     float r = c.radius;
@@ -165,7 +166,7 @@ StickHit parallelStickHit(Stick c, vec2 q) {
     precise float root = sqrt(abs(h));
     precise float steep = c.axis.z * c.perSine;
     precise float s = ahead + steep * root;
-    bool side = h > 0.0 && s >= 0.0 && s <= c.len;
+    bool side = sideKnown || (h > 0.0 && s >= 0.0 && s <= c.len);
     // The cap that faces the viewer.
     float capAt = c.axis.z < 0.0 ? 0.0 : c.len;
     precise float across = (capAt - ahead) * (c.sine * c.perFall);
@@ -238,12 +239,12 @@ StickHit pointStickHit(Stick c, vec2 q) {
     return found;
 }
 
-Hit stickHitThrough(Stick c, vec2 q) {
+Hit stickHitThrough(Stick c, vec2 q, const bool sideKnown) {
     StickHit found;
     if (kPerspective)
         found = pointStickHit(c, q);
     else
-        found = parallelStickHit(c, q);
+        found = parallelStickHit(c, q, sideKnown);
     Hit hit = found.hit;
     hit.order = hit.Z;
     float on = found.on;
@@ -262,6 +263,7 @@ Hit stickHitThrough(Stick c, vec2 q) {
     hit.along = clamp(on * c.perLen, 0.0, 1.0);
     return hit;
 }
+Hit stickHitThrough(Stick c, vec2 q) { return stickHitThrough(c, q, false); }
 Hit cylinderHitThrough(vec3 a, vec4 b, float r, vec2 q) { return stickHitThrough(stickOf(a, b, r), q); }
 Hit cylinderHit(vec3 a, vec4 b, float r, vec2 fragment) { return cylinderHitThrough(a, b, r, planePoint(fragment)); }
 

@@ -28,14 +28,15 @@ Seen seenFacet(uint index, vec2 q) {
 }
 #endif
 #ifdef CYLINDERS
-Seen seenStick(uint index, vec2 q) {
+/// @param sideKnown  whether the pixel certainly shows its side
+Seen seenStick(uint index, vec2 q, const bool sideKnown) {
     Seen seen;
     index -= view.spheres;
     vec4 shapeA = shapeAt(view.spheres + 2u * index);
     vec4 shapeB = shapeAt(view.spheres + 2u * index + 1u);
     precise vec3 a = toView(shapeA.xyz);
     precise vec4 b = endToView(shapeB);
-    seen.hit = cylinderHitThrough(a, b, stickRadius(shapeA.w, a.z, b.z), q);
+    seen.hit = stickHitThrough(stickOf(a, b, stickRadius(shapeA.w, a.z, b.z)), q, sideKnown);
     seen.look = 2u * view.spheres + 4u * index + (seen.hit.along < 0.5 ? 0u : 1u);
     seen.atom = seen.look + 2u;
 #ifdef TRIANGLES
@@ -46,6 +47,7 @@ Seen seenStick(uint index, vec2 q) {
     seen.occlusion = shaded ? cylinderTexel(index, cylinderCoordinate(seen.hit, axis)) : 1.0;
     return seen;
 }
+Seen seenStick(uint index, vec2 q) { return seenStick(index, q, false); }
 #endif
 Seen seenBall(uint index, vec2 q) {
     Seen seen;
