@@ -144,11 +144,11 @@ std::vector<std::set<std::uint32_t>> nearestOf(const Bonds& s) {
 }
 
 /// What was told of a picture's pixels.
-struct Told {
+struct ToldShapes {
     std::map<std::uint32_t, std::set<std::uint32_t>> names;  // of x | y << 16
     std::size_t doubts = 0;
 
-    explicit Told(const FrontShapes& shapes) {
+    explicit ToldShapes(const FrontShapes& shapes) {
         std::vector<std::uint32_t> words(shapes.words());
         shapes.write(words.data());
         std::size_t at = FrontShapes::kHeader;
@@ -185,7 +185,7 @@ TEST_P(FrontShapePictures, TellEachPixelsNearestShapeOrAllThatMayBe) {
         for (int k = 0; k < 2; ++k) {  // what is left of one picture must not show in the next
             const Bonds& s = scenes[k];
             shapes.draw(s.view, s.spheres, s.balls, s.cylinders, s.sticks);
-            const Told told(shapes);
+            const ToldShapes told(shapes);
             for (std::uint32_t y = 0; y < s.view.height; ++y)
                 for (std::uint32_t x = 0; x < s.view.width; ++x) {
                     const auto there = told.names.find(x | y << 16);
