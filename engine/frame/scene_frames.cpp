@@ -83,7 +83,6 @@ const SphereBoxes* SceneFrames::boxesOf(const passes::SceneView& seen, const Ren
     return drawn ? &boxes : nullptr;
 }
 
-/// Whether the host draws a scene of spheres and cylinders.
 bool SceneFrames::drawsShapes(const passes::SceneView& seen, const View& view) const {
     constexpr std::uint64_t kMost = 1'000'000;  // memory of 200 bytes each
     const Representation& r = shown_->representation;

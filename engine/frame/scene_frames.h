@@ -90,8 +90,9 @@ private:
     /// Bounding boxes, where the host can draw them instead of spheres; else null.
     const SphereBoxes* boxesOf(const passes::SceneView& seen, const RenderSettings& settings, const View& view,
                                bool edges) const;
-    /// Removes hidden spheres from a view. @param edges  also test samples between pixel centres
+    /// Whether the host draws a scene of spheres and cylinders.
     bool drawsShapes(const passes::SceneView& seen, const View& view) const;
+    /// Removes hidden spheres from a view. @param edges  also test samples between pixel centres
     void dropHidden(passes::SceneView& seen, const View& view, bool edges);
     void checkBlending(VkFormat format) const;
 
