@@ -234,7 +234,7 @@ void tellOfFirstFrame(const BenchOptions& options, const Representation& scene, 
     report["spheres"] = {{"submitted", stats.spheres}};
     report["cylinders"] = {{"submitted", stats.cylinders}};
     report["triangles"] = {{"submitted", stats.triangles}};
-    if (stats.lists.tiles > 0) report["spheres"]["kept"] = stats.lists.keptSpheres;
+    if (stats.lists.entries > 0) report["spheres"]["kept"] = stats.lists.keptSpheres;
     if (!scene.copies.transforms.empty() || seen.empty()) return;
     report["atoms"]["visible"] = seen.size();
     const Representation part = visiblePart(scene, seen);
@@ -281,9 +281,13 @@ void printFrames(const Json& report, std::ostream& out) {
         for (const Json& pass : path["passes"])
             out << name << ", " << pass["name"].get<std::string>() << ": " << pass["ms"]["median"].get<double>()
                 << " ms of device time\n";
-        if (path.contains("lists"))
-            out << name << ": " << path["lists"]["kept"] << " primitives in " << path["lists"]["entries"]
-                << " entries of lists, " << path["lists"]["tiles"] << " tiles\n";
+        if (!path.contains("lists")) continue;
+        out << name << ": ";
+        if (path["lists"]["entries"] == 0)
+            out << "the host drew the primitives, ";
+        else
+            out << path["lists"]["kept"] << " primitives in " << path["lists"]["entries"] << " entries of lists, ";
+        out << path["lists"]["tiles"] << " tiles\n";
     }
     for (const Json& path : report["lacks"]) out << path["why"].get<std::string>() << "\n";
     out << report["spheres"]["submitted"] << " spheres, " << report["cylinders"]["submitted"] << " cylinders, "

@@ -193,7 +193,7 @@ void FrontShapes::tell(Part& part) {
 
 void FrontShapes::draw(const TileView& view, std::span<const Sphere> spheres, std::span<const TileCall> sphereCalls,
                        std::span<const Cylinder> cylinders, std::span<const TileCall> cylinderCalls) {
-    constexpr std::size_t kWorth = 20'000;  // shapes that are worth another thread
+    constexpr std::size_t kWorth = 5'000;  // shapes that are worth another thread
     begin(view);
     std::size_t count = 0;
     for (const std::span<const TileCall> calls : {sphereCalls, cylinderCalls})

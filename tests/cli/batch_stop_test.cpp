@@ -89,7 +89,8 @@ TEST(StoppedBatch, ASecondSignalEndsTheJobThatRuns) {
                         {job("sample:glucose", folder / "a.png", R"("size": "16x16")"),
                          job("sample:dna", folder / "b.png", R"("size": "8192x8192", "occlusion": 512)")});
     test::RunOptions options;
-    options.until = [&] { return std::filesystem::exists(folder / "a.png"); };
+    int polls = 0;  // of 10 ms or more: the second job has begun after some
+    options.until = [&] { return std::filesystem::exists(folder / "a.png") && ++polls > 50; };
     const test::MeasuredRun run = test::runMeasured({"batch", jobs.path, "--jobs", "1"}, options);
     EXPECT_EQ(run.signal, SIGINT) << run.code << run.err;
     EXPECT_EQ(folder.count(), 1u) << "the picture is half-written";

@@ -68,7 +68,7 @@ TEST(Bench, OnePathCloserBy) {
 
 TEST(Bench, SeveralInputsEachByItselfAndWhatIsSaidOfOneThatFails) {
     const TemporaryFolder folder;
-    const std::string flags = " --size 64x64 --occlusion off --frames 1 --visibility tiles";
+    const std::string flags = " --style spacefill --size 64x64 --occlusion off --frames 1 --visibility tiles";
     const Outcome outcome = nacreIn(folder, "bench sample:glucose nothing.pdb sample:buckyball --json" + flags);
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.err.find("nothing.pdb"), std::string::npos) << outcome.err;
