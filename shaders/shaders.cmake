@@ -4,11 +4,11 @@
 set(NACRE_SHADER_DIR ${CMAKE_BINARY_DIR}/shaders)
 file(MAKE_DIRECTORY ${NACRE_SHADER_DIR})
 file(GLOB NACRE_SHADER_COMMON CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/common/*)
-set(NACRE_SHADER_EMBED ${CMAKE_SOURCE_DIR}/shaders/embed.cmake)
+set(NACRE_SHADER_EMBED ${CMAKE_SOURCE_DIR}/shaders/embed.sh)
 set(NACRE_SHADER_HEADERS)
 set(NACRE_SHADER_NAMES)
-# Of lists of tiles, which software devices draw: calls are inlined and variables become values here, not by Mesa in each
-# process. Phones' compilers do better without: Adreno's vertex shader of plates has 27 instructions so, 37 with it.
+# Of those that read texel buffers, as software devices do: calls are inlined and variables become values here, not by Mesa in
+# each process. Phones' compilers do better without: Adreno's vertex shader of plates has 27 instructions so, 37 with it.
 # Blocks are not merged, as by -O: the validation layer (1.3.239) makes invalid loops of them where it instruments shaders.
 set(NACRE_SHADER_PASSES
     --merge-return --inline-entry-points-exhaustive --eliminate-dead-functions --private-to-local
@@ -32,7 +32,7 @@ function(nacre_shader name source)
     endif()
     list(TRANSFORM defines PREPEND -D)
     set(optimize)
-    if(source MATCHES "^(tile|edge)_")
+    if("TEXELS" IN_LIST ARGN)
         set(optimize COMMAND ${SPIRV_OPT} ${passes} ${binary} -o ${binary})
     endif()
     add_custom_command(
@@ -40,7 +40,7 @@ function(nacre_shader name source)
         COMMAND ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.1 ${defines} -o ${binary} ${input}
         ${optimize}
         COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${binary}
-        COMMAND ${CMAKE_COMMAND} -DINPUT=${binary} -DOUTPUT=${header} -DNAME=${name} -P ${NACRE_SHADER_EMBED}
+        COMMAND sh ${NACRE_SHADER_EMBED} ${binary} ${name} > ${header}
         DEPENDS ${input} ${NACRE_SHADER_COMMON} ${NACRE_SHADER_EMBED}
         COMMENT "Shader ${name}"
         VERBATIM)
@@ -155,7 +155,7 @@ foreach(scene Spheres Cylinders Triangles Meshes)
     nacre_shader(tileShaded${scene}Usual tile_nearest.comp TEXELS ${defines${scene}} SHADED USUAL)
     nacre_shader(tileEdgesTexels${scene}Usual tile_edges.comp TEXELS ${defines${scene}} USUAL)
 endforeach()
-nacre_shader(tilePixels tile_pixels.comp)
+nacre_shader(tilePixels tile_pixels.comp TEXELS CYLINDERS)
 nacre_shader(tileMean tile_mean.frag)
 foreach(view Depth Encoded Plates Overdraw Occlusion Patches Id Normals Tiles)
     string(TOUPPER ${view} view_define)

@@ -3,8 +3,6 @@
 // that no lane waits for one of another kind. Of a few pixels it knows all that they may show. For software devices.
 #extension GL_GOOGLE_include_directive : require
 #define TILES
-#define TEXELS
-#define CYLINDERS
 #define COPY_OF_PIXEL
 #define STREAMS 0
 #define LOOKS 4
