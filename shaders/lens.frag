@@ -41,7 +41,8 @@ void main() {
     // An outline is as far away as what it bounds, and so is a pixel that something covers beside its centre.
     bool partly = Z == kNothing && seen.a > 0.0;
     float room = partly ? rim.x + 1.5 : rim.x > 0.0 ? rim.x + 0.5 : 0.0;
-    // Around the pixel, in rings of twelve: what is outlined is wider than their gaps.
+    // Around the pixel, in rings of twelve: what is outlined is wider than their gaps. A float counts, since compilers
+    // unroll loops of whole numbers: 15 to 20 ms more for the pipeline on lavapipe.
     const mat2 next = mat2(0.8660254, 0.5, -0.5, 0.8660254);
     float rings = min(ceil(room / 3.0), 4.0);
     vec2 way = vec2(room, 0.0);

@@ -20,7 +20,7 @@
 layout(local_size_x = 64) in;
 
 layout(constant_id = kTapsId) const int kTaps = 1;        // 1, 2 or 4: pixels asked for a texel
-layout(constant_id = kSpreadId) const float kSpread = 0.0;  // of four taps, pixels
+layout(constant_id = kSpreadId) const float kSpread = 0.0;  // distance of the taps, pixels
 
 layout(set = 0, binding = 2, std430) readonly buffer Texels { uint texels[]; };
 layout(set = 0, binding = 3, std430) buffer Sums { vec2 sums[]; };  // light that came, light that could have come
@@ -69,7 +69,7 @@ bool shows(int i, ivec2 pixel, float front) {
 #endif
 }
 
-/// Whether the depth map of direction i shows the texel, `aside` pixels from its position. @param room  as many
+/// Whether the depth map of direction i shows the texel, `aside` pixels from its position. @param room  length of aside
 bool frontmost(int i, vec3 center, vec3 axis, float radius, vec3 at, vec2 aside, float room) {
     vec2 place = clamp(floor(at.xy + aside), vec2(0.0), vec2(bake.mapPixels - 1));
     // The height that this surface itself has at the pixel's centre, so that it never shadows itself; or the texel's

@@ -68,7 +68,7 @@ const int kSubsamplesId = 58;  // bool: pixels are samples of a picture's, and s
 const int kBatchId = 60;       // depth maps per batch
 const int kMapsAcrossId = 61;  // maps per row of the image
 const int kTapsId = 62;        // pixels sampled per texel of a depth map: 1, 2 or 4
-const int kSpreadId = 63;      // float: distance of four taps, pixels
+const int kSpreadId = 63;      // float: distance of the taps, pixels
 
 /// Z of a far plane that clips nothing; for a near plane -kNoPlane.
 constexpr float kNoPlane = 1e30f;
