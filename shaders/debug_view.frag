@@ -43,12 +43,12 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
 #if defined(DEPTH)
     vec4 surface = texelFetch(source, pixel, 0);
-    if (surface.xyz == vec3(0.0)) discard;
-    color = vec4(linearFromSrgb(vec3(1.0 - clamp(encodedDepth(surface.w), 0.0, 1.0))), 1.0);
+    if (surface.yzw == vec3(0.0)) discard;
+    color = vec4(linearFromSrgb(vec3(1.0 - clamp(encodedDepth(surface.x), 0.0, 1.0))), 1.0);
 #elif defined(NORMALS)
     vec4 surface = texelFetch(source, pixel, 0);
-    if (surface.xyz == vec3(0.0)) discard;
-    color = vec4(linearFromSrgb(surface.xyz * 0.5 + 0.5), 1.0);
+    if (surface.yzw == vec3(0.0)) discard;
+    color = vec4(linearFromSrgb(surface.yzw * 0.5 + 0.5), 1.0);
 #elif defined(ID)
     uint atom = texelFetch(source, pixel, 0).x;
     if (atom == 0u) discard;

@@ -5,7 +5,7 @@
 //   CIRCLES   of each pixel: its light's square root as bytes, and its circle
 //   REACH     the largest circles of a block of pixels: of those before the focus, and of all
 //   SPREAD    the largest circles that reach into a block
-//   GATHER    the picture
+//   GATHER    over the picture, what is not sharp
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 #include "common/srgb.glsl"
@@ -16,7 +16,7 @@ layout(push_constant) uniform Push {
 };
 
 layout(constant_id = kCodedId) const bool kCoded = false;  // picture and result hold sRGB-coded colour
-const float kNothing = 1e30;  // Z of an empty pixel
+const float kNothing = 1e30;  // Z of an empty pixel, as engine/frame/lens.h has it
 const int kBlock = 16;        // pixels of a block's side
 
 /// A circle's radius in pixels, negative before the focus: circles are in the order of their points.
@@ -25,12 +25,11 @@ float radiusOf(float circle) { return circle < kNothing ? min(abs(circle), lens.
 
 #if defined(CIRCLES)
 layout(set = 0, binding = 0) uniform sampler2D picture;  // premultiplied
-layout(set = 0, binding = 1) uniform sampler2D surface;  // normal, Z
+layout(set = 0, binding = 1) uniform sampler2D distances;  // Z
 layout(location = 0) out uvec2 circle;
 
 float depthAt(ivec2 pixel) {
-    vec4 seen = texelFetch(surface, clamp(pixel, ivec2(0), textureSize(surface, 0) - 1), 0);
-    return seen.xyz != vec3(0.0) ? seen.w : kNothing;
+    return texelFetch(distances, clamp(pixel, ivec2(0), textureSize(distances, 0) - 1), 0).x;
 }
 
 void main() {
@@ -88,9 +87,8 @@ void main() {
     reach = floatBitsToUint(largest);
 }
 #else
-layout(set = 0, binding = 0) uniform sampler2D picture;
-layout(set = 0, binding = 1) uniform usampler2D circles;
-layout(set = 0, binding = 2) uniform usampler2D blocks;
+layout(set = 0, binding = 0) uniform usampler2D circles;
+layout(set = 0, binding = 1) uniform usampler2D blocks;
 layout(location = 0) out vec4 color;
 
 const float kSharp = 0.6;  // pixels: smaller circles are none
@@ -98,14 +96,17 @@ const float kGolden = 2.399963;
 
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy), last = textureSize(circles, 0) - 1;
-    color = texelFetch(picture, here, 0);
     vec2 reaches = uintBitsToFloat(texelFetch(blocks, here / kBlock, 0).xy);
     uvec2 own = texelFetch(circles, here, 0).xy;
     vec4 seen = unpackUnorm4x8(own.x);
     float circle = uintBitsToFloat(own.y), radius = radiusOf(circle);
     // Nearer points have larger circles only before the focus; over nothing, all shine.
     float reach = circle < kNothing ? max(radius, reaches.x) : reaches.y;
-    if (reach < kSharp) return;
+    float end = 1.0;
+    if (reach < kSharp) {
+        end = 0.0;
+        discard;
+    }
 
     // Light that the nearer pixels spread over this one, and with it the light of this and farther ones.
     float ownArea = max(3.14159 * radius * radius, 1.0);
@@ -119,7 +120,7 @@ void main() {
     vec2 way = reach * vec2(cos(turn), sin(turn));
     const mat2 further = mat2(cos(kGolden), sin(kGolden), -sin(kGolden), cos(kGolden));
     float areaOut = 6.28318 * perSample * reach * reach, spacingOut = 0.5 * sqrt(areaOut);
-    for (float t = perSample * (float((order * 7 + 4) & 15) + 0.5) / 16.0; t < 1.0; t += perSample) {
+    for (float t = perSample * (float((order * 7 + 4) & 15) + 0.5) / 16.0; t < end; t += perSample) {
         // Denser at the centre, where small circles lie. The line is close to the root of t.
         float away = reach * t, spacing = max(spacingOut * (0.19 + 0.85 * t), 1.0);
         uvec2 other = texelFetch(circles, clamp(here + ivec2(round(t * way)), ivec2(0), last), 0).xy;
@@ -137,7 +138,7 @@ void main() {
         near += nearer ? light : vec4(0.0);
         nearShare += nearer ? weight : 0.0;
     }
-    if (nearShare == 0.0 && radius < kSharp) return;
+    if (nearShare == 0.0 && radius < kSharp) discard;
     vec4 far = max(all - near, vec4(0.0)) / max(allShare - nearShare, 1e-6);
     color = near / max(nearShare, 1.0) + (1.0 - min(nearShare, 1.0)) * far;
     if (kCoded) color.rgb = srgbFromLinear(color.rgb);

@@ -63,16 +63,15 @@ void takeLeast(float* values, std::size_t count, std::size_t step) {
 
 }  // namespace
 
-std::vector<std::uint8_t> sharpPlaces(const float* surface, graph::Extent extent, const passes::Lens& lens,
+std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent extent, const passes::Lens& lens,
                                       double rim) {
     constexpr float kBlurred = 1.5f;  // pixels of radius: more samples there gain nothing
     constexpr float kNothing = std::numeric_limits<float>::infinity();
     std::vector<float> radii(std::size_t{extent.width} * extent.height);
     for (float& radius : radii) {
-        const bool hit = surface[0] != 0 || surface[1] != 0 || surface[2] != 0;
-        const float Z = surface[3];
-        radius = hit ? std::abs(lens.pixels * (Z - lens.focus) * (lens.perspective > 0 ? 1 / Z : 1)) : kNothing;
-        surface += 4;
+        const float Z = *distances++;
+        radius = Z < kNoDistance ? std::abs(lens.pixels * (Z - lens.focus) * (lens.perspective > 0 ? 1 / Z : 1))
+                                 : kNothing;
     }
     // What differs from a neighbour, and rims beside it.
     for (auto left = static_cast<std::size_t>(2 + std::ceil(0.5 * rim)); left > 0; --left) {
@@ -101,18 +100,15 @@ View throughLens(const RenderSettings& settings, View view, glm::dvec2 point) {
 }
 
 void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const passes::Lens* lens) {
-    constexpr VkFormat kPair = VK_FORMAT_R32G32_UINT;
     graph::Graph& g = f.graph;
     const graph::Image picture = g.importImage("picture", {format, extent}, passes::kTextureState);
     f.picture = picture;
     const bool coded = format == VK_FORMAT_R8G8B8A8_UNORM;
-    const auto pass = [&](const char* name, LensStep step, VkFormat texels, graph::Extent size,
-                          std::vector<graph::Image> images) {
-        const graph::Image made = g.image(name, {texels, size});
+    const auto draw = [&](const char* name, LensStep step, graph::Image to, std::vector<graph::Image> images) {
         graph::PassBuilder drawn = g.graphics(name);
         for (const graph::Image image : images) drawn.samples(image);
-        drawn.color(made);
-        if (!lens) return made;
+        drawn.color(to);
+        if (!lens) return to;
         drawn.record({[=](gpu::PassContext& c) {
                           std::vector<vk::ImageView> views;
                           for (const graph::Image image : images) views.push_back(c.view(image));
@@ -121,14 +117,17 @@ void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const pa
                       [=](gpu::PipelineContext& c) {
                           passes::wantLens(c, {step, coded});
                       }});
-        return made;
+        return to;
+    };
+    const auto pass = [&](const char* name, LensStep step, graph::Extent size, std::vector<graph::Image> images) {
+        return draw(name, step, g.image(name, {VK_FORMAT_R32G32_UINT, size}), std::move(images));
     };
     const auto inBlocks = [](std::uint32_t pixels) { return (pixels + passes::kLensBlock - 1) / passes::kLensBlock; };
     const graph::Extent blocks{inBlocks(extent.width), inBlocks(extent.height)};
-    const graph::Image circles = pass("circles", LensStep::circles, kPair, extent, {picture, f.targets[0]});
-    const graph::Image largest = pass("largest circles", LensStep::reach, kPair, blocks, {circles});
-    const graph::Image reach = pass("reach of circles", LensStep::spread, kPair, blocks, {largest});
-    f.targets[0] = pass(kLensPass, LensStep::gather, format, extent, {picture, circles, reach});
+    const graph::Image circles = pass("circles", LensStep::circles, extent, {picture, f.targets[0]});
+    const graph::Image largest = pass("largest circles", LensStep::reach, blocks, {circles});
+    const graph::Image reach = pass("reach of circles", LensStep::spread, blocks, {largest});
+    f.targets[0] = draw(kLensPass, LensStep::gather, picture, {circles, reach});  // over what is not sharp
 }
 
 }  // namespace nacre

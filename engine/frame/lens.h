@@ -10,9 +10,11 @@
 
 namespace nacre {
 
-/// The target of such a frame: as of layers, on every path.
+/// Z of an empty pixel, as shaders/lens.frag has it.
+constexpr float kNoDistance = 1e30f;
+/// The target of such a frame: of the surface layer, Z alone.
 constexpr ScreenTarget kLensTargets[] = {
-    {"surface", VK_FORMAT_R32G32B32A32_SFLOAT, passes::Output::surface, "surface layer"}};
+    {"distances", VK_FORMAT_R32_SFLOAT, passes::Output::surface, "surface layer", kNoDistance}};
 
 /// The passes begin with this one.
 constexpr const char* kLensPass = "depth of field";
@@ -24,9 +26,9 @@ bool hasLens(const RenderSettings& settings);
 passes::Lens lensOf(const RenderSettings& settings, const View& view);
 
 /// Where a picture through the lens shows single pixels, as a byte for each of a frame of half its resolution: 0 where
-/// all nearby is blurred by more. @param surface  what that frame shows, as kLensTargets have it
+/// all nearby is blurred by more. @param distances  what that frame shows, as kLensTargets have it
 /// @param lens  of the picture @param rim  width of outlines and halos, pixels
-std::vector<std::uint8_t> sharpPlaces(const float* surface, graph::Extent extent, const passes::Lens& lens, double rim);
+std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent extent, const passes::Lens& lens, double rim);
 
 /// Largest radius of a circle that a lens shows, pixels.
 double largestCircle(const RenderSettings& settings);

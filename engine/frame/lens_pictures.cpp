@@ -25,9 +25,9 @@ bool PictureFrames::leaveBlurred(const RenderSettings& settings, const View& vie
     const View half = scaled(partOf(view, 0, 0, view.width + view.width % 2, view.height + view.height % 2), 0.5);
     const Drawn drawn =
         draw(distances(settings), {}, half, kLensTargets, {FrameEnd::readBack, {}, {}, true}, "distances");
-    const auto* surface = reinterpret_cast<const float*>(drawn.pixels[0].mapped);
+    const auto* shown = reinterpret_cast<const float*>(drawn.pixels[0].mapped);
     const double rim = std::max(settings.effects.contours.width, settings.effects.halos.width);
-    places.keep(sharpPlaces(surface, imageExtent(half), lensOf(settings, view), rim));
+    places.keep(sharpPlaces(shown, imageExtent(half), lensOf(settings, view), rim));
     return true;
 }
 

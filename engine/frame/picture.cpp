@@ -185,12 +185,12 @@ LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const flo
     for (std::size_t i = 0; i < count; ++i) {
         // A density map has a normal, and no atom.
         const bool hit =
-            identity[2 * i] != 0 || std::any_of(surface + 4 * i, surface + 4 * i + 3, [](float n) { return n != 0; });
+            identity[2 * i] != 0 || std::any_of(surface + 4 * i + 1, surface + 4 * i + 4, [](float n) { return n != 0; });
         covered += hit ? 1 : 0;
         const float through = 1.0f - color[4 * i + 3];
         for (std::size_t c = 0; c < 4; ++c) l.rgba[4 * i + c] = color[4 * i + c] + through * behind[c];
-        for (std::size_t c = 0; c < 3; ++c) l.normal[3 * i + c] = hit ? surface[4 * i + c] : 0.0f;
-        l.z[i] = hit ? surface[4 * i + 3] : std::numeric_limits<float>::infinity();
+        for (std::size_t c = 0; c < 3; ++c) l.normal[3 * i + c] = hit ? surface[4 * i + 1 + c] : 0.0f;
+        l.z[i] = hit ? surface[4 * i] : std::numeric_limits<float>::infinity();
         l.id[i] = identity[2 * i];
         l.occlusion[i] = hit ? std::bit_cast<float>(identity[2 * i + 1]) : 1.0f;
     }

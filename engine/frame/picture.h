@@ -40,7 +40,7 @@ Picture emptyPicture(std::uint32_t width, std::uint32_t height);
 /// @param identity  atom and occlusion bits of a square @returns the atom nearest to its middle, within `reach` pixels
 std::uint32_t nearestAtom(const std::uint32_t* identity, std::uint32_t side, double reach);
 
-/// @param color RGBA, linear, premultiplied; @param surface normal and Z; @param identity atom and occlusion bits
+/// @param color RGBA, linear, premultiplied; @param surface Z and normal; @param identity atom and occlusion bits
 LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const float* color, const float* surface,
                             const std::uint32_t* identity, const std::array<float, 4>& background,
                             std::uint64_t& covered);

@@ -48,7 +48,7 @@ constexpr std::array kRequired{
     RequiredFormat{VK_FORMAT_R8_UNORM, kColor | VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT | kLinear,
                    "the occlusion atlas, glyphs, counts of fragments"},
     RequiredFormat{VK_FORMAT_D32_SFLOAT, kDepth | kSampled, "depth"},
-    RequiredFormat{VK_FORMAT_R32_SFLOAT, kColor | kSampled, "depth maps, the nearest depth of `raster-order`"},
+    RequiredFormat{VK_FORMAT_R32_SFLOAT, kColor | kSampled, "depth maps, distances, the nearest depth of `raster-order`"},
     RequiredFormat{VK_FORMAT_R32_UINT, kColor | kSampled, "numbers of primitives"},
     RequiredFormat{VK_FORMAT_R32G32_UINT, kColor | kSampled, "the identity layer"},
     RequiredFormat{VK_FORMAT_R32G32B32A32_SFLOAT, kColor | kSampled, "the surface layer"},

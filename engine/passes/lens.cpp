@@ -10,7 +10,7 @@
 namespace nacre::passes {
 namespace {
 
-constexpr std::array kLensImages{kSampled, kSampled, kSampled};
+constexpr std::array kLensImages{kSampled, kSampled};
 constexpr auto kLensStages = vk::ShaderStageFlagBits::eFragment;
 
 const gpu::Layout& lensLayout(gpu::PipelineContext& context) {

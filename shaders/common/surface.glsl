@@ -6,7 +6,7 @@
 #endif
 
 #if defined(SURFACE)
-layout(location = 0) out vec4 surface;  // normal, Z
+layout(location = 0) out vec4 surface;  // Z, normal: a target of one channel has the Z
 #elif defined(IDENTITY)
 layout(location = 0) out uvec2 identity;  // atom, occlusion as bits
 #else
@@ -41,7 +41,7 @@ void writeSurface(Hit hit, uint atom, float occlusion) { identity = uvec2(atom, 
 /// @param base  linear colour
 void writeSurface(Hit hit, vec3 base, float occlusion) {
 #if defined(SURFACE)
-    surface = vec4(hit.normal, hit.Z);
+    surface = vec4(hit.Z, hit.normal);
 #else
     vec3 lit = lightOf(hit, base, occlusion, planePoint(PLACE));
 #ifdef RIMS

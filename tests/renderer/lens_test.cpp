@@ -127,16 +127,14 @@ TEST_P(Lens, AddsSamplesOnlyWhereItIsSharp) {
 
 TEST(LensPlaces, AreSharpWithinPixelsOfWhatTheLensShowsSharp) {
     constexpr std::uint32_t kAcross = 20, kDown = 10;
-    std::vector<float> surface(std::size_t{4} * kAcross * kDown);
+    std::vector<float> distances(std::size_t{kAcross} * kDown, kNoDistance);
     for (std::size_t i = 0; i < std::size_t{kAcross} * kDown; ++i) {
-        const bool hit = i % kAcross >= 10;
-        surface[4 * i + 2] = hit ? 1 : 0;
-        surface[4 * i + 3] = hit && i == 5 * kAcross + 15 ? 20 : 30;
+        if (i % kAcross >= 10) distances[i] = i == 5 * kAcross + 15 ? 20 : 30;
     }
     passes::Lens lens;
     lens.focus = 20;
     lens.pixels = 0.5f;
-    const std::vector<std::uint8_t> sharp = sharpPlaces(surface.data(), {kAcross, kDown}, lens, 0);
+    const std::vector<std::uint8_t> sharp = sharpPlaces(distances.data(), {kAcross, kDown}, lens, 0);
     const auto at = [&](int x, int y) { return sharp[static_cast<std::size_t>(y) * kAcross + x] != 0; };
     EXPECT_TRUE(at(15, 5) && at(13, 3) && at(17, 7));  // near what is at the focus
     EXPECT_FALSE(at(12, 5) || at(18, 5) || at(15, 2) || at(15, 8));
