@@ -67,12 +67,11 @@ float nearest[kPixels];
 uint number[kPixels];
 
 #ifdef RIMS
-// Pixels are the samples of a picture's, which stand as those of an edge do: 4 x 4 of them are one of its pixels.
-layout(constant_id = kSubsamplesId) const bool kSubsamples = false;
+/// Of the samples of a picture's pixels, which stand as those of an edge do, 4 x 4 are one of its pixels.
 vec2 sampledAt(vec2 pixel) {
-    if (!kSubsamples) return pixel;
     uvec2 p = uvec2(pixel), own = p & 3u;
-    return vec2(p - own) + 4.0 * sampleAt(int(4u * own.y + own.x));
+    vec2 among = vec2(p - own) + 4.0 * sampleAt(int(4u * own.y + own.x));
+    return effects.subsamples != 0u ? among : pixel;
 }
 #else
 vec2 sampledAt(vec2 pixel) { return pixel; }

@@ -36,8 +36,9 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
       copyRows_(device, vk::BufferUsageFlagBits::eStorageBuffer, "copies"),
       covers_(device, vk::BufferUsageFlagBits::eVertexBuffer, "covers") {}
 
-std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& settings) {
-    const layout::EffectConstants wanted = effectConstants(settings, *shown_);
+std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& settings, bool subsamples) {
+    layout::EffectConstants wanted = effectConstants(settings, *shown_);
+    wanted.subsamples = subsamples ? 1 : 0;
     if (effects_ && std::memcmp(&wanted, &lastEffects_, sizeof wanted) == 0) return effects_;
     lastEffects_ = wanted;
     return effects_ = effectBuffers_.upload(std::as_bytes(std::span(&wanted, 1)));
@@ -211,7 +212,7 @@ SeenFrame SceneFrames::see(const FrameRequest& request) {
     view.fragments = request.fragments;
     if (request.radiusBefore)
         view.radiusPixels = passes::steadyRadius(*request.radiusBefore, view.radiusPixels, geometry);
-    view.effectConstants = effectsOf(settings);
+    view.effectConstants = effectsOf(settings, settings.effects.rims() && request.subsamples);
     const bool layered = isPicture(request) && settings.debug == DebugView::none && translucent();
     if (layered) checkBlending(request.targets[0].format);
     const bool rims = settings.effects.rims();

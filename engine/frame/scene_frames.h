@@ -79,7 +79,7 @@ public:
     bool translucent() const { return !scene_->translucent.empty(); }
 
 private:
-    std::shared_ptr<const gpu::Buffer> effectsOf(const RenderSettings& settings);
+    std::shared_ptr<const gpu::Buffer> effectsOf(const RenderSettings& settings, bool subsamples);
     Visibility settle(RenderSettings& settings, const FrameRequest& request) const;
     bool shadesByTiles(const FrameRequest& request) const;
     void addLists(SeenFrame& seen, const RenderSettings& settings, const FrameRequest& request);

@@ -137,7 +137,6 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;
     frame.cleared = work.shaded && (!r.cylinders.empty() || !r.wires.empty() || !r.triangles.empty());
-    frame.subsamples = work.subsamples;
     upload(frame, seen.copies, image, work.kept);
     frame.edges.drawn = work.edges;
     frame.edges.everywhere = seen.smallestPixels < kSmallPixels;

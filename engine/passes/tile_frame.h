@@ -63,7 +63,6 @@ struct TileFrame {
     bool copies = false;   ///< primitives have the transforms of copies
     bool shaded = false;   ///< `numbers` are colours
     bool cleared = false;  ///< of what is shaded, covered pixels alone are written
-    bool subsamples = false;
     TileBuffer words;    ///< TileLists::write(), or FrontShapes::write()
     TileBuffer rows;     ///< PlacedCopies::rows
     PixelWords numbers;  ///< of the nearest primitives, counted from 1; sights, where edges are drawn

@@ -63,10 +63,7 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
         {},
         *nearestLayout(context, shades).pipeline};
     setTileView(d.constants, view, view.rims.widest());
-    if (shades) {
-        if (view.rims.any()) d.constants.set(layout::kSubsamplesId, f.subsamples);
-        setShadingConstants(d.constants, view);
-    }
+    if (shades) setShadingConstants(d.constants, view);
     if (f.lists.shapes()) {
         d.constants.set(layout::kLanesId, caps.lanes);
         return d;
@@ -79,7 +76,9 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
     d.constants.set(layout::kNumberedId, f.edges.drawn);
     d.constants.set(layout::kSeededId, f.lists.seeded());
     d.constants.set(layout::kLanesId, caps.lanes);
-    if (shades && !view.rims.any() && isUsual(d.constants)) d.code = NACRE_USUAL_STAGE(tileShaded, scene);
+    const bool rims = view.rims.any();
+    if (shades && isUsual(d.constants, rims))
+        d.code = rims ? NACRE_USUAL_STAGE(tileRimmed, scene) : NACRE_USUAL_STAGE(tileShaded, scene);
     return d;
 }
 

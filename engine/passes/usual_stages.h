@@ -21,8 +21,8 @@ inline constexpr UsualConstant kUsualConstants[] = {
     {layout::kBlendColorsId, 0}, {layout::kTilesInBinId, 2},
 };
 
-/// Whether all that are set of these have their usual values.
-bool isUsual(const gpu::Specialization& constants);
+/// Whether all that are set of these have their usual values. @param rims  outlines are usual
+bool isUsual(const gpu::Specialization& constants, bool rims = false);
 
 /// The stage of a scene: of spheres, with cylinders, with triangles, or of triangles alone.
 #define NACRE_USUAL_STAGE(name, scene)                                                                             \

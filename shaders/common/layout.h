@@ -63,7 +63,6 @@ const int kEverywhereId = 54;  // bool: draw every pixel as an edge, where a bin
 const int kListedId = 55;      // bool: samples of an edge search lists, not only neighbours
 const int kRowsId = 56;        // bool: edges are coded words among the other pixels
 const int kLayerId = 57;       // of translucent triangles: 0 the nearest
-const int kSubsamplesId = 58;  // bool: pixels are samples of a picture's, and stand where those of an edge do
 // The occlusion bake.
 const int kBatchId = 60;       // depth maps per batch
 const int kMapsAcrossId = 61;  // maps per row of the image
@@ -173,7 +172,8 @@ struct EffectConstants {
     float lineWidth;                 // at z = 0, of outlines by group; 0: none
     float lineDepth;                 // depth jump of the thinnest of them, Å
     uint bakedCylinders;             // cylinders with patches in the atlas; wires follow them
-    uint unused0, unused1, unused2;
+    uint subsamples;                 // 1: pixels are samples of a picture's, and stand where those of an edge do
+    uint unused0, unused1;
     vec4 copyColors[kMostCopyColors];  // linear
 };
 

@@ -7,4 +7,10 @@
 #else
 #define USUALLY(id) layout(constant_id = id)
 #endif
+// Rims are outlines.
+#if defined(USUAL) && defined(RIMS)
+#define USUAL_CONTOURS true
+#else
+#define USUAL_CONTOURS false
+#endif
 #endif

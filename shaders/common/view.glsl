@@ -16,7 +16,7 @@ USUALLY(kPerspectiveId) const bool kPerspective = false;
 USUALLY(kWholeImageId) const bool kWholeImage = true;
 USUALLY(kClipId) const bool kClip = false;
 USUALLY(kCutId) const bool kCut = false;
-USUALLY(kContoursId) const bool kContours = false;
+USUALLY(kContoursId) const bool kContours = USUAL_CONTOURS;
 
 // The copy that is drawn: that of the draw call, or, with COPY_OF_PIXEL, one that the shader looks up.
 #ifdef COPY_OF_PIXEL

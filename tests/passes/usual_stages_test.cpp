@@ -30,6 +30,9 @@ TEST(UsualStages, HaveAllOthersConstants) {
         {shaders::tileShadedSpheres, shaders::tileShadedSpheresUsual},
         {shaders::tileShadedCylinders, shaders::tileShadedCylindersUsual},
         {shaders::tileShadedTriangles, shaders::tileShadedTrianglesUsual},
+        {shaders::tileRimmedSpheres, shaders::tileRimmedSpheresUsual},
+        {shaders::tileRimmedCylinders, shaders::tileRimmedCylindersUsual},
+        {shaders::tileRimmedTriangles, shaders::tileRimmedTrianglesUsual},
         {shaders::tileEdgesTexelsSpheres, shaders::tileEdgesTexelsSpheresUsual},
         {shaders::tileEdgesTexelsCylinders, shaders::tileEdgesTexelsCylindersUsual},
         {shaders::tileEdgesTexelsTriangles, shaders::tileEdgesTexelsTrianglesUsual},
@@ -39,7 +42,7 @@ TEST(UsualStages, HaveAllOthersConstants) {
         std::set<int> others;
         std::ranges::set_difference(specializationIds(stage), usual, std::inserter(others, others.end()));
         EXPECT_TRUE(std::ranges::includes(others, specializationIds(usualStage)));
-        EXPECT_LT(usualStage.size(), stage.size() * 2 / 3);
+        EXPECT_LT(usualStage.size(), stage.size() * 7 / 10);
     }
 }
 
@@ -62,6 +65,9 @@ TEST(UsualStages, ArePicturesWithoutOtherValues) {
         EXPECT_FALSE(isUsual(constants)) << c.id;
         constants.change(c.id, c.value);
     }
+    EXPECT_FALSE(isUsual(constants, true));
+    constants.change(layout::kContoursId, 1u);  // rims are outlines
+    EXPECT_TRUE(isUsual(constants, true));
 }
 
 }  // namespace
