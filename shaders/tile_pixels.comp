@@ -43,6 +43,12 @@ uvec2 shareOf(uint count) {
     return min(uvec2(group, group + 1u) * each * lanes, count);
 }
 
+/// A lane's pixel of a share, and its number; of an empty share any. Asked for while the pixels before it are shaded.
+uvec2 listed(uint at, uint count, uvec2 share, uint lane) {
+    uint slot = at + min(share.x + lane, share.y - 1u);
+    return uvec2(wordAt(slot), wordAt(slot + count));
+}
+
 /// The nearest of what a pixel may show. @param number  0: nothing
 void settle(inout uint number, uint candidate, inout float nearest, vec2 q) {
     uint index = place(max(candidate, 1u)), at = index < view.spheres ? index : 2u * index - view.spheres;
@@ -63,17 +69,21 @@ void main() {
     uint balls = wordAt(0u), sticks = wordAt(1u), doubts = wordAt(2u);
     uint at = 4u;
     uvec2 share = shareOf(balls);
+    uvec2 next = listed(at, balls, share, lane);
     while (share.x < share.y) {
-        uint slot = min(share.x + lane, share.y - 1u), on = wordAt(at + slot);
-        write(on, ballColor(wordAt(at + balls + slot), planePoint(pixelOf(on))));
+        uint on = next.x, number = next.y;
         share.x += uint(kLanes);
+        next = listed(at, balls, share, lane);
+        write(on, ballColor(number, planePoint(pixelOf(on))));
     }
     at = listAfter(at, balls);
     share = shareOf(sticks);
+    next = listed(at, sticks, share, lane);
     while (share.x < share.y) {
-        uint slot = min(share.x + lane, share.y - 1u), on = wordAt(at + slot);
-        write(on, stickColor(wordAt(at + sticks + slot), planePoint(pixelOf(on)), true));
+        uint on = next.x, number = next.y;
         share.x += uint(kLanes);
+        next = listed(at, sticks, share, lane);
+        write(on, stickColor(number, planePoint(pixelOf(on)), true));
     }
     at = listAfter(at, sticks);
     share = shareOf(doubts);
