@@ -11,7 +11,6 @@ namespace nacre {
 namespace {
 
 constexpr double kStep = 0x1p-23;
-constexpr std::size_t kTogether = 64;  // shapes
 constexpr std::uint32_t kNumber = ~(FrontShape::kStick | FrontShape::kDoubt);
 
 /// From a copy's coordinates to pixels, along the view as well.
@@ -41,12 +40,6 @@ void FrontShapes::begin(const TileView& view) {
     across_ = (view.width + kBlock - 1) / kBlock;
     down_ = (view.height + kBlock - 1) / kBlock;
     pitch_ = (across_ + 1) * kBlock;
-    const std::size_t pixels = std::size_t{pitch_} * down_ * kBlock;
-    if (behind_.size() < pixels) {
-        before_.resize(pixels);
-        number_.resize(pixels);
-        behind_.resize(pixels, ShapeBand::kNothing);
-    }
     shapes_.clear();
     marks_.assign(std::size_t{across_} * down_, 0);
     // Each step has a relative error of half a unit of the last place. Devices take six for a position, or three, and
@@ -69,8 +62,6 @@ void FrontShapes::add(const TileView& view, FrontShape& shape, glm::dvec2 low, g
         for (std::uint32_t x = shape.left / kBlock; x <= (shape.right - 1u) / kBlock; ++x)
             marks_[std::size_t{y} * across_ + x] = 1;
     shapes_.push_back(shape);
-    // While they are in the nearest cache.
-    if (bands_.size() == 1 && shapes_.size() == kTogether) flush();
 }
 
 void FrontShapes::addSphere(const TileView& view, const Sphere& sphere, const glm::vec4* rows, std::uint32_t number) {
@@ -138,56 +129,93 @@ void FrontShapes::addCylinder(const TileView& view, const Cylinder& c, const glm
     add(view, s, low, high);
 }
 
+/// Lists the shapes of each strip, in their order.
+void FrontShapes::sort(std::uint32_t height, std::size_t threads) {
+    constexpr std::uint32_t kBytes = 400'000, kStrips = 4;  // that a processor's own cache holds; least of a thread
+    const auto share = static_cast<std::uint32_t>(height / (kStrips * threads));
+    rows_ = std::max(std::min(kBytes / (ShapeBand::kPixelBytes * pitch_), share) / kBlock, 1u) * kBlock;
+    begins_.assign((height + rows_ - 1) / rows_ + 1, 0);
+    const auto last = [&](const FrontShape& shape) { return (shape.bottom - 1u) / rows_; };
+    for (const FrontShape& shape : shapes_)
+        for (std::uint32_t strip = shape.top / rows_; strip <= last(shape); ++strip) ++begins_[strip];
+    std::uint32_t total = 0;
+    for (std::uint32_t& begin : begins_) total += std::exchange(begin, total);
+    ofStrips_.resize(total);
+    ends_.assign(begins_.begin(), begins_.end());
+    for (std::uint32_t i = 0; i < shapes_.size(); ++i)
+        for (std::uint32_t strip = shapes_[i].top / rows_; strip <= last(shapes_[i]); ++strip)
+            ofStrips_[ends_[strip]++] = i;
+}
+
 /// Finds the pixels that the device decides, each with all that it may show.
-void FrontShapes::settle(Part& part) {
-    part.doubts.clear();
+void FrontShapes::settle(Part& part) const {
+    const ShapeBand& band = part.band;
+    constexpr std::uint32_t kNone = ~0u;
     part.firsts.clear();
     part.nexts.resize(part.meetings.size());
-    constexpr std::uint32_t kNone = ~0u;
     for (std::uint32_t i = 0; i < part.meetings.size(); ++i) {
         const ShapeMeeting& m = part.meetings[i];
-        if (m.before > behind_[m.at]) continue;
-        std::uint32_t& number = number_[m.at];
+        if (m.before > band.behind[m.at]) continue;
+        std::uint32_t& number = band.number[m.at];
         std::uint32_t index = number & ~FrontShape::kDoubt;
-        // What is left of an earlier frame is no index of this pixel.
-        if ((number & FrontShape::kDoubt) == 0 || index >= part.doubts.size() || part.doubts[index] != m.at) {
-            index = static_cast<std::uint32_t>(part.doubts.size());
-            part.doubts.push_back(m.at);
-            part.firsts.push_back({behind_[m.at] < ShapeBand::kNothing ? number & kNumber : 0, kNone});
+        // What is left of an earlier strip is no index of this pixel.
+        if ((number & FrontShape::kDoubt) == 0 || index >= part.firsts.size() || part.firsts[index].at != m.at) {
+            index = static_cast<std::uint32_t>(part.firsts.size());
+            part.firsts.push_back({m.at, band.behind[m.at] < ShapeBand::kNothing ? number & kNumber : 0, kNone});
             number = FrontShape::kDoubt | index;
         }
         part.nexts[i] = std::exchange(part.firsts[index].meeting, i);
     }
-    part.begins.clear();
-    part.candidates.clear();
-    for (std::size_t i = 0; i < part.doubts.size(); ++i) {
+    for (const Part::First& first : part.firsts) {
+        part.doubts.push_back(first.at % pitch_ | (first.at / pitch_ + band.first) << 16);
         part.begins.push_back(static_cast<std::uint32_t>(part.candidates.size()));
-        if (part.firsts[i].number != 0) part.candidates.push_back(part.firsts[i].number);
-        for (std::uint32_t m = part.firsts[i].meeting; m != kNone; m = part.nexts[m])
+        if (first.number != 0) part.candidates.push_back(first.number);
+        for (std::uint32_t m = first.meeting; m != kNone; m = part.nexts[m])
             part.candidates.push_back(part.meetings[m].number & kNumber);
-        part.doubts[i] = part.doubts[i] % pitch_ | part.doubts[i] / pitch_ << 16;
     }
 }
 
-void FrontShapes::flush() {
-    lanes_.shapes(parts_[0].band, shapes_.data(), shapes_.size());
-    shapes_.clear();
+/// Lists what the pixels of a strip show, and clears them.
+void FrontShapes::tell(Part& part) const {
+    settle(part);
+    const auto blocks = std::span(marks_).subspan(std::size_t{part.band.first} / kBlock * across_,
+                                                  (part.band.end - part.band.first + kBlock - 1) / kBlock * across_);
+    const auto seen = static_cast<std::size_t>(std::ranges::count(blocks, 1));
+    for (auto* pixels : {&part.balls, &part.sticks})
+        for (auto* words : {&pixels->on, &pixels->number})
+            words->resize(std::max(words->size(), pixels->count + seen * kBlock * kBlock + 32));
+    // By blocks: the device reads the same shapes again while caches have them.
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        const auto x = static_cast<std::uint32_t>(block % across_) * kBlock;
+        const auto top = part.band.first + static_cast<std::uint32_t>(block / across_) * kBlock;
+        for (std::uint32_t y = top; y < std::min(top + kBlock, part.band.end) && blocks[block] != 0; ++y)
+            lanes_.tell(part.band, x, y, part.balls, part.sticks);
+    }
 }
 
-void FrontShapes::tell(Part& part) {
-    settle(part);
-    std::size_t most = 32;
-    for (std::uint32_t y = part.band.first; y < part.band.end; ++y)
-        for (std::uint32_t x = 0; x < across_; ++x) most += isSeen(y / kBlock * std::size_t{across_} + x) ? kBlock : 0;
-    for (auto* pixels : {&part.balls, &part.sticks})
-        for (auto* words : {&pixels->on, &pixels->number}) words->resize(std::max(words->size(), most));
-    // By blocks: the device reads the same shapes again while caches have them.
-    for (std::uint32_t top = part.band.first; top < part.band.end;) {
-        const std::uint32_t end = std::min((top / kBlock + 1) * kBlock, part.band.end);
-        for (std::uint32_t x = 0; x < across_; ++x)
-            for (std::uint32_t y = top; y < end && isSeen(top / kBlock * std::size_t{across_} + x); ++y)
-                lanes_.tell(part.band, x * kBlock, y, part.balls, part.sticks);
-        top = end;
+/// Draws some strips, one after another: their pixels stay in a processor's own cache.
+void FrontShapes::drawStrips(Part& part, std::size_t first, std::size_t end, std::uint32_t height) const {
+    part.balls.count = part.sticks.count = 0;
+    for (auto* words : {&part.doubts, &part.begins, &part.candidates}) words->clear();
+    const std::size_t pixels = std::size_t{pitch_} * rows_;
+    if (part.behind.size() < pixels) {
+        part.before.resize(pixels);
+        part.number.resize(pixels);
+        part.behind.resize(pixels, ShapeBand::kNothing);
+    }
+    for (std::size_t strip = first; strip < end; ++strip) {
+        const std::uint32_t top = static_cast<std::uint32_t>(strip) * rows_, begin = begins_[strip];
+        if (begins_[strip + 1] == begin) continue;
+        part.meetings.clear();
+        part.band = {top,
+                     std::min(top + rows_, height),
+                     pitch_,
+                     part.before.data(),
+                     part.behind.data(),
+                     part.number.data(),
+                     &part.meetings};
+        lanes_.shapes(part.band, shapes_.data(), ofStrips_.data() + begin, begins_[strip + 1] - begin);
+        tell(part);
     }
 }
 
@@ -195,20 +223,6 @@ void FrontShapes::draw(const TileView& view, std::span<const Sphere> spheres, st
                        std::span<const Cylinder> cylinders, std::span<const TileCall> cylinderCalls) {
     constexpr std::size_t kWorth = 5'000;  // shapes that are worth another thread
     begin(view);
-    std::size_t count = 0;
-    for (const std::span<const TileCall> calls : {sphereCalls, cylinderCalls})
-        for (const TileCall& call : calls) count += call.count;
-    const std::size_t threads = std::min<std::size_t>(count / kWorth + 1, threadsPerTask());
-    if (parts_.size() < threads) parts_.resize(threads);
-    bands_.assign(threads > 1 ? 0 : 1, {0, view.height});
-    const auto start = [&](std::size_t b) {
-        Part& part = parts_[b];
-        part.meetings.clear();
-        part.balls.count = part.sticks.count = 0;
-        part.band = {bands_[b].first, bands_[b].end,  pitch_,        before_.data(),
-                     behind_.data(),  number_.data(), &part.meetings};
-    };
-    if (threads == 1) start(0);
     // Spheres first: they hide the caps of the cylinders between them.
     for (const TileCall& call : sphereCalls)
         for (std::uint32_t i = call.first; i < call.first + call.count; ++i)
@@ -216,60 +230,59 @@ void FrontShapes::draw(const TileView& view, std::span<const Sphere> spheres, st
     for (const TileCall& call : cylinderCalls)
         for (std::uint32_t i = call.first; i < call.first + call.count; ++i)
             addCylinder(view, cylinders[i], call.rows, call.number + i);
-    if (threads == 1) {
-        flush();
-        return tell(parts_[0]);
-    }
-    partRows(
-        view.height, threads, shapes_, [](const FrontShape& s) { return (s.top + std::uint32_t{s.bottom}) / 2; },
-        inRow_, bands_);
-    inParallel(bands_.size(), [&](std::size_t b) {
-        start(b);
-        lanes_.shapes(parts_[b].band, shapes_.data(), shapes_.size());
-        tell(parts_[b]);
+    parts_.resize(std::min<std::size_t>(shapes_.size() / kWorth + 1, threadsPerTask()));
+    sort(view.height, parts_.size());
+    const auto firstOf = [&](std::size_t part) {
+        const std::size_t before = part * ofStrips_.size() / parts_.size();
+        return part == 0 ? 0 : std::ranges::lower_bound(begins_, before) - begins_.begin();
+    };
+    inParallel(parts_.size(), [&](std::size_t i) {
+        const std::size_t strips = begins_.size() - 1;
+        const auto first = static_cast<std::size_t>(firstOf(i));
+        drawStrips(parts_[i], first, i + 1 < parts_.size() ? static_cast<std::size_t>(firstOf(i + 1)) : strips,
+                   view.height);
     });
 }
 
 std::size_t FrontShapes::balls() const {
     std::size_t count = 0;
-    for (std::size_t b = 0; b < bands_.size(); ++b) count += parts_[b].balls.count;
+    for (const Part& p : parts_) count += p.balls.count;
     return count;
 }
 std::size_t FrontShapes::sticks() const {
     std::size_t count = 0;
-    for (std::size_t b = 0; b < bands_.size(); ++b) count += parts_[b].sticks.count;
+    for (const Part& p : parts_) count += p.sticks.count;
     return count;
 }
 std::size_t FrontShapes::doubts() const {
     std::size_t count = 0;
-    for (std::size_t b = 0; b < bands_.size(); ++b) count += parts_[b].doubts.size();
+    for (const Part& p : parts_) count += p.doubts.size();
     return count;
 }
 
 std::size_t FrontShapes::words() const {
     std::size_t candidates = 0;
-    for (std::size_t b = 0; b < bands_.size(); ++b) candidates += parts_[b].candidates.size();
+    for (const Part& p : parts_) candidates += p.candidates.size();
     return kHeader + 2 * (balls() + sticks() + doubts()) + 1 + candidates;
 }
 
 void FrontShapes::write(std::uint32_t* to) const {
-    const std::span<const Part> parts(parts_.data(), bands_.size());
     *to++ = static_cast<std::uint32_t>(balls());
     *to++ = static_cast<std::uint32_t>(sticks());
     *to++ = static_cast<std::uint32_t>(doubts());
     *to++ = 0;
-    for (const Part& p : parts) to = std::copy_n(p.balls.on.data(), p.balls.count, to);
-    for (const Part& p : parts) to = std::copy_n(p.balls.number.data(), p.balls.count, to);
-    for (const Part& p : parts) to = std::copy_n(p.sticks.on.data(), p.sticks.count, to);
-    for (const Part& p : parts) to = std::copy_n(p.sticks.number.data(), p.sticks.count, to);
-    for (const Part& p : parts) to = std::copy(p.doubts.begin(), p.doubts.end(), to);
+    for (const Part& p : parts_) to = std::copy_n(p.balls.on.data(), p.balls.count, to);
+    for (const Part& p : parts_) to = std::copy_n(p.balls.number.data(), p.balls.count, to);
+    for (const Part& p : parts_) to = std::copy_n(p.sticks.on.data(), p.sticks.count, to);
+    for (const Part& p : parts_) to = std::copy_n(p.sticks.number.data(), p.sticks.count, to);
+    for (const Part& p : parts_) to = std::copy(p.doubts.begin(), p.doubts.end(), to);
     std::uint32_t before = 0;
-    for (const Part& p : parts) {
+    for (const Part& p : parts_) {
         for (const std::uint32_t begin : p.begins) *to++ = before + begin;
         before += static_cast<std::uint32_t>(p.candidates.size());
     }
     *to++ = before;
-    for (const Part& p : parts) to = std::copy(p.candidates.begin(), p.candidates.end(), to);
+    for (const Part& p : parts_) to = std::copy(p.candidates.begin(), p.candidates.end(), to);
 }
 
 }  // namespace nacre

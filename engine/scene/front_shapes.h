@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "engine/scene/front_band.h"
-#include "engine/scene/near_first.h"
 #include "engine/scene/representation.h"
 #include "engine/scene/shape_band.h"
 #include "engine/scene/tile_view.h"
@@ -43,16 +42,18 @@ public:
     void write(std::uint32_t* to) const;
 
 private:
-    /// What one thread draws, and tells.
+    /// What one thread draws, a strip of rows at a time, and tells.
     struct Part {
         ShapeBand band;
+        std::vector<float> before, behind;  // bounds of the nearest depth, pixels
+        std::vector<std::uint32_t> number;  // of the nearest
         std::vector<ShapeMeeting> meetings;
         ShapePixels balls, sticks;
         std::vector<std::uint32_t> doubts, begins, candidates;  // pixels; of each, where its candidates begin
         struct First {
-            std::uint32_t number, meeting;  // what was found; of further ones the last
+            std::uint32_t at, number, meeting;  // what was found; of further ones the last
         };
-        std::vector<First> firsts;         // of the doubts
+        std::vector<First> firsts;         // of the strip's doubts
         std::vector<std::uint32_t> nexts;  // of each meeting the one before at its pixel
     };
 
@@ -60,19 +61,18 @@ private:
     void addSphere(const TileView& view, const Sphere& sphere, const glm::vec4* rows, std::uint32_t number);
     void addCylinder(const TileView& view, const Cylinder& cylinder, const glm::vec4* rows, std::uint32_t number);
     void add(const TileView& view, FrontShape& shape, glm::dvec2 low, glm::dvec2 high);
-    void settle(Part& part);
-    void tell(Part& part);
-    void flush();
+    void sort(std::uint32_t height, std::size_t threads);
+    void settle(Part& part) const;
+    void tell(Part& part) const;
+    void drawStrips(Part& part, std::size_t first, std::size_t end, std::uint32_t height) const;
 
     FrontLanes lanes_;
     std::uint32_t across_ = 0, down_ = 0, pitch_ = 0;
-    double fixed_ = 0, fixedDepth_ = 0;   // errors of any shape, pixels
-    std::vector<FrontShape> shapes_;      // with one part, those that are not drawn yet
-    std::vector<std::uint8_t> marks_;     // per block: something may show
-    std::vector<float> before_, behind_;  // bounds of the nearest depth, pixels
-    std::vector<std::uint32_t> number_;   // of the nearest
-    std::vector<std::uint32_t> inRow_;
-    std::vector<RowBand> bands_;
+    double fixed_ = 0, fixedDepth_ = 0;  // errors of any shape, pixels
+    std::vector<FrontShape> shapes_;
+    std::vector<std::uint8_t> marks_;                      // per block: 1 where something may show
+    std::uint32_t rows_ = kBlock;                          // of a strip
+    std::vector<std::uint32_t> ofStrips_, begins_, ends_;  // shapes of each strip, and where they begin
     std::vector<Part> parts_;
 };
 

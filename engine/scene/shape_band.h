@@ -44,7 +44,7 @@ struct ShapePixels {
     std::size_t count = 0;
 };
 
-/// Rows of a picture, and the nearest shapes of its pixels.
+/// Rows of a picture, and the nearest shapes of their pixels, which are counted from the first.
 struct ShapeBand {
     std::uint32_t first = 0, end = 0;  ///< rows
     std::uint32_t pitch = 0;
@@ -54,10 +54,13 @@ struct ShapeBand {
     std::vector<ShapeMeeting>* meetings = nullptr;
 
     static constexpr float kNothing = 3e38f;
+    static constexpr std::uint32_t kPixelBytes = 12;
     void meet(std::size_t at, std::uint32_t shape, float from) const;
 };
 
-using DrawShapes = void (*)(const ShapeBand& band, const FrontShape* shapes, std::size_t count);
+/// @param which  of the shapes are drawn
+using DrawShapes = void (*)(const ShapeBand& band, const FrontShape* shapes, const std::uint32_t* which,
+                            std::size_t count);
 
 /// Tells which of a row's 16 pixels show something for certain, and clears all of them. @param x  of the first pixel
 /// @param balls, sticks  with room for 32 more
