@@ -129,6 +129,13 @@ void main() {
     Texel other = texelOf(pair);
     precise vec2 sumOfOther = sums[pair];
 #endif
+#if defined(TEXELS) && !defined(WHOLE)
+    [[unroll]] for (int i = 0; i < kBatch; i += kApart) {
+        int faced = i;
+        Direction d = facedOf(faced, texel.normal);
+        sum += asked(faced, d, texel);
+    }
+#else
     [[unroll]] for (int i = 0; i < kBatch; ++i) {
         Direction d = directionOf(i);
         sum += asked(i, d, texel);
@@ -136,6 +143,7 @@ void main() {
         sumOfOther += asked(i, d, other);
 #endif
     }
+#endif
 #ifdef PAIRS
     if (listed < apart) sums[entry] = sum;
     if (listed < apart && listed + apart < bake.entries) sums[pair] = sumOfOther;

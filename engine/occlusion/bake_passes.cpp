@@ -169,7 +169,7 @@ void Bake::writeDirections(std::span<const glm::dmat3> frames, int first) {
     for (const std::vector<glm::dmat4x3>& places : copies_.groups) {
         std::array<layout::Direction, DepthMaps::kMostPerBatch> directions{};
         for (std::size_t i = 0; i < frames.size(); ++i) {
-            const glm::dmat4x3& place = places[(static_cast<std::size_t>(first) + i) % places.size()];
+            const glm::dmat4x3& place = places[(static_cast<std::size_t>(first) + i) / 2 % places.size()];
             const glm::dmat3 frame = toPixels * frames[i];
             const glm::dmat3 rows = glm::transpose(frame * glm::dmat3(place[0], place[1], place[2]));
             const glm::dvec3 shift = frame * place[3] + glm::dvec3(middle, middle, 0);

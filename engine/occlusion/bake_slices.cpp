@@ -53,6 +53,9 @@ Bake::Work Bake::nextWork(const Allowance& allowance) const {
     // For any split of directions: deep texels are dropped after the same one, so the sums are equal.
     if (work.first < kTellsDeepTexels)
         work.count = std::min(work.count, static_cast<std::uint32_t>(kTellsDeepTexels - work.first));
+    // Shaders expect pairs of opposite directions in a batch of several.
+    if (work.first % 2 == 1) work.count = std::min(work.count, 1u);
+    if (work.count > 1 && work.count < left) work.count -= work.count % 2;
     return work;
 }
 

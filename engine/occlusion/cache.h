@@ -12,7 +12,7 @@
 namespace nacre {
 
 /// To be raised by whoever changes what a bake gives: patch sizes, directions, open texels, shaders.
-constexpr std::uint32_t kOcclusionVersion = 7;
+constexpr std::uint32_t kOcclusionVersion = 8;
 /// Maximum size of the cache.
 constexpr std::uint64_t kOcclusionCacheBytes = 512ull << 20;
 

@@ -9,10 +9,11 @@
 namespace nacre {
 namespace {
 
-std::vector<glm::dvec3> fibonacciSphere(int count) {
+/// Axes by one of their ends.
+std::vector<glm::dvec3> fibonacciHemisphere(int count) {
     std::vector<glm::dvec3> points;
     for (int i = 0; i < count; ++i) {
-        const double z = 1.0 - (2.0 * i + 1.0) / count;
+        const double z = 1.0 - (i + 0.5) / count;
         const double angle = 2.0 * std::numbers::pi * std::fmod(i / std::numbers::phi, 1.0);
         const double flat = std::sqrt(std::max(0.0, 1.0 - z * z));
         points.emplace_back(flat * std::cos(angle), flat * std::sin(angle), z);
@@ -20,17 +21,16 @@ std::vector<glm::dvec3> fibonacciSphere(int count) {
     return points;
 }
 
-/// Moves the point that is farthest from all before it to the front of the rest, again and again.
-void spreadPrefixes(std::vector<glm::dvec3>& points) {
-    std::vector<double> nearest(points.size(), 4.0);  // squared distance to the points placed so far
-    for (std::size_t placed = 1; placed < points.size(); ++placed) {
+/// Moves the axis that is farthest from all before it to the front of the rest, again and again.
+void spreadPrefixes(std::vector<glm::dvec3>& axes) {
+    std::vector<double> nearest(axes.size(), 0.0);  // cosine of the angle to the axes placed so far
+    for (std::size_t placed = 1; placed < axes.size(); ++placed) {
         std::size_t farthest = placed;
-        for (std::size_t i = placed; i < points.size(); ++i) {
-            const glm::dvec3 d = points[i] - points[placed - 1];
-            nearest[i] = std::min(nearest[i], glm::dot(d, d));
-            if (nearest[i] > nearest[farthest]) farthest = i;
+        for (std::size_t i = placed; i < axes.size(); ++i) {
+            nearest[i] = std::max(nearest[i], std::abs(glm::dot(axes[i], axes[placed - 1])));
+            if (nearest[i] < nearest[farthest]) farthest = i;
         }
-        std::swap(points[placed], points[farthest]);
+        std::swap(axes[placed], axes[farthest]);
         std::swap(nearest[placed], nearest[farthest]);
     }
 }
@@ -38,11 +38,11 @@ void spreadPrefixes(std::vector<glm::dvec3>& points) {
 }  // namespace
 
 std::vector<glm::dmat3> occlusionDirections(int count) {
-    std::vector<glm::dvec3> points = fibonacciSphere(count);
-    spreadPrefixes(points);
+    std::vector<glm::dvec3> axes = fibonacciHemisphere((count + 1) / 2);
+    spreadPrefixes(axes);
     std::vector<glm::dmat3> frames;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const glm::dvec3& w = points[i];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        const glm::dvec3 w = axes[i / 2] * (i % 2 == 0 ? 1.0 : -1.0);
         const glm::dvec3 helper = std::abs(w.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
         const glm::dvec3 x = glm::normalize(glm::cross(helper, w)), y = glm::cross(w, x);
         const double roll =

@@ -36,6 +36,21 @@ Direction directionOf(int i) {
     return Direction(handed(shareU[i / kLanes], from), handed(shareV[i / kLanes], from),
                      handed(shareW[i / kLanes], from));
 }
+/// Every second direction of a larger batch is opposite to the one before it: a surface faces one of them.
+const int kApart = kBatch > 1 ? 2 : 1;
+/// @param i  becomes the number of the faced one of a pair @returns that
+Direction facedOf(inout int i, vec3 normal) {
+    uint from = uint(i % kLanes);
+    int share = i / kLanes;
+    if (kApart == 2) {
+        vec3 w = vec3(subgroupShuffle(shareW[share].x, from), subgroupShuffle(shareW[share].y, from),
+                      subgroupShuffle(shareW[share].z, from));
+        uint second = uint(dot(w, normal) < 0.0);
+        from += second;
+        i += int(second);
+    }
+    return Direction(handed(shareU[share], from), handed(shareV[share], from), handed(shareW[share], from));
+}
 #elif defined(NARROW)
 layout(set = 0, binding = 1, std140) uniform Directions { NarrowDirections directions; };
 void fetchDirections() {}

@@ -1,10 +1,13 @@
 // Occlusion of an assembly is that of the whole: the same as where its copies' atoms are written out.
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/gpu/caps.h"
+#include "engine/occlusion/bake.h"
 #include "engine/occlusion/copies.h"
 #include "engine/occlusion/depth_maps.h"
+#include "tests/renderer/meshes.h"
 #include "tests/renderer/scenes.h"
 #include "tests/support/written_out.h"
 
@@ -120,6 +123,24 @@ TEST(AssemblyOcclusion, OfTwoPartsWithTheirOwnCopies) {
     std::cout << "mean " << d.mean << ", RMS " << d.rootMeanSquare << "\n";
     EXPECT_LE(std::abs(d.mean), 0.005);
     EXPECT_LE(d.rootMeanSquare, 0.01);
+}
+
+// A texel asks one of two opposite directions where a step takes both: of every copy, and however many a step takes.
+TEST(OcclusionSteps, OfAnyNumberOfDirectionsGiveTheSame) {
+    const gpu::Device device{DeviceOptions{}};
+    gpu::Executor executor{device};
+    for (const Representation& r : {meshScene(), sceneOf(cluster({0, 70, 140}), true)}) {
+        const passes::SceneBuffers buffers = passes::makeSceneBuffers(device, r);
+        std::vector<std::uint8_t> single;
+        for (const std::uint32_t most : {1u, 3u, 7u, 16u}) {
+            occlusion::Bake bake(device, buffers, r, {21, 4 << 20, OcclusionMaps::tiles, 12});
+            while (!bake.complete()) bake.step(executor, most);
+            bake.finish(executor);
+            if (most == 1) single = bake.atlasTexels();
+            EXPECT_EQ(bake.atlasTexels(), single) << most;
+        }
+        EXPECT_LT(*std::ranges::min_element(single), 100);
+    }
 }
 
 TEST(AssemblyOcclusion, MeshesInManyCopiesHaveCoarserMaps) {

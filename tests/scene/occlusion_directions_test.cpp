@@ -46,6 +46,14 @@ TEST(OcclusionDirections, AreRightHandedFramesOfEqualArea) {
     }
 }
 
+TEST(OcclusionDirections, ComeInPairsOfOpposites) {
+    for (const int count : {2, 15, 128}) {
+        const auto frames = occlusionDirections(count);
+        for (std::size_t i = 0; i + 1 < frames.size(); i += 2)
+            EXPECT_EQ(directionOf(frames[i + 1]), -directionOf(frames[i])) << i << " of " << count;
+    }
+}
+
 TEST(OcclusionDirections, EveryPrefixIsWellSpread) {
     for (const int count : {128, 512}) {
         const auto frames = occlusionDirections(count);
