@@ -10,6 +10,22 @@ namespace {
 
 const Size kUsual{1000, 720}, kNarrow{420, 760}, kTall{620, 1000}, kWide{1300, 420};
 
+/// Maps and the structure they belong to, beside the protein's file.
+struct Mapped {
+    std::string structure, map, difference;
+
+    explicit Mapped(const std::string& protein) {
+        const std::filesystem::path folder = std::filesystem::path(protein).parent_path() / "maps";
+        structure = (folder / "3nzd.cif").string();
+        map = (folder / "3nzd.ccp4.gz").string();
+        difference = (folder / "3nzd_diff.ccp4.gz").string();
+    }
+    bool any() const {
+        return std::filesystem::exists(structure) && std::filesystem::exists(map) &&
+               std::filesystem::exists(difference);
+    }
+};
+
 }  // namespace
 
 std::vector<State> states(const std::string& protein, const std::string& models) {
@@ -84,7 +100,34 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         d.rests = false;
     };
     const auto failure = [](Driver& d) { d.viewer().reading().open("no such file.pdb", seconds()); };
-    return {
+    const auto interactions = [](Driver& d) {
+        d.panel().showPage(Panel::Page::select);
+        d.pause(0.2);
+        d.click("Ligands");
+        d.settle();
+        d.click("Interactions");
+        d.settle();
+        d.click("Distances");
+    };
+    static const Mapped mapped(protein);
+    const auto maps = [](Driver& d) {
+        d.drop(mapped.map);
+        d.drop(mapped.difference);
+        d.panel().showPage(Panel::Page::look);
+        d.pause(0.2);
+        d.click("Place of maps");
+        d.click("Around ligands");
+        d.settle();
+        d.click("Place of maps");
+        d.press(SpecialKey::escape);
+    };
+    const auto slice = [=](Driver& d) {
+        maps(d);
+        d.click("Style of 3nzd.ccp4.gz");
+        d.click("Slice");
+        d.settle();
+    };
+    std::vector<State> all{
         {"start", kUsual, "", [](Driver&) {}},
         {"start, light", kUsual, "", light},
         {"start, narrow", kNarrow, "", [](Driver&) {}},
@@ -194,6 +237,8 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              d.click("Selection");
              d.type("chain A and si");
          }},
+        {"select, interactions", {1000, 1000}, p, interactions},
+        {"select, interactions, narrow, dark", kNarrow, p, [=](Driver& d) { dark(d), interactions(d); }},
         {"labels", kUsual, p, measured},
         {"labels, light, narrow", kNarrow, p, [=](Driver& d) { light(d), measured(d); }},
         {"more, developers", kUsual, "sample:dna",
@@ -307,6 +352,15 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"error, 420 pixels", {210, 380}, "sample:dna", failure},
         {"error, narrow, light", kNarrow, "sample:dna", [=](Driver& d) { light(d), failure(d); }},
     };
+    const char* m = mapped.structure.c_str();
+    if (mapped.any())
+        for (const State& state :
+             {State{"maps", {1000, 1000}, m, maps},
+              State{"maps, narrow, dark", kNarrow, m, [=](Driver& d) { dark(d), maps(d); }},
+              State{"maps, slice", {1000, 1000}, m, slice},
+              State{"maps, slice, light, narrow", kNarrow, m, [=](Driver& d) { light(d), slice(d); }}})
+            all.push_back(state);
+    return all;
 }
 
 }  // namespace nacre::app
