@@ -39,7 +39,7 @@ TEST(MemoryBound, EveryReaderStopsAtTheFirstAtomTooMany) {
             ADD_FAILURE() << file;
         } catch (const Error& error) {
             const std::string wanted =
-                "more than " + std::to_string(options.maxAtoms) + " atoms, all that there is memory for";
+                "more than " + std::to_string(options.maxAtoms) + " atoms, the most that the memory limit allows";
             EXPECT_NE(std::string(error.what()).find(wanted), std::string::npos) << error.what();
         }
     }

@@ -23,7 +23,7 @@ namespace {
 
 using namespace test;
 
-constexpr std::uint64_t kMemory = std::uint64_t{64} << 20;
+constexpr std::uint64_t kMemory = std::uint64_t{32} << 20;
 const std::size_t kText = readWithin(kMemory).maxBytes, kMostAtoms = readWithin(kMemory).maxAtoms;
 
 /// A line of /proc/self/status, in bytes.

@@ -144,7 +144,7 @@ TEST_P(FrontSpheresTest, NameAllThatMayBeTheNearest) {
     const auto [radius, lanes, own] = GetParam();
     FrontSpheres front(frontLanes()[lanes]);  // used again and again, as by a renderer
     std::size_t seen = 0, ties = 0, shown = 0, doubts = 0, all = 0;
-    for (std::uint32_t seed = 0; seed < 16; ++seed) {
+    for (std::uint32_t seed = 0; seed < 8; ++seed) {
         const Crowd c(seed, radius, static_cast<int>(seed % 4));
         const Told told = toldBy(front, c, own);
         const std::vector<Ball> balls = ballsOf(c);
