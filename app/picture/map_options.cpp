@@ -110,7 +110,9 @@ MapSliceOption parseMapSlice(std::string_view text) {
     MapSliceOption slice;
     if (text == "none") return slice;
     const std::size_t comma = text.find(',');
-    slice.axis = static_cast<int>(parseChoice(text.substr(0, comma), kAxes));
+    const auto axis = std::find(std::begin(kAxes), std::end(kAxes), text.substr(0, comma));
+    if (axis == std::end(kAxes)) refuse(text, "none, a, b, c, or an axis and a place as c,0.5");
+    slice.axis = static_cast<int>(axis - std::begin(kAxes));
     if (comma != std::string_view::npos) slice.place = app::parseNumber(text.substr(comma + 1), 0, 1);
     return slice;
 }

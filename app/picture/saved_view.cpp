@@ -263,12 +263,6 @@ std::string readViewText(const std::string& path) {
     return text;
 }
 
-PictureDescription readSavedView(const std::string& path) {
-    PictureDescription view = parseSavedView(readViewText(path), path);
-    placeBeside(path, view);
-    return view;
-}
-
 std::string savedViewJson(const PictureDescription& view) {
     OrderedJson json = OrderedJson::object();
     for (const Option& option : options())

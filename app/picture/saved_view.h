@@ -16,7 +16,6 @@ namespace nacre::app {
 
 /// @param name of the file, for messages. @throws Error that names the key
 PictureDescription parseSavedView(const std::string& json, const std::string& name);
-PictureDescription readSavedView(const std::string& path);
 constexpr std::size_t kMostViewBytes = std::size_t{1} << 20;
 /// The file's text. @throws Error if it is missing, empty, or larger than kMostViewBytes
 std::string readViewText(const std::string& path);

@@ -255,7 +255,6 @@ double Viewer::advance(double now) {
 }
 
 double Viewer::update(double now, const std::function<const Overlay*()>& overlay) {
-    updated_ = now;
     takeDocument(now);
     const double due = advance(now);
     if (!stage_.schedule.visible()) return std::numeric_limits<double>::infinity();

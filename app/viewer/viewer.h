@@ -80,8 +80,6 @@ public:
     /// @param overlay called before a frame is drawn; may be empty
     /// @returns when to call again without further events; never: infinity
     double update(double now, const std::function<const Overlay*()>& overlay = {});
-    /// The time of the last update().
-    double lastUpdate() const { return updated_; }
 
 private:
     void apply(const std::vector<Gesture>& gestures, double now);
@@ -103,7 +101,7 @@ private:
     TouchGestures touches_;
     MouseGestures mouse_;
     std::size_t preset_ = 0, look_ = 0;  // the last ones that were stepped to
-    double updated_ = 0, levelTurned_ = -1e9;
+    double levelTurned_ = -1e9;
     std::uint64_t followed_ = 0;  // Stage::changes() at which maps were last where the camera looks
 };
 

@@ -78,7 +78,7 @@ void cannotRead(const std::string& name, const std::string& why, std::uint64_t l
 }
 
 Error tooManyAtoms(const std::string& name, std::size_t maxAtoms) {
-    const char* why = maxAtoms < kMaxAtoms ? ", all that there is memory for" : "";
+    const char* why = maxAtoms < kMaxAtoms ? ", the most that the memory limit allows" : "";
     return {"cannot read molecule", name, "more than " + std::to_string(maxAtoms) + " atoms" + why};
 }
 

@@ -209,7 +209,7 @@ TEST(DataFiles, MemoryKeepsToTheStatedBound) {
     std::ofstream(input / "many.xyz") << manyAtoms();
     const MeasuredRun run = test::runMeasured({"render", input / "many.xyz", "-o", folder / "a.png", "--memory", "5"});
     EXPECT_EQ(run.code, 1);
-    EXPECT_NE(run.err.find("many.xyz: more than 3744 atoms, all that there is memory for"), std::string::npos)
+    EXPECT_NE(run.err.find("many.xyz: more than 3744 atoms, the most that the memory limit allows"), std::string::npos)
         << run.err;
     EXPECT_EQ(folder.count(), 0u);
 }

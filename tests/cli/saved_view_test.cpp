@@ -86,8 +86,9 @@ TEST(SavedView, NamesMapsFromItsFolderAndTellsOfOthers) {
             nacreIn(folder, "render --view views/v.json -o a.png --size 32x32 --occlusion off");
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         EXPECT_EQ(outcome.err.find("not in its folder") != std::string::npos, told) << outcome.err;
-        EXPECT_EQ(app::readSavedView(folder / "views/v.json").maps.files.front(),
-                  folder / (std::string("views/") + map));
+        app::PictureDescription view;
+        app::applySavedView(folder / "views/v.json", view);
+        EXPECT_EQ(view.maps.files.front(), folder / (std::string("views/") + map));
     }
     // Whoever names the map means it.
     const test::Outcome own = nacreIn(

@@ -89,7 +89,8 @@ TEST(SavedView, BadFilesAreRefusedByTheirKey) {
             EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
         }
     }
-    EXPECT_THROW(readSavedView("/nowhere/v.json"), Error);
+    PictureDescription view;
+    EXPECT_THROW(applySavedView("/nowhere/v.json", view), Error);
 }
 
 TEST(SavedView, IsRefusedWhereItIsNestedTooDeep) {
