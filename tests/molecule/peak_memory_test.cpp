@@ -219,7 +219,7 @@ const std::vector<Bound>& cases() {
              return bcifOfRows(rows, {bcifColumn("auth_asym_id", text)});
          }},
         {"shared.bcif", [] { return bcifSharedText(100'000, 2'500); }},
-        {"longshared.bcif", [] { return bcifSharedText(1'000, 400'000); }},
+        {"longshared.bcif", [] { return bcifSharedText(1'000, 200'000); }},
         {"atoms.mmtf", [] { return mmtfFile(kText - 8192, 1, kText - 4096); }},
         {"groups.mmtf", [] { return mmtfFile(1, (kText - 8192) / 4, kText - 4096); }},
         {"zeros.pdb.gz", [] { return gzipBytes(std::string(std::size_t{1} << 20, '\0'), 1000); }},

@@ -178,7 +178,7 @@ TEST_P(FrontSpheresTest, NameAllThatMayBeTheNearest) {
         shown += named.size();
         all += balls.size();
     }
-    EXPECT_GT(seen, 2000u);
+    EXPECT_GT(seen, 1000u);
     EXPECT_GT(ties, 20u);
     EXPECT_LT(shown, all / 4);
     EXPECT_LT(doubts, shown);
