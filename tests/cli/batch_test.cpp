@@ -300,8 +300,8 @@ TEST(Batch, TakesNoMoreMemoryForMoreJobs) {
         EXPECT_EQ(run.code, 0) << run.err;
         return run.peakBytes;
     };
-    const std::int64_t few = peakOf(100), many = peakOf(700);
-    EXPECT_LT((many - few) / 600, 4096) << few << " bytes, then " << many;
+    const std::int64_t few = peakOf(100), many = peakOf(400);
+    EXPECT_LT((many - few) / 300, 4096) << few << " bytes, then " << many;
 }
 
 }  // namespace

@@ -316,15 +316,15 @@ TEST(CommandLine, TheSameCommandGivesTheSameBytes) {
                 const std::string command = "cd '" + folder.path() + "' && " + threads +
                                             "'" NACRE_PROGRAM
                                             "' render sample:dna --size 96x64 --occlusion 8 --cache off -o " +
-                                            name + " --layers l.exr --visibility " + path;
+                                            name + (type == "exr" ? " --layers l.exr" : "") + " --visibility " + path;
                 ASSERT_EQ(std::system(command.c_str()), 0);
                 pictures.push_back(test::contentOf(folder / name));
-                layers.push_back(test::contentOf(folder / "l.exr"));
+                if (type == "exr") layers.push_back(test::contentOf(folder / "l.exr"));
             }
             EXPECT_GT(pictures[0].size(), 1000u);
             for (int i : {1, 2}) {
                 EXPECT_EQ(pictures[i], pictures[0]) << path << " " << type;
-                EXPECT_EQ(layers[i], layers[0]) << path;
+                if (type == "exr") EXPECT_EQ(layers[i], layers[0]);
             }
         }
 }
