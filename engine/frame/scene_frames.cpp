@@ -135,7 +135,8 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     const bool shaded = !debug && shadesByTiles(request);
     const bool drawn = shaded && !edges && !boxes && !request.mask && drawsShapes(view, request.view);
     view.tiles = tiles_.prepare(shown_->representation, view, request.view, options.extent,
-                                {shaded, edges, view.rims.any() && request.subsamples, 1, request.mask, boxes, drawn});
+                                {shaded, edges, view.rims.any() && request.subsamples, 1, request.mask, boxes, drawn,
+                                 shown_->chunks.triangles});
     if (!view.tiles) {
         const Visibility usual = device_.caps().visibility;
         options.visibility = view.rims.any()              ? Visibility::deferred

@@ -118,8 +118,9 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     listCalls(seen, seen.copies.spheres, 0, spheres_);
     listCalls(seen, seen.copies.cylinders, seen.constants.spheres, cylinders_);
     listCalls(seen, seen.copies.triangles, firstTriangle, triangles_);
-    const TileScenery scenery{r.spheres,      spheres_,   r.cylinders,       cylinders_, r.wires,    r.triangles,
-                              r.meshVertices, triangles_, r.coarseTriangles, r.meshes,   work.boxes, work.drawn};
+    const TileScenery scenery{r.spheres,   spheres_,       r.cylinders,        cylinders_,        r.wires,
+                              r.triangles, r.meshVertices, triangles_,         r.coarseTriangles, r.meshes,
+                              work.boxes,  work.drawn,     work.triangleChunks};
     const auto build = [&] {
         TileView asked = tileView(seen, view, image, !work.edges && !work.subsamples);
         asked.layers = work.kept;

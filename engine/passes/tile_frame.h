@@ -54,19 +54,20 @@ struct TileWork {
     const TileMask* mask = nullptr;      ///< as TileView has it
     const SphereBoxes* boxes = nullptr;  ///< as TileScenery has it
     bool drawn = false;                  ///< likewise, if compute shades
+    std::span<const Chunk> triangleChunks = {};  ///< likewise
 };
 
 struct TileFrame {
     TileLists lists;
     layout::TileConstants constants{};
     std::uint32_t groups = 0;  ///< of the workgroups that draw its tiles
-    bool copies = false;   ///< primitives have the transforms of copies
-    bool shaded = false;   ///< `numbers` are colours
-    bool cleared = false;  ///< of what is shaded, covered pixels alone are written
-    TileBuffer words;    ///< TileLists::write(), or FrontShapes::write()
-    TileBuffer rows;     ///< PlacedCopies::rows
-    PixelWords numbers;  ///< of the nearest primitives, counted from 1; sights, where edges are drawn
-    TileBuffer spans;    ///< TileLists::spans() as vertices
+    bool copies = false;       ///< primitives have the transforms of copies
+    bool shaded = false;       ///< `numbers` are colours
+    bool cleared = false;      ///< of what is shaded, covered pixels alone are written
+    TileBuffer words;          ///< TileLists::write(), or FrontShapes::write()
+    TileBuffer rows;           ///< PlacedCopies::rows
+    PixelWords numbers;        ///< of the nearest primitives, counted from 1; sights, where edges are drawn
+    TileBuffer spans;          ///< TileLists::spans() as vertices
     TileEdges edges;
 
     std::uint32_t rowPixels() const { return lists.across() * TileLists::kBinPixels; }

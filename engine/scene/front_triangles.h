@@ -7,7 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "engine/scene/chunks.h"
 #include "engine/scene/mesh_streams.h"
+#include "engine/scene/near_first.h"
 #include "engine/scene/triangle_shapes.h"
 
 namespace nacre {
@@ -18,8 +20,10 @@ public:
     /// Consecutive triangles of a stream with one transform.
     struct Run {
         std::span<const Triangle> triangles;
-        const glm::vec4* rows = nullptr;  ///< three: into view space
-        std::uint32_t number = 0;         ///< of the first primitive, not 0
+        const glm::vec4* rows = nullptr;     ///< three: into view space
+        std::uint32_t number = 0;            ///< of the first primitive, not 0
+        std::span<const Chunk> chunks = {};  ///< in which they lie; empty: unknown
+        std::uint32_t first = 0;             ///< of the triangles, in the first chunk
     };
 
     FrontTriangles();
@@ -45,29 +49,38 @@ public:
     void write(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const;
 
 private:
-    class Layer;
-    /// Triangles processed together. Counted by groups, as if all were full.
+    struct Picture;
+    class Band;
+    using Box = TriangleShapes::Box;
+    /// Triangles processed together, at most those of a chunk. Counted by groups, as if all were full.
     struct Group {
         const Triangle* triangles = nullptr;
         std::uint32_t count = 0;
         const glm::vec4* rows = nullptr;
-        std::uint32_t number = 0;
+        const Chunk* ball = nullptr;  // null: unknown
     };
-    using Box = TriangleShapes::Box;
-    using BoxesOfGroup = decltype(TriangleShapes::boxes);
-    Layer& layer(std::size_t number);
+    /// Where a group may show.
+    struct Placed {
+        float near = 0;  // Z
+        std::uint32_t group = 0;
+        Box box{};
+    };
     std::uint32_t numberOf(std::uint32_t index) const;
-    void merge();
-    void doubtUncovered();
+    void addGroups(const Run& run);
+    Placed place(const Group& group, std::uint32_t number) const;
+    void doubtUncovered(const Band& band);
 
+    TileView view_;
     TriangleLens lens_;
-    bool edges_ = false;
-    std::vector<std::unique_ptr<Layer>> layers_;  // one per thread
-    std::size_t used_ = 0;                        // of layers_
+    std::unique_ptr<Picture> picture_;
+    std::vector<Band> bands_;  // one per thread
+    std::vector<RowBand> rows_;
+    std::vector<std::uint32_t> inRow_;
     std::vector<Group> groups_;
-    std::vector<BoxesOfGroup> boxes_;  // of the groups, where edges are drawn
+    std::vector<std::uint32_t> numbers_;  // of each group's first triangle
+    std::vector<Placed> placed_, sorted_;
+    std::vector<std::uint32_t> marks_;  // of each group, a bit for each triangle in doubt
     std::vector<std::uint32_t> doubts_;
-    std::vector<std::vector<std::uint32_t>> doubtsOfSlices_;
 };
 
 }  // namespace nacre

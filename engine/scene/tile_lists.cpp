@@ -208,7 +208,8 @@ void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
         placeCorners(view, s, part);
         runs_.clear();
         for (const TileCall& call : part.calls)
-            runs_.push_back({s.trianglesOf(call), call.rows, call.number + call.first});
+            runs_.push_back({s.trianglesOf(call), call.rows, call.number + call.first, s.chunksOf(call),
+                             call.first % Chunk::kPrimitives});
         front_.draw(runs_, corners_);
     }
     front_.end();

@@ -35,11 +35,16 @@ struct TileScenery {
     /// Whether the host draws spheres and cylinders, so that none enters lists: for views that FrontShapes supports,
     /// without triangles and wires.
     bool drawn = false;
+    std::span<const Chunk> triangleChunks = {};  ///< optional
 
     /// The triangles of a call.
     std::span<const Triangle> trianglesOf(const TileCall& call) const {
         if (call.first < triangles.size()) return triangles.subspan(call.first, call.count);
         return coarseTriangles.subspan(call.first - triangles.size(), call.count);
+    }
+    std::span<const Chunk> chunksOf(const TileCall& call) const {
+        if (triangleChunks.empty()) return {};
+        return triangleChunks.subspan(call.first / Chunk::kPrimitives);
     }
 };
 

@@ -19,12 +19,14 @@ struct ListedScene {
     std::vector<glm::vec4> rows;
     std::vector<TileCall> sphereCalls, cylinderCalls;
     Representation mesh;
+    std::vector<Chunk> chunks;
     std::vector<TileCall> triangleCalls;
     TileView view;
 
     TileScenery scenery() const {
-        return {spheres,        sphereCalls,       cylinders,     cylinderCalls,        {},
-                mesh.triangles, mesh.meshVertices, triangleCalls, mesh.coarseTriangles, mesh.meshes};
+        return {
+            spheres,       sphereCalls,          cylinders,   cylinderCalls, {},    mesh.triangles, mesh.meshVertices,
+            triangleCalls, mesh.coarseTriangles, mesh.meshes, nullptr,       false, chunks};
     }
 };
 
@@ -66,6 +68,7 @@ inline ListedScene randomListedScene(std::uint32_t seed, bool perspective, int q
             {glm::vec3(a), static_cast<float>(std::exp(number(-4, 0))), glm::vec3(a + number.within(3)), 0});
     }
     addTriangles(number, s);
+    s.chunks = chunksOf(s.mesh).triangles;
     const int copies = static_cast<int>(number(1, 3.99));
     for (int c = 0; c < copies; ++c) {
         const glm::dmat3 turn =
