@@ -1,6 +1,7 @@
 #include "engine/scene/front_band.h"
 
 #include "engine/scene/lanes.h"
+#include "engine/scene/processor_lanes.h"
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
@@ -31,48 +32,9 @@ void ShapeBand::meet(std::size_t at, std::uint32_t shape, float from) const {
     meetings->push_back({static_cast<std::uint32_t>(at), shape, from});
 }
 
-// The same code for each number of lanes: the compiler must know the processor's instructions where it is compiled, and
-// none of them may get into a function that others use, too.
-namespace lanes4 {
-#define NACRE_LANES 4
-#include "engine/scene/front_lanes.inc"
-#include "engine/scene/front_shapes.inc"
-#undef NACRE_LANES
-}  // namespace lanes4
-
-#if defined(__x86_64__)
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx2")
-#endif
-namespace lanes8 {
-#define NACRE_LANES 8
-#include "engine/scene/front_lanes.inc"
-#include "engine/scene/front_shapes.inc"
-#undef NACRE_LANES
-}  // namespace lanes8
-#if defined(__clang__)
-#pragma clang attribute pop
-#pragma clang attribute push(__attribute__((target("avx512f,avx512dq"))), apply_to = function)
-#else
-#pragma GCC pop_options
-#pragma GCC push_options
-#pragma GCC target("avx512f,avx512dq")
-#endif
-namespace lanes16 {
-#define NACRE_LANES 16
-#include "engine/scene/front_lanes.inc"
-#include "engine/scene/front_shapes.inc"
-#undef NACRE_LANES
-}  // namespace lanes16
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
-#endif
+#define NACRE_LANES_CODE "engine/scene/front_lanes.inc"
+#define NACRE_MOST_LANES 16
+#include "engine/scene/each_lanes.inc"
 
 std::span<const FrontLanes> frontLanes() {
     static constexpr FrontLanes kLanesOf[] = {
@@ -82,14 +44,7 @@ std::span<const FrontLanes> frontLanes() {
         {16, lanes16::drawGroup, lanes16::findRectangles, lanes16::drawShapes, lanes16::tellRow},
 #endif
     };
-#if defined(__x86_64__)
-    static const std::size_t count = !__builtin_cpu_supports("avx2")                                             ? 1
-                                     : !__builtin_cpu_supports("avx512f") || !__builtin_cpu_supports("avx512dq") ? 2
-                                                                                                                 : 3;
-#else
-    constexpr std::size_t count = 1;
-#endif
-    return std::span(kLanesOf).first(count);
+    return usableLanes<FrontLanes>(kLanesOf);
 }
 
 }  // namespace nacre

@@ -1,0 +1,28 @@
+#pragma once
+// How many numbers this processor calculates at once, of the ways that each_lanes.inc compiles.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace nacre {
+
+/// 4; with AVX2 8; with AVX-512 16.
+inline std::uint32_t processorLanes() {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2"))
+        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") ? 16 : 8;
+#endif
+    return 4;
+}
+
+/// The ways that this processor can use. @param all  with their `lanes`, the fewest first
+template <typename Way>
+std::span<const Way> usableLanes(std::span<const Way> all) {
+    static const std::uint32_t most = processorLanes();
+    std::size_t count = 0;
+    while (count < all.size() && all[count].lanes <= most) ++count;
+    return all.first(count);
+}
+
+}  // namespace nacre
