@@ -130,7 +130,10 @@ bool PictureFrames::addEdges(const RenderSettings& settings, const passes::Atlas
     ending.picture.first = false;
     ending.picture.masked = true;
     ending.place = {rect, static_cast<std::int32_t>(inner.x), static_cast<std::int32_t>(inner.y)};
-    return draw(settings, atlas, part, pictureTargets(settings), ending, "finer screen", Samples::edges).edges;
+    const auto [wanted, tiles] = places.edgesOf({rect.x - inner.x, rect.y - inner.y, part.width, part.height}, rect);
+    return draw(settings, atlas, part, pictureTargets(settings), ending, "finer screen", Samples::edges, &tiles,
+                &wanted)
+        .edges;
 }
 
 /// Draws all blocks of a picture with kBlockSamples x kBlockSamples samples, where it needs them.

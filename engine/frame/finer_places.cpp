@@ -107,4 +107,26 @@ TileMask FinerPlaces::tilesOf(const PictureRect& shown, const PictureRect& wante
     return mask;
 }
 
+std::pair<passes::EdgePlaces, TileMask> FinerPlaces::edgesOf(const PictureRect& shown,
+                                                             const PictureRect& wanted) const {
+    constexpr std::uint32_t kSide = TileMask::kSide;
+    passes::EdgePlaces edges{shown.width, std::vector<std::uint8_t>(std::size_t{shown.width} * shown.height)};
+    TileMask mask;
+    mask.across = (shown.width + kSide - 1) / kSide;
+    mask.wanted.resize(std::size_t{mask.across} * ((shown.height + kSide - 1) / kSide));
+    for (std::uint32_t y = wanted.y; y < wanted.y + wanted.height; ++y)
+        for (std::uint32_t x = wanted.x; x < wanted.x + wanted.width; ++x) {
+            if (!finer(x, y)) continue;
+            const std::uint32_t left = x - shown.x, top = y - shown.y;
+            edges.pixels[std::size_t{top} * shown.width + left] = 1;
+            // Samples are asked of what the pixels around show.
+            for (std::uint32_t row = (top - std::min(top, 1u)) / kSide;
+                 row <= std::min(top + 1, shown.height - 1) / kSide; ++row)
+                for (std::uint32_t at = (left - std::min(left, 1u)) / kSide;
+                     at <= std::min(left + 1, shown.width - 1) / kSide; ++at)
+                    mask.wanted[std::size_t{row} * mask.across + at] = 1;
+        }
+    return {std::move(edges), std::move(mask)};
+}
+
 }  // namespace nacre

@@ -2,9 +2,11 @@
 // Places where a picture with one sample per pixel needs more.
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "engine/graph/graph.h"
+#include "engine/passes/tile_frame.h"
 #include "engine/results.h"
 #include "engine/scene/tile_view.h"
 
@@ -36,6 +38,8 @@ public:
     /// @param shown  part of the picture in the frame
     /// @param wanted  the frame's wanted part
     TileMask tilesOf(const PictureRect& shown, const PictureRect& wanted) const;
+    /// The edges of a frame with one sample per pixel, and its tiles that these ask about.
+    std::pair<passes::EdgePlaces, TileMask> edgesOf(const PictureRect& shown, const PictureRect& wanted) const;
 
 private:
     bool finer(std::uint32_t x, std::uint32_t y) const { return pixels_[std::size_t{y} * across_ + x] != 0; }

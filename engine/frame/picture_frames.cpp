@@ -95,7 +95,7 @@ const std::shared_ptr<DeclaredFrame>& PictureFrames::declare(const SeenFrame& se
 
 PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                                          std::span<const ScreenTarget> targets, const Ending& ending, const char* name,
-                                         Samples samples, const TileMask* mask) {
+                                         Samples samples, const TileMask* mask, const passes::EdgePlaces* places) {
     std::shared_ptr<passes::FragmentCounter> fragments;
     if (settings.tuning.countFragments) fragments = std::make_shared<passes::FragmentCounter>(device_);
     const bool edges = samples == Samples::edges;
@@ -111,7 +111,8 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
                                   samples == Samples::block,
                                   samples == Samples::resolved ? graph::kMultisamples : 1,
                                   mask,
-                                  edges || samples == Samples::block || ending.finer});
+                                  edges || samples == Samples::block || ending.finer,
+                                  places});
     seen.shape.picture = ending.picture;
     Drawn drawn;
     drawn.edges = seen.shape.options.edges;

@@ -88,7 +88,8 @@ private:
     std::span<const ScreenTarget> pictureTargets(const RenderSettings& settings, Samples samples = Samples::one) const;
     Drawn draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                std::span<const ScreenTarget> targets, const Ending& ending, const char* name,
-               Samples samples = Samples::one, const TileMask* mask = nullptr);
+               Samples samples = Samples::one, const TileMask* mask = nullptr,
+               const passes::EdgePlaces* places = nullptr);
     Samples singleOrResolved(const RenderSettings& settings) const;
     bool drawsEdges(const RenderSettings& settings) const;  ///< in the frame itself
     void checkSize(const View& view) const;

@@ -136,7 +136,7 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     const bool drawn = shaded && !edges && !boxes && !request.mask && drawsShapes(view, request.view);
     view.tiles = tiles_.prepare(shown_->representation, view, request.view, options.extent,
                                 {shaded, edges, view.rims.any() && request.subsamples, 1, request.mask, boxes, drawn,
-                                 shown_->chunks.triangles});
+                                 shown_->chunks.triangles, request.places});
     if (!view.tiles) {
         const Visibility usual = device_.caps().visibility;
         options.visibility = view.rims.any()              ? Visibility::deferred
@@ -151,6 +151,7 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
                                 {false, false, false, kTranslucentLayers, request.mask, nullptr});
     options.shadedByTiles = view.tiles->shaded;
     options.edges = view.tiles->edges.drawn;
+    options.edgesPlaced = options.edges && view.tiles->edges.placed;
     options.layersByTiles = view.translucent && view.translucent->tiles;
 }
 

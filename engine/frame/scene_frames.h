@@ -26,10 +26,11 @@ struct FrameRequest {
     /// SceneCounts::radiusPixels of the previous window frame, or 0. Hysteresis: small zooms in and out keep their
     /// pipelines.
     std::optional<double> radiusBefore = {};
-    bool subsamples = false;         ///< kBlockSamples x kBlockSamples of its pixels are one of a picture
-    std::uint32_t samples = 1;       ///< per pixel, unless lacksSamples() has a reason against it
-    const TileMask* mask = nullptr;  ///< not null: only these tiles' pixels matter, on every path
-    bool finer = false;              ///< it adds samples or depth to a picture by the device's path
+    bool subsamples = false;                     ///< kBlockSamples x kBlockSamples of its pixels are one of a picture
+    std::uint32_t samples = 1;                   ///< per pixel, unless lacksSamples() has a reason against it
+    const TileMask* mask = nullptr;              ///< not null: only these tiles' pixels matter, on every path
+    bool finer = false;                          ///< it adds samples or depth to a picture by the device's path
+    const passes::EdgePlaces* places = nullptr;  ///< as passes::TileWork has it
 };
 
 /// A scene as a frame shows it.

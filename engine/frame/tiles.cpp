@@ -22,7 +22,12 @@ void declareShadedTiles(ScreenFrame& f, const ScreenOptions& options, const Reco
     nearest.record(draw.colorsByTiles(f.atlas));
     if (options.edges) {
         f.edgePixels = addPixels(f, options, "edge pixels", kWord);
-        f.graph.compute("edge pixels").reads(*f.edges).reads(f.numbers).writes(f.edgePixels).record(draw.edgePixels());
+        if (!options.edgesPlaced)
+            f.graph.compute("edge pixels")
+                .reads(*f.edges)
+                .reads(f.numbers)
+                .writes(f.edgePixels)
+                .record(draw.edgePixels());
         f.lit(f.graph.compute("edge samples").reads(*f.edges).reads(f.edgePixels))
             .writes(f.numbers)
             .record(draw.edgesByTiles(f.atlas));

@@ -69,7 +69,7 @@ gpu::ComputePipeline samplePipeline(gpu::PipelineContext& context, const SceneVi
 
 void wantEdgesByTiles(gpu::PipelineContext& context, const SceneView& view) {
     context.pipelines.want(samplePipeline(context, view));  // which takes a driver longer
-    context.pipelines.want(findPipeline(context, view));
+    if (!view.tiles->edges.placed) context.pipelines.want(findPipeline(context, view));
 }
 
 void findEdgesByTiles(gpu::PassContext& context, const SceneView& view) {

@@ -143,7 +143,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     frame.edges.everywhere = seen.smallestPixels < kSmallPixels;
     // A surface at grazing angles has triangles that no pixel centre hits, and an outline may be narrower than a pixel.
     frame.edges.listed = seen.smallestPixels < kLargePixels || !r.triangles.empty() || seen.constants.contourWidth > 0;
-    if (frame.edges.drawn) uploadEdges(frame, image);
+    if (frame.edges.drawn) uploadEdges(frame, image, work.shaded ? work.places : nullptr);
     return free;
 }
 
@@ -232,7 +232,22 @@ void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent 
         *spans++ = {glm::vec4(glm::vec2(s.x, s.y) * ndc, glm::vec2(s.endX, s.endY) * ndc) - 1.0f};
 }
 
-void TileFrames::uploadEdges(TileFrame& f, graph::Extent image) const {
+/// Lists wanted pixels, by bins that hold anything, as the device does. @returns the number of groups
+std::uint32_t listPlaces(const TileLists& lists, const EdgePlaces& places, std::uint32_t lanes, std::uint32_t* to) {
+    constexpr std::uint32_t kBin = TileLists::kBinPixels;
+    const auto down = static_cast<std::uint32_t>(places.pixels.size() / places.across);
+    std::uint32_t listed = 0;
+    for (const TileLists::Span& s : lists.spans())
+        for (std::uint32_t bin = s.x; bin < s.endX; ++bin) {
+            for (std::uint32_t y = s.y * kBin; y < std::min((s.y + 1) * kBin, down); ++y)
+                for (std::uint32_t x = bin * kBin; x < std::min((bin + 1) * kBin, places.across); ++x)
+                    if (places.pixels[std::size_t{y} * places.across + x] != 0) to[listed++] = x | y << 16;
+            while (listed % lanes != 0) to[listed++] = layout::kNoEdge;
+        }
+    return listed / lanes;
+}
+
+void TileFrames::uploadEdges(TileFrame& f, graph::Extent image, const EdgePlaces* places) const {
     const std::size_t pixels = TileLists::pixelsOfBins(image.width, image.height);
     reserve(device_, f.edges.pixels, 4 * (layout::kEdgeHeader + pixels), kReadByTiles, vk::Format::eR32Uint,
             "edge pixels");
@@ -240,8 +255,10 @@ void TileFrames::uploadEdges(TileFrame& f, graph::Extent image) const {
         prepareWords(f.edges.numbers, f.lists, image, 1, f.cleared, "primitive numbers");
     else
         reserve(device_, f.edges.colors, 8 * pixels, kReadByTiles, vk::Format::eR32G32Uint, "edge colours");
-    const std::uint32_t header[layout::kEdgeHeader] = {0, f.lists.down() * TileLists::kBinPixels};
-    std::memcpy(f.edges.pixels.buffer.mapped, header, sizeof header);
+    auto* words = reinterpret_cast<std::uint32_t*>(f.edges.pixels.buffer.mapped);
+    f.edges.placed = places != nullptr;
+    words[0] = places ? listPlaces(f.lists, *places, device_.caps().tiles.lanes, words + layout::kEdgeHeader) : 0;
+    words[1] = f.lists.down() * TileLists::kBinPixels;
     f.edges.groups = groupsOfEdges(f.lists, device_.caps().tiles);
 }
 

@@ -37,12 +37,19 @@ void reserve(const gpu::Device& device, TileBuffer& buffer, std::size_t bytes, v
 /// Data for drawing a frame's edges.
 struct TileEdges {
     bool drawn = false;
+    bool placed = false;       ///< the host has listed their pixels
     bool everywhere = false;   ///< some primitives are so small that one may lie between pixel centres
     bool listed = false;       ///< samples search the lists, not only the pixel's neighbours
     TileBuffer pixels;         ///< edge pixels: kEdgeHeader words, then groups of as many as a subgroup has lanes
     std::uint32_t groups = 0;  ///< number of groups
     PixelWords numbers;        ///< as in TileFrame; where those are colours, edge colours go there
     TileBuffer colors;         ///< else: as the numbers, linear, premultiplied halves; kNoEdge elsewhere
+};
+
+/// Pixels of a frame that the host wants drawn as edges, in place of those that the device finds.
+struct EdgePlaces {
+    std::uint32_t across = 0;
+    std::vector<std::uint8_t> pixels;  ///< row by row: not 0 where wanted
 };
 
 /// Options of a frame.
@@ -55,6 +62,7 @@ struct TileWork {
     const SphereBoxes* boxes = nullptr;  ///< as TileScenery has it
     bool drawn = false;                  ///< likewise, if compute shades
     std::span<const Chunk> triangleChunks = {};  ///< likewise
+    const EdgePlaces* places = nullptr;          ///< of edges, if compute shades
 };
 
 struct TileFrame {
@@ -103,7 +111,7 @@ private:
                       const char* name) const;
     static void writeSeeds(TileFrame& frame);
     void upload(TileFrame& frame, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const;
-    void uploadEdges(TileFrame& frame, graph::Extent image) const;
+    void uploadEdges(TileFrame& frame, graph::Extent image, const EdgePlaces* places) const;
 
     const gpu::Device& device_;
     gpu::Pool<TileFrame> frames_;
