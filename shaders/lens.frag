@@ -34,7 +34,7 @@ float depthAt(ivec2 pixel) {
 
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy);
-    float Z = depthAt(here), front = Z;
+    float Z = depthAt(here), nearest = Z;
     vec4 seen = texelFetch(picture, here, 0);
     if (kCoded) seen.rgb = linearFromSrgb(seen.rgb);
     // An outline is as far away as what it bounds, and so is a pixel that something covers beside its centre.
@@ -44,14 +44,13 @@ void main() {
     // unroll loops of whole numbers: 15 to 20 ms more for the pipeline on lavapipe.
     const mat2 next = mat2(0.8660254, 0.5, -0.5, 0.8660254);
     float rings = min(ceil(room / 3.0), 4.0);
-    vec2 way = vec2(room, 0.0);
+    vec2 way = vec2(room / max(rings, 1.0), 0.0);
     for (float left = 12.0 * rings; left > 0.0; --left) {
-        vec2 away = ceil(left / 12.0) / rings * way;
-        float other = depthAt(here + ivec2(away + 0.2 * sign(away)));
+        vec2 away = ceil(left / 12.0) * way;
+        nearest = min(nearest, depthAt(here + ivec2(away + 0.2 * sign(away))));
         way = next * way;
-        front = other < Z - rim.y ? min(front, other) : front;
     }
-    circle = uvec2(packUnorm4x8(sqrt(seen)), floatBitsToUint(circleAt(front)));
+    circle = uvec2(packUnorm4x8(sqrt(seen)), floatBitsToUint(circleAt(nearest < Z - rim.y ? nearest : Z)));
 }
 #elif defined(REACH)
 layout(set = 0, binding = 0) uniform usampler2D circles;
@@ -93,6 +92,7 @@ layout(location = 0) out vec4 color;
 
 const float kSharp = 0.6;  // pixels: smaller circles are none
 const float kGolden = 2.399963;
+const float kSquare = 255.0 * 255.0;  // of a byte that is 1: light is summed up as bytes' squares
 
 void main() {
     ivec2 here = ivec2(gl_FragCoord.xy), last = textureSize(circles, 0) - 1;
@@ -110,7 +110,7 @@ void main() {
 
     // Light that the nearer pixels spread over this one, and with it the light of this and farther ones.
     float ownArea = max(3.14159 * radius * radius, 1.0);
-    vec4 near = vec4(0.0), all = seen * seen / ownArea;
+    vec4 near = vec4(0.0), all = seen * seen * kSquare / ownArea;
     float nearShare = 0.0, allShare = 1.0 / ownArea;
     float samples = clamp(floor(4.0 + 2.5 * reach), 8.0, 48.0), perSample = 1.0 / samples;
     // Sixteen neighbours take different samples.
@@ -131,16 +131,17 @@ void main() {
         float inside = clamp(within - away + 0.5 * spacing, 0.0, spacing);
         float weight = areaOut * t * inside / (max(3.14159 * within * within, 1.0) * spacing);
         weight = within < kSharp ? 0.0 : weight;
-        vec4 light = unpackUnorm4x8(other.x);
-        light *= light * weight;
-        all += light;
+        vec4 light = vec4(other.x & 255u, other.x >> 8 & 255u, other.x >> 16 & 255u, other.x >> 24);
+        light *= light;
+        all += light * weight;
         allShare += weight;
-        near += nearer ? light : vec4(0.0);
-        nearShare += nearer ? weight : 0.0;
+        weight = nearer ? weight : 0.0;
+        near += light * weight;
+        nearShare += weight;
     }
     if (nearShare == 0.0 && radius < kSharp) discard;
     vec4 far = max(all - near, vec4(0.0)) / max(allShare - nearShare, 1e-6);
-    color = near / max(nearShare, 1.0) + (1.0 - min(nearShare, 1.0)) * far;
+    color = (near / max(nearShare, 1.0) + (1.0 - min(nearShare, 1.0)) * far) / kSquare;
     if (kCoded) color.rgb = srgbFromLinear(color.rgb);
 }
 #endif

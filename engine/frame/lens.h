@@ -28,7 +28,8 @@ passes::Lens lensOf(const RenderSettings& settings, const View& view);
 /// Where a picture through the lens shows single pixels, as a byte for each of a frame of half its resolution: 0 where
 /// all nearby is blurred by more. @param distances  what that frame shows, as kLensTargets have it
 /// @param lens  of the picture @param rim  width of outlines and halos, pixels
-std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent extent, const passes::Lens& lens, double rim);
+std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent extent, const passes::Lens& lens,
+                                      double rim);
 
 /// Largest radius of a circle that a lens shows, pixels.
 double largestCircle(const RenderSettings& settings);
