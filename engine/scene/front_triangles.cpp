@@ -290,7 +290,7 @@ void FrontTriangles::addGroups(const Run& run) {
 }
 
 void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> corners) {
-    constexpr std::size_t kGroupsOfThread = 512, kSlice = 2048;
+    constexpr std::size_t kGroupsOfThread = 512, kSlice = 2048, kBandsOfThread = 2;  // one that is done takes another
     constexpr std::uint32_t kDepths = 128;  // within one, neighbours in memory follow each other
     const std::size_t before = groups_.size();
     for (const Run& run : runs) addGroups(run);
@@ -301,8 +301,9 @@ void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> 
             placed_[i] = place(groups_[before + i], static_cast<std::uint32_t>(before + i));
     });
     sortNearFirst<kDepths>(view_, std::span(&placed_, 1), sorted_);
+    const auto threads = std::min<std::size_t>(count / kGroupsOfThread + 1, threadsPerTask());
     partRows(
-        lens_.height, std::min<std::size_t>(count / kGroupsOfThread + 1, threadsPerTask()), placed_,
+        lens_.height, threads > 1 ? threads * kBandsOfThread : 1, placed_,
         [&](const Placed& p) {
             return static_cast<std::uint32_t>(
                 std::clamp((p.box.top + p.box.bottom) / 2, 0, static_cast<std::int32_t>(lens_.height) - 1));
