@@ -16,10 +16,15 @@ set(NACRE_SHADER_PASSES
     --eliminate-dead-code-aggressive --scalar-replacement=100 --convert-local-access-chains --ssa-rewrite
     --copy-propagate-arrays --simplify-instructions --eliminate-dead-code-aggressive --redundancy-elimination --vector-dce
     --eliminate-dead-code-aggressive)
-# With USUAL, branches of other pictures are left out.
+# With USUAL, branches of other pictures are left out, and loops over the pixels of a lane and over lanes are unrolled:
+# Mesa would unroll one at a time, and clean up after each.
 set(NACRE_USUAL_PASSES
     --fold-spec-const-op-composite --simplify-instructions --ccp --eliminate-dead-branches --eliminate-dead-code-aggressive
-    --redundancy-elimination --eliminate-dead-code-aggressive --vector-dce)
+    --redundancy-elimination --eliminate-dead-code-aggressive --vector-dce
+    --loop-unroll --convert-local-access-chains --scalar-replacement=100 --convert-local-access-chains --ssa-rewrite
+    --copy-propagate-arrays --ccp --eliminate-dead-branches --simplify-instructions --eliminate-dead-code-aggressive
+    --redundancy-elimination --vector-dce --eliminate-dead-code-aggressive)
+set(NACRE_SHADER_UNROLL ${CMAKE_SOURCE_DIR}/shaders/unroll.sh)
 
 function(nacre_shader name source)
     set(input ${CMAKE_SOURCE_DIR}/shaders/${source})
@@ -27,21 +32,22 @@ function(nacre_shader name source)
     set(header ${NACRE_SHADER_DIR}/${name}.h)
     set(defines ${ARGN})
     set(passes ${NACRE_SHADER_PASSES})
+    set(optimize)
     if(USUAL IN_LIST defines)
         list(APPEND passes ${NACRE_USUAL_PASSES})
+        set(optimize COMMAND sh ${NACRE_SHADER_UNROLL} ${SPIRV_DIS} ${SPIRV_AS} ${binary})
+    endif()
+    if(TEXELS IN_LIST defines)
+        list(APPEND optimize COMMAND ${SPIRV_OPT} ${passes} ${binary} -o ${binary})
     endif()
     list(TRANSFORM defines PREPEND -D)
-    set(optimize)
-    if("TEXELS" IN_LIST ARGN)
-        set(optimize COMMAND ${SPIRV_OPT} ${passes} ${binary} -o ${binary})
-    endif()
     add_custom_command(
         OUTPUT ${header}
         COMMAND ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.1 ${defines} -o ${binary} ${input}
         ${optimize}
         COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${binary}
         COMMAND sh ${NACRE_SHADER_EMBED} ${binary} ${name} > ${header}
-        DEPENDS ${input} ${NACRE_SHADER_COMMON} ${NACRE_SHADER_EMBED}
+        DEPENDS ${input} ${NACRE_SHADER_COMMON} ${NACRE_SHADER_EMBED} ${NACRE_SHADER_UNROLL}
         COMMENT "Shader ${name}"
         VERBATIM)
     set(NACRE_SHADER_HEADERS ${NACRE_SHADER_HEADERS} ${header} PARENT_SCOPE)

@@ -1,6 +1,6 @@
 #pragma once
 // Stages of the tile passes for usual pictures: constants that most pictures leave alone have their values since the
-// stage was built (shaders/common/usual.glsl), so that a driver has half as much to read and to leave out.
+// stage was built (shaders/common/usual.glsl), and their loops are unrolled, so that a driver has less to clean up.
 
 #include <cstdint>
 
@@ -18,7 +18,7 @@ inline constexpr UsualConstant kUsualConstants[] = {
     {layout::kPerspectiveId, 0}, {layout::kQuarterTurnsId, 0}, {layout::kWholeImageId, 1}, {layout::kClipId, 0},
     {layout::kCutId, 0},         {layout::kContoursId, 0},     {layout::kCopiesId, 0},     {layout::kWiresId, 0},
     {layout::kCapId, 0},         {layout::kFogId, 0},          {layout::kShadowId, 0},     {layout::kCopyColorsId, 0},
-    {layout::kBlendColorsId, 0}, {layout::kTilesInBinId, 2},
+    {layout::kBlendColorsId, 0}, {layout::kTilesInBinId, 2},  {layout::kLanesId, 8},
 };
 
 /// Whether all that are set of these have their usual values. @param rims  outlines are usual

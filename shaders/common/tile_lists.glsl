@@ -2,9 +2,13 @@
 // as many entries as it has lanes.
 
 #include "usual.glsl"
-layout(constant_id = kLanesId) const int kLanes = 8;
+USUALLY(kLanesId) const int kLanes = 8;
 USUALLY(kTilesInBinId) const int kTilesInBin = 2;
+#ifdef USUAL
+layout(local_size_x = kLanes) in;
+#else
 layout(local_size_x_id = 50) in;  // kLanesId
+#endif
 const int kTile = 8;
 #include "lanes.glsl"
 
