@@ -30,6 +30,12 @@ float termsOf(const glm::vec4* rows, const glm::vec3& p) {
 
 float f(double x) { return static_cast<float>(x); }
 
+/// The first pixel whose centre is not before a coordinate. std::ceil() may be a call.
+std::uint32_t firstPixel(double at, std::uint32_t size) {
+    const auto whole = static_cast<std::int32_t>(std::clamp(at - 0.5, -1.0, double(size)));
+    return static_cast<std::uint32_t>(std::max(whole + (whole < at - 0.5 ? 1 : 0), 0));
+}
+
 }  // namespace
 
 bool FrontShapes::tells(const TileView& view) {
@@ -49,13 +55,16 @@ void FrontShapes::begin(const TileView& view) {
     fixedDepth_ = 1.5 * double{std::abs(view.origin) + view.range + std::abs(view.nearest)} * kStep * view.pixels;
 }
 
-/// @param low, high  of the pixels that may show it
-void FrontShapes::add(const TileView& view, FrontShape& shape, glm::dvec2 low, glm::dvec2 high) {
-    const auto first = [](double at) { return std::max(std::ceil(at - 0.5), 0.0); };
-    const auto end = [](double at, std::uint32_t size) { return std::min(std::floor(at - 0.5) + 1, double(size)); };
-    const double left = first(low.x), top = first(low.y), right = end(high.x, view.width),
-                 bottom = end(high.y, view.height);
-    if (!(left < right) || !(top < bottom)) return;
+/// @param at  its place, which it keeps from its first pixel @param low, high  of the pixels that may show it
+void FrontShapes::add(const TileView& view, FrontShape& shape, glm::dvec2 at, glm::dvec2 low, glm::dvec2 high) {
+    // None for a place that is no number.
+    if (!(low.x < view.width) || !(low.y < view.height) || !(high.x > 0) || !(high.y > 0)) return;
+    const std::uint32_t left = firstPixel(low.x, view.width),
+                        right = std::min(firstPixel(high.x, view.width), view.width);
+    const std::uint32_t top = firstPixel(low.y, view.height),
+                        bottom = std::min(firstPixel(high.y, view.height), view.height);
+    if (left >= right || top >= bottom) return;
+    shape.x = f(at.x - left - 0.5), shape.y = f(at.y - top - 0.5);
     shape.left = static_cast<std::uint16_t>(left), shape.right = static_cast<std::uint16_t>(right);
     shape.top = static_cast<std::uint16_t>(top), shape.bottom = static_cast<std::uint16_t>(bottom);
     for (std::uint32_t y = shape.top / kBlock; y <= (shape.bottom - 1u) / kBlock; ++y)
@@ -78,10 +87,8 @@ void FrontShapes::addSphere(const TileView& view, const Sphere& sphere, const gl
     const double reach = r + moved + 0.01;
     const glm::dvec2 low = glm::dvec2(at) - reach, high = glm::dvec2(at) + reach;
     s.front = f(at.z - r) - s.room;
-    s.x = f(at.x - std::max(std::ceil(low.x - 0.5), 0.0) - 0.5);
-    s.y = f(at.y - std::max(std::ceil(low.y - 0.5), 0.0) - 0.5);
     s.Z = f(at.z);
-    add(view, s, low, high);
+    add(view, s, glm::dvec2(at), low, high);
 }
 
 void FrontShapes::addCylinder(const TileView& view, const Cylinder& c, const glm::vec4* rows, std::uint32_t number) {
@@ -123,10 +130,8 @@ void FrontShapes::addCylinder(const TileView& view, const Cylinder& c, const glm
         r * glm::sqrt(glm::max(1.0 - glm::dvec2(axis.x * axis.x, axis.y * axis.y), 0.0)) + 2 * moved + 0.01;
     const glm::dvec2 low = glm::dvec2(glm::min(a, b)) - reach, high = glm::dvec2(glm::max(a, b)) + reach;
     s.front = f(std::min(a.z, b.z) - r - 0.01) - s.room;
-    s.x = f(a.x - std::max(std::ceil(low.x - 0.5), 0.0) - 0.5);
-    s.y = f(a.y - std::max(std::ceil(low.y - 0.5), 0.0) - 0.5);
     s.Z = s.whole ? s.front : f(a.z);
-    add(view, s, low, high);
+    add(view, s, glm::dvec2(a), low, high);
 }
 
 /// Lists the shapes of each strip, in their order.
@@ -197,7 +202,7 @@ void FrontShapes::tell(Part& part) const {
 void FrontShapes::drawStrips(Part& part, std::size_t first, std::size_t end, std::uint32_t height) const {
     part.balls.count = part.sticks.count = 0;
     for (auto* words : {&part.doubts, &part.begins, &part.candidates}) words->clear();
-    const std::size_t pixels = std::size_t{pitch_} * rows_;
+    const std::size_t pixels = std::size_t{pitch_} * (rows_ + 1);  // a row below may be read and written back
     if (part.behind.size() < pixels) {
         part.before.resize(pixels);
         part.number.resize(pixels);

@@ -60,7 +60,7 @@ private:
     void begin(const TileView& view);
     void addSphere(const TileView& view, const Sphere& sphere, const glm::vec4* rows, std::uint32_t number);
     void addCylinder(const TileView& view, const Cylinder& cylinder, const glm::vec4* rows, std::uint32_t number);
-    void add(const TileView& view, FrontShape& shape, glm::dvec2 low, glm::dvec2 high);
+    void add(const TileView& view, FrontShape& shape, glm::dvec2 at, glm::dvec2 low, glm::dvec2 high);
     void sort(std::uint32_t height, std::size_t threads);
     void settle(Part& part) const;
     void tell(Part& part) const;
