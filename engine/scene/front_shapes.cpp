@@ -13,21 +13,6 @@ namespace {
 constexpr double kStep = 0x1p-23;
 constexpr std::uint32_t kNumber = ~(FrontShape::kStick | FrontShape::kDoubt);
 
-/// From a copy's coordinates to pixels, along the view as well.
-glm::dvec3 placeOf(const TileView& view, const glm::vec4* rows, const glm::vec3& p) {
-    glm::dvec3 at;
-    for (int i = 0; i < 3; ++i)
-        at[i] = double{rows[i].x} * p.x + double{rows[i].y} * p.y + double{rows[i].z} * p.z + rows[i].w;
-    const double x = at.x * view.pixels, y = -at.y * view.pixels;  // as pixelOf()
-    const glm::dvec2 turned[4] = {{x, y}, {-y, x}, {-x, -y}, {y, -x}};
-    return {turned[view.quarterTurns & 3] + glm::dvec2(view.axis), (view.origin - at.z) * view.pixels};
-}
-
-/// Bound of the terms of a position: a product with a unit vector, and a shift.
-float termsOf(const glm::vec4* rows, const glm::vec3& p) {
-    return std::sqrt(glm::dot(p, p)) + std::max({std::abs(rows[0].w), std::abs(rows[1].w), std::abs(rows[2].w)});
-}
-
 float f(double x) { return static_cast<float>(x); }
 
 /// The first pixel whose centre is not before a coordinate. std::ceil() may be a call.
@@ -38,6 +23,20 @@ std::uint32_t firstPixel(double at, std::uint32_t size) {
 
 }  // namespace
 
+FrontShapes::Placing::Placing(const TileView& view, const glm::vec4* rows)
+    : terms(std::max({std::abs(rows[0].w), std::abs(rows[1].w), std::abs(rows[2].w)})) {
+    const glm::dvec4 x = glm::dvec4(rows[0]) * double{view.pixels}, y = glm::dvec4(rows[1]) * -double{view.pixels};
+    const glm::dvec4 turned[4][2] = {{x, y}, {-y, x}, {-x, -y}, {y, -x}};  // as pixelOf()
+    X = turned[view.quarterTurns & 3][0], Y = turned[view.quarterTurns & 3][1];
+    Z = glm::dvec4(rows[2]) * -double{view.pixels};
+    X.w += view.axis.x, Y.w += view.axis.y, Z.w += double{view.origin} * view.pixels;
+}
+
+glm::dvec3 FrontShapes::Placing::operator()(const glm::vec3& p) const {
+    const double x = p.x, y = p.y, z = p.z;
+    return {X.x * x + X.y * y + X.z * z + X.w, Y.x * x + Y.y * y + Y.z * z + Y.w, Z.x * x + Z.y * y + Z.z * z + Z.w};
+}
+
 bool FrontShapes::tells(const TileView& view) {
     return view.centers && !view.perspective && view.layers == 1 && view.contour == 0 && !view.clips() && !view.mask;
 }
@@ -47,6 +46,7 @@ void FrontShapes::begin(const TileView& view) {
     down_ = (view.height + kBlock - 1) / kBlock;
     pitch_ = (across_ + 1) * kBlock;
     shapes_.clear();
+    strips_.clear();
     marks_.assign(std::size_t{across_} * down_, 0);
     // Each step has a relative error of half a unit of the last place. Devices take six for a position, or three, and
     // four for a pixel; two for a depth, and two for where it is in the range.
@@ -71,12 +71,16 @@ void FrontShapes::add(const TileView& view, FrontShape& shape, glm::dvec2 at, gl
         for (std::uint32_t x = shape.left / kBlock; x <= (shape.right - 1u) / kBlock; ++x)
             marks_[std::size_t{y} * across_ + x] = 1;
     shapes_.push_back(shape);
+    const Strips strips{static_cast<std::uint16_t>(top / rows_), static_cast<std::uint16_t>((bottom - 1) / rows_)};
+    for (std::uint32_t strip = strips.first; strip <= strips.last; ++strip) ++begins_[strip];
+    strips_.push_back(strips);
 }
 
-void FrontShapes::addSphere(const TileView& view, const Sphere& sphere, const glm::vec4* rows, std::uint32_t number) {
-    const glm::dvec3 at = placeOf(view, rows, sphere.center);
+void FrontShapes::addSphere(const TileView& view, const Sphere& sphere, const Placing& placing, std::uint32_t number) {
+    const glm::dvec3 at = placing(sphere.center);
     const double r = double{sphere.radius} * view.pixels;
-    const double moved = fixed_ + 3 * termsOf(rows, sphere.center) * kStep * view.pixels;
+    const double moved =
+        fixed_ + 3 * (std::sqrt(glm::dot(sphere.center, sphere.center)) + placing.terms) * kStep * view.pixels;
     FrontShape s;
     s.number = number;
     s.square = f(r * r);
@@ -91,11 +95,12 @@ void FrontShapes::addSphere(const TileView& view, const Sphere& sphere, const gl
     add(view, s, glm::dvec2(at), low, high);
 }
 
-void FrontShapes::addCylinder(const TileView& view, const Cylinder& c, const glm::vec4* rows, std::uint32_t number) {
+void FrontShapes::addCylinder(const TileView& view, const Cylinder& c, const Placing& placing, std::uint32_t number) {
     constexpr double kSteep = 0.1;  // sine or cosine from which on rounding may do anything
-    const glm::dvec3 a = placeOf(view, rows, c.a), b = placeOf(view, rows, c.b), span = b - a;
+    const glm::dvec3 a = placing(c.a), b = placing(c.b), span = b - a;
     const double r = double{c.radius} * view.pixels, length = glm::length(span);
-    const double moved = fixed_ + 3 * std::max(termsOf(rows, c.a), termsOf(rows, c.b)) * kStep * view.pixels;
+    const double moved = fixed_ + 3 * (std::sqrt(std::max(glm::dot(c.a, c.a), glm::dot(c.b, c.b))) + placing.terms) *
+                                      kStep * view.pixels;
     const double per = 1 / std::max(length, 1e-9);
     const glm::dvec3 axis = span * per;
     const double sine = glm::length(glm::dvec2(axis)), perSine = 1 / std::max(sine, 1e-9), fall = -axis.z;
@@ -134,22 +139,23 @@ void FrontShapes::addCylinder(const TileView& view, const Cylinder& c, const glm
     add(view, s, glm::dvec2(a), low, high);
 }
 
-/// Lists the shapes of each strip, in their order.
-void FrontShapes::sort(std::uint32_t height, std::size_t threads) {
+/// How many rows a strip has. @param threads  that share the strips
+void FrontShapes::part(std::uint32_t height, std::size_t threads) {
     constexpr std::uint32_t kBytes = 400'000, kStrips = 4;  // that a processor's own cache holds; least of a thread
     const auto share = static_cast<std::uint32_t>(height / (kStrips * threads));
     rows_ = std::max(std::min(kBytes / (ShapeBand::kPixelBytes * pitch_), share) / kBlock, 1u) * kBlock;
     begins_.assign((height + rows_ - 1) / rows_ + 1, 0);
-    const auto last = [&](const FrontShape& shape) { return (shape.bottom - 1u) / rows_; };
-    for (const FrontShape& shape : shapes_)
-        for (std::uint32_t strip = shape.top / rows_; strip <= last(shape); ++strip) ++begins_[strip];
+    parts_.resize(threads);
+}
+
+/// Lists the shapes of each strip, in their order.
+void FrontShapes::sort() {
     std::uint32_t total = 0;
     for (std::uint32_t& begin : begins_) total += std::exchange(begin, total);
     ofStrips_.resize(total);
     ends_.assign(begins_.begin(), begins_.end());
-    for (std::uint32_t i = 0; i < shapes_.size(); ++i)
-        for (std::uint32_t strip = shapes_[i].top / rows_; strip <= last(shapes_[i]); ++strip)
-            ofStrips_[ends_[strip]++] = i;
+    for (std::uint32_t i = 0; i < strips_.size(); ++i)
+        for (std::uint32_t strip = strips_[i].first; strip <= strips_[i].last; ++strip) ofStrips_[ends_[strip]++] = i;
 }
 
 /// Finds the pixels that the device decides, each with all that it may show.
@@ -228,15 +234,22 @@ void FrontShapes::draw(const TileView& view, std::span<const Sphere> spheres, st
                        std::span<const Cylinder> cylinders, std::span<const TileCall> cylinderCalls) {
     constexpr std::size_t kWorth = 5'000;  // shapes that are worth another thread
     begin(view);
+    std::size_t count = 0;
+    for (const std::span<const TileCall> calls : {sphereCalls, cylinderCalls})
+        for (const TileCall& call : calls) count += call.count;
+    part(view.height, std::min<std::size_t>(count / kWorth + 1, threadsPerTask()));
     // Spheres first: they hide the caps of the cylinders between them.
-    for (const TileCall& call : sphereCalls)
+    for (const TileCall& call : sphereCalls) {
+        const Placing placing(view, call.rows);
         for (std::uint32_t i = call.first; i < call.first + call.count; ++i)
-            addSphere(view, spheres[i], call.rows, call.number + i);
-    for (const TileCall& call : cylinderCalls)
+            addSphere(view, spheres[i], placing, call.number + i);
+    }
+    for (const TileCall& call : cylinderCalls) {
+        const Placing placing(view, call.rows);
         for (std::uint32_t i = call.first; i < call.first + call.count; ++i)
-            addCylinder(view, cylinders[i], call.rows, call.number + i);
-    parts_.resize(std::min<std::size_t>(shapes_.size() / kWorth + 1, threadsPerTask()));
-    sort(view.height, parts_.size());
+            addCylinder(view, cylinders[i], placing, call.number + i);
+    }
+    sort();
     const auto firstOf = [&](std::size_t part) {
         const std::size_t before = part * ofStrips_.size() / parts_.size();
         return part == 0 ? 0 : std::ranges::lower_bound(begins_, before) - begins_.begin();

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
 #include <vector>
@@ -57,11 +58,20 @@ private:
         std::vector<std::uint32_t> nexts;  // of each meeting the one before at its pixel
     };
 
+    /// From a copy's coordinates to pixels, along the view as well.
+    struct Placing {
+        glm::dvec4 X, Y, Z;
+        float terms;  // bound of the shift, as it is added
+        Placing(const TileView& view, const glm::vec4* rows);
+        glm::dvec3 operator()(const glm::vec3& p) const;
+    };
+
     void begin(const TileView& view);
-    void addSphere(const TileView& view, const Sphere& sphere, const glm::vec4* rows, std::uint32_t number);
-    void addCylinder(const TileView& view, const Cylinder& cylinder, const glm::vec4* rows, std::uint32_t number);
+    void addSphere(const TileView& view, const Sphere& sphere, const Placing& placing, std::uint32_t number);
+    void addCylinder(const TileView& view, const Cylinder& cylinder, const Placing& placing, std::uint32_t number);
     void add(const TileView& view, FrontShape& shape, glm::dvec2 at, glm::dvec2 low, glm::dvec2 high);
-    void sort(std::uint32_t height, std::size_t threads);
+    void part(std::uint32_t height, std::size_t threads);
+    void sort();
     void settle(Part& part) const;
     void tell(Part& part) const;
     void drawStrips(Part& part, std::size_t first, std::size_t end, std::uint32_t height) const;
@@ -69,7 +79,11 @@ private:
     FrontLanes lanes_;
     std::uint32_t across_ = 0, down_ = 0, pitch_ = 0;
     double fixed_ = 0, fixedDepth_ = 0;  // errors of any shape, pixels
+    struct Strips {
+        std::uint16_t first, last;
+    };
     std::vector<FrontShape> shapes_;
+    std::vector<Strips> strips_;                           // of each shape
     std::vector<std::uint8_t> marks_;                      // per block: 1 where something may show
     std::uint32_t rows_ = kBlock;                          // of a strip
     std::vector<std::uint32_t> ofStrips_, begins_, ends_;  // shapes of each strip, and where they begin
