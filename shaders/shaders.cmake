@@ -158,6 +158,7 @@ endforeach()
 # Software devices make these before a first picture.
 set(definesMeshes ${definesTriangles} MESHES)
 foreach(scene Spheres Cylinders Triangles Meshes)
+    nacre_shader(tileNearestTexels${scene}Usual tile_nearest.comp TEXELS ${defines${scene}} USUAL)
     nacre_shader(tileShaded${scene}Usual tile_nearest.comp TEXELS ${defines${scene}} SHADED USUAL)
     nacre_shader(tileRimmed${scene}Usual tile_nearest.comp TEXELS ${defines${scene}} SHADED RIMS USUAL)
     nacre_shader(tileEdgesTexels${scene}Usual tile_edges.comp TEXELS ${defines${scene}} USUAL)

@@ -77,8 +77,10 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
     d.constants.set(layout::kSeededId, f.lists.seeded());
     d.constants.set(layout::kLanesId, caps.lanes);
     const bool rims = view.rims.any();
-    if (shades && isUsual(d.constants, rims))
-        d.code = rims ? NACRE_USUAL_STAGE(tileRimmed, scene) : NACRE_USUAL_STAGE(tileShaded, scene);
+    if (caps.texels && isUsual(d.constants, shades && rims))
+        d.code = !shades ? NACRE_USUAL_STAGE(tileNearestTexels, scene)
+                 : rims  ? NACRE_USUAL_STAGE(tileRimmed, scene)
+                         : NACRE_USUAL_STAGE(tileShaded, scene);
     return d;
 }
 
