@@ -4,8 +4,10 @@
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <limits>
+#include <optional>
 
 #include "engine/frame/geometry.h"
+#include "engine/frame/resolve.h"
 #include "engine/frame/scene.h"
 #include "engine/passes/read_back.h"
 
@@ -70,8 +72,8 @@ std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent exte
     std::vector<float> radii(std::size_t{extent.width} * extent.height);
     for (float& radius : radii) {
         const float Z = *distances++;
-        radius = Z < kNoDistance ? std::abs(lens.pixels * (Z - lens.focus) * (lens.perspective > 0 ? 1 / Z : 1))
-                                 : kNothing;
+        radius =
+            Z < kNoDistance ? std::abs(lens.pixels * (Z - lens.focus) * (lens.perspective > 0 ? 1 / Z : 1)) : kNothing;
     }
     // What differs from a neighbour, and rims beside it.
     for (auto left = static_cast<std::size_t>(2 + std::ceil(0.5 * rim)); left > 0; --left) {
@@ -99,7 +101,38 @@ View throughLens(const RenderSettings& settings, View view, glm::dvec2 point) {
     return view;
 }
 
-void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const passes::Lens* lens) {
+namespace {
+
+/// The lens with no larger circles than what the tiles show has.
+passes::Lens lensOf(const PictureImage& picture) {
+    constexpr float kRounding = 0.01f;
+    passes::Lens lens = picture.lens;
+    if (!picture.tiles) return lens;
+    const layout::TileConstants& view = picture.tiles->constants;
+    const auto circle = [&](float Z) {
+        return std::abs(lens.pixels * (Z - lens.focus) * (lens.perspective > 0 ? 1 / Z : 1));
+    };
+    const float largest = std::max(circle(view.depthStart), circle(view.depthStart + 1 / view.perRange));
+    lens.most = std::min(lens.most, largest + kRounding);  // else it is larger, or no number
+    return lens;
+}
+
+}  // namespace
+
+PictureRect blurredBy(const passes::Lens& lens, std::span<const TileLists::Span> spans, graph::Extent extent) {
+    constexpr std::uint32_t kBin = TileLists::kBinPixels;
+    std::uint32_t left = extent.width, top = extent.height, right = 0, bottom = 0;
+    for (const TileLists::Span& s : spans) {
+        left = std::min(left, s.x * kBin), right = std::max(right, s.endX * kBin);
+        top = std::min(top, s.y * kBin), bottom = std::max(bottom, (s.y + 1) * kBin);
+    }
+    if (right == 0) return {};
+    const auto room = static_cast<std::uint32_t>(1.25f * lens.most + lens.rim + 4);  // samples stand for some around
+    left -= std::min(left, room), top -= std::min(top, room);
+    return {left, top, std::min(right + room, extent.width) - left, std::min(bottom + room, extent.height) - top};
+}
+
+void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const PictureImage* from) {
     graph::Graph& g = f.graph;
     const graph::Image picture = g.importImage("picture", {format, extent}, passes::kTextureState);
     f.picture = picture;
@@ -107,12 +140,18 @@ void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const pa
     const auto draw = [&](const char* name, LensStep step, graph::Image to, std::vector<graph::Image> images) {
         graph::PassBuilder drawn = g.graphics(name);
         for (const graph::Image image : images) drawn.samples(image);
-        drawn.color(to);
-        if (!lens) return to;
+        std::optional<graph::Clear> clear;
+        if (step == LensStep::circles) clear = graph::Clear{0, kNoDistance, 0, 0};  // of nothing, as bits
+        drawn.color(to, clear);
+        if (!from) return to;
         drawn.record({[=](gpu::PassContext& c) {
                           std::vector<vk::ImageView> views;
                           for (const graph::Image image : images) views.push_back(c.view(image));
-                          passes::drawLens(c, {step, coded}, *lens, views);
+                          const passes::Lens lens = lensOf(*from);
+                          std::optional<PictureRect> part;
+                          if (from->tiles && (step == LensStep::circles || step == LensStep::gather))
+                              part = blurredBy(lens, from->tiles->lists.spans(), extent);
+                          passes::drawLens(c, {step, coded}, lens, views, part);
                       },
                       [=](gpu::PipelineContext& c) {
                           passes::wantLens(c, {step, coded});

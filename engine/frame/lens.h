@@ -2,13 +2,17 @@
 // Depth of field: passes behind a frame that draws how far away each pixel is, and the lens they stand for.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/frame/screen.h"
 #include "engine/passes/lens.h"
+#include "engine/scene/tile_lists.h"
 #include "engine/settings.h"
 
 namespace nacre {
+
+struct PictureImage;
 
 /// Z of an empty pixel, as shaders/lens.frag has it.
 constexpr float kNoDistance = 1e30f;
@@ -37,8 +41,11 @@ double largestCircle(const RenderSettings& settings);
 /// A view through a point of the lens: the mean of all is what the lens shows. @param point  in the unit disc
 View throughLens(const RenderSettings& settings, View view, glm::dvec2 point);
 
+/// The part of a picture that a lens may change: around what it shows. @param spans  of bins that show anything
+PictureRect blurredBy(const passes::Lens& lens, std::span<const TileLists::Span> spans, graph::Extent extent);
+
 /// Declares the passes that blur a picture, ScreenFrame::picture. The first target becomes the result.
-/// @param format  of both @param lens  read when the passes are recorded; null: the frame is only planned
-void declareLens(ScreenFrame& frame, graph::Extent extent, VkFormat format, const passes::Lens* lens);
+/// @param format  of both @param from  read when the passes are recorded; null: the frame is only planned
+void declareLens(ScreenFrame& frame, graph::Extent extent, VkFormat format, const PictureImage* from);
 
 }  // namespace nacre

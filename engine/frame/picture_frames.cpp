@@ -31,7 +31,7 @@ ScreenTarget readTarget(const FrameShape& shape, std::size_t i) {
 /// Declares the use of the targets, or of colours from compute shading.
 void declareEnd(ScreenFrame& frame, const FrameShape& shape, const PictureImage& picture) {
     if (shape.end == FrameEnd::throughLens)
-        declareLens(frame, shape.options.extent, shape.picture.image.format, &picture.lens);
+        declareLens(frame, shape.options.extent, shape.picture.image.format, &picture);
     const bool resolved = shape.end == FrameEnd::resolved;
     if (resolved || shape.end == FrameEnd::coarse) declareResolve(frame, shape, picture);
     if (shape.options.shadedByTiles) return frame.graph.output(frame.numbers);

@@ -39,13 +39,17 @@ FullScreenPass passOf(const LensPass& pass) {
 
 }  // namespace
 
-void drawLens(gpu::PassContext& context, const LensPass& pass, const Lens& lens,
-              std::span<const vk::ImageView> images) {
+void drawLens(gpu::PassContext& context, const LensPass& pass, const Lens& lens, std::span<const vk::ImageView> images,
+              const std::optional<PictureRect>& part) {
     // Always written, even if the shader reads fewer: lavapipe accesses all.
     std::array<vk::ImageView, kLensImages.size()> views;
     views.fill(images[0]);
     std::copy(images.begin(), images.end(), views.begin());
     const gpu::Layout& layout = lensLayout(context);
+    if (part)
+        context.commands.setScissor(0,
+                                    vk::Rect2D({static_cast<std::int32_t>(part->x), static_cast<std::int32_t>(part->y)},
+                                               {part->width, part->height}));
     bindFullScreen(context, passOf(pass), layout);
     bindTextures(context, layout, vk::Filter::eNearest, views);
     drawFullScreen(context, layout, kLensStages, lens);

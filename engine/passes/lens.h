@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/passes/full_screen.h"
+#include "engine/results.h"
 
 namespace nacre::passes {
 
@@ -27,7 +30,9 @@ struct LensPass {
 };
 
 /// @param images  that the step reads, in the order of its bindings
-void drawLens(gpu::PassContext& context, const LensPass& pass, const Lens& lens, std::span<const vk::ImageView> images);
+/// @param part  of the step's image that it draws
+void drawLens(gpu::PassContext& context, const LensPass& pass, const Lens& lens, std::span<const vk::ImageView> images,
+              const std::optional<PictureRect>& part = {});
 /// Requests the pipeline.
 void wantLens(gpu::PipelineContext& context, const LensPass& pass);
 

@@ -142,6 +142,20 @@ TEST(LensPlaces, AreSharpWithinPixelsOfWhatTheLensShowsSharp) {
     EXPECT_TRUE(at(7, 5));   // something smaller than the frame's pixels may be there
 }
 
+TEST(LensPlaces, AreBlurredAroundWhatIsShown) {
+    passes::Lens lens;
+    lens.most = 8;
+    lens.rim = 2;
+    const TileLists::Span spans[] = {{3, 2, 6, 3}, {2, 3, 4, 4}};
+    const auto [x, y, width, height] = blurredBy(lens, spans, {120, 200});
+    EXPECT_EQ(x, 2 * TileLists::kBinPixels - 16);
+    EXPECT_EQ(y, 2 * TileLists::kBinPixels - 16);
+    EXPECT_EQ(x + width, 6 * TileLists::kBinPixels + 16);
+    EXPECT_EQ(y + height, 4 * TileLists::kBinPixels + 16);
+    EXPECT_EQ(blurredBy(lens, spans, {100, 200}).width, 100 - x);
+    EXPECT_EQ(blurredBy(lens, {}, {100, 200}).width, 0u);
+}
+
 TEST_P(Lens, CostsNothingWhenOff) {
     const Representation r = scene("sample:dna", Style::spacefill);
     ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
