@@ -133,9 +133,11 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     const SphereBoxes* boxes = debug ? nullptr : boxesOf(view, settings, request.view, edges);
     if (!debug && !boxes && hides(view, settings, Visibility::tiles)) dropHidden(view, request.view, edges);
     const bool shaded = !debug && shadesByTiles(request);
+    // The device finds edges by whole bins.
+    const TileMask* mask = edges && !(shaded && request.places) ? nullptr : request.mask;
     const bool drawn = shaded && !edges && !boxes && !request.mask && drawsShapes(view, request.view);
     view.tiles = tiles_.prepare(shown_->representation, view, request.view, options.extent,
-                                {shaded, edges, view.rims.any() && request.subsamples, 1, request.mask, boxes, drawn,
+                                {shaded, edges, view.rims.any() && request.subsamples, 1, mask, boxes, drawn,
                                  shown_->chunks.triangles, request.places});
     if (!view.tiles) {
         const Visibility usual = device_.caps().visibility;

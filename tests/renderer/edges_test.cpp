@@ -301,17 +301,15 @@ TEST(EdgesOf, PicturesAreCounted) {
     EXPECT_GT(covered, 2000u);
     EXPECT_GT(edges, covered / 4);
     EXPECT_LT(edges, covered * 3);
-    // One sample per pixel, and once more in tiles where samples are added.
+    // One sample per pixel, and once more where tiles add samples.
     s = settings(r, 96, Projection::orthographic, {20, 0, 0}, 6);
     s.supersample = RenderSettings::kEdges;
     s.tuning.countFragments = true;
     const std::uint64_t near = countOf(Visibility::tiles, "impostor colour");
     const std::uint64_t deferred = countOf(Visibility::deferred, "impostor colour");
-    EXPECT_GT(deferred, near);
-    EXPECT_LT(deferred, near * 2);
-    const std::uint64_t added = countOf(Visibility::deferred, "edge samples");
-    EXPECT_GT(added, near / 8);
-    EXPECT_LT(added, near / 4);
+    EXPECT_GE(deferred, near * 2);
+    EXPECT_LT(deferred, near * 3);
+    EXPECT_GT(countOf(Visibility::deferred, "edge samples"), near / 4);
 }
 
 }  // namespace
