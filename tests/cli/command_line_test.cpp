@@ -324,7 +324,7 @@ TEST(CommandLine, TheSameCommandGivesTheSameBytes) {
             EXPECT_GT(pictures[0].size(), 1000u);
             for (int i : {1, 2}) {
                 EXPECT_EQ(pictures[i], pictures[0]) << path << " " << type;
-                if (type == "exr") EXPECT_EQ(layers[i], layers[0]);
+                EXPECT_TRUE(type != "exr" || layers[i] == layers[0]);
             }
         }
 }
