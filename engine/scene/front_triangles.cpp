@@ -92,11 +92,11 @@ public:
               const glm::vec4* corners, bool keeps) {
         mine_.clear();
         for (const Placed& placed : sorted)
-            if (placed.box.top < end_ && placed.box.bottom > first_) mine_.push_back(&placed);
+            if (placed.top < end_ && placed.bottom > first_) mine_.push_back(&placed);
         for (std::size_t i = 0; i < mine_.size(); ++i) {
             if (i + 2 < mine_.size()) fetch(groups[mine_[i + 2]->group]);
             if (i + 1 < mine_.size()) fetch(groups[mine_[i + 1]->group], corners);
-            draw(lens, groups[mine_[i]->group], *mine_[i], corners, keeps);
+            draw(lens, groups[mine_[i]->group], mine_[i]->group, corners, keeps);
         }
     }
 
@@ -127,16 +127,13 @@ private:
         for (std::uint32_t i = 0; i < group.count; ++i) __builtin_prefetch(corners + group.triangles[i].a);
     }
 
-    /// Draws a group, unless it is hidden.
-    void draw(const TriangleLens& lens, const Group& group, const Placed& placed, const glm::vec4* corners,
-              bool keeps) {
-        if (picture_.isHidden(lens, within(placed.box))) return;
+    void draw(const TriangleLens& lens, const Group& group, std::uint32_t number, const glm::vec4* corners, bool keeps) {
         shapes_.place(lens, group.triangles, group.count, corners);
-        if (keeps) drawn_.push_back({placed.group, shapes_.boxes});
+        if (keeps) drawn_.push_back({number, shapes_.boxes});
         // Front faces of a solid are in front of its back faces.
         std::array<std::uint32_t, 2 * kGroup> order;
         std::size_t begin = kGroup, end = kGroup;
-        const std::uint32_t index = placed.group * kGroup;
+        const std::uint32_t index = number * kGroup;
         for (std::uint32_t first = 0; first < group.count; first += kLanes) {
             if (picture_.isHidden(lens, within(shapes_.boxes[first / kLanes]))) continue;
             shapes_.findPlanes(lens, first);
@@ -257,8 +254,8 @@ void FrontTriangles::begin(const TileView& view) {
 /// Where a ball may show. Without one: anywhere.
 FrontTriangles::Placed FrontTriangles::place(const Group& group, std::uint32_t number) const {
     constexpr float kRoom = 1.0f / 16;  // pixels, for rounding
-    const auto width = static_cast<std::int32_t>(lens_.width), height = static_cast<std::int32_t>(lens_.height);
-    Placed placed{-std::numeric_limits<float>::max(), number, {0, width, 0, height, kBehindAll, 0}};
+    const auto height = static_cast<float>(lens_.height);
+    Placed placed{-std::numeric_limits<float>::max(), number, 0, static_cast<std::int32_t>(lens_.height)};
     if (!group.ball) return placed;
     const glm::vec3 center = nacre::placed(group.rows, group.ball->center);
     const float Z = view_.origin - center.z - group.ball->radius - 2 * lens_.errorOfZ;
@@ -266,16 +263,10 @@ FrontTriangles::Placed FrontTriangles::place(const Group& group, std::uint32_t n
     const Disc disc = discOf(view_, center, group.ball->radius);
     const glm::vec2 at = pixelOf(view_, disc.center);
     const float reach = disc.radius * view_.pixels + kRoom + static_cast<float>(view_.edges ? kAround : 0);
-    const auto pixel = [](float place, std::int32_t size) {
-        return static_cast<std::int32_t>(std::min(std::max(place, 0.0f), static_cast<float>(size)));
-    };
+    const auto row = [&](float y) { return static_cast<std::int32_t>(std::min(std::max(y + 0.5f, 0.0f), height)); };
     placed.near = Z;
-    placed.box = {pixel(at.x - reach + 0.5f, width),
-                  pixel(at.x + reach + 0.5f, width),
-                  pixel(at.y - reach + 0.5f, height),
-                  pixel(at.y + reach + 0.5f, height),
-                  Z,
-                  0};
+    placed.top = row(at.y - reach);
+    placed.bottom = at.x + reach < 0 || at.x - reach > static_cast<float>(lens_.width) ? placed.top : row(at.y + reach);
     return placed;
 }
 
@@ -290,7 +281,7 @@ void FrontTriangles::addGroups(const Run& run) {
 }
 
 void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> corners) {
-    constexpr std::size_t kGroupsOfThread = 512, kSlice = 2048, kBandsOfThread = 2;  // one that is done takes another
+    constexpr std::size_t kGroupsOfThread = 512, kSlice = 2048;
     constexpr std::uint32_t kDepths = 128;  // within one, neighbours in memory follow each other
     const std::size_t before = groups_.size();
     for (const Run& run : runs) addGroups(run);
@@ -303,10 +294,9 @@ void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> 
     sortNearFirst<kDepths>(view_, std::span(&placed_, 1), sorted_);
     const auto threads = std::min<std::size_t>(count / kGroupsOfThread + 1, threadsPerTask());
     partRows(
-        lens_.height, threads > 1 ? threads * kBandsOfThread : 1, placed_,
+        lens_.height, threads, placed_,
         [&](const Placed& p) {
-            return static_cast<std::uint32_t>(
-                std::clamp((p.box.top + p.box.bottom) / 2, 0, static_cast<std::int32_t>(lens_.height) - 1));
+            return static_cast<std::uint32_t>(std::min((p.top + p.bottom) / 2, static_cast<std::int32_t>(lens_.height) - 1));
         },
         inRow_, rows_);
     while (bands_.size() < rows_.size()) bands_.emplace_back(*picture_);

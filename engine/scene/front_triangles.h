@@ -59,11 +59,11 @@ private:
         const glm::vec4* rows = nullptr;
         const Chunk* ball = nullptr;  // null: unknown
     };
-    /// Where a group may show.
+    /// Rows of pixels that a group may show in.
     struct Placed {
         float near = 0;  // Z
         std::uint32_t group = 0;
-        Box box{};
+        std::int32_t top = 0, bottom = 0;  // equal: none
     };
     std::uint32_t numberOf(std::uint32_t index) const;
     void addGroups(const Run& run);
