@@ -12,10 +12,9 @@ namespace {
 
 using passes::Output;
 
-constexpr ScreenTarget kLayerTargets[] = {
-    kFineTargets[0],
-    {"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Output::surface, "surface layer"},
-    {"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
+constexpr ScreenTarget kLayerTargets[] = {kFineTargets[0],
+                                          {"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Output::surface, "surface layer"},
+                                          {"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
 
 /// Where layers are translucent, colour is of a frame of its own.
 constexpr ScreenTarget kSolidTargets[] = {kLayerTargets[1], kLayerTargets[2]};

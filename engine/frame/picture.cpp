@@ -184,8 +184,8 @@ LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const flo
     covered = 0;
     for (std::size_t i = 0; i < count; ++i) {
         // A density map has a normal, and no atom.
-        const bool hit =
-            identity[2 * i] != 0 || std::any_of(surface + 4 * i + 1, surface + 4 * i + 4, [](float n) { return n != 0; });
+        const bool hit = identity[2 * i] != 0 ||
+                         std::any_of(surface + 4 * i + 1, surface + 4 * i + 4, [](float n) { return n != 0; });
         covered += hit ? 1 : 0;
         const float through = 1.0f - color[4 * i + 3];
         for (std::size_t c = 0; c < 4; ++c) l.rgba[4 * i + c] = color[4 * i + c] + through * behind[c];

@@ -127,7 +127,8 @@ private:
         for (std::uint32_t i = 0; i < group.count; ++i) __builtin_prefetch(corners + group.triangles[i].a);
     }
 
-    void draw(const TriangleLens& lens, const Group& group, std::uint32_t number, const glm::vec4* corners, bool keeps) {
+    void draw(const TriangleLens& lens, const Group& group, std::uint32_t number, const glm::vec4* corners,
+              bool keeps) {
         shapes_.place(lens, group.triangles, group.count, corners);
         if (keeps) drawn_.push_back({number, shapes_.boxes});
         // Front faces of a solid are in front of its back faces.
@@ -296,7 +297,8 @@ void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> 
     partRows(
         lens_.height, threads, placed_,
         [&](const Placed& p) {
-            return static_cast<std::uint32_t>(std::min((p.top + p.bottom) / 2, static_cast<std::int32_t>(lens_.height) - 1));
+            return static_cast<std::uint32_t>(
+                std::min((p.top + p.bottom) / 2, static_cast<std::int32_t>(lens_.height) - 1));
         },
         inRow_, rows_);
     while (bands_.size() < rows_.size()) bands_.emplace_back(*picture_);
