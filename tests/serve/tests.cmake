@@ -8,3 +8,5 @@ add_test(NAME serve/load COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DI
 add_test(NAME serve/nginx COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/nginx_test.py $<TARGET_FILE:nacre-cli>
                                   ${CMAKE_SOURCE_DIR})
 set_tests_properties(serve serve/attack serve/page serve/load serve/nginx PROPERTIES TIMEOUT 600 ENVIRONMENT "${on_lavapipe}")
+# They mostly wait: begun last, they would wait alone.
+set_tests_properties(serve/attack serve/page serve/load PROPERTIES COST 95)
