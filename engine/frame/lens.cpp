@@ -32,6 +32,11 @@ double focusOf(const RenderSettings& settings, const View& view) {
     return isPerspective(view) ? std::max(focus, kNearest) : focus;
 }
 
+/// Radius of a point's circle, pixels, as shaders/lens.frag has it.
+float radiusAt(const passes::Lens& lens, float Z) {
+    return std::abs(lens.pixels * (Z - lens.focus) * (lens.perspective > 0 ? 1 / Z : 1));
+}
+
 }  // namespace
 
 bool hasLens(const RenderSettings& settings) {
@@ -72,8 +77,7 @@ std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent exte
     std::vector<float> radii(std::size_t{extent.width} * extent.height);
     for (float& radius : radii) {
         const float Z = *distances++;
-        radius =
-            Z < kNoDistance ? std::abs(lens.pixels * (Z - lens.focus) * (lens.perspective > 0 ? 1 / Z : 1)) : kNothing;
+        radius = Z < kNoDistance ? radiusAt(lens, Z) : kNothing;
     }
     // What differs from a neighbour, and rims beside it.
     for (auto left = static_cast<std::size_t>(2 + std::ceil(0.5 * rim)); left > 0; --left) {
@@ -109,10 +113,8 @@ passes::Lens lensOf(const PictureImage& picture) {
     passes::Lens lens = picture.lens;
     if (!picture.tiles) return lens;
     const layout::TileConstants& view = picture.tiles->constants;
-    const auto circle = [&](float Z) {
-        return std::abs(lens.pixels * (Z - lens.focus) * (lens.perspective > 0 ? 1 / Z : 1));
-    };
-    const float largest = std::max(circle(view.depthStart), circle(view.depthStart + 1 / view.perRange));
+    const float largest =
+        std::max(radiusAt(lens, view.depthStart), radiusAt(lens, view.depthStart + 1 / view.perRange));
     lens.most = std::min(lens.most, largest + kRounding);  // else it is larger, or no number
     return lens;
 }

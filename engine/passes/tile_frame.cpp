@@ -232,6 +232,8 @@ void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent 
         *spans++ = {glm::vec4(glm::vec2(s.x, s.y) * ndc, glm::vec2(s.endX, s.endY) * ndc) - 1.0f};
 }
 
+namespace {
+
 /// Lists wanted pixels, by bins that hold anything, as the device does. @returns the number of groups
 std::uint32_t listPlaces(const TileLists& lists, const EdgePlaces& places, std::uint32_t lanes, std::uint32_t* to) {
     constexpr std::uint32_t kBin = TileLists::kBinPixels;
@@ -246,6 +248,8 @@ std::uint32_t listPlaces(const TileLists& lists, const EdgePlaces& places, std::
         }
     return listed / lanes;
 }
+
+}  // namespace
 
 void TileFrames::uploadEdges(TileFrame& f, graph::Extent image, const EdgePlaces* places) const {
     const std::size_t pixels = TileLists::pixelsOfBins(image.width, image.height);
