@@ -154,6 +154,19 @@ TEST(Rings, NoneInAChain) {
     EXPECT_TRUE(chemistryOf(chain).rings.empty());
 }
 
+TEST(Rings, OfACubicLatticeAreItsFaces) {
+    constexpr int n = 12;
+    MoleculeText lattice;
+    lattice.residue("LIG");
+    for (int x = 0; x < n; ++x)
+        for (int y = 0; y < n; ++y)
+            for (int z = 0; z < n; ++z) lattice.atom("SI", "Si", 2.3f * glm::vec3(x, y, z));
+    const Chemistry chemistry = chemistryOf(lattice.molecule);
+    EXPECT_EQ(chemistry.rings.size(), 3u * n * (n - 1) * (n - 1));
+    EXPECT_TRUE(std::all_of(chemistry.rings.begin(), chemistry.rings.end(),
+                            [](const Ring& ring) { return ring.atoms.size() == 4; }));
+}
+
 /// The best sum by trying all.
 float bestByTrial(const PiSystem& system, std::size_t bond, std::vector<std::uint8_t>& used, float sum) {
     if (bond == system.bonds.size()) {

@@ -128,16 +128,59 @@ private:
     std::vector<std::uint32_t> queue_;
 };
 
+/// How many independent cycles each connected part of the cyclic bonds has: its bonds - its atoms + 1.
+class CyclesLeft {
+public:
+    CyclesLeft(const Chemistry& chemistry, const std::vector<std::uint8_t>& cyclic)
+        : part_(chemistry.present.size(), kNoPart) {
+        std::vector<std::uint32_t> stack;
+        for (std::uint32_t i = 0; i < part_.size(); ++i) {
+            if (!chemistry.present[i] || part_[i] != kNoPart) continue;
+            std::int64_t atoms = 0, ends = 0;
+            stack.assign(1, i);
+            part_[i] = static_cast<std::uint32_t>(left_.size());
+            while (!stack.empty()) {
+                const std::uint32_t atom = stack.back();
+                stack.pop_back();
+                ++atoms;
+                for (const Neighbour& n : chemistry.of(atom)) {
+                    if (!cyclic[n.bond]) continue;
+                    ++ends;
+                    if (part_[n.atom] != kNoPart) continue;
+                    part_[n.atom] = part_[i];
+                    stack.push_back(n.atom);
+                }
+            }
+            left_.push_back(ends / 2 - atoms + 1);
+        }
+    }
+
+    /// Independent cycles that are not found yet in the part that an atom is in.
+    std::int64_t& at(std::uint32_t atom) { return left_[part_[atom]]; }
+
+private:
+    static constexpr std::uint32_t kNoPart = 0xffffffffu;
+    std::vector<std::uint32_t> part_;  ///< per atom
+    std::vector<std::int64_t> left_;   ///< per part
+};
+
 /// Gaussian elimination over the field of two elements, sparse: a basis cycle by its first bond.
 class CycleBasis {
 public:
+    CycleBasis(const Chemistry& chemistry, const std::vector<std::uint8_t>& cyclic) : left_(chemistry, cyclic) {}
+
     /// Whether a cycle is no sum of those that were added. @param add  then it is one of them
-    bool independent(std::vector<std::uint32_t> bonds, bool add) {
+    bool independent(const Cycle& cycle, bool add) {
+        std::int64_t& left = left_.at(cycle.atoms.front());
+        if (left == 0) return false;
+        std::vector<std::uint32_t> bonds = cycle.bonds;
         for (int step = 0; !bonds.empty(); ++step) {
             if (step > kMostSteps || bonds.size() > kMostBonds) return true;
             const auto known = rows_.find(bonds.front());
             if (known == rows_.end()) {
-                if (add) rows_.emplace(bonds.front(), std::move(bonds));
+                if (!add) return true;
+                rows_.emplace(bonds.front(), std::move(bonds));
+                --left;
                 return true;
             }
             std::vector<std::uint32_t> sum;
@@ -153,6 +196,7 @@ private:
     static constexpr int kMostSteps = 500;
     static constexpr std::size_t kMostBonds = 200;
     std::map<std::uint32_t, std::vector<std::uint32_t>> rows_;
+    CyclesLeft left_;
 };
 
 /// Largest mean torsion (degrees) of a flat ring of five and of six, as Open Babel has them for planar rings.
@@ -215,13 +259,13 @@ void findRings(ChemistryWork& work) {
         if (cycles.size() > kMostCycles / 2) break;
     }
     sortCycles(cycles);
-    CycleBasis basis;
+    CycleBasis basis(chemistry, work.inRing);
     for (std::size_t begin = 0, end = 0; begin < cycles.size(); begin = end) {
         while (end < cycles.size() && cycles[end].bonds.size() == cycles[begin].bonds.size()) ++end;
         std::vector<std::uint8_t> kept(end - begin);
-        for (std::size_t i = begin; i < end; ++i) kept[i - begin] = basis.independent(cycles[i].bonds, false);
+        for (std::size_t i = begin; i < end; ++i) kept[i - begin] = basis.independent(cycles[i], false);
         for (std::size_t i = begin; i < end; ++i)
-            if (kept[i - begin]) basis.independent(cycles[i].bonds, true);
+            if (kept[i - begin]) basis.independent(cycles[i], true);
         for (std::size_t i = begin; i < end; ++i)
             if (kept[i - begin]) addRing(work, std::move(cycles[i].atoms));
     }
