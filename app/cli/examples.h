@@ -11,7 +11,7 @@ inline constexpr const char* kExamples =
     "  nacre info 4hhb.cif.gz --json\n"
     "  nacre devices\n"
     "`nacre render --help` lists all options; `nacre help TOPIC` explains selections, colors, styles, labels,\n"
-    "interactions, maps, formats, views, light and devices.\n"
+    "interactions, maps, formats, views, light and devices; `nacre help OPTION` explains an option.\n"
     "Environment variables for drivers in doubt; the picture stays the same:\n"
     "  NACRE_NO_MERGE=1      each pass is a render pass of its own\n"
     "  NACRE_NO_TRANSIENT=1  each attachment has memory and is stored\n"

@@ -1,4 +1,4 @@
-// `nacre help TOPIC`: a text about several options, and those options' own help.
+// `nacre help TOPIC`: a text about several options, and those options' own help. An option's name is a topic, too.
 
 #include <algorithm>
 #include <sstream>
@@ -75,6 +75,27 @@ std::string described(const OptionSpec& option) {
     text += "\n      ";
     for (const char c : option.help) text += c == '\n' ? std::string("\n      ") : std::string(1, c);
     return text + "\n";
+}
+
+/// Options of that name, "--halos" or "halos"; those with the same text together, after the commands that have them.
+std::string optionsNamed(const std::string& name, std::span<const CommandSpec> commands) {
+    const std::string longName = name.starts_with('-') ? name : "--" + name;
+    std::vector<std::pair<std::string, std::string>> texts;  // with their commands
+    for (const CommandSpec& command : commands)
+        for (const OptionSpec& option : command.options) {
+            const std::vector<std::string> written = writtenNames(option);
+            if (std::find(written.begin(), written.end(), longName) == written.end()) continue;
+            const std::string text = described(option);
+            const auto known =
+                std::find_if(texts.begin(), texts.end(), [&](const auto& other) { return other.first == text; });
+            if (known == texts.end())
+                texts.emplace_back(text, "nacre " + command.name);
+            else
+                known->second += ", " + command.name;
+        }
+    std::string all;
+    for (const auto& [text, names] : texts) all += (all.empty() ? "" : "\n") + names + ":\n" + text;
+    return all;
 }
 
 /// Text that man(7) shows as it stands; dashes are minus signs, to be searched for and copied.
@@ -218,12 +239,15 @@ std::string helpTopic(const std::string& name, std::span<const CommandSpec> comm
     const auto topic =
         std::find_if(std::begin(kTopics), std::end(kTopics), [&](const HelpTopic& t) { return spelt == t.name; });
     if (topic == std::end(kTopics)) {
+        std::string named = optionsNamed(name, commands);
+        if (!named.empty()) return named;
         std::vector<std::string> known = helpTopicNames();
         std::string list;
         for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
         for (const CommandSpec& command : commands) known.push_back(command.name);
+        for (const Option& option : options()) known.emplace_back(option.key);
         throw UsageError("no help topic '" + name + "'" + suggestion(name, known) + ": topics are " + list +
-                         " and every command");
+                         ", every command and every option");
     }
     std::string text = topic->text;
     const auto render =

@@ -108,6 +108,7 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
           Case{"info sample:dna --interactions all --interaction-rules plipp", "did you mean 'plip'?"},
           Case{"help selectons", "did you mean 'selections'?"},
           Case{"help movies", "did you mean 'movie'?"},
+          Case{"help halso", "did you mean 'halos'?"},
           Case{"render", "usage: nacre render INPUT -o FILE [OPTION...], for example: nacre render 1bna.pdb -o "},
           Case{"movie", "usage: nacre movie INPUT -o FILE|FOLDER/ [OPTION...], for example: nacre movie "},
           Case{"info", "usage: nacre info INPUT [OPTION...], for example: nacre info 1bna.pdb"},
@@ -124,6 +125,11 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
     }
     EXPECT_EQ(nacreIn(folder, "help").out, nacreIn(folder, "--help").out);
     EXPECT_EQ(nacreIn(folder, "help render").out, nacreIn(folder, "render --help").out);
+    const std::string halos = nacreIn(folder, "help halos").out;
+    EXPECT_TRUE(halos.starts_with("nacre render, movie, ")) << halos;
+    EXPECT_NE(halos.find("--halos PIXELS"), std::string::npos) << halos;
+    EXPECT_EQ(nacreIn(folder, "help --halos").out, halos);
+    EXPECT_NE(nacreIn(folder, "help -o").out.find("nacre movie:\n  -o,--output"), std::string::npos);
     EXPECT_EQ(nacreIn(folder, "render sample:glucose -o a.png --style sticks --size 32x32 --occlusion off").code, 0);
     // A frame that its device cannot draw is the user's mistake.
     const Outcome plan = nacreIn(folder, "plan --caps powervr --visibility raster-order");

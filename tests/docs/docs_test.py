@@ -104,7 +104,7 @@ class Pages(unittest.TestCase):
         for command in commands():
             texts[f"nacre {command} --help"] = program(command, "--help")
         known = subprocess.run([PROGRAM, "help", "nothing"], capture_output=True, text=True).stderr
-        for topic in re.search("topics are (.*) and every command", known).group(1).split(", "):
+        for topic in re.search("topics are (.*), every command", known).group(1).split(", "):
             texts[f"nacre help {topic}"] = program("help", topic)
         for name, text in texts.items():
             for phrase, better in RETIRED.items():
