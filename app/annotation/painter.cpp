@@ -159,6 +159,14 @@ struct WordPainter::Face {
         return faces[0];
     }
 
+    /// Characters that were asked for and that no font has.
+    std::vector<char32_t> missing() const {
+        std::vector<char32_t> found;
+        for (const auto& [character, face] : foreign)
+            if (face == faces[0]) found.push_back(character);
+        return found;
+    }
+
     /// Calls glyph(face, index, pen) for each, in ems. @returns the width, likewise
     template <typename OnGlyph>
     double walk(const std::string& text, const OnGlyph& glyph) {
@@ -301,16 +309,37 @@ View WordPainter::besideWords(const View& view, const PlacedWords& words, double
                             [this](const std::string& text, double em) { return widthOf(text, em); });
 }
 
-std::size_t WordPainter::paint(const PlacedWords& words, const View& view, double size,
-                               const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
-                               Picture& picture, const Clip& clip, WordMemory* memory) const {
-    if (!words.any()) return 0;
+std::vector<std::string> WordPainter::warningsOf(const Marks& marks) const {
+    std::vector<std::string> warnings;
+    if (marks.crowded > 0)
+        warnings.push_back(std::to_string(marks.crowded) + (marks.crowded == 1 ? " label does" : " labels do") +
+                           " not fit into the picture (use a smaller --text-size, or fewer labels)");
+    if (const std::vector<char32_t> missing = face_->missing(); !missing.empty()) {
+        constexpr std::size_t kNamed = 4;
+        std::string text =
+            "no installed font has " + std::string(missing.size() == 1 ? "the character" : "the characters");
+        for (std::size_t i = 0; i < std::min(missing.size(), kNamed); ++i) {
+            char code[16];
+            std::snprintf(code, sizeof code, " U+%04X", static_cast<unsigned>(missing[i]));
+            text += (i ? "," : "") + std::string(code);
+        }
+        if (missing.size() > kNamed) text += " and " + std::to_string(missing.size() - kNamed) + " more";
+        warnings.push_back(text + ": the picture shows boxes instead");
+    }
+    return warnings;
+}
+
+std::vector<std::string> WordPainter::paint(const PlacedWords& words, const View& view, double size,
+                                            const std::optional<std::array<float, 3>>& color,
+                                            const std::array<float, 4>& background, Picture& picture, const Clip& clip,
+                                            WordMemory* memory) const {
+    if (!words.any()) return {};
     const Marks marks = layOut(words, view, size, color, background, clip, memory);
     constexpr std::uint32_t kBand = 256;
     for (std::uint32_t row = 0; row < picture.height; row += kBand)
         paint(marks, picture.rgba.data() + std::size_t{row} * picture.width * 4, picture.width, row,
               std::min(kBand, picture.height - row));
-    return marks.crowded;
+    return warningsOf(marks);
 }
 
 }  // namespace nacre::app

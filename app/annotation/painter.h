@@ -3,6 +3,8 @@
 // at any size.
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "app/annotation/layout.h"
 #include "app/annotation/system_font.h"
@@ -36,10 +38,14 @@ public:
     View besideWords(const View& view, const PlacedWords& words, double size, const std::vector<glm::dvec4>& balls,
                      double zoom) const;
 
-    /// Lays out words over a whole picture, and draws them. @returns the number of labels left out for lack of room
-    std::size_t paint(const PlacedWords& words, const View& view, double size,
-                      const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
-                      Picture& picture, const Clip& clip = {}, WordMemory* memory = nullptr) const;
+    /// What marks laid out here lack, for a reader: labels without room, and characters that no font has.
+    std::vector<std::string> warningsOf(const Marks& marks) const;
+
+    /// Lays out words over a whole picture, and draws them. @returns warningsOf() its marks
+    std::vector<std::string> paint(const PlacedWords& words, const View& view, double size,
+                                   const std::optional<std::array<float, 3>>& color,
+                                   const std::array<float, 4>& background, Picture& picture, const Clip& clip = {},
+                                   WordMemory* memory = nullptr) const;
 
 private:
     struct Face;

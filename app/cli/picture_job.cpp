@@ -93,10 +93,6 @@ void PictureJob::drawPicture(Renderer& renderer) {
         sayNote("captured to " + written);
 }
 
-void PictureJob::sayCrowded(std::size_t labels) const {
-    if (labels > 0) sayWarning(crowdedText(labels) + " (use a smaller --text-size, or fewer labels)");
-}
-
 /// Draws the picture in parts, and writes it meanwhile.
 void PictureJob::drawInParts(Renderer& renderer) {
     const RenderSettings& settings = drawing_.settings;
@@ -116,7 +112,7 @@ void PictureJob::drawInParts(Renderer& renderer) {
         painter.emplace();
         Marks marks = painter->layOut(drawing_.words, view, options_.words.size, options_.words.color,
                                       settings.background, settings.effects.clip);
-        sayCrowded(marks.crowded);
+        for (const std::string& warning : painter->warningsOf(marks)) sayWarning(warning);
         picture.setMarks(*painter, std::move(marks));
     }
     writePicture(
@@ -156,7 +152,7 @@ void PictureJob::write() {
     if (codes_) {
         writePicture(pictureFile_, *codes_, formatOf(options_).dpi);
     } else if (!written_) {
-        sayCrowded(drawing_.addWords(drawing_.settings, picture_));
+        for (const std::string& warning : drawing_.addWords(drawing_.settings, picture_)) sayWarning(warning);
         writePicture(pictureFile_, picture_, formatOf(options_));
     }
     if (!statsFile_) return;

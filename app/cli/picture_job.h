@@ -37,7 +37,6 @@ private:
     void drawPicture(Renderer& renderer);
     void drawInParts(Renderer& renderer);
     bool isCaptured(const Renderer& renderer) const;
-    void sayCrowded(std::size_t labels) const;
 
     const PictureDescription& options_;
     Progress& progress_;

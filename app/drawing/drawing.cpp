@@ -229,16 +229,16 @@ void Drawing::handOver(Canvas& canvas) {
     ++counts_.uploads;
 }
 
-Picture Drawing::draw(Canvas& canvas, std::size_t* crowded) {
+Picture Drawing::draw(Canvas& canvas, std::vector<std::string>* said) {
     show(canvas);
     Picture picture = canvas.renderer.render(settings);
-    const std::size_t labels = addWords(settings, picture);
-    if (crowded) *crowded = labels;
+    const std::vector<std::string> ofWords = addWords(settings, picture);
+    if (said) said->insert(said->end(), ofWords.begin(), ofWords.end());
     return picture;
 }
 
-CodedPicture Drawing::drawCoded(Canvas& canvas, bool alpha, std::size_t* crowded) {
-    if (words.any()) return coded(draw(canvas, crowded), alpha);
+CodedPicture Drawing::drawCoded(Canvas& canvas, bool alpha, std::vector<std::string>* said) {
+    if (words.any()) return coded(draw(canvas, said), alpha);
     show(canvas);
     return canvas.renderer.renderCoded(settings, alpha);
 }
@@ -255,14 +255,10 @@ LayerPicture Drawing::layers(Renderer& renderer) const {
     return layers;
 }
 
-std::size_t Drawing::addWords(const RenderSettings& drawn, Picture& picture, WordMemory* memory) const {
-    if (!words.any()) return 0;
+std::vector<std::string> Drawing::addWords(const RenderSettings& drawn, Picture& picture, WordMemory* memory) const {
+    if (!words.any()) return {};
     return WordPainter().paint(words, drawn.view, description_.words.size, description_.words.color, drawn.background,
                                picture, drawn.effects.clip, memory);
-}
-
-std::string crowdedText(std::size_t labels) {
-    return std::to_string(labels) + (labels == 1 ? " label does" : " labels do") + " not fit into the picture";
 }
 
 }  // namespace nacre::app

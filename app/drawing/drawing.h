@@ -46,19 +46,20 @@ public:
     void show(Canvas& canvas);
     /// As above for the last time: moves the scene to the canvas.
     void handOver(Canvas& canvas);
-    /// A picture in full size, with its words. @returns in `crowded` the number of labels left out for lack of room
-    Picture draw(Canvas& canvas, std::size_t* crowded = nullptr);
+    /// A picture in full size, with its words. @param said  gets warnings of these, if given
+    Picture draw(Canvas& canvas, std::vector<std::string>* said = nullptr);
     /// As above, in 8 bits per channel.
-    CodedPicture drawCoded(Canvas& canvas, bool alpha, std::size_t* crowded = nullptr);
+    CodedPicture drawCoded(Canvas& canvas, bool alpha, std::vector<std::string>* said = nullptr);
     /// Whether startCoded() serves: no words are drawn, and 8 bits per channel hold the picture.
     bool startsCoded() const { return !words.any() && !settings.fine; }
     /// Starts a picture of drawCoded(), which the renderer's finishCoded() returns.
     void startCoded(Canvas& canvas, bool alpha);
     /// Layers of the scene on the renderer. Depths of all frames of a trajectory have one origin.
     LayerPicture layers(Renderer& renderer) const;
-    /// Draws the words into a picture. @returns labels left out for lack of room
+    /// Draws the words into a picture. @returns warnings of them
     /// @param settings  of the picture @param memory  of a sequence of pictures
-    std::size_t addWords(const RenderSettings& settings, Picture& picture, WordMemory* memory = nullptr) const;
+    std::vector<std::string> addWords(const RenderSettings& settings, Picture& picture,
+                                      WordMemory* memory = nullptr) const;
 
     /// Places words in another scene of the molecule, about the same centre; and adds maps and primitives to a scene.
     void placeWordsIn(const Representation& scene, const ResidueFacts& facts,
@@ -102,8 +103,5 @@ private:
     double depthShift_ = 0;
     Counts counts_;
 };
-
-/// Of labels that were left out: "2 labels do not fit into the picture".
-std::string crowdedText(std::size_t labels);
 
 }  // namespace nacre::app

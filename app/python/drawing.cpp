@@ -164,13 +164,11 @@ namespace {
 
 /// @param alpha  whether to keep it in 8 bits per channel
 void drawNow(app::Drawing& drawing, app::Canvas& canvas, bool alpha, Drawn& drawn) {
-    std::size_t crowded = 0;
-    if (drawing.settings.fine)
-        drawn.picture = drawing.draw(canvas, &crowded);
-    else
-        drawn.codes = drawing.drawCoded(canvas, alpha, &crowded);
     drawn.warnings = drawing.warnings;
-    if (crowded) drawn.warnings.push_back(app::crowdedText(crowded));
+    if (drawing.settings.fine)
+        drawn.picture = drawing.draw(canvas, &drawn.warnings);
+    else
+        drawn.codes = drawing.drawCoded(canvas, alpha, &drawn.warnings);
 }
 
 Drawn drawAs(const std::string& output, bool alpha, const Structure& structure, const std::string& options,

@@ -105,11 +105,10 @@ private:
         drawing_.prepare(*molecule_, description);
         check(0);
         drawing_.settings.occlusion.onProgress = check;
-        std::size_t crowded = 0;
-        ServedPicture served{encoded(drawing_.draw(*canvas_, &crowded), description), heard.warnings};
-        served.warnings.insert(served.warnings.end(), drawing_.warnings.begin(), drawing_.warnings.end());
-        if (crowded > 0) served.warnings.push_back(crowdedText(crowded));
-        return served;
+        std::vector<std::string> said = heard.warnings;
+        said.insert(said.end(), drawing_.warnings.begin(), drawing_.warnings.end());
+        std::string picture = encoded(drawing_.draw(*canvas_, &said), description);
+        return {std::move(picture), std::move(said)};
     }
 
     const DeviceOptions& device_;

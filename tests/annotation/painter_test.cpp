@@ -115,6 +115,10 @@ TEST(WordPainter, ForeignScriptsComeFromAnotherFont) {
     EXPECT_TRUE(asked.empty());
     EXPECT_EQ(drawn(alone, "蛋"), drawn(alone, "白")) << "boxes";
     EXPECT_EQ(drawn(alone, "Ab"), drawn(painter, "Ab"));
+    const std::vector<std::string> said = alone.warningsOf({});
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_EQ(said[0], "no installed font has the characters U+767D, U+86CB: the picture shows boxes instead");
+    EXPECT_TRUE(painter.warningsOf({}).empty() || !systemFontWith({U'蛋'}));
     if (!systemFontWith({U'蛋'}) || drawn(painter, "蛋") == drawn(alone, "蛋")) GTEST_SKIP() << "no Chinese font here";
     EXPECT_NE(drawn(painter, "蛋"), drawn(painter, "白"));
     EXPECT_EQ(asked.size(), 1u) << "the font that has one has the other";

@@ -34,11 +34,11 @@ TEST(BandedPicture, IsThePictureThatIsDrawnAtOnce) {
     EXPECT_FALSE(isBanded(renderer, prepared.settings));
     Picture whole = renderer.render(prepared.settings);
     const std::uint64_t covered = renderer.stats().coveredPixels;
-    const std::size_t crowded = prepared.addWords(prepared.settings, whole);
+    const std::vector<std::string> said = prepared.addWords(prepared.settings, whole);
 
     const WordPainter painter;
     Marks marks = painter.layOut(prepared.words, view, options.words.size, options.words.color, options.background);
-    EXPECT_EQ(marks.crowded, crowded);
+    EXPECT_EQ(painter.warningsOf(marks), said);
     double share = 0;
     // Bands of 64 rows, in parts of 128 columns.
     BandedPicture banded(renderer, prepared.settings, [&](double done) { share = done; }, {301 * 100, 170});

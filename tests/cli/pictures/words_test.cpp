@@ -57,7 +57,7 @@ TEST(WordOptions, EachPutsInkIntoThePictureAndAViewKeepsIt) {
     }
 }
 
-TEST(WordOptions, LabelsWithoutRoomAreCounted) {
+TEST(WordOptions, WhatIsMissingInThePictureIsSaid) {
     const TemporaryFolder folder;
     const auto said = [&](const std::string& labels) {
         return nacreIn(folder, "render sample:glucose --size 64x64 --occlusion off -o a.png " + labels).err;
@@ -65,6 +65,8 @@ TEST(WordOptions, LabelsWithoutRoomAreCounted) {
     const std::string one = "--label 'name C1=A text that is too long for it' ";
     EXPECT_NE(said(one).find("warning: 1 label does not fit into the picture"), std::string::npos);
     EXPECT_NE(said(one + one).find("warning: 2 labels do not fit into the picture"), std::string::npos);
+    EXPECT_NE(said("--title \U0010fffd").find("warning: no installed font has the character U+10FFFD"),
+              std::string::npos);
 }
 
 TEST(PictureOptions, TransparentEdgesAreRightOnBlackAndOnWhite) {
