@@ -2,22 +2,28 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <iterator>
 
 #include "app/picture/rows.h"
 
 namespace nacre::app {
 
+std::vector<Option> under(Topic topic, Facet facet, std::vector<Option> rows) {
+    for (Option& row : rows) {
+        if (row.topic == Topic::saved && !row.help.empty()) row.topic = topic;
+        if (row.facet == Facet::file) row.facet = facet;
+    }
+    return rows;
+}
+
+std::vector<Option> joined(std::initializer_list<std::vector<Option>> groups) {
+    std::vector<Option> all;
+    for (const std::vector<Option>& group : groups) all.insert(all.end(), group.begin(), group.end());
+    return all;
+}
+
 std::span<const Option> options() {
-    static const std::vector<Option> kOptions = [] {
-        std::vector<Option> all;
-        for (std::vector<Option> (*rows)() :
-             {inputRows, sceneRows, mapRows, geometryRows, fileRows, viewRows, shadingRows, wordRows, deviceRows}) {
-            std::vector<Option> some = rows();
-            std::move(some.begin(), some.end(), std::back_inserter(all));
-        }
-        return all;
-    }();
+    static const std::vector<Option> kOptions = joined({inputRows(), sceneRows(), mapRows(), geometryRows(), fileRows(),
+                                                        viewRows(), shadingRows(), wordRows(), deviceRows()});
     return kOptions;
 }
 

@@ -16,6 +16,11 @@ std::vector<Option> shadingRows();
 std::vector<Option> wordRows();
 std::vector<Option> deviceRows();
 
+/// Rows of one topic that affect one part of the work. A row may state another part; one without help is for saved
+/// views only.
+std::vector<Option> under(Topic topic, Facet facet, std::vector<Option> rows);
+std::vector<Option> joined(std::initializer_list<std::vector<Option>> groups);
+
 /// A member of a member: at<&A::b, &B::c>(a) is a.b.c.
 template <auto first, auto... rest>
 auto& at(auto& object) {

@@ -93,47 +93,39 @@ void parseFit(T text, P& d) {
 }
 
 std::vector<Option> named() {
-    return {
+    std::vector<Option> rows{
         {.key = "input",
          .help = "A structure file (" + formatTitles() +
                  ";\neach also compressed), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a "
                  "download:\npdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT. Several form one picture: NAME=INPUT names one "
                  "for\nselections, /NAME; without a name the file's name is used",
-         .topic = Topic::input,
-         .facet = Facet::input,
          .parse = [](T text, P& d) { addInput(d.input, std::string(text)); },
          .print = printInputs,
          .kind = list,
          .positional = true},
         {.key = "input",
-         .facet = Facet::input,
          .parse = parseFile<&P::input, &InputOptions::path>,
          .print = printText<&P::input, &InputOptions::path>,
          .save = differing},
         {.key = "hash",
-         .facet = Facet::input,
          .parse = [](T text, P& d) { d.input.hash = text; },
          .print = printText<&P::input, &InputOptions::hash>,
          .save = differing},
-        {.key = "name",
-         .facet = Facet::input,
-         .parse = parseInputName,
-         .print = printText<&P::input, &InputOptions::name>,
-         .save = differing},
-        {.key = "further-inputs", .facet = Facet::input, .print = printInputs, .kind = inputs, .save = differing},
+        {.key = "name", .parse = parseInputName, .print = printText<&P::input, &InputOptions::name>, .save = differing},
+        {.key = "further-inputs", .print = printInputs, .kind = inputs, .save = differing},
         {.key = "fit",
          .syntax = "SEL SEL",
          .standard = "none",
          .help = "Superpose one INPUT on another: the atoms that move, then the atoms they move to,\n"
                  "paired by sequence and name; reports the RMSD; repeatable",
          .topic = Topic::fit,
-         .facet = Facet::input,
          .parse = parseFit,
          .print = printFits,
          .kind = pair,
          .save = differing,
          .savedAs = "fits"},
     };
+    return under(Topic::input, Facet::input, std::move(rows));
 }
 
 void parseFormatName(T text, P& d) {
@@ -153,19 +145,20 @@ void parseSceneMap(T text, P& d) {
     });
 }
 
+std::vector<Option> cache() {
+    return {{.key = "cache",
+             .syntax = "DIR|off",
+             .standard = "NACRE_CACHE, else ~/.cache/nacre",
+             .help = "Folder for downloads and ambient occlusion",
+             .topic = Topic::reading,
+             .parse = [](T text, P& d) { d.input.cache = fileName(text); },
+             .print = [](const P& d) { return d.input.cache.value_or(""); }}};
+}
+
 std::vector<Option> reading() {
-    return {
-        {.key = "cache",
-         .syntax = "DIR|off",
-         .standard = "NACRE_CACHE, else ~/.cache/nacre",
-         .help = "Folder for downloads and ambient occlusion",
-         .topic = Topic::reading,
-         .parse = [](T text, P& d) { d.input.cache = fileName(text); },
-         .print = [](const P& d) { return d.input.cache.value_or(""); }},
+    std::vector<Option> rows{
         {.key = "offline",
          .help = "Take downloads from the cache only",
-         .topic = Topic::reading,
-         .facet = Facet::input,
          .parse = parseFlag<&P::input, &InputOptions::offline>,
          .print = printSwitch<kOnOff, &P::input, &InputOptions::offline>,
          .kind = flag},
@@ -174,8 +167,6 @@ std::vector<Option> reading() {
          .standard = "half of the machine's",
          .help = "Memory limit for the molecule, 1 to 1048576; a larger one is refused (700 bytes per atom, two per "
                  "byte of text)",
-         .topic = Topic::reading,
-         .facet = Facet::input,
          .parse = [](T text, P& d) { d.input.memoryMegabytes = parseInteger(text, 1, 1 << 20); },
          .print =
              [](const P& d) {
@@ -185,8 +176,6 @@ std::vector<Option> reading() {
          .syntax = "NAME",
          .standard = "by content",
          .help = "One of " + formatNames(),
-         .topic = Topic::reading,
-         .facet = Facet::input,
          .parse = parseFormatName,
          .print = [](const P& d) { return std::string(d.input.format ? formatName(*d.input.format) : ""); },
          .save = differing},
@@ -194,7 +183,6 @@ std::vector<Option> reading() {
          .syntax = "N|all",
          .standard = "1",
          .help = "Model, frame or record, counted from 1; all: superimposed",
-         .topic = Topic::reading,
          .facet = Facet::frame,
          .parse = [](T text, P& d) { d.input.model = parseModel(text); },
          .print = printModel,
@@ -204,8 +192,6 @@ std::vector<Option> reading() {
          .syntax = "N|all",
          .standard = "1",
          .help = "Snapshot of a MolViewSpec scene, counted from 1; all: a picture of each, or a movie of them",
-         .topic = Topic::reading,
-         .facet = Facet::input,
          .parse =
              [](T text, P& d) {
                  d.input.snapshot = text == "all" ? kAllSnapshots : static_cast<int>(parseInteger(text, 1, 10'000));
@@ -221,8 +207,6 @@ std::vector<Option> reading() {
          .standard = "none",
          .help = "Reads a local file or folder in place of an address in a MolViewSpec scene, or of all that begin "
                  "with it;\nrepeatable",
-         .topic = Topic::reading,
-         .facet = Facet::input,
          .parse = parseSceneMap,
          .print =
              [](const P& d) {
@@ -233,13 +217,12 @@ std::vector<Option> reading() {
          .syntax = "on|off",
          .standard = "=",
          .help = "Add the hydrogens that the file lacks, at neutral pH",
-         .topic = Topic::reading,
-         .facet = Facet::input,
          .parse = parseSwitch<kOnOff, &P::input, &InputOptions::addHydrogens>,
          .print = printSwitch<kOnOff, &P::input, &InputOptions::addHydrogens>,
          .save = differing,
          .bare = "on"},
     };
+    return under(Topic::reading, Facet::input, std::move(rows));
 }
 
 void parseTrajectory(T text, P& d) {
@@ -249,12 +232,11 @@ void parseTrajectory(T text, P& d) {
 
 std::vector<Option> moving() {
     using Q = TrajectoryOptions;
-    return {
+    std::vector<Option> rows{
         {.key = "trajectory",
          .syntax = "FILE",
          .standard = "none",
          .help = "Positions of INPUT's atoms, frame by frame: DCD, XTC, TRR or AMBER NetCDF",
-         .topic = Topic::trajectory,
          .facet = Facet::input,
          .parse = parseTrajectory,
          .print = printText<&P::input, &InputOptions::trajectory, &Q::path>,
@@ -268,16 +250,12 @@ std::vector<Option> moving() {
          .syntax = "N",
          .standard = "1",
          .help = "Frame of --trajectory, counted from 1",
-         .topic = Topic::trajectory,
-         .facet = Facet::frame,
          .parse = [](T text, P& d) { d.input.trajectory.frame = parseFrame(text); },
          .print = [](const P& d) { return std::to_string(d.input.trajectory.frame); },
          .save = withTrajectory,
          .number = Option::Number::whole},
         {.key = "whole",
          .help = "Join molecules that the periodic box of --trajectory splits, along their bonds",
-         .topic = Topic::trajectory,
-         .facet = Facet::frame,
          .parse = parseFlag<&P::input, &InputOptions::trajectory, &Q::whole>,
          .print = printSwitch<kOnOff, &P::input, &InputOptions::trajectory, &Q::whole>,
          .kind = flag,
@@ -287,8 +265,6 @@ std::vector<Option> moving() {
          .standard = "none",
          .help = "Superpose each frame of --trajectory (and of a movie's --models) on the first by these atoms: "
                  "backbone, name CA",
-         .topic = Topic::trajectory,
-         .facet = Facet::frame,
          .parse = parseSelected<&P::input, &InputOptions::trajectory, &Q::fit>,
          .print = printSelected<&P::input, &InputOptions::trajectory, &Q::fit>,
          .save = differing},
@@ -296,22 +272,16 @@ std::vector<Option> moving() {
          .syntax = "N",
          .standard = "1",
          .help = "Average N frames of --trajectory (and of a movie's --models), odd, up to 101",
-         .topic = Topic::trajectory,
-         .facet = Facet::frame,
          .parse = [](T text, P& d) { d.input.trajectory.smooth = parseSmoothing(text); },
          .print = [](const P& d) { return std::to_string(d.input.trajectory.smooth); },
          .save = differing,
          .number = Option::Number::whole},
     };
+    return under(Topic::trajectory, Facet::frame, std::move(rows));
 }
 
 }  // namespace
 
-std::vector<Option> inputRows() {
-    std::vector<Option> rows;
-    for (std::vector<Option> (*some)() : {severalAtOnce, named, reading, moving})
-        for (Option& option : some()) rows.push_back(std::move(option));
-    return rows;
-}
+std::vector<Option> inputRows() { return joined({severalAtOnce(), named(), cache(), reading(), moving()}); }
 
 }  // namespace nacre::app

@@ -206,11 +206,10 @@ std::vector<Option> drawingRows() {
 }  // namespace
 
 std::vector<Option> fileRows() {
-    return {
+    std::vector<Option> rows{
         {.key = "output",
          .syntax = "FILE",
          .help = "The picture: .png, .tif, .tiff, .jpg, .jpeg, .webp or .exr; - is PNG to standard output",
-         .topic = Topic::files,
          .parse = parseOutput,
          .print = printText<&P::output>,
          .letter = "o",
@@ -219,14 +218,12 @@ std::vector<Option> fileRows() {
          .syntax = "FILE.exr",
          .standard = "none",
          .help = "Colour, depth, normal, atom and occlusion of every pixel; - for standard output",
-         .topic = Topic::files,
          .parse = [](T text, P& d) { d.layers = parseEnding(text, ".exr"); },
          .print = printText<&P::layers>},
         {.key = "stats",
          .syntax = "FILE.json",
          .standard = "none",
          .help = "View, counts, times and memory as JSON; - for standard output",
-         .topic = Topic::files,
          .parse = parseFile<&P::stats>,
          .print = printText<&P::stats>},
         {.key = "capture",
@@ -234,7 +231,6 @@ std::vector<Option> fileRows() {
          .standard = "none",
          .help = "The frame and its occlusion bake for RenderDoc, which must be installed and listens on this machine "
                  "only;\n- for standard output",
-         .topic = Topic::files,
          .parse =
              [](T text, P& d) {
                  d.capture = parseEnding(text, ".rdc");
@@ -242,15 +238,14 @@ std::vector<Option> fileRows() {
              },
          .print = printText<&P::capture>},
     };
+    return under(Topic::files, Facet::file, std::move(rows));
 }
 
 std::vector<Option> deviceRows() {
-    std::vector<Option> rows = sizeRows();
-    for (Option& option : drawingRows()) {
+    std::vector<Option> rows = drawingRows();
+    for (Option& option : rows)
         if (option.key != "debug") option.facet = Facet::device;
-        rows.push_back(std::move(option));
-    }
-    return rows;
+    return joined({sizeRows(), rows});
 }
 
 }  // namespace nacre::app

@@ -32,13 +32,11 @@ void parseAnyStyle(T text, P& d) {
 }
 
 std::vector<Option> whole() {
-    return {
+    std::vector<Option> rows{
         {.key = "camera",
          .syntax = "all|model",
          .standard = "all",
          .help = "In a file with several models: one camera for all of them, or each model's own",
-         .topic = Topic::style,
-         .facet = Facet::scene,
          .parse =
              [](T text, P& d) {
                  d.look.ownFrame = parseChoice(text, {"all", "model"}) == 1;
@@ -49,8 +47,6 @@ std::vector<Option> whole() {
          .syntax = "own|all",
          .standard = "own",
          .help = "When models are drawn together: ambient occlusion within each model only, or by all models",
-         .topic = Topic::style,
-         .facet = Facet::scene,
          .parse =
              [](T text, P& d) {
                  d.look.modelsOcclude = parseChoice(text, {"own", "all"}) == 1;
@@ -61,8 +57,6 @@ std::vector<Option> whole() {
          .syntax = "ID",
          .standard = "none: the file's atoms as they are",
          .help = "Biological assembly or unit cell, one that `nacre info` lists",
-         .topic = Topic::style,
-         .facet = Facet::scene,
          .parse = parseAssembly,
          .print = printText<&P::look, &R::assembly>,
          .save = differing},
@@ -71,8 +65,6 @@ std::vector<Option> whole() {
          .standard = "spacefill, beside maps licorice; ball-and-stick under 100 atoms with bonds",
          .help = "spacefill, ball-and-stick, licorice, line, cartoon or backbone (with ligands as licorice),\nsurface, "
                  "carbohydrate (symbols of sugars) or auto: the default",
-         .topic = Topic::style,
-         .facet = Facet::scene,
          .parse = parseAnyStyle,
          .print = [](const P& d) { return std::string(d.look.style ? styleName(*d.look.style) : "auto"); },
          .save = differing,
@@ -94,8 +86,6 @@ std::vector<Option> whole() {
          .standard = "=",
          .help =
              "Double, triple and aromatic bonds as parallel sticks: of ligands and small molecules, of all, or none",
-         .topic = Topic::style,
-         .facet = Facet::scene,
          .parse = parseNamed<kBondOrders, &P::look, &R::bondOrders>,
          .print = printNamed<kBondOrders, &P::look, &R::bondOrders>,
          .save = differing},
@@ -103,18 +93,20 @@ std::vector<Option> whole() {
          .syntax = "dashes|ring",
          .standard = "=",
          .help = "Inner line of aromatic rings: dashes along each bond, or a ring",
-         .topic = Topic::style,
-         .facet = Facet::scene,
          .parse = parseNamed<kAromaticForms, &P::look, &R::aromatic>,
          .print = printNamed<kAromaticForms, &P::look, &R::aromatic>,
          .save = differing},
+    };
+    return under(Topic::style, Facet::scene, std::move(rows));
+}
+
+std::vector<Option> colors() {
+    std::vector<Option> rows{
         {.key = "color",
          .syntax = "SCHEME|COLOR",
          .standard = "element; chain-carbons for cartoons",
          .help = schemeNames() + ";\nor a colour as for --background; element:COLOR colours only the carbons;\n"
                                  "b-factor:10..60:viridis gives the range and the palette, chain:muted a palette",
-         .topic = Topic::color,
-         .facet = Facet::scene,
          .parse = [](T text, P& d) { d.look.color = parseColoring(text); },
          .print = [](const P& d) { return coloringText(d.look.color); },
          .save = always,
@@ -149,8 +141,6 @@ std::vector<Option> whole() {
          .syntax = "FILE|TEXT",
          .help = "Colour the residues or atoms of a CSV or JSON table by its colours or values; :value=COLUMN,\n"
                  ":10..60 and :viridis after the name choose column, range and palette; repeatable",
-         .topic = Topic::color,
-         .facet = Facet::scene,
          .parse = [](T text, P& d) { addTo(d.look.colorFrom, text, kMostColorTables, parseColorSource); },
          .print = [](const P& d) { return lines(d.look.colorFrom, colorSourceText); },
          .kind = list,
@@ -160,8 +150,6 @@ std::vector<Option> whole() {
          .standard = "by the scheme",
          .help = "Colours of categories (chains, copies, entities): " + paletteNames(false) +
                  ";\nof numbers: " + paletteNames(true),
-         .topic = Topic::color,
-         .facet = Facet::scene,
          .parse = [](T text, P& d) { d.look.palette = parsePalette(text); },
          .print =
              [](const P& d) {
@@ -169,6 +157,7 @@ std::vector<Option> whole() {
              },
          .save = differing},
     };
+    return under(Topic::color, Facet::scene, std::move(rows));
 }
 
 void parseResolution(T text, P& d) {
@@ -186,8 +175,6 @@ std::vector<Option> meshes() {
                       .syntax = syntax,
                       .standard = "=",
                       .help = help,
-                      .topic = Topic::mesh,
-                      .facet = Facet::scene,
                       .parse = parse,
                       .print = print,
                       .save = differing};
@@ -239,7 +226,7 @@ std::vector<Option> meshes() {
     };
     rows[10].control = {"Surface opacity", 0.1, 1, "Surface opacity: %.2f"};
     rows[11].control = {"Cartoon opacity", 0.1, 1, "Cartoon opacity: %.2f"};
-    return rows;
+    return under(Topic::mesh, Facet::scene, std::move(rows));
 }
 
 std::vector<Option> interactions() {
@@ -250,14 +237,12 @@ std::vector<Option> interactions() {
          .help =
              "Hydrogen bonds, salt bridges and the like as dashed lines: between a selection and its surroundings,\n"
              "or between two selections; all: between all atoms",
-         .topic = Topic::interactions,
          .parse = [](T text, P& d) { parseInteractions(text, d.look.contacts); },
          .print = [](const P& d) { return interactionsText(d.look.contacts); }},
         {.key = "interaction-kinds",
          .syntax = "KIND[,KIND]|all",
          .standard = "=",
          .help = interactionKindNames(),
-         .topic = Topic::interactions,
          .parse = [](T text, P& d) { d.look.contacts.kinds = parseInteractionKinds(text); },
          .print = [](const P& d) { return interactionKindsText(d.look.contacts.kinds); },
          .needs = "interactions"},
@@ -265,7 +250,6 @@ std::vector<Option> interactions() {
          .syntax = "NAME",
          .standard = "=",
          .help = "Definitions of interactions: molstar, plip, baker-hubbard or wernet-nilsson (docs/interactions.md)",
-         .topic = Topic::interactions,
          .parse = [](T text, P& d) { d.look.contacts.rules = parseInteractionRules(text); },
          .print = [](const P& d) { return std::string(interactionRulesName(d.look.contacts.rules)); },
          .needs = "interactions"},
@@ -278,11 +262,8 @@ std::vector<Option> interactions() {
          .print = printNumber<&P::look, &R::contacts, &ContactOptions::width>,
          .needs = "interactions"},
     };
-    for (Option& row : rows) {
-        row.facet = Facet::scene;
-        row.save = differing;
-    }
-    return rows;
+    for (Option& row : rows) row.save = differing;
+    return under(Topic::interactions, Facet::scene, std::move(rows));
 }
 
 template <Rule (*parse)(T)>
@@ -336,11 +317,6 @@ std::vector<Option> chosen() {
 
 }  // namespace
 
-std::vector<Option> sceneRows() {
-    std::vector<Option> rows = whole();
-    for (std::vector<Option> (*some)() : {meshes, interactions, chosen})
-        for (Option& option : some()) rows.push_back(std::move(option));
-    return rows;
-}
+std::vector<Option> sceneRows() { return joined({whole(), colors(), meshes(), interactions(), chosen()}); }
 
 }  // namespace nacre::app

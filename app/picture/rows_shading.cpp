@@ -293,11 +293,6 @@ std::vector<Option> clipRows() {
 
 }  // namespace
 
-std::vector<Option> shadingRows() {
-    std::vector<Option> rows = lightRows();
-    for (std::vector<Option> (*some)() : {lineRows, lightEffectRows, clipRows})
-        for (Option& option : some()) rows.push_back(std::move(option));
-    return rows;
-}
+std::vector<Option> shadingRows() { return joined({lightRows(), lineRows(), lightEffectRows(), clipRows()}); }
 
 }  // namespace nacre::app

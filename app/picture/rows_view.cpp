@@ -69,13 +69,11 @@ std::string printRotation(const P& d) {
 }
 
 std::vector<Option> cameraRows() {
-    return {
+    std::vector<Option> rows{
         {.key = "projection",
          .syntax = "NAME",
          .standard = "=",
          .help = "ortho or perspective",
-         .topic = Topic::camera,
-         .facet = Facet::view,
          .parse = parseNamed<kProjections, &P::camera, &Camera::projection>,
          .print = printNamed<kProjections, &P::camera, &Camera::projection>,
          .save = always,
@@ -84,8 +82,6 @@ std::vector<Option> cameraRows() {
          .syntax = "DEGREES",
          .standard = "=",
          .help = "Perspective: field of view across the shorter side, 1 to 120",
-         .topic = Topic::camera,
-         .facet = Facet::view,
          .parse = [](T text, P& d) { d.camera.fovDegrees = parseNumber(text, kSmallestFov, kLargestFov); },
          .print = printExact<&P::camera, &Camera::fovDegrees>,
          .save = always,
@@ -95,8 +91,6 @@ std::vector<Option> cameraRows() {
          .standard = "=",
          .help = "fit: everything drawn fills the picture from this side; movies, models and frames share one scale.\n"
                  "F, 0.0001 to 10000: at 1 the molecule's sphere fills the picture, from any side",
-         .topic = Topic::camera,
-         .facet = Facet::view,
          .parse = parseZoom,
          .print = printZoom,
          .save = always,
@@ -105,8 +99,6 @@ std::vector<Option> cameraRows() {
          .syntax = "W,X,Y,Z",
          .standard = "=",
          .help = "A quaternion that turns the molecule, before --rotate",
-         .topic = Topic::camera,
-         .facet = Facet::view,
          .parse = parseOrientation,
          .print = printOrientation,
          .kind = numbers,
@@ -115,8 +107,6 @@ std::vector<Option> cameraRows() {
          .syntax = "X,Y",
          .standard = "=",
          .help = "Moves the molecule in the picture, in Å to the right and up",
-         .topic = Topic::camera,
-         .facet = Facet::view,
          .parse = parsePan,
          .print = printPan,
          .kind = numbers,
@@ -125,11 +115,10 @@ std::vector<Option> cameraRows() {
          .syntax = "X,Y,Z",
          .standard = "=",
          .help = "Degrees, right-handed, about the view axes, X first",
-         .topic = Topic::camera,
-         .facet = Facet::view,
          .parse = [](T text, P& d) { d.camera.rotationDegrees = parseRotation(text); },
          .print = printRotation},
     };
+    return under(Topic::camera, Facet::view, std::move(rows));
 }
 
 void parseOrient(T text, P& d) {
@@ -145,22 +134,18 @@ void parseUncover(T text, P& d) {
 std::string printUncover(const P& d) { return d.aim.uncover ? d.aim.uncover->text : d.aim.uncovers ? "" : "off"; }
 
 std::vector<Option> aimRows() {
-    return {
+    std::vector<Option> rows{
         {.key = "orient",
          .syntax = "principal|file",
          .standard = "file, or the saved view's",
          .help = "principal: longest axis across the longer side, shortest towards the viewer, as large as fits;\n"
                  "file: axes as in the file. --rotate turns it further",
-         .topic = Topic::aim,
-         .facet = Facet::view,
          .parse = parseOrient,
          .print = [](const P& d) { return std::string(d.aim.principal ? "principal" : "file"); }},
         {.key = "look-at",
          .syntax = "SEL",
          .standard = "none",
          .help = "Rotate to the side that shows most of a selection",
-         .topic = Topic::aim,
-         .facet = Facet::view,
          .parse = parseSelected<&P::aim, &Aim::lookAt>,
          .print = printSelected<&P::aim, &Aim::lookAt>},
         {.key = "zoom-to",
@@ -168,28 +153,21 @@ std::vector<Option> aimRows() {
          .standard = "none: the whole molecule",
          .help = "Close-up of a selection with a margin of 3 Å; removes what hides it, unless --clip or --uncover is\n"
                  "given; --zoom scales it",
-         .topic = Topic::aim,
-         .facet = Facet::view,
          .parse = parseSelected<&P::aim, &Aim::zoomTo>,
          .print = printSelected<&P::aim, &Aim::zoomTo>},
         {.key = "uncover",
          .syntax = "SEL|off",
          .standard = "the selection of --zoom-to",
          .help = "Remove what hides a selection in this view",
-         .topic = Topic::aim,
-         .facet = Facet::view,
          .parse = parseUncover,
          .print = printUncover,
          .save = differing},
     };
+    return under(Topic::aim, Facet::view, std::move(rows));
 }
 
 }  // namespace
 
-std::vector<Option> viewRows() {
-    std::vector<Option> rows = cameraRows();
-    for (Option& option : aimRows()) rows.push_back(std::move(option));
-    return rows;
-}
+std::vector<Option> viewRows() { return joined({cameraRows(), aimRows()}); }
 
 }  // namespace nacre::app

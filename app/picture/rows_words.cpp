@@ -110,11 +110,7 @@ std::vector<Option> wordRows() {
          .print = printTextColor,
          .save = differing},
     };
-    for (Option& row : rows) {
-        row.topic = Topic::words;
-        row.facet = Facet::annotation;
-    }
-    return rows;
+    return under(Topic::words, Facet::annotation, std::move(rows));
 }
 
 }  // namespace nacre::app
