@@ -1,8 +1,6 @@
 #include "app/mvs/build_scene.h"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <map>
 
 #include "app/mvs/camera_nodes.h"

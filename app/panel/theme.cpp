@@ -1,7 +1,6 @@
 #include "app/panel/theme.h"
 
 #include <cmath>
-#include <initializer_list>
 
 namespace nacre::app {
 namespace {

@@ -2,7 +2,6 @@
 // One drawing for all requests that ask for the same picture at the same time.
 
 #include <functional>
-#include <future>
 #include <map>
 #include <memory>
 #include <mutex>

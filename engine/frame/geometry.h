@@ -1,7 +1,6 @@
 #pragma once
 // Vertex work and memory traffic of a frame's passes, on GPUs that store vertex outputs. Makes no Vulkan calls.
 
-#include <cstdint>
 #include <span>
 #include <vector>
 

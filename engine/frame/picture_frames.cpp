@@ -1,7 +1,6 @@
 #include "engine/frame/picture_frames.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "engine/error.h"

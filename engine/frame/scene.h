@@ -2,7 +2,6 @@
 // The renderer's scene, and the part of it that a view sees.
 
 #include <memory>
-#include <vector>
 
 #include "engine/gpu/pool.h"
 #include "engine/graph/graph.h"

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <span>
-#include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
 namespace nacre::gpu {

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include "engine/graph/plan_internal.h"
 

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
-#include <vector>
 
 #include "engine/mesh/cartoon.h"
 #include "engine/mesh/mesh.h"

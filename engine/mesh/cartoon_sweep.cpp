@@ -1,7 +1,6 @@
 #include "engine/mesh/cartoon_sweep.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>

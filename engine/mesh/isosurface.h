@@ -2,7 +2,6 @@
 // Isosurfaces of density maps, as triangles and as lines where they cross the planes of the grid.
 
 #include <cstdint>
-#include <functional>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>

@@ -6,7 +6,6 @@
 #include <gemmi/unitcell.hpp>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/mat3x3.hpp>
 #include <map>
 #include <tuple>
 

@@ -1,7 +1,6 @@
 #include "engine/molecule/matched_atoms.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <string_view>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "engine/molecule/residue_kind.h"
 
 #include <algorithm>
-#include <array>
 #include <gemmi/resinfo.hpp>
 #include <initializer_list>
 #include <map>

@@ -1,7 +1,6 @@
 #pragma once
 // Helices and strands as files list them: ranges of residues.
 
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>

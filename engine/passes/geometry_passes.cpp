@@ -1,7 +1,5 @@
 #include "engine/passes/geometry_passes.h"
 
-#include <algorithm>
-
 #include "shaders.h"
 
 namespace nacre::passes {

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <functional>
 #include <glm/mat4x3.hpp>
-#include <glm/vec4.hpp>
 #include <map>
 #include <span>
 #include <string>

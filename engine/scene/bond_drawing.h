@@ -3,7 +3,6 @@
 // representation.cpp.
 
 #include <span>
-#include <vector>
 
 #include "engine/scene/appearance.h"
 #include "engine/scene/assembly_scene.h"

@@ -3,9 +3,7 @@
 // colours of its update of 2019), as solids in space (3D-SNFG: D. F. Thieker et al., Glycobiology 26 (2016) 786).
 
 #include <cstdint>
-#include <functional>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <string_view>
 #include <vector>
 

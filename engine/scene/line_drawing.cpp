@@ -1,7 +1,5 @@
 #include "engine/scene/line_drawing.h"
 
-#include <algorithm>
-
 #include "engine/error.h"
 #include "engine/scene/colors.h"
 

@@ -2,8 +2,6 @@
 // Density maps in a scene: isosurfaces as wires, surfaces or dots.
 
 #include <cstdint>
-#include <glm/vec3.hpp>
-#include <string>
 
 #include "engine/mesh/isosurface.h"
 #include "engine/scene/map_style.h"

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <vector>
 
 #include "engine/molecule/molecule.h"
 #include "engine/scene/appearance.h"

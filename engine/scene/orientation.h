@@ -2,7 +2,6 @@
 // Views computed from the molecule: along its principal axes, from the side that shows a part best, and close-ups of a
 // part.
 
-#include <cstddef>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>

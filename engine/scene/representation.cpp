@@ -1,7 +1,6 @@
 #include "engine/scene/representation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>

@@ -1,7 +1,6 @@
 #include "engine/scene/seen_copies.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>

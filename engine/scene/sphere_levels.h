@@ -2,10 +2,8 @@
 // Levels of detail of spheres that have many copies: clusters of atoms, about as large as residues, then as domains.
 
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <span>
 #include <vector>
 
 #include "engine/scene/representation.h"

@@ -9,7 +9,6 @@
 #include <tuple>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
 
 #include "engine/scene/part_picture.h"
 #include "engine/scene/translucency.h"

@@ -2,11 +2,9 @@
 // Colours by the values of a map: a potential on a molecule's surface, local resolution on a contour, a slice.
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "engine/scene/color_schemes.h"
 #include "engine/scene/representation.h"

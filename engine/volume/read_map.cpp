@@ -1,8 +1,6 @@
 #include "engine/volume/read_map.h"
 
 #include <algorithm>
-#include <fstream>
-#include <memory>
 
 #include "engine/molecule/byte_file.h"
 #include "engine/molecule/formats/decompress.h"

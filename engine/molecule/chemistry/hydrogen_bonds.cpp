@@ -1,7 +1,6 @@
 // Hydrogen bonds by the rules of Mol*, PLIP, Baker and Hubbard, Wernet and Nilsson.
 
 #include <algorithm>
-#include <array>
 
 #include "engine/molecule/chemistry/hydrogens.h"
 #include "engine/molecule/chemistry/interaction_search.h"

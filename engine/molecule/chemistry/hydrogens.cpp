@@ -1,7 +1,6 @@
 #include "engine/molecule/chemistry/hydrogens.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 

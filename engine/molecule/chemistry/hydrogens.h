@@ -2,7 +2,6 @@
 // Placing hydrogens that a file omits.
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "engine/molecule/chemistry/chemistry.h"

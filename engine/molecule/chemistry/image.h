@@ -2,7 +2,6 @@
 // A molecule beside an image of itself: everything twice, what is of the image after what is not. Internal to this
 // folder.
 
-#include <cstdint>
 #include <glm/mat4x3.hpp>
 
 #include "engine/molecule/chemistry/features.h"

@@ -2,7 +2,6 @@
 // which atoms are planar, and the best distribution of pi bonds over each system decides (pi_bonds.cpp).
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/molecule/chemistry/steps.h"

@@ -1,7 +1,6 @@
 // The best distribution of pi bonds: dynamic programming over a frontier of atoms.
 
 #include <algorithm>
-#include <limits>
 #include <unordered_map>
 
 #include "engine/molecule/chemistry/steps.h"

@@ -2,8 +2,6 @@
 // A file's content as readers need it: inflated, text as UTF-8 with '\n' as line end.
 
 #include <cstddef>
-#include <cstdint>
-#include <cstdio>
 #include <memory>
 #include <string>
 

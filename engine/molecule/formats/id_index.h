@@ -1,7 +1,6 @@
 #pragma once
 // Finds atoms by their numbers in a file.
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <vector>

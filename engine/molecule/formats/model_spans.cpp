@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "engine/molecule/formats/text_cutter.h"
 #include "engine/molecule/text.h"

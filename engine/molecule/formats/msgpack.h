@@ -2,7 +2,6 @@
 // A view of MessagePack (msgpack.org's specification) in place: copies and allocates nothing. Announced lengths are
 // only compared with the bytes that exist.
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>

@@ -1,5 +1,4 @@
 // mmJSON: the categories of mmCIF as columns, {"data_ID": {"category": {"column": [value, ...], ...}, ...}}.
-#include <algorithm>
 #include <optional>
 
 #include "engine/molecule/formats/json_text.h"

@@ -1,6 +1,5 @@
 // PQR (PDB2PQR, APBS): PDB records with fields separated by blanks, and charge and radius at the end. If numbers run
 // into each other, uses the PDB columns that most writers keep.
-#include <cmath>
 #include <utility>
 
 #include "engine/molecule/formats/molecule_builder.h"

@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <utility>
 
 #include "engine/error.h"

@@ -1,7 +1,6 @@
 #include "engine/molecule/trajectory/trajectory.h"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
 
 #include "engine/molecule/read.h"
