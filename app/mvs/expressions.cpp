@@ -137,7 +137,7 @@ bool StructureAtoms::fits(const Expression& e, std::uint32_t index) const {
     return *e.atomId == (serials.empty() ? std::int64_t{index} + 1 : serials[index]);
 }
 
-void StructureAtoms::add(const Expression& e, std::vector<bool>& atoms) const {
+void StructureAtoms::add(const Expression& e, std::vector<bool>& atoms) {
     constexpr std::uint64_t kMostVisits = 2'000'000'000;
     const Molecule& m = molecule();
     const auto visit = [&](std::uint32_t i) {

@@ -38,7 +38,7 @@ public:
     /// Indices of atoms that are drawn of the structure (one conformer, waters too), ascending.
     const std::vector<std::uint32_t>& all() const { return drawn_; }
     /// Adds the atoms that an expression means to a set by atom. @throws Error if the work is too much
-    void add(const Expression& expression, std::vector<bool>& atoms) const;
+    void add(const Expression& expression, std::vector<bool>& atoms);
     /// "polymer", "ligand", ...; empty if there is no such name.
     std::optional<std::vector<bool>> ofKind(std::string_view name) const;
     /// The drawn atoms of a set.
@@ -53,7 +53,7 @@ private:
     ResidueFacts facts_;
     std::vector<std::uint32_t> drawn_;
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> ofLabelChain_, ofAuthChain_;  ///< residues
-    mutable std::uint64_t visits_ = 0;
+    std::uint64_t visits_ = 0;
 };
 
 }  // namespace nacre::app::mvs

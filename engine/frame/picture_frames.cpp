@@ -157,7 +157,7 @@ void PictureFrames::tell(const SeenFrame& seen, const FrameTuning& tuning) {
     stats_.storesVaryings = caps.storesVaryings;
 }
 
-const std::string& PictureFrames::planText() const {
+const std::string& PictureFrames::planText() {
     if (planText_.empty() && last_) planText_ = graph::describe(last_->frame.graph, last_->plan);
     return planText_;
 }

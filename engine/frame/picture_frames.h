@@ -53,7 +53,7 @@ public:
     /// Counts of the last frame.
     const SceneCounts& counts() const { return counts_; }
     /// Plan of the last frame as text.
-    const std::string& planText() const;
+    const std::string& planText();
 
 private:
     /// The view that a frame draws, and the pixels of it that the picture keeps.
@@ -146,7 +146,7 @@ private:
     std::shared_ptr<const DeclaredFrame> last_;
     std::deque<Started> started_;
     std::vector<std::unique_ptr<gpu::Submission>> spare_;
-    mutable std::string planText_;  // of the last frame; made on demand
+    std::string planText_;  // of the last frame; made on demand
 };
 
 }  // namespace nacre

@@ -99,13 +99,13 @@ private:
     }
     glm::dvec3 at(std::uint32_t atom, bool image) const { return placeOf(atom, image) - scene_.center; }
     /// Radius of an atom's ball; 0 if it has none.
-    double ballOf(std::uint32_t atom) const {
+    double ballOf(std::uint32_t atom) {
         const auto found = std::lower_bound(slots().begin(), slots().end(), std::pair(atom, 0u));
         if (found == slots().end() || found->first != atom) return 0;
         return static_cast<double>(scene_.spheres[found->second].radius);
     }
     /// Balls by their atoms. Those of an assembly are not in the order of their atoms.
-    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& slots() const {
+    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& slots() {
         if (slots_.empty()) {
             for (std::uint32_t i = 0; i < appearance_.atoms.size(); ++i) slots_.emplace_back(appearance_.atoms[i], i);
             std::sort(slots_.begin(), slots_.end());
@@ -162,7 +162,7 @@ private:
     DashedLine line_;
     const glm::dmat4x3* image_ = nullptr;  ///< of the contact that is drawn
     std::size_t buried_ = 0;
-    mutable std::vector<std::pair<std::uint32_t, std::uint32_t>> slots_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> slots_;
 };
 
 Legend legendOf(const std::vector<DrawnContact>& contacts) {
