@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // A rectangle nearer than everything: pixels behind it are not drawn.
 
 layout(location = 0) in vec4 rect;  // NDC: left, top, right, bottom

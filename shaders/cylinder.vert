@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // The impostor polygon of a cylinder: a rectangle along its axis, flat, at the cylinder's nearest depth.
 //   LOOK, ATOM, NUMBER   as in sphere.vert
 #extension GL_GOOGLE_include_directive : require

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Intermediate images of a frame as a picture. One variant per view:
 //   DEPTH NORMALS      of the surface layer            ID OCCLUSION   of the identity layer
 //   ENCODED            the encoded depth attachment    PLATES         the prepass's depth, over the shaded picture

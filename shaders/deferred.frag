@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Shading of the `deferred` path: each covered pixel once. Recomputes the hit from the pixel and its primitive's
 // record, by the same arithmetic as the geometry pass.
 //   INPUT / SAMPLED      source of the primitive's number

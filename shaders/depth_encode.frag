@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Depth encoding: the hit's depth as a colour, for MIN blending. A pixel outside writes the neutral value instead of
 // discarding, so that early depth tests stay possible.
 #extension GL_GOOGLE_include_directive : require

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // The nearest depth only, through the depth buffer: for `fragdepth` occlusion maps.
 #extension GL_GOOGLE_include_directive : require
 #include "common/primitive.glsl"

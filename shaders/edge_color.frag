@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Composites the edge pixels of tile_edges.comp over the picture: one sample's colour.
 //   TEXELS   as in common/streams.glsl
 #extension GL_GOOGLE_include_directive : require

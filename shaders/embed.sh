@@ -1,4 +1,4 @@
-# Turns a SPIR-V binary into a header: sh embed.sh FILE.spv NAME
-printf '#pragma once\ninline const std::uint32_t %s[] = {\n' "$2"
-od -An -v -tx4 "$1" | sed 's/  */,0x/g; s/^,//; s/$/,/'
-printf '};\n'
+# Writes a header that holds a SPIR-V binary's words: sh embed.sh FILE.spv NAME >NAME.h
+set -e
+bytes=$(wc -c <"$1")
+printf '#pragma once\n#include "shaders/embed.h"\nNACRE_WORDS(%s, "%s", %d);\n' "$2" "$1" $((bytes / 4))

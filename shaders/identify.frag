@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // The geometry pass of the `deferred` path: the nearest primitive, its depth through the depth buffer. Also finds
 // layers of translucent triangles.
 //   DISTANCE   also writes the distance

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Impostor colour and the layers: the same hit, tested against the nearest depth, then written.
 //   CYLINDER, TRIANGLE   the primitive; otherwise a sphere
 //   INPUT / SAMPLED / FRAGDEPTH   where the nearest depth is: an input attachment, a texture, the depth buffer

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Depth of field: what lies before or behind the focus is as blurred as a lens shows it. A point is seen as a circle
 // that grows with its distance from the focus. Light goes from pixel to pixel within the circle of the nearer of the
 // two: so nothing blurred shines over a sharp edge before it, and a blurred edge lets through what lies behind.

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Ambient occlusion, one batch of directions: tests every texel of the list against each depth map of the batch, and
 // adds up the cosines of the maps where it is front-most. One read and one write of its sum.
 // CYLINDER, VERTEX: texels of cylinders, of meshes. WHOLE: one value per sphere, tested at its point facing the light.

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Sums of light -> bytes of the atlas, four texels per word. A texel that lies inside a neighbour goes on in the line of
 // the two open ones next to it, so that interpolation reaches the crease with the right slope.
 #extension GL_GOOGLE_include_directive : require

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // One more fragment in a pixel that blending adds up: those that pass the early depth test, inside the outline or not.
 #extension GL_GOOGLE_include_directive : require
 #include "common/count.glsl"

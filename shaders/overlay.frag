@@ -1,4 +1,4 @@
-#version 450
+#version 440
 layout(location = 0) in vec2 glyph;
 layout(location = 1) in vec4 color;
 layout(location = 0) out vec4 outColor;

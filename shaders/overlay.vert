@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Overlay over the picture: triangles in window pixels of the upright picture.
 #extension GL_GOOGLE_include_directive : require
 #include "common/srgb.glsl"

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // A plate has no colour: its depth is all there is.
 #extension GL_GOOGLE_include_directive : require
 #include "common/count.glsl"

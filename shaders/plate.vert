@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // The opaque plate of a sphere: an octagon fully inside it, facing the view plane. Everything behind it is hidden by
 // the sphere itself, so plates never change a pixel. Plates beyond a clipping plane are not drawn.
 #extension GL_GOOGLE_include_directive : require

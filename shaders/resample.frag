@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // A picture at another resolution: the mean of n x n texels in linear light, or, if the picture is not a whole
 // multiple of the target, bilinear.
 #extension GL_GOOGLE_include_directive : require

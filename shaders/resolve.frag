@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Ends a frame in the image of its picture: a pixel is the mean of n x n samples in linear light.
 //   WORDS    the frame's colours are words of a buffer, row by row
 //   MASKED   replaces the pixels that a mask names, and leaves the others

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Lines and halos: what shows about a primitive depends on what stands behind it there, which by now is known. Whatever
 // draws a rim at a pixel, the densest of all is kept, by a MAX blend.
 //   CYLINDER, TRIANGLE   as in common/primitive.glsl

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // The impostor polygon of a sphere: flat, at the sphere's nearest depth, around its silhouette.
 //   LOOK     passes data for shading; with ATOM the atom's number in place of the colour
 //   FETCHED  with LOOK: passes the centre and where the patch is, by which the fragment stage fetches the rest

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Finds the edge pixels of the `tiles` path's picture: those whose sight differs from one of their four neighbours'
 // (any straight edge through a pixel separates its centre from one of theirs), and with a different colour, where
 // colours are known. A subgroup processes a bin, each lane a column four pixels wide, and lists the pixels in groups of

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Edges of the `tiles` path: draws the pixels listed by tile_edge_pixels.comp with 16 samples each, one pixel per lane.
 // Samples see primitives at the centre of the pixel or one of its eight neighbours; if primitives may be smaller, the
 // bin's list is searched as in tile_nearest.comp. Then each visible primitive is shaded once, at the centre of its

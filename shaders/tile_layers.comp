@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Translucent triangles of the `tiles` path: the two nearest to a pixel. One subgroup draws a tile of 8 x 8 pixels from
 // the list of its bin, as in tile_nearest.comp, and ends where the next entry begins behind the second of every pixel.
 // Layers hidden by opaque surfaces are dropped during compositing.

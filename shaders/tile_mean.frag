@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // The mean of a tile's fragments: a pixel here is a tile there.
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Visibility of the `tiles` path: the nearest primitive per pixel. One subgroup draws a tile of 8 x 8 pixels and keeps
 // nearest depth and number in registers. It processes the list of the tile's bin, sorted by nearest depth, in chunks of
 // as many entries as it has lanes: each lane fetches one and tests it against the tile; entries that pass are broadcast.

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // Shading of the `tiles` path: each covered pixel once, by its number from tile_nearest.comp.
 //   TEXELS               as in common/streams.glsl
 //   CYLINDERS, TRIANGLES   the scene has some

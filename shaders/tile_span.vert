@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // A row of bins in which something may show. What shading needs of the view goes along, flat: as push constants of the
 // fragment stage each would be gathered lane by lane for every pixel (lavapipe 22.3).
 //   PLACE   the pixels in a row go along, and nothing else

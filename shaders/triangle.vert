@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // A polygon of three corners around a triangle, flat, at its nearest depth; or, as a plate, inside of it and at its
 // farthest. No instances: three consecutive vertices form a triangle, which is fetched by its number.
 //   READS    as in common/fetch.glsl

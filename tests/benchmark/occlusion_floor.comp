@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // The least that a bake can do: every word of the depth maps read once, every texel's sums written once.
 
 layout(local_size_x = 64) in;

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 #extension GL_GOOGLE_include_directive : require
 #include "random.glsl"
 layout(local_size_x = 64) in;

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 //   INPUT / SAMPLED   an input read, on the tile or as a texture
 //   OUTPUTS           colours written, 0 to 2
 #extension GL_GOOGLE_include_directive : require

@@ -1,4 +1,4 @@
-#version 450
+#version 440
 // One triangle over everything, at one depth.
 layout(push_constant) uniform Push { float z; uint seed; uint reads; } push;
 void main() {
