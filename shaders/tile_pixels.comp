@@ -15,9 +15,15 @@
 layout(constant_id = kLanesId) const int kLanes = 8;
 layout(local_size_x_id = 50) in;  // kLanesId
 layout(push_constant) uniform Push { TileConstants push; };
-layout(set = 0, binding = 2) uniform usamplerBuffer words;
+layout(set = 0, binding = 2) uniform usamplerBuffer pairs;
 layout(set = 0, binding = 3, std430) writeonly buffer Colors { uint colors[]; };
-uint wordAt(uint i) { return texelFetch(words, int(i)).x; }
+// A pixel and its number are read at once. Software devices read pairs lane by lane: processors fetch what follows from
+// memory ahead of such plain loads, but not ahead of gathered words.
+uvec2 pairAt(uint i) { return texelFetch(pairs, int(i)).xy; }
+uint wordAt(uint i) {
+    uvec2 pair = pairAt(i / 2u);
+    return (i & 1u) == 0u ? pair.x : pair.y;
+}
 
 vec2 pixelOf(uint on) { return vec2(on & 0xffffu, on >> 16) + 0.5; }
 uint colorOf(Seen seen, vec2 q) {
@@ -32,9 +38,6 @@ uint stickColor(uint number, vec2 q, const bool sideKnown) {
     return colorOf(seenStick(place(number), q, sideKnown), q);
 }
 
-/// Numbers and pixels stand in two runs. @returns the end of both
-uint listAfter(uint at, uint count) { return at + 2u * count; }
-
 /// The part of some things that this workgroup has, of full subgroups.
 uvec2 shareOf(uint count) {
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
@@ -44,10 +47,7 @@ uvec2 shareOf(uint count) {
 }
 
 /// A lane's pixel of a share, and its number; of an empty share any. Asked for while the pixels before it are shaded.
-uvec2 listed(uint at, uint count, uvec2 share, uint lane) {
-    uint slot = at + min(share.x + lane, share.y - 1u);
-    return uvec2(wordAt(slot), wordAt(slot + count));
-}
+uvec2 listed(uint at, uvec2 share, uint lane) { return pairAt(at + min(share.x + lane, share.y - 1u)); }
 
 /// The nearest of what a pixel may show. @param number  0: nothing
 void settle(inout uint number, uint candidate, inout float nearest, vec2 q) {
@@ -66,34 +66,36 @@ void settle(inout uint number, uint candidate, inout float nearest, vec2 q) {
 void main() {
     view = push;
     uint lane = gl_LocalInvocationID.x;
-    uint balls = wordAt(0u), sticks = wordAt(1u), doubts = wordAt(2u);
-    uint at = 4u;
+    uvec2 counts = pairAt(0u);
+    uint balls = counts.x, sticks = counts.y, doubts = pairAt(1u).x;
+    uint at = 2u;
     uvec2 share = shareOf(balls);
-    uvec2 next = listed(at, balls, share, lane);
+    uvec2 next = listed(at, share, lane);
     while (share.x < share.y) {
         uint on = next.x, number = next.y;
         share.x += uint(kLanes);
-        next = listed(at, balls, share, lane);
+        next = listed(at, share, lane);
         write(on, ballColor(number, planePoint(pixelOf(on))));
     }
-    at = listAfter(at, balls);
+    at += balls;
     share = shareOf(sticks);
-    next = listed(at, sticks, share, lane);
+    next = listed(at, share, lane);
     while (share.x < share.y) {
         uint on = next.x, number = next.y;
         share.x += uint(kLanes);
-        next = listed(at, sticks, share, lane);
+        next = listed(at, share, lane);
         write(on, stickColor(number, planePoint(pixelOf(on)), true));
     }
-    at = listAfter(at, sticks);
+    at += sticks;
     share = shareOf(doubts);
     while (share.x < share.y) {
-        uint slot = min(share.x + lane, share.y - 1u), on = wordAt(at + slot);
-        uint next = wordAt(at + doubts + slot), end = wordAt(at + doubts + slot + 1u), number = 0u;
+        uint slot = at + min(share.x + lane, share.y - 1u);
+        uvec2 first = pairAt(slot);
+        uint on = first.x, next = first.y, end = pairAt(slot + 1u).y, number = 0u;
         vec2 q = planePoint(pixelOf(on));
         float nearest = 1.0;
         do {
-            settle(number, wordAt(at + listAfter(1u, doubts) + next), nearest, q);
+            settle(number, wordAt(2u * (at + doubts + 1u) + next), nearest, q);
             ++next;
         } while (next < end);
         bool round = number == 0u || place(number) < view.spheres;

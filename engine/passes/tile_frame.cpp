@@ -148,14 +148,15 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
 }
 
 void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::BufferUsageFlags usage, vk::Format format,
-             const char* name) {
+             const char* name, vk::Format pairs) {
     if (*b.buffer.handle && b.buffer.size >= bytes) return;
     const std::size_t room =
         *b.buffer.handle ? bytes + bytes / 2 : bytes;  // a rotating scene may need more in its next frame
     b = {};
     b.buffer = gpu::makeBuffer(device, room, usage, gpu::Access::upload, name);
-    if (device.caps().tiles.texels && format != vk::Format::eUndefined)
-        b.texels = gpu::makeTexelView(device, b.buffer, format, name);
+    if (!device.caps().tiles.texels) return;
+    if (format != vk::Format::eUndefined) b.texels = gpu::makeTexelView(device, b.buffer, format, name);
+    if (pairs != vk::Format::eUndefined) b.pairs = gpu::makeTexelView(device, b.buffer, pairs, name);
 }
 
 /// Tiles are drawn where something may show. Elsewhere the words of the frame before go.
@@ -213,7 +214,7 @@ void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent 
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
     const FrontShapes* shapes = lists.shapes();
     const std::size_t words = shapes ? shapes->words() : lists.words();
-    reserve(device_, f.words, 4 * words, kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
+    reserve(device_, f.words, 4 * words, kReadByTiles, vk::Format::eR32Uint, "lists of tiles", vk::Format::eR32G32Uint);
     reserve(device_, f.rows, rowBytes, kReadByTiles, vk::Format::eR32G32B32A32Sfloat, "copies");
     prepareWords(f.numbers, lists, image, kept, f.cleared && !lists.seeded(), "primitive numbers");
     if (lists.seeded()) writeSeeds(f);

@@ -21,6 +21,7 @@ constexpr std::uint32_t kLongestList = 28000;
 struct TileBuffer {
     gpu::Buffer buffer;
     vk::raii::BufferView texels{nullptr};
+    vk::raii::BufferView pairs{nullptr};  ///< as texels of two words, where it is read so
 };
 
 /// One or more words per pixel, row by row of all bins; 0: no primitive.
@@ -31,8 +32,9 @@ struct PixelWords : TileBuffer {
 };
 
 /// Enlarges a buffer if needed, with room to grow. @param format  of texels; undefined: no texel view
+/// @param pairs  of texels as well; undefined: none
 void reserve(const gpu::Device& device, TileBuffer& buffer, std::size_t bytes, vk::BufferUsageFlags usage,
-             vk::Format format, const char* name);
+             vk::Format format, const char* name, vk::Format pairs = vk::Format::eUndefined);
 
 /// Data for drawing a frame's edges.
 struct TileEdges {

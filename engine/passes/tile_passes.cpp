@@ -131,7 +131,7 @@ void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles
     const auto write = [&](TileBindings& to) {
         to.read(scene.shapes, scene.shapeTexels);
         to.read(f.rows);
-        to.read(f.words);
+        to.read(f.words.buffer, f.lists.shapes() ? f.words.pairs : f.words.texels);
         to.store(f.numbers.buffer);
         if (!shades) return;
         to.read(scene.looks, scene.lookTexels);

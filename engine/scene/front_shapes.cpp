@@ -193,8 +193,7 @@ void FrontShapes::tell(Part& part) const {
                                                   (part.band.end - part.band.first + kBlock - 1) / kBlock * across_);
     const auto seen = static_cast<std::size_t>(std::ranges::count(blocks, 1));
     for (auto* pixels : {&part.balls, &part.sticks})
-        for (auto* words : {&pixels->on, &pixels->number})
-            words->resize(std::max(words->size(), pixels->count + seen * kBlock * kBlock + 32));
+        pixels->words.resize(std::max(pixels->words.size(), 2 * (pixels->count + seen * kBlock * kBlock + 32)));
     // By blocks: the device reads the same shapes again while caches have them.
     for (std::size_t block = 0; block < blocks.size(); ++block) {
         const auto x = static_cast<std::uint32_t>(block % across_) * kBlock;
@@ -281,7 +280,7 @@ std::size_t FrontShapes::doubts() const {
 std::size_t FrontShapes::words() const {
     std::size_t candidates = 0;
     for (const Part& p : parts_) candidates += p.candidates.size();
-    return kHeader + 2 * (balls() + sticks() + doubts()) + 1 + candidates;
+    return kHeader + 2 * (balls() + sticks() + doubts() + 1) + (candidates + 1) / 2 * 2;
 }
 
 void FrontShapes::write(std::uint32_t* to) const {
@@ -289,16 +288,17 @@ void FrontShapes::write(std::uint32_t* to) const {
     *to++ = static_cast<std::uint32_t>(sticks());
     *to++ = static_cast<std::uint32_t>(doubts());
     *to++ = 0;
-    for (const Part& p : parts_) to = std::copy_n(p.balls.on.data(), p.balls.count, to);
-    for (const Part& p : parts_) to = std::copy_n(p.balls.number.data(), p.balls.count, to);
-    for (const Part& p : parts_) to = std::copy_n(p.sticks.on.data(), p.sticks.count, to);
-    for (const Part& p : parts_) to = std::copy_n(p.sticks.number.data(), p.sticks.count, to);
-    for (const Part& p : parts_) to = std::copy(p.doubts.begin(), p.doubts.end(), to);
+    for (const auto pixels : {&Part::balls, &Part::sticks})
+        for (const Part& p : parts_) to = std::copy_n((p.*pixels).words.data(), 2 * (p.*pixels).count, to);
     std::uint32_t before = 0;
     for (const Part& p : parts_) {
-        for (const std::uint32_t begin : p.begins) *to++ = before + begin;
+        for (std::size_t i = 0; i < p.doubts.size(); ++i) {
+            *to++ = p.doubts[i];
+            *to++ = before + p.begins[i];
+        }
         before += static_cast<std::uint32_t>(p.candidates.size());
     }
+    *to++ = 0;
     *to++ = before;
     for (const Part& p : parts_) to = std::copy(p.candidates.begin(), p.candidates.end(), to);
 }

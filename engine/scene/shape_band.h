@@ -38,10 +38,10 @@ struct ShapeMeeting {
     float before;  ///< depth before which it does not show
 };
 
-/// Pixels, x | y << 16, and the numbers of what they show.
+/// Pixels, x | y << 16, each followed by the number of what it shows.
 struct ShapePixels {
-    std::vector<std::uint32_t> on, number;
-    std::size_t count = 0;
+    std::vector<std::uint32_t> words;
+    std::size_t count = 0;  ///< of pixels
 };
 
 /// Rows of a picture, and the nearest shapes of their pixels, which are counted from the first.
@@ -63,7 +63,7 @@ using DrawShapes = void (*)(const ShapeBand& band, const FrontShape* shapes, con
                             std::size_t count);
 
 /// Tells which of a row's 16 pixels show something for certain, and clears all of them. @param x  of the first pixel
-/// @param balls, sticks  with room for 32 more
+/// @param balls, sticks  with room for 32 more pixels
 using TellShapes = void (*)(const ShapeBand& band, std::uint32_t x, std::uint32_t y, ShapePixels& balls,
                             ShapePixels& sticks);
 

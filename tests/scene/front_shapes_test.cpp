@@ -154,17 +154,18 @@ struct ToldShapes {
         std::size_t at = FrontShapes::kHeader;
         for (const std::uint32_t kind : {0u, 1u}) {
             for (std::uint32_t i = 0; i < words[kind]; ++i) {
-                const std::uint32_t number = words[at + words[kind] + i];
+                const std::uint32_t number = words[at + 2 * i + 1];
                 EXPECT_EQ((number - 1) % (2 * Bonds::kAtoms) >= Bonds::kAtoms, kind == 1);
-                tell(words[at + i], {number});
+                tell(words[at + 2 * i], {number});
             }
             at += 2 * std::size_t{words[kind]};
         }
         doubts = words[2];
-        const std::uint32_t* begins = words.data() + at + doubts;
-        const std::uint32_t* candidates = begins + doubts + 1;
-        for (std::size_t i = 0; i < doubts; ++i)
-            tell(words[at + i], std::set(candidates + begins[i], candidates + begins[i + 1]));
+        EXPECT_EQ(words.size() % 2, 0u);
+        const std::uint32_t* pairs = words.data() + at;
+        const std::uint32_t* candidates = pairs + 2 * (doubts + 1);
+        for (std::size_t i = 0; i < doubts; ++i, pairs += 2)
+            tell(pairs[0], std::set(candidates + pairs[1], candidates + pairs[3]));
     }
 
 private:
