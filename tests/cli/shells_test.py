@@ -154,7 +154,8 @@ class ManualPage(unittest.TestCase):
 class Help(unittest.TestCase):
     def test_topics(self):
         text = nacre("--help").stdout
-        topics = re.search("topics are (.*) and every command", nacre("help", "nothing").stderr).group(1).split(", ")
+        said = nacre("help", "nothing").stderr
+        topics = re.search("topics are (.*), every command and every option", said).group(1).split(", ")
         self.assertIn("interactions", topics)
         for topic in topics:
             self.assertIn(topic, text)
