@@ -12,13 +12,27 @@
 namespace nacre {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNone = TriangleBand::kNone;
 constexpr std::uint32_t kGroup = TriangleShapes::kMost;
-constexpr std::uint32_t kAllAway = (1u << kLanes) - 1;
+constexpr std::uint32_t kInBox = 4, kAllAway = (1u << kInBox) - 1;
 constexpr std::int32_t kAround = 2;  // a pixel whose centre is beside a box, and its neighbour
-constexpr float kBehindAll = -std::numeric_limits<float>::max();
 
 }  // namespace
+
+/// Bounds of some triangles.
+struct FrontTriangles::Box {
+    std::int32_t left = std::numeric_limits<std::int32_t>::max(), right = 0;
+    std::int32_t top = std::numeric_limits<std::int32_t>::max(), bottom = 0;
+    float nearest = TriangleShapes::kNowhere;
+    std::uint32_t away = 0;  // a bit for each triangle that is invisible, since it turns away
+
+    void add(const TriangleShapes& s, std::uint32_t i) {
+        left = std::min(left, s.left[i]), right = std::max(right, s.right[i]);
+        top = std::min(top, s.top[i]), bottom = std::max(bottom, s.bottom[i]);
+        nearest = std::min(nearest, s.nearest[i]);
+        away |= static_cast<std::uint32_t>(s.nearest[i] == TriangleShapes::kNowhere) << i % kInBox;
+    }
+};
 
 /// The nearest triangle of each pixel.
 struct FrontTriangles::Picture {
@@ -26,21 +40,14 @@ struct FrontTriangles::Picture {
     std::vector<float> behind, before;
     std::vector<std::uint32_t> index;
     std::vector<std::uint8_t> rows;  // that hold anything
-    std::size_t pitch = 0;  // pixels per row: with room for lanes beyond it, since the next may be another thread's
+    std::size_t pitch = 0;  // pixels per row: with room to read beyond it, since the next may be another thread's
 
     void begin(const TriangleLens& lens) {
-        pitch = std::size_t{lens.width} + kLanes;
+        pitch = std::size_t{lens.width} + TriangleBand::kRoom;
         const std::size_t pixels = pitch * lens.height;
         for (auto* plane : {&behind, &before}) plane->resize(std::max(plane->size(), pixels));
         index.resize(std::max(index.size(), pixels));
         rows.assign(lens.height, 0);
-    }
-
-    void beginRow(std::size_t y) {
-        if (rows[y]) return;
-        rows[y] = 1;
-        for (auto* plane : {&behind, &before}) std::fill_n(plane->data() + y * pitch, pitch, kBehindAll);
-        std::fill_n(index.data() + y * pitch, pitch, kNone);
     }
 
     /// The certain triangle of a pixel; kNone: none.
@@ -75,28 +82,35 @@ struct FrontTriangles::Picture {
 /// What one thread draws: rows of the picture.
 class FrontTriangles::Band {
 public:
-    explicit Band(Picture& picture) : picture_(picture) {}
+    Band(Picture& picture, const TriangleLanes& lanes) : picture_(picture), lanes_(lanes) {}
 
     void begin() {
         doubts_.clear();
         drawn_.clear();
     }
-    void take(const RowBand& rows) {
-        first_ = static_cast<std::int32_t>(rows.first);
-        end_ = static_cast<std::int32_t>(rows.end);
-    }
 
-    /// Draws the groups of these rows, in their order. @param corners  of all vertices @param keeps  whether to keep
+    /// Draws the groups of some rows, in their order. @param corners  of all vertices @param keeps  whether to keep
     /// boxes
-    void draw(const TriangleLens& lens, std::span<const Group> groups, std::span<const Placed> sorted,
-              const glm::vec4* corners, bool keeps) {
+    void draw(const TriangleLens& lens, const RowBand& rows, std::span<const Group> groups,
+              std::span<const Placed> sorted, const glm::vec4* corners, bool keeps) {
+        const TriangleBand band = {&lens,
+                                   static_cast<std::int32_t>(rows.first),
+                                   static_cast<std::int32_t>(rows.end),
+                                   picture_.pitch,
+                                   picture_.behind.data(),
+                                   picture_.before.data(),
+                                   picture_.index.data(),
+                                   picture_.rows.data(),
+                                   &doubts_};
         mine_.clear();
         for (const Placed& placed : sorted)
-            if (placed.top < end_ && placed.bottom > first_) mine_.push_back(&placed);
+            if (placed.top < band.end && placed.bottom > band.first) mine_.push_back(placed.group);
         for (std::size_t i = 0; i < mine_.size(); ++i) {
-            if (i + 2 < mine_.size()) fetch(groups[mine_[i + 2]->group]);
-            if (i + 1 < mine_.size()) fetch(groups[mine_[i + 1]->group], corners);
-            draw(lens, groups[mine_[i]->group], mine_[i]->group, corners, keeps);
+            if (i + 2 < mine_.size()) fetch(groups[mine_[i + 2]]);
+            if (i + 1 < mine_.size()) fetch(groups[mine_[i + 1]], corners);
+            const Group& group = groups[mine_[i]];
+            lanes_.draw(band, shapes_, group.triangles, group.count, corners, mine_[i] * kGroup);
+            if (keeps) keepBoxes(mine_[i], group.count);
         }
     }
 
@@ -104,20 +118,11 @@ public:
     const std::vector<std::uint32_t>& doubts() const { return doubts_; }
     struct Drawn {
         std::uint32_t group;
-        decltype(TriangleShapes::boxes) boxes;
+        std::array<Box, kGroup / kInBox> boxes;
     };
     const std::vector<Drawn>& drawn() const { return drawn_; }
 
 private:
-    Box within(Box box) const {
-        box.top = std::max(box.top, first_);
-        box.bottom = std::min(box.bottom, end_);
-        return box;
-    }
-    void doubt(std::uint32_t index) {
-        if (doubts_.empty() || doubts_.back() != index) doubts_.push_back(index);
-    }
-
     // Groups are apart in memory, and a thread goes through them in an order of its own.
     static void fetch(const Group& group) {
         constexpr std::uint32_t kOfLine = 64 / sizeof(Triangle);
@@ -126,121 +131,21 @@ private:
     static void fetch(const Group& group, const glm::vec4* corners) {
         for (std::uint32_t i = 0; i < group.count; ++i) __builtin_prefetch(corners + group.triangles[i].a);
     }
-
-    void draw(const TriangleLens& lens, const Group& group, std::uint32_t number, const glm::vec4* corners,
-              bool keeps) {
-        shapes_.place(lens, group.triangles, group.count, corners);
-        if (keeps) drawn_.push_back({number, shapes_.boxes});
-        // Front faces of a solid are in front of its back faces.
-        std::array<std::uint32_t, 2 * kGroup> order;
-        std::size_t begin = kGroup, end = kGroup;
-        const std::uint32_t index = number * kGroup;
-        for (std::uint32_t first = 0; first < group.count; first += kLanes) {
-            if (picture_.isHidden(lens, within(shapes_.boxes[first / kLanes]))) continue;
-            shapes_.findPlanes(lens, first);
-            for (std::uint32_t i = first; i < std::min(first + kLanes, group.count); ++i) {
-                if (lens.perspective && !isBeforeEye(i, index)) continue;
-                const bool holds = shapes_.holdsCenter(i), away = shapes_.turnedAway[i];
-                order[end] = order[begin - 1] = i;
-                end += holds && away;
-                begin -= holds && !away;
-            }
-        }
-        for (std::size_t k = begin; k < end; ++k) draw(lens, order[k], index + order[k]);
+    void keepBoxes(std::uint32_t group, std::uint32_t count) {
+        Drawn& drawn = drawn_.emplace_back();
+        drawn.group = group;
+        for (std::uint32_t i = 0; i < count; ++i) drawn.boxes[i / kInBox].add(shapes_, i);
     }
-
-    /// Whether a triangle is fully in front of the eye; another one is in doubt.
-    bool isBeforeEye(std::uint32_t i, std::uint32_t index) {
-        if (shapes_.nearest[i] > 0) return true;
-        doubt(index + i);
-        return false;
-    }
-
-    /// Draws a triangle that certainly contains the centre, between two keys, and is not certainly hidden.
-    void meet(std::size_t at, float behind, float before, std::uint32_t index) {
-        if (before < picture_.behind[at]) return;
-        const bool wins = behind > picture_.before[at];
-        const bool nearer = behind + before > picture_.behind[at] + picture_.before[at];
-        if (!wins) doubt(nearer ? picture_.index[at] : index);
-        if (!wins && !nearer) return;
-        picture_.behind[at] = behind;
-        picture_.before[at] = before;
-        picture_.index[at] = index;
-    }
-
-    /// Draws a triangle that certainly contains these centres, where it is certainly the nearest. @returns where it is
-    std::uint32_t takeCertain(std::size_t at, Lanes behind, Lanes before, std::uint32_t index, std::uint32_t lanes) {
-        constexpr Mask kBit = {1, 2, 4, 8};
-        const Lanes ofBehind = loadLanes(&picture_.behind[at]), ofBefore = loadLanes(&picture_.before[at]);
-        const Mask wins = ((kBit & static_cast<std::int32_t>(lanes)) != 0) & (behind > ofBefore);
-        Mask ofIndex;
-        std::memcpy(&ofIndex, &picture_.index[at], sizeof ofIndex);
-        storeLanes(wins ? behind : ofBehind, &picture_.behind[at]);
-        storeLanes(wins ? before : ofBefore, &picture_.before[at]);
-        ofIndex = wins ? Mask{} + static_cast<std::int32_t>(index) : ofIndex;
-        std::memcpy(&picture_.index[at], &ofIndex, sizeof ofIndex);
-        return signsOf(wins);
-    }
-
-    /// One that may hold a centre, with the largest key that it may have there.
-    void hold(const TriangleLens& lens, std::uint32_t i, std::uint32_t index, std::size_t at, float before,
-              bool certain) {
-        const float error = shapes_.error[i];
-        if (lens.clips && !shapes_.splinter[i]) {
-            const float key = before - error, Z = lens.perspective ? 1.0f / key : -key;
-            const float room = lens.perspective ? error * Z * Z : error;
-            if (Z + room < lens.clipNear || Z - room > lens.clipFar) return;
-            if (Z - room <= lens.clipNear || Z + room >= lens.clipFar) certain = false;
-        }
-        if (certain)
-            meet(at, before - 2 * error, before, index);
-        else
-            doubt(index);
-    }
-
-    void draw(const TriangleLens& lens, std::uint32_t i, std::uint32_t index);
 
     Picture& picture_;
-    std::int32_t first_ = 0, end_ = 0;  // rows
+    TriangleLanes lanes_;
     TriangleShapes shapes_;
     std::vector<std::uint32_t> doubts_;
     std::vector<Drawn> drawn_;
-    std::vector<const Placed*> mine_;
+    std::vector<std::uint32_t> mine_;  // groups
 };
 
-NACRE_CLONED void FrontTriangles::Band::draw(const TriangleLens& lens, std::uint32_t i, std::uint32_t index) {
-    const TriangleShapes& s = shapes_;
-    const std::int32_t left = s.left[i], right = s.right[i], top = std::max(s.top[i], first_),
-                       bottom = std::min(s.bottom[i], end_);
-    for (std::int32_t y = top; y < bottom; ++y) picture_.beginRow(static_cast<std::size_t>(y));
-    const Lanes inside[] = {Lanes{} + s.inside[0][i], Lanes{} + s.inside[1][i], Lanes{} + s.inside[2][i]};
-    for (std::int32_t x = left; x < right; x += static_cast<std::int32_t>(kLanes)) {
-        const Lanes columns = Lanes{0, 1, 2, 3} + static_cast<float>(x - left);
-        const auto inRow = [&](const TriangleShapes::Plane& p) { return p.start[i] + p.right[i] * columns; };
-        const Lanes a = inRow(s.edges[0]), b = inRow(s.edges[1]), c = inRow(s.edges[2]),
-                    key = inRow(s.key) + s.error[i];
-        const Mask within = bitsOf(static_cast<float>(right - left) - 0.5f - columns);
-        std::size_t at = static_cast<std::size_t>(top) * picture_.pitch + static_cast<std::size_t>(x);
-        auto down = static_cast<float>(top - s.top[i]);
-        for (std::int32_t y = top; y < bottom; ++y, ++down, at += picture_.pitch) {
-            const Lanes ofA = a + s.edges[0].down[i] * down, ofB = b + s.edges[1].down[i] * down,
-                        ofC = c + s.edges[2].down[i] * down, before = key + s.key.down[i] * down;
-            const Mask outside =
-                bitsOf(ofA) | bitsOf(ofB) | bitsOf(ofC) | bitsOf(before - loadLanes(&picture_.behind[at]));
-            std::uint32_t held = ~signsOf(outside | within) & ((1u << kLanes) - 1);
-            if (held == 0) continue;
-            const std::uint32_t certain =
-                signsOf(bitsOf(inside[0] - ofA) & bitsOf(inside[1] - ofB) & bitsOf(inside[2] - ofC));
-            if (!lens.clips) held &= ~takeCertain(at, before - 2 * s.error[i], before, index, held & certain);
-            for (; held != 0; held &= held - 1) {
-                const auto k = static_cast<std::uint32_t>(std::countr_zero(held));
-                hold(lens, i, index, at + k, before[k], (certain >> k & 1) != 0);
-            }
-        }
-    }
-}
-
-FrontTriangles::FrontTriangles() : picture_(std::make_unique<Picture>()) {}
+FrontTriangles::FrontTriangles(const TriangleLanes& lanes) : lanes_(lanes), picture_(std::make_unique<Picture>()) {}
 FrontTriangles::~FrontTriangles() = default;
 
 void FrontTriangles::begin(const TileView& view) {
@@ -301,11 +206,9 @@ void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> 
                 std::min((p.top + p.bottom) / 2, static_cast<std::int32_t>(lens_.height) - 1));
         },
         inRow_, rows_);
-    while (bands_.size() < rows_.size()) bands_.emplace_back(*picture_);
-    inParallel(rows_.size(), [&](std::size_t b) {
-        bands_[b].take(rows_[b]);
-        bands_[b].draw(lens_, groups_, sorted_, corners.data(), view_.edges);
-    });
+    while (bands_.size() < rows_.size()) bands_.emplace_back(*picture_, lanes_);
+    inParallel(rows_.size(),
+               [&](std::size_t b) { bands_[b].draw(lens_, rows_[b], groups_, sorted_, corners.data(), view_.edges); });
 }
 
 /// All triangles that samples between centres may see.
@@ -314,10 +217,10 @@ void FrontTriangles::doubtUncovered(const Band& band) {
     const auto& drawn = band.drawn();
     inParallel((drawn.size() + kSlice - 1) / kSlice, [&](std::size_t slice) {
         for (std::size_t i = slice * kSlice; i < std::min((slice + 1) * kSlice, drawn.size()); ++i)
-            for (std::uint32_t four = 0; four * kLanes < groups_[drawn[i].group].count; ++four) {
+            for (std::uint32_t four = 0; four * kInBox < groups_[drawn[i].group].count; ++four) {
                 const Box& box = drawn[i].boxes[four];
                 if (box.away != kAllAway && !picture_->covers(lens_, box))
-                    marks_[drawn[i].group] |= (kAllAway & ~box.away) << four * kLanes;
+                    marks_[drawn[i].group] |= (kAllAway & ~box.away) << four * kInBox;
             }
     });
 }

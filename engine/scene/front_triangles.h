@@ -26,7 +26,7 @@ public:
         std::uint32_t first = 0;             ///< of the triangles, in the first chunk
     };
 
-    FrontTriangles();
+    explicit FrontTriangles(const TriangleLanes& lanes);
     ~FrontTriangles();
 
     /// Clears. Triangles have no outlines. Unless the view draws edges, pixels are sampled at their centres only.
@@ -51,7 +51,7 @@ public:
 private:
     struct Picture;
     class Band;
-    using Box = TriangleShapes::Box;
+    struct Box;
     /// Triangles processed together, at most those of a chunk. Counted by groups, as if all were full.
     struct Group {
         const Triangle* triangles = nullptr;
@@ -70,6 +70,7 @@ private:
     Placed place(const Group& group, std::uint32_t number) const;
     void doubtUncovered(const Band& band);
 
+    TriangleLanes lanes_;
     TileView view_;
     TriangleLens lens_;
     std::unique_ptr<Picture> picture_;

@@ -10,28 +10,6 @@
 namespace nacre {
 namespace {
 
-/// From a copy's coordinates to the picture: pixel and Z.
-class CornerPlace {
-public:
-    CornerPlace(const TileView& view, const glm::vec4* rows) : view_(view), z_(rows[2]) {
-        // As pixelOf().
-        const glm::vec4 x = rows[0] * view.pixels, y = rows[1] * view.pixels;
-        const glm::vec4 turned[4][2] = {{x, -y}, {y, x}, {-x, y}, {-y, -x}};
-        x_ = turned[view.quarterTurns & 3][0];
-        y_ = turned[view.quarterTurns & 3][1];
-    }
-    glm::vec4 operator()(const glm::vec3& p) const {
-        const float Z = view_.origin - (z_.x * p.x + z_.y * p.y + z_.z * p.z + z_.w);
-        const float scale = view_.perspective ? view_.origin / Z : 1.0f;
-        return {view_.axis.x + (x_.x * p.x + x_.y * p.y + x_.z * p.z + x_.w) * scale,
-                view_.axis.y + (y_.x * p.x + y_.y * p.y + y_.z * p.z + y_.w) * scale, Z, 0};
-    }
-
-private:
-    const TileView& view_;
-    glm::vec4 x_{}, y_{}, z_;
-};
-
 struct VertexRange {
     std::size_t first = SIZE_MAX, end = 0;
     void add(const VertexRange& other) {
@@ -162,11 +140,13 @@ void TileLists::placeCorners(const TileView& view, const TileScenery& s, const M
     corners_.resize(s.vertices.size());
     const CornerPlace place(view, part.rows);
     const auto placeRange = [&](const VertexRange& range) {
-        constexpr std::size_t kSlice = 16384;
+        constexpr std::size_t kSlice = 16384, kLanes = 16;
         if (range.first >= range.end) return;
         inParallel((range.end - range.first) / kSlice + 1, [&](std::size_t slice) {
             const std::size_t first = range.first + slice * kSlice, end = std::min(first + kSlice, range.end);
-            for (std::size_t i = first; i < end; ++i) corners_[i] = place(positionOf(s.vertices[i], part.step));
+            const std::size_t some = (end - first) / kLanes * kLanes;
+            lanes_.place(place, &s.vertices[first], some, part.step, &corners_[first]);
+            for (std::size_t i = first + some; i < end; ++i) corners_[i] = place(positionOf(s.vertices[i], part.step));
         });
     };
     VertexRange range;  // of neighbouring calls

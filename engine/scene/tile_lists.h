@@ -56,6 +56,8 @@ struct TileScenery {
 /// list is not empty or that begin with triangles. Keeps its memory between frames.
 class TileLists {
 public:
+    explicit TileLists(const TriangleLanes& lanes = triangleLanes().back()) : lanes_(lanes), front_(lanes) {}
+
     static constexpr std::uint32_t kTilePixels = 8;
     static constexpr std::uint32_t kTilesInBin = 2;
     static constexpr std::uint32_t kBinPixels = kTilePixels * kTilesInBin;
@@ -174,6 +176,7 @@ private:
     bool seeded_ = false, drawsSpheres_ = false, drawn_ = false;
     std::vector<std::uint8_t> seeds_;  // per bin: some pixel has a seed
     std::vector<FrontTriangles::Run> runs_;
+    TriangleLanes lanes_;
     FrontTriangles front_;
     FrontSpheres frontSpheres_;
     FrontShapes shapes_;

@@ -5,6 +5,10 @@
 #include <limits>
 
 #include "engine/scene/lanes.h"
+#include "engine/scene/processor_lanes.h"
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 namespace nacre {
 
@@ -28,130 +32,78 @@ TriangleLens::TriangleLens(const TileView& view)
     errorOfZ = 1e-6f * std::max(view.range, view.origin);
 }
 
-void TriangleShapes::place(const TriangleLens& lens, const Triangle* triangles, std::uint32_t count,
-                           const glm::vec4* corners) {
-    for (std::uint32_t first = 0; first < count; first += kLanes) {
-        const Triangle* four[kLanes];
-        for (std::uint32_t i = 0; i < kLanes; ++i) four[i] = &triangles[std::min(first + i, count - 1)];
-        const auto points = [&](std::uint32_t Triangle::*corner) {
-            const auto at = [&](const Triangle& t) { return loadLanes(&corners[t.*corner].x); };
-            return LanePoints(at(*four[0]), at(*four[1]), at(*four[2]), at(*four[3]));
-        };
-        placeFour(lens, points(&Triangle::a), points(&Triangle::b), points(&Triangle::c), first);
-    }
+CornerPlace::CornerPlace(const TileView& view, const glm::vec4* rows)
+    : z(rows[2]), axisX(view.axis.x), axisY(view.axis.y), origin(view.origin), perspective(view.perspective) {
+    // As pixelOf().
+    const glm::vec4 right = rows[0] * view.pixels, up = rows[1] * view.pixels;
+    const glm::vec4 turned[4][2] = {{right, -up}, {up, right}, {-right, up}, {-up, -right}};
+    x = turned[view.quarterTurns & 3][0];
+    y = turned[view.quarterTurns & 3][1];
 }
 
-namespace {
-
-/// A triangle faces one way, whatever the rounding, from this much area over its outline and a corner's error on.
-constexpr float kCertain = 16;
-
-Lanes ofLeast(Lanes a, Lanes b, Lanes c) { return lesser(a, lesser(b, c)); }
-Lanes ofMost(Lanes a, Lanes b, Lanes c) { return greater(a, greater(b, c)); }
-Lanes farther(Lanes low, Lanes high, float axis) { return greater(high - axis, axis - low); }
-
-/// Twice the area between an edge and a point, positive on one side.
-struct LaneEdge {
-    Lanes start, right, down, length;
-    LaneEdge(Lanes fromX, Lanes fromY, Lanes toX, Lanes toY)
-        : start(fromX * toY - fromY * toX), right(fromY - toY), down(toX - fromX) {
-        length = greater(right, -right) + greater(down, -down);
-    }
-};
-
-}  // namespace
-
-NACRE_CLONED void TriangleShapes::placeFour(const TriangleLens& lens, LanePoints a, LanePoints b, LanePoints c,
-                                            std::uint32_t first) {
-    constexpr float kRoom = 1.0f / 32;
-    const Lanes none{}, width = none + static_cast<float>(lens.width), height = none + static_cast<float>(lens.height);
-    const Lanes twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    const Mask turns = twice < none;
-    const auto store = [&](Row<float>* of, Lanes ofA, Lanes ofB, Lanes ofC) {
-        storeLanes(ofA, &of[0][first]);
-        storeLanes(turns ? ofC : ofB, &of[1][first]);
-        storeLanes(turns ? ofB : ofC, &of[2][first]);
-    };
-    store(x_, a.x, b.x, c.x);
-    store(y_, a.y, b.y, c.y);
-    store(z_, a.z, b.z, c.z);
-    storeLanes(turns ? -twice : twice, &area_[first]);
-    storeLanes(~turns, &turnedAway[first]);  // rows run downwards
-    // Whole numbers are cut off towards 0, where the picture begins.
-    const auto seen = [&](Lanes place, Lanes size) { return lesser(greater(place, none), size); };
-    const auto pixelsOf = [&](Lanes place) { return __builtin_convertvector(place, Mask); };
-    const Lanes lowX = ofLeast(a.x, b.x, c.x), highX = ofMost(a.x, b.x, c.x), lowY = ofLeast(a.y, b.y, c.y),
-                highY = ofMost(a.y, b.y, c.y);
-    Lanes leftmost = seen(lowX + (0.5f - kRoom), width), rightmost = seen(highX + (0.5f + kRoom), width),
-          topmost = seen(lowY + (0.5f - kRoom), height), lowest = seen(highY + (0.5f + kRoom), height),
-          Z = ofLeast(a.z, b.z, c.z);
-    std::uint32_t turnedOff = 0;
-    if (lens.frontsOnly) {
-        const Lanes off = greater(farther(lowX, highX, lens.axisX), farther(lowY, highY, lens.axisY));
-        const Mask away = twice > kCertain * lens.rounded(off) * 2 * (highX - lowX + highY - lowY);
-        turnedOff = signsOf(away);
-        leftmost = away ? width : leftmost;
-        rightmost = away ? none : rightmost;
-        topmost = away ? height : topmost;
-        lowest = away ? none : lowest;
-        Z = away ? none + std::numeric_limits<float>::max() : Z;
-    }
-    storeLanes(pixelsOf(leftmost), &left[first]);
-    storeLanes(pixelsOf(rightmost), &right[first]);
-    storeLanes(pixelsOf(topmost), &top[first]);
-    storeLanes(pixelsOf(lowest), &bottom[first]);
-    storeLanes(Z, &nearest[first]);
-    const auto pixel = [](float place) { return static_cast<std::int32_t>(place); };
-    boxes[first / kLanes] = {pixel(leastOf(leftmost)),
-                             pixel(-leastOf(-rightmost)),
-                             pixel(leastOf(topmost)),
-                             pixel(-leastOf(-lowest)),
-                             leastOf(Z),
-                             turnedOff};
+glm::vec4 CornerPlace::operator()(const glm::vec3& p) const {
+    const float Z = origin - (z.x * p.x + z.y * p.y + z.z * p.z + z.w);
+    const float scale = perspective ? origin / Z : 1.0f;
+    return {axisX + (x.x * p.x + x.y * p.y + x.z * p.z + x.w) * scale,
+            axisY + (y.x * p.x + y.y * p.y + y.z * p.z + y.w) * scale, Z, 0};
 }
 
-NACRE_CLONED void TriangleShapes::findPlanes(const TriangleLens& lens, std::uint32_t first) {
-    const Lanes none{};
-    const auto corner = [&](const Row<float>* of, int k) { return loadLanes(&of[k][first]); };
-    const auto pixel = [&](const Row<std::int32_t>& of) { return loadLanes(&of[first]); };
-    const Mask leftmost = pixel(left), topmost = pixel(top);
-    const Lanes x = __builtin_convertvector(leftmost, Lanes) + 0.5f, y = __builtin_convertvector(topmost, Lanes) + 0.5f;
-    const Lanes ax = corner(x_, 0) - x, bx = corner(x_, 1) - x, cx = corner(x_, 2) - x;
-    const Lanes ay = corner(y_, 0) - y, by = corner(y_, 1) - y, cy = corner(y_, 2) - y;
-    const LaneEdge edge[] = {{bx, by, cx, cy}, {cx, cy, ax, ay}, {ax, ay, bx, by}};
-    const Lanes off = greater(farther(ofLeast(ax, bx, cx) + x, ofMost(ax, bx, cx) + x, lens.axisX),
-                              farther(ofLeast(ay, by, cy) + y, ofMost(ay, by, cy) + y, lens.axisY));
-    const Lanes area = loadLanes(&area_[first]), around = edge[0].length + edge[1].length + edge[2].length;
-    const Lanes rounded = lens.rounded(off);
-    const Mask narrow = ~(area > kCertain * rounded * around);
-    storeLanes(narrow, &splinter[first]);
-    Mask outside[4] = {};  // of the first pixels
-    for (int k = 0; k < 3; ++k) {
-        const Lanes room = 2 * rounded * edge[k].length, start = edge[k].start + room, below = start + edge[k].down;
-        const Lanes at[] = {start, start + edge[k].right, below, below + edge[k].right};
-        for (int i = 0; i < 4; ++i) outside[i] |= bitsOf(at[i]);
-        storeLanes(start, &edges[k].start[first]);
-        storeLanes(edge[k].right, &edges[k].right[first]);
-        storeLanes(edge[k].down, &edges[k].down[first]);
-        storeLanes(narrow ? none + std::numeric_limits<float>::infinity() : 2 * room, &inside[k][first]);
-    }
-    // Most triangles of a fold are as small as pixels, and lie between their centres.
-    const Mask missed = (outside[0] & outside[1] & outside[2] & outside[3]) < 0;
-    const Mask small = (pixel(right) - leftmost <= 2) & (pixel(bottom) - topmost <= 2);
-    storeLanes(missed & small ? topmost : pixel(bottom), &bottom[first]);
+void TriangleBand::beginRow(std::int32_t y) const {
+    const std::size_t at = static_cast<std::size_t>(y) * pitch;
+    rows[y] = 1;
+    for (float* plane : {behind, before}) std::fill_n(plane + at, pitch, -std::numeric_limits<float>::max());
+    std::fill_n(index + at, pitch, kNone);
+}
 
-    const auto keyAt = [&](Lanes Z) { return lens.perspective ? 1 / Z : -Z; };
-    const Lanes ofA = keyAt(corner(z_, 0)), ofB = keyAt(corner(z_, 1)), ofC = keyAt(corner(z_, 2));
-    const Lanes most = ofMost(ofA, ofB, ofC), rise = most - ofLeast(ofA, ofB, ofC), perArea = 1 / area;
-    const Lanes errorOfMost = lens.perspective ? lens.errorOfZ * most * most : none + lens.errorOfZ;
-    const auto mean = [&](Lanes LaneEdge::*of) {
-        return (edge[1].*of * (ofB - ofA) + edge[2].*of * (ofC - ofA)) * perArea;
+void TriangleBand::doubt(std::uint32_t triangle) const {
+    if (doubts->empty() || doubts->back() != triangle) doubts->push_back(triangle);
+}
+
+/// Draws a triangle that certainly contains the centre, between two keys, and is not certainly hidden.
+void TriangleBand::meet(std::size_t at, float ofBehind, float ofBefore, std::uint32_t triangle) const {
+    if (ofBefore < behind[at]) return;
+    const bool wins = ofBehind > before[at];
+    const bool nearer = ofBehind + ofBefore > behind[at] + before[at];
+    if (!wins) doubt(nearer ? index[at] : triangle);
+    if (!wins && !nearer) return;
+    behind[at] = ofBehind;
+    before[at] = ofBefore;
+    index[at] = triangle;
+}
+
+void TriangleBand::hold(const TriangleShapes& shapes, std::uint32_t i, std::uint32_t triangle, std::size_t at,
+                        float key, bool certain) const {
+    const float error = shapes.error[i];
+    if (lens->clips && (shapes.splinters >> i & 1) == 0) {
+        const float least = key - error, Z = lens->perspective ? 1.0f / least : -least;
+        const float room = lens->perspective ? error * Z * Z : error;
+        if (Z + room < lens->clipNear || Z - room > lens->clipFar) return;
+        if (Z - room <= lens->clipNear || Z + room >= lens->clipFar) certain = false;
+    }
+    if (certain)
+        meet(at, key - 2 * error, key, triangle);
+    else
+        doubt(triangle);
+}
+
+namespace triangle_lanes {
+
+#define NACRE_LANES_CODE "engine/scene/triangle_lanes.inc"
+#define NACRE_MOST_LANES 16
+#include "engine/scene/each_lanes.inc"
+
+}  // namespace triangle_lanes
+
+std::span<const TriangleLanes> triangleLanes() {
+    using namespace triangle_lanes;
+    static constexpr TriangleLanes kLanesOf[] = {
+        {4, lanes4::drawTriangles, lanes4::placeCorners},
+#if defined(__x86_64__)
+        {8, lanes8::drawTriangles, lanes8::placeCorners},
+        {16, lanes16::drawTriangles, lanes16::placeCorners},
+#endif
     };
-    storeLanes(narrow ? most + errorOfMost : ofA + mean(&LaneEdge::start), &key.start[first]);
-    storeLanes(narrow ? none : mean(&LaneEdge::right), &key.right[first]);
-    storeLanes(narrow ? none : mean(&LaneEdge::down), &key.down[first]);
-    // A key's error: its slope over a corner's error, plus the rounding of Z.
-    storeLanes(narrow ? none : 4 * rounded * rise * around * perArea + errorOfMost, &error[first]);
+    return usableLanes<TriangleLanes>(kLanesOf);
 }
 
 }  // namespace nacre

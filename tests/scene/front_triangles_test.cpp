@@ -199,7 +199,8 @@ Judged judged(Dice& dice, bool perspective, bool flat, bool frontsOnly = false) 
         if (scene % 2 == 1)  // they are wound clockwise
             for (Triangle& t : s.mesh.triangles) std::swap(t.b, t.c);
         const TileCall call{s.rows, 0, static_cast<std::uint32_t>(s.mesh.triangles.size()), 1};
-        TileLists lists;
+        const std::span<const TriangleLanes> ways = triangleLanes();  // in turn
+        TileLists lists(ways[static_cast<std::size_t>(scene / 2) % ways.size()]);
         lists.build(s.view, {{}, {}, {}, {}, {}, s.mesh.triangles, s.mesh.meshVertices, {&call, 1}});
         std::vector<std::uint32_t> words(lists.words());
         lists.write(words.data());
@@ -264,21 +265,36 @@ TEST(TriangleShapes, LeaveWhatAllRoundingsAddUpTo) {
         view.axis = glm::vec2(kPicture / 2);
         view.range = view.origin = static_cast<float>(kRange);
         view.pixels = static_cast<float>(ofPicture * kPicture / kRange);
-        const TriangleLens lens(view);
+        TriangleLens lens(view);
         const double inPixels = ofPicture * kPicture, corner = (2.5 + 2) * u * inPixels + u * kPicture;
         EXPECT_GE(static_cast<double>(lens.error), corner) << ofPicture;
         // One as far from the axis as they are. An edge function is off by what both its corners are.
         const auto far = static_cast<float>(kPicture / 2 + inPixels / 2), side = static_cast<float>(inPixels / 4);
         const glm::vec4 corners[] = {{far, far, 40, 0}, {far - side, far, 40, 0}, {far, far - side, 40, 0}};
         const Triangle triangle{0, 1, 2, 1};
-        TriangleShapes shapes;
-        shapes.place(lens, &triangle, 1, corners);
-        shapes.findPlanes(lens, 0);
         const double off = corner + (4 + 8) * u * inPixels / 2;
-        // What is added to an edge's plane is half of where inside begins.
-        EXPECT_GE(static_cast<double>(std::min({shapes.inside[0][0], shapes.inside[1][0], shapes.inside[2][0]})) / 2,
-                  2 * off * static_cast<double>(side))
-            << ofPicture;
+        for (const TriangleLanes& lanes : triangleLanes()) {
+            TriangleShapes shapes;
+            lens.width = lens.height = static_cast<std::uint32_t>(far) + 1;                // so that it is in view
+            std::vector<float> behind(lens.width + TriangleBand::kRoom), before = behind;  // all rows are one
+            std::vector<std::uint32_t> index(behind.size()), doubts;
+            std::vector<std::uint8_t> rows(lens.height);
+            const TriangleBand band{&lens,
+                                    0,
+                                    static_cast<std::int32_t>(lens.height),
+                                    0,
+                                    behind.data(),
+                                    before.data(),
+                                    index.data(),
+                                    rows.data(),
+                                    &doubts};
+            lanes.draw(band, shapes, &triangle, 1, corners, 0);
+            // What is added to an edge's plane is half of where inside begins.
+            EXPECT_GE(
+                static_cast<double>(std::min({shapes.inside[0][0], shapes.inside[1][0], shapes.inside[2][0]})) / 2,
+                2 * off * static_cast<double>(side))
+                << ofPicture << ", " << lanes.lanes << " lanes";
+        }
     }
 }
 

@@ -79,15 +79,6 @@ TEST_P(ManyTrianglesTest, TheNearestAreCertainOrInDoubt) {
     }
     many.addChunks();
     const std::vector<glm::vec4>& corners = many.corners;
-    FrontTriangles front;
-    many.draw(front, GetParam(), kBegin);
-    std::vector<bool> doubtful(kMany + 1);
-    for (std::size_t i = 0; i < front.doubts(); ++i) {
-        const glm::vec4* rows = nullptr;
-        std::uint32_t number = 0;
-        front.doubt(i, rows, number);
-        doubtful[number] = true;
-    }
     std::vector<std::vector<std::pair<double, std::uint32_t>>> seen(kPicture * kPicture);  // depth and number
     for (std::uint32_t i = kBegin; i < kMany; ++i) {
         const glm::dvec3 a(corners[3 * i]), b(corners[3 * i + 1]), c(corners[3 * i + 2]);
@@ -103,22 +94,34 @@ TEST_P(ManyTrianglesTest, TheNearestAreCertainOrInDoubt) {
                     seen[y * kPicture + x].emplace_back(a.z, i + 1);
             }
     }
-    std::size_t certain = 0, wrong = 0, twins = 0;
-    for (std::uint32_t pixel = 0; pixel < kPicture * kPicture; ++pixel) {
-        std::vector<std::pair<double, std::uint32_t>>& there = seen[pixel];
-        std::sort(there.begin(), there.end());
-        std::uint32_t seed = 0;
-        front.write(pixel % kPicture, pixel / kPicture, 1, &seed);
-        certain += seed != 0;
-        for (const auto& [depth, number] : there) {
-            if (depth > there[0].first) break;
-            wrong += number != seed && !doubtful[number];
-            twins += number != there[0].second;
+    for (auto& there : seen) std::sort(there.begin(), there.end());
+    for (const TriangleLanes& lanes : triangleLanes()) {
+        SCOPED_TRACE(lanes.lanes);
+        FrontTriangles front(lanes);
+        many.draw(front, GetParam(), kBegin);
+        std::vector<bool> doubtful(kMany + 1);
+        for (std::size_t i = 0; i < front.doubts(); ++i) {
+            const glm::vec4* rows = nullptr;
+            std::uint32_t number = 0;
+            front.doubt(i, rows, number);
+            doubtful[number] = true;
         }
+        std::size_t certain = 0, wrong = 0, twins = 0;
+        for (std::uint32_t pixel = 0; pixel < kPicture * kPicture; ++pixel) {
+            const std::vector<std::pair<double, std::uint32_t>>& there = seen[pixel];
+            std::uint32_t seed = 0;
+            front.write(pixel % kPicture, pixel / kPicture, 1, &seed);
+            certain += seed != 0;
+            for (const auto& [depth, number] : there) {
+                if (depth > there[0].first) break;
+                wrong += number != seed && !doubtful[number];
+                twins += number != there[0].second;
+            }
+        }
+        EXPECT_EQ(wrong, 0u);
+        EXPECT_GT(certain, kPicture * kPicture / 2);
+        EXPECT_GT(twins, 1000u);
     }
-    EXPECT_EQ(wrong, 0u);
-    EXPECT_GT(certain, kPicture * kPicture / 2);
-    EXPECT_GT(twins, 1000u);
 }
 
 /// Pairs in one place are in doubt, unless what is before them was drawn before.
@@ -131,21 +134,22 @@ TEST_P(ManyTrianglesTest, ThoseBehindOthersAreInNoDoubt) {
     for (float Z = 32; Z > 0; --Z) many.add({-9, -9, Z / 4}, {400, -9, Z / 4}, {-9, 400, Z / 4});
     addTwins(20);
     many.addChunks();
-    for (const bool edges : {false, true}) {
-        many.view.edges = edges;
-        FrontTriangles front;
-        many.draw(front, GetParam());
-        std::uint32_t number = 0;
-        front.write(25, 25, 1, &number);
-        EXPECT_EQ(number, 64u);
-        const glm::vec4* rows = nullptr;
-        bool any = false;
-        for (std::size_t i = 0; i < front.doubts(); ++i) {
-            front.doubt(i, rows, number);
-            any = any || number <= 32 || number > 64;
+    for (const TriangleLanes& lanes : triangleLanes())
+        for (const bool edges : {false, true}) {
+            many.view.edges = edges;
+            FrontTriangles front(lanes);
+            many.draw(front, GetParam());
+            std::uint32_t number = 0;
+            front.write(25, 25, 1, &number);
+            EXPECT_EQ(number, 64u);
+            const glm::vec4* rows = nullptr;
+            bool any = false;
+            for (std::size_t i = 0; i < front.doubts(); ++i) {
+                front.doubt(i, rows, number);
+                any = any || number <= 32 || number > 64;
+            }
+            EXPECT_EQ(any, !GetParam()) << edges;
         }
-        EXPECT_EQ(any, !GetParam()) << edges;
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Chunks, ManyTrianglesTest, testing::Bool(),
