@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 #include <utility>
+
+#include "engine/threads.h"
 
 namespace nacre::passes {
 namespace {
@@ -204,9 +207,15 @@ void TileFrames::writeSeeds(TileFrame& f) {
     constexpr std::uint32_t kBin = TileLists::kBinPixels;
     auto* words = reinterpret_cast<std::uint32_t*>(f.numbers.buffer.mapped);
     const std::size_t pitch = std::size_t{f.lists.across()} * kBin;
-    for (const TileLists::Span& s : f.lists.spans())
-        for (std::uint32_t y = s.y * kBin; y < (s.y + 1u) * kBin; ++y)
-            f.lists.writeSeeds(s.x * kBin, y, (s.endX - s.x) * kBin, words + y * pitch + s.x * kBin);
+    constexpr std::size_t kSlice = 32;
+    const std::span<const TileLists::Span> spans = f.lists.spans();
+    inParallel((spans.size() + kSlice - 1) / kSlice, [&](std::size_t slice) {
+        for (std::size_t i = slice * kSlice; i < std::min((slice + 1) * kSlice, spans.size()); ++i) {
+            const TileLists::Span& s = spans[i];
+            for (std::uint32_t y = s.y * kBin; y < (s.y + 1u) * kBin; ++y)
+                f.lists.writeSeeds(s.x * kBin, y, (s.endX - s.x) * kBin, words + y * pitch + s.x * kBin);
+        }
+    });
 }
 
 void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const {

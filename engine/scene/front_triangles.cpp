@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstring>
 #include <limits>
 
 #include "engine/scene/lanes.h"
@@ -49,9 +48,6 @@ struct FrontTriangles::Picture {
         index.resize(std::max(index.size(), pixels));
         rows.assign(lens.height, 0);
     }
-
-    /// The certain triangle of a pixel; kNone: none.
-    std::uint32_t at(std::size_t x, std::size_t y) const { return rows[y] ? index[y * pitch + x] : kNone; }
 
     /// Whether the nearest point of a box is certainly behind each of its pixels.
     bool isHidden(const TriangleLens& lens, const Box& box) const {
@@ -251,8 +247,10 @@ const Triangle& FrontTriangles::doubt(std::size_t index, const glm::vec4*& rows,
 bool FrontTriangles::isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, std::uint32_t endY) const {
     for (; y < std::min(endY, lens_.height); ++y) {
         if (!picture_->rows[y]) continue;
-        for (std::uint32_t at = x; at < std::min(endX, lens_.width); ++at)
-            if (picture_->at(at, y) != kNone) return true;
+        const std::uint32_t* row = &picture_->index[y * picture_->pitch];
+        std::uint32_t all = kNone;  // has all bits; compilers take many pixels at once
+        for (std::uint32_t at = x; at < std::min(endX, lens_.width); ++at) all &= row[at];
+        if (all != kNone) return true;
     }
     return false;
 }
