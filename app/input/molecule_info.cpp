@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "engine/molecule/chain_summary.h"
-#include "engine/molecule/counts.h"
 #include "engine/molecule/element.h"
 
 namespace nacre::app {

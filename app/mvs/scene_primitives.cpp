@@ -9,7 +9,7 @@
 #include "app/mvs/molstar_radii.h"
 #include "app/mvs/node_table.h"
 #include "app/mvs/primitive_values.h"
-#include "app/mvs/scene_labels.h"
+#include "app/mvs/scene_parts.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/scene_camera.h"
 

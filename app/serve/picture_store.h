@@ -1,11 +1,15 @@
 #pragma once
-// Cache of sent pictures on disk, limited in size.
+// Pictures that several requests share: a cache of sent ones on disk, limited in size, and those that are drawn now.
 
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 
+#include "app/serve/workers.h"
 #include "engine/storage/disk_cache.h"
 
 namespace nacre::app {
@@ -27,6 +31,19 @@ private:
     const DiskCache cache_;
     std::mutex turn_;
     std::uint64_t added_ = 0;  ///< bytes since then
+};
+
+/// One drawing for all requests that ask for the same picture at the same time.
+class SharedPictures {
+public:
+    using Shared = std::shared_ptr<const ServedPicture>;
+
+    /// The picture of this name: of `draw`, or of the thread that draws it now. @throws what that `draw` throws
+    Shared get(const std::string& name, const std::function<ServedPicture()>& draw);
+
+private:
+    std::mutex turn_;
+    std::map<std::string, std::shared_future<Shared>> drawn_;  ///< at the moment
 };
 
 }  // namespace nacre::app

@@ -25,7 +25,6 @@
 #include "app/serve/picture_store.h"
 #include "app/serve/problem.h"
 #include "app/serve/request_head.h"
-#include "app/serve/shared_pictures.h"
 #include "app/serve/uploads.h"
 #include "app/serve/workers.h"
 #include "engine/error.h"

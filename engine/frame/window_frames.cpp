@@ -5,8 +5,8 @@
 
 #include "engine/frame/lens.h"
 #include "engine/frame/picture.h"
+#include "engine/passes/full_screen.h"
 #include "engine/passes/read_back.h"
-#include "engine/passes/resample.h"
 
 namespace nacre {
 namespace {

@@ -1,10 +1,14 @@
 #pragma once
-// Contents of each chain, as far as it has coordinates: the polymer's sequence, ligands, ions, water.
+// Contents of a molecule, and of each chain as far as it has coordinates: the polymer's sequence, ligands, ions, water.
 
+#include <array>
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/molecule/molecule.h"
 #include "engine/molecule/residue_facts.h"
 
 namespace nacre {
@@ -20,5 +24,18 @@ struct ChainSummary {
 
 /// One per chain of Molecule::chains, in order. Alternative residues at one position count once, as the first.
 std::vector<ChainSummary> summariseChains(const ResidueFacts& facts);
+
+/// Contents of one molecule, counted over all its atom records.
+struct MoleculeCounts {
+    std::size_t atoms = 0;
+    std::size_t hetatm = 0;
+    std::size_t altlocAtoms = 0;          ///< atoms with an alternate location
+    std::size_t insertionCodeAtoms = 0;   ///< atoms of residues with an insertion code
+    std::size_t negativeResnumAtoms = 0;  ///< atoms of residues with a negative number
+    std::size_t bondsFromFile = 0, bondsFromTemplates = 0, bondsByDistance = 0;
+    std::optional<std::array<glm::vec3, 2>> bbox;  ///< lowest and highest coordinates, Å; empty without atoms
+};
+
+MoleculeCounts countMolecule(const Molecule& molecule);
 
 }  // namespace nacre

@@ -1,5 +1,5 @@
 #pragma once
-// Shared by passes that draw one triangle over the whole screen.
+// Shared by passes that draw one triangle over the whole screen; and the simplest of them.
 
 #include "engine/gpu/execute.h"
 
@@ -29,5 +29,17 @@ void drawFullScreen(gpu::PassContext& context, const gpu::Layout& layout, vk::Sh
 /// Binds a set with textures at set 0, binding 0 and up, all with the same sampler.
 void bindTextures(gpu::PassContext& context, const gpu::Layout& layout, vk::Filter filter,
                   std::span<const vk::ImageView> textures);
+
+struct Resampling {
+    std::uint32_t samples = 0;  ///< n: the picture has n x n texels per pixel of the target; 0: any other ratio
+    bool coded = false;         ///< the target takes sRGB-coded colour
+    float share = 1;            ///< factor for the picture's values
+    bool add = false;           ///< to the target's contents
+};
+
+/// Scales a picture to another resolution.
+void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling& how);
+/// Requests the pipeline.
+void wantResampling(gpu::PipelineContext& context, const Resampling& how);
 
 }  // namespace nacre::passes

@@ -49,4 +49,21 @@ DensityMap readCube(const std::string& name, std::string_view text, const MapLim
 DensityMap readDsn6(const std::string& name, std::string_view bytes, const MapLimits& limits);
 DensityMap readDensityServer(const std::string& name, std::string_view bytes, const MapLimits& limits);
 
+/// Grid values in text: numbers between blanks, the last axis fastest.
+class GridValues {
+public:
+    /// @param perNode  numbers per node: only the first is used
+    GridValues(const std::string& name, const glm::ivec3& size, const MapLimits& limits, std::size_t perNode = 1);
+    /// Reads the expected number of values. @param line  of the text's first @throws Error if some are missing
+    void read(std::string_view text, std::uint64_t line);
+    /// With the first axis fastest.
+    std::vector<float> done() { return std::move(values_); }
+
+private:
+    const std::string& name_;
+    glm::ivec3 size_;
+    std::size_t perNode_;
+    std::vector<float> values_;
+};
+
 }  // namespace nacre

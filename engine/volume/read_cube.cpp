@@ -1,7 +1,6 @@
 // Gaussian cube files: densities, potentials and orbitals. gaussian.com/cubegen has the format.
 #include <cmath>
 
-#include "engine/volume/grid_values.h"
 #include "engine/volume/map_grid.h"
 
 namespace nacre {

@@ -1,5 +1,4 @@
 // OpenDX scalar fields on regular grids, as APBS and other solvers of Poisson and Boltzmann's equation write them. Å.
-#include "engine/volume/grid_values.h"
 #include "engine/volume/map_grid.h"
 
 namespace nacre {

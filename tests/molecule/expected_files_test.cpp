@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "engine/molecule/counts.h"
+#include "engine/molecule/chain_summary.h"
 #include "engine/molecule/read.h"
 #include "tests/support/test_data.h"
 
