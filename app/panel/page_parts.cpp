@@ -102,14 +102,14 @@ void drawPart(PanelFrame& f, const Part& part, std::size_t number) {
     }
     ImGui::SameLine(x + side + gap);
     const float nameWidth = room - 2 * side - styles - 4 * gap;
-    const bool open = f.s.unfolded == part.selection;
+    const bool open = f.s.sequence.part == part.selection;
     if (part.kind == Part::Kind::chain || tight) {
         if (f.ui.row(open ? Icon::up : Icon::down, part.name, nameWidth)) {
-            f.s.unfolded = open ? "" : part.selection;
-            f.s.sequence.clear();
-            if (part.kind == Part::Kind::chain) f.s.sequence = sequenceOf(*f.s.facts, part.chain);
-            f.s.sequenceInput = part.input;
-            f.s.dragFrom = f.s.dragTo = -1;
+            f.s.sequence.part = open ? "" : part.selection;
+            f.s.sequence.residues.clear();
+            if (part.kind == Part::Kind::chain) f.s.sequence.residues = sequenceOf(*f.s.facts, part.chain);
+            f.s.sequence.input = part.input;
+            f.s.sequence.dragFrom = f.s.sequence.dragTo = -1;
         }
         f.ui.controls.back().value = countOf(part) + (open ? ", open" : "");
     } else {
@@ -169,8 +169,8 @@ void drawPartsPage(PanelFrame& f) {
         f.s.facts = ResidueFacts(*f.s.molecule);
         const bool several = document->molecule->modelsAreInputs;
         f.s.parts = partsOf(*f.s.facts, several ? inputNames(inputOf(document->view)) : std::vector<std::string>());
-        f.s.unfolded.clear();
-        f.s.residueColors.clear();
+        f.s.sequence.part.clear();
+        f.s.sequence.colors.clear();
     }
     const FileSummary file = document->molecule->modelsAreInputs ? FileSummary() : document->molecule->file;
     if (!file.title.empty()) f.ui.paragraph(file.title);
@@ -194,7 +194,7 @@ void drawPartsPage(PanelFrame& f) {
         }
         last = part.kind;
         drawPart(f, part, number++);
-        if (f.s.unfolded == part.selection) drawSequence(f, part);
+        if (f.s.sequence.part == part.selection) drawSequence(f, part);
     }
     if (f.s.parts.size() >= kMostParts) f.ui.caption("Only the first 200 parts are listed.");
     toggleOption(f, "hydrogens");

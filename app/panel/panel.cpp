@@ -161,8 +161,8 @@ void Panel::showRecord() { state_->recording = static_cast<bool>(state_->host.re
 void Panel::showPage(Page page) { state_->page = page, state_->restless = 2; }
 bool Panel::opensTogether() const { return state_->start && state_->together; }
 void Panel::keepView(const Viewer& viewer) { app::keepView(*state_, viewer); }
-std::size_t Panel::keptViews() const { return state_->keys.size(); }
-std::size_t Panel::unrecordedViews() const { return state_->keysRecorded ? 0 : keptViews(); }
+std::size_t Panel::keptViews() const { return state_->movie.keys.size(); }
+std::size_t Panel::unrecordedViews() const { return state_->movie.keysRecorded ? 0 : keptViews(); }
 bool Panel::asksToQuit() const { return state_->quitting; }
 
 void Panel::askToQuit(const std::string& unsaved) {
@@ -209,7 +209,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     ImGui::NewFrame();
     s.occupied.clear();
     s.ui.controls.clear();
-    s.alongSequence &= s.page == Page::parts && open && !over;
+    s.sequence.focused &= s.page == Page::parts && open && !over;
     PanelFrame f{s, s.ui, s.host, viewer, now};
     if (open) drawPanel(f);
     if (s.shown == PanelState::Shown::folded && !over) drawMenuButton(f);

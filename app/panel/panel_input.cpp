@@ -141,9 +141,9 @@ void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
         return;
     }
     if (key == SpecialKey::escape && down && !popup && !io.WantTextInput) s_.keyboard = false;
-    if (s_.alongSequence && s_.keyboard && (key == SpecialKey::left || key == SpecialKey::right)) {
-        if (down) s_.sequenceStep = key == SpecialKey::left ? -1 : 1;
-        s_.sequenceExtends = with.shift;
+    if (s_.sequence.focused && s_.keyboard && (key == SpecialKey::left || key == SpecialKey::right)) {
+        if (down) s_.sequence.step = key == SpecialKey::left ? -1 : 1;
+        s_.sequence.extends = with.shift;
         return;
     }
 #if IMGUI_VERSION_NUM < 18700

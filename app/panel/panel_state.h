@@ -45,6 +45,39 @@ struct Browser {
     std::string error;
 };
 
+/// The sequence of a chain among the parts.
+struct SequenceState {
+    std::string part;  ///< the selection of the part whose sequence is shown
+    std::vector<std::uint32_t> residues;
+    std::string input;                               ///< as Part::input
+    int dragFrom = -1, dragTo = -1;                  ///< of residues
+    bool focused = false;                            ///< arrow keys move along it
+    int step = 0;                                    ///< of the arrow key
+    bool extends = false;                            ///< extends the selection
+    std::vector<std::uint32_t> colors;               ///< by residue of the molecule
+    std::pair<RepresentationOptions, bool> colored;  ///< settings of these colours
+};
+
+/// An image to save.
+struct SaveForm {
+    int preset = 0, format = 0;
+    int widthMm = 160, heightMm = 120, dpi = 300;
+    bool transparent = false;
+    std::string path;
+};
+
+/// A movie to record, and its preview.
+struct MovieForm {
+    int motion = 0, size = 0, format = 0;
+    float seconds = 0;  ///< 0: the motion's duration
+    bool loop = false, transparent = false;
+    std::string path;
+    std::vector<PictureDescription> keys;  ///< its keyframes
+    bool keysRecorded = true;
+    std::size_t previewed = 0;  ///< keyframe shown in the preview, from 1; 0: no preview
+    double previewDue = 0;      ///< time of the next one
+};
+
 struct PanelState {
     PanelState(PanelHost lent, double scale, bool fingers)
         : host(std::move(lent)),
@@ -117,34 +150,14 @@ struct PanelState {
     std::shared_ptr<const Molecule> molecule;
     std::optional<ResidueFacts> facts;  ///< once there is a molecule
     std::vector<Part> parts;
-    std::string unfolded;                            ///< the part whose sequence is shown
-    std::vector<std::uint32_t> sequence;             ///< its residues
-    std::string sequenceInput;                       ///< as Part::input
-    int dragFrom = -1, dragTo = -1;                  ///< of residues in the sequence
-    bool alongSequence = false;                      ///< arrow keys move along it
-    int sequenceStep = 0;                            ///< of the arrow key
-    bool sequenceExtends = false;                    ///< extends the selection
-    std::vector<std::uint32_t> residueColors;        ///< of the sequence
-    std::pair<RepresentationOptions, bool> colored;  ///< settings of these colours
-    int rule = -1;                                   ///< rule being edited
-    std::string ruleAtoms;                           ///< its fields as typed
-    bool playOptions = false;                        ///< options of the play bar are open
-    // Image to save
-    int preset = 0, format = 0;
-    int widthMm = 160, heightMm = 120, dpi = 300;
-    bool transparent = false;
-    std::string path;
-    // Movie to record
-    int motion = 0, movieSize = 0, movieFormat = 0;
-    float movieSeconds = 0;  ///< 0: the motion's duration
-    bool movieLoop = false, movieTransparent = false;
-    std::string moviePath;
-    std::vector<PictureDescription> keys;  ///< its keyframes
-    bool keysRecorded = true;
+    SequenceState sequence;
+    int rule = -1;             ///< rule being edited
+    std::string ruleAtoms;     ///< its fields as typed
+    bool playOptions = false;  ///< options of the play bar are open
+    SaveForm save;
+    MovieForm movie;
     std::string unsaved;  ///< what quitting would lose
     std::string helpSearch;
-    std::size_t previewed = 0;  ///< keyframe shown in the preview, from 1; 0: no preview
-    double previewDue = 0;      ///< time of the next one
 };
 
 /// One frame of the panel, drawn by its pages.

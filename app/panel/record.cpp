@@ -27,7 +27,7 @@ std::string timeText(double seconds) {
 PixelSize even(PixelSize size) { return {std::max(size.width & ~1u, 2u), std::max(size.height & ~1u, 2u)}; }
 
 void drawKeyViews(PanelFrame& f) {
-    std::vector<PictureDescription>& keys = f.s.keys;
+    std::vector<PictureDescription>& keys = f.s.movie.keys;
     if (keys.size() < 2) f.ui.caption("Add two keyframes or more: the movie goes smoothly from one to the next.");
     for (std::size_t i = 0; i < keys.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -46,24 +46,24 @@ void drawKeyViews(PanelFrame& f) {
     }
     if (f.ui.button(Icon::eye, "Add keyframe", -1)) keepView(f.s, f.viewer);
     if (keys.size() < 2) return;
-    f.ui.toggle("Back to the first", f.s.movieLoop);
+    f.ui.toggle("Back to the first", f.s.movie.loop);
     if (!f.ui.button(Icon::play, "Preview", -1)) return;
     f.s.recording = false;
-    f.s.previewed = 1;
-    f.s.previewDue = f.now;
+    f.s.movie.previewed = 1;
+    f.s.movie.previewDue = f.now;
 }
 
 void drawFilmLength(PanelFrame& f) {
-    if (f.s.movieSeconds <= 0) {
+    if (f.s.movie.seconds <= 0) {
         const PlayClock& clock = f.viewer.playback().clock();
-        const double stretches = static_cast<double>(f.s.keys.size()) - (f.s.movieLoop ? 0 : 1);
+        const double stretches = static_cast<double>(f.s.movie.keys.size()) - (f.s.movie.loop ? 0 : 1);
         const double usual[] = {6, 4, static_cast<double>(clock.frames()) / clock.rate(),
                                 kSecondsAView * std::max(stretches, 1.0)};
-        f.s.movieSeconds = static_cast<float>(std::clamp(usual[f.s.motion], 0.5, double{kLongestSeconds}));
+        f.s.movie.seconds = static_cast<float>(std::clamp(usual[f.s.movie.motion], 0.5, double{kLongestSeconds}));
     }
     f.ui.heading("Length");
     ImGui::SetNextItemWidth(-1);
-    f.ui.slideRate("Length", f.s.movieSeconds, 0.5f, kLongestSeconds, "%.1f seconds");
+    f.ui.slideRate("Length", f.s.movie.seconds, 0.5f, kLongestSeconds, "%.1f seconds");
 }
 
 }  // namespace
@@ -72,49 +72,49 @@ void drawRecord(PanelFrame& f) {
     if (beginCard(f, "Record", "Record movie", kRecordPoints)) f.s.recording = false;
     f.ui.heading("Type of motion");
     const bool moves = f.viewer.playback().clock().frames() > 1;
-    if (f.s.motion == 2 && !moves) f.s.motion = 0;
+    if (f.s.movie.motion == 2 && !moves) f.s.movie.motion = 0;
     std::vector<const char*> motions(kMotions.begin(), kMotions.end());
     if (f.viewer.playback().hasTrajectory()) motions[2] = "Frames";
     if (!moves) motions.erase(motions.begin() + 2);
-    int motion = f.s.motion - (f.s.motion == 3 && !moves ? 1 : 0);
+    int motion = f.s.movie.motion - (f.s.movie.motion == 3 && !moves ? 1 : 0);
     if (f.ui.choose("Motion", motions, motion)) {
-        f.s.motion = motion + (motion == 2 && !moves ? 1 : 0);
-        f.s.movieSeconds = 0;
+        f.s.movie.motion = motion + (motion == 2 && !moves ? 1 : 0);
+        f.s.movie.seconds = 0;
     }
-    const bool views = f.s.motion == 3;
+    const bool views = f.s.movie.motion == 3;
     if (views) drawKeyViews(f);
     drawFilmLength(f);
     f.ui.heading("Size");
-    f.ui.choose("Movie size", kMovieSizes, f.s.movieSize);
+    f.ui.choose("Movie size", kMovieSizes, f.s.movie.size);
     f.ui.heading("Format");
     const auto rename = [&] {
-        const char* extension = kMovieExtensions[static_cast<std::size_t>(f.s.movieFormat)];
-        if (f.host.freeName) f.s.moviePath = f.host.freeName(extension);
+        const char* extension = kMovieExtensions[static_cast<std::size_t>(f.s.movie.format)];
+        if (f.host.freeName) f.s.movie.path = f.host.freeName(extension);
     };
-    if (f.ui.choose("Movie format", kMovieFormats, f.s.movieFormat) || f.s.moviePath.empty()) rename();
-    const bool video = f.s.movieFormat < 2;
+    if (f.ui.choose("Movie format", kMovieFormats, f.s.movie.format) || f.s.movie.path.empty()) rename();
+    const bool video = f.s.movie.format < 2;
     if (video && !f.host.videos) f.ui.caption("MP4 and WebM need the program ffmpeg, which is not installed.");
-    if (f.s.movieFormat > 0) f.ui.toggle("Transparent background", f.s.movieTransparent);
+    if (f.s.movie.format > 0) f.ui.toggle("Transparent background", f.s.movie.transparent);
     f.ui.heading("Save as");
-    f.ui.field("Movie path", "movie.mp4", f.s.moviePath);
-    f.ui.folderOf(f.s.moviePath.c_str());
+    f.ui.field("Movie path", "movie.mp4", f.s.movie.path);
+    f.ui.folderOf(f.s.movie.path.c_str());
     ImGui::Spacing();
-    const bool can = !f.s.moviePath.empty() && (!views || f.s.keys.size() > 1) && (!video || f.host.videos);
+    const bool can = !f.s.movie.path.empty() && (!views || f.s.movie.keys.size() > 1) && (!video || f.host.videos);
     ImGui::BeginDisabled(!can);
     if (f.ui.button(Icon::record, "Record", 0, true)) {
         const PixelSize sizes[] = {even(f.viewer.frames().size()), {1920, 1080}, {1280, 720}, {1080, 1080}};
         RecordingWish wish;
-        wish.motion = static_cast<RecordingWish::Motion>(f.s.motion);
-        wish.seconds = static_cast<double>(f.s.movieSeconds);
-        wish.framesPerSecond = f.s.movieFormat == 2 ? kFramesPerSecondOfGif : kFramesPerSecond;
-        wish.size = sizes[f.s.movieSize];
-        wish.loop = f.s.movieLoop;
-        wish.transparent = f.s.movieTransparent && f.s.movieFormat > 0;
-        wish.path = f.s.moviePath;
+        wish.motion = static_cast<RecordingWish::Motion>(f.s.movie.motion);
+        wish.seconds = static_cast<double>(f.s.movie.seconds);
+        wish.framesPerSecond = f.s.movie.format == 2 ? kFramesPerSecondOfGif : kFramesPerSecond;
+        wish.size = sizes[f.s.movie.size];
+        wish.loop = f.s.movie.loop;
+        wish.transparent = f.s.movie.transparent && f.s.movie.format > 0;
+        wish.path = f.s.movie.path;
         f.s.recording = false;
-        f.s.moviePath.clear();
-        f.host.record(wish, f.s.keys);
-        f.s.keysRecorded |= views;
+        f.s.movie.path.clear();
+        f.host.record(wish, f.s.movie.keys);
+        f.s.movie.keysRecorded |= views;
         f.s.restless = 3;
     }
     ImGui::EndDisabled();
@@ -125,31 +125,31 @@ void drawRecord(PanelFrame& f) {
 
 void previewMovie(PanelFrame& f) {
     PanelState& s = f.s;
-    if (s.previewed == 0) return;
-    const std::size_t stops = s.keys.size() + (s.movieLoop ? 1 : 0);
-    const bool stopped = s.over() || s.keys.size() < 2;
-    if (stopped || (f.now >= s.previewDue && s.previewed > stops)) {
-        s.previewed = 0;
+    if (s.movie.previewed == 0) return;
+    const std::size_t stops = s.movie.keys.size() + (s.movie.loop ? 1 : 0);
+    const bool stopped = s.over() || s.movie.keys.size() < 2;
+    if (stopped || (f.now >= s.movie.previewDue && s.movie.previewed > stops)) {
+        s.movie.previewed = 0;
         if (!stopped) s.recording = true, s.restless = 2;
         return;
     }
     s.restless = std::max(s.restless, 1);
-    if (f.now < s.previewDue) return;
-    const double stretch = std::max(static_cast<double>(s.movieSeconds), 0.5) / static_cast<double>(stops - 1);
-    const double flight = s.previewed == 1 ? CameraMotion::kFlightSeconds : stretch;
-    f.viewer.show(s.keys[(s.previewed - 1) % s.keys.size()], f.now, flight);
-    s.previewDue = f.now + flight;
-    ++s.previewed;
+    if (f.now < s.movie.previewDue) return;
+    const double stretch = std::max(static_cast<double>(s.movie.seconds), 0.5) / static_cast<double>(stops - 1);
+    const double flight = s.movie.previewed == 1 ? CameraMotion::kFlightSeconds : stretch;
+    f.viewer.show(s.movie.keys[(s.movie.previewed - 1) % s.movie.keys.size()], f.now, flight);
+    s.movie.previewDue = f.now + flight;
+    ++s.movie.previewed;
 }
 
 void keepView(PanelState& s, const Viewer& viewer) {
     if (!viewer.document()) return;
     // Views of another molecule cannot be combined with this one.
     const PictureDescription& view = viewer.view();
-    std::erase_if(s.keys, [&](const PictureDescription& key) { return key.input.path != view.input.path; });
-    s.keys.push_back(viewer.picking().savedView());
-    s.keysRecorded = false;
-    s.movieSeconds = 0;
+    std::erase_if(s.movie.keys, [&](const PictureDescription& key) { return key.input.path != view.input.path; });
+    s.movie.keys.push_back(viewer.picking().savedView());
+    s.movie.keysRecorded = false;
+    s.movie.seconds = 0;
     s.restless = 2;
 }
 

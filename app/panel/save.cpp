@@ -26,21 +26,21 @@ std::uint32_t pixelsOf(int millimetres, int dpi) {
 
 void PanelState::setSavePath(const std::string& to) {
     const std::string end = std::filesystem::path(to).extension().string();
-    path = end.empty() ? to + kExtensions[format] : to;
+    save.path = end.empty() ? to + kExtensions[save.format] : to;
     for (int i = 0; i < static_cast<int>(std::size(kExtensions)); ++i)
-        if (end == kExtensions[i]) format = i;
+        if (end == kExtensions[i]) save.format = i;
     restless = 3;
 }
 
 void drawSave(PanelFrame& f) {
     const auto rename = [&] {
-        if (f.host.freeName) f.s.path = f.host.freeName(kExtensions[f.s.format]);
+        if (f.host.freeName) f.s.save.path = f.host.freeName(kExtensions[f.s.save.format]);
     };
-    if (f.s.path.empty()) rename();
+    if (f.s.save.path.empty()) rename();
     if (beginCard(f, "Save", "Save image", kSavePoints)) f.s.saving = false;
     f.ui.heading("Size");
-    f.ui.choose("Size", kSizes, f.s.preset);
-    if (f.s.preset == kPaper) {
+    f.ui.choose("Size", kSizes, f.s.save.preset);
+    if (f.s.save.preset == kPaper) {
         const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
         const auto number = [&](const char* name, int& value, int most, const char* format) {
             ImGui::SetNextItemWidth(third);
@@ -49,36 +49,38 @@ void drawSave(PanelFrame& f) {
             ImGui::PopID();
             f.ui.note("slider", name, std::to_string(value));
         };
-        number("Width", f.s.widthMm, kMostMm, "%d mm wide");
+        number("Width", f.s.save.widthMm, kMostMm, "%d mm wide");
         ImGui::SameLine();
-        number("Height", f.s.heightMm, kMostMm, "%d mm high");
+        number("Height", f.s.save.heightMm, kMostMm, "%d mm high");
         ImGui::SameLine();
-        number("Resolution", f.s.dpi, kMostDpi, "%d dpi");
+        number("Resolution", f.s.save.dpi, kMostDpi, "%d dpi");
     }
     PictureWish wish;
     const PixelSize window = f.viewer.frames().size();
-    const PixelSize sizes[] = {
-        window, {2048, 2048}, {1920, 1080}, {pixelsOf(f.s.widthMm, f.s.dpi), pixelsOf(f.s.heightMm, f.s.dpi)}};
-    wish.size = sizes[f.s.preset];
+    const PixelSize sizes[] = {window,
+                               {2048, 2048},
+                               {1920, 1080},
+                               {pixelsOf(f.s.save.widthMm, f.s.save.dpi), pixelsOf(f.s.save.heightMm, f.s.save.dpi)}};
+    wish.size = sizes[f.s.save.preset];
     f.ui.caption(std::to_string(wish.size.width) + " x " + std::to_string(wish.size.height) + " pixels");
     f.ui.heading("Format");
-    if (f.ui.choose("Format", kFormats, f.s.format)) rename();
-    if (f.s.format != kJpeg) f.ui.toggle("Transparent background", f.s.transparent);
+    if (f.ui.choose("Format", kFormats, f.s.save.format)) rename();
+    if (f.s.save.format != kJpeg) f.ui.toggle("Transparent background", f.s.save.transparent);
     f.ui.heading("Save as");
     const bool dialog = f.host.saveDialog || f.host.browses;
     const float choose = dialog ? f.ui.buttonWidth("Choose ...") + f.ui.px(2) : 0;
     const float gap = dialog ? ImGui::GetStyle().ItemSpacing.x : 0;
-    f.ui.field("Path", "picture.png", f.s.path, ImGui::GetContentRegionAvail().x - choose - gap);
+    f.ui.field("Path", "picture.png", f.s.save.path, ImGui::GetContentRegionAvail().x - choose - gap);
     if (dialog) {
         ImGui::SameLine();
         if (f.ui.button(Icon::none, "Choose ...", choose))
-            f.host.browses ? f.s.browse(f.s.path, true) : f.host.saveDialog(f.s.path);
+            f.host.browses ? f.s.browse(f.s.save.path, true) : f.host.saveDialog(f.s.save.path);
     }
-    f.ui.folderOf(f.s.path.c_str());
+    f.ui.folderOf(f.s.save.path.c_str());
     ImGui::Spacing();
-    wish.transparent = f.s.transparent && f.s.format != kJpeg;
-    wish.path = f.s.path;
-    if (f.s.preset == kPaper) wish.dpi = f.s.dpi;
+    wish.transparent = f.s.save.transparent && f.s.save.format != kJpeg;
+    wish.path = f.s.save.path;
+    if (f.s.save.preset == kPaper) wish.dpi = f.s.save.dpi;
     if (f.ui.button(Icon::save, "Save", 0, true) && !wish.path.empty()) {
         f.s.saving = false;
         f.host.savePicture(wish);
@@ -86,7 +88,7 @@ void drawSave(PanelFrame& f) {
     }
     ImGui::SameLine();
     if (f.ui.button(Icon::none, "Cancel")) f.s.saving = false;
-    if (!f.s.saving) f.s.path.clear();
+    if (!f.s.saving) f.s.save.path.clear();
     endGrown(f);
 }
 

@@ -68,25 +68,25 @@ void drawFold(ImDrawList& list, SecondaryStructure fold, bool last, ImVec2 low, 
 
 /// Selects the residues between two of the sequence.
 void selectResidues(PanelFrame& f) {
-    const std::vector<std::uint32_t>& sequence = f.s.sequence;
-    const auto [low, high] = std::minmax(f.s.dragFrom, f.s.dragTo);
+    const std::vector<std::uint32_t>& sequence = f.s.sequence.residues;
+    const auto [low, high] = std::minmax(f.s.sequence.dragFrom, f.s.sequence.dragTo);
     f.viewer.picking().select(residuesText(*f.s.molecule, sequence[static_cast<std::size_t>(low)],
-                                           sequence[static_cast<std::size_t>(high)], f.s.sequenceInput));
+                                           sequence[static_cast<std::size_t>(high)], f.s.sequence.input));
 }
 
 /// @param i  of the sequence
 void drawLetter(PanelFrame& f, int i, ImVec2 p, ImVec2 size, bool chosen, bool hovered) {
     const Theme& theme = f.ui.theme();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const std::uint32_t r = f.s.sequence[static_cast<std::size_t>(i)];
+    const std::uint32_t r = f.s.sequence.residues[static_cast<std::size_t>(i)];
     const SecondaryStructure fold = f.s.facts->folds()[r];
-    const bool more = i + 1 < static_cast<int>(f.s.sequence.size());
-    const bool last = !more || f.s.facts->folds()[f.s.sequence[static_cast<std::size_t>(i) + 1]] != fold;
+    const bool more = i + 1 < static_cast<int>(f.s.sequence.residues.size());
+    const bool last = !more || f.s.facts->folds()[f.s.sequence.residues[static_cast<std::size_t>(i) + 1]] != fold;
     const float above = f.ui.px(14);
     if (chosen)
         list.AddRectFilled(ImVec2(p.x, p.y + above), ImVec2(p.x + size.x, p.y + size.y - f.ui.px(2)),
                            ImGui::GetColorU32(theme.accent));
-    if (const std::uint32_t color = f.s.residueColors[r]; color != 0)
+    if (const std::uint32_t color = f.s.sequence.colors[r]; color != 0)
         list.AddRectFilled(ImVec2(p.x, p.y + f.ui.px(5)), ImVec2(p.x + size.x, p.y + f.ui.px(8)), color | 0xff000000);
     drawFold(list, fold, last, ImVec2(p.x, p.y + f.ui.px(10)), ImVec2(p.x + size.x, p.y + f.ui.px(13)),
              ImGui::GetColorU32(theme.faint), f.ui.px(1));
@@ -99,7 +99,8 @@ void drawLetter(PanelFrame& f, int i, ImVec2 p, ImVec2 size, bool chosen, bool h
 
 /// The number of a line's first residue, at its left.
 void drawResidueNumber(PanelFrame& f, int i, ImVec2 right, float line) {
-    const std::string number = std::to_string(f.s.molecule->residues[f.s.sequence[static_cast<std::size_t>(i)]].number);
+    const std::string number =
+        std::to_string(f.s.molecule->residues[f.s.sequence.residues[static_cast<std::size_t>(i)]].number);
     ImGui::PushFont(fontOf(TextSize::caption));
     f.ui.write(ImVec2(right.x - ImGui::CalcTextSize(number.c_str()).x,
                       right.y + (line + f.ui.px(12) - ImGui::GetFontSize()) / 2),
@@ -110,10 +111,10 @@ void drawResidueNumber(PanelFrame& f, int i, ImVec2 right, float line) {
 }  // namespace
 
 void drawSequence(PanelFrame& f, const Part& part) {
-    if (f.s.sequence.empty()) return;
-    if (f.s.residueColors.empty() || f.s.colored != std::pair(f.look.look, f.look.drawn.hydrogens)) {
-        f.s.residueColors = residueColors(*f.s.facts, f.look);
-        f.s.colored = {f.look.look, f.look.drawn.hydrogens};
+    if (f.s.sequence.residues.empty()) return;
+    if (f.s.sequence.colors.empty() || f.s.sequence.colored != std::pair(f.look.look, f.look.drawn.hydrogens)) {
+        f.s.sequence.colors = residueColors(*f.s.facts, f.look);
+        f.s.sequence.colored = {f.look.look, f.look.drawn.hydrogens};
     }
     Letters letters{};
     letters.cell = f.ui.px(f.ui.forFingers() ? 20 : 11.5f), letters.line = f.ui.px(f.ui.forFingers() ? 42 : 31);
@@ -121,26 +122,27 @@ void drawSequence(PanelFrame& f, const Part& part) {
     const float room = ImGui::GetContentRegionAvail().x - letters.left;
     letters.perLine =
         kBlock * std::max(static_cast<int>((room + letters.gap) / (kBlock * letters.cell + letters.gap)), 1);
-    letters.count = static_cast<int>(f.s.sequence.size());
+    letters.count = static_cast<int>(f.s.sequence.residues.size());
     letters.at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(
         "##sequence", ImVec2(ImGui::GetContentRegionAvail().x, letters.line * static_cast<float>(letters.lines())));
     f.ui.ringFocus();
     f.ui.note("sequence", "Sequence of " + part.name, f.viewer.picking().selection().text);
     const int under = letters.under(ImGui::GetIO().MousePos);
-    if (ImGui::IsItemActivated() && under >= 0) f.s.dragFrom = f.s.dragTo = under;
-    if (ImGui::IsItemActive() && under >= 0 && f.s.dragFrom >= 0) {
-        f.s.dragTo = under;
+    if (ImGui::IsItemActivated() && under >= 0) f.s.sequence.dragFrom = f.s.sequence.dragTo = under;
+    if (ImGui::IsItemActive() && under >= 0 && f.s.sequence.dragFrom >= 0) {
+        f.s.sequence.dragTo = under;
         selectResidues(f);
     }
-    f.s.alongSequence = ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
-    if (const int step = std::exchange(f.s.sequenceStep, 0); step != 0 && f.s.alongSequence) {
-        f.s.dragTo = f.s.dragTo < 0 ? 0 : std::clamp(f.s.dragTo + step, 0, letters.count - 1);
-        if (!f.s.sequenceExtends || f.s.dragFrom < 0) f.s.dragFrom = f.s.dragTo;
+    f.s.sequence.focused = ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
+    if (const int step = std::exchange(f.s.sequence.step, 0); step != 0 && f.s.sequence.focused) {
+        f.s.sequence.dragTo =
+            f.s.sequence.dragTo < 0 ? 0 : std::clamp(f.s.sequence.dragTo + step, 0, letters.count - 1);
+        if (!f.s.sequence.extends || f.s.sequence.dragFrom < 0) f.s.sequence.dragFrom = f.s.sequence.dragTo;
         selectResidues(f);
     }
     const bool hovered = ImGui::IsItemHovered() && under >= 0;
-    const auto [low, high] = std::minmax(f.s.dragFrom, f.s.dragTo);
+    const auto [low, high] = std::minmax(f.s.sequence.dragFrom, f.s.sequence.dragTo);
     const ImDrawList& list = *ImGui::GetWindowDrawList();
     for (int i = 0; i < letters.count; ++i) {
         const ImVec2 p = letters.placeOf(i);
@@ -151,7 +153,7 @@ void drawSequence(PanelFrame& f, const Part& part) {
             drawResidueNumber(f, i, ImVec2(letters.at.x + letters.left - f.ui.px(5), p.y), letters.line);
     }
     if (hovered) {
-        const Residue& residue = f.s.molecule->residues[f.s.sequence[static_cast<std::size_t>(under)]];
+        const Residue& residue = f.s.molecule->residues[f.s.sequence.residues[static_cast<std::size_t>(under)]];
         ImGui::SetTooltip("%s %d", std::string(residue.name.view()).c_str(), residue.number);
     }
     f.ui.caption("Above: colours as drawn; bars are helices, arrows are strands.");
