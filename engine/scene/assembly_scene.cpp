@@ -21,17 +21,13 @@ void eachRun(std::size_t size, const ListOf& listOf, const Visit& visit) {
     }
 }
 
-/// A sphere about some primitives. `ballsOf(i, add)` calls add(centre, radius).
+/// Primitives with the same copies. `ballsOf(i, add)` calls add(centre, radius).
 template <typename BallsOf>
-void bound(PrimitiveRun& run, const BallsOf& ballsOf) {
-    Box box;
-    for (std::uint32_t i = 0; i < run.count; ++i)
-        ballsOf(run.first + i, [&](const glm::vec3& center, float) { box.add(center); });
-    run.center = box.center();
-    for (std::uint32_t i = 0; i < run.count; ++i)
-        ballsOf(run.first + i, [&](const glm::vec3& center, float radius) {
-            run.radius = std::max(run.radius, glm::length(glm::dvec3(center) - run.center) + radius);
-        });
+PrimitiveRun runOf(std::uint32_t list, std::size_t first, std::size_t count, const BallsOf& ballsOf) {
+    const Bounds bounds = boundsOfEach([&](const auto& add) {
+        for (std::size_t i = first; i < first + count; ++i) ballsOf(i, add);
+    });
+    return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), list, bounds.center, bounds.radius};
 }
 
 template <typename T>
@@ -242,13 +238,7 @@ void AssemblyScene::eachBall(const SeenBalls& seen, const std::function<void(con
 Bounds AssemblyScene::bounds(const SeenBalls& seen) const {
     constexpr std::uint64_t kMany = 100'000'000;
     if (seen.balls.size() * std::uint64_t{placement_.transforms.size()} > kMany) return roughBounds(seen);
-    Box box;
-    eachBall(seen, [&](const glm::dvec3& center, double) { box.add(center); });
-    Bounds bounds{box.center(), 0};
-    eachBall(seen, [&](const glm::dvec3& center, double radius) {
-        bounds.radius = std::max(bounds.radius, glm::length(center - bounds.center) + radius);
-    });
-    return bounds;
+    return boundsOfEach([&](const auto& visit) { eachBall(seen, visit); });
 }
 
 /// By a ball about what has the same copies: at most its radius too large.
@@ -259,18 +249,11 @@ Bounds AssemblyScene::roughBounds(const SeenBalls& seen) const {
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
             parts.emplace_back(boundsOf(std::span(seen.balls).subspan(first, count)), list);
         });
-    const auto eachPlace = [&](const auto& visit) {
+    return boundsOfEach([&](const auto& visit) {
         for (const auto& [ball, list] : parts)
             for (const std::uint32_t copy : placement_.lists[list])
                 visit(placement_.transforms[copy] * glm::dvec4(ball.center, 1.0), ball.radius);
-    };
-    Box box;
-    eachPlace([&](const glm::dvec3& center, double) { box.add(center); });
-    Bounds bounds{box.center(), 0};
-    eachPlace([&](const glm::dvec3& center, double radius) {
-        bounds.radius = std::max(bounds.radius, glm::length(center - bounds.center) + radius);
     });
-    return bounds;
 }
 
 void AssemblyScene::checkNumber(std::size_t primitives) const {
@@ -299,38 +282,33 @@ void AssemblyScene::finish(Representation& r) {
     const std::size_t others = r.cylinders.size() + r.wires.size() + r.triangles.size() + r.coarseTriangles.size();
     if (others > 0) checkNumber(r.spheres.size() + others);  // spheres alone are drawn by levels (sphere_levels.h)
     Copies& copies = r.copies;
-    const auto run = [](std::uint32_t list, std::size_t first, std::size_t count) {
-        return PrimitiveRun{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), list, {}, 0};
-    };
     const auto listOfLook = [&](std::uint32_t a, std::uint32_t b) {
         return r.contactOf(a) ? listOfContact_[a - r.firstContact] : commonListOf(a - 1, b - 1);
     };
     eachRun(
         r.spheres.size(), [&](std::size_t i) { return listOfLook(r.sphereLooks[i].atom, r.sphereLooks[i].atom); },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
-            copies.spheres.push_back(run(list, first, count));
-            bound(copies.spheres.back(),
-                  [&](std::size_t i, const auto& add) { add(r.spheres[i].center, r.spheres[i].radius); });
+            copies.spheres.push_back(runOf(list, first, count, [&](std::size_t i, const auto& add) {
+                add(r.spheres[i].center, r.spheres[i].radius);
+            }));
         });
     eachRun(
         r.cylinders.size(),
         [&](std::size_t i) { return listOfLook(r.cylinderLooks[i].atomA, r.cylinderLooks[i].atomB); },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
-            copies.cylinders.push_back(run(list, first, count));
-            bound(copies.cylinders.back(), [&](std::size_t i, const auto& add) {
+            copies.cylinders.push_back(runOf(list, first, count, [&](std::size_t i, const auto& add) {
                 add(r.cylinders[i].a, r.cylinders[i].radius);
                 add(r.cylinders[i].b, r.cylinders[i].radius);
-            });
+            }));
         });
     eachRun(
         r.triangles.size(),
         [&](std::size_t i) { return listOf(r.meshLooks[r.meshVertices[r.triangles[i].a].look].atom - 1); },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
-            copies.triangles.push_back(run(list, first, count));
-            bound(copies.triangles.back(), [&](std::size_t i, const auto& add) {
+            copies.triangles.push_back(runOf(list, first, count, [&](std::size_t i, const auto& add) {
                 const Triangle& t = r.triangles[i];
                 for (const std::uint32_t v : {t.a, t.b, t.c}) add(positionOf(r.meshVertices[v], t.step), 0.0f);
-            });
+            }));
         });
     keepWholeMeshes(r);
     // What millions of copies take is not in memory twice.

@@ -25,14 +25,24 @@ struct Box {
     glm::dvec3 center() const { return (low + high) / 2.0; }
 };
 
+/// Of balls that may be too many to be kept. Without any its centre is no number.
+/// @param eachBall  calls what it is given with the centre and radius of each ball, Å; it is called twice
+template <typename EachBall>
+Bounds boundsOfEach(const EachBall& eachBall) {
+    Box box;
+    eachBall([&](const glm::dvec3& center, double) { box.add(center); });
+    Bounds bounds{box.center(), 0};
+    eachBall([&](const glm::dvec3& center, double radius) {
+        bounds.radius = glm::max(bounds.radius, glm::length(center - bounds.center) + radius);
+    });
+    return bounds;
+}
+
 /// @param balls  centre and radius of each, Å; at least one
 inline Bounds boundsOf(std::span<const glm::dvec4> balls) {
-    Box box;
-    for (const glm::dvec4& ball : balls) box.add(ball);
-    Bounds bounds{box.center(), 0};
-    for (const glm::dvec4& ball : balls)
-        bounds.radius = glm::max(bounds.radius, glm::length(glm::dvec3(ball) - bounds.center) + ball.w);
-    return bounds;
+    return boundsOfEach([&](const auto& visit) {
+        for (const glm::dvec4& ball : balls) visit(ball, ball.w);
+    });
 }
 
 }  // namespace nacre

@@ -245,20 +245,12 @@ void Primitives::append(Primitives others) {
 }
 
 std::optional<Bounds> boundsOf(const Primitives& primitives) {
-    Box box;
-    bool any = false;
-    eachBall(primitives, [&](const glm::dvec3& p, double) {
-        if (!isFinite(p)) return;
-        any = true;
-        box.add(p);
+    const Bounds bounds = boundsOfEach([&](const auto& visit) {
+        eachBall(primitives, [&](const glm::dvec3& p, double radius) {
+            if (isFinite(p) && std::isfinite(radius)) visit(p, radius);
+        });
     });
-    if (!any) return std::nullopt;
-    Bounds bounds{box.center(), 0};
-    eachBall(primitives, [&](const glm::dvec3& p, double radius) {
-        if (isFinite(p) && std::isfinite(radius))
-            bounds.radius = std::max(bounds.radius, glm::length(p - bounds.center) + radius);
-    });
-    return bounds;
+    return std::isnan(bounds.center.x) ? std::nullopt : std::optional(bounds);
 }
 
 std::vector<glm::dvec4> outlineOf(const Primitives& primitives) {

@@ -1,6 +1,7 @@
 #include "engine/scene/scene_layers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
 
@@ -177,15 +178,9 @@ Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, con
 void placePart(const Representation& part, std::uint32_t list, Representation& whole) {
     const auto run = [&](std::vector<PrimitiveRun>& runs, std::size_t first, std::size_t count, const auto& ballsOf) {
         if (count == 0) return;
-        PrimitiveRun added{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), list, {}, 0};
-        Box box;
-        ballsOf([&](const glm::vec3& at, float) { box.add(at); });
-        added.center = box.center();
-        ballsOf([&](const glm::vec3& at, float radius) {
-            added.radius =
-                std::max(added.radius, glm::length(glm::dvec3(at) - added.center) + static_cast<double>(radius));
-        });
-        runs.push_back(added);
+        const Bounds bounds = boundsOfEach(ballsOf);
+        runs.push_back(
+            {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), list, bounds.center, bounds.radius});
     };
     run(whole.copies.spheres, whole.spheres.size(), part.spheres.size(), [&](const auto& add) {
         for (const Sphere& sphere : part.spheres) add(sphere.center, sphere.radius);
@@ -350,15 +345,8 @@ void eachLayerBall(const Molecule& molecule, std::span<const SceneLayer> layers,
 }  // namespace
 
 Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers) {
-    // Twice, since copies of atoms may be too many to be kept.
-    Box box;
-    eachLayerBall(molecule, layers, [&](const glm::dvec3& center, double) { box.add(center); });
-    if (!(box.low.x <= box.high.x)) return {{}, 1};
-    Bounds bounds{box.center(), 0};
-    eachLayerBall(molecule, layers, [&](const glm::dvec3& center, double radius) {
-        bounds.radius = std::max(bounds.radius, glm::length(center - bounds.center) + radius);
-    });
-    return bounds;
+    const Bounds bounds = boundsOfEach([&](const auto& visit) { eachLayerBall(molecule, layers, visit); });
+    return std::isnan(bounds.center.x) ? Bounds{{}, 1} : bounds;
 }
 
 Representation representLayers(const ResidueFacts& facts, const GuidedLayers& guided,

@@ -86,13 +86,7 @@ std::optional<Bounds> sharedFrame(const ResidueFacts& facts, const DrawnAtomsOpt
                                   const RepresentationOptions& options) {
     if (facts.molecule().others.empty() || options.ownFrame) return std::nullopt;
     const ModelBalls models(facts, drawn, options);
-    Box box;
-    models.eachBall([&](const glm::dvec3& center, double) { box.add(center); });
-    Bounds bounds{box.center(), 0};
-    models.eachBall([&](const glm::dvec3& center, double radius) {
-        bounds.radius = std::max(bounds.radius, glm::length(center - bounds.center) + radius);
-    });
-    return bounds;
+    return boundsOfEach([&](const auto& visit) { models.eachBall(visit); });
 }
 
 }  // namespace nacre
