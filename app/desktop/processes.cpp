@@ -6,10 +6,11 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "app/files/cache_folder.h"
 
 extern char** environ;
 
@@ -18,14 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
-
 /// Contents of a settings file in the user's folder.
 std::string contentOf(const std::string& underHome) {
-    const std::string home = variable("HOME");
+    const std::string home = environmentVariable("HOME");
     if (home.empty()) return {};
     std::ifstream in(fs::path(home) / underHome);
     std::ostringstream text;
@@ -43,7 +39,7 @@ bool makePipe(int (&ends)[2]) {
 }  // namespace
 
 bool hasProgram(const std::string& name) {
-    std::istringstream folders(variable("PATH"));
+    std::istringstream folders(environmentVariable("PATH"));
     for (std::string folder; std::getline(folders, folder, ':');)
         if (access((fs::path(folder) / name).c_str(), X_OK) == 0) return true;
     return false;
@@ -105,12 +101,13 @@ bool copyPng(const std::string& path) {
     const auto hands = [&](const std::vector<std::string>& program) {
         return runProgram(program, bytes.str(), ProgramOutput::dropped).has_value();
     };
-    if (!variable("WAYLAND_DISPLAY").empty() && hands({"wl-copy", "--type", "image/png"})) return true;
+    if (!environmentVariable("WAYLAND_DISPLAY").empty() && hands({"wl-copy", "--type", "image/png"})) return true;
     return hands({"xclip", "-selection", "clipboard", "-t", "image/png", "-i"});
 }
 
 bool systemIsDark() {
-    if (const std::string theme = variable("GTK_THEME"); !theme.empty()) return theme.find("dark") != std::string::npos;
+    if (const std::string theme = environmentVariable("GTK_THEME"); !theme.empty())
+        return theme.find("dark") != std::string::npos;
     if (hasProgram("gsettings"))
         if (const auto scheme = runProgram({"gsettings", "get", "org.gnome.desktop.interface", "color-scheme"}))
             if (scheme->find("dark") != std::string::npos) return true;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 
 #include "engine/error.h"
@@ -18,17 +17,10 @@ constexpr std::size_t kLongestName = 300;
 constexpr std::size_t kMostCidDigits = 10;
 constexpr std::size_t kMostNeighbours = 1000;  // entries examined next to a missing file
 
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
 bool isLower(char c) { return c >= 'a' && c <= 'z'; }
 bool isUpperOrDigit(char c) { return isUpper(c) || isDigit(c); }
 bool isLowerOrDigit(char c) { return isLower(c) || isDigit(c); }
-
-std::string upper(std::string text) {
-    for (char& c : text)
-        if (isLower(c)) c = static_cast<char>(c - 'a' + 'A');
-    return text;
-}
 
 [[noreturn]] void refuse(const std::string& input, const std::string& why) {
     throw Error("cannot download", input, why);
@@ -67,7 +59,7 @@ bool isUniprotAccession(const std::string& id) {
 }
 
 std::string uniprotAccession(const std::string& input, const std::string& text) {
-    std::string id = upper(text);
+    std::string id = upperCase(text);
     if (!isUniprotAccession(id)) refuse(input, "a UniProt accession looks like P69905 or A0A024R1R8");
     return id;
 }
@@ -114,25 +106,15 @@ std::string pubchemFileName(const std::string& id) {
     return std::string("pubchem-name-") + hex;
 }
 
-/// The beginning of an address from a variable, or the default.
-std::string base(const Environment& environment, const char* variable, const char* fallback) {
-    std::string url = environment(variable);
-    if (url.empty()) return fallback;
-    if (url.rfind("http://", 0) != 0 && url.rfind("https://", 0) != 0)
-        throw Error("cannot download", variable, "'" + url + "' is not an http or https address");
-    while (url.back() == '/') url.pop_back();
-    return url;
-}
-
 std::vector<Source> pdbSources(const std::string& id, const Environment& environment) {
-    const std::string bcif = base(environment, "NACRE_PDB_URL", "https://models.rcsb.org");
-    const std::string mmcif = base(environment, "NACRE_PDB_URL", "https://files.rcsb.org/download");
+    const std::string bcif = baseOf(environment, "NACRE_PDB_URL", "https://models.rcsb.org");
+    const std::string mmcif = baseOf(environment, "NACRE_PDB_URL", "https://files.rcsb.org/download");
     return {{"pdb-" + id + ".bcif.gz", Format::bcif, bcif + "/" + id + ".bcif.gz", "", ""},
             {"pdb-" + id + ".cif.gz", Format::mmcif, mmcif + "/" + id + ".cif.gz", "", ""}};
 }
 
 std::vector<Source> pubchemSources(const std::string& id, const Environment& environment) {
-    const std::string compound = base(environment, "NACRE_PUBCHEM_URL", "https://pubchem.ncbi.nlm.nih.gov/rest/pug") +
+    const std::string compound = baseOf(environment, "NACRE_PUBCHEM_URL", "https://pubchem.ncbi.nlm.nih.gov/rest/pug") +
                                  "/compound/" + (isNumber(id) ? "cid/" + id : "name/" + percentEncoded(id)) +
                                  "/record/SDF?record_type=";
     const std::string file = pubchemFileName(id);
@@ -143,7 +125,7 @@ std::vector<Source> pubchemSources(const std::string& id, const Environment& env
 
 std::vector<Source> afdbSources(const std::string& id, const Environment& environment) {
     const std::string list =
-        base(environment, "NACRE_AFDB_URL", "https://alphafold.ebi.ac.uk") + "/api/prediction/" + id;
+        baseOf(environment, "NACRE_AFDB_URL", "https://alphafold.ebi.ac.uk") + "/api/prediction/" + id;
     return {{"afdb-" + lowerCase(id) + ".bcif", Format::bcif, list, "bcifUrl", ""},
             {"afdb-" + lowerCase(id) + ".cif", Format::mmcif, list, "cifUrl", ""}};
 }
@@ -152,7 +134,7 @@ std::vector<Source> afdbSources(const std::string& id, const Environment& enviro
 
 std::string meantInput(const std::string& path) {
     namespace fs = std::filesystem;
-    const std::string lower = lowerCase(path), capital = upper(path);
+    const std::string lower = lowerCase(path), capital = upperCase(path);
     const std::vector<std::string> samples = sampleNames();
     if (std::find(samples.begin(), samples.end(), lower) != samples.end()) return "sample:" + lower;
     const fs::path folder = fs::path(path).parent_path();
@@ -171,9 +153,14 @@ std::string meantInput(const std::string& path) {
     return near.empty() ? near : (folder / near).string();
 }
 
-std::string environmentVariable(const char* name) {
-    const char* value = std::getenv(name);
-    return value ? value : "";
+std::string baseOf(const Environment& environment, const char* variable, const char* usual) {
+    std::string url = environment(variable);
+    if (url.empty()) return usual;
+    if (!url.starts_with("http://") && !url.starts_with("https://"))
+        throw Error("cannot download", variable,
+                    "'" + nacre::printable(url, 200) + "' is not an http or https address");
+    while (url.back() == '/') url.pop_back();
+    return url;
 }
 
 std::optional<DatabaseId> parseDatabaseId(const std::string& input) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/files/cache_folder.h"
 #include "engine/molecule/read.h"
 
 namespace nacre::app {
@@ -37,7 +38,8 @@ std::string meantInput(const std::string& path);
 
 /// Environment variables by name; empty if not set.
 using Environment = std::function<std::string(const char*)>;
-std::string environmentVariable(const char* name);
+/// The beginning of an address: of a variable, or the usual one. @throws Error
+std::string baseOf(const Environment& environment, const char* variable, const char* usual);
 
 /// Addresses to try, in order. NACRE_PDB_URL, NACRE_PUBCHEM_URL and NACRE_AFDB_URL replace the addresses' beginnings.
 /// @throws Error if one of them is no http or https address

@@ -21,16 +21,6 @@ bool isId(const std::string& id, std::size_t least, std::size_t most, bool digit
            std::all_of(id.begin(), id.end(), [&](char c) { return isDigit(c) || (!digitsAlone && isLetter(c)); });
 }
 
-/// The beginning of an address. @throws Error
-std::string baseOf(const Environment& environment, const char* variable, const char* usual) {
-    std::string url = environment(variable);
-    if (url.empty()) return usual;
-    if (!startsWith(url, "http://") && !startsWith(url, "https://"))
-        throw Error("cannot download", variable, "'" + printable(url) + "' is not an http or https address");
-    while (url.back() == '/') url.pop_back();
-    return url;
-}
-
 /// "map" / "contour_list" / "contour": a list with a level each, the first or the one that is primary.
 std::optional<double> levelIn(const std::string& bytes) {
     const auto json = parseJson<nlohmann::json>(bytes);

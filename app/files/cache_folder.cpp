@@ -14,14 +14,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string variable(const char* name) {
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
-
 /// The XDG Base Directory Specification: a relative path counts as not set.
 std::string usualFolder() {
-    const fs::path xdg = variable("XDG_CACHE_HOME"), home = variable("HOME");
+    const fs::path xdg = environmentVariable("XDG_CACHE_HOME"), home = environmentVariable("HOME");
     if (xdg.is_absolute()) return (xdg / "nacre").string();
     if (home.is_absolute()) return (home / ".cache" / "nacre").string();
     return {};
@@ -37,8 +32,13 @@ std::string hindrance(const std::string& folder) {
 
 }  // namespace
 
+std::string environmentVariable(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
 std::string cacheFolder(const std::optional<std::string>& asked, const std::string& name) {
-    const std::string set = variable("NACRE_CACHE");
+    const std::string set = environmentVariable("NACRE_CACHE");
     std::string folder = asked ? *asked : set.empty() ? usualFolder() : set;
     if (folder.empty() || folder == "off") return {};
     const std::string why = hindrance(folder);

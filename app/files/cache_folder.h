@@ -5,6 +5,9 @@
 
 namespace nacre::app {
 
+/// Empty if it is not set.
+std::string environmentVariable(const char* name);
+
 /// A folder of recreatable files. Empty: no cache.
 /// @param name   of the folder in the cache: "downloads", "occlusion"
 /// @param asked  the user's choice ("off": none); if empty, NACRE_CACHE (a folder, or "off"), else

@@ -98,8 +98,8 @@ DensityMap readText(const std::string& name, MapFormat format, std::string_view 
                   "of density servers");
 }
 
-/// Inflates only as much as detection needs.
-std::string inflatedStart(const std::string& name, std::string_view packed) {
+/// Inflates only as much as detection needs. @param cut  the file goes on: what cannot be inflated is left out
+std::string inflatedStart(const std::string& name, std::string_view packed, bool cut = false) {
     struct Enough {};
     std::string start;
     try {
@@ -108,6 +108,8 @@ std::string inflatedStart(const std::string& name, std::string_view packed) {
             if (start.size() >= kStart) throw Enough{};
         });
     } catch (const Enough&) {
+    } catch (const Error&) {
+        if (!cut) throw;
     }
     return start;
 }
@@ -136,18 +138,8 @@ bool isMapFile(const std::string& path) try {
     const std::string start = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
     if (compressionOf(start).empty()) return looksLikeMap(path, start);
     // The beginning of a compressed file suffices; it may be cut.
-    const std::string part = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), 64 * kStart));
-    std::string inflated;
-    struct Enough {};
-    try {
-        decompress(path, part, std::size_t{1} << 30, [&](std::string_view piece) {
-            inflated.append(piece.substr(0, kStart - std::min(kStart, inflated.size())));
-            if (inflated.size() >= kStart) throw Enough{};
-        });
-    } catch (const Enough&) {
-    } catch (const Error&) {
-    }
-    return looksLikeMap(path, inflated);
+    return looksLikeMap(
+        path, inflatedStart(path, bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), 64 * kStart)), true));
 } catch (const Error&) {
     return false;
 }

@@ -45,6 +45,12 @@ struct Chemistry {
     std::span<const Neighbour> of(std::uint32_t atom) const {
         return {neighbours.data() + first[atom], neighbours.data() + first[atom + 1]};
     }
+    /// Sum of the orders of an atom's bonds.
+    int orders(std::uint32_t atom) const {
+        int sum = 0;
+        for (const Neighbour& n : of(atom)) sum += order[n.bond] < 3 ? order[n.bond] : 3;
+        return sum;
+    }
 };
 
 /// Orders come from the file if it states them (SDF, MOL2, CML, MMTF, _chem_comp_bond, repeated CONECT records), from

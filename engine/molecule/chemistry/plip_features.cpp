@@ -106,12 +106,6 @@ private:
     }
     std::string_view nameOf(std::uint32_t atom) const { return molecule_.atoms[atom].name.view(); }
 
-    int orders(std::uint32_t atom) const {
-        int sum = 0;
-        for (const Neighbour& n : chemistry_.of(atom)) sum += std::min<int>(chemistry_.order[n.bond], 3);
-        return sum;
-    }
-
     std::size_t count(std::uint32_t atom, Element e) const {
         std::size_t number = 0;
         for (const Neighbour& n : chemistry_.of(atom)) number += element(n.atom) == e;
@@ -184,8 +178,8 @@ private:
         }
         if (const auto guanine = hydrogensOfGuanine(atom)) return *guanine;
         for (const Neighbour& n : chemistry_.of(atom))  // nitro groups and N-oxides
-            if (e == kOxygen && element(n.atom) == kNitrogen && orders(n.atom) >= 4) return 0;
-        return static_cast<std::uint8_t>(std::clamp(valence - orders(atom), 0, 3));
+            if (e == kOxygen && element(n.atom) == kNitrogen && chemistry_.orders(n.atom) >= 4) return 0;
+        return static_cast<std::uint8_t>(std::clamp(valence - chemistry_.orders(atom), 0, 3));
     }
 
     /// Open Babel moves the hydrogen of guanine's N1 to N3, and that of isocytosines likewise: from the nitrogen beside
@@ -281,7 +275,7 @@ private:
         std::size_t aromatic = 0;
         for (const Neighbour& n : chemistry_.of(atom)) {
             const Element other = element(n.atom);
-            if (other == kNitrogen && orders(n.atom) >= 4) return false;
+            if (other == kNitrogen && chemistry_.orders(n.atom) >= 4) return false;
             if (other == kSulphur && count(n.atom, kOxygen) == 2 && count(n.atom, kCarbon) == 2)
                 return false;  // sulphone
             aromatic += chemistry_.aromaticAtom[n.atom] != 0;

@@ -33,12 +33,9 @@ public:
     }
 
 private:
-    int orders(std::uint32_t atom) const {
-        int sum = 0;
-        for (const Neighbour& n : chemistry_.of(atom)) sum += std::min<int>(chemistry_.order[n.bond], 3);
-        return sum;
+    int piOf(std::uint32_t atom) const {
+        return chemistry_.orders(atom) - static_cast<int>(chemistry_.of(atom).size());
     }
-    int piOf(std::uint32_t atom) const { return orders(atom) - static_cast<int>(chemistry_.of(atom).size()); }
 
     bool planarAtom(std::uint32_t atom) const { return chemistry_.aromaticAtom[atom] || piOf(atom) == 1; }
 
@@ -93,7 +90,7 @@ private:
 
     void setState(std::uint32_t atom) {
         const Element e = work_.element(atom);
-        const int sum = orders(atom);
+        const int sum = chemistry_.orders(atom);
         const Atom& record = work_.atom(atom);
         std::int8_t charge = record.charge;
         if (charge == 0) charge = static_cast<std::int8_t>(chargeOf(atom, e, sum));
@@ -175,7 +172,7 @@ private:
         const Element e = work_.element(n.atom);
         if (known) return work_.element(atom) == kOxygen || e == kPhosphorus;
         if (e == kPhosphorus || e == kArsenic) return true;
-        if (e == kNitrogen) return orders(n.atom) >= 4;
+        if (e == kNitrogen) return chemistry_.orders(n.atom) >= 4;
         for (const Neighbour& m : chemistry_.of(n.atom)) {
             if (m.atom == atom || chemistry_.order[m.bond] != 2 || work_.degree(m.atom) != 1) continue;
             if (e == kCarbon || e == kSulphur || e == kChlorine) return work_.element(m.atom) == kOxygen;
