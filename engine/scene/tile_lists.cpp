@@ -140,11 +140,11 @@ void TileLists::placeCorners(const TileView& view, const TileScenery& s, const M
     corners_.resize(s.vertices.size());
     const CornerPlace place(view, part.rows);
     const auto placeRange = [&](const VertexRange& range) {
-        constexpr std::size_t kSlice = 16384, kLanes = 16;
+        constexpr std::size_t kSlice = 16384, kWidest = 16;
         if (range.first >= range.end) return;
         inParallel((range.end - range.first) / kSlice + 1, [&](std::size_t slice) {
             const std::size_t first = range.first + slice * kSlice, end = std::min(first + kSlice, range.end);
-            const std::size_t some = (end - first) / kLanes * kLanes;
+            const std::size_t some = (end - first) / kWidest * kWidest;
             lanes_.place(place, &s.vertices[first], some, part.step, &corners_[first]);
             for (std::size_t i = first + some; i < end; ++i) corners_[i] = place(positionOf(s.vertices[i], part.step));
         });
