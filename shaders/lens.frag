@@ -5,7 +5,9 @@
 //   CIRCLES   of each pixel: its light's square root as bytes, and its circle
 //   REACH     the largest circles of a block of pixels: of those before the focus, and of all
 //   SPREAD    the largest circles that reach into a block
+//   HALVE     of 2 x 2 pixels with large circles that are alike: what they show
 //   GATHER    over the picture, what is not sharp
+// A pixel that all others of its 2 x 2 look like takes no samples: it shows what theirs show.
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 #include "common/srgb.glsl"
@@ -92,38 +94,100 @@ layout(location = 0) out vec4 color;
 
 const float kSharp = 0.6;  // pixels: smaller circles are none
 const float kGolden = 2.399963;
+const mat2 kSixteenth = mat2(0.9238795, 0.3826834, -0.3826834, 0.9238795);  // of a turn
+const mat2 kEighth = mat2(0.7071068, 0.7071068, -0.7071068, 0.7071068);
 const float kSquare = 255.0 * 255.0;  // of a byte that is 1: light is summed up as bytes' squares
+const vec4 kDiffer = vec4(1.0, 1.0, 1.0, 0.0);  // of 2 x 2 pixels that differ: no premultiplied colour
+
+#if defined(HALVE)
+const float kMiddle = 0.5;  // of 2 x 2 pixels
+const float kAlike = 2.5;   // pixels: larger circles show nothing finer than 2 x 2
+float circle = kNothing;    // the least
+vec4 light = vec4(0.0);     // mean
+bool alike;
+
+/// @param here  the first of 2 x 2 pixels
+void ask(ivec2 here, ivec2 last) {
+    float most = -kNothing, narrowest = kNothing;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = ivec2(i & 1, i >> 1), around = here + 4 * corner - ivec2(1, 2);
+        uvec2 own = texelFetch(circles, min(here + corner, last), 0).xy;
+        vec4 root = unpackUnorm4x8(own.x);
+        light += 0.25 * root * root;
+        float one = uintBitsToFloat(own.y);
+        float beside = uintBitsToFloat(texelFetch(circles, clamp(around, ivec2(0), last), 0).y);
+        circle = min(circle, one);
+        most = max(most, one);
+        narrowest = min(narrowest, min(abs(one), abs(beside)));
+    }
+    alike = narrowest >= kAlike && most - circle <= 0.25 * narrowest;
+}
+#else
+layout(set = 0, binding = 2) uniform sampler2D halves;
+const float kMiddle = 0.0;
+float circle;
+vec4 light, shown;  // shown: by the pixel's 2 x 2
+bool alike;
+
+bool areAlike(vec4 pixels) { return pixels.r <= pixels.a; }
+
+void ask(ivec2 here, ivec2 last) {
+    uvec2 own = texelFetch(circles, here, 0).xy;
+    vec4 root = unpackUnorm4x8(own.x);
+    light = root * root;
+    circle = uintBitsToFloat(own.y);
+    // A pixel lies a quarter of the way to the next.
+    ivec2 half_ = here >> 1, next = clamp(half_ + 2 * (here & 1) - 1, ivec2(0), textureSize(halves, 0) - 1);
+    shown = texelFetch(halves, half_, 0);
+    alike = areAlike(shown);
+    vec4 other = texelFetch(halves, next, 0);
+    shown = areAlike(other) ? mix(shown, other, 0.25) : shown;
+}
+#endif
 
 void main() {
-    ivec2 here = ivec2(gl_FragCoord.xy), last = textureSize(circles, 0) - 1;
+    ivec2 last = textureSize(circles, 0) - 1;
+#if defined(HALVE)
+    ivec2 cell = ivec2(gl_FragCoord.xy), here = 2 * cell;
+#else
+    ivec2 here = ivec2(gl_FragCoord.xy), cell = here;
+#endif
+    ask(here, last);
+    float radius = radiusOf(circle);
     vec2 reaches = uintBitsToFloat(texelFetch(blocks, here / kBlock, 0).xy);
-    uvec2 own = texelFetch(circles, here, 0).xy;
-    vec4 seen = unpackUnorm4x8(own.x);
-    float circle = uintBitsToFloat(own.y), radius = radiusOf(circle);
     // Nearer points have larger circles only before the focus; over nothing, all shine.
     float reach = circle < kNothing ? max(radius, reaches.x) : reaches.y;
     float end = 1.0;
+#if defined(HALVE)
+    alike = alike && reach >= kAlike;
+    if (!alike) end = 0.0;
+#else
+    if (alike) end = 0.0;
     if (reach < kSharp) {
         end = 0.0;
         discard;
     }
+#endif
 
     // Light that the nearer pixels spread over this one, and with it the light of this and farther ones.
     float ownArea = max(3.14159 * radius * radius, 1.0);
-    vec4 near = vec4(0.0), all = seen * seen * kSquare / ownArea;
+    vec4 near = vec4(0.0), all = light * kSquare / ownArea;
     float nearShare = 0.0, allShare = 1.0 / ownArea;
     float samples = clamp(floor(4.0 + 2.5 * reach), 8.0, 48.0), perSample = 1.0 / samples;
     // Sixteen neighbours take different samples.
-    ivec2 cell = here & 3;
+    cell &= 3;
     int order = (cell.x * 5 + cell.y * 3 + 7 * (cell.x ^ cell.y)) & 15;
-    float turn = kGolden / 16.0 * samples * float(order);
-    vec2 way = reach * vec2(cos(turn), sin(turn));
+    vec2 way = vec2(reach, 0.0);
+    way = (order & 1) != 0 ? kSixteenth * way : way;
+    way = (order & 2) != 0 ? kEighth * way : way;
+    way = (order & 4) != 0 ? vec2(-way.y, way.x) : way;
+    way = (order & 8) != 0 ? -way : way;
     const mat2 further = mat2(cos(kGolden), sin(kGolden), -sin(kGolden), cos(kGolden));
     float areaOut = 6.28318 * perSample * reach * reach, spacingOut = 0.5 * sqrt(areaOut);
     for (float t = perSample * (float((order * 7 + 4) & 15) + 0.5) / 16.0; t < end; t += perSample) {
         // Denser at the centre, where small circles lie. The line is close to the root of t.
         float away = reach * t, spacing = max(spacingOut * (0.19 + 0.85 * t), 1.0);
-        uvec2 other = texelFetch(circles, clamp(here + ivec2(round(t * way)), ivec2(0), last), 0).xy;
+        uvec2 other = texelFetch(circles, clamp(here + ivec2(round(t * way + kMiddle)), ivec2(0), last), 0).xy;
         way = further * way;
         float otherCircle = uintBitsToFloat(other.y);
         bool nearer = otherCircle < circle;
@@ -131,17 +195,24 @@ void main() {
         float inside = clamp(within - away + 0.5 * spacing, 0.0, spacing);
         float weight = areaOut * t * inside / (max(3.14159 * within * within, 1.0) * spacing);
         weight = within < kSharp ? 0.0 : weight;
-        vec4 light = vec4(other.x & 255u, other.x >> 8 & 255u, other.x >> 16 & 255u, other.x >> 24);
-        light *= light;
-        all += light * weight;
+        vec4 bytes = vec4(other.x & 255u, other.x >> 8 & 255u, other.x >> 16 & 255u, other.x >> 24);
+        bytes *= bytes;
+        all += bytes * weight;
         allShare += weight;
         weight = nearer ? weight : 0.0;
-        near += light * weight;
+        near += bytes * weight;
         nearShare += weight;
     }
-    if (nearShare == 0.0 && radius < kSharp) discard;
+#if defined(GATHER)
+    if (!alike && nearShare == 0.0 && radius < kSharp) discard;
+#endif
     vec4 far = max(all - near, vec4(0.0)) / max(allShare - nearShare, 1e-6);
     color = (near / max(nearShare, 1.0) + (1.0 - min(nearShare, 1.0)) * far) / kSquare;
     if (kCoded) color.rgb = srgbFromLinear(color.rgb);
+#if defined(HALVE)
+    if (!alike) color = kDiffer;
+#else
+    if (alike) color = shown;
+#endif
 }
 #endif

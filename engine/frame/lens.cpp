@@ -121,18 +121,34 @@ passes::Lens lensOf(const PictureImage& picture) {
 
 }  // namespace
 
-PictureRect blurredBy(const passes::Lens& lens, std::span<const TileLists::Span> spans, graph::Extent extent) {
-    constexpr std::uint32_t kBin = TileLists::kBinPixels;
-    std::uint32_t left = extent.width, top = extent.height, right = 0, bottom = 0;
-    for (const TileLists::Span& s : spans) {
-        left = std::min(left, s.x * kBin), right = std::max(right, s.endX * kBin);
-        top = std::min(top, s.y * kBin), bottom = std::max(bottom, (s.y + 1) * kBin);
-    }
-    if (right == 0) return {};
+std::vector<PictureRect> blurredBy(const passes::Lens& lens, std::span<const TileLists::Span> spans,
+                                   graph::Extent extent) {
+    constexpr std::uint32_t kBin = TileLists::kBinPixels, kBand = 2 * kBin;
     const auto room = static_cast<std::uint32_t>(1.25f * lens.most + lens.rim + 4);  // samples stand for some around
-    left -= std::min(left, room), top -= std::min(top, room);
-    return {left, top, std::min(right + room, extent.width) - left, std::min(bottom + room, extent.height) - top};
+    std::vector<PictureRect> bands;
+    for (std::uint32_t top = 0; top < extent.height; top += kBand) {
+        const std::uint32_t bottom = std::min(top + kBand, extent.height);
+        std::uint32_t left = extent.width, right = 0;
+        for (const TileLists::Span& s : spans) {
+            if (s.y * kBin >= bottom + room || (s.y + 1) * kBin + room <= top) continue;
+            left = std::min(left, s.x * kBin), right = std::max(right, s.endX * kBin);
+        }
+        if (right == 0) continue;
+        left -= std::min(left, room);
+        bands.push_back({left, top, std::min(right + room, extent.width) - left, bottom - top});
+    }
+    return bands;
 }
+
+namespace {
+
+/// What covers it in an image of half the resolution.
+PictureRect halfOf(const PictureRect& part) {
+    const std::uint32_t left = part.x / 2, top = part.y / 2;
+    return {left, top, (part.x + part.width + 1) / 2 - left, (part.y + part.height + 1) / 2 - top};
+}
+
+}  // namespace
 
 void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const PictureImage* from) {
     graph::Graph& g = f.graph;
@@ -143,6 +159,7 @@ void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const Pi
         graph::PassBuilder drawn = g.graphics(name);
         for (const graph::Image image : images) drawn.samples(image);
         std::optional<graph::Clear> clear;
+        if (step == LensStep::halve) clear = graph::Clear{1, 1, 1, 0};  // of pixels that differ
         if (step == LensStep::circles) clear = graph::Clear{0, kNoDistance, 0, 0};  // of nothing, as bits
         drawn.color(to, clear);
         if (!from) return to;
@@ -150,10 +167,12 @@ void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const Pi
                           std::vector<vk::ImageView> views;
                           for (const graph::Image image : images) views.push_back(c.view(image));
                           const passes::Lens lens = lensOf(*from);
-                          std::optional<PictureRect> part;
-                          if (from->tiles && (step == LensStep::circles || step == LensStep::gather))
-                              part = blurredBy(lens, from->tiles->lists.spans(), extent);
-                          passes::drawLens(c, {step, coded}, lens, views, part);
+                          std::vector<PictureRect> parts{{0, 0, c.extent.width, c.extent.height}};
+                          if (from->tiles && step != LensStep::reach && step != LensStep::spread) {
+                              parts = blurredBy(lens, from->tiles->lists.spans(), extent);
+                              if (step == LensStep::halve) std::ranges::transform(parts, parts.begin(), halfOf);
+                          }
+                          passes::drawLens(c, {step, coded}, lens, views, parts);
                       },
                       [=](gpu::PipelineContext& c) {
                           passes::wantLens(c, {step, coded});
@@ -168,7 +187,11 @@ void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const Pi
     const graph::Image circles = pass("circles", LensStep::circles, extent, {picture, f.targets[0]});
     const graph::Image largest = pass("largest circles", LensStep::reach, blocks, {circles});
     const graph::Image reach = pass("reach of circles", LensStep::spread, blocks, {largest});
-    f.targets[0] = draw(kLensPass, LensStep::gather, picture, {circles, reach});  // over what is not sharp
+    const VkFormat ofHalves = coded ? format : VK_FORMAT_R16G16B16A16_SFLOAT;
+    const graph::Extent half{(extent.width + 1) / 2, (extent.height + 1) / 2};
+    const graph::Image halves =
+        draw("circles alike", LensStep::halve, g.image("circles alike", {ofHalves, half}), {circles, reach});
+    f.targets[0] = draw(kLensPass, LensStep::gather, picture, {circles, reach, halves});  // over what is not sharp
 }
 
 }  // namespace nacre

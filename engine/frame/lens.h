@@ -41,8 +41,9 @@ double largestCircle(const RenderSettings& settings);
 /// A view through a point of the lens: the mean of all is what the lens shows. @param point  in the unit disc
 View throughLens(const RenderSettings& settings, View view, glm::dvec2 point);
 
-/// The part of a picture that a lens may change: around what it shows. @param spans  of bins that show anything
-PictureRect blurredBy(const passes::Lens& lens, std::span<const TileLists::Span> spans, graph::Extent extent);
+/// The parts of a picture that a lens may change: around what it shows. @param spans  of bins that show anything
+std::vector<PictureRect> blurredBy(const passes::Lens& lens, std::span<const TileLists::Span> spans,
+                                   graph::Extent extent);
 
 /// Declares the passes that blur a picture, ScreenFrame::picture. The first target becomes the result.
 /// @param format  of both @param from  read when the passes are recorded; null: the frame is only planned

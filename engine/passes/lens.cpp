@@ -10,7 +10,7 @@
 namespace nacre::passes {
 namespace {
 
-constexpr std::array kLensImages{kSampled, kSampled};
+constexpr std::array kLensImages{kSampled, kSampled, kSampled};
 constexpr auto kLensStages = vk::ShaderStageFlagBits::eFragment;
 
 const gpu::Layout& lensLayout(gpu::PipelineContext& context) {
@@ -25,6 +25,8 @@ gpu::ShaderWords shaderOf(LensStep step) {
             return shaders::lensReach;
         case LensStep::spread:
             return shaders::lensSpread;
+        case LensStep::halve:
+            return shaders::lensHalve;
         case LensStep::gather:
             break;
     }
@@ -40,19 +42,19 @@ FullScreenPass passOf(const LensPass& pass) {
 }  // namespace
 
 void drawLens(gpu::PassContext& context, const LensPass& pass, const Lens& lens, std::span<const vk::ImageView> images,
-              const std::optional<PictureRect>& part) {
+              std::span<const PictureRect> parts) {
     // Always written, even if the shader reads fewer: lavapipe accesses all.
     std::array<vk::ImageView, kLensImages.size()> views;
     views.fill(images[0]);
     std::copy(images.begin(), images.end(), views.begin());
     const gpu::Layout& layout = lensLayout(context);
-    if (part)
-        context.commands.setScissor(0,
-                                    vk::Rect2D({static_cast<std::int32_t>(part->x), static_cast<std::int32_t>(part->y)},
-                                               {part->width, part->height}));
     bindFullScreen(context, passOf(pass), layout);
     bindTextures(context, layout, vk::Filter::eNearest, views);
-    drawFullScreen(context, layout, kLensStages, lens);
+    for (const PictureRect& part : parts) {
+        const vk::Offset2D first(static_cast<std::int32_t>(part.x), static_cast<std::int32_t>(part.y));
+        context.commands.setScissor(0, vk::Rect2D(first, {part.width, part.height}));
+        drawFullScreen(context, layout, kLensStages, lens);
+    }
 }
 
 void wantLens(gpu::PipelineContext& context, const LensPass& pass) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <span>
 
 #include "engine/passes/full_screen.h"
 #include "engine/results.h"
@@ -22,7 +22,7 @@ static_assert(sizeof(Lens) == 32);
 /// Pixels of a block's side.
 constexpr std::uint32_t kLensBlock = 16;
 
-enum class LensStep : std::uint8_t { circles, reach, spread, gather };
+enum class LensStep : std::uint8_t { circles, reach, spread, halve, gather };
 
 struct LensPass {
     LensStep step{};
@@ -30,9 +30,9 @@ struct LensPass {
 };
 
 /// @param images  that the step reads, in the order of its bindings
-/// @param part  of the step's image that it draws
+/// @param parts  of the step's image that it draws
 void drawLens(gpu::PassContext& context, const LensPass& pass, const Lens& lens, std::span<const vk::ImageView> images,
-              const std::optional<PictureRect>& part = {});
+              std::span<const PictureRect> parts);
 /// Requests the pipeline.
 void wantLens(gpu::PipelineContext& context, const LensPass& pass);
 

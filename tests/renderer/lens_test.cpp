@@ -143,17 +143,48 @@ TEST(LensPlaces, AreSharpWithinPixelsOfWhatTheLensShowsSharp) {
 }
 
 TEST(LensPlaces, AreBlurredAroundWhatIsShown) {
+    constexpr std::uint32_t kBin = TileLists::kBinPixels;
     passes::Lens lens;
     lens.most = 8;
     lens.rim = 2;
-    const TileLists::Span spans[] = {{3, 2, 6, 3}, {2, 3, 4, 4}};
-    const auto [x, y, width, height] = blurredBy(lens, spans, {120, 200});
-    EXPECT_EQ(x, 2 * TileLists::kBinPixels - 16);
-    EXPECT_EQ(y, 2 * TileLists::kBinPixels - 16);
-    EXPECT_EQ(x + width, 6 * TileLists::kBinPixels + 16);
-    EXPECT_EQ(y + height, 4 * TileLists::kBinPixels + 16);
-    EXPECT_EQ(blurredBy(lens, spans, {100, 200}).width, 100 - x);
-    EXPECT_EQ(blurredBy(lens, {}, {100, 200}).width, 0u);
+    const TileLists::Span spans[] = {{3, 2, 6, 3}, {2, 6, 4, 7}};
+    const auto at = [](const std::vector<PictureRect>& parts, std::uint32_t y) {
+        const auto found = std::ranges::find_if(parts, [&](const PictureRect& p) { return p.y <= y && y < p.y + p.height; });
+        return found == parts.end() ? PictureRect{} : *found;
+    };
+    const std::vector<PictureRect> parts = blurredBy(lens, spans, {120, 200});
+    EXPECT_EQ(at(parts, 2 * kBin).x, 3 * kBin - 16);
+    EXPECT_EQ(at(parts, 2 * kBin).x + at(parts, 2 * kBin).width, 6 * kBin + 16);
+    EXPECT_EQ(at(parts, 6 * kBin).x, 2 * kBin - 16);
+    EXPECT_EQ(at(parts, 7 * kBin).x + at(parts, 7 * kBin).width, 4 * kBin + 16);  // below what is shown
+    EXPECT_GT(at(parts, kBin).width, 0u);                                         // and above
+    EXPECT_EQ(at(parts, 10 * kBin).width, 0u);
+    for (const PictureRect& part : blurredBy(lens, spans, {100, 100})) EXPECT_LE(part.x + part.width, 100u);
+    EXPECT_TRUE(blurredBy(lens, {}, {100, 200}).empty());
+}
+
+TEST_P(Lens, KeepsWhatIsBlurredInPlace) {
+    Representation r;
+    r.spheres.push_back({{2, -1, 4}, 6});
+    r.sphereLooks.push_back({0xffffffffu, 1});
+    r.radius = 12;
+    RenderSettings s = lensSettings(r, GetParam(), 0, -r.radius);
+    s.background = {0, 0, 0, 0};
+    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    renderer->setScene(r);
+    const auto middle = [&] {
+        const std::vector<float> picture = renderer->render(s).rgba;
+        glm::dvec3 sum(0.0);
+        for (std::size_t i = 0; i < picture.size() / 4; ++i)
+            sum += static_cast<double>(picture[4 * i + 3]) * glm::dvec3(i % kLensPixels, i / kLensPixels, 1);
+        return glm::dvec2(sum) / sum.z;
+    };
+    const glm::dvec2 sharp = middle();
+    s.effects.depthOfField.strength = 0.3;
+    const glm::dvec2 blurred = middle();
+    EXPECT_LT(glm::length(sharp - blurred), 0.1);
+    EXPECT_NE(sharp, blurred);
+    EXPECT_NE(renderer->planText().find("circles alike"), std::string::npos);
 }
 
 TEST_P(Lens, CostsNothingWhenOff) {
