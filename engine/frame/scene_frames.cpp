@@ -154,6 +154,7 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     options.shadedByTiles = view.tiles->shaded;
     options.edges = view.tiles->edges.drawn;
     options.edgesPlaced = options.edges && view.tiles->edges.placed;
+    options.edgesAlone = options.edgesPlaced && view.tiles->edges.alone;
     options.layersByTiles = view.translucent && view.translucent->tiles;
 }
 

@@ -57,6 +57,7 @@ struct ScreenOptions {
     bool shadedByTiles = false;           ///< `tiles`: compute shades, too: coded colour, no target
     bool edges = false;                   ///< of `tiles`: they are drawn from more samples than one
     bool edgesPlaced = false;             ///< of these: the host has listed their pixels
+    bool edgesAlone = false;              ///< of those: no other pixel is shaded
     bool rims = false;                    ///< of `deferred`, and of `tiles` that shade: halos, or lines by groups
     std::uint32_t shadowPixels = 0;       ///< across the map of what the light sees; 0: there are no shadows
     std::uint32_t translucentLayers = 0;  ///< over the first target, which is colour; 0: all is opaque

@@ -15,11 +15,15 @@ graph::Buffer addPixels(ScreenFrame& f, const ScreenOptions& options, const char
 void declareShadedTiles(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
     f.numbers = addPixels(f, options, "colours of tiles", kWord);
     if (options.edges) f.edges = addPixels(f, options, "primitive numbers", kWord);
-    graph::PassBuilder nearest =
-        f.graph.compute(options.rims ? "nearest primitive, lines and halos, shaded" : "nearest primitive, shaded");
-    f.lit(nearest).writes(f.numbers);
-    if (options.edges) nearest.writes(*f.edges);
-    nearest.record(draw.colorsByTiles(f.atlas));
+    if (options.edgesAlone) {
+        f.graph.compute("nearest primitive").writes(*f.edges).record(draw.nearestByTiles());
+    } else {
+        graph::PassBuilder nearest =
+            f.graph.compute(options.rims ? "nearest primitive, lines and halos, shaded" : "nearest primitive, shaded");
+        f.lit(nearest).writes(f.numbers);
+        if (options.edges) nearest.writes(*f.edges);
+        nearest.record(draw.colorsByTiles(f.atlas));
+    }
     if (options.edges) {
         f.edgePixels = addPixels(f, options, "edge pixels", kWord);
         if (!options.edgesPlaced)

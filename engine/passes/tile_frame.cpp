@@ -147,6 +147,9 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     // A surface at grazing angles has triangles that no pixel centre hits, and an outline may be narrower than a pixel.
     frame.edges.listed = seen.smallestPixels < kLargePixels || !r.triangles.empty() || seen.constants.contourWidth > 0;
     if (frame.edges.drawn) uploadEdges(frame, image, work.shaded ? work.places : nullptr);
+    // A sphere that nothing cuts or outlines is known by its number.
+    frame.edges.alone = frame.edges.drawn && frame.edges.placed && !frame.cleared && !seen.rims.any() &&
+                        seen.constants.contourWidth == 0 && !seen.effects.clip.on();
     return free;
 }
 

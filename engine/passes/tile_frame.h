@@ -40,6 +40,7 @@ void reserve(const gpu::Device& device, TileBuffer& buffer, std::size_t bytes, v
 struct TileEdges {
     bool drawn = false;
     bool placed = false;       ///< the host has listed their pixels
+    bool alone = false;        ///< of what is shaded, only they are, and they need but numbers
     bool everywhere = false;   ///< some primitives are so small that one may lie between pixel centres
     bool listed = false;       ///< samples search the lists, not only the pixel's neighbours
     TileBuffer pixels;         ///< edge pixels: kEdgeHeader words, then groups of as many as a subgroup has lanes

@@ -73,7 +73,7 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
         d.constants.set(layout::kCylindersId, scene.cylinderCount > 0);
         d.constants.set(layout::kTrianglesId, scene.triangleCount > 0);
     }
-    d.constants.set(layout::kNumberedId, f.edges.drawn);
+    d.constants.set(layout::kNumberedId, f.edges.drawn && !f.edges.alone);
     d.constants.set(layout::kSeededId, f.lists.seeded());
     d.constants.set(layout::kLanesId, caps.lanes);
     const bool rims = view.rims.any();
@@ -132,7 +132,7 @@ void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles
         to.read(scene.shapes, scene.shapeTexels);
         to.read(f.rows);
         to.read(f.words.buffer, f.lists.shapes() ? f.words.pairs : f.words.texels);
-        to.store(f.numbers.buffer);
+        to.store(f.edges.alone ? f.edges.numbers.buffer : f.numbers.buffer);
         if (!shades) return;
         to.read(scene.looks, scene.lookTexels);
         to.sample(*pass.atlas);

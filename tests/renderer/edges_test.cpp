@@ -151,6 +151,24 @@ TEST(EdgesOf, FineMeshesInSmallPictures) {
     }
 }
 
+/// Samples that go into another path's picture: spheres need no other pixel shaded, unless something cuts them.
+TEST(EdgesOf, PicturesByOtherPaths) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    ValidatedRenderer renderer(Visibility::encoded);
+    renderer->setScene(r);
+    for (const bool cut : {false, true}) {
+        SCOPED_TRACE(cut);
+        RenderSettings s = settings(r, 128, Projection::orthographic);
+        if (cut) s.effects.clip.near = -0.2 * r.radius;
+        s.supersample = 8;
+        const Picture truth = renderer->render(s);
+        s.supersample = RenderSettings::kEdges;
+        EXPECT_GT(likeness(renderer->render(s), truth), 38);
+        EXPECT_NE(renderer->planText().find("edge samples"), std::string::npos);
+        EXPECT_EQ(renderer->planText().find("nearest primitive, shaded") == std::string::npos, !cut);
+    }
+}
+
 /// Whose sides are no whole tiles.
 TEST(EdgesOf, OddPictures) {
     const Representation r = scene("sample:dna", Style::spacefill);
