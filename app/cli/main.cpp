@@ -118,10 +118,14 @@ int complete(int argc, char** argv) {
 }
 
 /// lavapipe allocates and frees memory per tile. glibc's lists of small free pieces are searched at every large free: a
-/// tenth of a frame.
-void keepNoSmallPieces() {
+/// tenth of a frame. Large pieces that are freed serve again: each page of new memory costs the kernel 2 µs.
+void keepMemory() {
 #ifdef M_MXFAST
     mallopt(M_MXFAST, 0);
+#endif
+#if defined(M_MMAP_THRESHOLD) && defined(M_TRIM_THRESHOLD)
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    mallopt(M_TRIM_THRESHOLD, 64 << 20);
 #endif
 }
 
@@ -140,7 +144,7 @@ void skipDriversWithoutDevices() {
 }  // namespace nacre::app
 
 int main(int argc, char** argv) {
-    nacre::app::keepNoSmallPieces();
+    nacre::app::keepMemory();
     nacre::app::skipDriversWithoutDevices();
 #ifdef NACRE_LOOPBACK
     nacre::app::listenOnLoopbackAlone();

@@ -178,7 +178,11 @@ void TileFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::
     if (grows || words.across != lists.across()) {
         words.written.clear();
         words.across = lists.across();
-        std::memset(words.buffer.mapped, 0, words.buffer.size);
+        words.cleared = 0;
+    }
+    if (words.cleared < bytes) {  // not all of a buffer that has room to grow
+        std::memset(words.buffer.mapped + words.cleared, 0, bytes - words.cleared);
+        words.cleared = bytes;
     }
     const std::size_t pitch = kept * lists.across() * kBin;
     auto* pixels = reinterpret_cast<std::uint32_t*>(words.buffer.mapped);

@@ -29,6 +29,7 @@ struct PixelWords : TileBuffer {
     vk::raii::BufferView quads{nullptr};   ///< as four-word texels
     std::vector<TileLists::Span> written;  ///< where it may hold words of an earlier frame
     std::uint32_t across = 0;              ///< bins per row of those
+    std::size_t cleared = 0;               ///< bytes that have been cleared since
 };
 
 /// Enlarges a buffer if needed, with room to grow. @param format  of texels; undefined: no texel view
