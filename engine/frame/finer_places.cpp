@@ -71,9 +71,9 @@ void FinerPlaces::grow() {
 }
 
 void FinerPlaces::keep(const std::vector<std::uint8_t>& sharp) {
-    const std::size_t pairs = (across_ + 1) / 2;
+    const std::size_t across = (across_ + kTogether - 1) / kTogether;
     for (std::size_t at = 0, y = 0; at < pixels_.size(); ++y)
-        for (std::size_t x = 0; x < across_; ++x, ++at) pixels_[at] &= sharp[y / 2 * pairs + x / 2];
+        for (std::size_t x = 0; x < across_; ++x, ++at) pixels_[at] &= sharp[y / kTogether * across + x / kTogether];
 }
 
 bool FinerPlaces::any() const {

@@ -24,7 +24,9 @@ public:
     /// Adds the eight pixels around each finer one.
     void grow();
 
-    /// Leaves out what is not sharp. @param sharp  a byte for each 2 x 2 pixels, row by row: not 0 where they are
+    static constexpr std::uint32_t kTogether = 4;
+    /// Leaves out what is not sharp. @param sharp  a byte for each kTogether x kTogether pixels, row by row: not 0
+    /// where they are
     void keep(const std::vector<std::uint8_t>& sharp);
     /// Whether there is any.
     bool any() const;

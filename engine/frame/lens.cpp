@@ -80,7 +80,7 @@ std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent exte
         radius = Z < kNoDistance ? radiusAt(lens, Z) : kNothing;
     }
     // What differs from a neighbour, and rims beside it.
-    for (auto left = static_cast<std::size_t>(2 + std::ceil(0.5 * rim)); left > 0; --left) {
+    for (auto left = static_cast<std::size_t>(1 + std::ceil(rim)); left > 0; --left) {
         for (std::size_t y = 0; y < extent.height; ++y) takeLeast(radii.data() + y * extent.width, extent.width, 1);
         takeLeast(radii.data(), radii.size(), extent.width);
     }
@@ -159,7 +159,7 @@ void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const Pi
         graph::PassBuilder drawn = g.graphics(name);
         for (const graph::Image image : images) drawn.samples(image);
         std::optional<graph::Clear> clear;
-        if (step == LensStep::halve) clear = graph::Clear{1, 1, 1, 0};  // of pixels that differ
+        if (step == LensStep::halve) clear = graph::Clear{1, 1, 1, 0};              // of pixels that differ
         if (step == LensStep::circles) clear = graph::Clear{0, kNoDistance, 0, 0};  // of nothing, as bits
         drawn.color(to, clear);
         if (!from) return to;

@@ -29,9 +29,9 @@ bool hasLens(const RenderSettings& settings);
 /// The lens of a view's pictures. @param view  of the settings, or a part of it
 passes::Lens lensOf(const RenderSettings& settings, const View& view);
 
-/// Where a picture through the lens shows single pixels, as a byte for each of a frame of half its resolution: 0 where
-/// all nearby is blurred by more. @param distances  what that frame shows, as kLensTargets have it
-/// @param lens  of the picture @param rim  width of outlines and halos, pixels
+/// Where a picture through the lens shows single pixels, as a byte for each of a frame of less resolution: 0 where all
+/// nearby is blurred by more. @param distances  what that frame shows, as kLensTargets have it
+/// @param lens  of the picture @param rim  width of outlines and halos, pixels of that frame
 std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent extent, const passes::Lens& lens,
                                       double rim);
 

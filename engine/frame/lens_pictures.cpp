@@ -21,13 +21,15 @@ RenderSettings distances(RenderSettings settings) {
 /// Drops the places that the lens blurs so much that one sample is enough. @returns whether that took a frame
 bool PictureFrames::leaveBlurred(const RenderSettings& settings, const View& view, FinerPlaces& places) {
     if (!places.any()) return false;
-    // Pixels go in pairs from the top left, in parts of pictures, too.
-    const View half = scaled(partOf(view, 0, 0, view.width + view.width % 2, view.height + view.height % 2), 0.5);
+    // Pixels go together from the top left, in parts of pictures, too.
+    constexpr std::uint32_t n = FinerPlaces::kTogether;
+    const auto wholes = [](std::uint32_t pixels) { return (pixels + n - 1) / n * n; };
+    const View few = scaled(partOf(view, 0, 0, wholes(view.width), wholes(view.height)), 1.0 / n);
     const Drawn drawn =
-        draw(distances(settings), {}, half, kLensTargets, {FrameEnd::readBack, {}, {}, true}, "distances");
+        draw(distances(settings), {}, few, kLensTargets, {FrameEnd::readBack, {}, {}, true}, "distances");
     const auto* shown = reinterpret_cast<const float*>(drawn.pixels[0].mapped);
     const double rim = std::max(settings.effects.contours.width, settings.effects.halos.width);
-    places.keep(sharpPlaces(shown, imageExtent(half), lensOf(settings, view), rim));
+    places.keep(sharpPlaces(shown, imageExtent(few), lensOf(settings, view), rim / n));
     return true;
 }
 
