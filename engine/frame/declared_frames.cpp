@@ -24,9 +24,9 @@ auto membersOf(const ScreenTarget& t) {
 
 auto membersOf(const ScreenOptions& o) {
     const auto& [extent, visibility, encoded, atlas, targets, prepass, name, shaded, edges, placed, alone, rims, shadow,
-                 layers, samples, layersByTiles] = o;
+                 layers, samples, layersByTiles, intoPicture] = o;
     return std::tuple(extent, visibility, membersOf(encoded), atlas, targets.size(), prepass, std::string_view(name),
-                      shaded, edges, placed, alone, rims, shadow, layers, samples, layersByTiles);
+                      shaded, edges, placed, alone, rims, shadow, layers, samples, layersByTiles, intoPicture);
 }
 
 auto membersOf(const PictureEnd& e) {

@@ -129,7 +129,7 @@ bool PictureFrames::addEdges(const RenderSettings& settings, const passes::Atlas
     Ending ending = inImage(settings, view, Samples::one);
     ending.picture.first = false;
     ending.picture.masked = true;
-    ending.place = {rect, static_cast<std::int32_t>(inner.x), static_cast<std::int32_t>(inner.y)};
+    ending.place = {rect, static_cast<std::int32_t>(inner.x), static_cast<std::int32_t>(inner.y), places.bandsIn(rect)};
     const auto [wanted, tiles] = places.edgesOf({rect.x - inner.x, rect.y - inner.y, part.width, part.height}, rect);
     return draw(settings, atlas, part, pictureTargets(settings), ending, "finer screen", Samples::edges, &tiles,
                 &wanted)

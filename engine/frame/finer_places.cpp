@@ -96,6 +96,16 @@ PictureRect FinerPlaces::boundsIn(const PictureRect& part) const {
     return {part.x + left, part.y + top, right - left, bottom - top};
 }
 
+std::vector<PictureRect> FinerPlaces::bandsIn(const PictureRect& part) const {
+    constexpr std::uint32_t kRows = 2 * PictureRect::kStep;
+    std::vector<PictureRect> bands;
+    for (std::uint32_t y = 0; y < part.height; y += kRows) {
+        const PictureRect band = boundsIn({part.x, part.y + y, part.width, std::min(kRows, part.height - y)});
+        if (band.width > 0) bands.push_back(band);
+    }
+    return bands;
+}
+
 TileMask FinerPlaces::tilesOf(const PictureRect& shown, const PictureRect& wanted) const {
     static_assert(TileMask::kSide == RenderSettings::kBlockSamples);
     TileMask mask;

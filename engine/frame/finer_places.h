@@ -36,6 +36,8 @@ public:
     /// The smallest rectangle that contains all finer pixels of a part. Its position relative to the part is a multiple
     /// of PictureRect::kStep. @returns an empty one if there are none
     PictureRect boundsIn(const PictureRect& part) const;
+    /// The same of bands of a part's rows, where there are any: together much smaller.
+    std::vector<PictureRect> bandsIn(const PictureRect& part) const;
     /// The mask of a frame with RenderSettings::kBlockSamples x kBlockSamples samples per pixel.
     /// @param shown  part of the picture in the frame
     /// @param wanted  the frame's wanted part

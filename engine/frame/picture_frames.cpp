@@ -113,6 +113,9 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
                                   edges || samples == Samples::block || ending.finer,
                                   places});
     seen.shape.picture = ending.picture;
+    seen.shape.options.intoPicture = (ending.end == FrameEnd::resolved || ending.end == FrameEnd::coarse) &&
+                                     ending.picture.first && ending.picture.samples == 1 &&
+                                     !seen.shape.options.shadedByTiles;
     Drawn drawn;
     drawn.edges = seen.shape.options.edges;
     if (edges && !drawn.edges) return drawn;

@@ -6,21 +6,13 @@ namespace nacre {
 
 namespace {
 
-/// All pixels go as they are. @param drawn  none: words of a buffer
-void declareCopy(ScreenFrame& f, graph::Image picture, graph::Extent extent, std::optional<graph::Image> drawn,
-                 const PictureImage& to) {
+/// All pixels go as they are, from words of a buffer.
+void declareCopy(ScreenFrame& f, graph::Image picture, graph::Extent extent, const PictureImage& to) {
     const vk::ImageSubresourceLayers color(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
     const vk::Extent3D size(extent.width, extent.height, 1);
-    constexpr auto kFrom = vk::ImageLayout::eTransferSrcOptimal, kTo = vk::ImageLayout::eTransferDstOptimal;
-    graph::PassBuilder pass = f.graph.transfer("picture").copiesTo(picture);
-    if (drawn)
-        pass.copiesFrom(*drawn).record([=](gpu::PassContext& c) {
-            c.commands.copyImage(c.image(*drawn), kFrom, c.image(picture), kTo,
-                                 vk::ImageCopy(color, {}, color, {}, size));
-        });
-    else
-        pass.copiesFrom(f.numbers).record([=, &to, words = f.numbers](gpu::PassContext& c) {
-            c.commands.copyBufferToImage(c.buffer(words), c.image(picture), kTo,
+    f.graph.transfer("picture").copiesTo(picture).copiesFrom(f.numbers).record(
+        [=, &to, words = f.numbers](gpu::PassContext& c) {
+            c.commands.copyBufferToImage(c.buffer(words), c.image(picture), vk::ImageLayout::eTransferDstOptimal,
                                          vk::BufferImageCopy(0, to.tiles->rowPixels(), 0, color, {}, size));
         });
     f.graph.output(picture);
@@ -29,12 +21,16 @@ void declareCopy(ScreenFrame& f, graph::Image picture, graph::Extent extent, std
 }  // namespace
 
 void declareResolve(ScreenFrame& f, const FrameShape& shape, const PictureImage& to) {
+    if (shape.options.intoPicture) {
+        f.picture = f.targets[0];
+        return f.graph.output(*f.picture);
+    }
     const PictureEnd& end = shape.picture;
     const graph::Image picture = f.graph.importImage("picture", end.image, passes::kTextureState, end.first);
     f.picture = picture;
     std::optional<graph::Image> drawn;
     if (!shape.options.shadedByTiles) drawn = f.targets[0];
-    if (end.first && end.samples == 1) return declareCopy(f, picture, end.image.extent, drawn, to);
+    if (end.first && end.samples == 1) return declareCopy(f, picture, end.image.extent, to);
     std::optional<graph::Clear> clear;
     if (end.first) clear = graph::Clear{0.0f};
     graph::PassBuilder pass = f.graph.graphics("picture");

@@ -1,6 +1,7 @@
 #include "engine/frame/screen.h"
 
 #include "engine/graph/plan.h"
+#include "engine/passes/read_back.h"
 #include "engine/scene/tile_lists.h"
 
 namespace nacre {
@@ -11,6 +12,7 @@ using passes::NearestFrom;
 graph::Image ScreenFrame::add(const ScreenTarget& target, graph::Extent extent) {
     const graph::ImageDesc desc{target.format, extent};
     targets.push_back(target.window ? graph.importImage(target.image, desc, kWindowState, true)
+                      : intoPicture ? graph.importImage("picture", desc, passes::kTextureState, true)
                                     : graph.image(target.image, desc));
     return targets.back();
 }
@@ -176,6 +178,7 @@ void declareTranslucentColors(ScreenFrame& f, const ScreenOptions& options, cons
 ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder) {
     ScreenFrame frame;
     frame.graph = graph::Graph(options.name);
+    frame.intoPicture = options.intoPicture;
     frame.depth = frame.nearest = frame.graph.image("depth", {VK_FORMAT_D32_SFLOAT, options.extent, options.samples});
     frame.atlas = frame.graph.importImage(
         "occlusion atlas", options.atlas,

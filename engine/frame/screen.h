@@ -63,6 +63,7 @@ struct ScreenOptions {
     std::uint32_t translucentLayers = 0;  ///< over the first target, which is colour; 0: all is opaque
     std::uint32_t samples = 1;            ///< of a pixel, for a target whose colour is resolved to it
     bool layersByTiles = false;           ///< of `tiles`: compute finds them, too
+    bool intoPicture = false;             ///< the target is the image that the picture ends in
 };
 
 /// Primitives that a view submits, and their size in the picture.
@@ -92,6 +93,7 @@ struct ScreenFrame {
     std::vector<graph::Buffer> pixels;          ///< imported, of targets that the host reads
     std::optional<graph::Image> picture;        ///< imported: the image that the picture ends in
     std::optional<graph::Image> finer;          ///< imported, if only some pixels are replaced: which
+    bool intoPicture = false;                   ///< as ScreenOptions has it
     std::optional<graph::Image> sum;            ///< imported, of a window: of its picture's samples
 
     /// The pass samples the shadow map. @returns the pass

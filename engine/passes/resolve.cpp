@@ -37,8 +37,6 @@ void resolve(gpu::PassContext& context, const Resolving& how, const ResolvePlace
     const bool words = what.tiles != nullptr;
     const gpu::Layout& layout = resolveLayout(context, words, how.masked);
     const auto at = [](std::uint32_t pixels) { return static_cast<std::int32_t>(pixels); };
-    context.commands.setScissor(
-        0, vk::Rect2D({at(place.rect.x), at(place.rect.y)}, {place.rect.width, place.rect.height}));
     bindFullScreen(context, passOf(how, words), layout);
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
     TileBindings to(context, set);
@@ -51,9 +49,13 @@ void resolve(gpu::PassContext& context, const Resolving& how, const ResolvePlace
         sample(what.image);
     if (how.masked) sample(*what.mask);
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
-    drawFullScreen(context, layout, kDraw,
-                   Push{at(place.rect.x), at(place.rect.y), place.x, place.y, words ? at(what.tiles->rowPixels()) : 0,
-                        at(how.samples)});
+    const Push push{at(place.rect.x), at(place.rect.y), place.x, place.y, words ? at(what.tiles->rowPixels()) : 0,
+                    at(how.samples)};
+    const std::span<const PictureRect> all(&place.rect, 1);
+    for (const PictureRect& part : place.parts.empty() ? all : std::span(place.parts)) {
+        context.commands.setScissor(0, vk::Rect2D({at(part.x), at(part.y)}, {part.width, part.height}));
+        drawFullScreen(context, layout, kDraw, push);
+    }
 }
 
 }  // namespace nacre::passes

@@ -2,6 +2,7 @@
 // Ends a frame in the image of its picture, on the device.
 
 #include <optional>
+#include <vector>
 
 #include "engine/passes/full_screen.h"
 #include "engine/passes/tile_frame.h"
@@ -10,8 +11,9 @@ namespace nacre::passes {
 
 /// Which pixels of the picture a frame draws.
 struct ResolvePlace {
-    PictureRect rect;           ///< in the picture
-    std::int32_t x = 0, y = 0;  ///< of the same pixels in the frame, in pixels of the picture
+    PictureRect rect;                  ///< in the picture
+    std::int32_t x = 0, y = 0;         ///< of the same pixels in the frame, in pixels of the picture
+    std::vector<PictureRect> parts{};  ///< in the picture, what is drawn of that; none: all
 };
 
 struct Resolving {

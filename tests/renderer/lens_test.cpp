@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/frame/finer_places.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -100,6 +101,19 @@ TEST_P(Lens, ReadsTheImageThatAllPathsAndSamplesEndIn) {
         }
 }
 
+TEST_P(Lens, ReadsTheImageThatAFrameDrawsTo) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    for (const Visibility path : {Visibility::encoded, Visibility::fragdepth}) {
+        ValidatedRenderer& renderer = rendererOf(path);
+        renderer->setScene(r);
+        RenderSettings s = lensSettings(r, GetParam(), 0.1, 0);
+        s.tuning.timePasses = true;
+        renderer->render(s);
+        EXPECT_FALSE(renderer->stats().passTimes.empty());
+        for (const PassTime& time : renderer->stats().passTimes) EXPECT_NE(time.name, "picture");  // no copy of it
+    }
+}
+
 TEST_P(Lens, AddsSamplesOnlyWhereItIsSharp) {
     const Representation r = scene("sample:dna", Style::spacefill);
     for (const Visibility path : {Visibility::tiles, Visibility::encoded}) {
@@ -140,6 +154,21 @@ TEST(LensPlaces, AreSharpWithinPixelsOfWhatTheLensShowsSharp) {
     EXPECT_FALSE(at(13, 5) || at(17, 5) || at(15, 3) || at(15, 7));
     EXPECT_FALSE(at(9, 5));  // beside what is blurred
     EXPECT_TRUE(at(8, 5));   // something smaller than the frame's pixels may be there
+}
+
+TEST(LensPlaces, LieInNarrowBands) {
+    constexpr std::uint32_t kSide = 128;
+    std::vector<std::uint32_t> seen(std::size_t{kSide} * kSide);
+    seen[20 * kSide + 5] = seen[100 * kSide + 120] = 0xffffffffu;
+    const FinerPlaces places(seen.data(), kSide, {kSide, kSide});
+    const std::vector<PictureRect> bands = places.bandsIn({0, 0, kSide, kSide});
+    ASSERT_EQ(bands.size(), 2u);
+    const auto [x, y, width, height] = bands[1];
+    EXPECT_LE(x, 119u);
+    EXPECT_LE(y, 99u);
+    EXPECT_GE(x + width, 122u);
+    EXPECT_GE(y + height, 102u);
+    EXPECT_LT(bands[0].width + bands[1].width, 40u);
 }
 
 TEST(LensPlaces, AreBlurredAroundWhatIsShown) {
