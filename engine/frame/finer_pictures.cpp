@@ -185,7 +185,8 @@ void PictureFrames::finerPicture(const RenderSettings& settings, const passes::A
     std::optional<FinerPlaces> places = coarsePicture(settings, atlas, wanted.view);
     if (places) {
         drew();
-        executor_.forget("coarse screen");  // its images' memory serves the frames that follow
+        // Its images' memory serves those of the lens.
+        if (hasLens(settings)) executor_.forget("coarse screen");
         if (hasLens(settings) && leaveBlurred(settings, wanted.view, *places)) drew();
         picture_.finer = passes::makeTexture(device_, executor_, {VK_FORMAT_R8_UNORM, picture_.image.desc.extent},
                                              places->bytes(), "finer pixels");

@@ -82,8 +82,7 @@ constexpr Allowed kOfLayers[] = {
 constexpr Allowed kOfSamples[] = {
     {"vkCmdBeginRenderPass-attachment-needs-readback",
      "Arm, IMG: samples are added to a picture of which an earlier frame drew the rest; windows do not do it", kArm},
-    {"RenderPass-copyimage-loadopload",
-     "Arm, IMG: as above; the host reads the earlier frame, to see where the picture needs samples", kArm},
+    {"Pipeline-SortAndBind", "AMD, NVIDIA: frames of a picture and of its samples have the same pipelines", kAmd},
     {"PipelineBarrier-readToReadBarrier",
      "AMD, NVIDIA: what a lens or another frame may read ends as a texture, and is then read back", kAmd},
     {"AllocateMemory-ReuseAllocations", "NVIDIA: what the samples are added up in goes with the picture", kNvidia,
