@@ -5,9 +5,9 @@
 //   CIRCLES   of each pixel: its light's square root as bytes, and its circle
 //   REACH     the largest circles of a block of pixels: of those before the focus, and of all
 //   SPREAD    the largest circles that reach into a block
-//   HALVE     of 2 x 2 pixels with large circles that are alike: what they show
-//   GATHER    over the picture, what is not sharp
-// A pixel that all others of its 2 x 2 look like takes no samples: it shows what theirs show.
+//   SOFT      what pixels with large circles show, by few samples
+//   GATHER    over the picture, what is not sharp: of pixels with large circles the mean of 4 x 4, whose samples are
+//             others in each, and what the rest show by many samples
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 #include "common/srgb.glsl"
@@ -93,76 +93,57 @@ layout(set = 0, binding = 1) uniform usampler2D blocks;
 layout(location = 0) out vec4 color;
 
 const float kSharp = 0.6;  // pixels: smaller circles are none
+const float kSoft = 2.5;   // pixels: larger circles show nothing finer than 4 x 4
 const float kGolden = 2.399963;
 const mat2 kSixteenth = mat2(0.9238795, 0.3826834, -0.3826834, 0.9238795);  // of a turn
 const mat2 kEighth = mat2(0.7071068, 0.7071068, -0.7071068, 0.7071068);
 const float kSquare = 255.0 * 255.0;  // of a byte that is 1: light is summed up as bytes' squares
-const vec4 kDiffer = vec4(1.0, 1.0, 1.0, 0.0);  // of 2 x 2 pixels that differ: no premultiplied colour
 
-#if defined(HALVE)
-const float kMiddle = 0.5;  // of 2 x 2 pixels
-const float kAlike = 2.5;   // pixels: larger circles show nothing finer than 2 x 2
-float circle = kNothing;    // the least
-vec4 light = vec4(0.0);     // mean
-bool alike;
-
-/// @param here  the first of 2 x 2 pixels
-void ask(ivec2 here, ivec2 last) {
-    float most = -kNothing, narrowest = kNothing;
-    for (int i = 0; i < 4; ++i) {
-        ivec2 corner = ivec2(i & 1, i >> 1), around = here + 4 * corner - ivec2(1, 2);
-        uvec2 own = texelFetch(circles, min(here + corner, last), 0).xy;
-        vec4 root = unpackUnorm4x8(own.x);
-        light += 0.25 * root * root;
-        float one = uintBitsToFloat(own.y);
-        float beside = uintBitsToFloat(texelFetch(circles, clamp(around, ivec2(0), last), 0).y);
-        circle = min(circle, one);
-        most = max(most, one);
-        narrowest = min(narrowest, min(abs(one), abs(beside)));
-    }
-    alike = narrowest >= kAlike && most - circle <= 0.25 * narrowest;
-}
+#if defined(SOFT)
+const float kMiddle = -0.5;  // of what a pixel shows, since 4 x 4 lie half a pixel beside the one they are shown at
 #else
-layout(set = 0, binding = 2) uniform sampler2D halves;
 const float kMiddle = 0.0;
-float circle;
-vec4 light, shown;  // shown: by the pixel's 2 x 2
-bool alike;
+layout(set = 0, binding = 2) uniform sampler2D soft;  // square roots of light; 1, 1, 1, 0: of another pixel
 
-bool areAlike(vec4 pixels) { return pixels.r <= pixels.a; }
+bool isSoft(vec4 pixel) { return pixel.r <= pixel.a; }
 
-void ask(ivec2 here, ivec2 last) {
-    uvec2 own = texelFetch(circles, here, 0).xy;
-    vec4 root = unpackUnorm4x8(own.x);
-    light = root * root;
-    circle = uintBitsToFloat(own.y);
-    // A pixel lies a quarter of the way to the next.
-    ivec2 half_ = here >> 1, next = clamp(half_ + 2 * (here & 1) - 1, ivec2(0), textureSize(halves, 0) - 1);
-    shown = texelFetch(halves, half_, 0);
-    alike = areAlike(shown);
-    vec4 other = texelFetch(halves, next, 0);
-    shown = areAlike(other) ? mix(shown, other, 0.25) : shown;
+/// The mean of the soft ones of 4 x 4 pixels around.
+vec4 meanAround(ivec2 here, ivec2 last) {
+    vec4 sum = vec4(0.0);
+    float count = 0.0;
+    for (float i = 0.0; i < 16.0; ++i) {
+        int k = int(i);
+        vec4 root = texelFetch(soft, clamp(here + ivec2(k & 3, k >> 2) - 1, ivec2(0), last), 0);
+        if (!isSoft(root)) continue;
+        sum += root * root;
+        ++count;
+    }
+    return sum / count;
 }
 #endif
 
 void main() {
-    ivec2 last = textureSize(circles, 0) - 1;
-#if defined(HALVE)
-    ivec2 cell = ivec2(gl_FragCoord.xy), here = 2 * cell;
-#else
-    ivec2 here = ivec2(gl_FragCoord.xy), cell = here;
-#endif
-    ask(here, last);
-    float radius = radiusOf(circle);
+    ivec2 here = ivec2(gl_FragCoord.xy), last = textureSize(circles, 0) - 1;
+    uvec2 own = texelFetch(circles, here, 0).xy;
     vec2 reaches = uintBitsToFloat(texelFetch(blocks, here / kBlock, 0).xy);
+    float circle = uintBitsToFloat(own.y), radius = radiusOf(circle);
     // Nearer points have larger circles only before the focus; over nothing, all shine.
     float reach = circle < kNothing ? max(radius, reaches.x) : reaches.y;
     float end = 1.0;
-#if defined(HALVE)
-    alike = alike && reach >= kAlike;
-    if (!alike) end = 0.0;
+#if defined(SOFT)
+    float samples = clamp(floor(2.0 + 0.9 * reach), 4.0, 10.0);
+    if ((circle < kNothing ? radius : reach) < kSoft) {
+        end = 0.0;
+        discard;
+    }
 #else
-    if (alike) end = 0.0;
+    float samples = clamp(floor(4.0 + 2.5 * reach), 8.0, 48.0);
+    vec4 around = vec4(0.0);
+    bool ofSoft = isSoft(texelFetch(soft, here, 0));
+    if (ofSoft) {
+        end = 0.0;
+        around = meanAround(here, last);
+    }
     if (reach < kSharp) {
         end = 0.0;
         discard;
@@ -171,11 +152,12 @@ void main() {
 
     // Light that the nearer pixels spread over this one, and with it the light of this and farther ones.
     float ownArea = max(3.14159 * radius * radius, 1.0);
-    vec4 near = vec4(0.0), all = light * kSquare / ownArea;
+    vec4 root = unpackUnorm4x8(own.x);
+    vec4 near = vec4(0.0), all = root * root * kSquare / ownArea;
     float nearShare = 0.0, allShare = 1.0 / ownArea;
-    float samples = clamp(floor(4.0 + 2.5 * reach), 8.0, 48.0), perSample = 1.0 / samples;
+    float perSample = 1.0 / samples;
     // Sixteen neighbours take different samples.
-    cell &= 3;
+    ivec2 cell = here & 3;
     int order = (cell.x * 5 + cell.y * 3 + 7 * (cell.x ^ cell.y)) & 15;
     vec2 way = vec2(reach, 0.0);
     way = (order & 1) != 0 ? kSixteenth * way : way;
@@ -204,15 +186,15 @@ void main() {
         nearShare += weight;
     }
 #if defined(GATHER)
-    if (!alike && nearShare == 0.0 && radius < kSharp) discard;
+    if (!ofSoft && nearShare == 0.0 && radius < kSharp) discard;
 #endif
     vec4 far = max(all - near, vec4(0.0)) / max(allShare - nearShare, 1e-6);
     color = (near / max(nearShare, 1.0) + (1.0 - min(nearShare, 1.0)) * far) / kSquare;
-    if (kCoded) color.rgb = srgbFromLinear(color.rgb);
-#if defined(HALVE)
-    if (!alike) color = kDiffer;
+#if defined(SOFT)
+    color = sqrt(color);
 #else
-    if (alike) color = shown;
+    if (ofSoft) color = around;
+    if (kCoded) color.rgb = srgbFromLinear(color.rgb);
 #endif
 }
 #endif

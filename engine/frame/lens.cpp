@@ -140,16 +140,6 @@ std::vector<PictureRect> blurredBy(const passes::Lens& lens, std::span<const Til
     return bands;
 }
 
-namespace {
-
-/// What covers it in an image of half the resolution.
-PictureRect halfOf(const PictureRect& part) {
-    const std::uint32_t left = part.x / 2, top = part.y / 2;
-    return {left, top, (part.x + part.width + 1) / 2 - left, (part.y + part.height + 1) / 2 - top};
-}
-
-}  // namespace
-
 void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const PictureImage* from) {
     graph::Graph& g = f.graph;
     const graph::Image picture = g.importImage("picture", {format, extent}, passes::kTextureState);
@@ -159,7 +149,7 @@ void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const Pi
         graph::PassBuilder drawn = g.graphics(name);
         for (const graph::Image image : images) drawn.samples(image);
         std::optional<graph::Clear> clear;
-        if (step == LensStep::halve) clear = graph::Clear{1, 1, 1, 0};              // of pixels that differ
+        if (step == LensStep::soft) clear = graph::Clear{1, 1, 1, 0};               // of pixels that are not
         if (step == LensStep::circles) clear = graph::Clear{0, kNoDistance, 0, 0};  // of nothing, as bits
         drawn.color(to, clear);
         if (!from) return to;
@@ -168,10 +158,8 @@ void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const Pi
                           for (const graph::Image image : images) views.push_back(c.view(image));
                           const passes::Lens lens = lensOf(*from);
                           std::vector<PictureRect> parts{{0, 0, c.extent.width, c.extent.height}};
-                          if (from->tiles && step != LensStep::reach && step != LensStep::spread) {
+                          if (from->tiles && step != LensStep::reach && step != LensStep::spread)
                               parts = blurredBy(lens, from->tiles->lists.spans(), extent);
-                              if (step == LensStep::halve) std::ranges::transform(parts, parts.begin(), halfOf);
-                          }
                           passes::drawLens(c, {step, coded}, lens, views, parts);
                       },
                       [=](gpu::PipelineContext& c) {
@@ -187,11 +175,10 @@ void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const Pi
     const graph::Image circles = pass("circles", LensStep::circles, extent, {picture, f.targets[0]});
     const graph::Image largest = pass("largest circles", LensStep::reach, blocks, {circles});
     const graph::Image reach = pass("reach of circles", LensStep::spread, blocks, {largest});
-    const VkFormat ofHalves = coded ? format : VK_FORMAT_R16G16B16A16_SFLOAT;
-    const graph::Extent half{(extent.width + 1) / 2, (extent.height + 1) / 2};
-    const graph::Image halves =
-        draw("circles alike", LensStep::halve, g.image("circles alike", {ofHalves, half}), {circles, reach});
-    f.targets[0] = draw(kLensPass, LensStep::gather, picture, {circles, reach, halves});  // over what is not sharp
+    const VkFormat roots = coded ? format : VK_FORMAT_R16G16B16A16_SFLOAT;
+    const graph::Image soft =
+        draw("large circles", LensStep::soft, g.image("large circles", {roots, extent}), {circles, reach});
+    f.targets[0] = draw(kLensPass, LensStep::gather, picture, {circles, reach, soft});  // over what is not sharp
 }
 
 }  // namespace nacre

@@ -25,8 +25,8 @@ gpu::ShaderWords shaderOf(LensStep step) {
             return shaders::lensReach;
         case LensStep::spread:
             return shaders::lensSpread;
-        case LensStep::halve:
-            return shaders::lensHalve;
+        case LensStep::soft:
+            return shaders::lensSoft;
         case LensStep::gather:
             break;
     }

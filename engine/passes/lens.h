@@ -22,7 +22,7 @@ static_assert(sizeof(Lens) == 32);
 /// Pixels of a block's side.
 constexpr std::uint32_t kLensBlock = 16;
 
-enum class LensStep : std::uint8_t { circles, reach, spread, halve, gather };
+enum class LensStep : std::uint8_t { circles, reach, spread, soft, gather };
 
 struct LensPass {
     LensStep step{};

@@ -214,7 +214,27 @@ TEST_P(Lens, KeepsWhatIsBlurredInPlace) {
     const glm::dvec2 blurred = middle();
     EXPECT_LT(glm::length(sharp - blurred), 0.1);
     EXPECT_NE(sharp, blurred);
-    EXPECT_NE(renderer->planText().find("circles alike"), std::string::npos);
+    EXPECT_NE(renderer->planText().find("large circles"), std::string::npos);
+}
+
+TEST_P(Lens, ShowsNoGrain) {
+    Representation r;
+    r.spheres.push_back({{0, 0, 0}, 6});
+    r.sphereLooks.push_back({0xffffffffu, 1});
+    r.radius = 12;
+    RenderSettings s = lensSettings(r, GetParam(), 0.5, -2 * r.radius);
+    s.background = {0, 0, 0, 1};
+    s.lighting = false;
+    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    renderer->setScene(r);
+    const std::vector<float> picture = renderer->render(s).rgba;
+    float grain = 0, most = 0, least = 1;
+    for (std::size_t i = 1; i + 1 < picture.size() / 4; ++i) {
+        grain = std::max(grain, std::abs(picture[4 * i - 4] - 2 * picture[4 * i] + picture[4 * i + 4]));
+        most = std::max(most, picture[4 * i]), least = std::min(least, picture[4 * i]);
+    }
+    EXPECT_GT(most - least, 0.5f);
+    EXPECT_LT(grain, 0.12f);  // of one pixel beside its neighbours
 }
 
 TEST_P(Lens, CostsNothingWhenOff) {
