@@ -1,4 +1,3 @@
-
 #include "app/cli/plan_command.h"
 #include "app/cli/stats.h"
 #include "app/files/json_text.h"

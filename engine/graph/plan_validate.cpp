@@ -1,4 +1,3 @@
-
 #include "engine/graph/plan_internal.h"
 
 namespace nacre::graph {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <iterator>
@@ -110,13 +111,8 @@ void FrontSpheres::listDoubts(std::span<const TileCall> drawn, std::span<const T
     for (const TileCall& call : drawn) most = std::max(most, call.number + call.first + call.count);
     marks_.assign(most / 64 + 1, 0);
     shown_ = 0;
-    const auto mark = [&](std::uint32_t number) {
-        std::uint64_t& word = marks_[number / 64];
-        const std::uint64_t bit = std::uint64_t{1} << number % 64;
-        shown_ += (word & bit) == 0;
-        word |= bit;
-    };
-    for (std::size_t b = 0; b < bands_.size(); ++b) std::for_each(doubts_[b].begin(), doubts_[b].end(), mark);
+    for (std::size_t b = 0; b < bands_.size(); ++b)
+        for (const std::uint32_t number : doubts_[b]) shown_ += mark(number);
     doubtCalls_.clear();
     for (const TileCall& call : calls) {
         const std::uint32_t end = call.number + call.first + call.count;
@@ -133,12 +129,30 @@ void FrontSpheres::listDoubts(std::span<const TileCall> drawn, std::span<const T
             doubtCalls_.push_back({call.rows, first - call.number, at - first, call.number});
         }
     }
-    for (std::uint32_t y = 0; y < height_; ++y) {
-        const float* z = z_.data() + std::size_t{y} * pitch_;
-        const std::uint32_t* number = number_.data() + std::size_t{y} * pitch_;
-        for (std::uint32_t x = 0; x < width_; ++x)
-            if (z[x] != kNothing && (x == 0 || number[x] != number[x - 1])) mark(number[x]);
-    }
+}
+
+/// Marks a sphere, in several threads at once. @returns whether it is the first to do so
+bool FrontSpheres::mark(std::uint32_t number) {
+    std::uint64_t& word = marks_[number / 64];
+    const std::uint64_t bit = std::uint64_t{1} << number % 64;
+    if (__atomic_load_n(&word, __ATOMIC_RELAXED) & bit) return false;
+    return (__atomic_fetch_or(&word, bit, __ATOMIC_RELAXED) & bit) == 0;
+}
+
+/// Adds the spheres of pixels to those that doubts show.
+void FrontSpheres::countShown() {
+    std::atomic<std::size_t> shown = 0;
+    inParallel(bands_.size(), [&](std::size_t b) {
+        std::size_t mine = 0;
+        for (std::size_t y = bands_[b].first; y < bands_[b].end; ++y) {
+            const float* z = z_.data() + y * pitch_;
+            const std::uint32_t* number = number_.data() + y * pitch_;
+            for (std::uint32_t x = 0; x < width_; ++x)
+                if (z[x] != kNothing && (x == 0 || number[x] != number[x - 1])) mine += mark(number[x]);
+        }
+        shown += mine;
+    });
+    shown_ += shown;
 }
 
 void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, const SphereBoxes& boxes,
@@ -174,6 +188,7 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
         }
     });
     listDoubts(s.calls, calls);
+    countShown();
 }
 
 bool FrontSpheres::isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, std::uint32_t endY) const {

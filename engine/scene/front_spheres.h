@@ -47,6 +47,8 @@ private:
     void begin(const TileView& view, const Scenery& s);
     void list(const TileView& view, const Scenery& s);
     void listDoubts(std::span<const TileCall> drawn, std::span<const TileCall> calls);
+    bool mark(std::uint32_t number);
+    void countShown();
 
     std::uint32_t width_ = 0, height_ = 0;
     std::uint32_t pitch_ = 0;  // pixels per row, including sentinels at its end that hide everything

@@ -185,12 +185,13 @@ TEST(Plan, TellsThatDepthOfFieldIsAnotherFrame) {
     const Json& cost = json["costs"][0];
     EXPECT_EQ(cost["option"], "depth-of-field");
     EXPECT_EQ(cost["passes"], Json({"opaque prepass", "depth encoding", "surface layer", "circles", "largest circles",
-                                    "reach of circles", "depth of field"}));
+                                    "reach of circles", "large circles", "depth of field"}));
     const int pixels = json["size"][0].get<int>() * json["size"][1].get<int>();
-    EXPECT_GT(cost["loaded"], pixels * (4 + 4 + 8 + 8));  // colour and distance come from memory, and circles twice
-    EXPECT_LT(cost["loaded"], pixels * (4 + 4 + 8 + 8 + 1));
-    EXPECT_GT(cost["stored"], pixels * (4 + 8 + 4));  // distance, circles, the result
-    EXPECT_LT(cost["stored"], pixels * (4 + 8 + 4 + 1));
+    // Colour and distance come from memory, circles three times, and what the large ones show.
+    EXPECT_GT(cost["loaded"], pixels * (4 + 4 + 3 * 8 + 4));
+    EXPECT_LT(cost["loaded"], pixels * (4 + 4 + 3 * 8 + 4 + 1));
+    EXPECT_GT(cost["stored"], pixels * (4 + 8 + 4 + 4));  // distance, circles, what the large ones show, the result
+    EXPECT_LT(cost["stored"], pixels * (4 + 8 + 4 + 4 + 1));
 }
 
 TEST(Plan, TranslucentLayersLeaveTheTileAndTheOpaqueFrameStaysOnIt) {
