@@ -1,11 +1,15 @@
 # Entries of ctest: suites of a program, which share its start.
 
-# nacre_suites(PROGRAM PREFIX [FILTER OF_TESTS] [TOGETHER COUNT] [ENVIRONMENT NAME=VALUE...] [PROPERTIES NAME VALUE...]):
-# an entry of ctest for each suite of a program, or for so many of them.
+# nacre_suites(PROGRAM PREFIX [OPTIMISED] [FILTER OF_TESTS] [TOGETHER COUNT] [ENVIRONMENT NAME=VALUE...]
+# [PROPERTIES NAME VALUE...]): an entry of ctest for each suite of a program, or for so many of them.
+# OPTIMISED: as users have it, lavapipe optimises the shaders that it compiles.
 function(nacre_suites target prefix)
-    cmake_parse_arguments(suites "" "FILTER;TOGETHER" "ENVIRONMENT;PROPERTIES" ${ARGN})
+    cmake_parse_arguments(suites "OPTIMISED" "FILTER;TOGETHER" "ENVIRONMENT;PROPERTIES" ${ARGN})
     list(APPEND suites_ENVIRONMENT ${compiled_shaders})
     list(REMOVE_DUPLICATES suites_ENVIRONMENT)
+    if(suites_OPTIMISED)
+        list(REMOVE_ITEM suites_ENVIRONMENT ${unoptimised})
+    endif()
     if(NOT suites_FILTER)
         set(suites_FILTER "*")
     endif()
