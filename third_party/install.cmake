@@ -24,8 +24,10 @@ foreach(header ${headers})
     file(READ engine/${header} text)
     string(REPLACE "#include \"engine/" "#include \"nacre/" text "${text}")
     file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/include/nacre/${header} CONTENT "${text}" @ONLY)
+    # One by one: the build folder may hold headers that are gone.
+    get_filename_component(folder nacre/${header} DIRECTORY)
+    install(FILES ${CMAKE_BINARY_DIR}/include/nacre/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
 endforeach()
-install(DIRECTORY ${CMAKE_BINARY_DIR}/include/nacre DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 install(TARGETS nacre nacre_molecule nacre_graph EXPORT nacre-targets)
 install(EXPORT nacre-targets NAMESPACE nacre:: DESTINATION ${NACRE_CMAKE_DIR})
