@@ -11,7 +11,7 @@
 #include "engine/device_options.h"
 #include "engine/devices.h"
 #include "engine/results.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 #include "engine/settings.h"
 
 namespace nacre {

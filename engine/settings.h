@@ -10,7 +10,7 @@
 #include "engine/device_options.h"
 #include "engine/effects.h"
 #include "engine/overlay.h"
-#include "engine/scene/camera.h"
+#include "engine/scene/view/camera.h"
 
 namespace nacre {
 

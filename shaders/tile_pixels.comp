@@ -1,5 +1,5 @@
 #version 440
-// Colours of pixels whose nearest sphere or cylinder the host knows (engine/scene/front_shapes.h), sorted by kind, so
+// Colours of pixels whose nearest sphere or cylinder the host knows (engine/software/front_shapes.h), sorted by kind, so
 // that no lane waits for one of another kind. Of a few pixels it knows all that they may show. For software devices.
 #extension GL_GOOGLE_include_directive : require
 #define TILES

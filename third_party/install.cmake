@@ -15,7 +15,7 @@ target_compile_features(nacre_molecule PUBLIC cxx_std_20)
 # Headers name each other as engine/..., where they stand here, and as nacre/..., where they are installed.
 file(GLOB headers RELATIVE ${CMAKE_SOURCE_DIR}/engine CONFIGURE_DEPENDS engine/molecule/*.h
      engine/molecule/selection/*.h engine/molecule/trajectory/*.h engine/molecule/chemistry/*.h engine/volume/*.h
-     engine/mesh/*.h engine/scene/*.h)
+     engine/mesh/*.h engine/scene/*/*.h)
 foreach(name baked_occlusion coded_picture debug_view device_options devices effects error overlay renderer results settings threads)
     list(APPEND headers ${name}.h)
 endforeach()

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/effects.h"
-#include "engine/scene/camera.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/view/camera.h"
 
 namespace nacre::app {
 

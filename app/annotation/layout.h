@@ -13,7 +13,7 @@
 
 #include "app/annotation/placed_words.h"
 #include "engine/effects.h"
-#include "engine/scene/camera.h"
+#include "engine/scene/view/camera.h"
 
 namespace nacre::app {
 

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "app/annotation/room.h"
-#include "engine/scene/palettes.h"
+#include "engine/scene/color/palettes.h"
 
 namespace nacre::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/annotation/element_names.h"
 #include "engine/molecule/element.h"
-#include "engine/scene/contacts.h"
+#include "engine/scene/build/contacts.h"
 
 namespace nacre::app {
 namespace {

@@ -11,7 +11,7 @@
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/residue_facts.h"
-#include "engine/scene/sphere_levels.h"
+#include "engine/scene/instances/sphere_levels.h"
 
 namespace nacre::app {
 namespace {

@@ -9,8 +9,8 @@
 #include "app/annotation/label_sight.h"
 #include "app/picture/words.h"
 #include "engine/molecule/molecule.h"
-#include "engine/scene/primitives.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/primitives.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::app {
 

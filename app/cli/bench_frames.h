@@ -6,7 +6,7 @@
 
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::app {
 

@@ -17,8 +17,8 @@
 #include "app/mvs/write_scene.h"
 #include "engine/mesh/mesh_measures.h"
 #include "engine/renderer.h"
-#include "engine/scene/chunks.h"
-#include "engine/scene/scene_camera.h"
+#include "engine/scene/build/chunks.h"
+#include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app {
 namespace {

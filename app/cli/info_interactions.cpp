@@ -12,7 +12,7 @@
 #include "app/input/read_input.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::app {
 namespace {

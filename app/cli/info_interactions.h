@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/picture/input_options.h"
-#include "engine/scene/contacts.h"
+#include "engine/scene/build/contacts.h"
 
 namespace nacre::app {
 

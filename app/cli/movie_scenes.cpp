@@ -14,7 +14,7 @@
 #include "app/picture/input_names.h"
 #include "app/picture/saved_view.h"
 #include "engine/error.h"
-#include "engine/scene/shared_frame.h"
+#include "engine/scene/view/shared_frame.h"
 
 namespace nacre::app {
 namespace {

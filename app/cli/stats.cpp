@@ -8,8 +8,8 @@
 
 #include "app/files/json_text.h"
 #include "engine/frame/geometry.h"
-#include "engine/scene/mesh_streams.h"
-#include "engine/scene/palettes.h"
+#include "engine/scene/build/mesh_streams.h"
+#include "engine/scene/color/palettes.h"
 
 namespace nacre::app {
 namespace {

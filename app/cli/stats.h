@@ -7,7 +7,7 @@
 
 #include "app/drawing/run_stats.h"
 #include "engine/results.h"
-#include "engine/scene/camera.h"
+#include "engine/scene/view/camera.h"
 
 namespace nacre::app {
 

@@ -17,7 +17,7 @@
 #include "app/picture/appearance_values.h"
 #include "app/picture/picture_names.h"
 #include "engine/error.h"
-#include "engine/scene/scene_camera.h"
+#include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "engine/error.h"
-#include "engine/scene/orientation.h"
+#include "engine/scene/view/orientation.h"
 
 namespace nacre::app {
 namespace {

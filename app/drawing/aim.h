@@ -6,8 +6,8 @@
 #include "app/picture/aim.h"
 #include "app/picture/option_values.h"
 #include "engine/molecule/residue_facts.h"
-#include "engine/scene/camera.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/view/camera.h"
 
 namespace nacre::app {
 

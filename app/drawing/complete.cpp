@@ -10,7 +10,7 @@
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"
 #include "app/picture/usage_error.h"
-#include "engine/scene/color_schemes.h"
+#include "engine/scene/color/color_schemes.h"
 
 namespace nacre::app {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/files/output_file.h"
 #include "app/picture/description.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::app {
 

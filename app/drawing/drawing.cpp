@@ -16,7 +16,7 @@
 #include "app/picture/options.h"
 #include "engine/error.h"
 #include "engine/milliseconds.h"
-#include "engine/scene/orientation.h"
+#include "engine/scene/view/orientation.h"
 
 namespace nacre::app {
 namespace {

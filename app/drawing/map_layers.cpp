@@ -11,9 +11,9 @@
 #include "app/picture/option_text.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
-#include "engine/scene/colors.h"
-#include "engine/scene/map_scene.h"
-#include "engine/scene/scene_guide.h"
+#include "engine/scene/build/map_scene.h"
+#include "engine/scene/build/scene_guide.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre::app {
 namespace {

@@ -6,9 +6,9 @@
 #include "app/drawing/focus.h"
 #include "app/picture/description.h"
 #include "engine/molecule/molecule.h"
-#include "engine/scene/primitives.h"
-#include "engine/scene/representation.h"
-#include "engine/scene/scene_guide.h"
+#include "engine/scene/build/primitives.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/build/scene_guide.h"
 #include "engine/volume/density_map.h"
 
 namespace nacre::app {

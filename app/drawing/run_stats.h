@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/results.h"
-#include "engine/scene/representation.h"
-#include "engine/scene/uncover.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/view/uncover.h"
 
 namespace nacre::app {
 

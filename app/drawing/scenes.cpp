@@ -6,11 +6,11 @@
 #include "app/input/color_file.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"
-#include "engine/scene/atom_groups.h"
-#include "engine/scene/scene_guide.h"
-#include "engine/scene/scene_layers.h"
-#include "engine/scene/shared_frame.h"
-#include "engine/scene/uncover.h"
+#include "engine/scene/build/atom_groups.h"
+#include "engine/scene/build/scene_guide.h"
+#include "engine/scene/build/scene_layers.h"
+#include "engine/scene/view/shared_frame.h"
+#include "engine/scene/view/uncover.h"
 
 namespace nacre::app {
 namespace {

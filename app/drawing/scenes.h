@@ -9,9 +9,9 @@
 #include "app/picture/saved_view.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/residue_facts.h"
-#include "engine/scene/camera.h"
-#include "engine/scene/representation.h"
-#include "engine/scene/scene_camera.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/view/camera.h"
+#include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app {
 

@@ -9,7 +9,7 @@
 
 #include "engine/error.h"
 #include "engine/mesh/solids.h"
-#include "engine/scene/colors.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre::app {
 namespace {

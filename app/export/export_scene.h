@@ -11,11 +11,11 @@
 #include "engine/baked_occlusion.h"
 #include "engine/mesh/mesh.h"
 #include "engine/molecule/molecule.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::app {
 
-/// Triangles of one chain. Mesh::atoms holds the vertices' colours, packed as in engine/scene/colors.h.
+/// Triangles of one chain. Mesh::atoms holds the vertices' colours, packed as in engine/scene/color/colors.h.
 struct ExportMesh {
     std::string name;
     Mesh mesh;                             ///< Å, relative to ExportScene::center

@@ -7,7 +7,7 @@
 
 #include "app/export/scene_files.h"
 #include "engine/baked_occlusion.h"
-#include "engine/scene/colors.h"
+#include "engine/scene/color/colors.h"
 #include "engine/srgb.h"
 
 namespace nacre::app {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "engine/scene/appearance.h"
-#include "engine/scene/color_table.h"
+#include "engine/scene/build/appearance.h"
+#include "engine/scene/color/color_table.h"
 
 namespace nacre::app {
 

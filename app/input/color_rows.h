@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/scene/color_table.h"
+#include "engine/scene/color/color_table.h"
 
 namespace nacre::app {
 

@@ -12,7 +12,7 @@
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
 #include "engine/molecule/selection/selection.h"
-#include "engine/scene/appearance.h"
+#include "engine/scene/build/appearance.h"
 
 namespace nacre::app {
 namespace {

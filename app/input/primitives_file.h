@@ -8,7 +8,7 @@
 
 #include "app/picture/geometry_options.h"
 #include "engine/molecule/molecule.h"
-#include "engine/scene/primitives.h"
+#include "engine/scene/build/primitives.h"
 
 namespace nacre::app {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/picture/map_options.h"
-#include "engine/scene/camera.h"
+#include "engine/scene/view/camera.h"
 
 namespace nacre::app {
 

@@ -11,7 +11,7 @@
 #include "engine/error.h"
 #include "engine/molecule/join_models.h"
 #include "engine/molecule/text.h"
-#include "engine/scene/scene_camera.h"
+#include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app::mvs {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "app/mvs/molstar_radii.h"
 #include "app/mvs/primitive_values.h"
-#include "engine/scene/scene_camera.h"
+#include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app::mvs {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/mvs/scene_parts.h"
-#include "engine/scene/scene_guide.h"
+#include "engine/scene/build/scene_guide.h"
 
 namespace nacre::app::mvs {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "app/mvs/scene_primitives.h"
-#include "engine/scene/primitives.h"
+#include "engine/scene/build/primitives.h"
 
 namespace nacre::app::mvs {
 namespace {

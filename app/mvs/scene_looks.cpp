@@ -8,8 +8,8 @@
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/text.h"
-#include "engine/scene/colors.h"
-#include "engine/scene/translucent_atoms.h"
+#include "engine/scene/build/translucent_atoms.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre::app::mvs {
 namespace {

@@ -16,8 +16,8 @@
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/decompress.h"
 #include "engine/molecule/text.h"
-#include "engine/scene/copies.h"
-#include "engine/scene/scene_camera.h"
+#include "engine/scene/instances/copies.h"
+#include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app::mvs {
 namespace {

@@ -15,8 +15,8 @@
 #include "app/mvs/build_scene.h"
 #include "app/mvs/expressions.h"
 #include "app/mvs/node_table.h"
-#include "engine/scene/primitives.h"
-#include "engine/scene/scene_guide.h"
+#include "engine/scene/build/primitives.h"
+#include "engine/scene/build/scene_guide.h"
 
 namespace nacre::app::mvs {
 

@@ -11,7 +11,7 @@
 #include "app/mvs/primitive_values.h"
 #include "app/mvs/scene_parts.h"
 #include "engine/molecule/text.h"
-#include "engine/scene/scene_camera.h"
+#include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app::mvs {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "app/mvs/scene_parts.h"
-#include "engine/scene/primitives.h"
+#include "engine/scene/build/primitives.h"
 
 namespace nacre::app::mvs {
 

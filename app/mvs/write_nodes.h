@@ -9,7 +9,7 @@
 
 #include "app/picture/description.h"
 #include "engine/molecule/residue_facts.h"
-#include "engine/scene/scene_guide.h"
+#include "engine/scene/build/scene_guide.h"
 
 namespace nacre::app::mvs {
 

@@ -13,7 +13,7 @@
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/text.h"
-#include "engine/scene/scene_layers.h"
+#include "engine/scene/build/scene_layers.h"
 
 namespace nacre::app::mvs {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/picture/description.h"
 #include "engine/molecule/molecule.h"
-#include "engine/scene/scene_guide.h"
+#include "engine/scene/build/scene_guide.h"
 
 namespace nacre::app::mvs {
 

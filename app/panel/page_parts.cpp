@@ -10,7 +10,7 @@
 #include "app/picture/input_names.h"
 #include "app/picture/option_values.h"
 #include "app/viewer/picture_words.h"
-#include "engine/scene/colors.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre::app {
 namespace {

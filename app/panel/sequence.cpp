@@ -7,8 +7,8 @@
 
 #include "app/panel/panel_state.h"
 #include "engine/molecule/drawn_atoms.h"
-#include "engine/scene/appearance.h"
-#include "engine/scene/colors.h"
+#include "engine/scene/build/appearance.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/scene/appearance.h"
+#include "engine/scene/build/appearance.h"
 
 namespace nacre::app {
 

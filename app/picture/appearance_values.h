@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "app/picture/color_values.h"
-#include "engine/scene/appearance.h"
+#include "engine/scene/build/appearance.h"
 
 namespace nacre::app {
 

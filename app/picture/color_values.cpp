@@ -6,7 +6,7 @@
 
 #include "app/picture/option_values.h"
 #include "engine/molecule/text.h"
-#include "engine/scene/palettes.h"
+#include "engine/scene/color/palettes.h"
 #include "engine/srgb.h"
 
 namespace nacre::app {

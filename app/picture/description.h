@@ -19,8 +19,8 @@
 #include "engine/device_options.h"
 #include "engine/effects.h"
 #include "engine/molecule/drawn_atoms.h"
-#include "engine/scene/camera.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/view/camera.h"
 #include "engine/settings.h"
 
 namespace nacre::app {

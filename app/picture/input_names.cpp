@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "engine/scene/colors.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre::app {
 namespace {

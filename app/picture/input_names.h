@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/picture/description.h"
-#include "engine/scene/appearance.h"
+#include "engine/scene/build/appearance.h"
 
 namespace nacre::app {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "engine/scene/contacts.h"
+#include "engine/scene/build/contacts.h"
 
 namespace nacre::app {
 

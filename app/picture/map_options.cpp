@@ -7,7 +7,7 @@
 #include "app/picture/option_text.h"
 #include "app/picture/option_values.h"
 #include "engine/molecule/text.h"
-#include "engine/scene/palettes.h"
+#include "engine/scene/color/palettes.h"
 
 namespace nacre::app {
 namespace {

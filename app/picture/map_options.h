@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "engine/molecule/selection/selection.h"
-#include "engine/scene/color_schemes.h"
-#include "engine/scene/map_style.h"
+#include "engine/scene/build/map_style.h"
+#include "engine/scene/color/color_schemes.h"
 
 namespace nacre::app {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/effects.h"
-#include "engine/scene/appearance.h"
+#include "engine/scene/build/appearance.h"
 
 namespace nacre::app {
 

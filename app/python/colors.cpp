@@ -9,7 +9,7 @@
 
 #include "app/picture/appearance_values.h"
 #include "app/picture/usage_error.h"
-#include "engine/scene/colors.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre::python {
 

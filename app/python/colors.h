@@ -6,13 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::python {
 
 /// User-defined colours that replace a scheme's.
 struct Colors {
-    std::vector<std::uint32_t> atoms;  ///< packed as in engine/scene/colors.h, one per atom; empty: the scheme's
+    std::vector<std::uint32_t> atoms;  ///< packed as in engine/scene/color/colors.h, one per atom; empty: the scheme's
     std::vector<LegendEntry> legend;   ///< along the ramp, if they show numbers
     Palette ramp = Palette::automatic;
     bool operator==(const Colors& other) const { return atoms == other.atoms && ramp == other.ramp; }

@@ -4,7 +4,7 @@
 #include <glm/vec2.hpp>
 #include <optional>
 
-#include "engine/scene/camera.h"
+#include "engine/scene/view/camera.h"
 
 namespace nacre::app {
 

@@ -7,7 +7,7 @@
 #include "app/picture/input_names.h"
 #include "app/viewer/parts.h"
 #include "engine/molecule/drawn_atoms.h"
-#include "engine/scene/scene_layers.h"
+#include "engine/scene/build/scene_layers.h"
 
 namespace nacre::app {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"
 #include "engine/error.h"
-#include "engine/scene/orientation.h"
+#include "engine/scene/view/orientation.h"
 
 namespace nacre::app {
 namespace {

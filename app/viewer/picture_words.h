@@ -7,7 +7,7 @@
 #include "app/annotation/placed_words.h"
 #include "app/picture/description.h"
 #include "app/viewer/frames.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::app {
 

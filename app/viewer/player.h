@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "engine/molecule/trajectory/motion.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::app {
 

@@ -9,7 +9,7 @@
 #include "engine/frame/lens.h"
 #include "engine/frame/picture_frames.h"
 #include "engine/passes/read_back.h"
-#include "engine/scene/tile_lists.h"
+#include "engine/software/tile_lists.h"
 
 namespace nacre {
 namespace {

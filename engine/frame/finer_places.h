@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "engine/graph/graph.h"
-#include "engine/passes/tile_frame.h"
+#include "engine/lists/tile_view.h"
 #include "engine/results.h"
-#include "engine/scene/tile_view.h"
+#include "engine/software/tile_frame.h"
 
 namespace nacre {
 

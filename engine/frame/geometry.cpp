@@ -6,7 +6,7 @@
 #include "engine/passes/placed_copies.h"
 #include "engine/passes/plates.h"
 #include "engine/passes/translucent.h"
-#include "engine/scene/mesh_levels.h"
+#include "engine/scene/instances/mesh_levels.h"
 
 namespace nacre {
 namespace {

@@ -8,8 +8,8 @@
 #include "engine/frame/screen.h"
 #include "engine/graph/plan.h"
 #include "engine/results.h"
-#include "engine/scene/camera.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/view/camera.h"
 
 namespace nacre {
 

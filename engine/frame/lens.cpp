@@ -175,8 +175,7 @@ void declareLens(ScreenFrame& f, graph::Extent extent, VkFormat format, const Pi
     const graph::Image circles = pass("circles", LensStep::circles, extent, {picture, f.targets[0]});
     const graph::Image largest = pass("largest circles", LensStep::reach, blocks, {circles});
     const graph::Image reach = pass("reach of circles", LensStep::spread, blocks, {largest});
-    const VkFormat roots =
-        graph::bytesPerTexel(format) == 4 ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
+    const VkFormat roots = graph::bytesPerTexel(format) == 4 ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
     const graph::Image soft =
         draw("large circles", LensStep::soft, g.image("large circles", {roots, extent}), {circles, reach});
     f.targets[0] = draw(kLensPass, LensStep::gather, picture, {circles, reach, soft});  // over what is not sharp

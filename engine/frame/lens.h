@@ -7,8 +7,8 @@
 
 #include "engine/frame/screen.h"
 #include "engine/passes/lens.h"
-#include "engine/scene/tile_lists.h"
 #include "engine/settings.h"
+#include "engine/software/tile_lists.h"
 
 namespace nacre {
 

@@ -1,7 +1,7 @@
 #include "engine/frame/pass_notes.h"
 
 #include "engine/frame/screen.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre {
 namespace {

@@ -4,8 +4,8 @@
 #include "engine/passes/debug_view.h"
 #include "engine/passes/deferred_shading.h"
 #include "engine/passes/geometry_passes.h"
-#include "engine/passes/tile_edges.h"
-#include "engine/passes/tile_passes.h"
+#include "engine/software/tile_edges.h"
+#include "engine/software/tile_passes.h"
 
 namespace nacre {
 

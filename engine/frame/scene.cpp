@@ -8,8 +8,8 @@
 #include "engine/frame/picture.h"
 #include "engine/passes/translucent.h"
 #include "engine/passes/view_constants.h"
-#include "engine/scene/atom_groups.h"
-#include "engine/scene/mesh_levels.h"
+#include "engine/scene/build/atom_groups.h"
+#include "engine/scene/instances/mesh_levels.h"
 
 namespace nacre {
 namespace {

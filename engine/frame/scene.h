@@ -6,7 +6,7 @@
 #include "engine/gpu/pool.h"
 #include "engine/graph/graph.h"
 #include "engine/passes/scene_view.h"
-#include "engine/scene/translucency.h"
+#include "engine/scene/build/translucency.h"
 #include "engine/settings.h"
 
 namespace nacre {

@@ -7,9 +7,9 @@
 #include "engine/frame/seen_scene.h"
 #include "engine/gpu/execute.h"
 #include "engine/gpu/frame_buffers.h"
-#include "engine/passes/hidden_spheres.h"
-#include "engine/passes/tile_frame.h"
 #include "engine/results.h"
+#include "engine/software/hidden_spheres.h"
+#include "engine/software/tile_frame.h"
 
 namespace nacre {
 

@@ -2,7 +2,7 @@
 
 #include "engine/graph/plan.h"
 #include "engine/passes/read_back.h"
-#include "engine/scene/tile_lists.h"
+#include "engine/software/tile_lists.h"
 
 namespace nacre {
 

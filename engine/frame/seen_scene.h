@@ -2,9 +2,9 @@
 // Scenes of very many copies: what a view shows of them becomes a scene of its own, which all paths can draw.
 
 #include "engine/frame/scene.h"
+#include "engine/lists/seen_copies.h"
 #include "engine/results.h"
-#include "engine/scene/seen_copies.h"
-#include "engine/scene/sphere_levels.h"
+#include "engine/scene/instances/sphere_levels.h"
 
 namespace nacre {
 

@@ -1,5 +1,5 @@
 #include "engine/frame/screen.h"
-#include "engine/scene/tile_lists.h"
+#include "engine/software/tile_lists.h"
 
 namespace nacre {
 namespace {

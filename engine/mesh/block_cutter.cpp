@@ -50,9 +50,8 @@ void BlockCutter::findInside() {
 void BlockCutter::cutCell(const glm::ivec3& cell) {
     const glm::ivec3 n = block_.nodes(), at = cell - block_.first;
     const std::uint64_t* rows = inside_.data() + static_cast<std::size_t>(at.z) * n.y + at.y;
-    const std::size_t inside =
-        (rows[0] >> at.x & 3) | (rows[1] >> at.x & 3) << 2 |
-        (rows[n.y] >> at.x & 3) << 4 | (rows[n.y + 1] >> at.x & 3) << 6;
+    const std::size_t inside = (rows[0] >> at.x & 3) | (rows[1] >> at.x & 3) << 2 | (rows[n.y] >> at.x & 3) << 4 |
+                               (rows[n.y + 1] >> at.x & 3) << 6;
     for (const CellTriangle& triangle : cellTriangles()[inside])
         result_.mesh.triangles.emplace_back(vertexOn(cell, triangle[0]), vertexOn(cell, triangle[1]),
                                             vertexOn(cell, triangle[2]));

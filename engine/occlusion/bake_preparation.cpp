@@ -5,8 +5,8 @@
 #include "engine/error.h"
 #include "engine/occlusion/depth_maps.h"
 #include "engine/occlusion/primitive_tree.h"
-#include "engine/scene/sphere_levels.h"
-#include "engine/scene/translucency.h"
+#include "engine/scene/build/translucency.h"
+#include "engine/scene/instances/sphere_levels.h"
 
 namespace nacre::occlusion {
 namespace {

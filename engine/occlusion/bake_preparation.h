@@ -9,7 +9,7 @@
 #include "engine/occlusion/occluder_mesh.h"
 #include "engine/occlusion/open_texels.h"
 #include "engine/occlusion/seen_texels.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 #include "engine/settings.h"
 
 namespace nacre::occlusion {

@@ -8,7 +8,7 @@
 #include <memory>
 #include <type_traits>
 
-#include "engine/scene/translucency.h"
+#include "engine/scene/build/translucency.h"
 
 namespace nacre {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "engine/occlusion/finished_occlusion.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 #include "engine/storage/disk_cache.h"
 
 namespace nacre {

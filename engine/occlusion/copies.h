@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/occlusion/atlas_layout.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre {
 

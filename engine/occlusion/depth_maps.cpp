@@ -8,7 +8,7 @@
 #include "engine/passes/geometry_passes.h"
 #include "engine/passes/translucent.h"
 #include "engine/passes/view_constants.h"
-#include "engine/scene/mesh_levels.h"
+#include "engine/scene/instances/mesh_levels.h"
 
 namespace nacre::occlusion {
 namespace {

@@ -11,10 +11,10 @@
 #include "engine/gpu/execute.h"
 #include "engine/gpu/resources.h"
 #include "engine/occlusion/pipelines.h"
-#include "engine/occlusion/tile_maps.h"
 #include "engine/passes/scene_view.h"
-#include "engine/scene/camera.h"
-#include "engine/scene/translucency.h"
+#include "engine/scene/build/translucency.h"
+#include "engine/scene/view/camera.h"
+#include "engine/software/tile_maps.h"
 
 namespace nacre::occlusion {
 

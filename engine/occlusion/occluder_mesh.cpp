@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/scene/mesh_levels.h"
+#include "engine/scene/instances/mesh_levels.h"
 
 namespace nacre::occlusion {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::occlusion {
 

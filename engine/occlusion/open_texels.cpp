@@ -11,7 +11,7 @@
 #include <span>
 
 #include "engine/occlusion/open_patch.h"
-#include "engine/scene/lanes.h"
+#include "engine/simd/lanes.h"
 #include "engine/threads.h"
 
 namespace nacre {

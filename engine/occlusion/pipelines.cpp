@@ -3,7 +3,7 @@
 #include <span>
 
 #include "engine/passes/bindings.h"
-#include "engine/scene/tile_lists.h"
+#include "engine/software/tile_lists.h"
 #include "shaders.h"
 #include "shaders/common/layout.h"
 

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre {
 

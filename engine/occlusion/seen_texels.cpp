@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "engine/scene/mesh_levels.h"
+#include "engine/scene/instances/mesh_levels.h"
 
 namespace nacre {
 namespace {

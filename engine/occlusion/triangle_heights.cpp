@@ -1,6 +1,6 @@
 #include "engine/occlusion/triangle_heights.h"
 
-#include "engine/scene/processor_lanes.h"
+#include "engine/simd/processor_lanes.h"
 
 namespace nacre::occlusion {
 
@@ -10,7 +10,7 @@ using FourNumbers = std::int32_t __attribute__((vector_size(16)));
 
 #define NACRE_LANES_CODE "engine/occlusion/triangle_lanes.inc"
 #define NACRE_MOST_LANES 8
-#include "engine/scene/each_lanes.inc"
+#include "engine/simd/each_lanes.inc"
 
 std::span<const TriangleLanes> triangleLanes() {
     static constexpr TriangleLanes kLanesOf[] = {

@@ -4,8 +4,8 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "engine/lists/tile_view.h"
 #include "engine/passes/primitives.h"
-#include "engine/scene/tile_view.h"
 
 namespace nacre::passes {
 

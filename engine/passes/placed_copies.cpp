@@ -6,7 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "engine/scene/mesh_levels.h"
+#include "engine/scene/instances/mesh_levels.h"
 
 namespace nacre::passes {
 namespace {

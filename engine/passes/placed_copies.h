@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "engine/results.h"
-#include "engine/scene/camera.h"
-#include "engine/scene/chunks.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/chunks.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/view/camera.h"
 
 namespace nacre::passes {
 

@@ -1,6 +1,6 @@
 #include "engine/passes/resolve.h"
 
-#include "engine/passes/tile_bindings.h"
+#include "engine/software/tile_bindings.h"
 #include "shaders.h"
 
 namespace nacre::passes {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/passes/full_screen.h"
-#include "engine/passes/tile_frame.h"
+#include "engine/software/tile_frame.h"
 
 namespace nacre::passes {
 

@@ -7,8 +7,8 @@
 
 #include "engine/error.h"
 #include "engine/passes/corners.h"
-#include "engine/scene/colors.h"
-#include "engine/scene/mesh_levels.h"
+#include "engine/scene/color/colors.h"
+#include "engine/scene/instances/mesh_levels.h"
 
 namespace nacre::passes {
 

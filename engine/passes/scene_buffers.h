@@ -1,7 +1,7 @@
 #pragma once
 
 #include "engine/gpu/resources.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::passes {
 

@@ -2,7 +2,7 @@
 // Separates a scene's opaque triangles from those drawn in translucent layers.
 
 #include "engine/passes/scene_view.h"
-#include "engine/scene/translucency.h"
+#include "engine/scene/build/translucency.h"
 
 namespace nacre::passes {
 

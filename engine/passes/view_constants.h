@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/scene/camera.h"
+#include "engine/scene/view/camera.h"
 #include "shaders/common/layout.h"
 
 namespace nacre::passes {

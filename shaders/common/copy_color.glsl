@@ -15,7 +15,7 @@ uint copyHere() {
 
 vec3 copyColor() { return effects.copyColors[copyHere() % uint(kCopyColors)].rgb; }
 /// @param color  linear; @param bits  as they are stored: the alpha's lowest bit, if it is 0, makes the colour a tint of
-/// the copy's; the others are its opacity (engine/scene/colors.h)
+/// the copy's; the others are its opacity (engine/scene/color/colors.h)
 vec3 colorInCopy(vec3 color, uint bits) {
     if (kCopyColors == 0 || (bits >> 24 & 1u) == 1u) return color;
     return color * copyColor();

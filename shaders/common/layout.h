@@ -91,8 +91,8 @@ const uint kEdgeHeader = 4u;
 /// Maximum of colours that copies cycle through.
 const int kMostCopyColors = 16;
 
-/// Push constants of every geometry pass. Lengths in Å, view space as in engine/scene/camera.h. Z is the distance that
-/// layers report: origin - z (orthographic: origin = R, perspective: origin = eye).
+/// Push constants of every geometry pass. Lengths in Å, view space as in engine/scene/view/camera.h. Z is the distance
+/// that layers report: origin - z (orthographic: origin = R, perspective: origin = eye).
 struct ViewConstants {
     vec4 row0;  // of the current copy, xyz: a row of its rotation into view space, w: of its shift
     vec4 row1;

@@ -10,7 +10,7 @@ const float kTouching = 0.5;  // Å
 /// The surface that a pixel shows, or that a rim surrounds.
 struct Owner {
     uint copy;
-    uint group;  // chain and residue of its atom, as engine/scene/atom_groups.h packs them
+    uint group;  // chain and residue of its atom, as engine/scene/build/atom_groups.h packs them
 };
 
 /// @param index  of a primitive in its copy

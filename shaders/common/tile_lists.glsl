@@ -1,4 +1,4 @@
-// The lists of the `tiles` path (engine/scene/tile_lists.h) in its compute stages: one subgroup per tile, in chunks of
+// The lists of the `tiles` path (engine/software/tile_lists.h) in its compute stages: one subgroup per tile, in chunks of
 // as many entries as it has lanes.
 
 #include "usual.glsl"

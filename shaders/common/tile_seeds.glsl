@@ -1,4 +1,4 @@
-// What pixels begin with, where the host knows what is nearest (engine/scene/front_triangles.h).
+// What pixels begin with, where the host knows what is nearest (engine/software/front_triangles.h).
 
 /// A pixel begins with the nearest triangle, or sphere, where the host knows it: no list need name that.
 void begin(int i, uint seed, Hit hit) {

@@ -1,4 +1,4 @@
-// Constants that have one value in most pictures (engine/passes/usual_stages.h). With USUAL they have it when the stage
+// Constants that have one value in most pictures (engine/software/usual_stages.h). With USUAL they have it when the stage
 // is built: a driver, which leaves out what depends on others before each first picture, then never sees that.
 #ifndef NACRE_USUAL_GLSL
 #define NACRE_USUAL_GLSL

@@ -1,4 +1,4 @@
-// Vertices of meshes as the streams have them (engine/scene/mesh_streams.h).
+// Vertices of meshes as the streams have them (engine/scene/build/mesh_streams.h).
 #ifndef NACRE_VERTEX_GLSL
 #define NACRE_VERTEX_GLSL
 #include "patch.glsl"

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "engine/molecule/read.h"
-#include "engine/scene/palettes.h"
+#include "engine/scene/color/palettes.h"
 #include "tests/annotation/paper.h"
 
 namespace nacre::app {

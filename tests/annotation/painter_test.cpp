@@ -6,7 +6,7 @@
 
 #include "app/annotation/layout.h"
 #include "app/annotation/visual_text.h"
-#include "engine/scene/palettes.h"
+#include "engine/scene/color/palettes.h"
 #include "tests/annotation/paper.h"
 
 namespace nacre::app {

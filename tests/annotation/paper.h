@@ -4,7 +4,7 @@
 #include <array>
 #include <string>
 
-#include "engine/scene/camera.h"
+#include "engine/scene/view/camera.h"
 
 namespace nacre::app {
 

@@ -8,7 +8,7 @@
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::test {
 

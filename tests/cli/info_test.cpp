@@ -9,7 +9,7 @@
 #include "app/cli/info_interactions.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"
-#include "engine/scene/copies.h"
+#include "engine/scene/instances/copies.h"
 #include "tests/support/test_data.h"
 
 namespace nacre::app {

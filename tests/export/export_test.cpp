@@ -17,7 +17,7 @@
 #include "engine/mesh/mesh_measures.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/scene/colors.h"
+#include "engine/scene/color/colors.h"
 #include "tests/mesh/mesh_checks.h"
 #include "tests/support/run_program.h"
 

@@ -15,8 +15,8 @@
 
 namespace nacre::test {
 
-/// What windows measure unless a test says otherwise. A frame of 1280 x 720, as large as SwiftShader's are by themselves,
-/// takes it longer than all else.
+/// What windows measure unless a test says otherwise. A frame of 1280 x 720, as large as SwiftShader's are by
+/// themselves, takes it longer than all else.
 inline void haveSmallWindows() { faults::setWindowSize(160, 120); }
 
 /// Puts the layer above the validation layer, for this process and those that it starts.

@@ -7,7 +7,7 @@
 #include "app/mvs/build_scene.h"
 #include "app/mvs/scene_file.h"
 #include "engine/error.h"
-#include "engine/scene/scene_layers.h"
+#include "engine/scene/build/scene_layers.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/occlusion/atlas_layout.h"
 #include "engine/occlusion/open_texels.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 #include "tests/molecule/bcif_writer.h"
 #include "tests/molecule/expect_error.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/scene/scene_layers.h"
+#include "engine/scene/build/scene_layers.h"
 
 namespace nacre::test {
 namespace {

@@ -14,8 +14,8 @@
 #include "app/mvs/node_table.h"
 #include "app/mvs/scene_file.h"
 #include "engine/error.h"
-#include "engine/scene/scene_guide.h"
-#include "engine/scene/scene_layers.h"
+#include "engine/scene/build/scene_guide.h"
+#include "engine/scene/build/scene_layers.h"
 #include "tests/mvs/small_scene.h"
 #include "tests/support/temporary_folder.h"
 

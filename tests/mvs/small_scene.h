@@ -5,7 +5,7 @@
 
 #include "app/mvs/build_scene.h"
 #include "engine/error.h"
-#include "engine/scene/scene_guide.h"
+#include "engine/scene/build/scene_guide.h"
 
 namespace nacre::app::mvs {
 

@@ -11,7 +11,7 @@
 #include "app/mvs/build_scene.h"
 #include "app/mvs/scene_tree.h"
 #include "engine/molecule/drawn_atoms.h"
-#include "engine/scene/scene_layers.h"
+#include "engine/scene/build/scene_layers.h"
 #include "engine/volume/read_map.h"
 #include "tests/support/temporary_folder.h"
 

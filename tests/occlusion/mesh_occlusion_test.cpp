@@ -10,7 +10,7 @@
 #include "engine/mesh/cartoon.h"
 #include "engine/mesh/surface.h"
 #include "engine/molecule/kabsch_sander.h"
-#include "engine/scene/chunks.h"
+#include "engine/scene/build/chunks.h"
 #include "tests/occlusion/traced_points.h"
 #include "tests/renderer/meshes.h"
 #include "tests/renderer/scenes.h"

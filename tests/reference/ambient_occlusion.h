@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 #include "tests/reference/ray_caster.h"
 #include "tests/reference/solids.h"
 

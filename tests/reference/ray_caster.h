@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "engine/scene/camera.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/view/camera.h"
 #include "tests/reference/layers.h"
 #include "tests/reference/solids.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "engine/scene/colors.h"
+#include "engine/scene/color/colors.h"
 #include "tests/renderer/scenes.h"
 #include "tests/support/written_out.h"
 

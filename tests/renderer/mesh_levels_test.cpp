@@ -1,7 +1,7 @@
 // Cartoons drawn coarser where they are small, of copies and of models, in fog and cut: one picture on every path, and
 // off from that of all triangles by no more than was asked for.
 
-#include "engine/scene/mesh_levels.h"
+#include "engine/scene/instances/mesh_levels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/scene/camera.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/view/camera.h"
 
 namespace nacre::test {
 

@@ -1,8 +1,8 @@
 // Primitives beside a molecule: the same on every path, with depth, numbers and occlusion.
 
-#include "engine/scene/primitives.h"
+#include "engine/scene/build/primitives.h"
 
-#include "engine/scene/map_scene.h"
+#include "engine/scene/build/map_scene.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {

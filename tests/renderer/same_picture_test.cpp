@@ -249,8 +249,7 @@ TEST(Frame, OfEncodedIsOneRenderPassAndOfFragdepthOneSubpass) {
     renderer->setScene(r);
     renderer->render(s);
     // Software devices test depth after the shader: plates would spare nothing.
-    EXPECT_NE(renderer->planText().find("subpass 0 impostor colour"), std::string::npos)
-        << renderer->planText();
+    EXPECT_NE(renderer->planText().find("subpass 0 impostor colour"), std::string::npos) << renderer->planText();
     EXPECT_EQ(renderer->planText().find("subpass 1"), std::string::npos);
 }
 

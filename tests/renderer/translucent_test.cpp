@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/frame/picture.h"
-#include "engine/scene/colors.h"
+#include "engine/scene/color/colors.h"
 #include "tests/renderer/meshes.h"
 #include "tests/renderer/scenes.h"
 

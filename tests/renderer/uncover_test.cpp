@@ -1,8 +1,8 @@
 // A part of a molecule that is to be seen whole: its pixels beside those that it has alone.
 
-#include "engine/scene/uncover.h"
+#include "engine/scene/view/uncover.h"
 
-#include "engine/scene/orientation.h"
+#include "engine/scene/view/orientation.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {

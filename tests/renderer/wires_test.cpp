@@ -1,7 +1,7 @@
 // Lines of constant width: the same on every path, as wide at any zoom, and nothing to light and atoms.
 
-#include "engine/scene/colors.h"
-#include "engine/scene/translucency.h"
+#include "engine/scene/build/translucency.h"
+#include "engine/scene/color/colors.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {

@@ -1,4 +1,4 @@
-#include "engine/scene/appearance.h"
+#include "engine/scene/build/appearance.h"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,9 @@
 
 #include "engine/error.h"
 #include "engine/molecule/bonds/bonds.h"
-#include "engine/scene/colors.h"
-#include "engine/scene/palettes.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/color/colors.h"
+#include "engine/scene/color/palettes.h"
 #include "tests/molecule/build_molecule.h"
 
 namespace nacre {

@@ -1,4 +1,4 @@
-#include "engine/scene/camera.h"
+#include "engine/scene/view/camera.h"
 
 #include <gtest/gtest.h>
 

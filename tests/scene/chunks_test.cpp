@@ -1,4 +1,4 @@
-#include "engine/scene/chunks.h"
+#include "engine/scene/build/chunks.h"
 
 #include <gtest/gtest.h>
 

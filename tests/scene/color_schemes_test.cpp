@@ -1,4 +1,4 @@
-#include "engine/scene/color_schemes.h"
+#include "engine/scene/color/color_schemes.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/scene/colors.h"
-#include "engine/scene/palettes.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/color/colors.h"
+#include "engine/scene/color/palettes.h"
 #include "tests/molecule/build_molecule.h"
 #include "tests/support/test_data.h"
 

@@ -11,8 +11,8 @@
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/scene/representation.h"
-#include "engine/scene/uncover.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/view/uncover.h"
 #include "tests/support/test_data.h"
 
 namespace nacre {

@@ -1,4 +1,4 @@
-#include "engine/scene/copies.h"
+#include "engine/scene/instances/copies.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/scene/camera.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/view/camera.h"
 #include "tests/support/test_data.h"
 #include "tests/support/written_out.h"
 

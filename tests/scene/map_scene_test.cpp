@@ -1,5 +1,5 @@
 // Contours, slices and surfaces in the colours of a map's values: here the map is the place along x.
-#include "engine/scene/map_scene.h"
+#include "engine/scene/build/map_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/scene/colors.h"
-#include "engine/scene/palettes.h"
+#include "engine/scene/color/colors.h"
+#include "engine/scene/color/palettes.h"
 #include "engine/volume/read_map.h"
 
 namespace nacre {

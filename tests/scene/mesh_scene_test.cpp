@@ -1,6 +1,6 @@
 // Cartoons and surfaces among the styles of a representation.
 
-#include "engine/scene/mesh_scene.h"
+#include "engine/scene/build/mesh_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/scene/colors.h"
-#include "engine/scene/representation.h"
-#include "engine/scene/shared_frame.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/color/colors.h"
+#include "engine/scene/view/shared_frame.h"
 #include "tests/molecule/build_peptide.h"
 
 namespace nacre {

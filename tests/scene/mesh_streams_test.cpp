@@ -1,6 +1,6 @@
 // Meshes as streams: what a vertex keeps in its 16 bytes, and what is left out.
 
-#include "engine/scene/mesh_streams.h"
+#include "engine/scene/build/mesh_streams.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::test {
 namespace {

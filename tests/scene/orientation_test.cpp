@@ -1,4 +1,4 @@
-#include "engine/scene/orientation.h"
+#include "engine/scene/view/orientation.h"
 
 #include <gtest/gtest.h>
 

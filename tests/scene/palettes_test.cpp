@@ -1,6 +1,6 @@
 // What the palettes promise: that people tell their colours apart, whatever cones they have.
 
-#include "engine/scene/palettes.h"
+#include "engine/scene/color/palettes.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "engine/scene/colors.h"
+#include "engine/scene/color/colors.h"
 #include "tests/support/color_difference.h"
 
 namespace nacre {

@@ -1,6 +1,6 @@
 // Primitives: which streams they go to, how well meshes fit what they stand for, and how they join a scene.
 
-#include "engine/scene/primitives.h"
+#include "engine/scene/build/primitives.h"
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,10 @@
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/scene/colors.h"
-#include "engine/scene/map_scene.h"
-#include "engine/scene/mesh_streams.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/map_scene.h"
+#include "engine/scene/build/mesh_streams.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre {
 namespace {

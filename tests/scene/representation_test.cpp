@@ -1,4 +1,4 @@
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
-#include "engine/scene/bond_cylinders.h"
-#include "engine/scene/colors.h"
+#include "engine/scene/build/bond_cylinders.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre {
 namespace {

@@ -1,5 +1,5 @@
 // Cameras of scene files: from and to views, and what their planes cut away.
-#include "engine/scene/scene_camera.h"
+#include "engine/scene/view/scene_camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a view shows of copies, by cameras that a picture seldom has.
-#include "engine/scene/seen_copies.h"
+#include "engine/lists/seen_copies.h"
 
 #include <gtest/gtest.h>
 

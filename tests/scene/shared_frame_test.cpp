@@ -1,13 +1,13 @@
 // One camera for all models of a file.
 
-#include "engine/scene/shared_frame.h"
+#include "engine/scene/view/shared_frame.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "engine/molecule/read.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/scene/sphere_levels.h"
+#include "engine/scene/instances/sphere_levels.h"
 
 #include <gtest/gtest.h>
 

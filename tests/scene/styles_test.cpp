@@ -7,8 +7,8 @@
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/scene/carbohydrates.h"
-#include "engine/scene/representation.h"
+#include "engine/scene/build/carbohydrates.h"
+#include "engine/scene/build/representation.h"
 #include "tests/support/test_data.h"
 
 namespace nacre {

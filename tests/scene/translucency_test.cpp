@@ -1,6 +1,6 @@
 // What of a scene one looks through.
 
-#include "engine/scene/translucency.h"
+#include "engine/scene/build/translucency.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/scene/colors.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre::test {
 namespace {

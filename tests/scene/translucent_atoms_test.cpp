@@ -1,12 +1,12 @@
 // Translucent atoms and bonds of layers are triangles of that opacity.
-#include "engine/scene/translucent_atoms.h"
+#include "engine/scene/build/translucent_atoms.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <set>
 
-#include "engine/scene/colors.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/cli/options.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"
-#include "engine/scene/palettes.h"
+#include "engine/scene/color/palettes.h"
 #include "tests/support/run_program.h"
 
 namespace nacre::app {

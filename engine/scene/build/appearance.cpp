@@ -1,0 +1,337 @@
+#include "engine/scene/build/appearance.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "engine/molecule/element.h"
+#include "engine/scene/build/carbohydrates.h"
+#include "engine/scene/color/color_table.h"
+
+namespace nacre {
+namespace {
+
+constexpr std::size_t kFewDrawn = 100;  // under this a molecule with bonds reads best as ball-and-stick
+constexpr float kBallShare = 0.25f;     // of the van der Waals radius, ball-and-stick
+constexpr std::uint32_t kBase = 0;      // the style and colour for all; rule i is i + 1
+
+/// Which rules settle how a drawn atom looks.
+struct AtomLook {
+    std::uint32_t style = kBase, color = kBase;
+    bool hidden = false;
+    bool bare = false;     ///< not drawn as an atom
+    bool covered = false;  ///< nor if it is space-filling: a surface was put over it
+    bool cartoon = false, surface = false;
+    std::uint32_t cartoonRule = kBase, surfaceRule = kBase;  // that gave them
+
+    /// For all, before any rule.
+    explicit AtomLook(std::optional<Style> base)
+        : bare(base == Style::cartoon || base == Style::surface),
+          cartoon(base == Style::cartoon),
+          surface(base == Style::surface) {}
+
+    void hide() {
+        hidden = bare = true;
+        cartoon = surface = covered = false;
+    }
+    void show(std::uint32_t rule, Style wanted) {
+        hidden = false;
+        if (wanted == Style::surface) {
+            surface = covered = true;
+            surfaceRule = rule;
+        } else if (wanted == Style::cartoon) {
+            cartoon = bare = true;
+            cartoonRule = rule;
+        } else {
+            style = rule;
+            bare = covered = false;
+        }
+    }
+};
+
+std::string warningOfNothing(const Rule& rule, bool inMolecule) {
+    const char* verb = rule.action == Rule::Action::show   ? "show"
+                       : rule.action == Rule::Action::hide ? "hide"
+                                                           : "color";
+    const char* why = inMolecule ? " (all that it matches are hidden waters or hydrogens, or other conformers)" : "";
+    return "'" + rule.selection.text + "' matches no atoms to " + verb + why;
+}
+
+/// The atoms that a colouring by a table names; empty: it is another. A warning tells of rows that name none.
+std::optional<TableMatch> matchOf(const ResidueFacts& facts, const Coloring& coloring,
+                                  std::vector<std::string>& warnings) {
+    if (coloring.scheme != ColorScheme::table || !coloring.table) return std::nullopt;
+    TableMatch match = matchTable(facts, *coloring.table);
+    constexpr std::size_t kLongestSource = 80;  // a source may be the table itself
+    const std::string name = coloring.source.size() <= kLongestSource ? coloring.source : "the table of colours";
+    if (match.idle > 0)
+        warnings.push_back(std::to_string(match.idle) + " of " + std::to_string(coloring.table->rows.size()) +
+                           " rows of " + name + " match no atoms (the first: " + coloring.table->rowWord + " " +
+                           std::to_string(match.firstIdle) + ")");
+    return match;
+}
+
+/// By AtomLook::color: for all, of a rule, or a table behind those.
+const Coloring& coloringOf(const RepresentationOptions& options, std::size_t number) {
+    if (number == kBase) return options.color;
+    return number <= options.rules.size() ? options.rules[number - 1].coloring
+                                          : options.colorFrom[number - 1 - options.rules.size()];
+}
+
+std::vector<AtomLook> settle(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
+                             const RepresentationOptions& options, std::vector<std::string>& warnings) {
+    std::vector<AtomLook> looks(drawn.size(), AtomLook(options.style));
+    for (std::size_t t = 0; t < options.colorFrom.size(); ++t) {
+        const std::optional<TableMatch> match = matchOf(facts, options.colorFrom[t], warnings);
+        for (std::size_t i = 0; match && i < drawn.size(); ++i)
+            if (match->rows[drawn[i]] != TableMatch::kNone)
+                looks[i].color = static_cast<std::uint32_t>(options.rules.size() + 1 + t);
+    }
+    for (std::size_t r = 0; r < options.rules.size(); ++r) {
+        const Rule& rule = options.rules[r];
+        if (!rule.on) continue;
+        const std::vector<bool> selected = selectAtoms(facts, rule.selection);
+        const auto number = static_cast<std::uint32_t>(r + 1);
+        const std::optional<TableMatch> match = matchOf(facts, rule.coloring, warnings);
+        bool any = false;
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            if (!selected[drawn[i]]) continue;
+            any = true;
+            const bool named = !match || match->rows[drawn[i]] != TableMatch::kNone;
+            if (rule.action == Rule::Action::color && named) looks[i].color = number;
+            if (rule.action == Rule::Action::hide) looks[i].hide();
+            if (rule.action == Rule::Action::show) looks[i].show(number, rule.style);
+        }
+        const bool inMolecule = any || std::find(selected.begin(), selected.end(), true) != selected.end();
+        if (!any) warnings.push_back(warningOfNothing(rule, inMolecule));
+    }
+    return looks;
+}
+
+/// Keeps, of some seen atoms, those that are chosen. @param chosen  by slot
+/// @param opacityOf  of a slot
+template <typename OpacityOf>
+MeshAtoms meshAtomsOf(const Appearance& seen, const std::vector<bool>& chosen, const OpacityOf& opacityOf) {
+    MeshAtoms mesh;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        if (!chosen[i]) continue;
+        mesh.atoms.push_back(seen.atoms[i]);
+        mesh.colors.push_back(seen.colors[i]);
+        mesh.tints.push_back(seen.tints[i]);
+        mesh.opacity.push_back(opacityOf(i));
+    }
+    return mesh;
+}
+
+/// For some atoms, ascending, whether each is bonded to another of them.
+std::vector<bool> bondedAmong(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
+    std::vector<bool> bonded(atoms.size());
+    const auto slotOf = [&](std::uint32_t atom) {
+        const auto found = std::lower_bound(atoms.begin(), atoms.end(), atom);
+        return found != atoms.end() && *found == atom ? static_cast<std::size_t>(found - atoms.begin()) : atoms.size();
+    };
+    for (const Bond& bond : molecule.bonds) {
+        const std::size_t a = slotOf(bond.a), b = slotOf(bond.b);
+        if (a < atoms.size() && b < atoms.size()) bonded[a] = bonded[b] = true;
+    }
+    return bonded;
+}
+
+/// For each atom of the molecule, whether a backbone tube passes it.
+std::vector<bool> guideAtoms(const ResidueFacts& facts) {
+    std::vector<bool> guides(facts.molecule().atoms.size());
+    for (const std::vector<std::uint32_t>& trace : guideTraces(facts))
+        for (const std::uint32_t atom : trace) guides[atom] = true;
+    return guides;
+}
+
+/// Gives a surface over a cartoon the cartoon's colours, by the atom of each residue that the cartoon has its from,
+/// where one colouring by chain settles both. @param looks, inCartoon  of the seen atoms @param schemeOf  of a rule
+template <typename SchemeOf>
+void colorAsCartoon(const Molecule& molecule, const std::vector<AtomLook>& looks, const std::vector<bool>& inCartoon,
+                    const SchemeOf& schemeOf, Appearance& appearance) {
+    constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> shows(molecule.residues.size(), kNone);
+    const auto atomOf = [&](std::size_t i) -> const Atom& { return molecule.atoms[appearance.atoms[i]]; };
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const std::string_view name = atomOf(i).name.view();
+        if (inCartoon[i] && (name == "CA" || name == "C4'" || name == "C4*")) shows[atomOf(i).residue] = i;
+    }
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const std::size_t from = shows[atomOf(i).residue];
+        if (!inCartoon[i] || !looks[i].surface || from == kNone || looks[i].color != looks[from].color) continue;
+        if (schemeOf(looks[i].color) == ColorScheme::chainCarbons) appearance.colors[i] = appearance.colors[from];
+    }
+}
+
+/// Parts all that is seen by how it is drawn. @param looks  of the seen atoms
+void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, const RepresentationOptions& options,
+                 Appearance& appearance) {
+    const std::vector<Rule>& rules = options.rules;
+    const std::size_t count = appearance.atoms.size();
+    std::vector<bool> inCartoon(count), inSurface(count);
+    std::vector<std::uint32_t> wanted;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (looks[i].cartoon) wanted.push_back(appearance.atoms[i]);
+        inSurface[i] = looks[i].surface;
+    }
+    if (!wanted.empty()) {
+        const std::vector<std::uint32_t> drawn = atomsOfCartoon(facts, wanted);
+        for (std::size_t i = 0; i < count; ++i)
+            inCartoon[i] = looks[i].cartoon && std::binary_search(drawn.begin(), drawn.end(), appearance.atoms[i]);
+    }
+    const auto styleOf = [&](std::size_t i) {
+        return looks[i].style == kBase ? appearance.style : rules[looks[i].style - 1].style;
+    };
+    const bool anyBackbone =
+        std::any_of(rules.begin(), rules.end(), [](const Rule& r) { return r.style == Style::backbone; }) ||
+        appearance.style == Style::backbone;
+    const std::vector<bool> guides = anyBackbone ? guideAtoms(facts) : std::vector<bool>();
+    const std::vector<bool> bonded =
+        wanted.empty() && !anyBackbone ? std::vector<bool>() : bondedAmong(facts.molecule(), appearance.atoms);
+    std::vector<bool> inLines(count), inSugars(count);
+    Appearance atoms;
+    for (std::size_t i = 0; i < count; ++i) {
+        Style style = styleOf(i);
+        const bool left = looks[i].bare && looks[i].cartoon && !inCartoon[i];
+        if (!left && (looks[i].bare || (looks[i].covered && style == Style::spacefill))) continue;
+        const std::uint32_t atom = appearance.atoms[i], residue = facts.molecule().atoms[atom].residue;
+        const bool symbols = left ? options.carbohydrates != Carbohydrates::off : style == Style::carbohydrate;
+        inSugars[i] = symbols && isSugar(facts.molecule(), residue);
+        if (inSugars[i] ? !left || options.carbohydrates == Carbohydrates::on : !left && symbols) continue;
+        if (left || (style == Style::backbone && !facts.isPolymer(residue)))
+            style = bonded[i] ? Style::licorice : Style::ballAndStick;
+        inLines[i] = style == Style::line;
+        if (inLines[i] || (style == Style::backbone && !guides[atom])) continue;
+        atoms.atoms.push_back(appearance.atoms[i]);
+        atoms.styles.push_back(style);
+        atoms.colors.push_back(appearance.colors[i]);
+        atoms.tints.push_back(appearance.tints[i]);
+    }
+    if (!wanted.empty())
+        colorAsCartoon(
+            facts.molecule(), looks, inCartoon,
+            [&](std::uint32_t number) { return coloringOf(options, number).scheme; }, appearance);
+    const auto opacity = [&](std::uint32_t rule, double ofAll) {
+        return rule == kBase ? ofAll : rules[rule - 1].opacity.value_or(ofAll);
+    };
+    appearance.cartoon = meshAtomsOf(
+        appearance, inCartoon, [&](std::size_t i) { return opacity(looks[i].cartoonRule, options.cartoonOpacity); });
+    appearance.surface = meshAtomsOf(
+        appearance, inSurface, [&](std::size_t i) { return opacity(looks[i].surfaceRule, options.surfaceOpacity); });
+    const auto opaque = [](std::size_t) { return 1.0; };
+    appearance.lines = meshAtomsOf(appearance, inLines, opaque);
+    appearance.sugars = meshAtomsOf(appearance, inSugars, opaque);
+    appearance.seen = count;
+    appearance.atoms = std::move(atoms.atoms);
+    appearance.styles = std::move(atoms.styles);
+    appearance.colors = std::move(atoms.colors);
+    appearance.tints = std::move(atoms.tints);
+    if (appearance.atoms.empty() && appearance.cartoon.atoms.empty() && appearance.surface.atoms.empty() &&
+        appearance.lines.atoms.empty() && appearance.sugars.atoms.empty())
+        appearance.seen = 0;
+}
+
+/// A colouring with the general palette, if its kind fits and it names none itself.
+Coloring withPalette(Coloring coloring, Palette palette) {
+    const PaletteUse use = paletteUse(coloring.scheme);
+    const bool fits = palette != Palette::automatic && use == (isRamp(palette) ? PaletteUse::ramp : PaletteUse::kinds);
+    if (fits && coloring.palette == Palette::automatic) coloring.palette = palette;
+    return coloring;
+}
+
+/// Colours the atoms that one colouring settles, and adds its legend.
+void color(const ResidueFacts& facts, const Coloring& coloring, const std::string& selection,
+           const std::vector<std::uint32_t>& slots, Appearance& appearance) {
+    std::vector<std::uint32_t> atoms;
+    atoms.reserve(slots.size());
+    for (const std::uint32_t slot : slots) atoms.push_back(appearance.atoms[slot]);
+    ColoredAtoms colored = colorAtoms(facts, atoms, coloring);
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        appearance.colors[slots[i]] = colored.colors[i];
+        appearance.tints[slots[i]] = colored.tints.empty() ? 0 : colored.tints[i];
+    }
+    const std::string scheme = coloringText(coloring);
+    if (!colored.warning.empty()) appearance.warnings.push_back("colour by " + scheme + ": " + colored.warning);
+    appearance.legends.push_back({selection, scheme, std::move(colored.legend), colored.ramp, colored.stops});
+}
+
+}  // namespace
+
+Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
+                        const RepresentationOptions& options) {
+    const std::vector<Rule>& rules = options.rules;
+    Appearance appearance;
+    std::vector<AtomLook> looks = settle(facts, drawn, options, appearance.warnings);
+    std::vector<std::vector<std::uint32_t>> slotsOfColoring(rules.size() + options.colorFrom.size() + 1);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        if (looks[i].hidden) continue;
+        slotsOfColoring[looks[i].color].push_back(static_cast<std::uint32_t>(appearance.atoms.size()));
+        appearance.atoms.push_back(drawn[i]);
+    }
+    appearance.style = options.style.value_or(defaultStyle(facts.molecule(), appearance.atoms, options.usual));
+    std::erase_if(looks, [](const AtomLook& look) { return look.hidden; });
+    appearance.colors.resize(appearance.atoms.size());
+    appearance.tints.resize(appearance.atoms.size());
+    for (std::size_t i = 0; i < slotsOfColoring.size(); ++i) {
+        if (slotsOfColoring[i].empty()) continue;
+        const bool ofRule = i != kBase && i <= rules.size();
+        color(facts, withPalette(coloringOf(options, i), options.palette), ofRule ? rules[i - 1].selection.text : "all",
+              slotsOfColoring[i], appearance);
+    }
+    partByStyle(facts, looks, options, appearance);
+    return appearance;
+}
+
+bool Appearance::anyByCopy() const {
+    const auto any = [](const std::vector<std::uint32_t>& list) {
+        return std::any_of(list.begin(), list.end(), [](std::uint32_t tint) { return tint != 0; });
+    };
+    return any(tints) || any(cartoon.tints) || any(surface.tints) || any(lines.tints);
+}
+
+SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance) {
+    SeenBalls seen;
+    const auto add = [&](std::uint32_t index, Style style) {
+        const Atom& atom = molecule.atoms[index];
+        seen.atoms.push_back(index);
+        seen.balls.emplace_back(atom.position, drawnRadius(atom.element, style));
+    };
+    for (std::size_t i = 0; i < appearance.atoms.size(); ++i) add(appearance.atoms[i], appearance.styles[i]);
+    for (const std::uint32_t atom : appearance.cartoon.atoms) add(atom, Style::cartoon);
+    for (const std::uint32_t atom : appearance.surface.atoms) add(atom, Style::surface);
+    for (const std::uint32_t atom : appearance.lines.atoms) add(atom, Style::line);
+    for (const std::uint32_t atom : appearance.sugars.atoms) add(atom, Style::carbohydrate);
+    return seen;
+}
+
+float drawnRadius(Element element, Style style) {
+    switch (style) {
+        case Style::ballAndStick:
+            return kBallShare * vanDerWaalsRadius(element);
+        case Style::licorice:
+            return kLicoriceRadius;
+        case Style::cartoon:
+        case Style::carbohydrate:
+            return kCartoonReach;
+        case Style::backbone:
+            return kBackboneRadius;
+        case Style::line:
+            return 0.1f;
+        case Style::spacefill:
+        case Style::surface:
+            break;
+    }
+    return vanDerWaalsRadius(element);
+}
+
+Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn, Style usual) {
+    if (drawn.size() >= kFewDrawn) return usual;
+    const auto isDrawn = [&](std::uint32_t atom) { return std::binary_search(drawn.begin(), drawn.end(), atom); };
+    const bool bonded = std::any_of(molecule.bonds.begin(), molecule.bonds.end(), [&](const Bond& bond) {
+        return isDrawn(bond.a) && isDrawn(bond.b) && molecule.atoms[bond.a].position != molecule.atoms[bond.b].position;
+    });
+    return bonded ? Style::ballAndStick : Style::spacefill;
+}
+
+}  // namespace nacre

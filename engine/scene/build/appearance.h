@@ -1,0 +1,130 @@
+#pragma once
+// Which atoms are drawn, in what style and colour: one style and colour for all, then rules in order.
+
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/mesh/cartoon.h"
+#include "engine/mesh/surface.h"
+#include "engine/molecule/molecule.h"
+#include "engine/molecule/selection/selection.h"
+#include "engine/scene/build/contacts.h"
+#include "engine/scene/color/color_schemes.h"
+
+namespace nacre {
+
+/// The first three draw atoms. A cartoon replaces its residues' atoms; atoms that it does not draw (ligands, ions)
+/// become licorice, or small balls without bonds. A surface is added to the rest, but replaces space-filling atoms,
+/// which are as large.
+///
+/// Lines are bonds of constant width in the picture. A backbone is a tube through alpha carbons or phosphates;
+/// carbohydrate draws sugars as symbols (carbohydrates.h). Both leave other atoms as a cartoon does.
+enum class Style { spacefill, ballAndStick, licorice, cartoon, surface, line, backbone, carbohydrate };
+
+/// Sugars beside a cartoon: as any ligand, as symbols, or as small symbols within their licorice.
+enum class Carbohydrates : std::uint8_t { off, on, icon };
+
+/// Bonds whose order is drawn: none, those outside polymers, all.
+enum class BondOrders : std::uint8_t { off, ligands, on };
+/// The inner line of an aromatic ring: dashes along each bond, or a circle.
+enum class AromaticForm : std::uint8_t { dashes, ring };
+
+constexpr double kLeastOpacity = 0.01;  ///< of a cartoon or surface; less would be invisible
+
+/// One of `--show`, `--hide`, `--color-by`. A later rule overrides an earlier one.
+struct Rule {
+    enum class Action {
+        /// Sets a style, and shows again what an earlier rule hid. Atoms with an atom style keep their cartoon and
+        /// surface until these are hidden.
+        show,
+        hide,
+        color
+    };
+    Action action = Action::show;
+    Selection selection;
+    Style style = Style::spacefill;      ///< for show
+    Coloring coloring;                   ///< for color
+    bool on = true;                      ///< false: the rule has no effect
+    std::optional<double> opacity = {};  ///< of the shown cartoon or surface; empty: the default
+    friend bool operator==(const Rule&, const Rule&) = default;
+};
+
+struct RepresentationOptions {
+    std::optional<Style> style;  ///< empty: defaultStyle() of the atoms that the rules leave
+    Coloring color = ColorScheme::element;
+    std::vector<Rule> rules = {};
+    std::string assembly = {};             ///< identifier from the file; empty: no assembly
+    Palette palette = Palette::automatic;  ///< for schemes without one of their own, if it is of their kind
+    bool ownFrame = false;                 ///< the camera frames this model alone, not all models of its file
+    CartoonOptions cartoon = {};
+    SurfaceOptions surface = {};
+    double cartoonOpacity = 1, surfaceOpacity = 1;  ///< kLeastOpacity to 1, where no rule sets one
+    bool modelsOcclude = false;                     ///< models drawn together occlude each other
+    ContactOptions contacts = {};
+    std::vector<Coloring> colorFrom = {};  ///< tables: override `color`; rules override them; the last one wins
+    Carbohydrates carbohydrates = Carbohydrates::off;
+    double sugarScale = 1;    ///< of symbols
+    bool sugarColors = true;  ///< those of the symbols; false: those of the sugars' atoms
+    double lineWidth = 1.5;   ///< of Style::line, pixels
+    BondOrders bondOrders = BondOrders::ligands;
+    AromaticForm aromatic = AromaticForm::dashes;
+    Style usual = Style::spacefill;  ///< for defaultStyle()
+    friend bool operator==(const RepresentationOptions&, const RepresentationOptions&) = default;
+};
+
+/// Legend of a colour scheme for some atoms.
+struct Legend {
+    std::string selection;  ///< "all", or the text of the rule's selection
+    std::string scheme;     ///< coloringText()
+    std::vector<LegendEntry> entries;
+    Palette ramp = Palette::automatic;  ///< palette of the first `stops` entries, which are evenly spaced
+    std::size_t stops = 0;              ///< the other entries are classes
+};
+
+/// Atoms drawn as one kind of mesh.
+struct MeshAtoms {
+    std::vector<std::uint32_t> atoms;  ///< ascending
+    std::vector<std::uint32_t> colors;
+    std::vector<std::uint32_t> tints;  ///< as in Appearance
+    std::vector<double> opacity;       ///< 1: opaque
+};
+
+struct Appearance {
+    std::vector<std::uint32_t> atoms;  ///< atoms drawn as atoms, ascending
+    Style style = Style::spacefill;    ///< where no rule sets one
+    std::vector<Style> styles;         ///< same length as atoms; atom styles and backbone only
+    std::vector<std::uint32_t> colors;
+    std::vector<std::uint32_t> tints;           ///< same length as atoms: tint of the copy's colour (colors.h); 0: none
+    MeshAtoms cartoon, surface, lines, sugars;  ///< lines and sugars have no opacity
+    bool anyByCopy() const;
+    std::size_t seen = 0;               ///< atoms drawn in any style
+    std::vector<Legend> legends;        ///< of every scheme that is visible somewhere
+    std::vector<std::string> warnings;  ///< rules that match nothing, schemes without data in the file
+};
+
+/// Rules select among the drawn atoms only: hidden waters or other conformers stay hidden.
+/// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending
+Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
+                        const RepresentationOptions& options);
+
+/// Everything drawn, as spheres: atoms with their style's radius, then atoms of meshes with a similar reach.
+struct SeenBalls {
+    std::vector<std::uint32_t> atoms;
+    std::vector<glm::dvec4> balls;  ///< of each: centre (Å, in the file's frame) and radius
+};
+SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance);
+
+constexpr float kLicoriceRadius = 0.25f;  ///< of atoms and bonds, Å
+constexpr float kBackboneRadius = 0.3f;   ///< Å
+constexpr float kCartoonReach = 2.5f;     ///< largest distance of a cartoon from an atom, Å
+/// Radius of an atom's sphere, Å; for cartoons kCartoonReach.
+float drawnRadius(Element element, Style style);
+
+/// The default style: ball-and-stick for fewer than 100 drawn atoms with bonds, else spacefill, or another one.
+Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn, Style usual = Style::spacefill);
+
+}  // namespace nacre

@@ -1,0 +1,205 @@
+#include "engine/scene/build/chunks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace nacre {
+namespace {
+
+constexpr float kMost = std::numeric_limits<float>::max();
+
+/// A ball about a primitive.
+Chunk ballOf(const Sphere& s) { return {s.center, s.radius}; }
+Chunk ballOf(const Cylinder& c) {
+    const glm::vec3 half = (c.b - c.a) * 0.5f;
+    return {c.a + half, std::sqrt(glm::dot(half, half) + c.radius * c.radius)};
+}
+
+/// A ball about a triangle.
+class BallOfTriangle {
+public:
+    explicit BallOfTriangle(const Representation& r) : vertices_(r.meshVertices) {}
+    Chunk operator()(const Triangle& t) const {
+        const glm::vec3 a = positionOf(vertices_[t.a], t.step), b = positionOf(vertices_[t.b], t.step),
+                        c = positionOf(vertices_[t.c], t.step);
+        const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+        return {(low + high) * 0.5f, glm::length(high - low) * 0.5f};
+    }
+
+private:
+    const std::vector<MeshVertex>& vertices_;
+};
+
+/// @param ballOf  of the primitive of a number
+template <typename BallOf>
+std::vector<Chunk> chunksOfStream(std::size_t count, const BallOf& ballOf) {
+    std::vector<Chunk> chunks;
+    chunks.reserve(count / Chunk::kPrimitives + 1);
+    for (std::size_t first = 0; first < count; first += Chunk::kPrimitives) {
+        const std::size_t end = std::min<std::size_t>(first + Chunk::kPrimitives, count);
+        glm::vec3 low(kMost), high(-kMost);
+        for (std::size_t i = first; i < end; ++i) {
+            const glm::vec3 center = ballOf(i).center;
+            low = glm::min(low, center);
+            high = glm::max(high, center);
+        }
+        Chunk chunk{low * 0.5f + high * 0.5f, 0};
+        for (std::size_t i = first; i < end; ++i) {
+            const Chunk ball = ballOf(i);
+            const float reach = glm::length(ball.center - chunk.center) + ball.radius;
+            chunk.radius = std::isfinite(reach) ? std::max(chunk.radius, reach * 1.00001f) : kMost;
+        }
+        if (!std::isfinite(chunk.center.x + chunk.center.y + chunk.center.z)) chunk = {{}, kMost};
+        chunks.push_back(chunk);
+    }
+    return chunks;
+}
+
+/// The lower ten bits, two places apart.
+std::uint32_t spread(std::uint32_t bits) {
+    bits = (bits | bits << 16) & 0x030000ffu;
+    bits = (bits | bits << 8) & 0x0300f00fu;
+    bits = (bits | bits << 4) & 0x030c30c3u;
+    return (bits | bits << 2) & 0x09249249u;
+}
+
+/// Numbers of a stream's primitives in the order that they are to have: where the runs begin, they stay apart.
+template <typename Primitive>
+std::vector<std::uint32_t> mortonOrder(const std::vector<Primitive>& stream, const std::vector<std::uint32_t>& starts) {
+    glm::vec3 low(kMost), high(-kMost);
+    for (const Primitive& p : stream) {
+        const glm::vec3 center = ballOf(p).center;
+        low = glm::min(low, center);
+        high = glm::max(high, center);
+    }
+    const float side = std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-3f});
+    std::vector<std::uint64_t> keys(stream.size());  // code, number
+    for (std::uint32_t i = 0; i < stream.size(); ++i) {
+        const glm::vec3 at = (ballOf(stream[i]).center - low) / side * 1023.0f;
+        std::uint32_t code = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            code |= spread(at[axis] > 0 ? static_cast<std::uint32_t>(std::min(at[axis], 1023.0f)) : 0) << axis;
+        keys[i] = std::uint64_t{code} << 32 | i;
+    }
+    for (std::size_t run = 0; run + 1 < starts.size(); ++run)
+        std::sort(keys.begin() + starts[run], keys.begin() + starts[run + 1]);
+    std::vector<std::uint32_t> order(stream.size());
+    std::transform(keys.begin(), keys.end(), order.begin(),
+                   [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+    return order;
+}
+
+/// Where runs of either kind begin, and the end of the last.
+std::vector<std::uint32_t> startsOf(const std::vector<PrimitiveRun>& copies, const std::vector<ModelRun>& models,
+                                    std::size_t count) {
+    std::vector<std::uint32_t> starts{0, static_cast<std::uint32_t>(count)};
+    for (const PrimitiveRun& run : copies) starts.push_back(run.first);
+    for (const ModelRun& run : models) starts.push_back(run.first);
+    std::sort(starts.begin(), starts.end());
+    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+    return starts;
+}
+
+struct Place {
+    glm::vec3 at{};
+    std::uint32_t number = 0;
+};
+
+/// Halves some places across their longest side, until each box has its own: smaller boxes than those of Morton order.
+/// @param first, end  in the stream: the cut is where most halvings of the stream meet, so that boxes of a group are
+/// neighbours, too
+void halve(Place* places, std::uint32_t first, std::uint32_t end) {
+    std::uint32_t cut = first, size = SphereBoxes::kSpheres;
+    while (size < end && (end - 1) / size * size > first) {
+        cut = (end - 1) / size * size;
+        size *= 2;
+    }
+    if (cut == first) {
+        std::sort(places, places + (end - first), [](const Place& a, const Place& b) { return a.number < b.number; });
+        return;
+    }
+    glm::vec3 low(kMost), high(-kMost);
+    for (const Place* p = places; p < places + (end - first); ++p) {
+        low = glm::min(low, p->at);
+        high = glm::max(high, p->at);
+    }
+    const glm::vec3 extent = high - low;
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    std::nth_element(places, places + (cut - first), places + (end - first), [axis](const Place& a, const Place& b) {
+        return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.number < b.number;
+    });
+    halve(places, first, cut);
+    halve(places + (cut - first), cut, end);
+}
+
+/// Numbers of spheres in an order of small boxes: where the runs begin, they stay apart.
+std::vector<std::uint32_t> orderInBoxes(const std::vector<Sphere>& stream, const std::vector<std::uint32_t>& starts) {
+    std::vector<Place> places(stream.size());
+    for (std::uint32_t i = 0; i < stream.size(); ++i) {
+        const glm::vec3 at = stream[i].center;
+        const bool number = std::isfinite(at.x + at.y + at.z);
+        places[i] = {number ? at : glm::vec3(0), i};
+    }
+    for (std::size_t run = 0; run + 1 < starts.size(); ++run)
+        if (starts[run] < starts[run + 1]) halve(places.data() + starts[run], starts[run], starts[run + 1]);
+    std::vector<std::uint32_t> order(stream.size());
+    std::transform(places.begin(), places.end(), order.begin(), [](const Place& p) { return p.number; });
+    return order;
+}
+
+/// Copies are drawn often, and their spheres are few: they are worth an order of their own. It is not the stream's,
+/// since that decides which of two spheres shows where both are equally near.
+SphereBoxes boxesOf(const Representation& r) {
+    if (r.copies.transforms.empty()) return sphereBoxesOf(r.spheres);
+    std::vector<std::uint32_t> starts = startsOf(r.copies.spheres, r.sphereModels, r.spheres.size());
+    std::vector<std::uint32_t> numbers = orderInBoxes(r.spheres, starts);
+    std::vector<Sphere> spheres(numbers.size());
+    for (std::size_t i = 0; i < numbers.size(); ++i) spheres[i] = r.spheres[numbers[i]];
+    SphereBoxes boxes = sphereBoxesOf(spheres);
+    boxes.spheres = std::move(spheres);
+    boxes.numbers = std::move(numbers);
+    boxes.starts = std::move(starts);
+    return boxes;
+}
+
+template <typename T>
+void reorder(std::vector<T>& stream, const std::vector<std::uint32_t>& order) {
+    std::vector<T> sorted(stream.size());
+    for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = stream[order[i]];
+    stream = std::move(sorted);
+}
+
+}  // namespace
+
+Chunks chunksOf(const Representation& r) {
+    const BallOfTriangle ballOfTriangle(r);
+    return {
+        chunksOfStream(r.spheres.size(), [&](std::size_t i) { return ballOf(r.spheres[i]); }),
+        chunksOfStream(r.cylinders.size() + r.wires.size(),
+                       [&](std::size_t i) {
+                           return ballOf(i < r.cylinders.size() ? r.cylinders[i] : r.wires[i - r.cylinders.size()]);
+                       }),
+        chunksOfStream(r.triangles.size() + r.coarseTriangles.size(),
+                       [&](std::size_t i) { return ballOfTriangle(drawnTriangle(r, i)); }),
+        boxesOf(r),
+    };
+}
+
+StreamOrder orderInSpace(Representation& r) {
+    StreamOrder order{mortonOrder(r.spheres, startsOf(r.copies.spheres, r.sphereModels, r.spheres.size())),
+                      mortonOrder(r.cylinders, startsOf(r.copies.cylinders, r.cylinderModels, r.cylinders.size()))};
+    putInOrder(r, order);
+    return order;
+}
+
+void putInOrder(Representation& r, const StreamOrder& order) {
+    reorder(r.spheres, order.spheres);
+    reorder(r.sphereLooks, order.spheres);
+    reorder(r.cylinders, order.cylinders);
+    reorder(r.cylinderLooks, order.cylinders);
+}
+
+}  // namespace nacre

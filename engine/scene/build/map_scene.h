@@ -1,0 +1,44 @@
+#pragma once
+// Density maps in a scene: isosurfaces as wires, surfaces or dots.
+
+#include <cstdint>
+
+#include "engine/mesh/isosurface.h"
+#include "engine/scene/build/map_style.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/color/value_colors.h"
+
+namespace nacre {
+
+struct MapContour {
+    double level = 0;
+    bool above = true;  ///< encloses higher values; false: lower ones
+    MapStyle style = MapStyle::mesh;
+    std::uint32_t color = 0;                ///< as SphereLook has it
+    double opacity = 1;                     ///< of surfaces
+    double width = 1.5;                     ///< of lines and dots, pixels
+    const ValueColoring* values = nullptr;  ///< of another map, by which the contour is coloured; null: `color`
+};
+
+/// Adds a map's contour to a scene of maps alone, about its centre. Its pixels name no atom. Enlarges the scene's
+/// radius to hold it. @throws Error if it is too large
+void addContour(const MapRegion& region, const MapContour& contour, Representation& maps);
+
+/// A plane of a map's grid, across one of its axes.
+struct MapSlice {
+    int axis = 2;        ///< 0, 1, 2: across a, b, c
+    double place = 0.5;  ///< along it, 0..1 of the region
+    double opacity = 1;
+};
+constexpr std::size_t kMostSliceNodes = 4'000'000;
+
+/// Adds a slice through a region in the colours of its values, likewise. Where nothing is known it has holes.
+/// @throws Error if it is too large
+void addSlice(const MapRegion& region, const MapSlice& slice, const ValueColoring& values, Representation& maps);
+
+/// Draws beside what a scene shows what another does about the same centre, as maps and primitives: it stands still,
+/// whatever copies or models the scene has, and the numbers of its looks follow the scene's. The radius holds both.
+/// Search the scene by atom before this: afterwards its looks stand for other things, too.
+void joinScenes(Representation& scene, const Representation& others);
+
+}  // namespace nacre

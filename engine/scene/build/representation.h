@@ -1,0 +1,137 @@
+#pragma once
+// Molecule + appearance -> the primitive streams that the GPU draws. Makes no Vulkan calls.
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/molecule/molecule.h"
+#include "engine/scene/build/appearance.h"
+#include "engine/scene/build/bond_orders.h"
+#include "engine/scene/build/contact_lines.h"
+#include "engine/scene/build/contacts.h"
+#include "engine/scene/build/mesh_streams.h"
+#include "engine/scene/instances/copies.h"
+#include "engine/scene/view/bounds.h"
+
+namespace nacre {
+
+/// Stream A, read by geometry passes. 16 bytes.
+struct Sphere {
+    glm::vec3 center;  ///< Å, relative to Representation::center
+    float radius;      ///< Å
+};
+/// Stream B, read by shading passes as well. 8 bytes.
+struct SphereLook {
+    std::uint32_t color;  ///< sRGB, 8 bits per channel, red in the lowest byte
+    std::uint32_t atom;  ///< 1-based position of the atom in its file; beyond, contacts, then notes of primitives; or 0
+};
+
+/// A cylinder with flat caps from a to b. 32 bytes.
+struct Cylinder {
+    glm::vec3 a;   ///< Å, relative to Representation::center
+    float radius;  ///< Å
+    glm::vec3 b;
+    float perLength = 0;  ///< 1 / Å; set on upload, for the device only
+};
+struct CylinderLook {
+    std::uint32_t colorA, colorB;  ///< of the halves next to a and b
+    std::uint32_t atomA, atomB;
+};
+
+/// Consecutive spheres, cylinders or triangles of one of several models.
+struct ModelRun {
+    std::uint32_t first = 0, count = 0;
+    std::uint32_t model = 0;  ///< from 0
+};
+
+struct Representation {
+    std::vector<Sphere> spheres;
+    std::vector<SphereLook> sphereLooks;  ///< same length as spheres
+    std::vector<Cylinder> cylinders;
+    std::vector<CylinderLook> cylinderLooks;  ///< same length as cylinders
+    /// Lines of constant screen width for density maps. `radius` is minus half the width in pixels. They have no
+    /// occlusion and cast no shadow. On the device they follow the cylinders.
+    std::vector<Cylinder> wires;
+    std::vector<CylinderLook> wireLooks;  ///< same length as wires
+    std::vector<Triangle> triangles;      ///< of cartoons and surfaces
+    std::vector<MeshVertex> meshVertices;
+    std::vector<MeshRun> meshes;            ///< all triangles together, in their order
+    std::vector<Triangle> coarseTriangles;  ///< of the meshes' levels: numbered on from the others where both are drawn
+    std::vector<SphereLook> meshLooks;      ///< that vertices share
+    /// Triangles go over from corner to corner in colour; else a point has that of the nearest corner.
+    bool blendsColors = false;
+    std::vector<std::uint32_t> atomGroups;  ///< of the file's atoms in their order (atom_groups.h), then of contacts
+    Copies copies;                          ///< of an assembly; relative to center, too
+    /// Models that are drawn together and do not occlude each other, in the order of the primitives; together all of
+    /// them. Empty: whatever is drawn occludes.
+    std::vector<ModelRun> sphereModels, cylinderModels, triangleModels;
+    /// Centre of the axis-aligned box of the drawn atoms' centres, Å, in the file's frame; over all models of the file,
+    /// if they share a camera.
+    glm::dvec3 center{};
+    double radius = 0;           ///< max(|p - center| + r) over the same spheres and the meshes' vertices, Å
+    std::size_t drawnAtoms = 0;  ///< in all copies
+    std::size_t drawnBonds = 0;
+    Style style = Style::spacefill;     ///< where no rule sets one
+    std::vector<Legend> legends;        ///< meaning of the colours
+    std::vector<std::string> warnings;  ///< rules and schemes without effect, one sentence each
+    std::vector<DrawnContact> contacts;
+    std::uint32_t firstContact = 0;  ///< a look's number for the first contact; above every atom's
+
+    /// The contact with a look's number; null if the number is an atom's.
+    const DrawnContact* contactOf(std::uint32_t number) const {
+        const bool any = !contacts.empty() && number >= firstContact && number - firstContact < contacts.size();
+        return any ? &contacts[number - firstContact] : nullptr;
+    }
+    /// The note, counted from 1, of a primitive that was joined to this (joinScenes()), by its number; 0: it is none's.
+    std::uint32_t noteOf(std::uint32_t number) const {
+        return number > atomGroups.size() ? number - static_cast<std::uint32_t>(atomGroups.size()) : 0;
+    }
+    /// The 1-based atom with a look's number; for a contact its first atom.
+    std::uint32_t atomOf(std::uint32_t number) const {
+        const DrawnContact* contact = contactOf(number);
+        return contact ? contact->interaction.a.atoms.front() + 1 : number;
+    }
+};
+
+/// A bond is drawn if both its atoms are and either has a style with bonds; it takes the stouter style of the two:
+/// licorice before ball-and-stick, so that no stick changes its width halfway. In a space-filling atom it just ends.
+/// Cartoons and surfaces are made of what has the same copies, or of a model, by itself.
+/// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending, of which the rules may hide some
+/// An assembly stores atoms and bonds once, sorted by their copies; a bond is drawn where both its atoms are,
+/// and none joins two copies. Interactions do: such a one is stored in the frame of the first of its two copies.
+/// @param frame  the view's center and radius (shared_frame.h), which hold all that is drawn; empty: just that
+/// @throws Error if no atom is left, there is no such assembly, it has 2^32 primitives or more, or they lie over one
+/// another more than 10,000 times
+Representation represent(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
+                         const RepresentationOptions& options, const std::optional<Bounds>& frame = {});
+
+/// A molecule whose atoms move: selected, styled and coloured once, by the first positions, with one camera. Selections
+/// by distance keep their first atoms.
+class MovingScene {
+public:
+    /// As represent(). @throws Error for an assembly: its copies do not move
+    MovingScene(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, const RepresentationOptions& options,
+                const std::optional<Bounds>& frame = {});
+
+    /// Its centre is that of the first positions, or of the frame; its radius always holds every atom.
+    const Representation& scene() const { return scene_; }
+    /// @param molecule  the same with other positions @throws Error as represent()
+    void move(const Molecule& molecule);
+
+private:
+    void moveContacts(const Molecule& molecule, std::vector<PlacedContact> contacts);
+
+    Representation scene_;
+    Appearance appearance_;
+    RepresentationOptions options_;
+    ResidueFacts facts_;  ///< with the first positions
+    std::optional<DrawnOrders> orders_;
+    std::optional<ContactFinder> finder_;
+    std::size_t mostSpheres_ = 0, mostCylinders_ = 0;  ///< maxima for contacts so far
+};
+
+}  // namespace nacre

@@ -1,0 +1,384 @@
+#include "engine/scene/build/scene_layers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
+
+#include "engine/error.h"
+#include "engine/molecule/element.h"
+#include "engine/scene/build/atom_groups.h"
+#include "engine/scene/build/bond_drawing.h"
+#include "engine/scene/build/carbohydrates.h"
+#include "engine/scene/build/crowd.h"
+#include "engine/scene/build/join_parts.h"
+#include "engine/scene/build/line_drawing.h"
+#include "engine/scene/build/mesh_scene.h"
+#include "engine/scene/build/translucent_atoms.h"
+
+namespace nacre {
+namespace {
+
+constexpr std::size_t kMostWires = 10'000'000;
+
+/// Keeps those atoms of a layer that `wanted(slot)` says.
+template <typename Wanted>
+SceneLayer filtered(const SceneLayer& layer, const Wanted& wanted) {
+    SceneLayer kept = layer;
+    kept.atoms.clear(), kept.colors.clear(), kept.opacity.clear();
+    for (std::size_t i = 0; i < layer.atoms.size(); ++i) {
+        if (!wanted(i)) continue;
+        kept.atoms.push_back(layer.atoms[i]);
+        kept.colors.push_back(layer.colors[i]);
+        if (!layer.opacity.empty()) kept.opacity.push_back(layer.opacity[i]);
+    }
+    return kept;
+}
+
+/// A layer of all atoms that `chosen` has of some, in one colouring.
+SceneLayer newLayer(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, const std::vector<bool>* chosen,
+                    Style style, const Coloring& coloring, const RepresentationOptions& options, double opacity) {
+    SceneLayer layer;
+    layer.style = style;
+    layer.cartoon = options.cartoon;
+    layer.surface = options.surface;
+    for (const std::uint32_t atom : drawn)
+        if (!chosen || (*chosen)[atom]) layer.atoms.push_back(atom);
+    layer.colors = colorAtoms(facts, layer.atoms, coloring).colors;
+    if (opacity < 1) layer.opacity.assign(layer.atoms.size(), static_cast<float>(opacity));
+    return layer;
+}
+
+void recolorLayers(const ResidueFacts& facts, const std::vector<bool>* chosen, const Coloring& coloring,
+                   const std::string& selection, GuidedLayers& result) {
+    std::vector<std::uint32_t> atoms;
+    for (const SceneLayer& layer : result.layers)
+        std::copy_if(layer.atoms.begin(), layer.atoms.end(), std::back_inserter(atoms),
+                     [&](std::uint32_t atom) { return !chosen || (*chosen)[atom]; });
+    std::sort(atoms.begin(), atoms.end());
+    atoms.erase(std::unique(atoms.begin(), atoms.end()), atoms.end());
+    if (atoms.empty()) {
+        result.warnings.push_back("'" + selection + "' matches no atoms to color");
+        return;
+    }
+    ColoredAtoms colored = colorAtoms(facts, atoms, coloring);
+    for (SceneLayer& layer : result.layers)
+        for (std::size_t i = 0; i < layer.atoms.size(); ++i) {
+            const auto at = std::lower_bound(atoms.begin(), atoms.end(), layer.atoms[i]);
+            if (at != atoms.end() && *at == layer.atoms[i])
+                layer.colors[i] = colored.colors[static_cast<std::size_t>(at - atoms.begin())];
+        }
+    if (!colored.warning.empty())
+        result.warnings.push_back("colour by " + coloringText(coloring) + ": " + colored.warning);
+    result.legends.push_back(
+        {selection, coloringText(coloring), std::move(colored.legend), colored.ramp, colored.stops});
+}
+
+void applyRule(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, const Rule& rule,
+               const RepresentationOptions& options, GuidedLayers& result) {
+    const std::vector<bool> chosen = selectAtoms(facts, rule.selection);
+    if (rule.action == Rule::Action::color)
+        return recolorLayers(facts, &chosen, rule.coloring, rule.selection.text, result);
+    if (rule.action == Rule::Action::hide) {
+        for (SceneLayer& layer : result.layers)
+            layer = filtered(layer, [&](std::size_t i) { return !chosen[layer.atoms[i]]; });
+        return;
+    }
+    const double ofAll = rule.style == Style::surface   ? options.surfaceOpacity
+                         : rule.style == Style::cartoon ? options.cartoonOpacity
+                                                        : 1.0;
+    SceneLayer layer =
+        newLayer(facts, drawn, &chosen, rule.style, options.color, options, rule.opacity.value_or(ofAll));
+    if (layer.atoms.empty()) result.warnings.push_back("'" + rule.selection.text + "' matches no atoms to show");
+    result.layers.push_back(std::move(layer));
+}
+
+/// The appearance of one layer.
+Appearance appearanceOfLayer(const ResidueFacts& facts, const SceneLayer& layer) {
+    Appearance appearance;
+    appearance.style = layer.style;
+    appearance.seen = layer.atoms.size();
+    const auto mesh = [&](const std::vector<std::uint32_t>& shown) {
+        MeshAtoms atoms;
+        for (std::size_t i = 0; i < layer.atoms.size(); ++i) {
+            if (!std::binary_search(shown.begin(), shown.end(), layer.atoms[i])) continue;
+            atoms.atoms.push_back(layer.atoms[i]);
+            atoms.colors.push_back(layer.colors[i]);
+            atoms.opacity.push_back(layer.opacity.empty() ? 1.0 : static_cast<double>(layer.opacity[i]));
+        }
+        atoms.tints.assign(atoms.atoms.size(), 0);
+        return atoms;
+    };
+    if (layer.style == Style::cartoon) {
+        appearance.cartoon = mesh(atomsOfCartoon(facts, layer.atoms));
+    } else if (layer.style == Style::surface) {
+        appearance.surface = mesh(layer.atoms);
+    } else if (layer.style == Style::line) {
+        appearance.lines = mesh(layer.atoms);
+    } else if (layer.style == Style::carbohydrate) {
+        std::vector<std::uint32_t> sugars;
+        for (const std::uint32_t atom : layer.atoms)
+            if (isSugar(facts.molecule(), facts.molecule().atoms[atom].residue)) sugars.push_back(atom);
+        appearance.sugars = mesh(sugars);
+    } else {
+        const bool backbone = layer.style == Style::backbone;
+        std::vector<bool> guides(backbone ? facts.molecule().atoms.size() : 0);
+        if (backbone)
+            for (const std::vector<std::uint32_t>& trace : guideTraces(facts))
+                for (const std::uint32_t atom : trace) guides[atom] = true;
+        for (std::size_t i = 0; i < layer.atoms.size(); ++i) {
+            if (backbone && !guides[layer.atoms[i]]) continue;
+            appearance.atoms.push_back(layer.atoms[i]);
+            appearance.colors.push_back(layer.colors[i]);
+        }
+        appearance.tints.assign(appearance.atoms.size(), 0);
+        appearance.styles.assign(appearance.atoms.size(), layer.style);
+    }
+    return appearance;
+}
+
+float ballRadius(const SceneLayer& layer, Element element) {
+    if (layer.ballRadius > 0) return layer.ballRadius;
+    return layer.style == Style::spacefill ? layer.radius(element) : drawnRadius(element, layer.style);
+}
+
+Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, const RepresentationOptions& options,
+                         const glm::dvec3& center) {
+    const Molecule& molecule = facts.molecule();
+    const Appearance appearance = appearanceOfLayer(facts, layer);
+    Representation part;
+    part.center = center;
+    for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
+        const std::uint32_t index = appearance.atoms[i];
+        const Atom& atom = molecule.atoms[index];
+        const float own = ballRadius(layer, atom.element);
+        part.spheres.push_back({glm::vec3(glm::dvec3(atom.position) - center), own * layer.atomScale});
+        part.sphereLooks.push_back({appearance.colors[i], index + 1});
+    }
+    if (!appearance.atoms.empty()) {
+        addBonds(facts, appearance, DrawnOrders(facts, appearance, options), {}, nullptr, part);
+        for (Cylinder& cylinder : part.cylinders) cylinder.radius *= layer.bondScale;
+    }
+    meshTranslucentAtoms(layer, part);
+    if (!appearance.lines.atoms.empty())
+        addLines(molecule, appearance, options.lineWidth * static_cast<double>(layer.atomScale), nullptr, part);
+    RepresentationOptions own = options;
+    own.cartoon = layer.cartoon;
+    own.surface = layer.surface;
+    own.sugarScale = static_cast<double>(layer.atomScale);
+    own.sugarColors = !layer.ownColors;
+    const auto groupOf = [&](std::uint32_t atom) {
+        return static_cast<std::uint32_t>(molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model);
+    };
+    addMeshes(facts, appearance, own, groupOf, part);
+    return part;
+}
+
+/// Puts a part behind a whole, with a run of copies of its own.
+void placePart(const Representation& part, std::uint32_t list, Representation& whole) {
+    const auto run = [&](std::vector<PrimitiveRun>& runs, std::size_t first, std::size_t count, const auto& ballsOf) {
+        if (count == 0) return;
+        const Bounds bounds = boundsOfEach(ballsOf);
+        runs.push_back(
+            {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), list, bounds.center, bounds.radius});
+    };
+    run(whole.copies.spheres, whole.spheres.size(), part.spheres.size(), [&](const auto& add) {
+        for (const Sphere& sphere : part.spheres) add(sphere.center, sphere.radius);
+    });
+    run(whole.copies.cylinders, whole.cylinders.size(), part.cylinders.size(), [&](const auto& add) {
+        for (const Cylinder& stick : part.cylinders) add(stick.a, stick.radius), add(stick.b, stick.radius);
+    });
+    run(whole.copies.triangles, whole.triangles.size(), part.triangles.size(), [&](const auto& add) {
+        for (const Triangle& t : part.triangles)
+            for (const std::uint32_t v : {t.a, t.b, t.c}) add(positionOf(part.meshVertices[v], t.step), 0.0f);
+    });
+    const std::size_t wires = whole.wires.size();
+    appendPart(whole, part);
+    whole.drawnBonds += part.drawnBonds;
+    // Lines have no copies: each stands for itself.
+    whole.wires.resize(wires);
+    whole.wireLooks.resize(wires);
+    if (part.wires.size() * whole.copies.lists[list].size() > kMostWires)
+        throw Error("cannot draw scene", "", "the lines of its copies are more than " + std::to_string(kMostWires));
+    for (const std::uint32_t copy : whole.copies.lists[list]) {
+        const glm::dmat4x3& motion = whole.copies.transforms[copy];
+        for (Cylinder wire : part.wires) {
+            wire.a = glm::vec3(motion * glm::dvec4(wire.a, 1.0));
+            wire.b = glm::vec3(motion * glm::dvec4(wire.b, 1.0));
+            whole.wires.push_back(wire);
+        }
+        whole.wireLooks.insert(whole.wireLooks.end(), part.wireLooks.begin(), part.wireLooks.end());
+    }
+}
+
+std::uint32_t listOf(const Molecule& molecule, const SceneGuide& guide, std::uint32_t atom) {
+    return guide.listOfResidue[molecule.atoms[atom].residue];
+}
+
+/// The farthest that anything reaches from the centre, Å, in all copies.
+double reachOf(const Representation& r) {
+    double reach = meshReach(r);
+    for (const Sphere& sphere : r.spheres)
+        reach = std::max(reach, static_cast<double>(glm::length(sphere.center) + sphere.radius));
+    for (const Cylinder& stick : r.cylinders)
+        for (const glm::vec3& end : {stick.a, stick.b})
+            reach = std::max(reach, static_cast<double>(glm::length(end) + stick.radius));
+    if (r.copies.transforms.empty()) return reach;
+    reach = 0;
+    for (const auto* runs : {&r.copies.spheres, &r.copies.cylinders, &r.copies.triangles})
+        for (const PrimitiveRun& run : *runs)
+            for (const std::uint32_t copy : r.copies.lists[run.list])
+                reach =
+                    std::max(reach, glm::length(r.copies.transforms[copy] * glm::dvec4(run.center, 1.0)) + run.radius);
+    return reach;
+}
+
+/// Layers whose cartoons and surfaces are as fine as the residues and atoms of all copies together allow.
+std::vector<SceneLayer> coarseInCopies(const Molecule& molecule, std::vector<SceneLayer> layers) {
+    const SceneGuide& guide = *molecule.guide;
+    if (guide.transforms.empty()) return layers;
+    for (SceneLayer& layer : layers) {
+        std::size_t residues = 0, atoms = 0;
+        std::uint32_t last = UINT32_MAX;
+        for (const std::uint32_t atom : layer.atoms) {
+            const std::size_t copies = guide.lists[listOf(molecule, guide, atom)].size();
+            atoms += copies;
+            if (molecule.atoms[atom].residue != last) residues += copies;
+            last = molecule.atoms[atom].residue;
+        }
+        layer.cartoon = settledCartoon(layer.cartoon, residues);
+        if (layer.surface.resolution <= 0) layer.surface.resolution = surfaceResolution(atoms);
+    }
+    return layers;
+}
+
+std::size_t atomsIn(const Molecule& molecule, std::span<const SceneLayer> layers) {
+    std::vector<std::uint32_t> atoms;
+    for (const SceneLayer& layer : layers) atoms.insert(atoms.end(), layer.atoms.begin(), layer.atoms.end());
+    std::sort(atoms.begin(), atoms.end());
+    atoms.erase(std::unique(atoms.begin(), atoms.end()), atoms.end());
+    const SceneGuide& guide = *molecule.guide;
+    if (guide.transforms.empty()) return atoms.size();
+    std::size_t count = 0;
+    for (const std::uint32_t atom : atoms) count += guide.lists[listOf(molecule, guide, atom)].size();
+    return count;
+}
+
+}  // namespace
+
+GuidedLayers guidedLayers(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
+                          const RepresentationOptions& options) {
+    GuidedLayers result;
+    result.layers = facts.molecule().guide->layers;
+    if (options.style) {
+        const double opacity = *options.style == Style::surface   ? options.surfaceOpacity
+                               : *options.style == Style::cartoon ? options.cartoonOpacity
+                                                                  : 1.0;
+        result.layers = {newLayer(facts, drawn, nullptr, *options.style, options.color, options, opacity)};
+    }
+    if (options.color != Coloring(ColorScheme::element)) recolorLayers(facts, nullptr, options.color, "all", result);
+    for (const Rule& rule : options.rules)
+        if (rule.on) applyRule(facts, drawn, rule, options, result);
+    return result;
+}
+
+std::vector<SceneLayer> layersOf(const Appearance& appearance, const RepresentationOptions& options) {
+    std::vector<SceneLayer> layers;
+    const auto layerOf = [&](Style style) -> SceneLayer& {
+        const auto found =
+            std::find_if(layers.begin(), layers.end(), [&](const SceneLayer& layer) { return layer.style == style; });
+        if (found != layers.end()) return *found;
+        SceneLayer& layer = layers.emplace_back();
+        layer.style = style;
+        layer.cartoon = options.cartoon;
+        layer.surface = options.surface;
+        return layer;
+    };
+    const auto addMesh = [&](Style style, const MeshAtoms& mesh) {
+        if (mesh.atoms.empty()) return;
+        SceneLayer& layer = layerOf(style);
+        layer.atoms = mesh.atoms;
+        layer.colors = mesh.colors;
+        if (std::any_of(mesh.opacity.begin(), mesh.opacity.end(), [](double opacity) { return opacity < 1; }))
+            for (const double opacity : mesh.opacity) layer.opacity.push_back(static_cast<float>(opacity));
+    };
+    addMesh(Style::cartoon, appearance.cartoon);
+    addMesh(Style::surface, appearance.surface);
+    addMesh(Style::line, appearance.lines);
+    addMesh(Style::carbohydrate, appearance.sugars);
+    for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
+        SceneLayer& layer = layerOf(appearance.styles[i]);
+        layer.atoms.push_back(appearance.atoms[i]);
+        layer.colors.push_back(appearance.colors[i]);
+    }
+    return layers;
+}
+
+std::string tooltipOf(const SceneGuide& guide, std::uint32_t atom) {
+    std::string text;
+    for (const SceneNote& note : guide.tooltips)
+        if (std::binary_search(note.atoms.begin(), note.atoms.end(), atom))
+            text += (text.empty() ? "" : "; ") + note.text;
+    return text;
+}
+
+namespace {
+
+/// Visits centre and radius of all that layers show, in all copies.
+template <typename Visit>
+void eachLayerBall(const Molecule& molecule, std::span<const SceneLayer> layers, const Visit& visit) {
+    const SceneGuide& guide = *molecule.guide;
+    for (const SceneLayer& layer : layers)
+        for (const std::uint32_t index : layer.atoms) {
+            const Atom& atom = molecule.atoms[index];
+            const glm::dvec3 center(atom.position);
+            const double radius = static_cast<double>(ballRadius(layer, atom.element) * layer.atomScale);
+            if (guide.transforms.empty()) {
+                visit(center, radius);
+                continue;
+            }
+            for (const std::uint32_t copy : guide.lists[listOf(molecule, guide, index)])
+                visit(guide.transforms[copy] * glm::dvec4(center, 1.0), radius);
+        }
+}
+
+}  // namespace
+
+Bounds boundsOf(const Molecule& molecule, std::span<const SceneLayer> layers) {
+    const Bounds bounds = boundsOfEach([&](const auto& visit) { eachLayerBall(molecule, layers, visit); });
+    return std::isnan(bounds.center.x) ? Bounds{{}, 1} : bounds;
+}
+
+Representation representLayers(const ResidueFacts& facts, const GuidedLayers& guided,
+                               const RepresentationOptions& options, const Bounds& frame) {
+    const Molecule& molecule = facts.molecule();
+    const SceneGuide& guide = *molecule.guide;
+    Representation result;
+    result.center = frame.center;
+    result.legends = guided.legends;
+    result.warnings = guided.warnings;
+    const auto lists = static_cast<std::uint32_t>(guide.transforms.empty() ? 1 : guide.lists.size());
+    for (const glm::dmat4x3& transform : guide.transforms) {
+        glm::dmat4x3 about = transform;
+        about[3] = transform * glm::dvec4(frame.center, 1.0) - frame.center;
+        result.copies.transforms.push_back(about);
+    }
+    result.copies.lists = guide.lists;
+    for (const SceneLayer& layer : coarseInCopies(molecule, guided.layers))
+        for (std::uint32_t list = 0; list < lists; ++list) {
+            const SceneLayer own = lists == 1 ? layer : filtered(layer, [&](std::size_t i) {
+                return listOf(molecule, guide, layer.atoms[i]) == list;
+            });
+            if (own.atoms.empty()) continue;
+            const Representation part = layerPart(facts, own, options, result.center);
+            guide.transforms.empty() ? appendPart(result, part) : placePart(part, list, result);
+            if (guide.transforms.empty()) result.drawnBonds += part.drawnBonds;
+        }
+    result.radius = std::max(reachOf(result), 1.0);
+    result.drawnAtoms = atomsIn(molecule, guided.layers);
+    result.atomGroups = atomGroups(facts);
+    refuseCrowd(result);
+    return result;
+}
+
+}  // namespace nacre

@@ -1,0 +1,41 @@
+#pragma once
+// Colours of atoms: sRGB, 8 bits per channel, red in the lowest byte. The highest byte is 255 unless stated otherwise.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "engine/molecule/molecule.h"
+#include "engine/scene/color/palettes.h"
+
+namespace nacre {
+
+/// Hues after the CPK and Jmol conventions, less saturated. Every element has one; an unknown element is pink.
+std::uint32_t elementColor(Element element);
+
+/// Default palette for chains and copies.
+constexpr Palette kChainPalette = Palette::distinct;
+/// For chains where only carbons are coloured by chain and other atoms by element.
+constexpr Palette kCarbonPalette = Palette::carbons;
+
+/// A tint of the copy's colour: a grey that darkens it. The first is white, the copy's own colour.
+std::uint32_t copyTint(std::size_t tint, std::size_t count);
+constexpr bool isCopyTint(std::uint32_t color) { return (color >> 24 & 1) == 0; }
+/// A copy's colour in a tint, as shaders mix them: multiplied in linear light.
+std::uint32_t tintedColor(std::uint32_t color, std::uint32_t tint);
+
+/// The mean in linear light, opaque. @param colors  at least one @param shares  same length, above 0
+std::uint32_t meanColor(std::span<const std::uint32_t> colors, std::span<const float> shares);
+
+/// For meshes: the other seven bits of the highest byte store opacity in steps of 1/128, from 1/128 to 1.
+constexpr std::uint32_t kOpacitySteps = 128;
+std::uint32_t withOpacity(std::uint32_t color, double opacity);
+constexpr std::uint32_t opacitySteps(std::uint32_t color) { return (color >> 25) + 1; }
+constexpr bool isOpaque(std::uint32_t color) { return opacitySteps(color) == kOpacitySteps; }
+
+/// Colour of a residue by class: amino acids by family (acid, base, polar, aromatic, aliphatic, sulphur), nucleotides
+/// by base, water; the rest is warm grey.
+std::uint32_t residueColor(std::string_view name);
+
+}  // namespace nacre

@@ -1,0 +1,57 @@
+#pragma once
+// Views computed from the molecule: along its principal axes, from the side that shows a part best, and close-ups of a
+// part.
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "engine/scene/build/representation.h"
+#include "engine/scene/view/camera.h"
+
+namespace nacre {
+
+/// Centres and radii of all drawn spheres in all copies; Å, relative to Representation::center. Mesh vertices follow
+/// with radius 0: framing includes them, but they hide nothing in the search for a view.
+std::vector<glm::dvec4> drawnBalls(const Representation& scene);
+
+/// As above for chosen atoms, each in its first copy.
+/// @param chosen  one value per atom of the file
+std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vector<bool>& chosen);
+
+/// The rotation that aligns the principal axes of some points (equal weights) with the picture's: the longest along its
+/// longer side, the shortest towards the viewer. Signs: points extend farther from their mean to the right (in a tall
+/// picture: upwards) and to the viewer; if equally far, the axis has its largest component in the file's frame
+/// positive. Axes whose variances differ by less than 1 % are ambiguous: the file's frame decides.
+/// @param wide  the picture is at least as wide as high
+glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide);
+
+/// The rotation, by the shortest way from `from`, that turns the best side of the target to the viewer: unobstructed
+/// and broad. Among sides that are about equal, prefers one that points out of the molecule.
+/// @param all  of the whole molecule, target included
+glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
+                             const glm::dmat3& from);
+
+/// The camera with the target in the picture's centre. Its bounding sphere plus a margin of `margin` Å fills the
+/// picture as the molecule does at zoom 1, times the camera's zoom (at most `mostZoom`).
+/// @param radius  of the scene, Å
+Camera closeUp(Camera camera, const std::vector<glm::dvec4>& target, double radius, double margin, double mostZoom);
+
+/// The camera that centres a scene and fits its projection into 95 % of both sides, times the camera's zoom. That is
+/// larger than zoom 1, which fits the bounding sphere. Returns the camera unchanged for scenes of more than 10^7
+/// spheres and vertices, copies included.
+/// @param radius  of the scene's view, Å
+/// @param width, height  of the picture
+Camera fitted(Camera camera, const Representation& scene, double radius, std::uint32_t width, std::uint32_t height,
+              double mostZoom);
+
+/// Fraction of a target's atoms whose centre other atoms cover, along the view axis.
+double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
+                   const glm::dmat3& rotation);
+
+/// Columns: the directions in which points spread most, less and least; of unit length, of either sense.
+/// @param points  at least one
+glm::dmat3 principalAxesOf(std::span<const glm::dvec3> points);
+
+}  // namespace nacre

@@ -1,0 +1,50 @@
+#include "engine/software/front_band.h"
+
+#include "engine/simd/lanes.h"
+#include "engine/simd/processor_lanes.h"
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace nacre {
+
+void FrontBand::meet(std::size_t at, float Z, bool certain, std::uint32_t sphere) const {
+    const float there = z[at];
+    if (!certain || !(Z < there)) return doubts->push_back(sphere);
+    if (!(Z + 2 * margin < there)) doubts->push_back(number[at]);
+    z[at] = Z;
+    number[at] = sphere;
+}
+
+bool FrontBand::isHidden(const FrontRectangle& r) const {
+    constexpr Mask kLane = {0, 1, 2, 3};
+    const std::uint32_t x0 = frontPixelAt(r.left, 0, width), x1 = frontPixelAt(r.right, 0, width);
+    const std::uint32_t y1 = frontPixelAt(r.bottom, first, end);
+    for (std::uint32_t y = frontPixelAt(r.top, first, end); y < y1; ++y) {
+        const float* row = z + std::size_t{y} * pitch;
+        for (std::uint32_t x = x0; x < x1; x += kLanes)
+            if (any((loadLanes(row + x) >= r.near) & (kLane < static_cast<std::int32_t>(x1 - x)))) return false;
+    }
+    return true;
+}
+
+void ShapeBand::meet(std::size_t at, std::uint32_t shape, float from) const {
+    meetings->push_back({static_cast<std::uint32_t>(at), shape, from});
+}
+
+#define NACRE_LANES_CODE "engine/software/front_lanes.inc"
+#define NACRE_MOST_LANES 16
+#include "engine/simd/each_lanes.inc"
+
+std::span<const FrontLanes> frontLanes() {
+    static constexpr FrontLanes kLanesOf[] = {
+        {4, lanes4::drawGroup, lanes4::findRectangles, lanes4::drawShapes, lanes4::tellRow},
+#if defined(__x86_64__)
+        {8, lanes8::drawGroup, lanes8::findRectangles, lanes8::drawShapes, lanes8::tellRow},
+        {16, lanes16::drawGroup, lanes16::findRectangles, lanes16::drawShapes, lanes16::tellRow},
+#endif
+    };
+    return usableLanes<FrontLanes>(kLanesOf);
+}
+
+}  // namespace nacre

@@ -1,0 +1,82 @@
+#pragma once
+// Spheres that one thread draws on the host into a band of rows, several at once: by as many lanes as the processor
+// has.
+
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "engine/lists/tile_view.h"
+#include "engine/scene/build/representation.h"
+#include "engine/scene/build/sphere_boxes.h"
+#include "engine/software/shape_band.h"
+
+namespace nacre {
+
+/// The first pixel whose centre is not before a coordinate, and one past the last that is not behind it.
+inline std::uint32_t frontPixelAt(float place, std::uint32_t first, std::uint32_t end) {
+    const float at = place + 0.5f;
+    if (!(at > static_cast<float>(first))) return first;
+    return at < static_cast<float>(end) ? static_cast<std::uint32_t>(at) : end;
+}
+
+/// Transform into pixels and Z.
+struct FrontPlace {
+    glm::vec4 x, y, z;
+    glm::vec3 spanX, spanY, spanZ;  // of a box with half sides of 1 Å
+};
+
+/// Consecutive boxes with one transform.
+struct FrontGroup {
+    float near = 0;                                  // Z
+    float left = 0, top = 0, right = 0, bottom = 0;  // pixels
+    std::uint32_t call = 0, group = 0;
+};
+
+/// Where a box or a sphere may show.
+struct FrontRectangle {
+    float near = 0;  // Z
+    float left = 0, top = 0, right = 0, bottom = 0;
+};
+
+/// Rows of a picture, and the nearest spheres of its pixels.
+struct FrontBand {
+    std::uint32_t first = 0, end = 0;  ///< rows
+    std::uint32_t width = 0, pitch = 0;
+    float* z = nullptr;               ///< of each pixel's sphere; `pitch` per row
+    std::uint32_t* number = nullptr;  ///< its number, if any
+    std::vector<std::uint32_t>* doubts = nullptr;
+    float pixels = 1, perPixel = 1;
+    float room = 0;    ///< pixels that rounding may move a sphere by
+    float margin = 0;  ///< as above in Z, Å
+    float edge = 0;    ///< as a fraction of the squared radius: hits nearer to the edge do not count
+
+    /// Draws a sphere that may be hit at a pixel's centre, and is not certainly hidden.
+    void meet(std::size_t at, float Z, bool certain, std::uint32_t sphere) const;
+    /// Whether things from a depth on are behind all that a rectangle shows: nothing without a pixel centre.
+    bool isHidden(const FrontRectangle& r) const;
+};
+
+/// Draws the spheres of a group of boxes.
+using DrawFrontGroup = void (*)(const FrontBand& band, std::span<const Sphere> spheres, const SphereBoxes& boxes,
+                                const TileCall& call, const FrontPlace& place, std::uint32_t group);
+
+/// Where boxes may show, as many as there are lanes. @param boxes  that many, next to each other
+using FindFrontRectangles = void (*)(const FrontBand& band, const FrontPlace& place, const SphereBox* boxes,
+                                     FrontRectangle* to);
+
+struct FrontLanes {
+    std::uint32_t lanes = 0;
+    DrawFrontGroup draw = nullptr;
+    FindFrontRectangles rectangles = nullptr;
+    DrawShapes shapes = nullptr;
+    TellShapes tell = nullptr;
+};
+
+/// Those that this processor can use, the fewest first: 4, then 8, then 16.
+std::span<const FrontLanes> frontLanes();
+
+}  // namespace nacre

@@ -1,0 +1,131 @@
+#include "engine/software/tile_edges.h"
+
+#include "engine/software/tile_bindings.h"
+#include "engine/software/usual_stages.h"
+#include "shaders.h"
+
+namespace nacre::passes {
+namespace {
+
+// Atlas, effects; shapes, rows of copies, looks; lists, numbers, edge pixels; colours, which are written; shadow map;
+// cells of the atlas, where they are texels.
+constexpr std::array kSampleTexels{
+    kSampled, Type::eUniformBuffer, kTexel, kTexel, kTexel, kTexel, kTexel, kTexel, kStorage, kSampled, kTexel};
+constexpr auto kSampleStorage = asStorage(kSampleTexels);
+// Lists, numbers, colours; and the outputs: edge pixels and colours.
+constexpr std::array kFindTexels{kTexel, kTexel, kTexel, kStorage, kStorage};
+constexpr auto kFindStorage = asStorage(kFindTexels);
+constexpr std::array kColorTexels{kTexel};
+constexpr auto kColorStorage = asStorage(kColorTexels);
+
+Stage sampleStage(bool texels, TileScene scene) {
+    return {NACRE_TILE_STAGE(tileEdges, ), NACRE_TILE_STAGE(tileEdges, Counting)};
+}
+
+const gpu::Layout& findLayout(gpu::PipelineContext& context) {
+    return context.pipelines.layout({"edge pixels", context.device.caps().tiles.texels ? kFindTexels : kFindStorage,
+                                     kCompute, sizeof(layout::TileConstants)});
+}
+
+gpu::ComputePipeline findPipeline(gpu::PipelineContext& context, const SceneView& view) {
+    const gpu::TileCaps& caps = context.device.caps().tiles;
+    gpu::ComputePipeline d{"edge pixels",
+                           caps.texels ? shaders::tileEdgePixelsTexels : shaders::tileEdgePixelsStorage,
+                           {},
+                           *findLayout(context).pipeline};
+    d.constants.set(layout::kLanesId, caps.lanes);
+    setTileView(d.constants, view);
+    d.constants.set(layout::kEverywhereId, view.tiles->edges.everywhere);
+    d.constants.set(layout::kRowsId, view.tiles->shaded);
+    return d;
+}
+
+const gpu::Layout& sampleLayout(gpu::PipelineContext& context, const SceneView& view) {
+    const auto types =
+        context.device.caps().tiles.texels ? std::span<const Type>(kSampleTexels) : std::span(kSampleStorage).first(10);
+    return context.pipelines.layout(
+        {"edges by tiles", types, kCompute, sizeof(layout::TileConstants), view.fragments != nullptr});
+}
+
+gpu::ComputePipeline samplePipeline(gpu::PipelineContext& context, const SceneView& view) {
+    const gpu::TileCaps& caps = context.device.caps().tiles;
+    const Stage stage = sampleStage(caps.texels, tileScene(*view.buffers));
+    gpu::ComputePipeline d{"edge samples", stage.of(view), {}, *sampleLayout(context, view).pipeline};
+    setTileView(d.constants, view);
+    setShadingConstants(d.constants, view);
+    d.constants.set(layout::kLanesId, caps.lanes);
+    d.constants.set(layout::kListedId, view.tiles->edges.listed);
+    if (tileScene(*view.buffers) == TileScene::triangles) {
+        d.constants.set(layout::kSpheresId, view.buffers->sphereCount > 0);
+        d.constants.set(layout::kCylindersId, view.buffers->cylinderCount > 0);
+    }
+    d.constants.set(layout::kRowsId, view.tiles->shaded);
+    if (caps.texels && !view.fragments && isUsual(d.constants))
+        d.code = NACRE_USUAL_STAGE(tileEdgesTexels, *view.buffers);
+    return d;
+}
+
+}  // namespace
+
+void wantEdgesByTiles(gpu::PipelineContext& context, const SceneView& view) {
+    context.pipelines.want(samplePipeline(context, view));  // which takes a driver longer
+    if (!view.tiles->edges.placed) context.pipelines.want(findPipeline(context, view));
+}
+
+void findEdgesByTiles(gpu::PassContext& context, const SceneView& view) {
+    const TileFrame& f = *view.tiles;
+    if (f.lists.tiles().empty()) return;
+    bindTiles(context, findLayout(context), findPipeline(context, view), f.constants, [&](TileBindings& to) {
+        to.read(f.words);
+        to.read(f.sights().buffer, f.sights().quads);
+        to.read(f.numbers.buffer, f.numbers.quads);
+        to.store(f.edges.pixels.buffer);
+        to.store(f.shaded ? f.edges.pixels.buffer : f.edges.colors.buffer);  // unused if shaded
+    });
+    dispatchTiles(context, f.lists.tiles().size() / (TileLists::kTilesInBin * TileLists::kTilesInBin));
+}
+
+void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas) {
+    const TileFrame& f = *view.tiles;
+    const SceneBuffers& scene = *view.buffers;
+    if (f.lists.tiles().empty()) return;
+    const gpu::Layout& layout = sampleLayout(context, view);
+    bindTiles(context, layout, samplePipeline(context, view), f.constants, [&](TileBindings& to) {
+        to.sample(atlas);
+        to.uniform(*view.effectConstants);
+        to.read(scene.shapes, scene.shapeTexels);
+        to.read(f.rows);
+        to.read(scene.looks, scene.lookTexels);
+        to.read(f.words);
+        to.read(f.sights());
+        to.read(f.edges.pixels);
+        to.store(f.shaded ? f.numbers.buffer : f.edges.colors.buffer);
+        to.sample(shadowOf(context, view, atlas));
+        // Always written, even if the shader reads none: lavapipe accesses it.
+        if (context.device.caps().tiles.texels) to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
+    });
+    bindCounter(context, view, layout, vk::PipelineBindPoint::eCompute);
+    context.commands.dispatch(f.edges.groups, 1, 1);
+}
+
+void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const graph::Clear& clear) {
+    const TileFrame& f = *view.tiles;
+    const bool texels = context.device.caps().tiles.texels;
+    if (f.lists.spans().empty()) return;
+    const gpu::Layout& layout = context.pipelines.layout(
+        {"edge colours", texels ? kColorTexels : kColorStorage, kDraw, sizeof(layout::TileConstants)});
+    gpu::GraphicsPipeline d = context.pipeline();
+    d.detail = "tiles";
+    d.vertex = shaders::tilePlaceVertex;
+    d.fragment = texels ? shaders::edgeColorTexels : shaders::edgeColorStorage;
+    d.constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
+    d.constants.set(layout::kCodedId, view.coded);
+    for (int i = 0; i < 4; ++i) d.constants.set(layout::kClearId + i, clear.value[static_cast<std::size_t>(i)]);
+    d.streams = spanStreams();
+    d.layout = *layout.pipeline;
+    d.colorsWritten = 1;
+    bindTiles(context, layout, d, f.constants, [&](TileBindings& to) { to.read(f.edges.colors); });
+    drawSpans(context, f);
+}
+
+}  // namespace nacre::passes

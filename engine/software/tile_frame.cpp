@@ -1,0 +1,286 @@
+#include "engine/software/tile_frame.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+#include <utility>
+
+#include "engine/threads.h"
+
+namespace nacre::passes {
+namespace {
+
+using Usage = vk::BufferUsageFlagBits;
+constexpr auto kReadByTiles = Usage::eStorageBuffer | Usage::eUniformTexelBuffer;
+
+/// As above with edges: a subgroup may go through a list several times.
+constexpr std::uint32_t kLongestListOfEdges = 6000;
+/// Loop iterations of an invocation available for edges, and those used by a subgroup's pixels besides the list.
+constexpr std::uint64_t kTurnsOfEdges = 60'000, kTurnsOfFilling = 48;
+
+/// Half width in pixels below which a primitive may be missed by all pixels around it.
+constexpr double kSmallPixels = 0.75;
+/// From here on a pixel's samples show nearly nothing but what the centres of the nine pixels around show.
+constexpr double kLargePixels = 6;
+
+void listCalls(const SceneView& seen, const std::vector<PlacedCopies::Call>& calls, std::uint32_t first,
+               std::vector<TileCall>& list) {
+    list.clear();
+    for (const PlacedCopies::Call& c : calls)
+        list.push_back({&seen.copies.rows[3 * std::size_t{c.copy}], c.first, c.count,
+                        c.copy * seen.constants.primitives + first + 1});
+}
+
+static_assert(TileLists::kDepthSteps == layout::kListSteps);
+
+layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCopies& copies, const TileLists& lists) {
+    layout::TileConstants t{};
+    if (!copies.rows.empty()) t.row0 = copies.rows[0], t.row1 = copies.rows[1], t.row2 = copies.rows[2];
+    t.origin = c.origin;
+    t.primitives = c.primitives;
+    t.axisPixel = c.axisPixel;
+    t.pixel = c.pixel;
+    t.depthStart = c.depthStart;
+    t.perRange = c.perRange;
+    t.spheres = c.spheres;
+    t.across = lists.across();
+    t.offsets = static_cast<std::uint32_t>(lists.tiles().size());
+    t.wirePixel = c.wirePixel;
+    t.clipNear = c.clipNear;
+    t.atlasTexel = c.atlasTexel;
+    t.patchTexels = c.patchTexels;
+    t.patchesInRow = c.patchesInRow;
+    t.clipFar = c.clipFar;
+    t.contourWidth = c.contourWidth;
+    t.contourDepth = c.contourDepth;
+    t.cylinders = c.cylinders;
+    return t;
+}
+
+/// Where compute shades, a workgroup draws several tiles, one after another: to begin one takes a software device as
+/// long as to shade some rows of pixels. Together their lists are as long as one may be. @param walks  of a list
+std::uint32_t groupsOfTiles(const TileLists& lists, bool shaded, std::uint32_t walks) {
+    constexpr std::uint32_t kMost = 16, kGroups = 64;  // tiles of a group; groups that keep all processors busy
+    const auto tiles = static_cast<std::uint32_t>(lists.tiles().size());
+    const std::uint32_t together = kLongestList / (walks * std::max(lists.longest(), 1u));
+    const std::uint32_t ofGroup = shaded ? std::clamp(std::min(tiles / kGroups, together), 1u, kMost) : 1;
+    return (tiles + ofGroup - 1) / ofGroup;
+}
+
+/// Where the host drew all shapes, a workgroup shades some of their pixels.
+std::uint32_t groupsOfShapes(const FrontShapes& shapes) {
+    constexpr std::size_t kOfGroup = 1024, kGroups = 64;
+    return static_cast<std::uint32_t>(
+        std::max((shapes.balls() + shapes.sticks() + shapes.doubts()) / kOfGroup, kGroups));
+}
+
+/// Maximum of workgroups that draw edges. Each fills its lanes repeatedly: on a software device an empty workgroup
+/// costs as much as a full one. No loop may exceed lavapipe's limit.
+std::uint32_t groupsOfEdges(const TileLists& lists, const gpu::TileCaps& caps) {
+    constexpr std::uint64_t kFew = 64, kRow = 65535;
+    const std::uint64_t fillings =
+        lists.tiles().size() * (TileLists::kTilePixels * TileLists::kTilePixels / caps.lanes);
+    const std::uint64_t turns = kTurnsOfFilling + std::uint64_t{lists.longest()} * 3 / 2;
+    const std::uint64_t least = fillings * turns / kTurnsOfEdges + 1;
+    return static_cast<std::uint32_t>(std::min(std::max(least, caps.texels ? kFew : lists.tiles().size()), kRow));
+}
+
+}  // namespace
+
+static_assert(TileView::kNoPlane == layout::kNoPlane);
+
+TileView tileView(const SceneView& seen, const View& view, graph::Extent image, bool centers) {
+    const layout::ViewConstants& c = seen.constants;
+    TileView v;
+    v.width = image.width;
+    v.height = image.height;
+    v.perspective = seen.perspective;
+    v.quarterTurns = seen.quarterTurns;
+    v.axis = c.axisPixel;
+    v.pixels = static_cast<float>(view.pixelsPerAngstrom);
+    v.origin = c.origin;
+    v.nearest = c.depthStart;
+    v.range = 1.0f / c.perRange;
+    if (seen.effects.clip.on()) v.clipNear = c.clipNear, v.clipFar = c.clipFar;
+    v.contour = std::max(c.contourWidth, seen.rims.widest());
+    v.wireScale = seen.wireScale;
+    v.centers = centers;
+    v.frontsOnly = seen.frontsOnly;
+    return v;
+}
+
+TileCounts countsOf(const TileLists& lists) {
+    return {lists.tiles().size(), lists.kept(), lists.keptSpheres(), lists.entries(), lists.longest()};
+}
+
+std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, const SceneView& seen, const View& view,
+                                                     graph::Extent image, TileWork work) {
+    const std::shared_ptr<TileFrame>& free = frames_.free();
+    TileFrame& frame = *free;
+    const std::uint32_t firstTriangle = seen.constants.spheres + seen.constants.cylinders;
+    listCalls(seen, seen.copies.spheres, 0, spheres_);
+    listCalls(seen, seen.copies.cylinders, seen.constants.spheres, cylinders_);
+    listCalls(seen, seen.copies.triangles, firstTriangle, triangles_);
+    const TileScenery scenery{r.spheres,   spheres_,       r.cylinders,        cylinders_,        r.wires,
+                              r.triangles, r.meshVertices, triangles_,         r.coarseTriangles, r.meshes,
+                              work.boxes,  work.drawn,     work.triangleChunks};
+    const auto build = [&] {
+        TileView asked = tileView(seen, view, image, !work.edges && !work.subsamples);
+        asked.layers = work.kept;
+        asked.edges = work.edges;
+        asked.small = work.edges ? static_cast<float>(kSmallPixels) : 0.0f;
+        asked.mask = work.mask;
+        frame.lists.build(asked, scenery);
+    };
+    build();
+    if (frame.lists.longest() > kLongestListOfEdges && std::exchange(work.edges, false) && !triangles_.empty()) build();
+    const std::uint32_t walks = seen.rims.any() ? 2 : 1;
+    if (frame.lists.longest() > kLongestList / walks) return nullptr;
+    frame.groups = work.drawn ? groupsOfShapes(*frame.lists.shapes()) : groupsOfTiles(frame.lists, work.shaded, walks);
+    frame.copies = !r.copies.transforms.empty();
+    frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
+    frame.shaded = work.shaded;
+    frame.cleared = work.shaded && (!r.cylinders.empty() || !r.wires.empty() || !r.triangles.empty());
+    upload(frame, seen.copies, image, work.kept);
+    frame.edges.drawn = work.edges;
+    frame.edges.everywhere = seen.smallestPixels < kSmallPixels;
+    // A surface at grazing angles has triangles that no pixel centre hits, and an outline may be narrower than a pixel.
+    frame.edges.listed = seen.smallestPixels < kLargePixels || !r.triangles.empty() || seen.constants.contourWidth > 0;
+    if (frame.edges.drawn) uploadEdges(frame, image, work.shaded ? work.places : nullptr);
+    // A sphere that nothing cuts or outlines is known by its number.
+    frame.edges.alone = frame.edges.drawn && frame.edges.placed && !frame.cleared && !seen.rims.any() &&
+                        seen.constants.contourWidth == 0 && !seen.effects.clip.on();
+    return free;
+}
+
+void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::BufferUsageFlags usage, vk::Format format,
+             const char* name, vk::Format pairs) {
+    if (*b.buffer.handle && b.buffer.size >= bytes) return;
+    const std::size_t room =
+        *b.buffer.handle ? bytes + bytes / 2 : bytes;  // a rotating scene may need more in its next frame
+    b = {};
+    b.buffer = gpu::makeBuffer(device, room, usage, gpu::Access::upload, name);
+    if (!device.caps().tiles.texels) return;
+    if (format != vk::Format::eUndefined) b.texels = gpu::makeTexelView(device, b.buffer, format, name);
+    if (pairs != vk::Format::eUndefined) b.pairs = gpu::makeTexelView(device, b.buffer, pairs, name);
+}
+
+/// Tiles are drawn where something may show. Elsewhere the words of the frame before go.
+void TileFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept,
+                              bool all, const char* name) const {
+    constexpr std::size_t kBin = TileLists::kBinPixels;
+    const std::size_t bytes = 4 * kept * TileLists::pixelsOfBins(image.width, image.height);
+    const bool grows = words.buffer.size < bytes;
+    if (grows) words.quads = nullptr;
+    reserve(device_, words, bytes, kReadByTiles | Usage::eTransferSrc, vk::Format::eR32Uint, name);
+    if (grows && device_.caps().tiles.texels)
+        words.quads = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32G32B32A32Uint, name);
+    if (grows || words.across != lists.across()) {
+        words.written.clear();
+        words.across = lists.across();
+        words.cleared = 0;
+    }
+    if (words.cleared < bytes) {  // not all of a buffer that has room to grow
+        std::memset(words.buffer.mapped + words.cleared, 0, bytes - words.cleared);
+        words.cleared = bytes;
+    }
+    const std::size_t pitch = kept * lists.across() * kBin;
+    auto* pixels = reinterpret_cast<std::uint32_t*>(words.buffer.mapped);
+    for (const TileLists::Span& s : words.written)
+        for (std::size_t x = s.x; x < s.endX; ++x) {
+            const std::size_t bin = s.y * std::size_t{lists.across()} + x;
+            if (s.y < lists.down() && lists.holds(bin)) continue;
+            for (std::size_t y = s.y * kBin; y < (s.y + 1) * kBin; ++y)
+                std::fill_n(pixels + y * pitch + kept * x * kBin, kept * kBin, 0u);
+        }
+    words.written.assign(lists.spans().begin(), lists.spans().end());
+    if (all)
+        for (const TileLists::Span& s : words.written)
+            for (std::size_t y = s.y * kBin; y < (s.y + std::size_t{1}) * kBin; ++y)
+                std::fill_n(pixels + y * pitch + kept * s.x * kBin, kept * (s.endX - s.x) * kBin, 0u);
+    if (!lists.masked()) return;
+    constexpr std::size_t kTile = TileLists::kTilePixels;
+    for (const TileLists::Span& s : words.written)
+        for (std::uint32_t y = s.y * TileLists::kTilesInBin; y < s.endY * TileLists::kTilesInBin; ++y)
+            for (std::uint32_t x = s.x * TileLists::kTilesInBin; x < s.endX * TileLists::kTilesInBin; ++x) {
+                if (lists.draws(x, y)) continue;
+                for (std::size_t row = y * kTile; row < (y + 1) * kTile; ++row)
+                    std::fill_n(pixels + row * pitch + kept * x * kTile, kept * kTile, 0u);
+            }
+}
+
+/// Writes seeds where the device reads which triangle a pixel begins with; the device replaces them by its results.
+void TileFrames::writeSeeds(TileFrame& f) {
+    constexpr std::uint32_t kBin = TileLists::kBinPixels;
+    auto* words = reinterpret_cast<std::uint32_t*>(f.numbers.buffer.mapped);
+    const std::size_t pitch = std::size_t{f.lists.across()} * kBin;
+    constexpr std::size_t kSlice = 32;
+    const std::span<const TileLists::Span> spans = f.lists.spans();
+    inParallel((spans.size() + kSlice - 1) / kSlice, [&](std::size_t slice) {
+        for (std::size_t i = slice * kSlice; i < std::min((slice + 1) * kSlice, spans.size()); ++i) {
+            const TileLists::Span& s = spans[i];
+            for (std::uint32_t y = s.y * kBin; y < (s.y + 1u) * kBin; ++y)
+                f.lists.writeSeeds(s.x * kBin, y, (s.endX - s.x) * kBin, words + y * pitch + s.x * kBin);
+        }
+    });
+}
+
+void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const {
+    TileLists& lists = f.lists;
+    const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
+    const FrontShapes* shapes = lists.shapes();
+    const std::size_t words = shapes ? shapes->words() : lists.words();
+    reserve(device_, f.words, 4 * words, kReadByTiles, vk::Format::eR32Uint, "lists of tiles", vk::Format::eR32G32Uint);
+    reserve(device_, f.rows, rowBytes, kReadByTiles, vk::Format::eR32G32B32A32Sfloat, "copies");
+    prepareWords(f.numbers, lists, image, kept, f.cleared && !lists.seeded(), "primitive numbers");
+    if (lists.seeded()) writeSeeds(f);
+    reserve(device_, f.spans, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
+            vk::Format::eUndefined, "rows of tiles");
+
+    auto* listed = reinterpret_cast<std::uint32_t*>(f.words.buffer.mapped);
+    if (shapes)
+        shapes->write(listed);
+    else
+        lists.write(listed);
+    std::memcpy(f.rows.buffer.mapped, copies.rows.data(), rowBytes);
+    auto* spans = reinterpret_cast<TileSpanVertex*>(f.spans.buffer.mapped);
+    const glm::vec2 ndc = 2.0f * TileLists::kBinPixels / glm::vec2(image.width, image.height);
+    for (const TileLists::Span& s : lists.spans())
+        *spans++ = {glm::vec4(glm::vec2(s.x, s.y) * ndc, glm::vec2(s.endX, s.endY) * ndc) - 1.0f};
+}
+
+namespace {
+
+/// Lists wanted pixels, by bins that hold anything, as the device does. @returns the number of groups
+std::uint32_t listPlaces(const TileLists& lists, const EdgePlaces& places, std::uint32_t lanes, std::uint32_t* to) {
+    constexpr std::uint32_t kBin = TileLists::kBinPixels;
+    const auto down = static_cast<std::uint32_t>(places.pixels.size() / places.across);
+    std::uint32_t listed = 0;
+    for (const TileLists::Span& s : lists.spans())
+        for (std::uint32_t bin = s.x; bin < s.endX; ++bin) {
+            for (std::uint32_t y = s.y * kBin; y < std::min((s.y + 1) * kBin, down); ++y)
+                for (std::uint32_t x = bin * kBin; x < std::min((bin + 1) * kBin, places.across); ++x)
+                    if (places.pixels[std::size_t{y} * places.across + x] != 0) to[listed++] = x | y << 16;
+            while (listed % lanes != 0) to[listed++] = layout::kNoEdge;
+        }
+    return listed / lanes;
+}
+
+}  // namespace
+
+void TileFrames::uploadEdges(TileFrame& f, graph::Extent image, const EdgePlaces* places) const {
+    const std::size_t pixels = TileLists::pixelsOfBins(image.width, image.height);
+    reserve(device_, f.edges.pixels, 4 * (layout::kEdgeHeader + pixels), kReadByTiles, vk::Format::eR32Uint,
+            "edge pixels");
+    if (f.shaded)
+        prepareWords(f.edges.numbers, f.lists, image, 1, f.cleared, "primitive numbers");
+    else
+        reserve(device_, f.edges.colors, 8 * pixels, kReadByTiles, vk::Format::eR32G32Uint, "edge colours");
+    auto* words = reinterpret_cast<std::uint32_t*>(f.edges.pixels.buffer.mapped);
+    f.edges.placed = places != nullptr;
+    words[0] = places ? listPlaces(f.lists, *places, device_.caps().tiles.lanes, words + layout::kEdgeHeader) : 0;
+    words[1] = f.lists.down() * TileLists::kBinPixels;
+    f.edges.groups = groupsOfEdges(f.lists, device_.caps().tiles);
+}
+
+}  // namespace nacre::passes

@@ -1,0 +1,185 @@
+#pragma once
+// Lists of the primitives that may be visible in each part of a picture, by nearest depth: input of the `tiles` path.
+// Conservative: a list may contain an invisible primitive, but never lacks a visible one.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/lists/tile_view.h"
+#include "engine/scene/build/representation.h"
+#include "engine/software/front_shapes.h"
+#include "engine/software/front_spheres.h"
+#include "engine/software/front_triangles.h"
+
+namespace nacre {
+
+/// Everything that may be in view.
+struct TileScenery {
+    std::span<const Sphere> spheres;
+    std::span<const TileCall> sphereCalls;
+    std::span<const Cylinder> cylinders;
+    std::span<const TileCall> cylinderCalls;
+    std::span<const Cylinder> wires = {};  ///< numbered after the cylinders
+    std::span<const Triangle> triangles = {};
+    std::span<const MeshVertex> vertices = {};
+    std::span<const TileCall> triangleCalls = {};
+    std::span<const Triangle> coarseTriangles = {};  ///< numbered after the others; no call mixes both
+    std::span<const MeshRun> meshes = {};            ///< optional
+    /// Boxes of the spheres, if the host draws them, so that few enter lists: for views that FrontSpheres supports,
+    /// without triangles. Null: all spheres enter lists.
+    const SphereBoxes* boxes = nullptr;
+    /// Whether the host draws spheres and cylinders, so that none enters lists: for views that FrontShapes supports,
+    /// without triangles and wires.
+    bool drawn = false;
+    std::span<const Chunk> triangleChunks = {};  ///< optional
+
+    /// The triangles of a call.
+    std::span<const Triangle> trianglesOf(const TileCall& call) const {
+        if (call.first < triangles.size()) return triangles.subspan(call.first, call.count);
+        return coarseTriangles.subspan(call.first - triangles.size(), call.count);
+    }
+    std::span<const Chunk> chunksOf(const TileCall& call) const {
+        if (triangleChunks.empty()) return {};
+        return triangleChunks.subspan(call.first / Chunk::kPrimitives);
+    }
+};
+
+/// Where pixels are sampled at their centres only, most triangles enter no list: the host knows the nearest one for
+/// nearly every pixel. Likewise for spheres with boxes. Where edges are drawn, triangles enter that no pixels around
+/// them hide.
+///
+/// Bins of `kBinPixels` per side, row by row from the top left, each with its list, and the tiles of the bins whose
+/// list is not empty or that begin with triangles. Keeps its memory between frames.
+class TileLists {
+public:
+    explicit TileLists(const TriangleLanes& lanes = triangleLanes().back()) : lanes_(lanes), front_(lanes) {}
+
+    static constexpr std::uint32_t kTilePixels = 8;
+    static constexpr std::uint32_t kTilesInBin = 2;
+    static constexpr std::uint32_t kBinPixels = kTilePixels * kTilesInBin;
+    static constexpr std::uint32_t kDepthSteps = 2048;  ///< resolution of the order in a list (layout::kListSteps)
+
+    /// Total pixels of a picture's bins, empty or not.
+    static constexpr std::uint64_t pixelsOfBins(std::uint32_t width, std::uint32_t height) {
+        const auto bins = [](std::uint32_t pixels) { return (std::uint64_t{pixels} + kBinPixels - 1) / kBinPixels; };
+        return bins(width) * bins(height) * kBinPixels * kBinPixels;
+    }
+
+    /// Consecutive non-empty bins of a row; end exclusive.
+    struct Span {
+        std::uint16_t x, y, endX, endY;
+    };
+    struct Tile {
+        std::uint16_t x, y;
+    };
+
+    /// Builds the lists; offsets(), tiles() and spans() are valid until the next call.
+    void build(const TileView& view, const TileScenery& scenery);
+
+    std::uint32_t across() const { return across_; }
+    std::uint32_t down() const { return down_; }
+    /// Begin of each bin's list, and the end of the last.
+    std::span<const std::uint32_t> offsets() const { return offsets_; }
+    std::span<const Tile> tiles() const { return tiles_; }  ///< in drawing order, grouped by bin
+    std::span<const Span> spans() const { return spans_; }
+    /// Whether anything may be visible in a bin, counted row by row.
+    bool holds(std::size_t bin) const {
+        if (drawn_) return shapes_.isSeen(bin);
+        return drawsBin(bin) && (offsets_[bin] != offsets_[bin + 1] || (seeded_ && seeds_[bin]));
+    }
+    /// Whether a tile is drawn if its bin holds anything.
+    bool draws(std::uint32_t x, std::uint32_t y) const { return !masked() || mask_.unwanted(x, y) != kAllUnwanted; }
+    bool masked() const { return !mask_.wanted.empty(); }
+    /// Whether a bin may show a primitive of less than TileView::small.
+    bool showsSmall(std::size_t x, std::size_t y) const {
+        return !smallBins_.empty() && smallBins_[y * across_ + x] != 0;
+    }
+    /// The shapes that the host drew; null: lists tell them.
+    const FrontShapes* shapes() const { return drawn_ ? &shapes_ : nullptr; }
+    /// Whether pixels begin with a primitive from writeSeeds().
+    bool seeded() const { return seeded_; }
+    /// Numbers of the nearest triangles or spheres of some pixels of a row, 0: none that is certain.
+    void writeSeeds(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const {
+        if (drawsSpheres_)
+            frontSpheres_.write(x, y, count, to);
+        else
+            front_.write(x, y, count, to);
+    }
+    /// Number of spheres drawn by the host that may be visible. Empty: all spheres passed in.
+    std::optional<std::size_t> shownSpheres() const {
+        return drawsSpheres_ ? std::optional(frontSpheres_.shown()) : std::nullopt;
+    }
+    std::size_t kept() const { return kept_.size(); }  ///< primitives in any list
+    std::size_t keptSpheres() const { return keptSpheres_; }
+    std::size_t entries() const { return offsets_.empty() ? 0 : offsets_.back(); }
+    std::uint32_t longest() const { return longest_; }  ///< entries of a list
+    /// Size of the device's data in words: tiles (x | y << 16 | 1 << 31 where showsSmall()); begin of each bin's list
+    /// and end of the last; a primitive's number, 1; the lists. So the word before a list is a valid number, which
+    /// readers of an empty list may load.
+    std::size_t words() const { return tiles_.size() + offsets_.size() + 1 + entries(); }
+    void write(std::uint32_t* to);
+
+private:
+    /// Triangles of one mesh with one transform: consecutive calls combined, since they share vertices.
+    struct MeshPart {
+        const glm::vec4* rows = nullptr;
+        float step = 1;
+        std::vector<TileCall> calls;
+    };
+    static std::vector<MeshPart> meshParts(const TileScenery& scenery);
+    struct Kept {
+        std::uint32_t number;
+        std::uint16_t x, y, endX, endY;  // bins
+        std::uint32_t step;              // of depth
+    };
+
+    void findSeeds();
+    void drawShapes(const TileView& view, const TileScenery& scenery);
+    void add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near,
+             std::vector<Kept>& kept) const;
+    void addRound(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near, float reach);
+    void addSpheres(const TileView& view, std::span<const Sphere> spheres, const TileCall& call);
+    void addCylinders(const TileView& view, const TileScenery& scenery, const TileCall& call);
+    void placeCorners(const TileView& view, const TileScenery& scenery, const MeshPart& part);
+    void addTriangle(const TileView& view, std::uint32_t number, const glm::vec3& a, const glm::vec3& b,
+                     const glm::vec3& c, std::vector<Kept>& kept) const;
+    void addDoubt(const TileView& view, const TileScenery& scenery, std::size_t index, bool placed,
+                  std::vector<Kept>& kept) const;
+    void addTriangles(const TileView& view, const TileScenery& scenery);
+    void addFrontTriangles(const TileView& view, const TileScenery& scenery);
+    void order();
+    void mask(const TileView& view);
+    void count();
+    /// Whether a tile of a bin is drawn.
+    bool drawsBin(std::size_t bin) const { return drawnBins_.empty() || drawnBins_[bin] != 0; }
+    bool drawsAny(const Kept& k) const;
+    static constexpr std::uint32_t kAllUnwanted = 15;
+    void findSmall();
+    void listTiles();
+
+    std::uint32_t across_ = 0, down_ = 0, longest_ = 0;
+    TileMask mask_;                        // empty: all tiles are drawn
+    std::vector<std::uint8_t> drawnBins_;  // as above
+    std::vector<Kept> kept_;
+    std::vector<std::uint32_t> small_;     // of those, primitives below TileView::small
+    std::vector<std::uint8_t> smallBins_;  // that show any; empty: none does
+    std::vector<std::vector<Kept>> keptOfSlices_;
+    std::size_t keptSpheres_ = 0;
+    std::vector<std::uint32_t> order_, offsets_, cursors_;
+    std::vector<Tile> tiles_, bins_;
+    std::vector<Span> spans_;
+    std::vector<glm::vec4> corners_;  // pixel and Z of each vertex, transformed for a call
+    bool seeded_ = false, drawsSpheres_ = false, drawn_ = false;
+    std::vector<std::uint8_t> seeds_;  // per bin: some pixel has a seed
+    std::vector<FrontTriangles::Run> runs_;
+    TriangleLanes lanes_;
+    FrontTriangles front_;
+    FrontSpheres frontSpheres_;
+    FrontShapes shapes_;
+};
+
+}  // namespace nacre

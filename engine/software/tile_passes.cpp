@@ -1,0 +1,189 @@
+#include "engine/software/tile_passes.h"
+
+#include "engine/passes/primitives.h"
+#include "engine/software/tile_bindings.h"
+#include "engine/software/tile_edges.h"
+#include "engine/software/usual_stages.h"
+#include "shaders.h"
+
+namespace nacre::passes {
+namespace {
+
+// Shapes, rows of copies, lists; numbers, which are written.
+constexpr std::array kNearestTexels{kTexel, kTexel, kTexel, kStorage};
+constexpr auto kNearestStorage = asStorage(kNearestTexels);
+// With shading: also looks, atlas, effects and cells of the atlas, numbers next to the colours, and the shadow map.
+constexpr std::array kNearestShaded{kTexel, kTexel,   kTexel,  kStorage, kTexel, kSampled, Type::eUniformBuffer,
+                                    kTexel, kStorage, kSampled};
+// Atlas, effects, shadow map, numbers, shapes, rows of copies, looks.
+constexpr std::array kShadeTexels{kSampled, Type::eUniformBuffer, kSampled, kTexel, kTexel, kTexel, kTexel};
+constexpr auto kShadeStorage = asStorage(kShadeTexels);
+
+constexpr vk::VertexInputBindingDescription kSpanBindings[] = {
+    {0, sizeof(TileSpanVertex), vk::VertexInputRate::eInstance}};
+constexpr vk::VertexInputAttributeDescription kSpanAttributes[] = {{0, 0, vk::Format::eR32G32B32A32Sfloat, 0}};
+
+gpu::ShaderWords nearestShader(bool texels, TileScene scene, bool shaded, bool rims) {
+    if (shaded && rims) return NACRE_TILE_SCENE(tileRimmed, );
+    if (shaded) return NACRE_TILE_SCENE(tileShaded, );
+    return NACRE_TILE_STAGE(tileNearest, );
+}
+
+Stage layerShader(bool texels) {
+    return texels ? NACRE_STAGE(tileTranslucentTexels) : NACRE_STAGE(tileTranslucentStorage);
+}
+
+Stage shadeShader(Output output, bool texels, TileScene scene, bool depth) {
+    if (depth) return {NACRE_TILE_STAGE(tileColorDepth, ), NACRE_TILE_STAGE(tileColorDepth, Counting)};
+    switch (output) {
+        case Output::surface:
+            return {NACRE_TILE_STAGE(tileSurface, ), NACRE_TILE_STAGE(tileSurface, Counting)};
+        case Output::identity:
+            return {NACRE_TILE_STAGE(tileIdentity, ), NACRE_TILE_STAGE(tileIdentity, Counting)};
+        case Output::color:
+            break;
+    }
+    return {NACRE_TILE_STAGE(tileColor, ), NACRE_TILE_STAGE(tileColor, Counting)};
+}
+
+const gpu::Layout& nearestLayout(gpu::PipelineContext& context, bool shades) {
+    const std::span<const Type> types = shades                               ? std::span<const Type>(kNearestShaded)
+                                        : context.device.caps().tiles.texels ? kNearestTexels
+                                                                             : kNearestStorage;
+    return context.pipelines.layout({"nearest primitive by tiles", types, kCompute, sizeof(layout::TileConstants)});
+}
+
+gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneView& view, bool shades) {
+    const TileFrame& f = *view.tiles;
+    const SceneBuffers& scene = *view.buffers;
+    const gpu::TileCaps& caps = context.device.caps().tiles;
+    gpu::ComputePipeline d{
+        context.pass,
+        f.lists.shapes() ? shaders::tilePixels : nearestShader(caps.texels, tileScene(scene), shades, view.rims.any()),
+        {},
+        *nearestLayout(context, shades).pipeline};
+    setTileView(d.constants, view, view.rims.widest());
+    if (shades) setShadingConstants(d.constants, view);
+    if (f.lists.shapes()) {
+        d.constants.set(layout::kLanesId, caps.lanes);
+        return d;
+    }
+    if (tileScene(scene) != TileScene::spheres) {
+        d.constants.set(layout::kSpheresId, scene.sphereCount > 0);
+        d.constants.set(layout::kCylindersId, scene.cylinderCount > 0);
+        d.constants.set(layout::kTrianglesId, scene.triangleCount > 0);
+    }
+    d.constants.set(layout::kNumberedId, f.edges.drawn && !f.edges.alone);
+    d.constants.set(layout::kSeededId, f.lists.seeded());
+    d.constants.set(layout::kLanesId, caps.lanes);
+    const bool rims = view.rims.any();
+    if (caps.texels && isUsual(d.constants, shades && rims))
+        d.code = !shades ? NACRE_USUAL_STAGE(tileNearestTexels, scene)
+                 : rims  ? NACRE_USUAL_STAGE(tileRimmed, scene)
+                         : NACRE_USUAL_STAGE(tileShaded, scene);
+    return d;
+}
+
+const gpu::Layout& spanLayout(gpu::PipelineContext& context, const SceneView& view) {
+    return context.pipelines.layout({"shading by tiles",
+                                     context.device.caps().tiles.texels ? kShadeTexels : kShadeStorage, kDraw,
+                                     sizeof(layout::TileConstants), view.fragments != nullptr});
+}
+
+gpu::GraphicsPipeline spanPipeline(gpu::PipelineContext& context, const SceneView& view, const TileShading& shading) {
+    const bool texels = context.device.caps().tiles.texels;
+    gpu::GraphicsPipeline d = context.pipeline();
+    d.detail = "tiles";
+    d.vertex = shaders::tileSpanVertex;
+    if (shading.layer) {
+        d.fragment = layerShader(texels).of(view);
+        d.constants.set(layout::kLayerId, *shading.layer);
+        d.depth = gpu::DepthUse::test;
+        d.blend = gpu::Blend::over;
+    } else {
+        d.fragment = shadeShader(shading.output, texels, tileScene(*view.buffers), shading.depth).of(view);
+        if (shading.depth) d.depth = gpu::DepthUse::write;
+    }
+    setTileView(d.constants, view);
+    setShadingConstants(d.constants, view);
+    d.streams = spanStreams();
+    d.layout = *spanLayout(context, view).pipeline;
+    d.colorsWritten = 1;
+    return d;
+}
+
+}  // namespace
+
+gpu::VertexStreams spanStreams() { return {kSpanBindings, kSpanAttributes}; }
+
+void want(gpu::PipelineContext& context, const SceneView& view, const NearestByTiles& pass) {
+    if (view.tiles->lists.tiles().empty()) return;
+    if (view.tiles->edges.drawn) wantEdgesByTiles(context, view);
+    context.pipelines.want(nearestPipeline(context, view, pass.atlas.has_value()));
+}
+
+void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles& pass) {
+    const TileFrame& f = *view.tiles;
+    const SceneBuffers& scene = *view.buffers;
+    if (f.lists.tiles().empty()) return;
+    const bool shades = pass.atlas.has_value();
+    if (f.edges.drawn && context.pipelines.makesAhead()) wantEdgesByTiles(context, view);
+    const auto write = [&](TileBindings& to) {
+        to.read(scene.shapes, scene.shapeTexels);
+        to.read(f.rows);
+        to.read(f.words.buffer, f.lists.shapes() ? f.words.pairs : f.words.texels);
+        to.store(f.edges.alone ? f.edges.numbers.buffer : f.numbers.buffer);
+        if (!shades) return;
+        to.read(scene.looks, scene.lookTexels);
+        to.sample(*pass.atlas);
+        to.uniform(*view.effectConstants);
+        // Always written, even if the shader reads none: lavapipe accesses it.
+        to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
+        to.store(f.edges.drawn ? f.edges.numbers.buffer : f.numbers.buffer);
+        to.sample(shadowOf(context, view, *pass.atlas));
+    };
+    bindTiles(context, nearestLayout(context, shades), nearestPipeline(context, view, shades), f.constants, write);
+    dispatchTiles(context, shades ? f.groups : f.lists.tiles().size());
+}
+
+void want(gpu::PipelineContext& context, const SceneView& view, const TileShading& pass) {
+    if (!view.tiles->lists.spans().empty()) context.pipelines.want(spanPipeline(context, view, pass));
+}
+
+void draw(gpu::PassContext& context, const SceneView& view, const TileShading& pass) {
+    const TileFrame& f = *view.tiles;
+    const SceneBuffers& scene = *view.buffers;
+    if (f.lists.spans().empty()) return;
+    const gpu::Layout& layout = spanLayout(context, view);
+    bindTiles(context, layout, spanPipeline(context, view, pass), f.constants, [&](TileBindings& to) {
+        to.sample(pass.atlas);
+        to.uniform(*view.effectConstants);
+        to.sample(shadowOf(context, view, pass.atlas));
+        to.read(f.numbers);
+        to.read(scene.shapes, scene.shapeTexels);
+        to.read(f.rows);
+        to.read(scene.looks, scene.lookTexels);
+    });
+    bindCounter(context, view, layout);
+    drawSpans(context, f);
+}
+
+void findLayersByTiles(gpu::PassContext& context, const SceneView& view) {
+    const TileFrame& f = *view.tiles;
+    const gpu::TileCaps& caps = context.device.caps().tiles;
+    if (f.lists.tiles().empty()) return;
+    const gpu::Layout& layout = nearestLayout(context, false);
+    gpu::ComputePipeline d{
+        context.pass, caps.texels ? shaders::tileLayersTexels : shaders::tileLayersStorage, {}, *layout.pipeline};
+    setTileView(d.constants, view);
+    d.constants.set(layout::kLanesId, caps.lanes);
+    bindTiles(context, layout, d, f.constants, [&](TileBindings& to) {
+        to.read(view.buffers->shapes, view.buffers->shapeTexels);
+        to.read(f.rows);
+        to.read(f.words);
+        to.store(f.numbers.buffer);
+    });
+    dispatchTiles(context, f.lists.tiles().size());
+}
+
+}  // namespace nacre::passes

@@ -1,0 +1,294 @@
+// Spheres that the host draws, against all of them asked at each pixel, in double precision.
+
+#include "engine/software/front_spheres.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <random>
+#include <set>
+#include <tuple>
+
+#include "engine/threads.h"
+
+namespace nacre::test {
+namespace {
+
+class Chance {
+public:
+    explicit Chance(std::uint32_t seed) : engine_(seed) {}
+    double operator()(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+    glm::dvec3 within(double reach) { return {(*this)(-reach, reach), (*this)(-reach, reach), (*this)(-reach, reach)}; }
+
+private:
+    std::mt19937 engine_;
+};
+
+/// A crowd of spheres at the places of some copies, of which some calls have only a part.
+struct Crowd {
+    std::vector<Sphere> spheres;
+    std::vector<glm::vec4> rows;
+    std::vector<TileCall> calls;
+    TileView view;
+
+    /// @param radiusPixels  of the largest
+    Crowd(std::uint32_t seed, double radiusPixels, int quarterTurns) {
+        Chance chance(seed);
+        constexpr std::uint32_t kSpheres = 3000, kCopies = 6;
+        // Neighbours in the stream are neighbours in space.
+        glm::dvec3 middle{};
+        for (std::uint32_t i = 0; i < kSpheres; ++i) {
+            if (i % 32 == 0) middle = chance.within(20);
+            spheres.push_back({glm::vec3(middle + chance.within(3)), static_cast<float>(chance(1.2, 1.9))});
+        }
+        // Some stand before another by next to nothing, some at its very place.
+        for (std::uint32_t i = 100; i < 600; i += 2)
+            spheres[i] = {spheres[i + 1].center + glm::vec3(0, 0, i % 4 ? 1e-5f : 0.0f), spheres[i + 1].radius};
+        for (std::uint32_t c = 0; c < kCopies; ++c) {
+            const glm::dmat3 turn =
+                glm::mat3_cast(glm::normalize(glm::dquat(chance(-1, 1), chance(-1, 1), chance(-1, 1), chance(-1, 1))));
+            const glm::dvec3 shift = chance.within(30);
+            for (int i = 0; i < 3; ++i) rows.emplace_back(turn[0][i], turn[1][i], turn[2][i], shift[i]);
+        }
+        for (std::uint32_t c = 0; c < kCopies; ++c) {
+            const std::uint32_t first = c == 2 ? 700 : 0, count = c == 2 ? 1501 : kSpheres;
+            calls.push_back({&rows[std::size_t{3} * c], first, count, kSpheres * c + 1});
+        }
+        view.width = 77;
+        view.height = 113;
+        view.centers = true;
+        view.quarterTurns = quarterTurns;
+        view.pixels = static_cast<float>(radiusPixels / 1.9);
+        view.axis = {static_cast<float>(chance(20, 60)), static_cast<float>(chance(20, 90))};
+        view.origin = 70;
+        view.nearest = -1;
+        view.range = 142;
+    }
+};
+
+struct Told {
+    std::vector<std::uint32_t> seeds;
+    std::set<std::uint32_t> doubts;
+};
+/// Boxes in an order of their own: each run from its end.
+SphereBoxes ownBoxes(const std::vector<Sphere>& stream) {
+    const std::vector<std::uint32_t> starts{0, 700, 2201, static_cast<std::uint32_t>(stream.size())};
+    std::vector<std::uint32_t> numbers;
+    for (std::size_t run = 0; run + 1 < starts.size(); ++run)
+        for (std::uint32_t i = starts[run + 1]; i > starts[run]; --i) numbers.push_back(i - 1);
+    std::vector<Sphere> spheres;
+    for (const std::uint32_t number : numbers) spheres.push_back(stream[number]);
+    SphereBoxes boxes = sphereBoxesOf(spheres);
+    boxes.spheres = spheres;
+    boxes.numbers = numbers;
+    boxes.starts = starts;
+    return boxes;
+}
+
+Told toldBy(FrontSpheres& front, const Crowd& c, bool own = false) {
+    const SphereBoxes boxes = own ? ownBoxes(c.spheres) : sphereBoxesOf(c.spheres);
+    front.draw(c.view, c.spheres, boxes, c.calls);
+    Told told;
+    told.seeds.resize(std::size_t{c.view.width} * c.view.height);
+    for (std::uint32_t y = 0; y < c.view.height; ++y)
+        front.write(0, y, c.view.width, &told.seeds[std::size_t{y} * c.view.width]);
+    for (const TileCall& call : front.doubts())
+        for (std::uint32_t i = 0; i < call.count; ++i) told.doubts.insert(call.number + call.first + i);
+    return told;
+}
+
+/// Where the middle of a sphere is seen, pixels, and its Z.
+struct Ball {
+    glm::dvec2 at;
+    double Z, radius;
+    std::uint32_t number;
+};
+std::vector<Ball> ballsOf(const Crowd& c) {
+    std::vector<Ball> balls;
+    for (const TileCall& call : c.calls)
+        for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
+            const glm::dvec4 p(c.spheres[i].center, 1.0);
+            const auto along = [&](int row) { return glm::dot(glm::dvec4(call.rows[row]), p); };
+            const glm::dvec2 upright(along(0), -along(1));
+            const glm::dvec2 turned[] = {upright, {-upright.y, upright.x}, -upright, {upright.y, -upright.x}};
+            balls.push_back({glm::dvec2(c.view.axis) + turned[c.view.quarterTurns] * static_cast<double>(c.view.pixels),
+                             static_cast<double>(c.view.origin) - along(2), static_cast<double>(c.spheres[i].radius),
+                             call.number + i});
+        }
+    return balls;
+}
+
+/// Goes through the pixels whose centres a ball may hold. @param work  gets the pixel's place in the picture, and the
+/// square of how deep that lies in the ball, Å
+template <typename Work>
+void eachPixel(const TileView& v, const Ball& b, double room, const Work& work) {
+    const double reach = (b.radius + room) * static_cast<double>(v.pixels);
+    const auto from = [&](double at) { return static_cast<std::uint32_t>(std::max(at - reach - 0.5, 0.0)); };
+    const auto to = [&](double at, std::uint32_t end) { return std::min(at + reach + 0.5, static_cast<double>(end)); };
+    for (std::uint32_t y = from(b.at.y); y < to(b.at.y, v.height); ++y)
+        for (std::uint32_t x = from(b.at.x); x < to(b.at.x, v.width); ++x) {
+            const glm::dvec2 off = (glm::dvec2(x + 0.5, y + 0.5) - b.at) / static_cast<double>(v.pixels);
+            work(std::size_t{y} * v.width + x, b.radius * b.radius - glm::dot(off, off));
+        }
+}
+
+/// Radii, pixels, by each of the processor's numbers of lanes, and whether boxes have an order of their own.
+class FrontSpheresTest : public testing::TestWithParam<std::tuple<double, std::size_t, bool>> {};
+
+TEST_P(FrontSpheresTest, NameAllThatMayBeTheNearest) {
+    constexpr double kRounding = 3e-5;  // Å that shaders may be off by, at this size of a scene
+    const auto [radius, lanes, own] = GetParam();
+    FrontSpheres front(frontLanes()[lanes]);  // used again and again, as by a renderer
+    std::size_t seen = 0, ties = 0, shown = 0, doubts = 0, all = 0;
+    for (std::uint32_t seed = 0; seed < 8; ++seed) {
+        const Crowd c(seed, radius, static_cast<int>(seed % 4));
+        const Told told = toldBy(front, c, own);
+        const std::vector<Ball> balls = ballsOf(c);
+        std::vector<double> least(told.seeds.size(), std::numeric_limits<double>::infinity());
+        for (const Ball& b : balls)
+            eachPixel(c.view, b, 0, [&](std::size_t pixel, double h) {
+                const double certain = h - 2 * b.radius * kRounding;
+                if (certain > 0) least[pixel] = std::min(least[pixel], b.Z - std::sqrt(certain) + kRounding);
+            });
+        std::vector<std::uint32_t> here(told.seeds.size(), 0);
+        for (const Ball& b : balls)
+            eachPixel(c.view, b, kRounding, [&](std::size_t pixel, double h) {
+                const double perhaps = h + 2 * b.radius * kRounding;
+                if (perhaps < 0 || b.Z - std::sqrt(perhaps) - kRounding > least[pixel]) return;
+                ++here[pixel];
+                EXPECT_TRUE(b.number == told.seeds[pixel] || told.doubts.contains(b.number))
+                    << "seed " << seed << ", sphere " << b.number << " at pixel " << pixel;
+            });
+        std::set<std::uint32_t> named = told.doubts;
+        for (std::size_t pixel = 0; pixel < told.seeds.size(); ++pixel) {
+            const auto x = static_cast<std::uint32_t>(pixel % c.view.width),
+                       y = static_cast<std::uint32_t>(pixel / c.view.width);
+            EXPECT_TRUE(told.seeds[pixel] == 0 || here[pixel] > 0);
+            EXPECT_EQ(front.isSeen(x, y, x + 1, y + 1), told.seeds[pixel] != 0);
+            if (told.seeds[pixel] != 0) named.insert(told.seeds[pixel]);
+            seen += here[pixel] > 0;
+            ties += here[pixel] > 1;
+        }
+        EXPECT_EQ(front.shown(), named.size());
+        doubts += told.doubts.size();
+        shown += named.size();
+        all += balls.size();
+    }
+    EXPECT_GT(seen, 1000u);
+    EXPECT_GT(ties, 20u);
+    EXPECT_LT(shown, all / 4);
+    EXPECT_LT(doubts, shown);
+}
+
+INSTANTIATE_TEST_SUITE_P(Radii, FrontSpheresTest,
+                         testing::Combine(testing::Values(0.3, 0.8, 2.0, 7.0),
+                                          testing::Range(std::size_t{0}, frontLanes().size()), testing::Bool()));
+
+// Where spheres stand to each other, and not how many are drawn at once, tells which a pixel shows.
+TEST(FrontSpheres, AreTheSameByAnyNumberOfLanes) {
+    for (const double radius : {0.3, 0.8, 2.0, 7.0}) {
+        Crowd c(3, radius, 1);
+        for (std::size_t i = 100; i < 600; ++i) c.spheres[i].center.z += 1e-3f * static_cast<float>(i);  // no ties
+        FrontSpheres four(frontLanes().front());
+        const Told expected = toldBy(four, c);
+        for (const FrontLanes& lanes : frontLanes()) {
+            FrontSpheres front(lanes);
+            EXPECT_EQ(toldBy(front, c).seeds, expected.seeds) << lanes.lanes << " lanes, radius " << radius;
+        }
+    }
+}
+
+// Parts of runs are drawn as whole runs, once, since what they leave out is beside the picture.
+TEST(FrontSpheres, DrawRunsOnceHoweverTheyAreParted) {
+    Crowd c(3, 0.8, 1);
+    for (std::size_t i = 100; i < 600; ++i) c.spheres[i].center.z += 1e-3f * static_cast<float>(i);  // no ties
+    c.calls.erase(c.calls.begin() + 2);
+    FrontSpheres front;
+    const Told expected = toldBy(front, c, true);
+    std::vector<TileCall> parts;
+    for (const TileCall& call : c.calls)
+        for (std::uint32_t first = 0; first < call.count; first += 250)
+            parts.push_back({call.rows, first, 250, call.number});
+    c.calls = parts;
+    const Told told = toldBy(front, c, true);
+    EXPECT_EQ(told.seeds, expected.seeds);
+    EXPECT_EQ(told.doubts, expected.doubts);
+}
+
+TEST(FrontSpheres, DrawNothingOfNothing) {
+    Crowd c(1, 0.8, 0);
+    FrontSpheres front;
+    EXPECT_GT(toldBy(front, c).doubts.size(), 0u);
+    c.view.axis = {-4000, -4000};
+    const Told told = toldBy(front, c);
+    EXPECT_EQ(std::count(told.seeds.begin(), told.seeds.end(), 0u), static_cast<std::ptrdiff_t>(told.seeds.size()));
+    EXPECT_EQ(front.shown(), 0u);
+    EXPECT_EQ(told.doubts.size(), 0u);
+}
+
+// Spheres that stand in one thread's rows are asked for in another's.
+TEST(FrontSpheres, AreTheSameBySeveralThreads) {
+    constexpr std::uint32_t kSpheres = 300'000;  // more than are worth one thread
+    Crowd c(1, 0.3, 0);
+    Chance chance(7);
+    c.spheres.clear();
+    for (std::uint32_t i = 0; i < kSpheres; ++i) c.spheres.push_back({glm::vec3(chance.within(150)), 1.9f});
+    c.calls.resize(1);
+    c.calls[0] = {&c.rows[0], 0, kSpheres, 1};
+    c.view.axis = {c.view.width / 2.0, c.view.height / 2.0};
+    const auto toldByThreads = [&](unsigned threads) {
+        FrontSpheres front;
+        setThreadsPerTask(threads);
+        Told told = toldBy(front, c);
+        setThreadsPerTask(0);
+        return told;
+    };
+    const Told one = toldByThreads(1), two = toldByThreads(2);
+    EXPECT_GT(std::count_if(one.seeds.begin(), one.seeds.end(), [](std::uint32_t seed) { return seed != 0; }), 10);
+    EXPECT_EQ(one.seeds, two.seeds);
+    EXPECT_EQ(one.doubts, two.doubts);
+}
+
+TEST(FrontSpheres, TellOfParallelRaysThroughCentersAlone) {
+    TileView v;
+    v.centers = true;
+    EXPECT_TRUE(FrontSpheres::tells(v));
+    const auto but = [&](auto change) {
+        TileView other = v;
+        change(other);
+        return FrontSpheres::tells(other);
+    };
+    EXPECT_FALSE(but([](TileView& w) { w.centers = false; }));
+    EXPECT_FALSE(but([](TileView& w) { w.perspective = true; }));
+    EXPECT_FALSE(but([](TileView& w) { w.layers = 2; }));
+    EXPECT_FALSE(but([](TileView& w) { w.contour = 0.1f; }));
+    EXPECT_FALSE(but([](TileView& w) { w.clipNear = 3; }));
+    EXPECT_FALSE(but([](TileView& w) { w.clipFar = 3; }));
+}
+
+TEST(SphereBoxes, HoldTheirSpheres) {
+    const Crowd c(3, 1, 0);
+    const SphereBoxes boxes = sphereBoxesOf(c.spheres);
+    constexpr std::size_t kOfGroup = std::size_t{SphereBoxes::kSpheres} * SphereBoxes::kBoxes;
+    ASSERT_EQ(boxes.groups.size(), (c.spheres.size() + kOfGroup - 1) / kOfGroup);
+    ASSERT_EQ(boxes.boxes.size(), boxes.groups.size() * SphereBoxes::kBoxes);
+    for (std::size_t i = 0; i < c.spheres.size(); ++i)
+        for (const SphereBox& box : {boxes.boxes[i / SphereBoxes::kSpheres], boxes.groups[i / kOfGroup]}) {
+            const glm::vec3 off = glm::abs(c.spheres[i].center - box.middle);
+            EXPECT_LE(std::max({off.x - box.half.x, off.y - box.half.y, off.z - box.half.z}), 0.0f) << i;
+            EXPECT_LE(glm::length(off), box.ball) << i;
+            EXPECT_LE(c.spheres[i].radius, box.radius) << i;
+        }
+    EXPECT_GT(boxes.reach, 19.0f);
+    EXPECT_LT(boxes.reach, 24.0f);
+    std::vector<Sphere> broken = c.spheres;
+    broken[5].center.y = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(sphereBoxesOf(broken).reach, std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
+}  // namespace nacre::test
