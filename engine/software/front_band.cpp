@@ -32,11 +32,16 @@ void ShapeBand::meet(std::size_t at, std::uint32_t shape, float from) const {
     meetings->push_back({static_cast<std::uint32_t>(at), shape, from});
 }
 
+namespace front_lanes {
+
 #define NACRE_LANES_CODE "engine/software/front_lanes.inc"
 #define NACRE_MOST_LANES 16
 #include "engine/simd/each_lanes.inc"
 
+}  // namespace front_lanes
+
 std::span<const FrontLanes> frontLanes() {
+    using namespace front_lanes;
     static constexpr FrontLanes kLanesOf[] = {
         {4, lanes4::drawGroup, lanes4::findRectangles, lanes4::drawShapes, lanes4::tellRow},
 #if defined(__x86_64__)

@@ -11,7 +11,7 @@ namespace nacre {
 namespace {
 
 constexpr double kStep = 0x1p-23;
-constexpr std::uint32_t kNumber = ~(FrontShape::kStick | FrontShape::kDoubt);
+constexpr std::uint32_t kShapeNumber = ~(FrontShape::kStick | FrontShape::kDoubt);
 
 float f(double x) { return static_cast<float>(x); }
 
@@ -172,7 +172,7 @@ void FrontShapes::settle(Part& part) const {
         // What is left of an earlier strip is no index of this pixel.
         if ((number & FrontShape::kDoubt) == 0 || index >= part.firsts.size() || part.firsts[index].at != m.at) {
             index = static_cast<std::uint32_t>(part.firsts.size());
-            part.firsts.push_back({m.at, band.behind[m.at] < ShapeBand::kNothing ? number & kNumber : 0, kNone});
+            part.firsts.push_back({m.at, band.behind[m.at] < ShapeBand::kNothing ? number & kShapeNumber : 0, kNone});
             number = FrontShape::kDoubt | index;
         }
         part.nexts[i] = std::exchange(part.firsts[index].meeting, i);
@@ -182,7 +182,7 @@ void FrontShapes::settle(Part& part) const {
         part.begins.push_back(static_cast<std::uint32_t>(part.candidates.size()));
         if (first.number != 0) part.candidates.push_back(first.number);
         for (std::uint32_t m = first.meeting; m != kNone; m = part.nexts[m])
-            part.candidates.push_back(part.meetings[m].number & kNumber);
+            part.candidates.push_back(part.meetings[m].number & kShapeNumber);
     }
 }
 

@@ -13,8 +13,8 @@
 namespace nacre {
 namespace {
 
-constexpr float kNothing = std::numeric_limits<float>::max();
-constexpr float kHidesAll = -kNothing;
+constexpr float kNoDepth = std::numeric_limits<float>::max();
+constexpr float kHidesAll = -kNoDepth;
 constexpr std::uint32_t kMostLanes = 16;
 
 /// Made anew wherever it is needed: copies of single atoms are millions.
@@ -148,7 +148,7 @@ void FrontSpheres::countShown() {
             const float* z = z_.data() + y * pitch_;
             const std::uint32_t* number = number_.data() + y * pitch_;
             for (std::uint32_t x = 0; x < width_; ++x)
-                if (z[x] != kNothing && (x == 0 || number[x] != number[x - 1])) mine += mark(number[x]);
+                if (z[x] != kNoDepth && (x == 0 || number[x] != number[x - 1])) mine += mark(number[x]);
         }
         shown += mine;
     });
@@ -176,7 +176,7 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
         band.z = z_.data(), band.number = number_.data(), band.doubts = &doubts_[b];
         doubts_[b].clear();
         for (std::size_t y = band.first; y < band.end; ++y) {
-            std::fill_n(z_.data() + y * pitch_, width_, kNothing);
+            std::fill_n(z_.data() + y * pitch_, width_, kNoDepth);
             std::fill_n(z_.data() + y * pitch_ + width_, pitch_ - width_, kHidesAll);
         }
         const auto top = static_cast<float>(band.first), bottom = static_cast<float>(band.end);
@@ -195,7 +195,7 @@ bool FrontSpheres::isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, 
     for (; y < std::min(endY, height_); ++y) {
         const float* row = z_.data() + std::size_t{y} * pitch_;
         for (std::uint32_t at = x; at < std::min(endX, width_); ++at)
-            if (row[at] != kNothing) return true;
+            if (row[at] != kNoDepth) return true;
     }
     return false;
 }
@@ -203,7 +203,7 @@ bool FrontSpheres::isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, 
 void FrontSpheres::write(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const {
     for (const std::uint32_t end = x + count; x < end; ++x) {
         const std::size_t at = std::size_t{y} * pitch_ + x;
-        *to++ = y < height_ && x < width_ && z_[at] != kNothing ? number_[at] : 0;
+        *to++ = y < height_ && x < width_ && z_[at] != kNoDepth ? number_[at] : 0;
     }
 }
 

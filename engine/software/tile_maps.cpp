@@ -16,7 +16,7 @@ using Usage = vk::BufferUsageFlagBits;
 constexpr auto kRead = Usage::eUniformTexelBuffer | Usage::eStorageBuffer;
 constexpr graph::State kHeightState{
     VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
-constexpr float kNothing = -1e30f;  // height where a map shows nothing, as in shaders/tile_depth.comp
+constexpr float kNoHeight = -1e30f;  // height where a map shows nothing, as in shaders/tile_depth.comp
 
 /// Pixels from a map to the next: bins are of one alone.
 std::uint32_t apartFor(std::uint32_t pixels) {
@@ -82,7 +82,7 @@ void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
     std::memcpy(rowTexels_.buffer.mapped, rows_.data(), rows_.size() * sizeof(glm::vec4));
     // No more than there are maps: an incomplete batch has fewer rows.
     const std::size_t rowsOfMaps = (maps.size() + across_ - 1) / across_;
-    std::fill_n(reinterpret_cast<float*>(heights_.mapped), rowsOfMaps * apart_ * pitch(), kNothing);
+    std::fill_n(reinterpret_cast<float*>(heights_.mapped), rowsOfMaps * apart_ * pitch(), kNoHeight);
 }
 
 void TileMaps::wantPipelines(gpu::PipelineContext& context) const {

@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-constexpr float kMost = std::numeric_limits<float>::max();
+constexpr float kLargestFloat = std::numeric_limits<float>::max();
 
 /// A ball about a primitive.
 Chunk ballOf(const Sphere& s) { return {s.center, s.radius}; }
@@ -40,7 +40,7 @@ std::vector<Chunk> chunksOfStream(std::size_t count, const BallOf& ballOf) {
     chunks.reserve(count / Chunk::kPrimitives + 1);
     for (std::size_t first = 0; first < count; first += Chunk::kPrimitives) {
         const std::size_t end = std::min<std::size_t>(first + Chunk::kPrimitives, count);
-        glm::vec3 low(kMost), high(-kMost);
+        glm::vec3 low(kLargestFloat), high(-kLargestFloat);
         for (std::size_t i = first; i < end; ++i) {
             const glm::vec3 center = ballOf(i).center;
             low = glm::min(low, center);
@@ -50,9 +50,9 @@ std::vector<Chunk> chunksOfStream(std::size_t count, const BallOf& ballOf) {
         for (std::size_t i = first; i < end; ++i) {
             const Chunk ball = ballOf(i);
             const float reach = glm::length(ball.center - chunk.center) + ball.radius;
-            chunk.radius = std::isfinite(reach) ? std::max(chunk.radius, reach * 1.00001f) : kMost;
+            chunk.radius = std::isfinite(reach) ? std::max(chunk.radius, reach * 1.00001f) : kLargestFloat;
         }
-        if (!std::isfinite(chunk.center.x + chunk.center.y + chunk.center.z)) chunk = {{}, kMost};
+        if (!std::isfinite(chunk.center.x + chunk.center.y + chunk.center.z)) chunk = {{}, kLargestFloat};
         chunks.push_back(chunk);
     }
     return chunks;
@@ -69,7 +69,7 @@ std::uint32_t spread(std::uint32_t bits) {
 /// Numbers of a stream's primitives in the order that they are to have: where the runs begin, they stay apart.
 template <typename Primitive>
 std::vector<std::uint32_t> mortonOrder(const std::vector<Primitive>& stream, const std::vector<std::uint32_t>& starts) {
-    glm::vec3 low(kMost), high(-kMost);
+    glm::vec3 low(kLargestFloat), high(-kLargestFloat);
     for (const Primitive& p : stream) {
         const glm::vec3 center = ballOf(p).center;
         low = glm::min(low, center);
@@ -121,7 +121,7 @@ void halve(Place* places, std::uint32_t first, std::uint32_t end) {
         std::sort(places, places + (end - first), [](const Place& a, const Place& b) { return a.number < b.number; });
         return;
     }
-    glm::vec3 low(kMost), high(-kMost);
+    glm::vec3 low(kLargestFloat), high(-kLargestFloat);
     for (const Place* p = places; p < places + (end - first); ++p) {
         low = glm::min(low, p->at);
         high = glm::max(high, p->at);

@@ -12,7 +12,7 @@
 namespace nacre {
 namespace {
 
-constexpr int kStops = 5;  // of the ramp in the legend
+constexpr int kLegendStops = 5;  // of the ramp in the legend
 
 ColorRange usualRange(std::vector<double> values, bool signs) {
     std::erase_if(values, [](double v) { return std::isnan(v); });
@@ -65,9 +65,9 @@ std::uint32_t ValueColors::colorOf(std::uint32_t step, std::uint32_t otherwise) 
 }
 
 Legend ValueColors::legend(const std::string& name) const {
-    Legend legend{"all", name, {}, palette_, kStops};
-    for (int i = 0; i < kStops; ++i) {
-        const double share = i / (kStops - 1.0);
+    Legend legend{"all", name, {}, palette_, kLegendStops};
+    for (int i = 0; i < kLegendStops; ++i) {
+        const double share = i / (kLegendStops - 1.0);
         legend.entries.push_back({numberOf(range_.first + (range_.last - range_.first) * share), colorAt(share)});
     }
     return legend;

@@ -27,8 +27,8 @@ public:
             high = glm::max(high, seen(s) + s.radius);
         }
         // Large parts have larger cells: their number stays bounded.
-        constexpr float kCell = 1, kMost = 1024;  // Å, cells per side
-        cell_ = std::max({kCell, (high.x - low.x) / kMost, (high.y - low.y) / kMost});
+        constexpr float kCell = 1, kCellsPerSide = 1024;
+        cell_ = std::max({kCell, (high.x - low.x) / kCellsPerSide, (high.y - low.y) / kCellsPerSide});
         low_ = low;
         wide_ = static_cast<int>((high.x - low.x) / cell_) + 1;
         high_ = static_cast<int>((high.y - low.y) / cell_) + 1;
