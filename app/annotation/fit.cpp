@@ -1,4 +1,4 @@
-// Moves the molecule clear of the words in the picture's corners.
+// Moves the molecule clear of title, legends and scale bar in the picture's corners.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kHullSides = 32;
 
-/// Convex polygon around the drawn scene, on the image plane, Å, y down: its extent in several directions.
+/// Convex hull of the drawn scene on the image plane, Å, y down, as extents in several directions.
 struct Hull {
     glm::dvec2 middle{};
     std::array<double, kHullSides> reach{};
@@ -79,7 +79,7 @@ struct Standing {
 /// The position with the largest scale, up to a limit; of nearly equal ones the nearest.
 Standing bestPlace(const Hull& hull, const std::vector<Area>& areas, const Area& frame, const glm::dvec2& from,
                    double most) {
-    // Fractions of the scale given up to avoid a horizontal, and a vertical shift: a centred molecule looks calm.
+    // Fractions of the scale given up to avoid a horizontal or vertical shift: centred molecules look better.
     constexpr double kAside = 0.7, kAway = 0.1;
     const glm::dvec2 size = frame.high - frame.low;
     Standing best;
@@ -115,7 +115,7 @@ View besideWords(const View& view, const PlacedWords& words, double size, const 
     const double edge = kEdge * std::min(view.width, view.height);
     const Area frame{glm::dvec2(edge), 2.0 * middle - edge};
     View fitted = view;
-    // How long a scale bar is follows from the scale, by steps.
+    // The length of a scale bar changes with the scale, in steps.
     for (int turn = 0; turn < 3; ++turn) {
         Room room(fitted, em, widthOf);
         layBlocks(room, words);

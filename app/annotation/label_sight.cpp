@@ -9,7 +9,7 @@
 namespace nacre::app {
 namespace {
 
-/// The scene in view space. A ray is a point of the plane z = 0.
+/// The scene in view space. A ray is its point on the plane z = 0.
 class Eye {
 public:
     explicit Eye(const View& view)
@@ -36,7 +36,7 @@ struct Ray {
     bool open = true;
 };
 
-/// Rays by where they go through the plane z = 0.
+/// Rays by their position on the plane z = 0.
 class Rays {
 public:
     explicit Rays(std::vector<Ray> rays) : rays_(std::move(rays)) {
@@ -74,7 +74,7 @@ private:
     double cell_ = 1;
 };
 
-constexpr double kOff = 0.05;  // Å before a surface
+constexpr double kOff = 0.05;  // Å in front of a surface
 
 /// Five points of an atom's near side.
 constexpr double kSides[][2] = {{0, 0}, {0.6, 0}, {-0.6, 0}, {0, 0.6}, {0, -0.6}};

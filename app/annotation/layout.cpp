@@ -50,7 +50,7 @@ void layScaleBar(Room& room, ScaleBar unit) {
              room.size);
 }
 
-/// @param held  of each, before and after
+/// @param held  positions in the previous and in this picture
 void layMeasures(Room& room, const std::vector<PlacedMeasure>& measures, std::vector<Held>& held) {
     held.resize(measures.size());
     for (std::size_t m = 0; m < measures.size(); ++m) {
@@ -65,7 +65,7 @@ void layMeasures(Room& room, const std::vector<PlacedMeasure>& measures, std::ve
         room.dashed(path);
         glm::dvec2 anchor = (path[0] + path[1]) / 2.0, way = path[1] - path[0];
         if (path.size() == 3) {
-            // An arc in the angle, in space, so that it is seen as the angle is.
+            // The arc of the angle in space, so that perspective applies to it.
             const glm::dvec3 corner = measure.points[1];
             const glm::dvec3 u = measure.points[0] - corner, v = measure.points[2] - corner;
             const double radius = 0.45 * std::min(glm::length(u), glm::length(v));
@@ -106,7 +106,7 @@ std::vector<std::size_t> choosingOrder(const std::vector<Room::Seen>& anchors, c
     return order;
 }
 
-/// Notes which labels other atoms hide. One that shows goes on showing until hardly anything of it is seen.
+/// Marks labels whose atoms are hidden by others. A visible label stays until almost all of its atoms are hidden.
 void judgeSight(const PlacedWords& words, const View& view, const Clip& clip, std::vector<Held>& held) {
     constexpr double kSeen = 0.25, kHardly = 0.1;
     std::vector<double> shares(words.labels.size(), 1);
@@ -118,9 +118,9 @@ void judgeSight(const PlacedWords& words, const View& view, const Clip& clip, st
     for (std::size_t i = 0; i < shares.size(); ++i) held[i].shown = shares[i] >= (held[i].shown ? kHardly : kSeen);
 }
 
-/// Offsets of a text's centre that cover none of its atoms, nearest first. None if these fill most of the picture: then
-/// the text goes on top.
-/// @param half  of the text
+/// Offsets of a text's centre at which it covers none of its atoms, nearest first. None if the atoms fill most of the
+/// picture: then the text goes on top.
+/// @param half  half size of the text
 std::vector<glm::dvec2> besideNamed(const Room& room, const LabelSight::Named& named, const glm::dvec2& anchor,
                                     const glm::dvec2& half) {
     constexpr int kWays = 12;
@@ -154,7 +154,7 @@ std::vector<glm::dvec2> besideNamed(const Room& room, const LabelSight::Named& n
     return offsets;
 }
 
-/// A label of a size of its own has its middle at its point, whatever else is there.
+/// A label with a size of its own is centred on its point, whatever is there.
 void putInSpace(Room& room, const PlacedLabel& label, const Room::Seen& seen) {
     constexpr double kLeast = 3, kMost = 2000;  // pixels
     const double em = std::min(label.size * seen.scale, kMost);
@@ -163,7 +163,7 @@ void putInSpace(Room& room, const PlacedLabel& label, const Room::Seen& seen) {
     room.put(label.text, seen.at + glm::dvec2(-wide / 2, (kRise - kDrop) / 2 * em), em);
 }
 
-/// @param held  of each, before and after
+/// @param held  positions in the previous and in this picture
 void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vector<Held>& held) {
     const std::vector<PlacedLabel>& labels = words.labels;
     held.resize(labels.size());
@@ -189,7 +189,7 @@ void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vect
         const glm::dvec2 half(room.widthOfRuns(labels[i].text, room.size) / 2, (kRise + kDrop) / 2 * room.size);
         const double radius = labels[i].radius * anchors[i].scale, beside = radius + 0.25 * room.size;
         const double corner = 0.72 * beside;
-        // An atom whose picture has room for its label wears it.
+        // A label that fits inside its atom goes there.
         if (labels[i].ofAtom && radius < half.x + 0.3 * room.size)
             wishes = {{corner + half.x, -corner - 0.5 * half.y},
                       {beside + half.x, 0},
@@ -249,7 +249,7 @@ Marks layOut(const PlacedWords& words, const View& view, double size, const std:
     layMeasures(room, words.measures, memory->measures());
     layLabels(room, words, clip, memory->labels());
     Marks marks = std::move(room.marks);
-    // Where the background shows through, paper is white.
+    // A transparent background counts as white paper.
     const float a = background[3];
     const std::array<float, 3> ground{background[0] * a + 1 - a, background[1] * a + 1 - a, background[2] * a + 1 - a};
     constexpr double kMiddleGray = 0.18;

@@ -26,7 +26,7 @@ struct TextMark {
     glm::dvec2 at{};  ///< left end of the baseline
     double size = 0;  ///< em size
     std::string text;
-    std::uint32_t color = 0;  ///< packed; 0: that of the words
+    std::uint32_t color = 0;  ///< packed; 0: the words' colour
 };
 struct LineMark {
     std::vector<glm::dvec2> points;
@@ -35,7 +35,7 @@ struct LineMark {
 struct DiscMark {
     glm::dvec2 at{};
     double radius = 0;
-    std::uint32_t color = 0;  ///< packed; 0: that of the words
+    std::uint32_t color = 0;  ///< packed; 0: the words' colour
 };
 /// A rectangle with colours from top to bottom.
 struct RampMark {
@@ -57,7 +57,7 @@ struct Marks {
     std::vector<TextMark> texts;
     std::uint32_t color = 0xff000000, halo = 0xffffffff;  ///< packed
     double haloWidth = 2;
-    std::size_t crowded = 0;  ///< labels left out for lack of room
+    std::size_t crowded = 0;  ///< labels left out for lack of space
 };
 
 /// Default em size, pixels.
@@ -65,8 +65,8 @@ double usualTextSize(std::uint32_t width, std::uint32_t height);
 
 struct Held;
 
-/// Positions of words in the previous picture of a sequence: a label moves with its atom, and elsewhere only if it
-/// must. For one fixed list of words.
+/// Positions of words in the previous picture of a sequence. A label moves with its atom, and changes its place beside
+/// it only if it must. For one fixed list of words.
 class WordMemory {
 public:
     WordMemory();
@@ -84,14 +84,14 @@ private:
 /// @param size        em size, pixels; 0: usualTextSize()
 /// @param color       of the ink, sRGB-coded; empty: contrasts with the background, with a halo of the opposite
 /// @param background  sRGB-coded, straight alpha
-/// @param clip        clipped atoms hide no label
+/// @param clip        atoms cut away by clipping planes hide no label
 /// @param memory      null: a single picture
 Marks layOut(const PlacedWords& words, const View& view, double size, const std::optional<std::array<float, 3>>& color,
              const std::array<float, 4>& background, const TextWidth& widthOf, const Clip& clip = {},
              WordMemory* memory = nullptr);
 
 /// Shrinks and shifts the view as little as needed to keep the molecule clear of title, legends and scale bar.
-/// Unchanged if they do not overlap, or if the molecule would shrink to less than a third; they then lie over it.
+/// Unchanged if they do not overlap, or if the molecule would shrink below a third; then they overlap.
 /// @param balls  the scene, from drawnBalls() @param zoom  of the view: parts beyond zoom 1 may overlap
 View besideWords(const View& view, const PlacedWords& words, double size, const std::vector<glm::dvec4>& balls,
                  double zoom, const TextWidth& widthOf);

@@ -14,7 +14,7 @@ struct LegendRow {
     std::uint32_t color = 0;  // 0: a heading
     bool gapBefore = false;
     const Legend* ramp = nullptr;
-    std::size_t stop = 0;  // of the ramp, from the top
+    std::size_t stop = 0;  // ramp stop, from the top
 };
 
 std::string headingOf(const Legend& legend) {
@@ -40,7 +40,7 @@ std::string headingOf(const Legend& legend) {
     return heading.empty() ? "" : heading + ", " + legend.selection;
 }
 
-/// A text of the program or the file, safe from being read as markup.
+/// Escapes a text of the program or the file for markup.
 std::string escaped(const std::string& text) {
     std::string safe;
     for (const char c : text) {
@@ -56,10 +56,10 @@ std::vector<LegendRow> rowsOf(const std::vector<Legend>& legends) {
     for (const Legend& legend : legends) {
         const std::string heading = headingOf(legend);
         if (!heading.empty()) rows.push_back({escaped(heading), 0, !rows.empty()});
-        // A single colour is named by the atoms that have it.
+        // A single colour is labelled with the atoms that have it.
         const bool named = legend.entries.size() == 1 && heading.empty() && legend.selection != "all";
         for (std::size_t i = 0; i < legend.entries.size(); ++i) {
-            // The end of a ramp on top, as on an axis.
+            // High values on top, as on an axis.
             const bool ramp = i < legend.stops;
             const LegendEntry& entry = legend.entries[ramp ? legend.stops - 1 - i : i];
             const bool first = !rows.empty() && i == 0 && heading.empty();
@@ -70,7 +70,7 @@ std::vector<LegendRow> rowsOf(const std::vector<Legend>& legends) {
     return rows;
 }
 
-/// A row's swatch: a disc, or its part of a ramp, about its middle.
+/// A row's swatch: a disc, or its part of a ramp, centred on the row.
 void legendSwatch(Room& room, const LegendRow& row, const glm::dvec2& middle, double radius, double line) {
     if (!row.ramp) {
         room.marks.discs.push_back({middle, radius, row.color});

@@ -24,7 +24,7 @@ namespace {
 
 FT_Pos fixed(double pixels) { return static_cast<FT_Pos>(std::lround(pixels * 64)); }
 
-/// How much of each pixel of a band of rows is covered; it grows from mark to mark by the larger value.
+/// Coverage of the pixels in a band of rows. Overlapping marks keep the larger value.
 class Coverage {
 public:
     Coverage(std::uint32_t width, std::uint32_t first, std::uint32_t rows)
@@ -116,7 +116,8 @@ void rasterizeLine(FT_Library library, const LineMark& line, double grown, Cover
         const double length = glm::distance(a, b);
         if (length < 1e-9) continue;
         const glm::dvec2 way = (b - a) / length, side = glm::dvec2(-way.y, way.x) * half;
-        const glm::dvec2 more = line.points.size() == 2 ? way * grown : way * 0.0;  // halos surround single strokes
+        // halos also extend the ends of single strokes
+        const glm::dvec2 more = line.points.size() == 2 ? way * grown : way * 0.0;
         rasterizePolygon(library, {a - more + side, b + more + side, b + more - side, a - more - side}, coverage);
         if (i > 1) rasterizeDisc(library, a, half, coverage);
     }
@@ -126,10 +127,11 @@ void rasterizeLine(FT_Library library, const LineMark& line, double grown, Cover
 
 struct WordPainter::Face {
     FT_Library library = nullptr;
-    std::vector<FT_Face> faces;  // the built-in one, and those of the system that were needed
+    std::vector<FT_Face> faces;  // the built-in font, and system fonts in use
     FT_Stroker stroker = nullptr;
     FindFont find;
-    std::map<char32_t, FT_Face> foreign;  // missing in the built-in font; itself: in all others too
+    // characters missing in the built-in font; the built-in face if no font has them
+    std::map<char32_t, FT_Face> foreign;
 
     ~Face() {
         FT_Stroker_Done(stroker);
@@ -138,7 +140,7 @@ struct WordPainter::Face {
     }
 
     FT_Face faceOf(char32_t c) {
-        constexpr std::size_t kMostForeign = 2000;  // each may be asked of another program
+        constexpr std::size_t kMostForeign = 2000;  // each may cost a call of fc-match
         if (c < 0x80 || FT_Get_Char_Index(faces[0], c)) return faces[0];
         if (const auto it = foreign.find(c); it != foreign.end()) return it->second;
         if (foreign.size() >= kMostForeign) return faces[0];
@@ -149,7 +151,7 @@ struct WordPainter::Face {
         return face;
     }
 
-    /// The system's font with the character, opened; the built-in one if none has its outline.
+    /// The opened system font with the character; the built-in one if no font has its outline.
     FT_Face systemFaceOf(char32_t c) {
         const std::optional<FontFile> file = find ? find({c}) : std::nullopt;
         FT_Face face = nullptr;
@@ -159,7 +161,7 @@ struct WordPainter::Face {
         return faces[0];
     }
 
-    /// Characters that were asked for and that no font has.
+    /// Characters that no font has.
     std::vector<char32_t> missing() const {
         std::vector<char32_t> found;
         for (const auto& [character, face] : foreign)
@@ -167,7 +169,7 @@ struct WordPainter::Face {
         return found;
     }
 
-    /// Calls glyph(face, index, pen) for each, in ems. @returns the width, likewise
+    /// Calls glyph(face, index, pen) for each glyph, in ems. @returns the width, in ems
     template <typename OnGlyph>
     double walk(const std::string& text, const OnGlyph& glyph) {
         double pen = 0;
@@ -193,9 +195,9 @@ struct WordPainter::Face {
         double pen;
     };
 
-    /// @param halo  pixels around the letters; 0: the letters
+    /// @param halo  width around the letters, pixels; 0: draw the letters
     void addText(const TextMark& mark, double halo, Coverage& coverage) {
-        // Baselines are on whole pixels, so that all letters of a line are equally sharp.
+        // Baselines on whole pixels keep all letters of a line equally sharp.
         const glm::dvec2 at(mark.at.x, std::round(mark.at.y));
         std::vector<Placed> glyphs;
         walk(mark.text, [&](FT_Face face, FT_UInt index, double pen) { glyphs.push_back({face, index, pen}); });
@@ -275,7 +277,7 @@ void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, st
     for (const RampMark& ramp : marks.ramps)
         for (std::size_t i = 0; i + 1 < ramp.colors.size(); ++i) {
             const auto steps = static_cast<double>(ramp.colors.size() - 1);
-            // On whole pixels, so that no seam shows between two steps.
+            // On whole pixels, to avoid seams between steps.
             const auto y = [&](std::size_t k) {
                 return std::round(ramp.low.y + (ramp.high.y - ramp.low.y) * static_cast<double>(k) / steps);
             };

@@ -26,7 +26,7 @@ public:
 
     /// Draws the part of the marks in some rows of a picture.
     /// @param rgba   linear light, premultiplied; 4 per pixel; `rows` rows of `width` pixels
-    /// @param first  row of the picture that `rgba` begins with
+    /// @param first  picture row at the start of `rgba`
     void paint(const Marks& marks, float* rgba, std::uint32_t width, std::uint32_t first, std::uint32_t rows) const;
 
     /// layOut() with the widths of this font.
@@ -38,7 +38,7 @@ public:
     View besideWords(const View& view, const PlacedWords& words, double size, const std::vector<glm::dvec4>& balls,
                      double zoom) const;
 
-    /// What marks laid out here lack, for a reader: labels without room, and characters that no font has.
+    /// Warnings about marks laid out here: labels without space, and characters that no font has.
     std::vector<std::string> warningsOf(const Marks& marks) const;
 
     /// Lays out words over a whole picture, and draws them. @returns warningsOf() its marks

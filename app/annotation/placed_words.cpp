@@ -78,7 +78,7 @@ std::string filledIn(std::string_view text, const Molecule& molecule, std::uint3
     return filled;
 }
 
-/// The drawn atoms and where they stand: of an assembly, in its first copy.
+/// The drawn atoms and their positions; of an assembly, in its first copy.
 struct DrawnAtoms {
     struct Place {
         glm::dvec3 at{};
@@ -88,7 +88,7 @@ struct DrawnAtoms {
 
     DrawnAtoms(const Molecule& molecule, const Representation& scene) : places(molecule.atoms.size()) {
         const auto put = [&](std::size_t i, const glm::dmat4x3& transform) {
-            // An atom's own ball precedes those of its bonds.
+            // The balls of an atom come before those of its bonds.
             const std::uint32_t number = scene.sphereLooks[i].atom;
             if (scene.contactOf(number) || places[number - 1].radius >= 0) return;
             places[number - 1] = {transform * glm::dvec4(scene.spheres[i].center, 1.0),
@@ -102,7 +102,7 @@ struct DrawnAtoms {
         addMeshAtoms(molecule, scene);
     }
 
-    /// Atoms of cartoons and surfaces, where they would stand.
+    /// Positions of atoms that cartoons and surfaces represent.
     void addMeshAtoms(const Molecule& molecule, const Representation& scene) {
         const auto put = [&](const Triangle& triangle, const glm::dmat4x3& transform) {
             for (const std::uint32_t vertex : {triangle.a, triangle.b, triangle.c}) {
@@ -138,7 +138,7 @@ std::vector<std::uint32_t> drawnOf(const Selection& selection, const ResidueFact
 
 constexpr std::size_t kMostAsked = 24;  // atoms per label that are tested for visibility
 
-/// All atoms of some atoms' residues, as looks number them: bonded atoms do not hide a label.
+/// All atoms in the residues of some atoms, as looks number them: atoms of the same residue do not hide a label.
 std::vector<std::uint32_t> numbersOfResidues(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     std::set<std::uint32_t> residues;
     for (const std::uint32_t atom : atoms) residues.insert(molecule.atoms[atom].residue);
@@ -154,7 +154,7 @@ void placeLabel(const Label& label, const ResidueFacts& facts, const DrawnAtoms&
                 PlacedWords& placed) {
     const Molecule& molecule = facts.molecule();
     const LabelScope scope = scopeOf(label.text);
-    // Atoms of one label, in the file's order of the first of each.
+    // Groups of atoms per label, in file order of their first atom.
     std::map<std::uint32_t, std::size_t> groupOf;
     std::vector<std::vector<std::uint32_t>> groups;
     for (const std::uint32_t atom : drawnOf(label.selection, facts, drawn, "cannot label", hidden, placed)) {
@@ -220,7 +220,7 @@ void placeDistances(const Representation& scene, PlacedWords& placed) {
         char text[32];
         std::snprintf(text, sizeof text, "%.1f", contact.interaction.distance);
         label.text = text;
-        label.ofAtom = true;  // a line is not written over
+        label.ofAtom = true;  // keeps the text off the line
         placed.labels.push_back(std::move(label));
     }
 }

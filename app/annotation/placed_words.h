@@ -21,7 +21,7 @@ struct PlacedLabel {
     bool ofAtom = false;        ///< placed beside an atom, not on top
     double radius = 0;          ///< of that atom, Å
     LabelSight::Named named{};  ///< its atoms; those that do not hide it where labels may be hidden
-    double size = 0;            ///< Å of an em, seen in space: it stands right there, over others; 0: as all labels
+    double size = 0;            ///< Å per em: has a size in space and covers what is there; 0: as all labels
     std::uint32_t color = 0;    ///< packed; 0: as all labels
 };
 struct PlacedMeasure {

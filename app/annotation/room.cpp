@@ -10,7 +10,7 @@
 namespace nacre::app {
 namespace {
 
-constexpr int kWays = 24;      // about an anchor
+constexpr int kWays = 24;      // directions around an anchor
 constexpr double kMove = 1.2;  // cost of moving a text by one em from its previous position
 
 glm::dvec2 wayAt(int i) {
@@ -18,7 +18,7 @@ glm::dvec2 wayAt(int i) {
     return {std::cos(angle), std::sin(angle)};
 }
 
-/// Whether a segment comes into an area: clipped by one side after the other (Liang and Barsky 1984).
+/// Whether a segment enters an area, by clipping at each side (Liang and Barsky 1984).
 bool crosses(const glm::dvec2& a, const glm::dvec2& b, const Area& area) {
     double from = 0, to = 1;
     for (int i = 0; i < 2; ++i) {
@@ -139,12 +139,12 @@ bool Room::place(const std::string& text, const glm::dvec2& anchor, const std::v
 
 void Room::dashed(const std::vector<glm::dvec2>& points) {
     const double dash = 0.38 * size, gap = 0.26 * size, width = std::max(1.2, 0.1 * size);
-    double along = 0;  // since a dash began
+    double along = 0;  // since the start of a dash
     LineMark line{{}, width};
     for (std::size_t i = 1; i < points.size(); ++i) {
         const glm::dvec2 a = points[i - 1], b = points[i];
         const double length = glm::distance(a, b);
-        if (length > 100 * static_cast<double>(view.width + view.height)) return;  // the eye is at an end
+        if (length > 100 * static_cast<double>(view.width + view.height)) return;  // one end is at the eye
         double at = 0;
         while (at < length) {
             const double left = (along < dash ? dash : dash + gap) - along, step = std::min(left, length - at);

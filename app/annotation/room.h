@@ -58,7 +58,7 @@ struct Room {
 
     const View& view;
     double size, margin, titleDepth = 0;
-    std::uint32_t ink = 0;  ///< of what is put, as TextMark has it
+    std::uint32_t ink = 0;  ///< colour of new marks, as in TextMark
     const TextWidth& widthOf;
     Area frame;
     std::vector<Area> taken;
@@ -69,7 +69,7 @@ struct Room {
 /// Title, scale bar and legends, whose positions do not depend on the molecule.
 void layBlocks(Room& room, const PlacedWords& words);
 
-/// In columns from the right edge, as many as needed, three at most.
+/// In at most three columns from the right edge.
 void layLegends(Room& room, const std::vector<Legend>& legends);
 
 }  // namespace nacre::app

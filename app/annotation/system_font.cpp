@@ -29,7 +29,7 @@ std::optional<FontFile> fontOfSystem(const std::vector<char32_t>& characters) {
 std::optional<FontFile> fontOfSystem(const std::vector<char32_t>&) { return std::nullopt; }
 #else
 std::optional<FontFile> fontOfSystem(const std::vector<char32_t>& characters) {
-    // Digits alone come from outside, so that the shell has nothing to misunderstand.
+    // Only hexadecimal digits reach the shell.
     std::ostringstream command;
     command << "fc-match -f '%{file}\\n%{index}\\n' 'sans:charset=" << std::hex;
     for (const char32_t c : characters) command << static_cast<std::uint32_t>(c) << ' ';
@@ -43,7 +43,7 @@ std::optional<FontFile> fontOfSystem(const std::vector<char32_t>& characters) {
     FontFile font;
     unsigned index = 0;
     if (!std::getline(lines, font.path) || !(lines >> index)) return std::nullopt;
-    font.index = static_cast<int>(index & 0xffff);  // above it, which of a variable font
+    font.index = static_cast<int>(index & 0xffff);  // the upper bits select an instance of a variable font
     return font;
 }
 #endif

@@ -10,7 +10,7 @@ namespace nacre::app {
 
 #ifdef NACRE_FRIBIDI
 std::string visualText(const std::string& text) {
-    // Nothing below U+0590 runs from right to left.
+    // There is no right-to-left character below U+0590.
     bool may = false;
     for (const char c : text) may |= static_cast<unsigned char>(c) >= 0xd6;
     if (!may) return text;
@@ -23,7 +23,7 @@ std::string visualText(const std::string& text) {
     std::string out(4 * logical.size() + 1, '\0');
     out.resize(
         static_cast<std::size_t>(fribidi_unicode_to_charset(FRIBIDI_CHAR_SET_UTF8, visual.data(), count, out.data())));
-    // Joined letters leave marks of no width behind.
+    // Joined letters leave zero-width marks.
     for (const char* mark : {"\xef\xbb\xbf", "\xe2\x80\x8e", "\xe2\x80\x8f"})
         for (std::size_t at; (at = out.find(mark)) != std::string::npos;) out.erase(at, 3);
     return out;

@@ -10,7 +10,7 @@ namespace {
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
 volatile std::sig_atomic_t cameFirst = 0;
-int wakeUp[2] = {-1, -1};  // the handler's end of a pipe, and the thread's
+int wakeUp[2] = {-1, -1};  // write end for the handler, read end for the thread
 
 extern "C" void tellOfEnd(int signal) {
     cameFirst = signal;
@@ -23,12 +23,12 @@ extern "C" void tellOfEnd(int signal) {
 
 EndSignals::EndSignals(void (*wake)()) {
     cameFirst = 0;
-    if (pipe(wakeUp) != 0) return;  // they end the program, as ever
+    if (pipe(wakeUp) != 0) return;  // the signals keep their default action
     thread_ = std::thread([wake, from = wakeUp[0]] {
         for (char byte = 0; read(from, &byte, 1) == 1 && byte == 1;) wake();
     });
     for (const int signal : kSignals)
-        // Where a parent has one ignored, as nohup does, it stays so.
+        // A signal that the parent ignores (nohup) stays ignored.
         if (struct sigaction now{}; sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN)
             std::signal(signal, tellOfEnd);
 }

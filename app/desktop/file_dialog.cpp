@@ -55,7 +55,7 @@ std::vector<std::string> askToSave(const std::string& suggested) {
 bool FileDialog::available() { return hasProgram("zenity") || hasProgram("kdialog") || hasPortal(); }
 
 FileDialog::~FileDialog() {
-    if (thread_.joinable()) thread_.detach();  // who closes the window does not wait for a dialog
+    if (thread_.joinable()) thread_.detach();  // closing the window does not wait for the dialog
 }
 
 void FileDialog::open(Chosen chosen) { run(askToOpen, std::move(chosen)); }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char *kPortal = "org.freedesktop.portal.Desktop", *kObject = "/org/freedesktop/portal/desktop",
                      *kChooser = "org.freedesktop.portal.FileChooser", *kRequest = "org.freedesktop.portal.Request";
-constexpr int kCallMilliseconds = 5000;  // until a portal that has to be started answers
+constexpr int kCallMilliseconds = 5000;  // milliseconds; the bus may have to start the portal
 
 // clang-format off
 #define NACRE_DBUS_CALLS(X) \
@@ -29,8 +29,7 @@ constexpr int kCallMilliseconds = 5000;  // until a portal that has to be starte
     X(message_iter_get_arg_type) X(message_iter_get_basic) X(message_iter_recurse) X(message_iter_next)
 // clang-format on
 
-/// libdbus, loaded when a dialog is wanted: linked, it and the seven libraries that it brings would cost every start of
-/// the program a third of its time.
+/// libdbus, loaded on demand: linking it with its seven dependencies would add a third to the program's start time.
 struct Dbus {
 #define NACRE_DECLARE(name) decltype(&dbus_##name) name = nullptr;
     NACRE_DBUS_CALLS(NACRE_DECLARE)
@@ -66,7 +65,7 @@ public:
     explicit Bus(const Dbus& dbus) : dbus_(dbus) {
         DBusError error;
         dbus_.error_init(&error);
-        // libdbus looks for the address once, and may have looked before there was one.
+        // libdbus caches the address, possibly from before the bus existed.
         const char* address = std::getenv("DBUS_SESSION_BUS_ADDRESS");
         connection_ = address && *address ? dbus_.connection_open_private(address, &error)
                                           : dbus_.bus_get_private(DBUS_BUS_SESSION, &error);
@@ -109,7 +108,7 @@ public:
     /// The next signal of a kind; null: the bus is gone.
     Message await(const std::string& path) const {
         do {
-            // The answer may have come with that to the call.
+            // The signal may have arrived together with the reply.
             while (Message message = owned(dbus_.connection_pop_message(connection_)))
                 if (dbus_.message_is_signal(message.get(), kRequest, "Response") &&
                     path == dbus_.message_get_path(message.get()))
@@ -145,7 +144,7 @@ public:
             dbus_.message_iter_append_basic(&variant, DBUS_TYPE_BOOLEAN, &value);
         });
     }
-    /// A path, as the portals take them: bytes that end with 0.
+    /// A path as portals take it: zero-terminated bytes.
     void folder(const char* name, const std::string& value) {
         inVariant(name, "ay", [&](DBusMessageIter& variant) {
             DBusMessageIter array;
@@ -181,7 +180,7 @@ std::string textAt(const Dbus& dbus, DBusMessageIter& at) {
     return text;
 }
 
-/// "uris" in a response's results, if it is one of success.
+/// "uris" in the results of a successful response.
 std::vector<std::string> chosenBy(const Dbus& dbus, DBusMessage* response) {
     std::vector<std::string> paths;
     DBusMessageIter at, results, entry, variant, list;
@@ -208,7 +207,7 @@ PortalAnswer choose(const char* method, const std::string& title, const std::str
     if (!dbus) return {};
     const Bus bus(*dbus);
     if (!bus.there()) return {};
-    // The request's object path is chosen before the call, so that a fast answer is not missed.
+    // The request's object path is chosen before the call, so that an early signal is not missed.
     static std::atomic<int> requests{0};
     const std::string token = "nacre" + std::to_string(getpid()) + "_" + std::to_string(++requests);
     std::string sender = bus.name().substr(1);
@@ -218,7 +217,7 @@ PortalAnswer choose(const char* method, const std::string& title, const std::str
     DBusMessage* message = dbus->message_new_method_call(kPortal, kObject, kChooser, method);
     if (!message) return {};
     Writer call(*dbus, message);
-    call.text("");  // of no window that it could name
+    call.text("");  // no parent window
     call.text(title);
     call.beginOptions();
     call.option("handle_token", token);
@@ -233,7 +232,8 @@ PortalAnswer choose(const char* method, const std::string& title, const std::str
     const Bus::Message reply = bus.call(message);
     DBusMessageIter at;
     if (!reply || !dbus->message_iter_init(reply.get(), &at)) return {};
-    if (const std::string told = textAt(*dbus, at); !told.empty() && told != path) {  // as portals before 0.9 name it
+    // portals before 0.9 choose a path of their own
+    if (const std::string told = textAt(*dbus, at); !told.empty() && told != path) {
         path = told;
         bus.listen(path);
     }
@@ -272,7 +272,7 @@ PortalAnswer saveByPortal(const std::string& title, const std::string& suggested
 std::string pathOfUri(const std::string& uri) {
     constexpr std::string_view kScheme = "file://";
     if (!uri.starts_with(kScheme)) return {};
-    const std::size_t start = uri.find('/', kScheme.size());  // behind the host
+    const std::size_t start = uri.find('/', kScheme.size());  // after the host
     if (start == std::string::npos) return {};
     const auto digit = [&](std::size_t i) {
         const char c = i < uri.size() ? uri[i] : ' ';

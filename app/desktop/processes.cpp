@@ -29,7 +29,7 @@ std::string contentOf(const std::string& underHome) {
     return text.str();
 }
 
-/// One that no other program inherits.
+/// Not inherited by other programs.
 bool makePipe(int (&ends)[2]) {
     if (pipe(ends) != 0) return false;
     for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
@@ -68,7 +68,7 @@ std::optional<std::string> runProgram(const std::vector<std::string>& arguments,
     close(out[1]);
     std::optional<std::string> result;
     if (failed == 0) {
-        // A program that does not read its input must not end this one.
+        // A program that does not read its input must not kill this one by SIGPIPE.
         struct sigaction ignore {
         }, before{};
         ignore.sa_handler = SIG_IGN;
@@ -97,7 +97,7 @@ bool copyPng(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream bytes;
     bytes << in.rdbuf();
-    // Both leave a process behind that serves the picture while it is wanted, xclip with its output open.
+    // Both leave a process that owns the selection; xclip's keeps its output open.
     const auto hands = [&](const std::vector<std::string>& program) {
         return runProgram(program, bytes.str(), ProgramOutput::dropped).has_value();
     };

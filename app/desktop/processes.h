@@ -10,7 +10,7 @@ namespace nacre::app {
 /// Whether PATH has a program.
 bool hasProgram(const std::string& name);
 
-/// Use of a program's standard output. Taken output is read until nobody can write to it any more.
+/// What to do with a program's standard output. Reading ends when no process has it open for writing.
 enum class ProgramOutput { taken, dropped };
 
 /// Runs a program without a shell, and waits for its end. @param input  for its standard input

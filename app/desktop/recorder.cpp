@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// The program that runs, also when another one has taken its place on disk.
+/// The running program, even if its file has been replaced.
 constexpr const char* kOwnProgram = "/proc/self/exe";
 
 std::string temporaryFolder() {
@@ -78,7 +78,7 @@ std::vector<std::string> movieArguments(const RecordingWish& wish, const Picture
                                         const std::string& view, const std::vector<std::string>& keys) {
     using M = RecordingWish::Motion;
     std::vector<std::string> words{"movie"};
-    // Several inputs are named by the view only, which also has their colours.
+    // The view alone names several inputs, together with their colours.
     if (shown.input.further.empty()) words.push_back(shown.input.path);
     words.insert(words.end(), {"--output", wish.path});
     const auto add = [&](std::initializer_list<std::string> more) {
@@ -102,7 +102,7 @@ std::vector<std::string> movieArguments(const RecordingWish& wish, const Picture
         if (wish.loop) add({"--loop"});
     } else {
         add({"--view", view});
-        if (!shown.input.further.empty()) add({"--allow-download"});  // once more, where nothing is kept
+        if (!shown.input.further.empty()) add({"--allow-download"});  // the cache may be off
     }
     if (wish.motion == M::spin) add({"--spin", "y"});
     if (wish.motion == M::rock) add({"--rock", "30"});
@@ -196,7 +196,7 @@ void Recorder::follow(int reports, int complaints) {
     close(complaints);
     int status = 0;
     {
-        // Once it is waited for, its number is somebody else's.
+        // After waiting, its process ID may be reused.
         siginfo_t info{};
         while (waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
         }

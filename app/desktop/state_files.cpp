@@ -39,7 +39,7 @@ std::string hexOf(const std::vector<std::uint32_t>& pixels) {
     return text;
 }
 
-/// Empty unless it is a picture of this size.
+/// Empty unless the picture has this size.
 std::vector<std::uint32_t> pixelsOf(const std::string& hex, std::size_t count) {
     std::vector<std::uint32_t> pixels;
     if (hex.size() != count * 6) return pixels;

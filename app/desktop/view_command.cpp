@@ -12,7 +12,7 @@ void viewCommand(const ViewOptions& options) {
         const EndSignals signals(Window::wake);
         WindowSession(options).loop();
     }
-    // Whoever sent it learns that it was obeyed.
+    // The exit status reports the signal.
     if (const int signal = EndSignals::came()) std::raise(signal);
 }
 

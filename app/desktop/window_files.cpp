@@ -61,7 +61,7 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     const double textSize =
         viewer().words().size() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
     RenderSettings settings = viewer().words().settingsBeside(size, textSize);
-    // Pictures larger than the window use the anti-aliasing of pictures; others that of the window.
+    // Pictures larger than the window use picture anti-aliasing, others the window's.
     settings.supersample = asShown ? viewer().frames().mostSamples() : RenderSettings::kEdges;
     if (transparent) settings.background = {0, 0, 0, 0};
     Picture drawn = renderer().render(settings);
@@ -117,7 +117,7 @@ void WindowSession::tellRecording() {
         viewer().messages().say(state.message, now());
 }
 
-/// As JSON, in the current folder under a name that is free.
+/// As JSON, in the current folder under an unused name.
 void WindowSession::saveView() {
     if (!viewer().document()) return;
     try {
@@ -143,7 +143,7 @@ void WindowSession::saveView() {
     }
 }
 
-/// As MolViewSpec, likewise. What such a scene cannot say is told.
+/// As MolViewSpec, likewise. Reports what the format cannot express.
 void WindowSession::saveScene() {
     const Document* document = viewer().document();
     if (!document) return;
@@ -165,7 +165,7 @@ void WindowSession::saveScene() {
     }
 }
 
-/// The next frame, drawn at once, in the current folder under a name that is free; in RenderDoc's own if that
+/// Captures the next frame, drawn at once, in the current folder under an unused name; in RenderDoc's folder if that
 /// started us.
 void WindowSession::captureFrame() {
     if (!renderer().captures())

@@ -20,7 +20,7 @@ namespace nacre::app {
 namespace {
 
 constexpr std::uint32_t kSoftwareSamples = 2;  // per pixel side, for refinement on a CPU
-// During motion on a CPU: visible blocks are worse than 40 frames per second, large ones than any rate.
+// Resolution during motion on a CPU: large blocks look worse than a low frame rate.
 constexpr double kSoftwareFrameSeconds = 0.025, kSoftwareScale = 0.7;
 
 }  // namespace
@@ -90,7 +90,7 @@ double WindowSession::step(double longest) {
         if (sceneShown_ == 0 && viewer().document()) sceneShown_ = lastShown_;
         if (inputAt_ > 0) latencies_.push_back(1000 * (lastShown_ - inputAt_));
     }
-    inputAt_ = 0;  // remaining input changed nothing
+    inputAt_ = 0;  // unanswered input changed nothing
     window_.setTitle(printable(viewer().title()));
     if (panel_->restless()) viewer().schedule().overlayChanged();
     // Frames at the display's rate; checks of the bake may be more frequent.
@@ -191,7 +191,7 @@ SessionHost WindowSession::host() {
 
 PictureDescription WindowSession::firstView() const {
     PictureDescription view = options_.first;
-    view.aim = {};  // the viewer gets it separately
+    view.aim = {};  // the viewer receives the aim separately
     view.aim.uncover = options_.first.aim.uncover;
     view.input.path = lasting(view.input.path);
     for (FurtherInput& further : view.input.further) further.path = lasting(further.path);
@@ -240,7 +240,7 @@ WindowEvents WindowSession::events() {
     };
     e.button = [this](MouseButton button, bool down, Modifiers with) {
         input(Kind::pointer, [this, button, down, with] {
-            // Who got the press gets the release.
+            // The receiver of a press also gets its release.
             if (down) panelDrag_ = panel_->input().ownsPointer();
             if (panelDrag_)
                 panel_->input().button(button, down);
@@ -259,9 +259,9 @@ WindowEvents WindowSession::events() {
                 viewer().wheel(steps, pointer_ / scale_, now());
         });
     };
-    // The panel may let go of the keys by one: who had them before has that one.
+    // The key may take the focus from the panel: the receiver is the one before the key.
     e.special = [this](SpecialKey key, bool down, bool repeated, Modifiers with) {
-        if (repeated && !inputs_.empty()) return;  // a key that is held does not run ahead of the frames
+        if (repeated && !inputs_.empty()) return;  // a held key must not run ahead of the frames
         input(Kind::key, [this, key, down, with] {
             const bool owned = panel_->input().ownsKeys();
             if (owned || !down || key == SpecialKey::tab) panel_->input().key(key, down, with);
@@ -340,7 +340,7 @@ void WindowSession::run(ViewerCommand command) {
     viewer().run(command, now());
 }
 
-/// Asks first, if something is lost by it; who asks once more means it.
+/// Asks first if anything would be lost. A second request confirms.
 void WindowSession::quit() {
     std::string unsaved;
     if (recorder_.state().running) unsaved += "The movie is still being recorded. ";

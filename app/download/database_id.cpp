@@ -31,7 +31,7 @@ bool isShortPdbId(std::string_view id) {
     return id.size() == 4 && isDigit(id[0]) && std::all_of(id.begin() + 1, id.end(), isLowerOrDigit);
 }
 
-/// "1bna", or "pdb_" and eight letters and digits; those of the long form that have a short one become it.
+/// "1bna", or "pdb_" and eight letters and digits. A long form with a short equivalent becomes the short one.
 std::string pdbId(const std::string& input, const std::string& text) {
     constexpr std::string_view kLong = "pdb_", kShortAsLong = "pdb_0000";
     std::string id = lowerCase(text);
@@ -79,7 +79,7 @@ std::string pubchemId(const std::string& input, const std::string& text) {
     return text;
 }
 
-/// All but RFC 3986's unreserved characters as %XX.
+/// Percent-encodes all but RFC 3986's unreserved characters.
 std::string percentEncoded(std::string_view text) {
     std::string coded;
     for (const char c : text) {
@@ -144,7 +144,7 @@ std::string meantInput(const std::string& path) {
     for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end;
          !name.empty() && !error && entry != end && files.size() < kMostNeighbours; entry.increment(error))
         if (entry->is_regular_file(error)) files.push_back(entry->path().filename().string());
-    std::sort(files.begin(), files.end());  // the same answer whatever order the system lists them in
+    std::sort(files.begin(), files.end());  // independent of the system's listing order
     for (const std::string& file : files)
         if (lowerCase(file).starts_with(lowerCase(name) + ".")) return (folder / file).string();
     if (isShortPdbId(lower)) return "pdb:" + lower;

@@ -32,17 +32,17 @@ struct Source {
 /// database
 std::optional<DatabaseId> parseDatabaseId(const std::string& input);
 
-/// A suggestion for a file that does not exist: an identifier ("4HHB": "pdb:4hhb", "P69905": "afdb:P69905"), a sample
-/// ("dna"), or a file of its folder with a similar name or a name that begins so. Empty if nothing is near.
+/// A suggestion for a missing file: an identifier ("4HHB": "pdb:4hhb", "P69905": "afdb:P69905"), a sample ("dna"), or a
+/// similar or longer name in its folder. Empty if there is none.
 std::string meantInput(const std::string& path);
 
 /// Environment variables by name; empty if not set.
 using Environment = std::function<std::string(const char*)>;
-/// The beginning of an address: of a variable, or the usual one. @throws Error
+/// First part of an address: from a variable, or the default. @throws Error
 std::string baseOf(const Environment& environment, const char* variable, const char* usual);
 
-/// Addresses to try, in order. NACRE_PDB_URL, NACRE_PUBCHEM_URL and NACRE_AFDB_URL replace the addresses' beginnings.
-/// @throws Error if one of them is no http or https address
+/// Addresses to try, in order. NACRE_PDB_URL, NACRE_PUBCHEM_URL and NACRE_AFDB_URL replace their first parts. @throws
+/// Error if one is no http or https address
 std::vector<Source> sourcesOf(const DatabaseId& id, const Environment& environment = environmentVariable);
 
 }  // namespace nacre::app

@@ -14,7 +14,7 @@
 namespace nacre::app {
 namespace {
 
-constexpr int kAttempts = 3;  // of a transfer whose connection is lost, each from where the last one ended
+constexpr int kAttempts = 3;  // attempts after lost connections; each resumes where the last one ended
 constexpr std::uint64_t kLargestList = 4u << 20;
 constexpr long kLongestPatience = 3600;
 
@@ -34,7 +34,7 @@ private:
     std::string bytes_, validator_;
 };
 
-/// A transfer that failed, and which.
+/// A failed transfer, and its address.
 struct FailureAt : HttpFailure {
     FailureAt(std::string url, const std::string& why) : HttpFailure(why, false), address(std::move(url)) {}
     std::string address;
@@ -76,8 +76,8 @@ void get(const std::string& url, const HttpLimits& limits, HttpBody& body, const
         }
 }
 
-/// The file's own address, from the list of predictions that AlphaFold DB answers with. Like a redirection, it may not
-/// lead from https to http.
+/// The file's own address, from AlphaFold DB's list of predictions. Like a redirection, it must not lead from https to
+/// http.
 std::string addressOf(const Source& source, const std::string& accession, const DownloadSettings& settings) {
     if (source.jsonKey.empty()) return source.url;
     MemoryBody body;
@@ -89,7 +89,7 @@ std::string addressOf(const Source& source, const std::string& accession, const 
     if (!list.is_array()) fail("the answer is not a list of predictions");
     if (list.empty()) fail("there is no such entry");
     const nlohmann::json* chosen = &list.front();
-    for (const auto& entry : list)  // isoforms and other proteins' complexes may be listed as well
+    for (const auto& entry : list)  // the list may include isoforms and complexes
         if (entry.is_object() && entry.value("uniprotAccession", nlohmann::json()) == accession) {
             chosen = &entry;
             break;
@@ -116,7 +116,7 @@ bool readable(const Source& source, const std::string& bytes) try {
     return false;
 }
 
-/// It is a structure without the requested part, such as a tenth model.
+/// A structure without the requested part, such as a tenth model.
 struct NotInIt {
     std::exception_ptr why;
 };

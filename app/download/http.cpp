@@ -31,10 +31,10 @@ struct Transfer {
     const HttpLimits& limits;
     HttpBody& body;
     const OnProgress& onProgress;
-    std::uint64_t asked = 0;  // first byte of the range asked for
+    std::uint64_t asked = 0;  // first byte of the requested range
     std::uint64_t total = 0;  // bytes of the whole file; 0: not known
     bool began = false;
-    std::string refusal;            // why we ended it
+    std::string refusal;            // reason for our abort
     std::exception_ptr bodyFailed;  // exceptions must not pass through C
 };
 
@@ -57,7 +57,7 @@ long statusOf(CURL* handle) {
     return status;
 }
 
-/// First byte and whole size of "bytes FIRST-LAST/SIZE" (SIZE may be '*': 0).
+/// First byte and total size of "bytes FIRST-LAST/SIZE" (0 if SIZE is '*').
 std::optional<std::pair<std::uint64_t, std::uint64_t>> contentRange(const std::string& text) {
     constexpr std::string_view kUnit = "bytes ";
     if (text.rfind(kUnit, 0) != 0) return std::nullopt;
@@ -75,11 +75,11 @@ std::string tooLarge(const Transfer& transfer) {
     return "the file is larger than the limit of " + std::to_string(transfer.limits.maxBytes) + " bytes";
 }
 
-/// After the headers: decides whether the body continues or restarts. False if it is not wanted.
+/// After the headers: decides whether the body continues or restarts. @returns false to abort
 bool begin(Transfer& transfer) {
     transfer.began = true;
     const long status = statusOf(transfer.handle);
-    if (status != 200 && status != 206) return true;  // an error's text: passed over
+    if (status != 200 && status != 206) return true;  // the body of an error is ignored
     curl_off_t length = -1;
     curlLibrary().getInfo(transfer.handle, CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
     if (status == 206) {
@@ -103,7 +103,7 @@ std::size_t receive(char* bytes, std::size_t, std::size_t count, void* pointer) 
         if (!transfer.began && !begin(transfer)) return CURL_WRITEFUNC_ERROR;
         const long status = statusOf(transfer.handle);
         if (status != 200 && status != 206) {
-            transfer.refusal = "-";  // the status is sufficient
+            transfer.refusal = "-";  // the status is reason enough
             return CURL_WRITEFUNC_ERROR;
         }
         if (transfer.body.size() + count > transfer.limits.maxBytes) {
@@ -160,7 +160,7 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
         case CURLE_TOO_MANY_REDIRECTS:
             throw HttpFailure("more than " + std::to_string(limits.redirects) + " redirections", false);
         case CURLE_UNSUPPORTED_PROTOCOL:
-            // libcurl also uses it for an answer without a status line.
+            // libcurl reports a missing status line in the same way.
             if (std::string_view(message).find("HTTP/0.9") != std::string_view::npos)
                 throw HttpFailure("invalid answer: it has no HTTP status and no headers", false);
             throw HttpFailure("the server redirects to another protocol, which is refused", false);
@@ -203,7 +203,7 @@ void httpGet(const std::string& url, const HttpLimits& limits, HttpBody& body,
     const CURLcode code = curlLibrary().perform(handle.get());
     if (transfer.bodyFailed) std::rethrow_exception(transfer.bodyFailed);
     const long status = statusOf(handle.get());
-    if (status == 416 && transfer.asked > 0) {  // nothing follows the existing bytes: they belong to another file
+    if (status == 416 && transfer.asked > 0) {  // no bytes follow: the existing ones belong to another file
         body.restart("");
         throw HttpFailure("the file has changed on the server", true);
     }

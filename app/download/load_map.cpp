@@ -21,7 +21,7 @@ bool isId(const std::string& id, std::size_t least, std::size_t most, bool digit
            std::all_of(id.begin(), id.end(), [&](char c) { return isDigit(c) || (!digitsAlone && isLetter(c)); });
 }
 
-/// "map" / "contour_list" / "contour": a list with a level each, the first or the one that is primary.
+/// First or primary level in "map" / "contour_list" / "contour".
 std::optional<double> levelIn(const std::string& bytes) {
     const auto json = parseJson<nlohmann::json>(bytes);
     const nlohmann::json::json_pointer contours("/map/contour_list/contour");
@@ -37,7 +37,7 @@ std::optional<double> levelIn(const std::string& bytes) {
     return level;
 }
 
-/// Without it the level is that of any cryo-EM map.
+/// On failure the default level of cryo-EM maps applies.
 std::optional<double> depositedLevel(const std::string& name, const MapSource& source,
                                      const DownloadSettings& settings) {
     std::optional<double> level;
@@ -85,7 +85,7 @@ void loadMaps(const PictureDescription& picture, const std::function<void(double
     const bool given = isGiven("map") || isGiven("map-color-from") || isGiven("surface-color-from");
     for (const std::string& name : mapFiles(picture.maps)) {
         const std::optional<MapSource> source = mapSourceOf(name);
-        if (!source && !given) {  // a saved view names it
+        if (!source && !given) {  // named by a saved view
             InputOptions named = input;
             named.path = std::filesystem::absolute(name).string();
             named.hash.clear();

@@ -50,8 +50,8 @@ bool isPlain(const std::string& path) {
     return std::filesystem::is_regular_file(path, error);
 }
 
-/// The file of a view's input; prints its notices. @throws Error for anything but a regular file, which might block for
-/// ever
+/// Opens the file of a view's input and prints its notices. @throws Error unless it is a regular file; others might
+/// block
 std::string namedPath(const InputOptions& input) {
     if (input.path == "-")
         throw Error("cannot read molecule", input.namedBy, "it names standard input: give an INPUT as well");
@@ -73,7 +73,7 @@ Error notNamed(const InputOptions& input) {
                  "it is missing, or not the one that " + input.namedBy + " names (nacre info tells why)");
 }
 
-/// A file that a view names.
+/// A file named by a view.
 Molecule loadNamed(InputOptions input, const std::function<void(double)>& onModel) {
     input.path = namedPath(input);
     try {
@@ -91,7 +91,7 @@ void checkThere(const std::string& path) {
     throw InputMissing(path, meant.empty() ? meant : " (did you mean '" + meant + "'?)");
 }
 
-/// A scene brings molecules of its own, and the way they are shown.
+/// A scene has its own molecules and representations.
 void checkScene(const InputOptions& input) {
     if (!input.trajectory.path.empty())
         throw Error("cannot read scene", input.path, "a scene stands still: it takes no --trajectory");
@@ -122,7 +122,7 @@ Molecule loadStructure(const InputOptions& input, const std::function<void(doubl
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload,
                       const std::function<void(double)>& onModel) {
     InputOptions structure = input;
-    // Moving atoms are not where other models are, and several molecules are not models of one file.
+    // Frames of a trajectory do not match other models, and several molecules are not models of one file.
     structure.alone = input.alone || !input.trajectory.path.empty() || !input.further.empty();
     Molecule molecule = loadStructure(structure, onDownload, onModel);
     moveToFrame(input.trajectory, molecule);

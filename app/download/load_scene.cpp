@@ -39,7 +39,7 @@ std::string fileBytes(const std::string& uri, const fs::path& path, std::size_t 
 
 bool isAddress(std::string_view uri) { return uri.starts_with("http://") || uri.starts_with("https://"); }
 
-/// A relative name without what leads nowhere: "./a//b" is "a/b".
+/// Normalises a relative name: "./a//b" is "a/b".
 std::string plainName(const std::string& uri) { return fs::path(uri).lexically_normal().generic_string(); }
 
 class SceneFetch {
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    /// The longest beginning that fits.
+    /// The longest prefix that fits.
     const SceneMap* mapOf(const std::string& uri) const {
         const SceneMap* best = nullptr;
         for (const SceneMap& map : input_.sceneMaps)
@@ -66,7 +66,7 @@ private:
         return best;
     }
 
-    /// A file of the scene's folder.
+    /// A file in the scene's folder.
     std::string beside(const std::string& uri, const std::string& name) const {
         if (!input_.sceneFiles) fail(uri, "a scene without a folder may name addresses alone");
         std::error_code error;

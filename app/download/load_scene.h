@@ -1,5 +1,6 @@
 #pragma once
-// MolViewSpec scenes as INPUT: what they name comes from their archive, their folder, a map, the cache or the network.
+// MolViewSpec scenes as INPUT. The files that they name come from the scene's archive, its folder, a map, the cache or
+// the network.
 
 #include <functional>
 #include <map>
@@ -22,18 +23,18 @@ struct SceneFile;
 Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptions& reading,
                    const std::function<void(double)>& onDownload = {});
 
-/// How long a snapshot is to be seen in a movie, seconds: at rest, and on the way to the next.
+/// Duration of a snapshot in a movie, seconds: at rest, and in transition to the next.
 struct SnapshotTimes {
     double linger = 0, transition = 0;
 };
-/// A scene of several snapshots: its file and those that it names are read once.
+/// A scene of several snapshots: reads its file and the files that it names once.
 class OpenScene {
 public:
     /// @throws Error if its file is no scene
     explicit OpenScene(const InputOptions& input);
     ~OpenScene();
 
-    /// As loadScene(), of the snapshot that `input` names.
+    /// loadScene() for the snapshot that `input` names.
     Molecule snapshot(const InputOptions& input, const ReadOptions& reading,
                       const std::function<void(double)>& onDownload = {});
     std::vector<SnapshotTimes> times() const;

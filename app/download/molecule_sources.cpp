@@ -18,7 +18,7 @@
 namespace nacre::app {
 namespace {
 
-/// Thrown where a download is not wanted any more.
+/// Thrown when a download is no longer wanted.
 struct Cancelled : Error {
     Cancelled() : Error("stopped", "", "") {}
 };

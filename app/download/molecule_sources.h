@@ -18,7 +18,7 @@ Sources windowSources(const InputOptions& first);
 /// @param readFile  returns a file's bytes, if a path alone does not open it
 Sources phoneSources(const InputOptions& first, const std::function<std::string(const std::string&)>& readFile = {});
 
-/// The input in a form that is valid from any folder.
+/// The input in a form that is valid in any folder.
 std::string lasting(const std::string& input);
 
 }  // namespace nacre::app

@@ -39,7 +39,7 @@ PartialFile::PartialFile(const DiskCache& cache, const std::string& name, const 
 
 PartialFile::~PartialFile() {
     if (!done_ && (!shared_ || size_ == 0 || validator_.empty())) discard();
-    if (file_ >= 0) close(file_);  // and with it goes the lock
+    if (file_ >= 0) close(file_);  // this also releases the lock
 }
 
 void PartialFile::openShared() {
@@ -48,7 +48,7 @@ void PartialFile::openShared() {
         file_ = openPlain(path_, O_RDWR | O_CREAT, 0600);
         if (file_ < 0) return;
         const bool locked = flock(file_, LOCK_EX | LOCK_NB) == 0;
-        // Whoever held the lock may have made the file the entry since it was opened here.
+        // The previous owner of the lock may have renamed the file since.
         shared_ = locked && names(path_, file_);
         if (!shared_) {
             close(file_);
@@ -78,7 +78,7 @@ void PartialFile::readTag() {
 }
 
 void PartialFile::restart(const std::string& validator) {
-    // In this order: at no moment does the tag speak for bytes of another version.
+    // In this order the tag never describes bytes of another version.
     if (ftruncate(file_, 0) != 0 || lseek(file_, 0, SEEK_SET) != 0) fail();
     size_ = 0;
     validator_ = validator;

@@ -20,7 +20,7 @@ constexpr double kAimedTriangles = 1e7;
 double trianglesOfBall(int sides) { return static_cast<double>(sides) * (sides - 2); }
 double trianglesOfStick(int sides) { return 6.0 * sides; }
 
-/// Parts with the same copies and name.
+/// Primitives with the same copies and name.
 struct ExportGroup {
     std::uint32_t list = 0;
     std::string chain, kind;
@@ -54,8 +54,8 @@ public:
 private:
     struct GroupMesh {
         Mesh mesh;
-        std::unordered_map<std::uint32_t, std::uint32_t> places;  ///< of the scene's vertices
-        std::vector<float> occlusion;                             ///< of the mesh's
+        std::unordered_map<std::uint32_t, std::uint32_t> places;  ///< mesh vertex by scene vertex
+        std::vector<float> occlusion;                             ///< of the mesh's vertices
     };
 
     int sidesThatFit() const {
@@ -78,10 +78,10 @@ private:
             for (std::size_t i = run.first; i < run.first + run.count; ++i) visit(i, run.list);
     }
 
-    /// @param atom  counted from 1
+    /// @param atom  1-based
     const std::string& chainOf(std::uint32_t atom) const {
         static const std::string kNone;
-        if (atom == 0 || scene_.noteOf(atom) > 0) return kNone;  // of maps and primitives
+        if (atom == 0 || scene_.noteOf(atom) > 0) return kNone;  // belongs to a map or a primitive
         return molecule_.chains[molecule_.residues[molecule_.atoms[scene_.atomOf(atom) - 1].residue].chain].name;
     }
 
@@ -111,7 +111,7 @@ private:
         group.mesh.triangles.push_back(corners);
     }
 
-    /// Fills values for new vertices of a group's mesh. @param occlusionOf  a position and a normal
+    /// Sets occlusion of new vertices in a group's mesh. @param occlusionOf  receives position and normal
     template <typename OcclusionOf>
     void occlude(GroupMesh& group, const OcclusionOf& occlusionOf) const {
         if (!baked_) return;
@@ -141,7 +141,7 @@ private:
             addCylinder(group.mesh, stick.a, stick.b, stick.radius, look.colorA, look.colorB, result_.sides);
             return occlude(group, [&](const glm::vec3& at, const glm::vec3& normal) {
                 const glm::vec3 span = stick.b - stick.a, axis = glm::normalize(span);
-                // The middle of a flat end looks along the axis: any side of it will do.
+                // The centre of a flat end has its normal along the axis; any direction around it will do.
                 const glm::vec3 side = std::abs(glm::dot(normal, axis)) < 0.5f ? normal : at - stick.a;
                 const float share = glm::dot(at - stick.a, axis) / glm::length(span);
                 return baked_->ofCylinder(static_cast<std::uint32_t>(i), axis, side, share);
@@ -157,13 +157,13 @@ private:
         const float length = glm::length(b - a);
         if (!(length > 1e-6f)) return;
         const glm::vec3 way = (b - a) / length, z(0, 0, 1);
-        // From z to the way; the opposite of z needs an axis of its own.
+        // Rotates z to the given direction; the opposite of z needs an axis.
         const glm::quat turn = way.z < -0.99999f ? glm::quat(0, 1, 0, 0)
                                                  : glm::normalize(glm::quat(1 + glm::dot(z, way), glm::cross(z, way)));
         placed_[group].push_back({a, turn, {radius, radius, length}});
     }
 
-    /// For an assembly the copies of a list, else the identity.
+    /// Copies of a list in an assembly, else the identity.
     std::vector<std::uint32_t> copiesOf(std::uint32_t list) const {
         return scene_.copies.transforms.empty() ? std::vector<std::uint32_t>{0} : scene_.copies.lists[list];
     }
@@ -179,7 +179,7 @@ private:
         return (group.chain.empty() ? std::string("molecule") : "chain " + group.chain) + ", " + group.kind;
     }
 
-    /// Each copy of a group becomes a node of the file, some 2 kB while it is written.
+    /// Each copy of a group becomes a node of the file, about 2 kB during writing.
     void checkInstances() const {
         std::size_t copies = 0;
         for (const auto& placed : placed_) copies += copiesOf(placed.first.list).size();
@@ -189,7 +189,7 @@ private:
                             std::to_string(kMostExportCopies) + " (another --assembly, or fewer colours)");
     }
 
-    /// Copies in colours of their own are meshes of their own.
+    /// Copies with their own colours become meshes.
     template <typename Add>
     void byColorOfCopy(std::uint32_t list, bool tinted, const Add& add) {
         std::map<std::size_t, std::vector<std::uint32_t>> parts;
@@ -225,7 +225,7 @@ private:
     bool instances_;
     const BakedOcclusion* baked_;
     std::map<ExportGroup, GroupMesh> meshes_;
-    std::map<ExportGroup, GroupMesh>::iterator last_ = meshes_.end();  // that was asked for
+    std::map<ExportGroup, GroupMesh>::iterator last_ = meshes_.end();  // most recent result
     std::map<ExportGroup, std::vector<ExportInstances::Place>> placed_;
     ExportScene result_;
 };

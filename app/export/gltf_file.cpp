@@ -22,7 +22,7 @@ float linearOf(std::uint32_t color, int channel) {
     return srgbToLinear(static_cast<float>(color >> 8 * channel & 255) / 255.0f);
 }
 
-/// The two chunks of the file as they grow.
+/// The two chunks of the file under construction.
 class GltfWriter {
 public:
     GltfWriter(const ExportScene& scene, const SceneFileOptions& options) : scene_(scene), options_(options) {
@@ -75,7 +75,7 @@ private:
         return accessor;
     }
 
-    /// Colours of vertices, in linear light, darkened as the renderer darkens them.
+    /// Vertex colours in linear light, darkened as the renderer does.
     int addColors(const Mesh& mesh, const std::vector<float>& occlusion) {
         std::vector<std::array<std::uint16_t, 4>> colors;
         for (std::size_t v = 0; v < mesh.atoms.size(); ++v) {
@@ -93,7 +93,7 @@ private:
         return accessor;
     }
 
-    /// @param color  of the whole; empty: per vertex @param occlusion  per vertex, or empty
+    /// @param color  for the whole mesh; empty: per vertex @param occlusion  per vertex, or empty
     std::size_t addGeometry(const std::string& name, const Mesh& mesh, std::optional<std::uint32_t> color,
                             const std::vector<float>& occlusion = {}) {
         Json attributes = {{"POSITION", addPositions(mesh.positions)},

@@ -31,7 +31,7 @@ struct PlainTriangle {
     std::uint32_t color = 0;
 };
 
-/// Visits every triangle of every copy that has three different corners.
+/// Visits each triangle of each copy that has three distinct corners.
 template <typename BeginPart, typename Visit>
 void eachTriangle(const ExportScene& scene, double scale, const BeginPart& beginPart, const Visit& visit) {
     for (const ExportMesh& part : scene.meshes) {
@@ -41,13 +41,13 @@ void eachTriangle(const ExportScene& scene, double scale, const BeginPart& begin
                 PlainTriangle triangle;
                 for (int i = 0; i < 3; ++i) {
                     const glm::dvec3 p = transform * glm::dvec4(part.mesh.positions[t[i]], 1.0) + scene.center;
-                    triangle.corners[static_cast<std::size_t>(i)] = glm::vec3(p * scale) + 0.0f;  // no -0
+                    triangle.corners[static_cast<std::size_t>(i)] = glm::vec3(p * scale) + 0.0f;  // avoids -0
                     triangle.normals[static_cast<std::size_t>(i)] =
                         glm::vec3(transform * glm::dvec4(part.mesh.normals[t[i]], 0.0));
                 }
                 const auto& [a, b, c] = triangle.corners;
                 if (a == b || b == c || c == a) continue;
-                // The colour that two of its corners have.
+                // The colour shared by two corners.
                 const std::uint32_t x = part.mesh.atoms[t.x], y = part.mesh.atoms[t.y], z = part.mesh.atoms[t.z];
                 triangle.color = y == z ? y : x;
                 visit(triangle);
@@ -55,10 +55,10 @@ void eachTriangle(const ExportScene& scene, double scale, const BeginPart& begin
     }
 }
 
-/// Numbers of places, from 0.
+/// Numbers positions, from 0.
 class Places {
 public:
-    /// @param isNew  whether it is the first there
+    /// @param isNew  receives whether the position is new
     std::uint32_t number(const glm::vec3& p, bool& isNew) {
         const auto [found, added] =
             known_.emplace(std::array{p.x, p.y, p.z}, static_cast<std::uint32_t>(known_.size()));
@@ -94,7 +94,7 @@ std::string sceneFile(const ExportScene& scene, const std::string& ending, const
 
 std::string stlFile(const ExportScene& scene, const SceneFileOptions& options) {
     std::string out(80, ' ');
-    // Readers take a header that begins with "solid" for text.
+    // Readers take a header that begins with "solid" for a text file.
     const std::string title = ("nacre: " + options.title).substr(0, 80);
     std::copy(title.begin(), title.end(), out.begin());
     std::uint32_t count = 0;

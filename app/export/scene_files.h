@@ -7,17 +7,17 @@
 
 namespace nacre::app {
 
-/// Coordinates are written as (p + center) * scale; and the title.
+/// Coordinates are written as (p + center) * scale. Also holds the title.
 struct SceneFileOptions {
     std::string title;
     double scale = 1;  ///< file units per Å
 };
 
-/// Whether a file's name has one of the endings below.
+/// Whether a file name has one of the extensions below.
 bool isSceneName(const std::string& path);
 std::vector<std::string> sceneEndings();
 
-/// The file for an ending: ".glb", ".ply", ".stl" or ".obj".
+/// Writes the format of the extension: ".glb", ".ply", ".stl" or ".obj".
 std::string sceneFile(const ExportScene& scene, const std::string& ending, const SceneFileOptions& options);
 
 /// glTF 2.0, binary. Meshes are nodes by chain, with vertex colours in linear light; instances are nodes with

@@ -1,5 +1,4 @@
-// Everything that touches OpenImageIO; with image_webp.cpp built as a module of its own, loaded when a picture is
-// written.
+// All calls to OpenImageIO. Together with image_webp.cpp a module of its own, loaded when a picture is written.
 
 #include "app/images/image_codec.h"
 
@@ -47,7 +46,7 @@ OIIO::ImageSpec specOf(const ImageRequest& request, const Format& format) {
     OIIO::ImageSpec spec(static_cast<int>(request.width), static_cast<int>(request.height),
                          static_cast<int>(request.channels), typeOf(request.samples));
     spec.attribute("Software", "nacre");
-    // OpenImageIO would put in the time of day; equal pictures shall be equal files.
+    // Without it OpenImageIO writes the time of day; equal pictures should give equal files.
     if (format.exr || format.tiff) spec.attribute("DateTime", "1970:01:01 00:00:00");
     spec.attribute("oiio:ColorSpace", format.exr ? "Linear" : "sRGB");
     if (format.exr || format.tiff) spec.attribute("compression", "zip");
@@ -59,7 +58,7 @@ OIIO::ImageSpec specOf(const ImageRequest& request, const Format& format) {
     }
     if (format.jpeg) {
         spec.attribute("Compression", "jpeg:" + std::to_string(kJpegQuality));
-        spec.attribute("jpeg:subsampling", "4:4:4");  // red atoms on white would bleed otherwise
+        spec.attribute("jpeg:subsampling", "4:4:4");  // subsampled red atoms bleed into white
     }
     if (request.dotsPerInch > 0) {
         spec.attribute("XResolution", request.dotsPerInch);
@@ -89,7 +88,7 @@ public:
         return failure_;
     }
 
-    const char* proxytype() const override { return "checked"; }  // "file" promises a FILE
+    const char* proxytype() const override { return "checked"; }  // "file" would require a FILE*
     std::size_t write(const void* bytes, std::size_t size) override {
         const std::size_t written = pwrite(bytes, size, m_pos);
         m_pos += static_cast<std::int64_t>(written);
@@ -116,7 +115,7 @@ private:
     int failure_ = 0;
 };
 
-/// Whether a picture is all there. For TIFF, whose writer does not look either, and needs a file of its own.
+/// Whether a picture is complete. For TIFF, whose writer does not check either and needs a file of its own.
 bool readsBack(const std::string& path, const OIIO::ImageSpec& spec) {
     const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
     if (!in || in->spec().width != spec.width || in->spec().height != spec.height) return false;
@@ -136,7 +135,7 @@ void write(const ImageRequest& request) {
     const OIIO::TypeDesc from = request.samples == Samples::bytes   ? OIIO::TypeDesc::UINT8
                                 : request.samples == Samples::words ? OIIO::TypeDesc::UINT16
                                                                     : OIIO::TypeDesc::FLOAT;
-    CheckedFile target(path);  // outlives the writer
+    CheckedFile target(path);  // must outlive the writer
     if (std::filesystem::path(path).extension() == ".webp") {
         writeWebp(request, [&](const void* bytes, std::size_t size) { return target.write(bytes, size) == size; });
         if (const int failure = target.finish()) throw std::runtime_error(std::strerror(failure));

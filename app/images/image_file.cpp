@@ -29,15 +29,15 @@ bool isJpeg(const std::string& path) { return extensionOf(path) == ".jpg" || ext
 }
 
 #ifdef NACRE_IMAGE_MODULE
-/// Folders that may hold the module: that of the program, and where it is installed.
+/// Folders that may hold the module: the program's own, and the installed one.
 std::vector<std::string> moduleNames() {
     Dl_info info{};
     if (!dladdr(reinterpret_cast<const void*>(&writeLayers), &info) || !info.dli_fname) return {};
-    // A program that was found along PATH is there under the name that was typed, which leads nowhere.
+    // A program found along PATH is known only by the name that was typed.
     const std::filesystem::path name = info.dli_fname;
     std::error_code error;
     std::filesystem::path file = std::filesystem::canonical(name.has_parent_path() ? name : "/proc/self/exe", error);
-    // One that an update took away still runs, and its module may be where it was.
+    // After an update the running program's file is gone, but its module may still be there.
     if (error) file = std::filesystem::read_symlink("/proc/self/exe", error);
     const std::filesystem::path program = file.parent_path();
     return {(program / NACRE_IMAGE_MODULE).string(), (program / NACRE_MODULE_FOLDER / NACRE_IMAGE_MODULE).string()};
@@ -73,7 +73,7 @@ WriteImage* codec(const OutputFile& file) {
 WriteImage* codec(const OutputFile&) { return nacreWriteImage; }
 #endif
 
-/// Writes rows as `convert(first, count)` gives them: a pointer to interleaved channels.
+/// Writes rows from `convert(first, count)`, which returns a pointer to interleaved channels.
 template <class Convert>
 void write(OutputFile& file, ImageRequest request, Convert& convert) {
     request.path = file.temporary().c_str();
@@ -84,7 +84,7 @@ void write(OutputFile& file, ImageRequest request, Convert& convert) {
     if (isPng(file.temporary())) {
         try {
             writePng(request);
-        } catch (const Error&) {  // from making the rows
+        } catch (const Error&) {  // from the function that makes the rows
             throw;
         } catch (const std::runtime_error& error) {
             fail(file, error.what());

@@ -13,7 +13,7 @@
 namespace nacre::app {
 namespace {
 
-/// A picture of libwebp, held as a whole.
+/// A complete picture in libwebp's format.
 struct Image {
     WebPPicture picture;
     Image() {
@@ -38,8 +38,8 @@ void fill(WebPPicture& picture, const ImageRequest& request) {
     }
 }
 
-/// A file of one picture as libwebp writes it, RIFF and one chunk, with a colour profile before the picture: "Extended
-/// File Format" of the WebP Container Specification.
+/// A WebP file from libwebp's output (RIFF with one chunk), with a colour profile before the picture: "Extended File
+/// Format" of the WebP Container Specification.
 std::vector<std::uint8_t> withProfile(const std::vector<std::uint8_t>& file, const ImageRequest& request) {
     constexpr std::size_t kRiffHeader = 12;
     std::vector<std::uint8_t> whole;
@@ -47,7 +47,7 @@ std::vector<std::uint8_t> withProfile(const std::vector<std::uint8_t>& file, con
         for (int i = 0; i < bytes; ++i) whole.push_back(static_cast<std::uint8_t>(value >> 8 * i));
     };
     const auto text = [&](std::string_view letters) { whole.insert(whole.end(), letters.begin(), letters.end()); };
-    const std::vector<std::uint8_t> profile = srgbProfile();  // of an even size, as chunks are
+    const std::vector<std::uint8_t> profile = srgbProfile();  // has even size, as chunks must
     text("RIFF");
     number(file.size() - 8 + 18 + 8 + profile.size(), 4);
     text("WEBPVP8X");

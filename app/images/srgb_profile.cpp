@@ -63,14 +63,14 @@ std::vector<std::uint8_t> srgbProfile() {
         {"desc", localized("sRGB")},
         {"cprt", localized("CC0")},
         {"wtpt", fixedTag("XYZ ", {0.9642, 1, 0.8249})},
-        // The adaptation of D65 to D50, and the adapted primaries.
+        // D65 adapted to D50, and the adapted primaries.
         {"chad", fixedTag("sf32", {1.047882, 0.022919, -0.050201, 0.029587, 0.990479, -0.017059, -0.009232, 0.015076,
                                    0.751678})},
         {"rXYZ", fixedTag("XYZ ", {0.436066, 0.222488, 0.013916})},
         {"gXYZ", fixedTag("XYZ ", {0.385147, 0.716873, 0.097076})},
         {"bXYZ", fixedTag("XYZ ", {0.143066, 0.060608, 0.714096})},
         {"rTRC", curve()},
-        {"gTRC", {}},  // the same
+        {"gTRC", {}},  // the same curve
         {"bTRC", {}},
     };
     constexpr std::uint32_t kHeader = 128, kCount = 10;
@@ -89,7 +89,7 @@ std::vector<std::uint8_t> srgbProfile() {
     }
     Bytes profile;
     profile.number(kHeader + 4 + static_cast<std::uint32_t>(table.all.size() + data.all.size()));
-    profile.number(0);           // made by no particular program
+    profile.number(0);           // no preferred CMM
     profile.number(0x04300000);  // version
     profile.text("mntrRGB XYZ ");
     for (const std::uint32_t part : {1970u, 1u, 1u, 0u, 0u, 0u}) profile.number(part, 2);

@@ -17,7 +17,7 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::string_view kSample = "sample:";
 
-/// In the folder of the cache; empty without one.
+/// In the cache folder; empty without one.
 std::string kept(const PhoneHost& host, const char* name) {
     return host.cache.empty() ? std::string() : host.cache + "/" + name;
 }
@@ -29,7 +29,7 @@ ViewerOptions viewerOptions(const PhoneHost& host) {
     return options;
 }
 
-/// A view that came from elsewhere, or was kept, asks before it downloads.
+/// A view from another app or session asks before it downloads.
 InputOptions inputOf(const PhoneHost& host, const PictureDescription& first) {
     InputOptions input;
     input.path = first.input.path;
@@ -96,7 +96,7 @@ void PhoneSession::remakePanel() {
     viewer().schedule().overlayChanged();
 }
 
-/// The panel's points are larger where its text is.
+/// The panel's points grow with its text.
 TouchEvent PhoneSession::onPanel(const TouchEvent& event) const {
     return {event.finger, event.phase, event.at / textScale_};
 }
@@ -109,7 +109,7 @@ void PhoneSession::resize(PixelSize pixels, double pixelsPerPoint) {
 }
 
 void PhoneSession::setTextScale(double scale) {
-    constexpr double kSmallest = 0.8, kLargest = 2;  // beyond these the panel has no room
+    constexpr double kSmallest = 0.8, kLargest = 2;  // the panel does not fit beyond these
     const double taken = std::clamp(scale, kSmallest, kLargest);
     if (std::exchange(textScale_, taken) != taken) remakePanel();
 }
@@ -133,7 +133,7 @@ void PhoneSession::setSeen(bool seen) {
     session_.openAside();
 }
 
-/// The device made on another thread, possibly for a window that vanished meanwhile.
+/// Takes the device made on another thread, possibly for a window that has vanished.
 void PhoneSession::takeDevice() {
     try {
         if (!session_.takeOpened(now())) return;
@@ -240,7 +240,7 @@ void PhoneSession::sharePicture() {
     }
 }
 
-/// As JSON. Paths differ on another device: gives only the file's name.
+/// As JSON. Paths differ between devices: states the file's name only.
 void PhoneSession::shareView() {
     if (!host_.shareText || !viewer().document()) return;
     PictureDescription view = viewer().picking().savedView();
@@ -266,7 +266,7 @@ std::string PhoneSession::shareName() const {
     return name.empty() ? "nacre" : name;
 }
 
-// --- for those who do not see it
+// --- accessibility
 
 std::vector<Control> PhoneSession::spoken() const {
     Control picture;
@@ -277,7 +277,8 @@ std::vector<Control> PhoneSession::spoken() const {
     picture.seenBottom = static_cast<float>(viewer().frames().size().height);
     std::vector<Control> all{picture};
     for (const Control& control : panel_->controls())
-        if (control.seen() && control.role != "status") all.push_back(control);  // the picture's value has that
+        // the picture's value already states it
+        if (control.seen() && control.role != "status") all.push_back(control);
     return all;
 }
 

@@ -96,7 +96,7 @@ TileCaps tileCapsOf(const vk::raii::PhysicalDevice& device) {
     TileCaps caps;
     caps.lanes = subgroups.subgroupSize;
     caps.texels = limits.maxTexelBufferElements >= limits.maxStorageBufferRange / sizeof(std::uint32_t);
-    // Inputs: shapes, rows of copies, looks, lists, numbers, tiles of bins; and the output.
+    // Inputs: shapes, rows of copies, looks, lists, numbers, tiles of bins. One output.
     caps.drawsEdges = caps.texels || limits.maxPerStageDescriptorStorageBuffers >= 7;
     constexpr auto kNeeded = Can::eBasic | Can::eVote | Can::eBallot | Can::eShuffle;
     if ((subgroups.supportedOperations & kNeeded) != kNeeded ||
@@ -157,7 +157,7 @@ bool maintainsSwapchains(const vk::raii::PhysicalDevice& device) {
 
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {
     if (!hasExtension(device, VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME) &&
-        !hasExtension(device, VK_ARM_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME))  // the same, before
+        !hasExtension(device, VK_ARM_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME))  // the older name
         return false;
     using Features = vk::PhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT;
     return device.getFeatures2<vk::PhysicalDeviceFeatures2, Features>()
@@ -235,7 +235,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.plan.name = caps.deviceName;
     caps.plan.rasterOrder = readsInRasterOrder(device);
     caps.plan.transient = identity.lazyMemory;
-    // MoltenVK offers it, but stores all the same.
+    // MoltenVK offers it but stores anyway.
     caps.plan.storeNone = hasExtension(device, VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME) && !identity.portable;
     caps.dispatchesApart = graph::has(graph::Quirk::dispatchesApart, identity);
     caps.plan.maxColorAttachments = std::min(properties.limits.maxColorAttachments, 8u);
@@ -247,7 +247,8 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.software = identity.software;
     constexpr double kNever = std::numeric_limits<double>::infinity();
     if (caps.software) caps.plan.geometry = {false, kNever, kNever, kNever};  // a triangle costs a hundred fragments
-    if (caps.software) caps.plan.conservativeDepth = false;  // none of them tests early what writes depth
+    // no software device tests early where a shader writes depth
+    if (caps.software) caps.plan.conservativeDepth = false;
     caps.tiles = tileCapsOf(device);
     caps.tiles.shade = caps.software && caps.tiles.texels;
     caps.plan.tiles = caps.tiles.lacks.empty();

@@ -27,7 +27,7 @@ struct Caps {
     std::string type;  ///< "discrete", "integrated", "virtual", "software", "other"
     std::uint32_t apiVersion = 0;
     std::uint32_t driverVersion = 0;
-    float snapPixels = 1.0f / 16;  ///< the rasteriser moves a vertex by at most this much
+    float snapPixels = 1.0f / 16;  ///< maximum distance by which the rasteriser moves a vertex
     std::uint32_t maxImageSize = 4096;
     bool localRead = false;           ///< render passes with input attachments use dynamic rendering
     bool dispatchesApart = false;     ///< quirk: no dispatch after a draw in one command buffer
@@ -38,8 +38,8 @@ struct Caps {
     std::uint64_t maxStorageBufferBytes = 1u << 27;
     std::uint64_t maxBufferBytes = UINT64_MAX;  ///< per buffer, where the device reports it (VK_KHR_maintenance4)
     graph::PlanCaps plan;
-    graph::EncodedFormat encoded;      ///< for images
-    graph::EncodedFormat encodedMaps;  ///< for maps of a bake, which blends
+    graph::EncodedFormat encoded;      ///< format for images
+    graph::EncodedFormat encodedMaps;  ///< format for maps of a bake, which are blended
     TileCaps tiles;
     /// Quirk: do not use a pipeline cache. SwiftShader keys shaders by the address of the render pass, and confuses a
     /// destroyed render pass with a new one at the same address.
@@ -48,10 +48,10 @@ struct Caps {
     std::string driverKey;  ///< device, driver and driver version as hexadecimal digits
     Visibility visibility = Visibility::encoded;
     std::string visibilityReason;
-    graph::SampleChoice motion;    ///< of a window's frames in motion
+    graph::SampleChoice motion;    ///< for a window's frames in motion
     bool samplesPictures = false;  ///< pictures of one sample per pixel have as many
     std::string capabilitySet;     ///< what the plan's caps started from
-    graph::Fact knownAs{};         ///< what the table of drivers says of it; null where it has no row
+    graph::Fact knownAs{};         ///< row of the driver table; null if it has none
 };
 
 /// The identity that a device reports, for the tables of known drivers.

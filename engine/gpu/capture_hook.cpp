@@ -24,14 +24,14 @@ constexpr const char* kEnable = "ENABLE_VULKAN_RENDERDOC_CAPTURE";  // required 
 using Api = RENDERDOC_API_1_4_0;
 Api& apiOf(void* api) { return *static_cast<Api*>(api); }
 
-bool loadedHere = false;  // not by the program that started this one
+bool loadedHere = false;  // by us, not by a launcher
 
 }  // namespace
 
 bool CaptureHook::built() { return true; }
 
 void CaptureHook::load(bool wanted) {
-    // Never unloaded: RenderDoc has hooked itself into the process by then.
+    // Never unloaded: RenderDoc has hooks in the process by now.
     void* library = dlopen(kLibrary, RTLD_NOW | RTLD_NOLOAD);
     launched_ = library && !loadedHere;
     if (!library && !wanted) return;
@@ -48,7 +48,7 @@ void CaptureHook::load(bool wanted) {
     }
     api_ = api;
     if (!std::getenv(kEnable)) setenv(kEnable, "1", 1);
-    // F12 belongs to the viewer, and the window shows nothing but its picture.
+    // F12 belongs to the viewer, and the overlay would draw into the picture.
     apiOf(api_).SetCaptureKeys(nullptr, 0);
     apiOf(api_).SetFocusToggleKeys(nullptr, 0);
     apiOf(api_).MaskOverlayBits(eRENDERDOC_Overlay_None, eRENDERDOC_Overlay_None);
@@ -78,7 +78,7 @@ std::string CaptureHook::end() {
         throw Error("cannot capture", "", "RenderDoc recorded nothing (is the disk full, or its layer disabled?)");
     std::string file(length, '\0');
     apiOf(api_).GetCapture(count - 1, file.data(), &length, nullptr);
-    file.resize(std::string_view(file.c_str()).size());  // the length counts the end's zero
+    file.resize(std::string_view(file.c_str()).size());  // the reported length includes the terminating zero
     return file;
 }
 

@@ -44,8 +44,8 @@ Device::Device(const DeviceOptions& options) {
 }
 
 void Device::nameOwn() const {
-    // Neither the instance nor the physical device: RenderDoc 1.24 ends the program at either. And no surface, by which
-    // lavapipe 22.3 does.
+    // Neither the instance nor the physical device: RenderDoc 1.24 aborts on both. Nor a surface: lavapipe 22.3
+    // crashes.
     name(*device_, "device");
     name(*queue_, "queue");
     name(*pipelineCache_, "pipelines");
@@ -130,12 +130,12 @@ Device::Allocation Device::allocate(const vk::MemoryRequirements& requirements,
 
 void Device::name(vk::ObjectType type, std::uint64_t handle, std::string_view name) const {
     if (!debugUtils_) return;
-    std::array<char, 512> text;  // longer ones are cut: a string would allocate in each frame
+    std::array<char, 512> text;  // fixed size, longer names are cut: a string would allocate in every frame
     text[name.copy(text.data(), text.size() - 1)] = '\0';
     try {
         device_.setDebugUtilsObjectNameEXT({type, handle, text.data()});
     } catch (const vk::SystemError&) {
-        // The object is as good without its name.
+        // a name is optional
     }
 }
 
@@ -191,7 +191,7 @@ void Device::settle() const noexcept {
         } catch (const vk::DeviceLostError&) {
             return;
         } catch (const std::exception&) {
-            // Memory may have run out for a moment.
+            // The allocation may succeed later.
         }
     }
 }

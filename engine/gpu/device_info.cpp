@@ -66,7 +66,7 @@ std::vector<std::pair<std::string, std::uint64_t>> limitsOf(const vk::PhysicalDe
             {"timestamp_period_picoseconds", static_cast<std::uint64_t>(l.timestampPeriod * 1000.0f)}};
 }
 
-/// Formats that the renderer may draw into.
+/// Formats that the renderer may use as render targets.
 std::vector<std::string> formatsOf(const vk::raii::PhysicalDevice& device) {
     using F = vk::FormatFeatureFlagBits;
     std::vector<std::string> all;

@@ -15,7 +15,7 @@ std::string hex(std::uint64_t value) {
     return text;
 }
 
-/// The address's lower bits below the precision, a power of two, mean nothing.
+/// Bits of the address below the precision, a power of two, are undefined.
 std::string addressText(const VkDeviceFaultAddressInfoEXT& a) {
     std::string kind = vk::to_string(static_cast<vk::DeviceFaultAddressTypeEXT>(a.addressType));
     const VkDeviceAddress size = std::max<VkDeviceAddress>(a.addressPrecision, 1);
@@ -58,7 +58,7 @@ std::string faultText(const vk::raii::Device& device) {
     if (!ask || ask(*device, &counts, nullptr) != VK_SUCCESS) return "";
     std::vector<VkDeviceFaultAddressInfoEXT> addresses(counts.addressInfoCount);
     std::vector<VkDeviceFaultVendorInfoEXT> vendor(counts.vendorInfoCount);
-    counts.vendorBinarySize = 0;  // for the vendor's own tools
+    counts.vendorBinarySize = 0;  // only for the vendor's tools
     VkDeviceFaultInfoEXT info{};
     info.sType = VK_STRUCTURE_TYPE_DEVICE_FAULT_INFO_EXT;
     info.pAddressInfos = addresses.data();

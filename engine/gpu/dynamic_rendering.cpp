@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kNone = VK_ATTACHMENT_UNUSED;
 constexpr auto kInputLayout = static_cast<vk::ImageLayout>(VK_IMAGE_LAYOUT_RENDERING_LOCAL_READ_KHR);
 
-/// Everything that happens to an attachment between begin and end, including load and store.
+/// All uses of an attachment between begin and end, including load and store.
 graph::State workOn(VkFormat format) {
     graph::State state = graph::stateOf(graph::isDepthFormat(format) ? graph::Verb::depth : graph::Verb::color,
                                         graph::PassKind::graphics);
@@ -26,7 +26,7 @@ graph::State workOn(VkFormat format) {
     return state;
 }
 
-/// State that the plan orders a render pass after.
+/// The state that the plan's barriers expect at a render pass.
 graph::State before(const graph::RenderPassPlan& plan) {
     graph::State state{0, 0, {}};
     for (const graph::Dependency& d : plan.dependencies) {
@@ -48,11 +48,11 @@ bool readsLocally(const vk::raii::PhysicalDevice& device, bool validate) {
     const char* off = std::getenv("NACRE_NO_DYNAMIC_RENDERING");
     if (off && *off && std::string_view(off) != "0") return false;
     if (validate && !validationKnows(VK_MAKE_API_VERSION(0, 1, 3, 272))) return false;
-    // Drivers of Vulkan 1.4, where all of it is core, go on naming them.
+    // Drivers of Vulkan 1.4 still list it, although it is core there.
     for (const char* name : {VK_KHR_DYNAMIC_RENDERING_LOCAL_READ_EXTENSION_NAME,
                              VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME, VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME})
         if (!hasExtension(device, name)) return false;
-    // The colour attachments of a render pass are blended each in its own way.
+    // Each colour attachment has its own blend state.
     if (!trusted(device) || !device.getFeatures().independentBlend) return false;
     VkPhysicalDeviceDynamicRenderingLocalReadFeaturesKHR read{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_LOCAL_READ_FEATURES_KHR, nullptr, false};
@@ -81,7 +81,7 @@ DynamicRendering::DynamicRendering(const Device& device, const graph::RenderPass
 
 bool DynamicRendering::takes(const Device& device, const graph::RenderPassPlan& plan) {
     if (!device.caps().localRead || plan.samples > 1) return false;
-    // A render pass without inputs gains nothing by it.
+    // Without inputs a VkRenderPass does as well.
     const bool reads = plan.subpasses.size() > 1 ||
                        std::ranges::any_of(plan.subpasses, [](const graph::Subpass& s) { return !s.inputs.empty(); });
     if (!reads) return false;
@@ -92,7 +92,7 @@ bool DynamicRendering::takes(const Device& device, const graph::RenderPassPlan& 
     return depths <= 1 && plan.attachments.size() - static_cast<std::size_t>(depths) <= most;
 }
 
-/// One from beginning to end, unlike the plan's, which may change from subpass to subpass.
+/// Unlike in the plan, one layout from beginning to end.
 vk::ImageLayout DynamicRendering::layoutOf(std::uint32_t a) const {
     bool read = false;
     for (const graph::Subpass& subpass : plan_.subpasses) {
@@ -124,7 +124,7 @@ void DynamicRendering::transition(bool entering) const {
         if (planned == inside) continue;
         const graph::State work = workOn(attachment.format);
         own |= vk::PipelineStageFlags(work.stages);
-        // The plan's barrier has made existing contents available.
+        // The plan's barrier has already made existing contents available.
         vk::AccessFlags from;
         if (!entering) from = vk::AccessFlags(work.access);
         if (entering && planned == vk::ImageLayout::eUndefined) from = vk::AccessFlags(before(plan_).access);

@@ -188,7 +188,7 @@ void Executor::record(CommandBuffer& commands, Recording& recording, const Impor
     const graph::Graph& graph = recording.graph_;
     const graph::Plan& plan = recording.plan_;
     bind(recording, imports, retired);
-    device_.name(**commands, graph.name());  // here, since RenderDoc keeps names given while a buffer is recorded
+    device_.name(**commands, graph.name());  // here, because RenderDoc keeps names given while recording
     device_.log().record(recording.work_);
     device_.beginLabel(*commands, graph.name());
     if (timer) timer->begin(*commands);

@@ -23,7 +23,7 @@ bool hasExtension(const std::vector<vk::ExtensionProperties>& list, const char* 
 
 VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                        const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
-    // A vertex shader serves fragment shaders of several outputs. Drivers link both stages, and drop what is not read.
+    // One vertex shader serves several fragment shaders. Drivers link the stages and drop unused outputs.
     const bool unread = data->pMessageIdName && std::strstr(data->pMessageIdName, "Shader-OutputNotConsumed");
     if (!unread) static_cast<ValidationLog*>(user)->add(data->pMessage ? data->pMessage : "");
     return VK_FALSE;
@@ -72,8 +72,8 @@ vk::raii::Instance instanceWith(const vk::raii::Context& context, const Instance
     }
 }
 
-/// An instance with what the loader itself brings, without asking for it: for the answer it would load every driver and
-/// unload it again. @returns nothing if the loader lacks some of it
+/// An instance created without asking the loader first: it would load and unload every driver to answer. @returns
+/// nothing if the loader lacks something
 std::optional<vk::raii::Instance> usualInstance(const vk::raii::Context& context, InstanceExtensions& found) {
     const InstanceExtensions usual{true, true, false};
     try {
@@ -123,10 +123,10 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate,
 }
 
 const std::vector<vk::ExtensionProperties>& extensionsOf(const vk::raii::PhysicalDevice& device) {
-    // The loader clears a megabyte of memory for each answer, and a device is asked twenty times.
+    // The loader clears a megabyte per query, and a device is queried twenty times.
     struct Known {
         VkPhysicalDevice device = VK_NULL_HANDLE;
-        std::uint64_t instances = 0;  // a handle may come again after its instance is gone
+        std::uint64_t instances = 0;  // handles may be reused after their instance is destroyed
         std::vector<vk::ExtensionProperties> list;
     };
     thread_local Known known;
@@ -139,7 +139,7 @@ const std::vector<vk::ExtensionProperties>& extensionsOf(const vk::raii::Physica
 vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, ValidationLog& messages) {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-    // Vulkan-Hpp's own type of the callback differs from version to version, that of C does not.
+    // The type of Vulkan-Hpp's callback differs between versions; C's does not.
     VkDebugUtilsMessengerCreateInfoEXT info = {};
     info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
     info.messageSeverity = static_cast<VkFlags>(Severity::eWarning | Severity::eError);

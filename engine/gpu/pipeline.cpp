@@ -98,7 +98,7 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
                                                         vk::CompareOp::eLessOrEqual);
     std::vector<vk::PipelineColorBlendAttachmentState> blends;
     for (std::uint32_t i = 0; i < d.colorCount; ++i) blends.push_back(blendState(d.blend, i < d.colorsWritten));
-    if (d.rendering.any()) {  // all of the render pass, not of the subpass alone
+    if (d.rendering.any()) {  // formats of the whole render pass, not of the subpass alone
         blends.clear();
         for (std::uint32_t i = 0; i < d.rendering.colorCount; ++i)
             blends.push_back(blendState(d.blend, d.rendering.locations[i] < d.colorsWritten));
@@ -259,7 +259,7 @@ vk::DescriptorSet DescriptorPool::allocate(const vk::raii::DescriptorSetLayout& 
     vk::DescriptorSet set;
     if (const vk::Result result = (**device_).allocateDescriptorSets(&info, &set); result != vk::Result::eSuccess)
         throw vk::SystemError(vk::make_error_code(result), "vk::Device::allocateDescriptorSets");
-    // Mesa (22.3) never lets go of a set's name where the pool is reset, which a pool of a frame is again and again.
+    // Mesa 22.3 leaks a set's name when the pool is reset, which happens every frame.
     if (device_.watched()) device_.name(set, name);
     return set;
 }

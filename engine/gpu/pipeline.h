@@ -49,7 +49,7 @@ enum class Blend : std::uint8_t {
     over,  ///< straight alpha over an opaque picture
 };
 
-/// Vertex streams of a pipeline. Both tables are static: descriptions compare their addresses.
+/// Vertex streams of a pipeline. Both tables are static: comparison uses their addresses.
 struct VertexStreams {
     std::span<const vk::VertexInputBindingDescription> bindings;
     std::span<const vk::VertexInputAttributeDescription> attributes;
@@ -65,8 +65,8 @@ struct GraphicsPipeline {
     std::uint32_t subpass = 0;
     RenderingFormats rendering;       ///< where there is no render pass
     std::uint32_t colorCount = 0;     ///< of the subpass
-    std::uint32_t samples = 1;        ///< of a pixel; a fragment is one all the same
-    std::uint32_t colorsWritten = 0;  ///< of the pass; the others are masked
+    std::uint32_t samples = 1;        ///< per pixel; shading runs once per fragment
+    std::uint32_t colorsWritten = 0;  ///< by the pass; others are masked
     DepthUse depth = DepthUse::none;
     Blend blend = Blend::replace;
     bool ordered = false;  ///< reads attachments in raster order
@@ -86,9 +86,9 @@ struct LayoutDescription {
     std::span<const vk::DescriptorType> bindings;  ///< static; the vertex stage reads uniform buffers only
     vk::ShaderStageFlags stages;
     std::uint32_t pushConstantBytes = 0;
-    bool counter = false;          ///< set 1: one storage buffer
-    std::uint32_t ofVertices = 0;  ///< the vertex stage reads this many of the last bindings
-    bool shared = false;           ///< the fragment stage reads those as well
+    bool counter = false;          ///< set 1 has one storage buffer
+    std::uint32_t ofVertices = 0;  ///< the vertex stage reads this many bindings, counted from the last
+    bool shared = false;           ///< the fragment stage reads those too
 };
 struct Layout {
     vk::raii::DescriptorSetLayout set{nullptr};
@@ -101,7 +101,7 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& de
 vk::raii::Pipeline makePipeline(const Device& device, const ComputePipeline& description);
 Layout makeLayout(const Device& device, const LayoutDescription& description);
 
-/// Names do not count: pipelines that differ in names alone are the same.
+/// Ignores names.
 bool samePipeline(const GraphicsPipeline& a, const GraphicsPipeline& b);
 bool samePipeline(const ComputePipeline& a, const ComputePipeline& b);
 
@@ -110,17 +110,17 @@ class PipelineWorker;
 /// All objects made so far. Equal descriptions share one object.
 class Pipelines {
 public:
-    /// @param device  outlives this
+    /// @param device  must outlive this
     explicit Pipelines(const Device& device);
     ~Pipelines();
 
-    /// Starts a worker thread that makes likely pipelines ahead, until endAhead().
+    /// Starts a worker thread that compiles likely pipelines until endAhead().
     void makeAhead();
     void endAhead();
     bool makesAhead() const { return worker_ != nullptr; }
     /// Whether the worker still has work.
     bool busyAhead() const;
-    /// Queues a pipeline for the worker if it is not there yet. Does nothing without a worker.
+    /// Queues a pipeline for the worker, once. Does nothing without a worker.
     void want(const GraphicsPipeline& description);
     void want(const ComputePipeline& description);
 

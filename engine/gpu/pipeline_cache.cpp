@@ -20,7 +20,7 @@ vk::raii::PipelineCache makePipelineCache(const vk::raii::Device& device, const 
         return {device, vk::PipelineCacheCreateInfo({}, data.size(), data.data())};
     } catch (const vk::SystemError&) {
         if (data.empty()) throw;
-        return {device, vk::PipelineCacheCreateInfo()};  // the header may be right and the rest not
+        return {device, vk::PipelineCacheCreateInfo()};  // the header may be valid and the rest damaged
     }
 }
 

@@ -34,7 +34,7 @@ void PipelineWorker::want(const PipelineDescription& description) {
         if (find(description) != wanted_.end()) return;
         Wanted& w = wanted_.emplace_back();
         w.description = description;
-        // Names are the caller's, and may go before it is made.
+        // Names belong to the caller and may be gone when the worker runs.
         std::visit([&](auto& d) { w.name = d.name, d.name = w.name; }, w.description);
         if (auto* d = std::get_if<GraphicsPipeline>(&w.description)) w.detail = d->detail, d->detail = w.detail;
     }
@@ -70,7 +70,7 @@ void PipelineWorker::run() {
         Wanted& w = *next();
         w.state = State::beingMade;
         lock.unlock();
-        State state = State::failed;  // then the frame that needs it makes it, and reports the error
+        State state = State::failed;  // on failure the frame makes it again and reports the error
         try {
             w.pipeline = std::visit([&](const auto& d) { return makePipeline(device_, d); }, w.description);
             state = State::made;

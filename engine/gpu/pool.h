@@ -11,13 +11,13 @@ namespace nacre::gpu {
 template <typename T>
 class Pool {
 public:
-    /// An object that nobody else holds, in the state in which it was left.
+    /// An object that nobody else holds, in its last state.
     const std::shared_ptr<T>& free() {
         auto found = std::find_if(all_.begin(), all_.end(), [](const auto& one) { return one.use_count() == 1; });
         if (found == all_.end()) found = all_.insert(found, std::make_shared<T>());
         return *found;
     }
-    /// @param work  called with each object that nobody else holds
+    /// @param work  receives each object that nobody else holds
     template <typename Work>
     void eachFree(const Work& work) {
         for (const auto& one : all_)

@@ -36,7 +36,7 @@ public:
         for (const auto& a : answers_) {
             const auto status = static_cast<vk::SubpassMergeStatusEXT>(a.subpassMergeStatus);
             if (status == vk::SubpassMergeStatusEXT::eMerged || status == vk::SubpassMergeStatusEXT::eDisallowed)
-                continue;  // the first subpass has nothing to be merged into
+                continue;  // there is nothing to merge the first subpass with
             const std::string words(a.description.data());
             text += (text.empty() ? "" : "; ") + vk::to_string(status) + (words.empty() ? "" : ": ") + words;
         }

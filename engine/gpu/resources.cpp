@@ -37,7 +37,7 @@ Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlag
     return buffer;
 }
 
-// All of it: so no range has to be rounded to the size of the caches' atoms.
+// The whole range: no rounding to nonCoherentAtomSize is needed.
 void Buffer::invalidate() const {
     if (!coherent) (**memory.device()).invalidateMappedMemoryRanges(vk::MappedMemoryRange(**memory, 0, VK_WHOLE_SIZE));
 }
@@ -87,7 +87,7 @@ vk::raii::BufferView makeTexelView(const Device& device, const Buffer& buffer, v
 vk::raii::Sampler makeSampler(const Device& device, vk::Filter filter, const std::string& name) {
     constexpr auto kEdge = vk::SamplerAddressMode::eClampToEdge;
     vk::SamplerCreateInfo info({}, filter, filter, vk::SamplerMipmapMode::eNearest, kEdge, kEdge, kEdge);
-    info.maxLod = VK_LOD_CLAMP_NONE;  // one mip level is all there is, and Mali's samplers cost more with a clamp
+    info.maxLod = VK_LOD_CLAMP_NONE;  // there is one mip level, and a clamp costs more on Mali
     vk::raii::Sampler sampler(*device, info);
     device.name(*sampler, name);
     return sampler;

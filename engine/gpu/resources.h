@@ -13,7 +13,7 @@
 
 namespace nacre::gpu {
 
-/// Counts a piece of device memory during its life.
+/// Counts device memory during its lifetime.
 class Memory {
 public:
     Memory() = default;
@@ -53,11 +53,11 @@ struct Buffer {
     void flush() const;
 };
 
-/// Which side reads. Reading uncached memory is slow for the host, most of all on Arm's phones; memory that the host
-/// only writes is best uncached.
+/// Which side reads. Reading uncached memory is slow for the host, particularly on Arm. Memory that the host only
+/// writes is best uncached.
 enum class Access {
-    upload,    ///< the device: coherent
-    readback,  ///< the host as well: cached, and coherent where available
+    upload,    ///< device: coherent
+    readback,  ///< host too: cached, and coherent where available
 };
 
 /// @throws Error if the device allows no buffer this large @param name  of the buffer, for the message
@@ -96,7 +96,7 @@ struct Retired {
     std::vector<std::shared_ptr<const void>> others;
 };
 
-/// An image that someone else owns.
+/// An image owned elsewhere.
 struct ImageRef {
     vk::Image handle;
     vk::ImageView view;  ///< null if the image is only copied

@@ -7,21 +7,21 @@
 
 namespace nacre::gpu {
 
-/// Commands that the host does not wait for: one submission at a time. Keeps its resources until they are done.
+/// A submission that the host does not wait for, one at a time. Keeps its resources until it is done.
 class Submission {
 public:
     Submission(const Device& device, const std::string& name);
     ~Submission();
     Submission(const Submission&) = delete;
 
-    /// Records by the given function and submits. Nothing may be pending. After a failure nothing is.
+    /// Records by the given function and submits. Nothing may be pending; after a failure nothing is.
     template <typename RecordCommands>
     void submit(RecordCommands&& record) {
         begin();
         record(commands_);
         end();
     }
-    /// Submitted and not yet known to be done.
+    /// Whether a submission may still be running.
     bool pending() const { return pending_; }
     /// Whether nothing is in flight.
     bool done();

@@ -57,13 +57,13 @@ void Swapchain::chooseFormat(vk::SurfaceKHR surface) {
     throw Error("cannot open a window", device_.caps().deviceName, "its windows have no 8-bit sRGB format");
 }
 
-/// Waits until the display is done with this image.
+/// Waits until the display has released this image.
 void Swapchain::awaitShown(WindowImage& image, std::uint64_t nanoseconds) const {
     if (!image.presented) return;
     if (device_->waitForFences(*image.shown, true, nanoseconds) == vk::Result::eSuccess) image.presented = false;
 }
 
-/// From now on the window shows none of these images.
+/// Marks the images as replaced: the window no longer shows them.
 void Swapchain::retire() {
     if (*swapchain_) formers_.push_back({std::move(swapchain_), std::move(images_), std::move(drawnInto_)});
     images_.clear();
@@ -72,14 +72,14 @@ void Swapchain::retire() {
     whole_ = true;
 }
 
-/// Frees former swapchains that the display is done with. @param wait  all, since it must be: at most for a moment each
+/// Frees retired swapchains that the display has released. @param wait  for all, at most a moment each
 void Swapchain::dropFormers(bool wait) {
     constexpr std::uint64_t kMoment = 1'000'000'000;
     std::erase_if(formers_, [&](Former& former) {
         for (WindowImage& image : former.images) try {
                 awaitShown(image, wait ? kMoment : 0);
             } catch (const vk::SystemError&) {
-                image.presented = false;  // the device is lost, and its work is over
+                image.presented = false;  // the device is lost, so nothing is in flight
             }
         return wait ||
                (former.drawnInto.use_count() == 1 && std::ranges::none_of(former.images, &WindowImage::presented));
@@ -101,7 +101,7 @@ void Swapchain::recreate(graph::Extent wanted) {
     const bool kept = retires();
     vk::SwapchainKHR before = *swapchain_;
     retire();
-    stale_ = true;  // until all of it is there
+    stale_ = true;  // until creation has succeeded
     for (int attempt = 0;; ++attempt) {
         try {
             if (!*surface_) makeSurface();
@@ -121,7 +121,7 @@ void Swapchain::recreate(graph::Extent wanted) {
             release();
             before = nullptr;
         } catch (...) {
-            dropFormers(true);  // a surface has one swapchain at a time, except for replaced ones
+            dropFormers(true);  // a surface has one swapchain at a time, besides retired ones
             throw;
         }
     }
@@ -181,13 +181,13 @@ std::optional<std::uint32_t> Swapchain::acquire(vk::Semaphore signal) {
 
 void Swapchain::present(std::uint32_t index) {
     WindowImage& image = images_[index];
-    whole_ = false;  // unless the display takes it
+    whole_ = false;  // until the display accepts it
     try {
         const vk::SwapchainKHR swapchain = *swapchain_;
         vk::PresentInfoKHR info(*image.drawn, swapchain, index);
         vk::SwapchainPresentFenceInfoEXT shown(*image.shown);
         if (*image.shown) {
-            awaitShown(image, UINT64_MAX);  // the image was returned, so this is done or will be soon
+            awaitShown(image, UINT64_MAX);  // the image was returned, so this is done or soon will be
             device_->resetFences(*image.shown);
             info.pNext = &shown;
         }
@@ -202,7 +202,7 @@ void Swapchain::present(std::uint32_t index) {
         device_.settle();
         release();
     } catch (...) {
-        stale_ = true;  // the image stays acquired, and `drawn` signalled: neither can be used again
+        stale_ = true;  // the image stays acquired and `drawn` signalled: neither can be reused
         throw;
     }
 }

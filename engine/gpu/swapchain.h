@@ -54,7 +54,7 @@ private:
         vk::raii::ImageView view;
         vk::raii::Semaphore drawn;
         vk::raii::Fence shown{nullptr};  ///< signalled when the display has released the image, where reported
-        bool presented = false;          ///< `shown` is or will be signalled
+        bool presented = false;          ///< `shown` is signalled or will be
     };
     struct Former {
         vk::raii::SwapchainKHR swapchain;
@@ -68,7 +68,7 @@ private:
     void retire();
     void dropFormers(bool wait);
     void awaitShown(WindowImage& image, std::uint64_t nanoseconds) const;
-    /// The image was queued, even if it is never shown.
+    /// Call when the image was queued, even if it is never shown.
     void enqueued(WindowImage& image) {
         image.presented = static_cast<bool>(*image.shown);
         whole_ = true;
@@ -82,7 +82,7 @@ private:
     std::vector<WindowImage> images_;
     std::shared_ptr<const void> drawnInto_ = std::make_shared<int>();
     std::vector<Former> formers_;
-    bool whole_ = true;  ///< every image that was drawn into was presented
+    bool whole_ = true;  ///< every acquired image was presented
     graph::Extent extent_, upright_;
     int quarterTurns_ = 0;
     bool stale_ = true;

@@ -36,7 +36,7 @@ std::size_t Timer::read(Stamps& stamps) const {
 }
 
 double Timer::millisecondsBetween(std::uint64_t from, std::uint64_t to) const {
-    // A queue's counter may be narrower than its timestamps, and wraps around.
+    // A counter may have fewer bits than its timestamps, and wraps around.
     const std::uint32_t bits = device_.caps().timestampBits;
     const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
     return static_cast<double>((to - from) & mask) * device_.caps().nanosecondsPerTick * 1e-6;

@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-constexpr double kMostCells = 4e6;  // far-apart atoms have larger ones
+constexpr double kMostCells = 4e6;  // atoms that are far apart get larger cells
 
 }  // namespace
 

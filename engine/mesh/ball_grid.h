@@ -44,13 +44,13 @@ private:
     std::vector<std::size_t> offsets_;
 };
 
-/// Where a line leaves the union of balls that it starts in, followed from ball to ball.
+/// Where a line leaves the union of balls in which it starts. Follows it from ball to ball.
 struct BallExit {
     double share = 0;                ///< fraction of the line; 0 if it starts outside
     std::uint32_t ball = kNoSource;  ///< the last ball; none if it starts outside
 };
 /// @param widest  largest radius of a ball, Å
-/// @param way  searched to its end, plus the reach of a ball
+/// @param way  length of the search, plus the reach of a ball
 BallExit exitOf(const std::vector<SurfaceBall>& balls, const BallGrid& grid, double widest, const glm::dvec3& from,
                 const glm::dvec3& way);
 

@@ -34,8 +34,8 @@ struct BlockMesh {
     std::vector<std::pair<std::uint32_t, GridEdge>> shared;
 };
 
-/// Cuts block after block. Looks at the cells that the surface passes through alone: rows of nodes are words with a bit
-/// for each node inside.
+/// Cuts block after block. Visits only cells that the surface crosses: a row of nodes is a word with a bit per node,
+/// set inside.
 class BlockCutter {
 public:
     static constexpr int kMostCells = 63;  ///< along x
@@ -56,8 +56,9 @@ private:
     GridBlock block_;
     std::vector<float> values_;
     std::vector<std::uint32_t> origins_;
-    std::vector<std::uint64_t> inside_;    // by row of nodes
-    std::vector<std::uint32_t> vertices_;  // by edge of two layers of nodes in turn, with the edges upwards from them
+    std::vector<std::uint64_t> inside_;  // by row of nodes
+    // by edge, for two layers of nodes in turn, and the edges from them to the next layer
+    std::vector<std::uint32_t> vertices_;
     BlockMesh result_;
 };
 

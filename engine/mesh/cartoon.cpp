@@ -70,10 +70,10 @@ public:
     void draw() {
         if (frames_.empty())
             return addBall(mesh_, trace_.points[0] - origin_, coil(0).width * options_.scale, trace_.atoms[0], sides());
-        std::size_t done = 0;  // frames behind which all is drawn
+        std::size_t done = 0;  // number of finished frames
         for (const FoldRun& run : runs_) {
             const bool helix = run.kind == SecondaryStructure::helix;
-            if (helix && options_.helices == HelixForm::ribbon) continue;  // grows out of the coil
+            if (helix && options_.helices == HelixForm::ribbon) continue;  // the ribbon grows out of the coil
             const auto [begin, last] = framesOf(run);
             const std::size_t first = std::max(begin, done);
             drawCoil(done, first);
@@ -86,8 +86,7 @@ public:
         drawCoil(done, frames_.size() - 1);
     }
 
-    /// Where the ribbon passes each residue that is drawn; a nucleotide at the middle of its stretch, where its sugar
-    /// is.
+    /// Where the ribbon passes each drawn residue. For a nucleotide, the middle of its stretch, where its sugar is.
     void addPlaces(std::vector<RibbonPlace>& places) const {
         for (std::size_t i = 0; i < trace_.residues.size(); ++i) {
             if (!trace_.shown[i]) continue;
@@ -103,13 +102,14 @@ private:
     /// The frames between which a run is drawn.
     std::pair<std::size_t, std::size_t> framesOf(const FoldRun& run) const {
         const bool solid = run.kind == SecondaryStructure::helix && options_.helices != HelixForm::ribbon;
-        const double share = solid ? 0 : std::clamp(options_.overhang, 0.0, 0.5);  // a solid is off the coil's way
+        // solids start beside the coil's path
+        const double share = solid ? 0 : std::clamp(options_.overhang, 0.0, 0.5);
         const auto over = static_cast<std::size_t>(share * options_.segments);
         const std::size_t first = run.first * step(), last = run.last * step() + over;
         return {first > over ? first - over : 0, std::min(last, frames_.size() - 1)};
     }
 
-    /// Atom of the stretch from frame k to the next.
+    /// The atom that owns the stretch from frame k to the next.
     std::size_t ownerOf(std::size_t k) const {
         const double u = (static_cast<double>(k) + 0.5) / options_.segments + trace_.shift;
         return std::min(static_cast<std::size_t>(u), trace_.atoms.size() - 1);
@@ -126,7 +126,7 @@ private:
         return {radius, radius};
     }
 
-    /// A coil's, and where a helix is, that of its ribbon, which grows and shrinks within its first and last residue.
+    /// Sections of a coil; where a helix is, those of its ribbon, which tapers within its first and last residue.
     std::vector<Section> coilSections(std::size_t first, std::size_t last) const {
         std::vector<Section> sections;
         for (std::size_t k = first; k <= last; ++k) sections.push_back(coil(k));
@@ -154,7 +154,7 @@ private:
         drawShown({first, last, SectionShape::oval, false, false, std::vector<Section>(last - first + 1, section)});
     }
 
-    /// A shaft, and over the last residue the head of an arrow, whose tip is as wide as the coil that goes on from it.
+    /// A shaft with an arrow head over the last residue. The tip is as wide as the following coil.
     void drawStrand(std::size_t first, std::size_t last) {
         const std::size_t neck = last - step();
         if (neck > first)
@@ -168,7 +168,7 @@ private:
         drawShown({neck, last, SectionShape::rectangle, false, false, std::move(head)});
     }
 
-    /// Draws the stretches of a piece whose residues are shown.
+    /// Draws the stretches of a piece whose residues are visible.
     void drawShown(const SweepPiece& piece) {
         std::size_t k = piece.first;
         while (k < piece.last) {

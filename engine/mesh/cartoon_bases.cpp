@@ -21,12 +21,12 @@ constexpr double kLeastRingBond = 0.5;       // Å
 constexpr double kFarthestBase = 15;         // Å, of a base from its ribbon
 constexpr Element kSulfur = 16;
 
-/// The outline of a purine; a pyrimidine's is its first four and its last two.
+/// Outline of a purine. A pyrimidine has its first four and last two atoms.
 enum BaseAtom { kBaseN1, kBaseC2, kBaseN3, kBaseC4, kBaseN9, kBaseC8, kBaseN7, kBaseC5, kBaseC6, kBaseC1, kBaseAtoms };
 constexpr std::array<std::string_view, kBaseAtoms> kBaseNames{"N1", "C2", "N3", "C4", "N9",
                                                               "C8", "N7", "C5", "C6", "C1'"};
 
-/// Atoms of a residue at one position, by name, of the conformer that is drawn.
+/// Atoms of a residue position in the drawn conformer, by name.
 struct Base {
     std::array<std::uint32_t, kBaseAtoms> atoms{};
     bool has(BaseAtom name) const { return atoms[name] != kNoAtom; }

@@ -17,9 +17,9 @@ struct RibbonPlace {
     glm::dvec3 place{};         ///< Å, in the file's frame
 };
 
-/// Adds a base for each nucleotide: plates of its rings if all their atoms exist and are flat, else a stick as far as
-/// atoms exist.
-/// @param places  of nucleotides, by ascending residue @param options  settled: with a number of sides
+/// Adds a base for each nucleotide: plates for its rings if these are complete and flat, else a stick as far as atoms
+/// exist.
+/// @param places  of nucleotides, by ascending residue @param options  with a resolved number of sides
 void addBases(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, const CartoonOptions& options,
               const glm::dvec3& origin);
 

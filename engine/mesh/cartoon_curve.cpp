@@ -12,14 +12,15 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kLongestTangent = 1.0;    // of the chord from neighbour to neighbour, where a chain turns back sharply
+// fraction of the chord between the neighbours; limits tangents where a chain turns back sharply
+constexpr double kLongestTangent = 1.0;
 constexpr double kSharpTurn = 0.8;         // radians, between two helices' axes
 constexpr double kFarthestFromAxis = 1.5;  // largest distance of a helix's axis from its straight cylinder, Å
 
 /// Guides of the curve, after processing helices and strands.
 struct Guides {
     std::vector<dvec3> points, tangents;
-    std::vector<dvec3> sides;  ///< of residues in helices and strands; 0 elsewhere
+    std::vector<dvec3> sides;  ///< for residues in helices and strands; zero elsewhere
 };
 
 double angleBetween(const dvec3& a, const dvec3& b) {
@@ -27,16 +28,17 @@ double angleBetween(const dvec3& a, const dvec3& b) {
     return lengths > 0 ? std::acos(std::clamp(glm::dot(a, b) / lengths, -1.0, 1.0)) : 0;
 }
 
-/// A window of four alpha carbons on a helix: where the two bisectors point away from the axis, both cross it.
+/// A window of four alpha carbons on a helix. The bisectors at the two inner ones are perpendicular to the axis; their
+/// cross product is parallel to it.
 dvec3 axisOfFour(const std::vector<dvec3>& p, std::size_t i) {
     const dvec3 a = p[i] + p[i + 2] - 2.0 * p[i + 1], b = p[i + 1] + p[i + 3] - 2.0 * p[i + 2];
     return unitOr(glm::cross(a, b), {});
 }
 
-/// The axis's direction at each residue of a helix: the mean over all windows that hold it.
+/// Axis direction at each residue of a helix: the mean over all windows that contain it.
 std::vector<dvec3> helixAxes(const std::vector<dvec3>& points, const FoldRun& run) {
     const std::size_t length = run.last - run.first + 1;
-    // Three residues are no window: their neighbours help out.
+    // Three residues are too few for a window: include the neighbours.
     const std::size_t from = length >= 4 || run.first == 0 ? run.first : run.first - 1;
     const std::size_t to = std::min<std::size_t>(length >= 4 ? run.last : run.last + 1, points.size() - 1);
     std::vector<dvec3> sums(length);
@@ -50,13 +52,13 @@ std::vector<dvec3> helixAxes(const std::vector<dvec3>& points, const FoldRun& ru
     }
     const dvec3 along = unitOr(points[run.last] - points[run.first], dvec3(0, 0, 1));
     for (dvec3& axis : sums) axis = unitOr(axis, along);
-    // A left-handed helix, or a bad window, must not turn the axis against the chain.
+    // A left-handed helix, or a bad window, must not reverse the axis.
     if (glm::dot(sums[length / 2], along) < 0)
         for (dvec3& axis : sums) axis = -axis;
     return sums;
 }
 
-/// Points on the axis of a helix, one a residue. The weights take the turn of 100 degrees a residue out exactly.
+/// Points on the axis of a helix, one per residue. The weights cancel the turn of 100 degrees per residue exactly.
 std::vector<dvec3> axisPoints(const std::vector<dvec3>& points, const FoldRun& run, const std::vector<dvec3>& axes) {
     static constexpr double kWeights[] = {0.347, 1, 1, 1, 0.347};
     const std::size_t length = run.last - run.first + 1;
@@ -77,14 +79,14 @@ std::vector<dvec3> axisPoints(const std::vector<dvec3>& points, const FoldRun& r
     };
     for (const std::size_t i : {std::size_t{1}, std::size_t{0}}) extend(i, 2);
     for (const std::size_t i : {length - 2, length - 1}) extend(i, length - 3);
-    // The remaining helices, drawn otherwise.
+    // Smooths what the weights leave.
     std::vector<dvec3> smooth = axis;
     for (std::size_t i = 1; i + 1 < length; ++i) smooth[i] = (axis[i - 1] + 2.0 * axis[i] + axis[i + 1]) / 4.0;
     return smooth;
 }
 
-/// Makes the points from first to last straight: a line through the mean along the mean direction; where it would
-/// leave the axis by too much, two lines that meet.
+/// Straightens the points from first to last: one line through the mean along the mean direction, or two lines that
+/// meet where one would leave the axis by too much.
 void straighten(std::vector<dvec3>& axis, std::size_t first, std::size_t last) {
     const dvec3 a = axis[first], along = unitOr(axis[last] - a, dvec3(0, 0, 1));
     std::size_t farthest = first;
@@ -102,8 +104,8 @@ void straighten(std::vector<dvec3>& axis, std::size_t first, std::size_t last) {
     for (std::size_t i = first + 1; i < last; ++i) axis[i] = a + along * glm::dot(axis[i] - a, along);
 }
 
-/// For two consecutive helices without a residue between them: the largest turn of the axis from the four residues
-/// before a position to the four after it, if it is sharp.
+/// For two adjacent helices: the largest sharp turn of the axis, from the four residues before a position to the four
+/// after it.
 std::uint32_t kinkOf(const std::vector<dvec3>& points, const FoldRun& run) {
     double sharpest = kSharpTurn;
     std::uint32_t kink = run.last;
@@ -126,14 +128,14 @@ void guideHelix(const std::vector<dvec3>& raw, const FoldRun& run, HelixForm for
     }
 }
 
-/// Without the zigzag of the alpha carbons, which lies across the sheet.
+/// Removes the zigzag of the alpha carbons, which is perpendicular to the sheet.
 void smoothStrand(const FoldRun& run, std::vector<dvec3>& points) {
     for (int round = 0; round < 2; ++round) {
         const std::vector<dvec3> before = points;
         for (std::size_t i = run.first; i <= run.last; ++i)
             if (i > 0 && i + 1 < points.size())
                 points[i] = (before[i - 1] + 2.0 * before[i] + before[i + 1]) / 4.0;
-            else if (i == 0 && points.size() > 2)  // as if the zigzag went on beyond the end of the chain
+            else if (i == 0 && points.size() > 2)  // mirrors the zigzag at the end of the chain
                 points[i] = (3.0 * before[0] + 2.0 * before[1] - before[2]) / 4.0;
             else if (points.size() > 2)
                 points[i] = (3.0 * before[i] + 2.0 * before[i - 1] - before[i - 2]) / 4.0;
@@ -161,8 +163,9 @@ void guideStrand(const Trace& trace, const FoldRun& run, Guides& guides) {
     std::copy(sides.begin(), sides.end(), guides.sides.begin() + run.first);
 }
 
-/// Half of the chord between the neighbours for a straight chain, more where it turns: then the cubic between two
-/// points is at the radius of their circle also in its middle. For chords that turn by phi, 2 tan(phi / 4) / sin(phi).
+/// Tangent length: half of the chord between the neighbours for a straight chain, more where it turns, so that the
+/// middle of the cubic also lies on the circle through its points. For chords that turn by phi: 2 tan(phi / 4) /
+/// sin(phi).
 double tangentScale(double phi) {
     if (phi < 1e-3) return 0.5;
     phi = std::min(phi, 0.55 * std::numbers::pi);
@@ -178,7 +181,7 @@ void findTangents(const std::vector<bool>& wound, Guides& guides) {
     for (std::size_t i = 1; i + 1 < n; ++i) {
         const dvec3 chord = p[i + 1] - p[i - 1], a = p[i] - p[i - 1], b = p[i + 1] - p[i];
         if (!wound[i]) {
-            // The shorter of two unequal steps bounds it, so that no loop is thrown.
+            // The shorter of two unequal steps limits it, which avoids loops.
             const double longest = 1.6 * std::min(glm::length(a), glm::length(b));
             const dvec3 tangent = chord * tangentScale(angleBetween(a, b));
             guides.tangents[i] = tangent * std::min(1.0, longest / std::max(glm::length(tangent), 1e-9));
@@ -199,7 +202,7 @@ void hermite(const Guides& guides, std::size_t i, double f, Frame& frame) {
         unitOr(6 * (f2 - f) * (p - q) + (3 * f2 - 4 * f + 1) * m + (3 * f2 - 2 * f) * k, unitOr(q - p, dvec3(0, 0, 1)));
 }
 
-/// Gives each frame the side of the one before, turned as little as may be.
+/// Sides by parallel transport from the previous frame.
 dvec3 transported(const dvec3& side, const Frame& to) {
     return unitOr(across(side, to.tangent), anyAcross(to.tangent));
 }
@@ -221,7 +224,7 @@ bool settleBetween(std::vector<Frame>& frames, std::size_t a, std::size_t b) {
     return reversed;
 }
 
-/// @param settled  frames whose side is given, in whole runs
+/// @param settled  frames whose side is fixed, in whole runs
 void settleSides(std::vector<Frame>& frames, const std::vector<bool>& settled) {
     const std::size_t n = frames.size();
     std::size_t first = 0;
@@ -253,7 +256,7 @@ std::vector<FoldRun> splitAtKinks(const Trace& trace, std::vector<FoldRun> runs)
         runs[r].last = kink;
         rest.first = kink + 1;
         runs.insert(runs.begin() + static_cast<std::ptrdiff_t>(r) + 1, rest);
-        --r;  // the first part may have another
+        --r;  // the first part may have another helix
     }
     return runs;
 }
@@ -276,12 +279,12 @@ std::vector<Frame> cartoonFrames(const Trace& trace, const std::vector<FoldRun>&
     findTangents(wound, guides);
     for (const FoldRun& run : runs) {
         if (plain || run.kind != SecondaryStructure::helix || helices == HelixForm::ribbon) continue;
-        // A solid's ends are perpendicular to its axis, and the coil leaves them at their centre.
+        // The ends of a solid are perpendicular to its axis; the coil starts at their centre.
         guides.tangents[run.first] = guides.points[run.first + 1] - guides.points[run.first];
         guides.tangents[run.last] = guides.points[run.last] - guides.points[run.last - 1];
     }
 
-    std::vector<std::uint32_t> runOf(trace.points.size());  // counted from 1; 0: no run
+    std::vector<std::uint32_t> runOf(trace.points.size());  // numbered from 1; 0: no run
     for (std::uint32_t r = 0; r < runs.size(); ++r)
         std::fill(runOf.begin() + runs[r].first, runOf.begin() + runs[r].last + 1, r + 1);
     const std::size_t count = (trace.points.size() - 1) * static_cast<std::size_t>(segments) + 1;

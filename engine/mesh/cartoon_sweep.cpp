@@ -15,7 +15,7 @@ namespace {
 /// Number of rings of a tube's round end, besides its pole.
 constexpr int kEndRings = 3;
 
-/// A corner of a cross-section: where it is, from -1 to 1 along side and normal, and which way its outline goes there.
+/// A corner of a cross-section: position, from -1 to 1 along side and normal, and direction of the outline there.
 struct OutlinePoint {
     double x = 0, y = 0;
     double alongX = 0, alongY = 0;
@@ -71,15 +71,15 @@ public:
     }
 
 private:
-    /// Where a ring's vertices begin: those of the stretch before it, and those of the one behind it.
+    /// First vertices of a ring: for the stretch before it, and for the one after it.
     struct Ring {
         std::uint32_t before = 0, after = 0;
-        bool divides = false;  ///< the residue ends here: every level has it
+        bool divides = false;  ///< the residue ends here, so every level keeps the ring
     };
 
     std::uint32_t nextVertex() const { return static_cast<std::uint32_t>(mesh_.positions.size()); }
 
-    /// Largest distance of the points of the piece's rings from polygons of some of them.
+    /// Largest distance of the outline points of the rings from a polygon of some of them.
     double sideErrorOf(const Picks& picks) const {
         double most = 0;
         const Section* last = nullptr;
@@ -91,7 +91,7 @@ private:
         return most;
     }
 
-    /// For each point of the outline one on a polygon of some of them, near it.
+    /// For each outline point, a nearby point on the polygon.
     std::vector<glm::dvec2> nearestOn(const Picks& picks) const {
         glm::dvec2 axes(0);
         for (const Section& s : piece_.sections) axes = glm::max(axes, glm::dvec2(s.width, s.thickness));
@@ -107,8 +107,8 @@ private:
         return nearest;
     }
 
-    /// Whether the part between two rings may deviate from straight polygons by more than an error. Everything is
-    /// linear between rings and points, so the maximum is at a point. Adds the fold of a non-planar quad.
+    /// Whether the part between two rings deviates from straight polygons by more than an error. Everything is linear
+    /// between rings and points, so the maximum is at a point. Includes the fold of a non-planar quad.
     bool bends(std::size_t from, std::size_t to, const std::vector<glm::dvec2>& nearest,
                const std::vector<glm::dvec2>& edges, double error) const {
         const glm::dvec3 turnX = sides_[to] - sides_[from], turnY = normals_[to] - normals_[from];
@@ -130,7 +130,7 @@ private:
         return false;
     }
 
-    /// From each corner of a polygon to the next, in half axes.
+    /// Edge vectors of a polygon, in half axes.
     std::vector<glm::dvec2> edgesOf(const Picks& picks) const {
         std::vector<glm::dvec2> edges;
         const bool flat = piece_.shape == SectionShape::rectangle;
@@ -139,15 +139,15 @@ private:
         return edges;
     }
 
-    /// A coarser form: its points per ring, its rings, and the error that its ends may add.
+    /// A coarser form: points per ring, its rings, and the error that its ends may add.
     struct Form {
         Picks picks;
-        std::vector<std::size_t> rings;  // of rings_
+        std::vector<std::size_t> rings;  // indices into rings_
         double rest = 0;
         std::size_t quads() const { return (rings.size() - 1) * picks.size(); }
     };
 
-    /// With as few rings as an error allows.
+    /// The form with the fewest rings for an error.
     Form formOf(Picks picks, double error, double rest) const {
         const std::vector<glm::dvec2> nearest = nearestOn(picks), edges = edgesOf(picks);
         Form form{std::move(picks), {0}, rest};
@@ -158,7 +158,7 @@ private:
         return form;
     }
 
-    /// With few sides it takes more rings: of all polygons the one with the fewest triangles.
+    /// Fewer sides need more rings: picks the polygon with the fewest triangles.
     Form fewest(double error) const {
         if (piece_.shape == SectionShape::rectangle) return formOf(allPicks(outline_.size()), error, error);
         std::optional<Form> best;
@@ -181,7 +181,7 @@ private:
     }
 
     struct Cap {
-        std::uint32_t vertex = 0;  ///< its first
+        std::uint32_t vertex = 0;  ///< first vertex
         bool round = false;
     };
 
@@ -203,8 +203,8 @@ private:
                frame.normal * (point.y * section(k).thickness);
     }
 
-    /// Across the outline and the way that this corner goes along the curve, so that arrows and tapers are lit as they
-    /// lean. Where the curve folds upon itself: straight away from it.
+    /// Perpendicular to the outline and to the direction in which this corner moves along the curve, so that arrows and
+    /// tapers get slanted normals. Where the curve folds onto itself: straight outward.
     glm::dvec3 normal(std::size_t k, const OutlinePoint& point) const {
         const Frame& frame = frames_[k];
         const double w = std::max(section(k).width, 1e-6), h = std::max(section(k).thickness, 1e-6);
@@ -252,7 +252,7 @@ private:
         addFan(mesh_.triangles, first, allPicks(outline_.size()), end);
     }
 
-    /// A flat end. A rectangle has a vertex for each other point of its outline.
+    /// A flat end. A rectangle has one vertex for every second outline point.
     void addFan(Triangles& triangles, std::uint32_t first, const Picks& picks, bool end) const {
         const bool flat = piece_.shape == SectionShape::rectangle;
         const std::uint32_t step = flat ? 2 : 1;
@@ -260,7 +260,7 @@ private:
             addTurned(triangles, first + picks[0] / step, first + picks[i] / step, first + picks[i + step] / step, end);
     }
 
-    /// From the equator, which is the piece's own last ring again, to the pole.
+    /// From the equator, a copy of the piece's last ring, to the pole.
     void roundCap(std::size_t k, std::uint32_t atom, const glm::dvec3& out, bool end) {
         const double reach = std::min(section(k).width, section(k).thickness);
         const Frame& frame = frames_[k];
@@ -305,10 +305,10 @@ private:
     std::span<const std::uint32_t> owners_;
     glm::dvec3 origin_;
     std::vector<OutlinePoint> outline_;
-    std::vector<glm::dvec2> round_;            // its points alone
-    std::vector<glm::dvec3> sides_, normals_;  // half axes of the rings
-    std::vector<Ring> rings_;                  // from frame piece.first on
-    std::size_t leastRings_ = 0;               // that divide residues
+    std::vector<glm::dvec2> round_;            // outline points only
+    std::vector<glm::dvec3> sides_, normals_;  // half axes of the rings, Å
+    std::vector<Ring> rings_;                  // starting with frame piece.first
+    std::size_t leastRings_ = 0;               // number of rings that end residues
     Cap begin_, end_;
 };
 

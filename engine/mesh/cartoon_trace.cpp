@@ -10,10 +10,10 @@ namespace nacre {
 namespace {
 
 constexpr double kLongestChainBond = 2.5;     // Å: C-N and O3'-P
-constexpr double kFarthestAlphaCarbon = 5;    // where there are only these; trans 3.8, cis 2.9
-constexpr double kFarthestPhosphate = 8.5;    // where there are only these; 5.5 to 7.5
-constexpr double kFarthestBondedGuides = 12;  // however short the bond is: then atoms are not where they belong
-constexpr double kNearestGuides = 0.5;        // residues upon one another have no direction
+constexpr double kFarthestAlphaCarbon = 5;    // Å, in models of alpha carbons only; trans 3.8, cis 2.9
+constexpr double kFarthestPhosphate = 8.5;    // Å, in models of phosphates only; 5.5 to 7.5
+constexpr double kFarthestBondedGuides = 12;  // Å, even if the bond is short: a guide beyond is misplaced
+constexpr double kNearestGuides = 0.5;        // Å; coinciding residues have no direction
 
 enum GuideName {
     kGuideN,
@@ -31,14 +31,14 @@ enum GuideName {
 constexpr std::array<std::string_view, kGuideNames> kGuideAtoms{"N",   "CA",  "C",   "O",   "P",
                                                                 "O5'", "C5'", "C4'", "C3'", "O3'"};
 
-/// A residue of a polymer with the atoms that matter here.
+/// A residue of a polymer with the atoms that a cartoon needs.
 struct Guided {
     std::uint32_t residue = 0;
     bool nucleic = false;
     std::array<std::uint32_t, kGuideNames> atoms{};
     std::uint32_t guide = kNoAtom;
-    /// The atom whose colour and number it has: a carbon, if it may be. By element, phosphorus would have strands of
-    /// one colour in all chains, and ends without it another.
+    /// The atom that gives colour and number: preferably a carbon. With phosphorus, colours by element would differ
+    /// between strands and ends without it.
     std::uint32_t shows() const {
         if (!nucleic) return guide;
         for (const GuideName name : {kGuideC4, kGuideC3, kGuideC5})
@@ -51,7 +51,7 @@ bool isFinite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p
 
 int guideNameOf(const Name& name) {
     Name plain = name;
-    std::replace(plain.bytes.begin(), plain.bytes.end(), '*', '\'');  // as files before 2007 have it
+    std::replace(plain.bytes.begin(), plain.bytes.end(), '*', '\'');  // files before 2007 write O5*
     const auto found = std::find(kGuideAtoms.begin(), kGuideAtoms.end(), plain.view());
     return static_cast<int>(found - kGuideAtoms.begin());
 }
@@ -90,7 +90,7 @@ class ChainLinks {
 public:
     explicit ChainLinks(const Molecule& molecule) : molecule_(molecule) {}
 
-    /// Whether the chain goes on from one residue to the next.
+    /// Whether two residues are connected.
     bool joined(const Guided& a, const Guided& b) const {
         if (a.nucleic != b.nucleic || molecule_.residues[a.residue].chain != molecule_.residues[b.residue].chain)
             return false;
@@ -118,8 +118,8 @@ glm::dvec3 carbonylOf(const Molecule& molecule, const Guided& residue) {
     return glm::dvec3(molecule.atoms[o].position) - glm::dvec3(molecule.atoms[c].position);
 }
 
-/// A point behind the last phosphate, so that the last nucleotide has a piece of the curve as well; and a lone amino
-/// acid goes from its N to its C.
+/// A point after the last phosphate, so that the last nucleotide has a piece of the curve. A lone amino acid runs from
+/// its N to its C.
 void addEnds(const Molecule& molecule, const Guided& last, Trace& trace) {
     const auto place = [&](GuideName name) { return glm::dvec3(molecule.atoms[last.atoms[name]].position); };
     if (trace.nucleic) {
@@ -136,7 +136,7 @@ void addEnds(const Molecule& molecule, const Guided& last, Trace& trace) {
             glm::distance(place(kGuideC), middle) < kNearestGuides)
             return;
         trace.points = {place(kGuideN), middle, place(kGuideC)};
-        trace.shift = 0;  // all of it is the residue's: who is behind the last one is the last one
+        trace.shift = 0;  // a single residue owns all of the curve
     }
 }
 

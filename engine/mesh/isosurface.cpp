@@ -32,8 +32,8 @@ std::array<PlacedEdge, kCellEdges> placedEdges() {
     return edges;
 }
 
-/// For each of the 256 cells the borders of its triangles in the three lower faces: each face is the lower one of one
-/// cell. Visits borders once, diagonals between triangles twice.
+/// For each of the 256 cell types, the borders of its triangles in the three lower faces. Each face is the lower face
+/// of exactly one cell, so this visits borders once; it visits diagonals between triangles twice.
 using CellLines = std::array<std::vector<std::array<std::uint8_t, 2>>, 256>;
 CellLines lowerLines() {
     CellLines lines;
@@ -68,8 +68,7 @@ int wrappedNode(int at, int count) {
 
 }  // namespace
 
-/// Cuts one layer of blocks. Vertices on its upper plane are those that the next layer begins with, numbered after its
-/// own.
+/// Cuts one layer of blocks. The vertices on its upper plane start the next layer and are numbered after its own.
 class IsosurfaceSlab {
 public:
     IsosurfaceSlab(const MapRegion& region, float level, bool above, IsosurfaceParts parts, const glm::dvec3& origin)
@@ -95,7 +94,7 @@ public:
         for (int z = begin; z < end; ++z) {
             std::swap(lower_, upper_);
             edgesBetween(z);
-            // The last plane of all belongs to this layer, another one to the next.
+            // The last plane belongs to this layer; other upper planes belong to the next layer.
             edgesInPlane(z + 1, upper_, z + 1 < end || last);
             cells(z);
         }
@@ -132,7 +131,7 @@ private:
             }
     }
 
-    /// @param keep  the vertices are this layer's; else only their numbers are wanted
+    /// @param keep  store the vertices; else only count them
     void edgesInPlane(int z, PlaneEdges& edges, bool keep) {
         auto next = static_cast<std::uint32_t>(result_.positions.size());
         eachRow(z, false, [&](int y, int x, int endX) {
@@ -179,7 +178,7 @@ private:
         const double length = glm::length(normal);
         result_.normals.emplace_back(length > 0 ? normal / length : glm::dvec3(0, 0, 1));
     }
-    /// Gradient of the values, per node. One-sided at the ends of a box and of known values.
+    /// Gradient of the values at a node. One-sided at the ends of a box and next to unknown values.
     glm::dvec3 gradientAt(const glm::ivec3& node) const {
         const glm::ivec3 in = region_.first_ + node;
         const double here = static_cast<double>(valueOf(in));
@@ -194,7 +193,7 @@ private:
         }
         return gradient;
     }
-    /// Value of the map itself, inside or outside of the region.
+    /// Value of the map itself, inside or outside the region.
     float valueOf(glm::ivec3 node) const {
         for (int axis = 0; axis < 3; ++axis) {
             if (node[axis] >= 0 && node[axis] < map_.size[axis]) continue;
@@ -269,7 +268,7 @@ MapRegion::MapRegion(const DensityMap& map, glm::ivec3 first, glm::ivec3 last) :
 MapRegion::MapRegion(const DensityMap& map, std::span<const glm::dvec3> places, double reach) : map_(map) {
     if (places.empty()) return;
     // A ball's extent along an axis of the grid depends on the distance of the grid's planes.
-    const glm::dmat3 toNodes = glm::transpose(glm::inverse(map.step));  // columns: the ways across the planes
+    const glm::dmat3 toNodes = glm::transpose(glm::inverse(map.step));  // columns: normals of the grid planes
     const glm::dvec3 ball(glm::length(toNodes[0]) * reach, glm::length(toNodes[1]) * reach,
                           glm::length(toNodes[2]) * reach);
     glm::dvec3 low(1e300), high(-1e300);
@@ -345,7 +344,7 @@ void MapRegion::findRanges() {
                     for (int y = by * kBlock; y <= lastY; ++y) {
                         const float* row = all + (static_cast<std::size_t>(z) * size_.y + y) * size_.x;
                         for (int x = bx * kBlock; x <= lastX; ++x) {
-                            range->low = row[x] < range->low ? row[x] : range->low;  // no number is neither
+                            range->low = row[x] < range->low ? row[x] : range->low;  // NaN compares false
                             range->high = row[x] > range->high ? row[x] : range->high;
                         }
                     }

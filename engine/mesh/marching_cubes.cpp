@@ -19,7 +19,7 @@ constexpr std::array<std::array<int, 4>, 6> kFaces{
 
 std::vector<CellTriangle> trianglesOf(int inside) {
     const auto isInside = [&](int corner) { return (inside >> corner & 1) != 0; };
-    // Around a face, from the edge where a run of inside corners begins to the one where it ends.
+    // Around a face: connects the edge where a run of inside corners begins with the edge where it ends.
     std::array<std::uint8_t, kCellEdges> next;
     next.fill(kNoEdge);
     for (const auto& face : kFaces)

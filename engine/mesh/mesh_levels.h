@@ -22,11 +22,11 @@ using Picks = std::vector<std::uint32_t>;
 /// All points of an outline. @param count  their number
 Picks allPicks(std::size_t count);
 
-/// Polygons of 3 to 8 corners, and finally all: spread as evenly over an outline as its points.
+/// Polygons of 3 to 8 corners and one of all points, spread as evenly over an outline as its points allow.
 std::vector<Picks> polygonsOf(std::size_t count);
 
-/// Largest distance of omitted points from the polygon of the others.
-/// @param outline  round, in units of its half axes; times `axes` for Å
+/// Largest distance of omitted points from the polygon of the remaining ones.
+/// @param outline  round, in units of its half axes; multiply by `axes` for Å
 double sideError(std::span<const glm::dvec2> outline, const Picks& picks, const glm::dvec2& axes);
 
 /// The first of polygonsOf() within an error on a circle.

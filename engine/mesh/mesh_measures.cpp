@@ -40,7 +40,7 @@ std::vector<std::uint32_t> meshParts(const Mesh& mesh) {
     std::vector<std::uint32_t> parts(parent.size());
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < parent.size(); ++i) {
-        const std::uint32_t first = root(i);  // a root is the smallest of its part: it has its number already
+        const std::uint32_t first = root(i);  // a root is the smallest index of its part, so it already has a number
         parts[i] = first == i ? count++ : parts[first];
     }
     return parts;

@@ -13,11 +13,11 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kSlack = 0.05;   // Å^2, so that nothing is lost between a circle's wedge and its neighbours
-constexpr double kBorder = 0.05;  // Å, the same for boxes
+constexpr double kSlack = 0.05;   // Å^2, tolerance between a circle's wedge and its neighbours
+constexpr double kBorder = 0.05;  // Å, tolerance of boxes
 constexpr double kTouch = 1e-6;   // Å^2: a node there is on a sphere
 constexpr double kNowhere = 1e9;
-constexpr float kDeepInside = 1e3f;  // for nodes far from every probe position
+constexpr float kDeepInside = 1e3f;  // for nodes far from all probe positions
 
 class ProbeField : public SurfaceField {
 public:
@@ -45,12 +45,12 @@ public:
 
     void fill(const GridBlock& block, std::span<const std::uint32_t> sources, std::vector<float>& values,
               std::vector<std::uint32_t>& origins) const override {
-        // First finds nodes inside a ball, then their distance to the outside.
+        // First marks nodes inside a ball, then finds their distance to the outside.
         std::fill(values.begin(), values.end(), static_cast<float>(-probe_ - outside_));
         std::fill(origins.begin(), origins.end(), kNoSource);
         for (const std::uint32_t source : sources)
             if (source < balls_.size()) fillBall(block, source, values, origins);
-        if (probe_ == 0) return;  // leave() asks for no distance
+        if (probe_ == 0) return;  // leave() needs no distance
         for (const std::uint32_t source : sources) {
             if (source < balls_.size()) {
                 if (places_.isOpen(source)) nearBall(block, source, values, origins);
@@ -93,14 +93,14 @@ private:
         double distance = kNowhere;  ///< Å; negative outside of the balls
     };
 
-    /// Inside, the nearer of two; sources outside of a ball have no information about the inside.
+    /// Inside, the nearer of two. A source whose ball does not contain the node says nothing about the inside.
     static const Nearest& nearer(const Nearest& a, const Nearest& b) {
         if (a.distance == kNowhere || b.distance == kNowhere) return a.distance == kNowhere ? b : a;
         const bool first = a.distance < b.distance;
         return first == (std::min(a.distance, b.distance) >= 0) ? a : b;
     }
 
-    /// The probe position nearest to a point, for one source, whether open or not.
+    /// The nearest probe position of one source, open or not.
     Nearest nearestOf(std::uint32_t source, const dvec3& place) const {
         if (source == kNoSource) return {};
         dvec3 found;
@@ -136,7 +136,7 @@ private:
             .atom;
     }
 
-    /// Without a probe: where a line leaves the balls, which is exact.
+    /// Without a probe: the distance to where a line leaves the balls, which is exact.
     SurfacePoint leave(const dvec3& from, const dvec3& to) const {
         const dvec3 way = to - from;
         const BallExit exit = exitOf(balls_, places_.grid(), widest_, from, way);
@@ -148,8 +148,8 @@ private:
         return point;
     }
 
-    /// Boxes of the nodes whose nearest place is on a ball's sphere, or on a circle. Such nodes are between the place
-    /// and a ball's centre, and no farther than reach_ from the place.
+    /// Boxes of the nodes whose nearest probe position is on a ball's sphere or on a circle. Such nodes lie between
+    /// that position and a ball's centre, and within reach_ of the position.
     void findBoxes() {
         ofBalls_ = places_.openBoxes();
         for (std::uint32_t i = 0; i < balls_.size(); ++i) {
@@ -233,7 +233,7 @@ private:
         });
     }
 
-    /// Takes a distance if it is the least yet.
+    /// Keeps the smallest distance.
     void take(std::size_t i, double distance, std::uint32_t source, std::vector<float>& values,
               std::vector<std::uint32_t>& origins) const {
         const float value = static_cast<float>(distance - probe_);
@@ -248,7 +248,7 @@ private:
         const double reach = places_.reachOf(number), least = std::max(reach - reach_, 0.0);
         const double farthest = reach * reach + kTouch;
         const std::span<const std::uint32_t> neighbours = places_.neighbours(number);
-        std::size_t last = 0;  // who was in the way of the node before is likely to be again
+        std::size_t last = 0;  // the source that covered the previous node probably covers this one
         const auto [low, high] = ofBalls_[number];
         const auto within = [&](double y, double z) { return ofBall(farthest, y * y + z * z); };
         eachNode(block, {block, low, high}, center, within, [&](std::size_t i, const dvec3& way) {
@@ -267,7 +267,8 @@ private:
         });
     }
 
-    /// A circle has a node's nearest position only if the node is between the directions from there to both centres.
+    /// A circle holds a node's nearest position only if the node's direction lies between the directions to both
+    /// centres.
     void nearCircle(const GridBlock& block, std::uint32_t source, std::vector<float>& values,
                     std::vector<std::uint32_t>& origins) const {
         const std::size_t number = source - balls_.size();
@@ -278,7 +279,7 @@ private:
         const double slack = kSlack / circle.radius;
         const Span heights{std::max(std::min(heightA, 0.0) - slack, -reach_),
                            std::min(std::max(heightB, 0.0) + slack, reach_)};
-        // The circle's plane and its parallels clip a row, unless it runs along them.
+        // The circle's plane and its parallels clip a row, unless they are parallel to it.
         const auto within = [&](double y, double z) {
             const double off = axis.y * y + axis.z * z;
             if (std::abs(axis.x) < 1e-3) return Span{};
@@ -314,7 +315,7 @@ private:
 
     const std::vector<SurfaceBall>& balls_;
     double probe_, reach_, widest_ = 0;
-    double outside_;  ///< Å, to which distances are known beyond the probe's places, of probes smaller than a cell
+    double outside_;  ///< Å: range of known distances outside, for probes smaller than a cell
     ProbePlaces places_;
     std::vector<ProbeBox> ofBalls_, ofCircles_;
 };

@@ -24,7 +24,7 @@ void include(ProbeBox& box, const dvec3& place) {
     box[1] = glm::max(box[1], place);
 }
 
-/// Sectors of a turn, one bit each, that lie within a part of it.
+/// Bits of the sectors of a turn that lie within a part of it.
 std::uint32_t sectorsWithin(double begin, double end) {
     constexpr int kSectors = 32;
     const int first = static_cast<int>(begin * kSectors / OpenArc::kTurn) + 1;
@@ -36,7 +36,7 @@ std::uint32_t sectorsWithin(double begin, double end) {
 
 }  // namespace
 
-/// Circles of each ball with those of higher numbers, and the ends of their arcs.
+/// Circles of each ball with balls of higher numbers, and the ends of their arcs.
 ProbePlaces::ProbePlaces(const std::vector<SurfaceBall>& balls, double probe)
     : balls_(balls), probe_(probe), grid_(balls, probe) {
     struct Found {
@@ -74,7 +74,7 @@ bool ProbePlaces::isCovered(std::uint32_t ball, const dvec3& place) const {
     return std::any_of(neighbours.begin(), neighbours.end(), [&](auto other) { return covers(other, place); });
 }
 
-/// Leaves one of points that are the same, as one where three spheres meet is found on each of their circles.
+/// Merges duplicates: a point where three spheres meet is found on each of their circles.
 void ProbePlaces::dropRepeated() {
     struct Balls {
         std::array<std::uint32_t, 3> sorted;
@@ -98,12 +98,12 @@ void ProbePlaces::dropRepeated() {
     points_.resize(kept);
 }
 
-/// For a ball without open circles: whether it is fully open, not covered.
+/// For a ball without open circles: whether it is fully open rather than fully covered.
 bool ProbePlaces::isAlone(std::uint32_t ball) const {
     return !isCovered(ball, balls_[ball].center + dvec3(0, 0, reachOf(ball)));
 }
 
-/// It reaches farthest along an axis at an arc's ends, or where the circle does.
+/// The extreme points along an axis are the ends of an arc, or the circle's own extreme point.
 ProbeBox ProbePlaces::boxOf(const ProbeCircle& circle) {
     ProbeBox box = kEmpty;
     for (const OpenArc& arc : circle.arcs) {
@@ -120,7 +120,7 @@ ProbeBox ProbePlaces::boxOf(const ProbeCircle& circle) {
     return box;
 }
 
-/// It reaches farthest along an axis at its border, which is arcs, or at the sphere's poles.
+/// The extreme points along an axis are on its border, which consists of arcs, or at the sphere's poles.
 std::vector<ProbeBox> ProbePlaces::openBoxes() const {
     std::vector<ProbeBox> boxes(balls_.size(), kEmpty);
     for (const ProbeCircle& circle : circles_)
@@ -158,7 +158,7 @@ bool ProbePlaces::circleOf(std::uint32_t a, std::uint32_t b, ProbeCircle& circle
     return true;
 }
 
-/// Parts of a circle that third balls cover. @return false if nothing is left for sure
+/// Parts of a circle that third balls cover. @return false if certainly nothing is left
 bool ProbePlaces::coveredArcs(const ProbeCircle& circle, std::vector<CoveredArc>& covered) const {
     covered.clear();
     std::uint32_t sectors = 0;
@@ -171,7 +171,7 @@ bool ProbePlaces::coveredArcs(const ProbeCircle& circle, std::vector<CoveredArc>
         const double squared = glm::dot(towards, towards);
         if (least + kTouch > 0 && (least + kTouch) * (least + kTouch) >= squared) continue;
         if (least <= 0 && least * least >= squared) return false;
-        // The directions with half the covered angle on either side of the one towards the ball.
+        // Directions at half the covered angle on either side of the ball's direction.
         const double most = std::sqrt(squared), cosine = least / most;
         const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
         const glm::dvec2 along = towards * (cosine / most), aside = glm::dvec2(-towards.y, towards.x) * (sine / most);
@@ -179,7 +179,7 @@ bool ProbePlaces::coveredArcs(const ProbeCircle& circle, std::vector<CoveredArc>
         arc.begin = OpenArc::turnTo(arc.beginWay);
         arc.end = OpenArc::turnTo(arc.endWay);
         if (arc.end < arc.begin) arc.end += OpenArc::kTurn;
-        if (cosine < 0 && arc.end - arc.begin < OpenArc::kTurn / 4) return false;  // all but rounding
+        if (cosine < 0 && arc.end - arc.begin < OpenArc::kTurn / 4) return false;  // all covered, up to rounding
         covered.push_back(arc);
         sectors |= sectorsWithin(arc.begin, arc.end);
         if (~sectors == 0) return false;
@@ -187,8 +187,8 @@ bool ProbePlaces::coveredArcs(const ProbeCircle& circle, std::vector<CoveredArc>
     return true;
 }
 
-/// Arcs that no third ball covers. Adds their ends, which are found on all three circles, or on fewer if more than
-/// three spheres meet numerically. @param covered  scratch @return false if nothing is open
+/// Arcs that no third ball covers. Adds their ends; each is found on all three circles, or on fewer if more than three
+/// spheres meet numerically. @param covered  scratch @return false if nothing is open
 bool ProbePlaces::openArcs(ProbeCircle& circle, std::vector<CoveredArc>& covered,
                            std::vector<ProbePoint>& points) const {
     if (!coveredArcs(circle, covered)) return false;
@@ -198,7 +198,7 @@ bool ProbePlaces::openArcs(ProbeCircle& circle, std::vector<CoveredArc>& covered
     }
     std::sort(covered.begin(), covered.end(),
               [](const CoveredArc& a, const CoveredArc& b) { return a.begin < b.begin; });
-    // Behind the one that reaches farthest over the end of the turn.
+    // Start after the arc that reaches farthest past the end of the turn.
     const CoveredArc* last = &covered[0];
     for (const CoveredArc& arc : covered)
         if (arc.end > last->end) last = &arc;

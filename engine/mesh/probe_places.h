@@ -20,7 +20,7 @@ struct OpenArc {
     glm::dvec2 begin{1, 0}, end{1, 0};  ///< unit vectors, counter-clockwise
     double span = kTurn;
 
-    /// A number that grows with the angle of a direction, from 0 to kTurn, and costs no trigonometric function.
+    /// Grows with the angle of a direction, from 0 to kTurn, without trigonometric functions.
     static double turnTo(const glm::dvec2& way) {
         if (way.y >= 0) return way.x >= 0 ? way.y / (way.x + way.y) : 1 - way.x / (way.y - way.x);
         return way.x < 0 ? 2 - way.y / (-way.x - way.y) : 3 + way.x / (way.x - way.y);
@@ -51,7 +51,7 @@ using ProbeBox = std::array<glm::dvec3, 2>;  ///< low, high
 
 /// An open point of three spheres.
 struct ProbePoint {
-    std::uint32_t a = 0, b = 0, c = 0;  ///< balls
+    std::uint32_t a = 0, b = 0, c = 0;  ///< indices of balls
     glm::dvec3 place{};
 };
 
@@ -72,9 +72,9 @@ public:
     const std::vector<ProbePoint>& points() const { return points_; }
     /// Whether the probe can touch a ball anywhere.
     bool isOpen(std::uint32_t ball) const { return open_[ball] != 0; }
-    /// Around the open arcs of a circle.
+    /// Bounding box of the open arcs of a circle.
     static ProbeBox boxOf(const ProbeCircle& circle);
-    /// Around the open part of each ball's sphere; empty (low above high) for others.
+    /// Bounding box of the open part of each ball's sphere; empty (low above high) if there is none.
     std::vector<ProbeBox> openBoxes() const;
     std::span<const std::uint32_t> neighbours(std::uint32_t ball) const { return grid_.neighbours(ball); }
 
@@ -91,8 +91,8 @@ public:
 
 private:
     static constexpr double kTouch = 1e-9;        ///< Å: touching a sphere is not inside
-    static constexpr double kSame = 1e-6;         ///< Å: farthest apart of points found twice
-    static constexpr std::size_t kTogether = 64;  ///< balls
+    static constexpr double kSame = 1e-6;         ///< Å: maximum distance of duplicate points
+    static constexpr std::size_t kTogether = 64;  ///< balls per batch
 
     void dropRepeated();
     bool isAlone(std::uint32_t ball) const;

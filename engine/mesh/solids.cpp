@@ -10,7 +10,7 @@
 namespace nacre {
 namespace {
 
-/// Rings of vertices about an axis, from its begin to its end, each joined to the one before it.
+/// Rings of vertices about an axis, from begin to end, each connected to the previous one.
 class Lathe {
 public:
     Lathe(Mesh& mesh, const glm::dvec3& axis, int sides)
@@ -21,7 +21,7 @@ public:
           sides_(sides),
           all_(allPicks(static_cast<std::size_t>(sides))) {}
 
-    /// The point where the solid begins.
+    /// First end of the solid.
     void begin(const glm::dvec3& point, std::uint32_t atom) { pole_ = addVertex(mesh_, point, -axis_, atom); }
 
     /// @param latitude  of the normals: -pi/2 points back along the axis
@@ -32,7 +32,7 @@ public:
         rings_.push_back(ring);
     }
 
-    /// Moves the ring to another atom.
+    /// Changes the atom at a ring.
     void change(const glm::dvec3& center, double radius, double latitude, std::uint32_t atom) {
         last_ = addRing(center, radius, latitude, atom);
         rings_.push_back({last_, radius, false});
@@ -51,7 +51,7 @@ private:
     struct Ring {
         std::uint32_t first = 0;  ///< vertex
         double radius = 0;
-        bool joined = true;  ///< to the one before it, or to the pole
+        bool joined = true;  ///< to the previous ring, or to the pole
     };
 
     std::uint32_t addRing(const glm::dvec3& center, double radius, double latitude, std::uint32_t atom) {
@@ -64,7 +64,7 @@ private:
         return first;
     }
 
-    /// The wall from the last ring, or from the pole.
+    /// The wall from the last ring or the pole.
     void join(Triangles& triangles, std::uint32_t ring, const Picks& picks) const {
         for (std::size_t i = 0; i < picks.size(); ++i) {
             const std::uint32_t a = picks[i], b = picks[(i + 1) % picks.size()];
@@ -83,7 +83,8 @@ private:
     }
 
     /// If the error allows it, a round end becomes flat, or a cone from its widest ring; else it keeps all rings. Parts
-    /// narrower than the error become one cone, from the first wide ring to the tip, if no atom changes on the way.
+    /// narrower than the error become one cone, from the first wide ring to the tip, unless the atom changes on the
+    /// way.
     void addCoarser(MeshLevel& level, std::uint32_t tip) {
         double widest = 0;
         for (const Ring& ring : rings_) widest = std::max(widest, ring.radius);
@@ -178,15 +179,15 @@ void addBall(Mesh& mesh, const glm::dvec3& center, double radius, std::uint32_t 
 
 namespace {
 
-/// Corners of a plate by their numbers in its outline, counter-clockwise: every other one is kept above, the rest
-/// below. With an odd number of corners the first is kept on both sides.
+/// Corners of a plate by outline number, counter-clockwise. The upper side keeps every other one, the lower side the
+/// rest. With an odd number of corners both sides keep the first.
 Picks thinCorners(const std::vector<std::uint32_t>& fan) {
     Picks corners = fan;
     if (corners.size() % 2 == 1) corners.insert(corners.begin(), fan[0]);
     return corners;
 }
 
-/// Largest distance of a convex plate from the result of addThinPlate(): of a dropped corner, from the side between its
+/// Largest distance of a convex plate from the result of addThinPlate(): of a dropped corner from the edge between its
 /// neighbours and from the same corner on the other side.
 double thinError(std::span<const glm::dvec3> outline, const Picks& corners, double thickness) {
     double most = 0;
@@ -201,7 +202,7 @@ double thinError(std::span<const glm::dvec3> outline, const Picks& corners, doub
 }
 
 /// An antiprism of a plate's corners.
-/// @param first  of all corners above, behind which those below are @param all  how many those are
+/// @param first  first vertex of the upper corners, followed by the lower ones @param all  number of corners per side
 void addThinPlate(std::vector<glm::uvec3>& triangles, std::uint32_t first, std::uint32_t all, const Picks& corners) {
     const std::size_t n = corners.size();
     const auto above = [&](std::size_t i) { return first + corners[i % n]; };

@@ -1,6 +1,6 @@
 #pragma once
-// Closed solids of triangles: rods, balls and prisms. All positions are in one frame, relative to one origin. They
-// belong to every level of a mesh.
+// Closed solids of triangles: rods, balls and prisms, in one frame relative to one origin. They belong to every level
+// of a mesh.
 
 #include <cstdint>
 #include <glm/vec3.hpp>

@@ -24,10 +24,10 @@ namespace nacre {
 namespace {
 
 constexpr int kBlockCells = 32;                // along each edge of a block
-constexpr double kSurfaceOfAtom = 5;           // Å^2, of a protein, as 4HHB's and 1AON's have it
-constexpr double kTrianglesPerCellFace = 2.3;  // of a surface of a cell's face
+constexpr double kSurfaceOfAtom = 5;           // Å^2 of a protein atom, as in 4HHB and 1AON
+constexpr double kTrianglesPerCellFace = 2.3;  // triangles per grid cell face of surface area
 constexpr double kAimedTriangles = 1.5e6;
-constexpr double kFarthestCell = 1e9;  // cells from the middle: where whole numbers are still exact
+constexpr double kFarthestCell = 1e9;  // cells from the middle: integers are exact up to here
 
 struct BlockOrder {
     bool operator()(const glm::ivec3& a, const glm::ivec3& b) const {
@@ -35,13 +35,13 @@ struct BlockOrder {
     }
 };
 
-/// Non-empty blocks, with the sources that reach into them.
+/// Non-empty blocks, with the sources that reach each.
 std::map<glm::ivec3, std::vector<std::uint32_t>, BlockOrder> blocksOf(const SurfaceField& field, double step) {
     std::map<glm::ivec3, std::vector<std::uint32_t>, BlockOrder> blocks;
     const auto boxes = field.reaches();
     const double size = step * kBlockCells;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
-        // A node on the border is in two blocks.
+        // A node on the border belongs to two blocks.
         const glm::ivec3 low(glm::floor((boxes[i][0] - step * 1e-3) / size)),
             high(glm::floor((boxes[i][1] + step * 1e-3) / size));
         for (int z = low.z; z <= high.z; ++z)
@@ -51,7 +51,7 @@ std::map<glm::ivec3, std::vector<std::uint32_t>, BlockOrder> blocksOf(const Surf
     return blocks;
 }
 
-/// One mesh of all blocks', whose vertices on common edges are one.
+/// Joins the meshes of all blocks. Vertices on shared edges are merged.
 Mesh joined(std::vector<BlockMesh>& blocks) {
     Mesh mesh;
     std::unordered_map<GridEdge, std::uint32_t, GridEdgeHash> known;
@@ -98,7 +98,7 @@ glm::dvec3 middleOf(const Molecule& molecule, std::span<const std::uint32_t> ato
     return low.x <= high.x ? (low + high) / 2.0 : glm::dvec3();
 }
 
-/// Refuses a surface that would be too large, before it is made: estimated from its atoms.
+/// Refuses too large a surface before it is made, by an estimate from its atoms.
 void checkSurfaceSize(const std::vector<SurfaceBall>& balls, double step) {
     double farthest = 0, apart = 0;
     for (const SurfaceBall& ball : balls) {
@@ -147,14 +147,14 @@ Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, con
     std::vector<BlockMesh> meshes(list.size());
     std::atomic<std::size_t> next{0};
     inParallel(std::min<std::size_t>(threadsPerTask(), list.size()), [&](std::size_t) {
-        BlockCutter cutter(*field, middle - origin);  // its memory serves block after block
+        BlockCutter cutter(*field, middle - origin);  // reuses its memory for each block
         for (std::size_t i = next++; i < list.size(); i = next++) {
             const glm::ivec3 first = list[i].first * kBlockCells;
             meshes[i] = cutter.cut({first, first + kBlockCells, step}, *list[i].second);
         }
     });
     Mesh mesh = joined(meshes);
-    if (!options.cavities) dropCavities(mesh);  // by connectivity, which creases break
+    if (!options.cavities) dropCavities(mesh);  // by connectivity, which creases interrupt
     if (options.kind != SurfaceKind::gaussian && (accessible || probe == 0))
         putCreases(mesh, balls, middle - origin, step);
     return mesh;

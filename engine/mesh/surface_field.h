@@ -30,7 +30,7 @@ struct GridBlock {
     glm::dvec3 place(const glm::ivec3& node) const { return glm::dvec3(node) * step; }
 };
 
-/// Nodes of a block within a box (Å); empty: `last` is before `first`.
+/// Nodes of a block within a box (Å). Empty: `last` is before `first`.
 struct NodeRange {
     glm::ivec3 first{}, last{};
     NodeRange(const GridBlock& block, const glm::dvec3& low, const glm::dvec3& high);
@@ -50,7 +50,7 @@ public:
     /// from the boxes that reach into it.
     virtual std::vector<std::array<glm::dvec3, 2>> reaches() const = 0;
     /// @param sources  indices of reaches, ascending
-    /// @param values, origins  per node of the block: the value, and the source that decides it
+    /// @param values, origins  per node of the block: the value, and its source
     virtual void fill(const GridBlock& block, std::span<const std::uint32_t> sources, std::vector<float>& values,
                       std::vector<std::uint32_t>& origins) const = 0;
     /// Where the surface crosses the line between two neighbouring nodes.

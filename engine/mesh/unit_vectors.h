@@ -7,7 +7,7 @@
 
 namespace nacre {
 
-/// v normalised; `otherwise` if it has no direction.
+/// v normalised; `otherwise` if its length is zero or not finite.
 inline glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double length = glm::length(v);
     return length > 1e-9 && std::isfinite(length) ? v / length : otherwise;

@@ -10,7 +10,7 @@ namespace {
 struct PatchSize {
     std::uint32_t edge, around, along;
 };
-// From the finest to the coarsest. A bond is a fifth as wide as an atom: half the texels around it, few along it.
+// Finest to coarsest. A bond is a fifth as wide as an atom, so it has half the texels around it and few along it.
 constexpr PatchSize kSizes[] = {{32, 24, 24}, {24, 20, 16}, {20, 16, 12}, {16, 12, 8},
                                 {12, 12, 6},  {8, 8, 4},    {4, 4, 2},    {1, 4, 2}};
 

@@ -33,8 +33,8 @@ struct OcclusionLayout {
 std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t cylinders, std::size_t vertices,
                                               std::uint32_t maxSize);
 
-/// Whether every patch lies within the atlas, spheres' above cylinders', and the atlas has at most `mostSide` texels
-/// per side. True for all layouts above; check it for layouts from elsewhere.
+/// Whether all patches lie within the atlas, sphere patches above cylinder patches, with at most `mostSide` texels per
+/// side. Always true for the layouts above; check it for stored layouts.
 bool holdsItsPatches(const OcclusionLayout& layout, std::uint32_t mostSide);
 
 }  // namespace nacre

@@ -13,7 +13,7 @@ namespace {
 
 using Usage = vk::BufferUsageFlagBits;
 
-/// Whether all transforms are rigid motions, accurate enough to derive a rotation's third row from the others.
+/// Whether all transforms are rigid and accurate enough to derive the third row of a rotation from the other two.
 bool allTurn(const std::vector<std::vector<glm::dmat4x3>>& groups) {
     constexpr double kMost = 1e-5;
     for (const std::vector<glm::dmat4x3>& places : groups)
@@ -77,7 +77,7 @@ void Bake::makeBuffers(const OpenTexels& open) {
     if (maps_.tiles() && maps_.tiles()->texels())
         directionTexels_ =
             gpu::makeTexelView(device_, batchDirections_, vk::Format::eR32G32B32A32Sfloat, "occlusion directions");
-    // The host reads all four: the first three to drop deep texels, the last to keep the atlas on disk.
+    // The host reads all four: the first three to drop deep texels, the last to store the atlas on disk.
     const auto shared = [&](std::uint64_t bytes, vk::BufferUsageFlags usage, const char* name) {
         return gpu::makeBuffer(device_, bytes, usage, gpu::Access::readback, name);
     };
@@ -132,8 +132,8 @@ void Bake::release() {
     firstOfSphere_.clear();
 }
 
-/// Patches as shaders of software devices read them: rows of words of four texels, the last of which is the next word's
-/// first (shaders/common/color.glsl). Those of spheres, then those of cylinders.
+/// Patches as shaders of software devices read them: rows of words of four texels. The last texel repeats the first one
+/// of the next word (shaders/common/color.glsl). Sphere patches first, then cylinder patches.
 void Bake::makeCells(std::span<const std::uint8_t> texels) {
     const OcclusionLayout& l = layout_;
     if (!device_.caps().tiles.shade || l.sphereEdge < 2) return;
@@ -165,9 +165,9 @@ void Bake::makeCells(std::span<const std::uint8_t> texels) {
                     2 * std::size_t{l.vertexCount});
 }
 
-/// Takes the texels off the list that no direction has lit so far, and moves the others up.
+/// Removes texels that no direction has lit so far from the list, and moves the others up.
 void Bake::dropDeepTexels() {
-    sums_.invalidate();  // the other two only the host writes
+    sums_.invalidate();  // the host alone writes the other two
     auto* list = reinterpret_cast<std::uint32_t*>(list_.mapped);
     auto* sums = reinterpret_cast<glm::vec2*>(sums_.mapped);
     std::vector<std::uint32_t> keptBefore(texelCount_ + 1);

@@ -37,18 +37,18 @@ public:
          const Representation& representation, const BakeOptions& options, const FinishedOcclusion& finished);
 
     /// Renders the depth maps of the next directions (at most one batch) and adds them up. Where models do not occlude
-    /// each other: those of the model that is least advanced.
+    /// each other, takes the model with the fewest directions so far.
     /// @param most  maximum of directions
     void step(gpu::Executor& executor, std::uint32_t most = DepthMaps::kMostPerBatch);
     /// Sums -> atlas, for the directions done so far.
     void finish(gpu::Executor& executor);
 
-    /// Has the pipelines of the next steps made ahead, if there is a worker.
+    /// Compiles the pipelines of the next steps on the worker thread, if there is one.
     /// @param least, most  work of single submissions
     void wantPipelines(gpu::Executor& executor, const Allowance& least, const Allowance& most) const;
 
     // For callers that submit the work themselves, in small parts. Declares the next part: as many directions as
-    // allowed or, if not even one is, some of its primitives or texels. Run it, then call sliceDone(), before any other
+    // allowed or, if not even one is, some of its primitives or texels. Run it, then call sliceDone() before any other
     // call.
     // @returns its units; 0: nothing is left
     double declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowance& allowance);
@@ -61,13 +61,13 @@ public:
     void declareFinish(graph::Graph& g, gpu::Imports& imports);
 
     const gpu::Image& atlas() const { return atlas_; }
-    /// Whether the atlas holds a result, or will after what is submitted.
+    /// Whether the atlas holds a result, counting submitted work as done.
     bool shows() const { return atlasDefined_; }
     /// A view of the finished atlas, if shaders interpolate it themselves and it fits the budget; else null.
     vk::BufferView cells() const { return *cellTexels_; }
     const OcclusionLayout& layout() const { return layout_; }
     const DepthMaps& maps() const { return maps_; }
-    /// Directions that every model has had.
+    /// Directions done for every model.
     int directionsDone() const;
     int directions() const { return static_cast<int>(directions_.size()); }
     /// Directions summed over all models: done, and total.
@@ -76,7 +76,7 @@ public:
     bool complete() const { return mapsDone() == mapsInAll(); }
     std::uint64_t bytes() const;
     std::size_t texels() const { return texelCount_; }
-    /// The bake's work: texels tested, times directions.
+    /// Work of the bake: texels x directions.
     std::uint64_t asked() const { return asked_; }
     /// The atlas texels as finish() wrote them. Only before release().
     std::vector<std::uint8_t> atlasTexels() const;
@@ -94,11 +94,11 @@ private:
     /// Directions in progress.
     struct Work {
         std::uint32_t model = 0;
-        int first = 0;  ///< direction
+        int first = 0;  ///< index of the direction
         std::uint32_t count = 0;
         std::uint64_t instances = 0, drawn = 0;  ///< per map
         std::size_t texels = 0, asked = 0;
-        std::uint64_t drawnThen = 0;  ///< after the slice has run
+        std::uint64_t drawnThen = 0;  ///< `drawn` after the slice has run
         std::size_t askedThen = 0;
     };
     /// Maps in a batch of this many directions.
@@ -106,21 +106,21 @@ private:
     Work nextWork(const Allowance& allowance) const;
     std::uint64_t mostInstances(const Allowance& allowance) const;
     static double unitsOf(const Work& work);
-    /// Whether the directions are drawn at once, not in parts.
+    /// Whether whole directions are drawn at once, not in parts.
     bool drawnAtOnce(const Work& work, const Allowance& allowance) const;
     void makeBuffers(const OpenTexels& open);
     layout::OcclusionConstants constants() const;
     Accumulation accumulation(OcclusionCopies::Run::Of of, std::uint32_t batch) const;
-    /// Sticks cast thin shadows, which a single tap misses: four taps stand for the directions between two of the set,
-    /// which are farther apart the fewer there are. @returns pixels; 0: one tap
+    /// Pixels between the taps of sticks; 0: one tap. Sticks cast thin shadows, which a single tap misses. Four taps
+    /// cover the space between neighbouring directions, which is larger with fewer directions.
     float spreadOfTaps() const;
-    /// As above for cartoons, which are as thin.
+    /// The same for cartoons, which are as thin.
     float spreadOfVertices() const;
     float widestTaps() const;
     void dropDeepTexels();
     void makeCells(std::span<const std::uint8_t> texels);
     /// @param first, end  of the model's texels
-    /// @param maps  none: they are the heights of the tile path
+    /// @param maps  null: heights of the tile path
     void recordAccumulation(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t batch,
                             std::uint32_t model, std::size_t first, std::size_t end);
     vk::DescriptorSet accumulationSet(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t group);

@@ -24,7 +24,7 @@ double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const Oc
     orDrop([&] {
         prepareBeside(settings, !pace.mustFit);
         if (const auto* preparing = std::get_if<Preparing>(&state_)) {
-            constexpr double kAny = 1e300;  // the host lists no more for it than beside frames
+            constexpr double kAny = 1e300;  // the host's limit of listed primitives does not apply
             if (preparing->result.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
                 make(allowed(pace.sliceMilliseconds), {DepthMaps::kMostPerBatch, kAny});
             return;  // the next call begins with it
@@ -42,7 +42,7 @@ double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const Oc
     return baking ? baking->shown : 1;
 }
 
-/// Submits what frames will show, if there is enough, and the next part of the bake, if allowed.
+/// Submits the atlas update if enough has changed, and the next part of the bake if allowed.
 void SceneOcclusion::submit(Baking& baking, const OcclusionPace& pace) {
     Bake& bake = *baking.bake;
     const bool showing = bake.betweenSteps() && share() > baking.shown &&
@@ -71,7 +71,7 @@ void SceneOcclusion::submit(Baking& baking, const OcclusionPace& pace) {
         record(g, imports, &submission_->timer());
     });
     if (!showing) return;
-    // Frames that are submitted from here on see it. All is shown when it is known to be done.
+    // Frames submitted from here on see the update. The bake counts as shown once the device has finished it.
     if (!bake.complete()) baking.shown = share;
     baking.unshown = 0;
     stats_.occlusion.done = bake.directionsDone();

@@ -63,7 +63,7 @@ layout::OcclusionConstants Bake::constants() const {
 }
 
 float Bake::spreadOfTaps() const {
-    // A few sticks among full atoms must not cost these four times the time.
+    // A few sticks among full atoms must not make those cost four times as much.
     if (2 * std::uint64_t{layout_.cylinderCount} <= layout_.sphereCount) return 0;
     return widestTaps();
 }
@@ -71,13 +71,13 @@ float Bake::spreadOfTaps() const {
 float Bake::widestTaps() const { return static_cast<float>(std::min(2.0 * std::sqrt(128.0 / directions()), 2.5)); }
 
 float Bake::spreadOfVertices() const {
-    // For a cartoon of 4HHB (62,000 vertices) they reduce the RMS from 0.042 to 0.037. Surfaces have few thin parts,
-    // and many vertices.
+    // For a cartoon of 4HHB (62,000 vertices) they reduce the RMS error from 0.042 to 0.037. Surfaces have few thin
+    // parts and many vertices.
     constexpr std::uint32_t kMost = 200'000;
     return layout_.vertexCount <= kMost ? widestTaps() : spreadOfTaps();
 }
 
-/// How texels of a kind ask a batch's maps.
+/// How texels of each kind sample the maps of a batch.
 Accumulation Bake::accumulation(OcclusionCopies::Run::Of of, std::uint32_t batch) const {
     using Of = OcclusionCopies::Run::Of;
     const Texels spheres = layout_.sphereEdge == 1 ? Texels::wholeSpheres : Texels::spheres;
@@ -87,7 +87,8 @@ Accumulation Bake::accumulation(OcclusionCopies::Run::Of of, std::uint32_t batch
                                   : spheres,
             batch, maps_.encoded(), maps_.tiles() != nullptr, narrow_, maps_.across(batch),
             vertices ? spreadOfVertices() : spreadOfTaps(),
-            // Of a mesh, a vertex's neighbours ask, too: two instead of four raise the RMS of 4HHB's cartoon by 0.001.
+            // Neighbouring vertices of a mesh sample the map too: two taps instead of four raise the RMS error of
+            // 4HHB's cartoon by 0.001.
             vertices ? 2u : 4u};
 }
 
@@ -101,7 +102,7 @@ void Bake::wantPipelines(gpu::Executor& executor, const Allowance& least, const 
                 if (run.count > 0) c.pipelines.want(accumulationPipeline(c, accumulation(run.of, batch)));
         c.pipelines.want(finishPipeline(c));
     });
-    // Last: a caller that waits for the bake makes the first ones itself, meanwhile.
+    // Last, so that a caller that waits for the bake can compile the first pipelines itself meanwhile.
     maps_.wantPipelines(executor, !drawnAtOnce(first, least));
 }
 
@@ -136,7 +137,7 @@ void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Im
     const vk::PipelineLayout pipelineLayout = *accumulationLayout(context, !maps).pipeline;
     layout::OcclusionConstants c = constants();
     std::vector<vk::DescriptorSet> sets(copies_.groups.size());
-    std::size_t at = 0;  // of the model's texels
+    std::size_t at = 0;  // index into the model's texels
     for (const OcclusionCopies::Run& run : copies_.runs) {
         if (run.model != model) continue;
         const std::size_t from = std::clamp(first, at, at + run.count) - at;
@@ -159,8 +160,8 @@ void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Im
     }
 }
 
-/// The directions of a batch for each group of copies: first moves the tested copy to its position. Missing directions
-/// of a batch are zero. Lengths are a map's pixels, rows run downwards.
+/// The directions of a batch for each group of copies. Each moves the tested copy to its position first. Missing
+/// directions are zero. Units: map pixels; rows run downwards.
 /// @param first  index of the batch's first direction
 void Bake::writeDirections(std::span<const glm::dmat3> frames, int first) {
     auto* group = batchDirections_.mapped;
@@ -205,7 +206,7 @@ void Bake::declareFinish(graph::Graph& g, gpu::Imports& imports) {
                                       {layout_.width, layout_.height, 1});
         c.commands.copyBufferToImage(c.buffer(bytes), c.image(atlas), vk::ImageLayout::eTransferDstOptimal, all);
     });
-    g.output(bytes);  // the host keeps them
+    g.output(bytes);  // stored by the host
     imports.bind(sums, sums_);
     imports.bind(bytes, bytes_);
     imports.bind(atlas, atlas_);

@@ -24,10 +24,10 @@ std::uint64_t mostTexels(std::uint64_t primitives, int directions) {
     return static_cast<std::uint64_t>(share * (700'000.0 + 40.0 * static_cast<double>(primitives)));
 }
 
-/// Width of the finest patches that depth maps are fine enough for, texels.
+/// Largest useful patch width for the resolution of the depth maps, texels.
 double finestEdge(const Representation& r, double pixel) {
-    // Of primitives by area. Patches 32 texels wide suit kPixelsPerSphere; where maps show fewer pixels, as of ligands
-    // among meshes, each says less than its slack: 12 texels suit 1.7 pixels.
+    // Patches 32 texels wide suit kPixelsPerSphere. Coarser maps (ligands among meshes) carry less than the area ratio
+    // suggests: 12 texels suit 1.7 pixels.
     constexpr double kFullRadius = 2.7, kFullEdge = 32, kLeastEdge = 12;
     double sum = 0, weights = 0;
     for (const Sphere& s : r.spheres) {
@@ -39,7 +39,7 @@ double finestEdge(const Representation& r, double pixel) {
     return r.spheres.empty() ? kFullEdge : std::max(kFullEdge * share * share, kLeastEdge);
 }
 
-/// The finest patches of which everything fits.
+/// The finest patches for which everything fits the budget.
 BakePreparation prepared(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
                          std::uint64_t mapBytes, double pixel, const std::stop_token& stop) {
     const std::uint64_t budgetBytes = options.budgetBytes - std::min(mapBytes, options.budgetBytes);
@@ -52,7 +52,7 @@ BakePreparation prepared(const gpu::Caps& caps, const Representation& representa
     for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, vertices, caps.maxImageSize)) {
         if (stop.stop_requested()) return result;
         if (layout.sphereEdge > options.detail || layout.sphereEdge > finest) continue;
-        // Guessed from a sample first: looking at every texel takes its time.
+        // Estimated from a sample first: visiting every texel takes longer.
         least = bakeBytes(layout, 0, 0);
         if (least > budgetBytes) continue;
         const bool few = samplesAll(representation);

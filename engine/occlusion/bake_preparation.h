@@ -22,12 +22,12 @@ struct BakeOptions {
     std::optional<Onlooker> onlooker = {};  ///< who alone sees it
 };
 
-/// Results of the preparation.
+/// The prepared data.
 struct BakePreparation {
     OcclusionLayout layout;
     OpenTexels open;
     OcclusionCopies copies;
-    OccluderMeshes occluders;  ///< for maps by tiles
+    OccluderMeshes occluders;  ///< for maps drawn by the host
 };
 
 /// Thread-safe. @param stop  when requested, returns early with an unusable result
@@ -35,7 +35,7 @@ struct BakePreparation {
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
                             const std::stop_token& stop = {});
 
-/// Share of a bake's memory for its depth maps: half, less where mesh vertices need more than the other half.
+/// Share of a bake's memory for its depth maps: half, or less where mesh vertices need more than the other half.
 std::uint64_t mapBudget(std::uint64_t bytes, const Representation& representation);
 
 /// Device memory of a bake, without depth maps. @param words  atlas words that hold listed texels

@@ -7,14 +7,15 @@
 namespace nacre::occlusion {
 namespace {
 
-// Cost of a primitive on a map, in units: forty vertices and fragments, versus a texture read with arithmetic.
+// Cost of drawing a primitive on a map, in units: about forty vertices and fragments, against one texture read with
+// arithmetic.
 constexpr double kUnitsOfInstance = 20;
-// Parts of a direction are no smaller: a submission costs time of its own.
+// Minimum size of a part: each submission has a fixed cost.
 constexpr std::uint64_t kLeastInstances = 256;
 constexpr std::size_t kLeastTexels = 8192;
-// Beside frames the host lists no more for tiles at a time: 20 to 40 ns each, which the device's clock does not see.
+// Limit of primitives that the host lists beside frames: 20 to 40 ns each, which the device's clock does not measure.
 constexpr std::uint64_t kMostListed = 65536;
-// After this many directions texels too deep for light are known: they stay dark without further tests.
+// After this many directions, texels that no light reached are dropped: they stay dark.
 constexpr int kTellsDeepTexels = 32;
 
 }  // namespace
@@ -35,7 +36,7 @@ std::uint64_t Bake::mostInstances(const Allowance& allowance) const {
     return maps_.tiles() && std::isfinite(allowance.units) ? std::min(most, kMostListed) : most;
 }
 
-/// Directions not begun yet. Zero if all are.
+/// Directions that have not begun; zero if all have.
 Bake::Work Bake::nextWork(const Allowance& allowance) const {
     const auto behind = std::min_element(doneOf_.begin(), doneOf_.end());
     Work work;
@@ -47,10 +48,10 @@ Bake::Work Bake::nextWork(const Allowance& allowance) const {
     const std::uint32_t left = static_cast<std::uint32_t>(directions()) - static_cast<std::uint32_t>(work.first);
     const double fit = std::clamp(allowance.units / std::max(each, 1.0), 1.0, double{DepthMaps::kMostPerBatch});
     work.count = std::min({left, allowance.directions, maps_.perBatch(), static_cast<std::uint32_t>(fit)});
-    // The next smaller size of a batch whose maps are drawn at once.
+    // The next smaller batch size whose maps are drawn at once.
     const std::uint64_t most = mostInstances(allowance);
     while (work.count > 1 && work.count * work.instances > most) work.count = work.count > 4 ? 4 : 1;
-    // For any split of directions: deep texels are dropped after the same one, so the sums are equal.
+    // Independent of how directions are split: deep texels are dropped after the same direction, so the sums are equal.
     if (work.first < kTellsDeepTexels)
         work.count = std::min(work.count, static_cast<std::uint32_t>(kTellsDeepTexels - work.first));
     // Shaders expect pairs of opposite directions in a batch of several.
@@ -94,7 +95,7 @@ double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowanc
         accumulate(maps_.declare(g, imports, frames, batch, w.model));
         return std::max(unitsOf(w), 1.0);
     }
-    // Parts of one direction: first all primitives are drawn, then all texels asked.
+    // Parts of one direction: all primitives are drawn first, then all texels tested.
     if (w.drawn < w.instances) {
         const auto fit =
             static_cast<std::uint64_t>(std::min(allowance.units / kUnitsOfInstance, static_cast<double>(most)));

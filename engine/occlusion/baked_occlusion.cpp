@@ -18,7 +18,7 @@ glm::vec2 octahedral(const glm::vec3& n) {
     return p * 0.5f + 0.5f;
 }
 
-/// As angleAbout() there: the frame is Duff's and others' (2017, JCGT 6(1)).
+/// As angleAbout() there: the frame is that of Duff et al. (2017, JCGT 6(1)).
 float angleAbout(const glm::vec3& w, const glm::vec3& n) {
     const float s = w.z >= 0 ? 1.0f : -1.0f, a = -1.0f / (s + w.z), b = w.x * w.y * a;
     const glm::vec3 u(1 + s * w.x * w.x * a, s * b, -s * w.x), v(b, s + w.y * w.y * a, -w.y);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kPrefix = "occlusion-";  // of files
 
-/// The file: this, the atlas, a bit for each sphere, and the hash of the file's name and all that.
+/// File layout: this header, the atlas, a bit for each sphere, and a hash over the file name and everything before it.
 struct Header {
     char magic[8] = {'N', 'A', 'C', 'R', 'E', 'O', 'C', 'C'};
     std::uint32_t version = kOcclusionVersion;
@@ -65,7 +65,7 @@ std::vector<std::uint8_t> packed(const std::vector<bool>& bits) {
     return bytes;
 }
 
-/// The places at which an assembly's runs stand.
+/// Positions of the runs of an assembly.
 void addCopies(Hash& hash, const Copies& copies) {
     hash.add(std::uint64_t{copies.transforms.size()});
     hash.add(copies.transforms.data(), copies.transforms.size() * sizeof(glm::dmat4x3));

@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-/// To be raised by whoever changes what a bake gives: patch sizes, directions, open texels, shaders.
+/// Increase it with every change of a bake's result: patch sizes, directions, open texels, shaders.
 constexpr std::uint32_t kOcclusionVersion = 8;
 /// Maximum size of the cache.
 constexpr std::uint64_t kOcclusionCacheBytes = 512ull << 20;
@@ -24,12 +24,12 @@ DiskCache occlusionCache(const std::string& folder);
 /// @param how  everything else that decides a texel: directions, budget, path, device, driver
 std::string occlusionCacheName(const Representation& representation, std::string_view how);
 
-/// The stored bake of this name. Empty if there is none, or it is damaged, or it does not fit the representation or a
-/// device whose images have at most `mostSide` texels per side.
+/// The stored bake of this name. Empty if it is missing or damaged, or does not fit the representation or the device's
+/// largest image side `mostSide`.
 std::optional<FinishedOcclusion> readOcclusion(const DiskCache& cache, const std::string& name,
                                                const Representation& representation, std::uint32_t mostSide = 1 << 16);
 
-/// False if it could not be stored.
+/// @returns false if it could not be stored
 bool writeOcclusion(const DiskCache& cache, const std::string& name, const FinishedOcclusion& finished);
 
 }  // namespace nacre

@@ -13,7 +13,7 @@ std::vector<glm::dmat4x3> picked(const Copies& copies, const std::vector<std::ui
     return transforms;
 }
 
-/// One kind of primitives, and where their texels lie.
+/// Primitives of one kind, and the range of their texels.
 struct Kind {
     std::span<const PrimitiveRun> copies;
     std::span<const ModelRun> models;
@@ -23,14 +23,14 @@ struct Kind {
     float step = 1;
 };
 
-/// Vertices of a mesh that have the same copies and belong to one model.
+/// Vertices of a mesh that share their copies and their model.
 struct VertexRun {
     std::uint32_t first, end;
     std::uint32_t list, model;
     float step;
 };
 
-/// The vertices of consecutive triangles. Each mesh has its own vertices.
+/// Vertices of consecutive triangles. No two meshes share vertices.
 std::vector<VertexRun> vertexRuns(const Representation& r) {
     std::vector<VertexRun> runs;
     auto copies = r.copies.triangles.begin();
@@ -50,7 +50,7 @@ std::vector<VertexRun> vertexRuns(const Representation& r) {
     return runs;
 }
 
-/// The entries of a list of texels, for each list of copies and each model of a kind.
+/// List entries of a kind's texels, by copy list and model.
 class Runs {
 public:
     Runs(std::span<const std::uint32_t> texels, std::vector<OcclusionCopies::Run>& runs)

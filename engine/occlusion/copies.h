@@ -1,5 +1,6 @@
 #pragma once
-// Occlusion of an assembly. All copies share one patch per primitive; this decides whose surroundings it shows.
+// Occlusion of an assembly: all copies share one patch per primitive. Selects the copies whose surroundings a patch
+// shows.
 
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +24,7 @@ struct OcclusionCopies {
         float step = 1;  ///< of vertices
     };
     /// Copies that successive directions use in turn, so that a patch shows their mean. Where all primitives have the
-    /// same copies, symmetry-equivalent copies are left out: one of a capsid's sixty remains.
+    /// same copies, symmetry-equivalent ones are left out: of a capsid's sixty, one remains.
     std::vector<std::vector<glm::dmat4x3>> groups;
     std::vector<Run> runs;  ///< by model within each list of copies
 };

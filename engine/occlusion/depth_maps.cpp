@@ -13,34 +13,33 @@
 namespace nacre::occlusion {
 namespace {
 
-// Pixels across the radius of a sphere, of a cylinder: finer maps disappear in the patches' own error.
+// Pixels across the radius of a sphere or cylinder. Finer maps make no difference beside the patches' own error.
 constexpr double kPixelsPerSphere = 2.7, kPixelsPerCylinder = 1.5;
-// Per Å and atom of a mesh's looks. 4 instead does not improve the cartoon of 4HHB (RMS 0.037 both), 2 raises it.
+// Per Å and atom of a mesh. The RMS error of 4HHB's cartoon is 0.037 with 2.5 and with 4, and larger with 2.
 constexpr double kPixelsOfMesh = 2.5;
-// A mesh shows more of each such atom than of a stick or a ball: thin ones between the ribbons of a cartoon take a map
-// that fits both. Finer maps for the sticks of 4HHB's haems, one point in twenty, would show the ribbons no better.
+// A mesh covers more pixels per atom than sticks and balls do. For a cartoon with some sticks the map suits both: finer
+// maps for the haem sticks of 4HHB (5 % of the primitives) would not improve the ribbons.
 constexpr double kShareOfMesh = 16;
-// With more triangles than these in all copies, maps show meshes by fewer pixels per Å, down to a share. The cartoon of
-// 1TQN in 27 cells has 19 million: a pixel is 0.6 instead of 0.4 Å, and its ribbons stand within 0.19 instead of 0.095
-// Å.
+// Beyond this number of triangles in all copies, maps have fewer pixels per Å, down to a minimum share. The cartoon of
+// 1TQN in 27 cells has 19 million triangles: a pixel is 0.6 instead of 0.4 Å, with an error of 0.19 instead of 0.095 Å.
 constexpr double kManyTriangles = 8e6, kLeastShare = 0.4;
 constexpr double kSmallest = 128, kLargest = 2048;
-// Primitives that tiles draw at a time: their lists take the host some 30 bytes each.
+// Primitives per draw of the tile path: their lists take about 30 bytes each on the host.
 constexpr std::uint64_t kMostPrimitives = 1'400'000;
-/// Between the graphs of a direction that is drawn in parts.
+/// Render target states between the graphs of a direction drawn in parts.
 const graph::State kPartState = graph::stateOf(graph::Verb::samples, graph::PassKind::compute);
 std::uint32_t bytesPerPixel(OcclusionMaps path, const graph::EncodedFormat& encoded) {
     switch (path) {
         case OcclusionMaps::encoded:
             return 4 + graph::bytesPerTexel(encoded.format);
         case OcclusionMaps::tiles:
-            return 8;  // a height, and as much again for lists
+            return 8;  // a height, and the same again for lists
         default:
             return 4;
     }
 }
 
-/// The parts of calls that lie in a model's runs.
+/// The parts of draw calls that lie in a model's runs.
 std::vector<passes::PlacedCopies::Call> within(const std::vector<passes::PlacedCopies::Call>& calls,
                                                const std::vector<ModelRun>& runs) {
     std::vector<passes::PlacedCopies::Call> parts;
@@ -53,7 +52,7 @@ std::vector<passes::PlacedCopies::Call> within(const std::vector<passes::PlacedC
     return parts;
 }
 
-/// The instances of calls from `first` to `end`; `at` counts on.
+/// Instances of the draw calls from `first` to `end`; advances `at`.
 std::vector<passes::PlacedCopies::Call> between(const std::vector<passes::PlacedCopies::Call>& calls,
                                                 std::uint64_t first, std::uint64_t end, std::uint64_t& at) {
     std::vector<passes::PlacedCopies::Call> parts;
@@ -67,7 +66,7 @@ std::vector<passes::PlacedCopies::Call> between(const std::vector<passes::Placed
     return parts;
 }
 
-/// The share of their pixels that meshes in many copies have: pictures of all copies show each of them small.
+/// Resolution of meshes in many copies: a share, since a picture of all copies shows each small.
 double shareOfPixels(const Representation& r) {
     double triangles = 0;
     for (const PrimitiveRun& run : r.copies.triangles)
@@ -75,7 +74,7 @@ double shareOfPixels(const Representation& r) {
     return std::clamp(std::sqrt(kManyTriangles / std::max(triangles, 1.0)), kLeastShare, 1.0);
 }
 
-/// Pixels per Å that the primitives want on the average.
+/// Average of the pixels per Å that the primitives ask for.
 double wantedResolution(const Representation& r) {
     double sum = 0;
     for (const Sphere& s : r.spheres) sum += kPixelsPerSphere / s.radius;
@@ -101,7 +100,7 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
     pixels = static_cast<std::uint32_t>(
         std::max(std::min(std::clamp(wanted, std::min(kSmallest, 4.0 * detail), kLargest), fits), 8.0));
     while (pixels > 8 && bytesOf(1) > budgetBytes) pixels -= 8;
-    // The tile path numbers a batch's primitives with 32 bits.
+    // The tile path numbers the primitives of a batch with 32 bits.
     const std::uint64_t copies = std::max<std::size_t>(representation.copies.transforms.size(), 1);
     const std::uint64_t listed = (representation.spheres.size() + representation.cylinders.size()) * copies;
     const std::uint64_t drawn = listed + representation.triangles.size() * copies;
@@ -111,7 +110,7 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
             perBatch = batch;
     bytes = bytesOf(perBatch);
     mostPrimitives = std::clamp<std::uint64_t>(bytes / 2 / TileMaps::kBytesPerPrimitive, 1, kMostPrimitives);
-    // No list has triangles.
+    // Lists hold no triangles.
     mostPrimitives = mostPrimitives * std::max<std::uint64_t>(drawn, 1) / std::max<std::uint64_t>(listed, 1);
 }
 
@@ -157,13 +156,13 @@ layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_
     return passes::viewConstants(view(frame), x + pixels() / 2.0, y + pixels() / 2.0);
 }
 
-/// The contents of one map of a model.
+/// Draws of one map of a model.
 passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t model, MapPart part) const {
     const View seen = view(frame);
-    // Which model a triangle belongs to is known of the finest level alone.
+    // Only the finest level states the model of each triangle.
     const double error = runs_.size() > 1 ? 0 : errorInSpace(seen, DepthMapSizes::kMeshError);
     passes::PlacedCopies all = passes::placeCopies(representation_, seen, nullptr, 0, error);
-    // Light goes through what is translucent.
+    // Translucent primitives do not occlude.
     passes::choose(all.triangles, translucent_, passes::Triangles::opaque);
     if (runs_.size() > 1) {
         all.spheres = within(all.spheres, runs_[model].spheres);
@@ -203,7 +202,8 @@ graph::Work DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32_t
             passes::draw(c, seen(i), pass);
         }
     };
-    const auto want = [=](gpu::PipelineContext& c) { passes::want(c, seen(0), pass); };  // of the others the same
+    // the other maps use the same pipelines
+    const auto want = [=](gpu::PipelineContext& c) { passes::want(c, seen(0), pass); };
     return {record, want};
 }
 
@@ -251,7 +251,7 @@ DepthMaps::Images DepthMaps::addPartImages(graph::Graph& g, bool begins) const {
 void DepthMaps::wantPipelines(gpu::Executor& executor, bool parts) const {
     if (tiles_) return executor.prepare([this](gpu::PipelineContext& c) { tiles_->wantPipelines(c); });
     const glm::dmat3 frame(1);
-    // Render passes are compatible where the same comes before and after.
+    // Render passes are compatible if the preceding and following passes agree.
     const auto prepare = [&](std::uint32_t model, MapPart part, const auto& add) {
         graph::Graph g("occlusion ahead");
         const Images images = add(g);

@@ -18,11 +18,11 @@
 
 namespace nacre::occlusion {
 
-/// Size of the maps, and how many are drawn at once. Thread-safe.
+/// Size of the maps, and their number per batch. Thread-safe.
 struct DepthMapSizes {
     std::uint32_t pixels = 0, perBatch = 1;
     std::uint64_t bytes = 0, mostPrimitives = 0;  ///< per batch; per draw of the tile path
-    /// Error of the meshes' levels that maps show, pixels: a question allows one.
+    /// Allowed error of the mesh levels drawn on maps, pixels: the depth test has a slack of one.
     static constexpr double kMeshError = 0.5;
     DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path,
                   std::uint64_t budgetBytes, std::uint32_t detail);
@@ -30,12 +30,12 @@ struct DepthMapSizes {
     double pixel(const Representation& representation) const { return 2 * representation.radius / pixels; }
 };
 
-/// The part of a model that is drawn on a map: all, or some instances.
+/// Part of a model that is drawn on a map: all instances, or a range.
 struct MapPart {
     std::uint64_t first = 0, end = ~std::uint64_t{0};
 };
 
-/// The maps of a batch in a graph: an image, or, for `tiles`, heights in a buffer.
+/// The maps of a batch in a graph: an image, or for `tiles` heights in a buffer.
 struct DrawnMaps {
     std::optional<graph::Image> image;
     std::optional<graph::Buffer> heights;
@@ -48,7 +48,7 @@ public:
     /// @param path  not `automatic`
     /// @param representation  outlives this
     /// @param budgetBytes  device memory for the maps of one batch; maps shrink until at least one fits
-    /// @param occluders  meshes that were made ahead
+    /// @param occluders  prepared meshes
     DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
               OcclusionMaps path, std::uint64_t budgetBytes, std::uint32_t detail = 32, OccluderMeshes occluders = {});
 
@@ -57,10 +57,10 @@ public:
     std::uint32_t pixels() const { return sizes_.pixels; }
     std::uint64_t bytes() const { return sizes_.bytes; }
 
-    /// Models that do not occlude each other, each with its own maps; 1: every map shows everything.
+    /// Number of models that do not occlude each other and have maps of their own; 1: every map shows everything.
     std::uint32_t models() const { return static_cast<std::uint32_t>(runs_.size()); }
 
-    /// Maximum of instances drawn at a time, over all maps.
+    /// Maximum number of instances per draw, over all maps.
     std::uint64_t mostInstances() const {
         return path_ == OcclusionMaps::tiles ? sizes_.mostPrimitives : ~std::uint64_t{0};
     }
@@ -77,12 +77,12 @@ public:
     /// @param frames  kept until the graph has run
     DrawnMaps declare(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frames, std::uint32_t batch,
                       std::uint32_t model);
-    /// Draws one map in parts, each in its own graph, from the first instance to the last.
+    /// Draws one map in parts, each part in a graph of its own, from the first instance to the last.
     void declarePart(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frame, std::uint32_t model,
                      std::uint64_t first, std::uint64_t end);
-    /// The map after all parts, for the graphs that follow.
+    /// The finished map, for later graphs.
     DrawnMaps drawnParts(graph::Graph& g, gpu::Imports& imports) const;
-    /// Has the pipelines made ahead. @param parts  maps will be drawn in parts
+    /// Compiles the pipelines ahead. @param parts  maps will be drawn in parts
     void wantPipelines(gpu::Executor& executor, bool parts) const;
     /// Whether the maps hold encoded depth, not depth itself.
     bool encoded() const { return path_ == OcclusionMaps::encoded; }
@@ -96,7 +96,7 @@ private:
     struct Runs {
         std::vector<ModelRun> spheres, cylinders, triangles;
     };
-    /// Render targets. No maps: they are the hardware depth.
+    /// Render targets. No colour: the depth buffer is the map.
     struct Images {
         graph::Image depth;
         std::optional<graph::Image> maps;
@@ -105,7 +105,7 @@ private:
     Images addPartImages(graph::Graph& g, bool begins) const;
     passes::PlacedCopies placed(const glm::dmat3& frame, std::uint32_t model, MapPart part = {}) const;
     layout::ViewConstants constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const;
-    /// Draws each map of a batch by a pass over the scene.
+    /// Draws each map of a batch in a pass of its own.
     graph::Work eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model, MapPart part,
                         const passes::GeometryPass& pass) const;
     void beginTiles(std::span<const glm::dmat3> frames, std::uint32_t model);

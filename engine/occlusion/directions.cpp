@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-/// Axes by one of their ends.
+/// One end of each axis.
 std::vector<glm::dvec3> fibonacciHemisphere(int count) {
     std::vector<glm::dvec3> points;
     for (int i = 0; i < count; ++i) {
@@ -21,7 +21,7 @@ std::vector<glm::dvec3> fibonacciHemisphere(int count) {
     return points;
 }
 
-/// Moves the axis that is farthest from all before it to the front of the rest, again and again.
+/// Farthest-point order: repeatedly picks the axis farthest from all axes before it.
 void spreadPrefixes(std::vector<glm::dvec3>& axes) {
     std::vector<double> nearest(axes.size(), 0.0);  // cosine of the angle to the axes placed so far
     for (std::size_t placed = 1; placed < axes.size(); ++placed) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kNothing = -1e30f;
 
-/// The least of each value and those beside it. @param step  from one to the next
+/// Minimum of each value and its two neighbours. @param step  distance of neighbours
 void takeLeast(std::vector<float>& values, std::size_t line, std::size_t lines, std::size_t step, std::size_t nextLine,
                int around) {
     std::vector<float> before(line);

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes as the host draws them on depth maps: positions, and triangles no finer than a map shows.
+// Meshes that the host draws on depth maps: positions, and triangles no finer than a map pixel.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -15,19 +15,19 @@ namespace nacre::occlusion {
 struct OccluderMesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::uvec3> triangles;  ///< counter-clockwise seen from outside
-    bool closed = false;                ///< backs lie behind fronts and are left out
+    bool closed = false;                ///< back faces can be skipped
 };
 
-/// Triangles numbered as by drawnTriangle(). Vertices that share a cell and roughly a normal become one, in their
-/// middle, where that leaves at most half of the triangles.
+/// Triangles numbered as by drawnTriangle(). Vertices in one cell with similar normals become one, at their mean, where
+/// that leaves at most half of the triangles.
 /// @param pixel  of the map, Å
 OccluderMesh occluderMesh(const Representation& representation, std::uint32_t first, std::uint32_t count, float pixel);
 
-/// Those of a representation, each made once.
+/// The occluder meshes of a representation, each made once.
 class OccluderMeshes {
 public:
     OccluderMeshes() = default;
-    /// Makes those that are drawn with an allowed error ahead. @param error, pixel  Å
+    /// Prepares the meshes drawn with an allowed error. @param error, pixel  Å
     OccluderMeshes(const Representation& representation, double error, float pixel);
     const OccluderMesh& of(const Representation& representation, std::uint32_t first, std::uint32_t count, float pixel);
     template <typename Visit>

@@ -7,8 +7,8 @@
 namespace nacre {
 namespace {
 
-/// Maps a texel one or two steps beyond a patch's edge into the patch: beyond an edge follows its mirrored half
-/// (sphere) or the opposite edge (cylinder).
+/// Maps a texel one or two steps outside a patch to one inside: a sphere's octahedral map mirrors at its edge, a
+/// cylinder wraps around.
 glm::ivec2 folded(glm::ivec2 p, const glm::ivec2& size, bool sphere) {
     if (!sphere) {
         if (p.x < 0) p.x += size.x - 1;
@@ -26,7 +26,7 @@ glm::ivec2 folded(glm::ivec2 p, const glm::ivec2& size, bool sphere) {
 struct Step {
     int x = 0, y = 0;
 };
-/// Steps to the 24 nearest texels, the nearest first.
+/// Steps to the 24 surrounding texels, nearest first.
 constexpr std::array<Step, 24> nearSteps() {
     std::array<Step, 24> steps;
     std::size_t count = 0;
@@ -38,7 +38,7 @@ constexpr std::array<Step, 24> nearSteps() {
 }
 constexpr std::array<Step, 24> kNearSteps = nearSteps();
 
-/// The bits of a row as seen from each texel some places to the left.
+/// The bits of a row, shifted by some places.
 std::uint64_t ahead(std::uint64_t bits, int places) { return places >= 0 ? bits >> places : bits << -places; }
 
 template <typename Work>
@@ -83,9 +83,10 @@ void OpenPatch::surround() {
     }
 }
 
-/// Sources of a row's texels: itself if it is open; else the nearest open texel, if possible one with another open one
-/// behind it, and that one (else the same again). All texels of the row try a step at once.
-/// @returns a bit for each texel that has one
+/// Sources of a row's texels: an open texel is its own source. For others, the nearest open texel, preferably with
+/// another open one behind it, which is the second source (else both are the same). All texels of the row try a step at
+/// once.
+/// @returns a bit for each texel that has a source
 std::uint64_t OpenPatch::findSources(std::size_t y) {
     const auto at = [&](std::size_t x, const Step& step, int times) {
         return surrounded_[(y + kAround + static_cast<std::size_t>(times * step.y)) * row_ + x + kAround +

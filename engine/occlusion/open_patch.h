@@ -1,5 +1,5 @@
 #pragma once
-// One primitive's patch of the occlusion atlas while its open texels are found.
+// One primitive's patch of the occlusion atlas, while its open texels are found.
 
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -9,14 +9,14 @@
 
 namespace nacre {
 
-/// Keeps its memory from patch to patch.
+/// Reuses its memory for each patch.
 class OpenPatch {
 public:
     static constexpr std::uint32_t kMostEdge = 56;  ///< texels of a row
 
-    /// @param sphere  folded beyond its edges as an octahedral map, else closed around as a cylinder's
+    /// @param sphere  octahedral map, mirrored at its edges; else a cylinder, which wraps around
     void begin(const glm::ivec2& size, bool sphere);
-    /// @param entry  less that of the patch's first
+    /// @param entry  relative to the patch's first entry
     void open(std::uint32_t texel, std::uint16_t entry);
 
     /// Appends the words that have a source. @param address  of the patch's first texel @param width  of the atlas
@@ -31,10 +31,10 @@ private:
 
     glm::ivec2 size_{};
     bool sphere_ = true, any_ = false;
-    std::vector<std::uint16_t> entries_;     // of the patch, or kBuried, which follows them as well
-    std::vector<std::uint16_t> places_;      // in entries_, of the patch with kAround folded texels about it
-    std::vector<std::uint16_t> surrounded_;  // the entries there, so that no search folds
-    std::vector<std::uint64_t> openInRow_;   // of surrounded_: a bit per texel
+    std::vector<std::uint16_t> entries_;     // entry of each texel, or kBuried; one kBuried follows the last
+    std::vector<std::uint16_t> places_;      // index into entries_, with a border of kAround mirrored or wrapped texels
+    std::vector<std::uint16_t> surrounded_;  // the entries at these places
+    std::vector<std::uint64_t> openInRow_;   // a bit for each entry of surrounded_
     std::size_t row_ = 0;                    // of surrounded_
     AtlasWord::Source sources_[kMostEdge];   // of a row
 };

@@ -17,10 +17,10 @@
 namespace nacre {
 namespace {
 
-/// Inside by more than rounding, so that surfaces that coincide stay open.
+/// Å: inside by more than rounding, so that coinciding surfaces stay open.
 constexpr float kDeep = 1e-3f;
-/// Neighbours examined per primitive; normal matter has about forty. A texel inside a later one counts as open: costs
-/// work but changes no light, since no direction reaches it.
+/// Maximum number of neighbours per primitive; normal matter has about forty. A texel inside a further one counts as
+/// open, which costs work but changes no light: no direction reaches it.
 constexpr std::size_t kMostNeighbours = 512;
 
 bool inside(const Sphere& s, const glm::vec3& p) {
@@ -38,9 +38,9 @@ bool inside(const Cylinder& c, const glm::vec3& p) {
     return glm::dot(side, side) < r * r;
 }
 
-/// The octahedral normals of a patch, as shaders/common/patch.glsl has them.
+/// Octahedral normals of a patch, as in shaders/common/patch.glsl.
 struct OctahedralNormals {
-    std::vector<float> x, y, z;  // filled up to whole lanes
+    std::vector<float> x, y, z;  // padded to whole lanes
 
     explicit OctahedralNormals(std::uint32_t edge) {
         const auto along = [&](std::uint32_t i) {
@@ -62,7 +62,7 @@ private:
     }
 };
 
-/// Two unit vectors that make a frame with w; the same as frameAbout() in shaders/common/patch.glsl.
+/// Two unit vectors that form a frame with w, as frameAbout() in shaders/common/patch.glsl.
 void frameAbout(const glm::vec3& w, glm::vec3& u, glm::vec3& v) {
     const float s = w.z >= 0.0f ? 1.0f : -1.0f;
     const float a = -1.0f / (s + w.z), b = w.x * w.y * a;
@@ -70,13 +70,13 @@ void frameAbout(const glm::vec3& w, glm::vec3& u, glm::vec3& v) {
     v = {b, s + w.y * w.y * a, -w.y};
 }
 
-/// Finds the open texels of one primitive after the other, and appends them and their words to a list of its own.
+/// Finds the open texels of primitives one by one, and appends them and their words to its own list.
 class Finder {
 public:
     Finder(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree)
         : layout_(layout), r_(r), tree_(tree), normals_(layout.sphereEdge) {}
 
-    /// @param wanted  whether it lists the words of what it finds
+    /// @param wanted  also collect the words
     void sphere(std::uint32_t i, bool wanted = true) {
         const std::uint32_t edge = layout_.sphereEdge;
         found.firstOfSphere.push_back(static_cast<std::uint32_t>(found.texels.size()));
@@ -128,13 +128,13 @@ private:
                                         : inside(r_.cylinders[item - r_.spheres.size()], p);
     }
     bool buried(const glm::vec3& p) {
-        // Neighbouring texels are mostly buried by the same neighbour: ask that one first.
+        // The neighbour that buried the last texel mostly buries this one: test it first.
         if (last_ < around_.size() && holds(around_[last_], p)) return true;
         for (std::size_t i = 0; i < around_.size(); ++i)
             if (holds(around_[i], p)) return last_ = i, true;
         return false;
     }
-    /// Which of kLanes successive texels of a sphere's patch are open: a bit each.
+    /// Bits for kLanes successive texels of a sphere's patch; set: open.
     std::uint32_t openLanes(const Sphere& s, std::uint32_t first) const {
         const Lanes x = s.center.x + loadLanes(&normals_.x[first]) * s.radius;
         const Lanes y = s.center.y + loadLanes(&normals_.y[first]) * s.radius;
@@ -162,7 +162,7 @@ private:
         patch_.open(local, static_cast<std::uint16_t>(found.texels.size() - base_));
         found.texels.push_back(texel);
     }
-    /// The words of the patch of a shape, whose patches start at a row of the atlas.
+    /// Appends the words of one patch.
     void words(const glm::uvec2& size, std::uint32_t shape, std::uint32_t top) {
         const std::uint32_t perRow = layout_.width / size.x;
         const std::uint32_t left = shape % perRow * size.x, row = top + shape / perRow * size.y;
@@ -180,7 +180,7 @@ private:
     std::size_t last_ = 0;
 };
 
-/// One value per sphere: all are open.
+/// One value per sphere: all open.
 void openSpheres(OpenTexels& all, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
         all.firstOfSphere.push_back(i);
@@ -191,7 +191,7 @@ void openSpheres(OpenTexels& all, std::uint32_t count) {
     all.sphereTexels = count;
 }
 
-/// Of so many primitives a sample has each this many-th.
+/// A sample takes every n-th primitive.
 std::uint32_t sampledEach(std::size_t count) {
     constexpr std::size_t kSample = 500;
     return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count / kSample));
@@ -208,7 +208,7 @@ void append(OpenTexels& all, const OpenTexels& part) {
     }
 }
 
-/// Vertices have their own texels, four per word: no other value can replace them.
+/// A vertex has its own texels, four per word; no other value can replace them.
 void addVertices(OpenTexels& all, const OcclusionLayout& layout) {
     const std::uint64_t top = std::uint64_t{layout.sphereRows} + layout.cylinderRows;
     const auto first = static_cast<std::uint32_t>(layout.patchTexels());

@@ -15,10 +15,10 @@ namespace nacre {
 struct AtlasWord {
     static constexpr std::uint16_t kNone = 0xffff;
     struct Source {
-        /// Entry of OpenTexels::texels that gives the value, less `base`: the texel's own; for a texel inside a
-        /// neighbour, the nearest open one in its patch, at most two texels away; kNone if there is none.
+        /// Entry of OpenTexels::texels that gives the value, minus `base`. An open texel is its own source; a buried
+        /// one takes the nearest open texel of its patch, at most two texels away; kNone if there is none.
         std::uint16_t entry = kNone;
-        /// For a texel inside a neighbour: the open one twice as far in the same direction; else the same as `entry`.
+        /// For a buried texel: the open texel twice as far in the same direction; else the same as `entry`.
         std::uint16_t beyond = kNone;
     };
     std::uint32_t address = 0;  ///< atlas texel, row-major, / 4
@@ -27,8 +27,8 @@ struct AtlasWord {
 };
 
 struct OpenTexels {
-    /// Texels of spheres and cylinders outside all others, in linear order (all sphere patches, then all cylinder
-    /// patches): only these can be lit. Then all texels of vertices.
+    /// Texels of spheres and cylinders outside all other primitives, in linear order (all sphere patches, then all
+    /// cylinder patches): only these can be lit. All texels of vertices follow.
     std::vector<std::uint32_t> texels;
     std::size_t sphereTexels = 0;  ///< number of sphere texels
     std::vector<AtlasWord> words;  ///< those with at least one source
@@ -41,11 +41,11 @@ struct OpenTexels {
 OpenTexels openTexels(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree,
                       const std::stop_token& stop = {});
 
-/// Points words at the entries that are left after some were dropped.
-/// @param keptBefore  for each entry the number of those kept before it, and their number in all
+/// Updates the words after entries were dropped.
+/// @param keptBefore  per entry, the number of kept entries before it; last: their total
 void followKept(std::span<AtlasWord> words, std::span<const std::uint32_t> keptBefore);
 
-/// Whether openShare() would look at every texel, as openTexels() does.
+/// Whether openShare() would visit every texel, as openTexels() does.
 bool samplesAll(const Representation& representation);
 
 /// Fraction of the patches' texels that are open, from a sample of the primitives.

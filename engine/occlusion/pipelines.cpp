@@ -17,7 +17,7 @@ using passes::Type;
 constexpr std::array kAccumulate{kStorage, Type::eUniformBuffer, kStorage, kStorage, Type::eCombinedImageSampler};
 constexpr std::array kAccumulateStorage{kStorage, Type::eUniformBuffer, kStorage, kStorage, kStorage};
 constexpr std::array kAccumulateTexels{kStorage, kTexel, kStorage, kStorage, kTexel};
-// Shapes, rows of copies, lists, heights as they are read, and as they are written.
+// Shapes, rows of copies, lists, heights for reading and for writing.
 constexpr std::array kTileMapsTexels{kTexel, kTexel, kTexel, kTexel, kStorage};
 constexpr auto kTileMapsStorage = passes::asStorage(kTileMapsTexels);
 constexpr std::array kThreeBuffers{kStorage, kStorage, kStorage};
@@ -49,8 +49,8 @@ const gpu::Layout& tileMapsLayout(gpu::PipelineContext& context) {
     (!heights                             ? shaders::occlusionAccumulate##of         \
      : context.device.caps().tiles.texels ? shaders::occlusionAccumulate##of##Texels \
                                           : shaders::occlusionAccumulate##of##Storage)
-/// And where the directions are narrow; by pairs, but of cylinders, which would keep more at a time than Mali has
-/// registers for.
+/// The same with narrow directions. Directions come in pairs except for cylinders, where pairs would need more
+/// registers than Mali has.
 #define NACRE_ACCUMULATION_OR_NARROW(of) (narrow ? shaders::occlusionAccumulate##of##Narrow : NACRE_ACCUMULATION(of))
 
 bool asksByPairs(const Accumulation& accumulation) {

@@ -1,5 +1,5 @@
 #pragma once
-// The compute passes of occlusion bakes. Their pipelines depend on the bake only by its number of directions.
+// Compute passes of occlusion bakes. Their pipelines depend only on the number of directions of a bake.
 
 #include <cstdint>
 
@@ -26,15 +26,15 @@ struct Accumulation {
     std::uint32_t taps = 4;    ///< 2 or 4, where spread
 };
 
-/// Storage buffers of shapes, directions (uniform), texels and sums, and the depth maps: an image, or heights.
+/// Storage buffers: shapes, directions (uniform), texels, sums; and the depth maps as an image or as heights.
 const gpu::Layout& accumulationLayout(gpu::PipelineContext& context, bool heights);
-/// Whether an invocation takes two texels of a list.
+/// Whether an invocation handles two texels of a list.
 bool asksByPairs(const Accumulation& accumulation);
 gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const Accumulation& accumulation);
-/// Storage buffers of sums, words and bytes.
+/// Storage buffers: sums, words, bytes.
 const gpu::Layout& finishLayout(gpu::PipelineContext& context);
 gpu::ComputePipeline finishPipeline(gpu::PipelineContext& context);
-/// Texels of shapes, rows of copies, lists and maps, and the maps again for writing.
+/// Shapes, rows of copies, lists and maps as texel buffers, and the maps again for writing.
 const gpu::Layout& tileMapsLayout(gpu::PipelineContext& context);
 gpu::ComputePipeline tileMapsPipeline(gpu::PipelineContext& context, bool cylinders);
 

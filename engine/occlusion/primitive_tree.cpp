@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kLeafSize = 8;
 
-/// For each primitive a number that those have in common which may come near each other; empty if all may.
+/// A number per primitive: only primitives with equal numbers can be neighbours. Empty if all can.
 std::vector<std::uint64_t> companies(const Representation& r) {
     const bool lists = r.copies.spheres.size() + r.copies.cylinders.size() > 1;
     if (!lists && r.sphereModels.empty()) return {};

@@ -9,17 +9,17 @@
 
 namespace nacre {
 
-/// Bounding volume hierarchy of the spheres (numbered from 0) and cylinders (numbered after the spheres): finds
-/// neighbours. Primitives with other copies are elsewhere in the assembly, and models that do not occlude each other
-/// are invisible to each other: each has its own tree. A grid suits normal molecules, but its cells overflow where all
-/// atoms share one point and one atom or bond end is a billion Å away.
+/// Bounding volume hierarchy of the spheres (numbered from 0) and cylinders (numbered after the spheres), for neighbour
+/// queries. Primitives with other copies, and models that do not occlude each other, are no neighbours: each group has
+/// its own tree. A grid would suit normal molecules, but its cells overflow where all atoms share one point and one
+/// atom or bond end is a billion Å away.
 class PrimitiveTree {
 public:
-    /// n log n in the number of primitives, for any positions; a NaN coordinate counts as 0.
+    /// O(n log n) for any positions; a NaN coordinate counts as 0.
     explicit PrimitiveTree(const Representation& r);
 
-    /// Calls visit(primitive) for other primitives whose bounding sphere meets that of `self`, until it returns false
-    /// or there are no more.
+    /// Calls visit(primitive) for each other primitive whose bounding sphere meets that of `self`, until it returns
+    /// false.
     template <typename Visit>
     void near(std::uint32_t self, Visit&& visit) const {
         const Ball mine = balls_[self];
@@ -66,7 +66,7 @@ private:
     std::vector<Ball> balls_;
     std::vector<std::uint32_t> items_;  ///< primitives in tree order
     std::vector<Node> nodes_;
-    std::vector<std::uint32_t> roots_;  ///< by primitive; empty: all are in one tree
+    std::vector<std::uint32_t> roots_;  ///< index by primitive; empty: one tree
 };
 
 }  // namespace nacre

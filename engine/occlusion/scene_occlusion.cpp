@@ -7,16 +7,17 @@
 namespace nacre::occlusion {
 namespace {
 
-/// Per submission while a caller waits: some phones stop submissions of seconds, all of them stutter.
+/// Milliseconds per submission while a caller waits: longer ones make phones stutter, and some stop submissions of
+/// seconds.
 constexpr double kWaitedMilliseconds = 30;
 
-/// Minimum while a molecule moves: surfaces exposed since the bake are dark, not black.
+/// Minimum value while a molecule moves: surfaces exposed since the bake are dark, not black.
 constexpr std::uint32_t kLeastOfMoved = 102;
 
-/// The path of the depth maps, if the device is to choose. @param tiles  these can be had
+/// The path of the depth maps if the device chooses. @param tiles  supported
 OcclusionMaps automaticMaps(const gpu::Caps& caps, bool tiles) {
     if (caps.software && tiles) return OcclusionMaps::tiles;
-    // Where MIN is a blend shader, depth costs less by the depth buffer.
+    // Where MIN blending is a shader, the depth buffer costs less.
     return caps.visibility == Visibility::encoded && !caps.encoded.ordered ? OcclusionMaps::encoded
                                                                            : OcclusionMaps::fragdepth;
 }
@@ -42,7 +43,7 @@ std::uint64_t countUnseen(const std::vector<bool>& seen) {
     return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), false));
 }
 
-/// Everything that decides a texel besides the scene's shapes.
+/// Everything besides the shapes that decides a texel's value.
 std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
     return std::to_string(options.directions) + " directions, " + std::to_string(options.budgetBytes) + " bytes, " +
            std::to_string(options.detail) + " texels, " + nameOf(options.path) + ", " +
@@ -50,7 +51,7 @@ std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
            std::to_string(caps.driverVersion) + ", " + std::to_string(caps.maxImageSize);
 }
 
-/// Whether an atlas has anything to hold: wires have no occlusion.
+/// Whether an atlas would hold anything: lines have no occlusion.
 bool hasPatches(const Representation& scene) {
     return !scene.spheres.empty() || !scene.cylinders.empty() || !scene.meshVertices.empty();
 }
@@ -70,7 +71,7 @@ void SceneOcclusion::dropFailed() {
     try {
         executor_.forget("occlusion");
     } catch (const vk::SystemError&) {
-        // The depth maps stay until the next bake.
+        // The depth maps are kept for the next bake.
     }
 }
 
@@ -109,7 +110,7 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optio
     const bool tiles = device_.caps().plan.tiles;
     if (options_.path == OcclusionMaps::automatic || (options_.path == OcclusionMaps::tiles && !tiles))
         options_.path = automaticMaps(device_.caps(), tiles);
-    cache_ = occlusionCache(moved_ ? std::string() : settings.cache);  // positions of moving atoms never recur
+    cache_ = occlusionCache(moved_ ? std::string() : settings.cache);  // positions of moving atoms do not recur
     worthKeeping_ = settings.worthKeeping;
     auto& preparing = state_.emplace<Preparing>();
     preparing.result =
@@ -159,7 +160,7 @@ void SceneOcclusion::make(const Allowance& least, const Allowance& most) {
     stats_.occlusion.neverSeen = countUnseen(bake->seenSpheres());
 }
 
-/// When everything is shown, drops data only needed for baking, and caches bakes that took long enough.
+/// Once everything is shown: frees data that only baking needs, and stores bakes that took long enough.
 void SceneOcclusion::wrapUp() {
     const std::shared_ptr<Bake> bake = there();
     executor_.forget("occlusion");
@@ -240,7 +241,7 @@ Allowance SceneOcclusion::allowed(double milliseconds) const {
 void SceneOcclusion::learn(double units, double milliseconds) {
     if (milliseconds <= 0) return;
     const double rate = units / milliseconds;
-    // One that was slow for once is believed at once, one that was fast by and by.
+    // A slowdown counts at once, a speed-up gradually.
     unitsPerMillisecond_ = std::min(rate, unitsPerMillisecond_ + 0.5 * std::max(rate - unitsPerMillisecond_, 0.0));
 }
 
@@ -250,8 +251,8 @@ void SceneOcclusion::runSlice(Bake& bake, const Allowance& allowance) {
     gpu::Imports imports;
     const double units = bake.declareSlice(g, imports, allowance);
     const graph::Plan plan = graph::compile(g, device_.caps().plan);
-    // From outside, the first submission includes the driver's compilation. Software devices finish each pass for a
-    // timestamp, and execute commands synchronously.
+    // Measured on the host, the first submission would include the driver's compilation. Software devices drain each
+    // pass for a timestamp and execute synchronously, so the host's clock is right there.
     const bool timed = !device_.caps().software;
     if (timed && !timer_) timer_ = std::make_unique<gpu::Timer>(device_);
     device_.submitAndWait(

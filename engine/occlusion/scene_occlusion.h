@@ -1,5 +1,5 @@
 #pragma once
-// Occlusion of the renderer's scene: starts the bake that the settings ask for, advances it, and caches it on disk.
+// Occlusion of the renderer's scene: starts the requested bake, advances it, and stores it on disk.
 
 #include <future>
 #include <memory>
@@ -18,7 +18,7 @@
 
 namespace nacre::occlusion {
 
-/// A scene, held as long as its bake needs it.
+/// A scene, kept alive while its bake reads it.
 struct SceneToBake {
     std::shared_ptr<const Representation> representation;
     std::shared_ptr<const passes::SceneBuffers> buffers;
@@ -30,7 +30,7 @@ public:
     SceneOcclusion(const gpu::Device& device, gpu::Executor& executor) : device_(device), executor_(executor) {}
     ~SceneOcclusion() { drop(); }
 
-    /// Waits for work in flight, and drops every bake.
+    /// Waits for submitted work, and drops all bakes.
     void setScene(SceneToBake scene);
     /// The same primitives at other positions. The old bake is shown until a new one is done.
     void moveScene(SceneToBake scene);
@@ -38,8 +38,7 @@ public:
     /// Whether a thread reads the scene's representation.
     bool readsScene() const { return is<Preparing>(); }
 
-    /// Starts the bake that the settings ask for, unless it exists or there is nothing to bake. A cached bake is done
-    /// at once.
+    /// Starts the requested bake unless it exists or there is nothing to bake. A bake from the cache is done at once.
     /// @param onlooker  who alone sees it, if anyone
     void begin(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker = {});
     /// Works on the current bake for about `milliseconds`, at least one direction.
@@ -48,19 +47,19 @@ public:
     void finish(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker = {});
     /// As above, always with a new bake. @returns its results
     BakedOcclusion baked(const OcclusionSettings& settings);
-    /// As Renderer::advanceOcclusion beside frames. @returns the share that is shown
+    /// Renderer::advanceOcclusion beside frames. @returns the share that is shown
     double advanceBeside(const OcclusionSettings& settings, const OcclusionPace& pace);
-    /// Null: nothing requested yet, or nothing to bake.
+    /// Null: nothing was requested, or there is nothing to bake.
     const Bake* bake() const { return there().get(); }
     /// The atlas as shown.
     passes::Atlas atlas() const;
-    /// Choices and statistics.
+    /// Options in force, and statistics.
     const BakeStats& stats() const { return stats_; }
     /// The finished share, 0..1; 1 if there is nothing to bake.
     double share() const;
 
 private:
-    /// Does some work on the bake. On failure drops the bake, whose direction count may be wrong: the next starts over.
+    /// Advances the bake. On failure drops it, since its direction count may be wrong; the next one starts over.
     template <typename Work>
     void orDrop(Work&& work) {
         try {
@@ -111,16 +110,15 @@ private:
     std::shared_ptr<Bake> there() const;
 
     using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t, std::optional<Onlooker>>;
-    /// Starts preparing what the settings ask for, unless it exists, is on its way, or there is nothing to bake.
+    /// Starts preparing the requested bake unless it exists, is being prepared, or there is nothing to bake.
     void prepare(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker = {});
-    /// As above beside frames, for a moving scene: a running bake continues, and the last finished one is shown
-    /// meanwhile.
+    /// The same beside frames, for a moving scene: a running bake continues, and the last finished one stays visible.
     /// @param hurry  drop a running bake of earlier positions
     void prepareBeside(const OcclusionSettings& settings, bool hurry);
-    /// Whether there is a bake, ready or coming, of earlier positions.
+    /// Whether a bake of earlier positions exists or is being prepared.
     bool isOutdated() const { return !is<Idle>() && of_.buffers != scene_.buffers; }
     void drop();
-    /// Makes the bake when it is prepared. @param least, most  work of its submissions
+    /// Takes over the prepared bake. @param least, most  work per submission
     void make(const Allowance& least, const Allowance& most);
     void runSlice(Bake& bake, const Allowance& allowance);
     void submit(Baking& baking, const OcclusionPace& pace);
@@ -134,17 +132,17 @@ private:
     const gpu::Device& device_;
     gpu::Executor& executor_;
     BakeStats stats_;
-    SceneToBake scene_;  // current scene
-    SceneToBake of_;     // scene of the bake
+    SceneToBake scene_;  // the current scene
+    SceneToBake of_;     // the scene of the bake
     bool moved_ = false;
     std::variant<Idle, Preparing, Baking, Finished> state_;
     std::shared_ptr<Bake> before_;  // finished bake of earlier positions, shown until the current one is done
-    Wanted wanted_{};               // directions, budget, maps, detail, onlooker: of the bake, or of before_
-    BakeOptions options_;           // the same, resolved
+    Wanted wanted_{};               // request of the bake, or of before_
+    BakeOptions options_;           // the request, resolved
     DiskCache cache_;               // off: do not cache the bake
     std::string cacheName_;         // of the bake
     double worthKeeping_ = 0;
-    std::vector<std::uint8_t>* texels_ = nullptr;  // receives the finished atlas; null: nobody wants it
+    std::vector<std::uint8_t>* texels_ = nullptr;  // receives the finished atlas; null: unused
 
     double unitsPerMillisecond_ = 10'000;          // recent speed of the device; starts low enough for any phone
     std::unique_ptr<gpu::Submission> submission_;  // beside frames

@@ -10,10 +10,10 @@
 namespace nacre {
 namespace {
 
-/// For each texel of a sphere's patch, whether it is a corner of a cell that holds a normal turned to the viewer.
+/// Marks texels of a sphere's patch at the corners of cells that hold a normal towards the viewer.
 std::vector<bool> seenOfSphere(std::uint32_t edge, const glm::dvec3& towards) {
-    // Before it is unit, a normal is linear in the patch's coordinates but for folds. Between points so far apart its
-    // part towards the viewer changes by no more than 2 for each of the two coordinates.
+    // An unnormalised octahedral normal is linear in the patch coordinates except at folds. Between points at this
+    // distance, its component towards the viewer changes by at most 2 per coordinate.
     constexpr std::uint32_t kPoints = 8;
     const double cell = 2.0 / (edge - 1), apart = cell / kPoints;
     std::vector<bool> seen(std::size_t{edge} * edge, false);
@@ -39,8 +39,8 @@ std::vector<bool> seenOfSphere(std::uint32_t edge, const glm::dvec3& towards) {
     return seen;
 }
 
-/// For each texel of a vertex, outer and inner, whether a triangle shows that side. Of triangles seen along their
-/// plane, or that are too thin for a pixel's rounding, either side may be shown.
+/// Marks a vertex texel, outer or inner, if a triangle shows that side. A triangle seen edge-on, or too thin for a
+/// pixel's rounding, may show either.
 std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representation& r, const Onlooker& from,
                                  const occlusion::HiddenTriangles& hidden) {
     constexpr float kFlat = 0.1f;
@@ -65,7 +65,7 @@ std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representa
     return seen;
 }
 
-/// A bit for each of four texels: of a patch row by row, whose edge is a multiple of 4, or of all vertices.
+/// One bit per four texels: row by row of a patch, whose edge is a multiple of 4, or over all vertices.
 std::vector<std::uint8_t> wordsOf(const std::vector<bool>& texels) {
     std::vector<std::uint8_t> words((texels.size() + 3) / 4, 0);
     for (std::size_t i = 0; i < texels.size(); ++i)
@@ -77,7 +77,7 @@ std::vector<std::uint8_t> wordsOf(const std::vector<bool>& texels) {
 
 std::optional<Onlooker> onlookerOf(const RenderSettings& settings) {
     const View& view = settings.view;
-    // A bake that is kept serves others. Planes open what they cut, and near an eye surfaces turn.
+    // A stored bake serves other views. Clipping planes expose surfaces, and perspective turns them.
     if (!settings.occlusion.once || !settings.occlusion.cache.empty() || settings.effects.clip.on() ||
         settings.debug != DebugView::none || view.projection == Projection::perspective)
         return {};

@@ -1,5 +1,5 @@
 #pragma once
-// The texels of the occlusion atlas that one picture can show: a picture that is drawn alone needs no others.
+// Selects the texels of the occlusion atlas that one picture can show: a single picture needs no others.
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -10,21 +10,20 @@
 
 namespace nacre {
 
-/// A viewer infinitely far away.
+/// Viewer at infinity.
 struct Onlooker {
-    glm::dvec3 towards{};          ///< to the viewer, in the scene's frame; unit
+    glm::dvec3 towards{};          ///< unit vector to the viewer, in the scene's frame
     double pixelsPerAngstrom = 1;  ///< of the picture
     bool operator==(const Onlooker& other) const {
         return towards == other.towards && pixelsPerAngstrom == other.pixelsPerAngstrom;
     }
 };
 
-/// Who sees the pictures of these settings, if they are all that the bake is for and every surface that they show is
-/// turned to one side.
+/// View direction of these settings, if the bake serves this picture alone and every visible surface faces one way.
 std::optional<Onlooker> onlookerOf(const RenderSettings& settings);
 
-/// Drops the texels of spheres and meshes that a picture can only show from behind, those of hidden triangles, and all
-/// that nothing takes its value from. Texels of cylinders stay. Values of the others do not change.
+/// Drops sphere and mesh texels that face away from the viewer, texels of hidden triangles, and texels that no other
+/// takes its value from. Cylinder texels stay. Values of the remaining texels do not change.
 /// @param representation  without copies
 /// @param hidden  for that viewer
 void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representation& representation,

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::int64_t kUnfinishedSeconds = 24 * 3600;  // then its writer has ended
+constexpr std::int64_t kUnfinishedSeconds = 24 * 3600;  // after this time the writer is presumed dead
 constexpr std::string_view kTemporary = ".new-";
 
 // The Cache Directory Tagging Specification, https://bford.info/cachedir/
@@ -28,7 +28,7 @@ constexpr std::string_view kTag =
 
 bool unfinished(std::string_view name) { return name.starts_with(kTemporary) || name.ends_with(".part"); }
 
-/// Status of the path itself, also for a link.
+/// Status of the path itself; does not follow a link.
 bool statusOf(const std::string& path, struct stat& status) { return lstat(path.c_str(), &status) == 0; }
 
 bool writeAll(int file, std::string_view bytes) {
@@ -58,7 +58,7 @@ std::vector<std::string> namesIn(const std::string& folder) {
 struct DiskCache::File {
     std::string path;
     std::uint64_t bytes;
-    std::int64_t used;  ///< seconds
+    std::int64_t used;  ///< time of last use, seconds
     std::int64_t nanoseconds;
     bool unfinished;
 };
@@ -72,7 +72,7 @@ bool DiskCache::isEntry(std::string_view name) const {
                                                        [&](const auto& prefix) { return name.starts_with(prefix); });
 }
 
-/// Whether the folder is a cache of ours.
+/// Whether the folder is one of our caches.
 bool DiskCache::isOwn() const { return readPlain(pathOf(kTagName), kTag.size()) == kTag; }
 
 std::vector<DiskCache::File> DiskCache::files() const {
@@ -139,7 +139,7 @@ bool DiskCache::makeFolder() const {
     if (file < 0) return false;
     const bool whole = writeAll(file, kTag);
     close(file);
-    // Nobody's tag is overwritten: another one there makes this somebody else's cache, unless it is ours by now.
+    // Never overwrites a foreign tag: it marks another program's cache.
     const bool made = whole && link(temporary.c_str(), pathOf(kTagName).c_str()) == 0;
     unlink(temporary.c_str());
     return made || isOwn();

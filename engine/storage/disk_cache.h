@@ -32,12 +32,13 @@ public:
 
     /// The whole entry, which counts as used now; empty if there is none, or it exceeds `maxBytes`.
     std::optional<std::string> read(std::string_view name) const;
-    /// Makes or replaces an entry from consecutive parts. False if it could not be stored.
-    /// @param trims  false: the caller trims, since trimming looks at every entry
+    /// Makes or replaces an entry from consecutive parts. @returns false if it could not be stored
+    /// @param trims  false: the caller trims later, since trimming visits every entry
     bool write(std::string_view name, std::span<const std::string_view> parts, bool trims = true) const;
     void remove(std::string_view name) const;
 
-    /// Makes the folder, for callers that write an entry themselves. False if that fails, or it is not the cache's.
+    /// Makes the folder, for callers that write an entry themselves. @returns false if it fails, or the folder is not
+    /// ours
     bool makeFolder() const;
     /// A name for a file that will become an entry.
     static std::string temporaryName();

@@ -8,12 +8,12 @@
 namespace nacre {
 namespace {
 
-// Words of the header, counted from 1 as its description does.
+// Words of the header, numbered from 1 as in the format's description.
 constexpr int kMode = 4, kStartWord = 5, kIntervals = 8, kLengths = 11, kAngles = 14, kAxes = 17, kMax = 21,
               kGroup = 23, kExtended = 24, kImodStamp = 39, kImodFlags = 40, kOrigin = 50, kStamp = 54;
 constexpr std::size_t kMapWord = 208;
-constexpr std::int32_t kImod = 1146047817;  // a program whose bytes are unsigned unless a flag says otherwise
-constexpr std::size_t kRecord = 80;         // of symmetry
+constexpr std::int32_t kImod = 1146047817;  // IMOD: bytes are unsigned unless a flag says otherwise
+constexpr std::size_t kRecord = 80;         // bytes of a symmetry record
 constexpr int kMostGroup = 230;
 
 std::uint32_t bitsAt(const char* at, bool swapped) {
@@ -34,10 +34,10 @@ float fromHalf(std::uint16_t half) {
 
 bool isMode(std::int32_t mode) { return mode >= 0 && mode <= 127; }
 bool areAxes(std::int32_t a, std::int32_t b, std::int32_t c) {
-    if (a == 0 && b == 0 && c == 0) return true;  // of old files
+    if (a == 0 && b == 0 && c == 0) return true;  // old files
     return a >= 1 && a <= 3 && b >= 1 && b <= 3 && c >= 1 && c <= 3 && a != b && b != c && c != a;
 }
-/// Whether a header makes sense in a byte order.
+/// Whether a header is plausible in a byte order.
 bool makesSense(std::string_view header, bool swapped) {
     const auto word = [&](int i) { return static_cast<std::int32_t>(bitsAt(header.data() + 4 * (i - 1), swapped)); };
     return isMode(word(kMode)) && areAxes(word(kAxes), word(kAxes + 1), word(kAxes + 2));
@@ -71,7 +71,7 @@ float Ccp4Reader::real(int word) const {
     return std::bit_cast<float>(bitsAt(header_.data() + 4 * (word - 1), swapped_));
 }
 
-/// By plausibility: the machine stamp is wrong in some files.
+/// By plausibility, since the machine stamp is wrong in some files.
 void Ccp4Reader::findByteOrder() {
     constexpr bool kHostIsBig = std::endian::native == std::endian::big;
     const char stamp = header_[4 * (kStamp - 1)];
@@ -90,9 +90,7 @@ void Ccp4Reader::readGeometry() {
         const std::int32_t axis = integer(kAxes + i);
         box_.axes[static_cast<std::size_t>(i)] = axis == 0 ? i + 1 : axis;
     }
-    const auto axisOf = [&](int i) {
-        return box_.axes[static_cast<std::size_t>(i)] - 1;
-    };  // of columns, rows, sections
+    const auto axisOf = [&](int i) { return box_.axes[static_cast<std::size_t>(i)] - 1; };  // columns, rows, sections
     for (int i = 0; i < 3; ++i) {
         files_[i] = integer(1 + i);
         box_.size[axisOf(i)] = files_[i];
@@ -116,9 +114,9 @@ void Ccp4Reader::readGeometry() {
     if (!box_.cell.isValid()) cannotReadMap(name_, "its cell has no volume: damaged, or not a CCP4 or MRC map");
     box_.spaceGroup = integer(kGroup);
     if (box_.spaceGroup < 0 || box_.spaceGroup > kMostGroup) box_.spaceGroup = 0;  // stacks of images and volumes
-    bool beyond = false;                                                           // more than a cell
+    bool beyond = false;                                                           // larger than a cell
     for (int i = 0; i < 3; ++i) beyond |= box_.size[i] > box_.intervals[i];
-    // A volume in a rectangular box also has the number 1.
+    // Space group 1 may also mean a volume in a rectangular box.
     box_.crystal = box_.spaceGroup > 1 || (box_.spaceGroup == 1 && (beyond || !box_.cell.isRectangular()));
     for (int i = 0; i < 3; ++i) place_[i] = static_cast<double>(real(kOrigin + i));
     const bool finite = std::isfinite(place_.x) && std::isfinite(place_.y) && std::isfinite(place_.z);
@@ -131,7 +129,7 @@ void Ccp4Reader::readOperations() {
         const std::string_view record = trim(std::string_view(header_).substr(at, kRecord));
         if (record.empty()) continue;
         const auto operation = parseOperation(record);
-        if (!operation) return box_.operations.clear();  // other programs keep other things there
+        if (!operation) return box_.operations.clear();  // other programs store other data there
         box_.operations.push_back(*operation);
     }
     if (box_.operations.size() < operationsOf(box_.spaceGroup, box_.cell).size()) box_.operations.clear();
@@ -190,7 +188,7 @@ void Ccp4Reader::take(std::string_view bytes) {
     rest_.assign(taken_ < box_.values.size() ? bytes : std::string_view());
 }
 
-/// @param convert  from the stored value to the float
+/// @param convert  stored value to float
 template <typename Stored, typename Convert>
 void Ccp4Reader::convert(std::string_view bytes, const Convert& convert) {
     for (std::size_t i = 0; i + sizeof(Stored) <= bytes.size(); i += sizeof(Stored)) {
@@ -206,7 +204,7 @@ void Ccp4Reader::convert(std::string_view bytes, const Convert& convert) {
     }
 }
 
-/// Takes whole values off the front.
+/// Removes the complete values at the front.
 void Ccp4Reader::takeValues(std::string_view& bytes) {
     const auto count =
         static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size() / valueBytes_, box_.values.size() - taken_));

@@ -20,7 +20,7 @@ public:
 
     /// Takes the next bytes of the file. @throws Error
     void take(std::string_view bytes);
-    /// Call after the last bytes. @throws Error if some are missing, or no value is a number
+    /// Call after the last bytes. @throws Error if bytes are missing, or no value is a number
     DensityMap finish();
 
     /// Whether the first bytes may be such a map: they have the word MAP, or a plausible header.
@@ -40,18 +40,18 @@ private:
     std::string name_;
     MapLimits limits_;
     std::uint64_t mostBytes_;
-    std::string header_;  ///< and the extended header
+    std::string header_;  ///< with the extended header
     bool known_ = false;  ///< the header is complete
     bool swapped_ = false, unsignedBytes_ = false;
     int mode_ = 0;
     std::size_t extended_ = 0, valueBytes_ = 0;
     MapBox box_;
-    bool placed_ = false;  ///< by ORIGIN instead of NSTART
+    bool placed_ = false;  ///< by ORIGIN, not NSTART
     glm::dvec3 place_{};
     std::string rest_;         ///< first bytes of a value split between pieces
     std::uint64_t taken_ = 0;  ///< values
     glm::ivec3 files_{};       ///< columns, rows, sections
-    glm::ivec3 at_{};          ///< of the next value, likewise
+    glm::ivec3 at_{};          ///< index of the next value: column, row, section
     std::array<std::size_t, 3> strides_{};
     std::vector<std::string> warnings_;
 };

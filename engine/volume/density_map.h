@@ -16,7 +16,7 @@
 
 namespace nacre {
 
-/// Over the known values.
+/// Statistics of the known values.
 struct MapStatistics {
     double min = 0, max = 0, mean = 0;
     double rms = 0;  ///< root mean square deviation from the mean: 1 sigma
@@ -33,19 +33,19 @@ struct DensityMap {
     glm::dvec3 origin{};               ///< place of node (0, 0, 0), Å
     glm::dmat3 step{1};                ///< columns: from a node to the next along a, b and c, Å
     MapValues values;                  ///< a fastest, c slowest; not a number where nothing is known
-    MapStatistics statistics;          ///< of the cell of a crystal, else of the box
+    MapStatistics statistics;          ///< over a crystal's cell, or the box
     std::array<int, 3> axes{1, 2, 3};  ///< in the file: which of a, b, c columns, rows and sections are
     glm::ivec3 boxSize{},
         boxStart{};           ///< nodes that the file holds along a, b, c, and the first one's place in the cell
-    bool difference = false;  ///< positive and negative density are shown: of names like "diff", "fo-fc"
-    std::optional<double> depositedLevel;  ///< that its depositors recommend, in the unit of the values
+    bool difference = false;  ///< show positive and negative density; for names like "diff" or "fo-fc"
+    std::optional<double> depositedLevel;  ///< recommended by the depositors, in the unit of the values
     std::vector<std::string> warnings;     ///< one sentence each
 
     std::size_t index(const glm::ivec3& node) const {
         return (static_cast<std::size_t>(node.z) * size.y + node.y) * size.x + node.x;
     }
     glm::dvec3 place(const glm::dvec3& node) const { return origin + step * node; }
-    /// The first of the boxSize nodes that the file holds.
+    /// Position of the first of the boxSize nodes in the file.
     glm::ivec3 firstNode() const { return periodic ? boxStart : glm::ivec3(0); }
     /// Grid coordinates of a position in Å.
     glm::dvec3 nodeAt(const glm::dvec3& position) const { return glm::inverse(step) * (position - origin); }

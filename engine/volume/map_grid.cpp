@@ -22,7 +22,7 @@ void forgetNonNumbers(std::vector<float>& values, DensityMap& map) {
                                " values of the map are not numbers: nothing is drawn there");
 }
 
-/// Values of a box at their nodes in the cell. What is there twice stays as it was first.
+/// Copies the values of a box to their nodes in the cell. The first value of a node wins.
 std::vector<float> wrappedIntoCell(const MapBox& box) {
     const glm::ivec3 n = box.intervals;
     std::vector<float> cell(static_cast<std::size_t>(n.x) * n.y * n.z, kUnknownDensity);
@@ -78,7 +78,7 @@ bool contains(const std::string& text, std::initializer_list<const char*> words)
                        [&](const char* word) { return text.find(word) != std::string::npos; });
 }
 
-/// By the names that refinement programs and archives give them.
+/// By the names of refinement programs and archives.
 bool isDifference(const std::string& path) {
     const std::string name = lowerCase(path.substr(path.find_last_of('/') + 1));
     return contains(name, {"diff", "fofc", "fo-fc", "fo_fc"}) && !contains(name, {"2fofc", "2fo-fc", "2fo_fc"});

@@ -15,7 +15,7 @@ public:
         : name_(name), limits_(limits), lines_(text) {}
 
     DensityMap read() {
-        for (int i = 0; i < 2; ++i) next();  // of words
+        for (int i = 0; i < 2; ++i) next();  // title lines
         const Words first = next();
         const std::int64_t atoms = integer(first[0]);
         glm::dvec3 origin = three(first);
@@ -26,7 +26,7 @@ public:
         for (int i = 0; i < 3; ++i) {
             const Words words = next();
             const std::int64_t count = integer(words[0]);
-            if (count < 0) unit = 1;  // Å then
+            if (count < 0) unit = 1;  // Å
             if (count == 0 || std::abs(count) > 1 << 24) fail("a grid of " + std::to_string(count) + " nodes");
             size[i] = static_cast<int>(std::abs(count));
             step[i] = three(words);
@@ -38,7 +38,7 @@ public:
         GridValues values(name_, size, limits_, static_cast<std::size_t>(perNode));
         values.read(lines_.rest(), lines_.number() + 1);
         DensityMap map = completed(name_, "cube", size, origin * unit, step * unit, values.done());
-        // An orbital, and a potential, has two signs.
+        // Orbitals and potentials have positive and negative values.
         map.difference = map.difference || atoms < 0;
         if (perNode > 1)
             map.warnings.push_back("the map has " + std::to_string(perNode) +
@@ -66,7 +66,7 @@ private:
         }
         return result;
     }
-    /// How many there are, and their numbers, which may take several lines.
+    /// The number of orbitals and their indices, which may take several lines.
     std::int64_t orbitals() {
         Words words = next();
         const std::int64_t count = integer(words[0]);

@@ -50,7 +50,7 @@ private:
         if (startsWith(lower, "_")) lower.erase(0, 1);
         return lower == name;
     }
-    /// An element of a list by its name.
+    /// Element of a list by name.
     static std::optional<MsgpackValue> named(const MsgpackValue& of, const char* list, std::string_view name) {
         const auto entries = of.find(list);
         if (!entries || !entries->is(ValueKind::array)) return {};
@@ -103,7 +103,7 @@ private:
             box.start[axis] = static_cast<int>(std::lround(start));
         }
         box.spaceGroup = whole(info, "spacegroup_number");
-        // A server cuts boxes of both kinds: those of crystals already include symmetry.
+        // A server returns boxes for crystals too: symmetry is already applied.
         box.values = valuesOf(*category(block, "volume_data_3d"), box);
         return completed(name_, "density-server", std::move(box), limits_);
     }

@@ -15,10 +15,10 @@ constexpr int kBrick = 8;
 struct Bricks {
     MapBox box;
     double scale = 1, shift = 0;  // value = (byte - shift) / scale
-    bool swapped = false;         // bytes, in pairs
+    bool swapped = false;         // bytes are swapped in pairs
 };
 
-/// Numbers of a header in words, by the word before them.
+/// Numbers of a text header, by the keyword before them.
 class BrixHeader {
 public:
     BrixHeader(const std::string& name, std::string_view text) : name_(name), text_(lowerCase(text)) {}

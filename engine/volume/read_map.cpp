@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kStart = 4096;  // bytes needed to detect a format
 constexpr std::size_t kPiece = 1 << 20;
-// A compressed file is refused that announces more: decompress.h.
+// decompress.h refuses a compressed file that announces more.
 constexpr std::uint64_t kMostRatio = 100, kAnyRatio = std::uint64_t{64} << 20;
 
 enum class MapFormat { none, ccp4, dx, cube, dsn6, densityServer };
@@ -36,8 +36,8 @@ bool isDx(std::string_view start) {
     return false;
 }
 
-/// Two lines of words (in XYZ the first is a number alone), then the number of atoms with the origin, then three
-/// numbers of nodes with their steps.
+/// Two title lines (in XYZ the first is a number), then the number of atoms with the origin, then three lines with a
+/// number of nodes and a step.
 bool isCube(std::string_view start) {
     LineReader lines(start);
     for (int i = 0; i < 2; ++i) {
@@ -69,7 +69,7 @@ MapFormat formatOf(std::string_view name, std::string_view start) {
         (start.find("volume_data_3d") != std::string_view::npos ||
          start.find("DensityServer") != std::string_view::npos || start.find("VolumeServer") != std::string_view::npos))
         return MapFormat::densityServer;
-    // Old files of these have no mark.
+    // Old files have no magic number.
     if (binary && endsIn(name, {".ccp4", ".map", ".mrc", ".mrcs"})) return MapFormat::ccp4;
     if (binary && endsIn(name, {".dsn6", ".omap", ".brix"})) return MapFormat::dsn6;
     return MapFormat::none;
@@ -98,7 +98,7 @@ DensityMap readText(const std::string& name, MapFormat format, std::string_view 
                   "of density servers");
 }
 
-/// Inflates only as much as detection needs. @param cut  the file goes on: what cannot be inflated is left out
+/// Inflates only as much as detection needs. @param cut  the data is truncated: ignore what cannot be inflated
 std::string inflatedStart(const std::string& name, std::string_view packed, bool cut = false) {
     struct Enough {};
     std::string start;
@@ -137,7 +137,7 @@ bool isMapFile(const std::string& path) try {
     if (!file) return false;
     const std::string start = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
     if (compressionOf(start).empty()) return looksLikeMap(path, start);
-    // The beginning of a compressed file suffices; it may be cut.
+    // The beginning of a compressed file is enough, even if truncated.
     return looksLikeMap(
         path, inflatedStart(path, bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), 64 * kStart)), true));
 } catch (const Error&) {

@@ -27,7 +27,7 @@ DensityMap readMapFile(const std::string& path, const MapLimits& limits = {});
 /// @param name  for messages and as a hint to the format
 DensityMap readMap(const std::string& name, std::string bytes, const MapLimits& limits = {});
 
-/// A map of values in memory. @param origin  position of the first node, Å @param periodic  a crystal's whole cell
+/// A map from values in memory. @param origin  position of the first node, Å @param periodic  a crystal's whole cell
 /// @param values  the first axis fastest @throws Error
 DensityMap mapOfValues(const std::string& name, const glm::ivec3& size, const UnitCell& cell, const glm::dvec3& origin,
                        bool periodic, std::vector<float> values);

@@ -7,11 +7,11 @@ namespace nacre {
 namespace {
 
 constexpr double kLongestEdge = 1e6;  // Å
-constexpr double kFlattest = 1e-4;    // volume of a cell whose edges are 1
+constexpr double kFlattest = 1e-4;    // minimum volume of a cell with edges of 1
 
 double cosine(double degrees) { return degrees == 90 ? 0 : std::cos(degrees * std::numbers::pi / 180); }
 
-/// Volume of a cell whose edges are 1, squared.
+/// Squared volume of a cell with edges of 1.
 double unitVolume2(const glm::dvec3& angles) {
     const double a = cosine(angles.x), b = cosine(angles.y), c = cosine(angles.z);
     return 1 - a * a - b * b - c * c + 2 * a * b * c;
