@@ -1,5 +1,5 @@
 #version 440
-// A rectangle nearer than everything: pixels behind it are not drawn.
+// A rectangle in front of everything: pixels behind it are not drawn.
 
 layout(location = 0) in vec4 rect;  // NDC: left, top, right, bottom
 

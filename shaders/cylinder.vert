@@ -28,7 +28,7 @@ layout(location = 4) flat out uint primitive;
 #endif
 invariant gl_Position;
 
-/// Reach of an ellipse from the origin in a direction.
+/// Extent of an ellipse in a direction.
 float reach(Outline o, vec2 direction) {
     return dot(o.center, direction) + length(vec2(dot(o.axisU, direction), dot(o.axisV, direction)));
 }
@@ -51,11 +51,12 @@ void main() {
     place = patchPlace(cylinderPatch(uint(gl_InstanceIndex)));
 #endif
 #ifdef NUMBER
-    // After the copy's spheres.
+    // Numbers follow the copy's spheres.
     primitive = view.numberBefore + view.spheres + uint(gl_InstanceIndex) + 1u;
 #endif
     vec3 ahead = normalize(b - a);
-    // Both ends' silhouettes as spheres of the cylinder's radius: their hull holds the cylinder in any projection.
+    // The hull of the silhouettes of both ends, as spheres of the cylinder's radius, contains the cylinder in any
+    // projection.
     Outline oa = sphereOutline(a, reachOf(a.z, radius));
     Outline ob = sphereOutline(b, reachOf(b.z, radius));
     vec2 along = ob.center - oa.center;
@@ -67,7 +68,7 @@ void main() {
     low = min(low, -reach(ob, -u));
     high = max(high, reach(oa, u));
     if (!kPerspective) {
-        // A flat cap sticks out by r |axis.z| only.
+        // A flat cap extends by r |axis.z| only.
         float cap = radius * abs(ahead.z) + snapReach();
         low = dot(oa.center, u) - cap;
         high = dot(ob.center, u) + cap;

@@ -31,7 +31,7 @@ vec3 heat(float fragments) {
     return mix(steps[low], steps[low + 1], at - float(low));
 }
 
-/// Colours far from each other for numbers that follow each other.
+/// Well separated colours for consecutive numbers.
 vec3 colorOf(uint number) {
     float hue = fract(float(number % 65536u) * 0.61803399);
     float value = 0.62 + 0.38 * fract(float(number % 65536u) * 0.75487767);
@@ -82,7 +82,7 @@ void main() {
     if (mean > 0.0 && texelFetch(under, pixel, 0).x == 0.0) tile = mix(tile, vec3(1.0), 0.45);
     color = vec4(linearFromSrgb(edge ? tile * 0.8 : tile), 1.0);
 #elif defined(PATCHES)
-    // The atlas lies on the plane z = 0 as large as the scene; it pans and zooms with the view, without rotation.
+    // Shows the atlas on the plane z = 0, as large as the scene; it pans and zooms with the view without rotation.
     vec2 size = vec2(textureSize(source, 0));
     vec2 texel = planePoint(gl_FragCoord.xy) * vec2(1.0, -1.0) * view.perRange * max(size.x, size.y) + 0.5 * size;
     if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, size))) discard;

@@ -38,14 +38,14 @@ layout(set = 0, binding = 7) uniform sampler2D nearest;
 bool isHidden(float d) { return !isFrontmost(d, texelFetch(nearest, ivec2(gl_FragCoord.xy), 0)); }
 #endif
 
-/// Visible data of a pixel's primitive, for all kinds: shading follows once, after the kinds.
+/// Visible data of a pixel's primitive of any kind; shading follows once for all kinds.
 struct Shown {
     Hit hit;
-    uint look;        // where the primitive's colour stands in the looks, before its atom
-    uvec3 corners;    // of a triangle, the same of each
-    float occlusion;  // of triangles; the others' is a texel of a patch:
+    uint look;  // index of the primitive's colour in the looks, followed by its atom
+    uvec3 corners;  // triangles: the same for each corner
+    float occlusion;  // triangles; others read a texel of a patch:
     uint patchAddress;
-    vec2 at, texels;  // where in the patch, 0..1, and its size
+    vec2 at, texels;  // position in the patch, 0..1, and its size
     bool wire;        // a wire, which has no occlusion
 };
 
@@ -62,7 +62,7 @@ uint placed(uint number) {
 /// @param index  of the triangle
 void showTriangle(uint index, inout Shown shown) {
     uvec4 record = shapes[view.spheres + 2u * view.cylinders + index];
-    // Not an indexed array: drivers keep those in memory, and one crashes on it (docs/tilers.md).
+    // Not an indexed array: drivers keep those in memory, and one crashes on them (docs/tilers.md).
     uvec4 v0 = shapes[record.x], v1 = shapes[record.y], v2 = shapes[record.z];
     float step = uintBitsToFloat(record.w);
     Hit hit = triangleHitThrough(cornerOf(v0, step), cornerOf(v1, step), cornerOf(v2, step),
@@ -135,6 +135,6 @@ void main() {
     if (kBlendColors && triangle)
         colorBits = cornerColor(uvec3(looks[shown.corners.x], looks[shown.corners.y], looks[shown.corners.z]),
                                 shown.hit.corner, shown.hit.shares);
-    // The atoms stand behind the colours, of which a cylinder has two.
+    // Atoms follow the colours, two for a cylinder.
     writeSurface(shown.hit, colorBits, looks[shown.look + (cylinder ? 2u : 1u)], shown.occlusion);
 }

@@ -96,7 +96,7 @@ void main() {
 #endif
 #if !defined(FRAGDEPTH) && !defined(MULTISAMPLED)
     bool front = isFrontmost(d, nearestDepth());
-    seen = seen && front;  // no branch: one way out of the shader
+    seen = seen && front;  // no branch: a single exit
 #endif
     if (!seen) discard;
 #if defined(FRAGDEPTH) || defined(SETTLE)
@@ -118,7 +118,7 @@ void main() {
 #endif
 #elif defined(CYLINDER)
     bool first = hit.along < 0.5;
-    float occlusion = isWire(endA.w) ? 1.0 : cylinderOcclusion(hit, axis, place);  // wires have no patch
+    float occlusion = isWire(endA.w) ? 1.0 : cylinderOcclusion(hit, axis, place);  // lines have no patch
 #ifdef IDENTITY
     writeSurface(hit, first ? atoms.x : atoms.y, occlusion);
 #else

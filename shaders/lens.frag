@@ -1,7 +1,7 @@
 #version 440
-// Depth of field: what lies before or behind the focus is as blurred as a lens shows it. A point is seen as a circle
-// that grows with its distance from the focus. Light goes from pixel to pixel within the circle of the nearer of the
-// two: so nothing blurred shines over a sharp edge before it, and a blurred edge lets through what lies behind.
+// Depth of field. A point away from the focus appears as a circle that grows with its distance from the focus. Light
+// spreads within the circle of the nearer of two pixels, so that blurred parts do not spill over a sharp edge in front
+// of them, and a blurred edge lets through what is behind.
 //   CIRCLES   of each pixel: its light's square root as bytes, and its circle
 //   REACH     the largest circles of a block of pixels: of those before the focus, and of all
 //   SPREAD    the largest circles that reach into a block
@@ -17,11 +17,11 @@ layout(push_constant) uniform Push {
     vec4 rim;   // width of outlines, pixels; depth jump of an outline, Å
 };
 
-layout(constant_id = kCodedId) const bool kCoded = false;  // picture and result hold sRGB-coded colour
-const float kNothing = 1e30;  // Z of an empty pixel, as engine/frame/lens.h has it
+layout(constant_id = kCodedId) const bool kCoded = false;  // picture and result are sRGB-coded
+const float kNothing = 1e30;  // Z of the background, as in engine/frame/lens.h
 const int kBlock = 16;        // pixels of a block's side
 
-/// A circle's radius in pixels, negative before the focus: circles are in the order of their points.
+/// Circle of confusion, radius in pixels; negative in front of the focus, so that circles sort by depth.
 float circleAt(float Z) { return Z < kNothing ? lens.y * (Z - lens.x) * (lens.w > 0.0 ? 1.0 / Z : 1.0) : kNothing; }
 float radiusOf(float circle) { return circle < kNothing ? min(abs(circle), lens.z) : 0.0; }
 
@@ -39,11 +39,11 @@ void main() {
     float Z = depthAt(here), nearest = Z;
     vec4 seen = texelFetch(picture, here, 0);
     if (kCoded) seen.rgb = linearFromSrgb(seen.rgb);
-    // An outline is as far away as what it bounds, and so is a pixel that something covers beside its centre.
+    // An outline has the depth of what it surrounds, and so has a pixel that is covered beside its centre.
     bool partly = Z == kNothing && seen.a > 0.0;
     float room = partly ? rim.x + 1.5 : rim.x > 0.0 ? rim.x + 0.5 : 0.0;
-    // Around the pixel, in rings of twelve: what is outlined is wider than their gaps. A float counts, since compilers
-    // unroll loops of whole numbers: 15 to 20 ms more for the pipeline on lavapipe.
+    // Rings of twelve samples around the pixel: outlined shapes are wider than the gaps. A float counter, because
+    // compilers unroll integer loops: 15 to 20 ms more for the pipeline on lavapipe.
     const mat2 next = mat2(0.8660254, 0.5, -0.5, 0.8660254);
     float rings = min(ceil(room / 3.0), 4.0);
     vec2 way = vec2(room / max(rings, 1.0), 0.0);
@@ -92,22 +92,22 @@ layout(set = 0, binding = 0) uniform usampler2D circles;
 layout(set = 0, binding = 1) uniform usampler2D blocks;
 layout(location = 0) out vec4 color;
 
-const float kSharp = 0.6;  // pixels: smaller circles are none
-const float kSoft = 2.5;   // pixels: larger circles show nothing finer than 4 x 4
+const float kSharp = 0.6;  // pixels: smaller circles count as sharp
+const float kSoft = 2.5;  // pixels: larger circles need no detail below 4 x 4
 const float kGolden = 2.399963;
-const mat2 kSixteenth = mat2(0.9238795, 0.3826834, -0.3826834, 0.9238795);  // of a turn
+const mat2 kSixteenth = mat2(0.9238795, 0.3826834, -0.3826834, 0.9238795);  // a sixteenth of a turn
 const mat2 kEighth = mat2(0.7071068, 0.7071068, -0.7071068, 0.7071068);
-const float kSquare = 255.0 * 255.0;  // of a byte that is 1: light is summed up as bytes' squares
+const float kSquare = 255.0 * 255.0;  // square of a byte that is 1: light is summed as squared bytes
 
 #if defined(SOFT)
-const float kMiddle = -0.5;  // of what a pixel shows, since 4 x 4 lie half a pixel beside the one they are shown at
+const float kMiddle = -0.5;  // offset of a 4 x 4 mean from the pixel that it is stored at
 #else
 const float kMiddle = 0.0;
-layout(set = 0, binding = 2) uniform sampler2D soft;  // square roots of light; 1, 1, 1, 0: of another pixel
+layout(set = 0, binding = 2) uniform sampler2D soft;  // square roots of light; (1, 1, 1, 0): no value
 
 bool isSoft(vec4 pixel) { return pixel.r <= pixel.a; }
 
-/// The mean of the soft ones of 4 x 4 pixels around.
+/// The mean of the valid values of 4 x 4 pixels around.
 vec4 meanAround(ivec2 here, ivec2 last) {
     vec4 sum = vec4(0.0);
     float count = 0.0;
@@ -127,7 +127,7 @@ void main() {
     uvec2 own = texelFetch(circles, here, 0).xy;
     vec2 reaches = uintBitsToFloat(texelFetch(blocks, here / kBlock, 0).xy);
     float circle = uintBitsToFloat(own.y), radius = radiusOf(circle);
-    // Nearer points have larger circles only before the focus; over nothing, all shine.
+    // In front of the focus only, nearer points have larger circles; over the background all contribute.
     float reach = circle < kNothing ? max(radius, reaches.x) : reaches.y;
     float end = 1.0;
 #if defined(SOFT)
@@ -150,13 +150,13 @@ void main() {
     }
 #endif
 
-    // Light that the nearer pixels spread over this one, and with it the light of this and farther ones.
+    // Light that nearer pixels spread over this one, then the light of this and farther ones.
     float ownArea = max(3.14159 * radius * radius, 1.0);
     vec4 root = unpackUnorm4x8(own.x);
     vec4 near = vec4(0.0), all = root * root * kSquare / ownArea;
     float nearShare = 0.0, allShare = 1.0 / ownArea;
     float perSample = 1.0 / samples;
-    // Sixteen neighbours take different samples.
+    // Neighbours in a block of 16 take different samples.
     ivec2 cell = here & 3;
     int order = (cell.x * 5 + cell.y * 3 + 7 * (cell.x ^ cell.y)) & 15;
     vec2 way = vec2(reach, 0.0);
@@ -167,7 +167,7 @@ void main() {
     const mat2 further = mat2(cos(kGolden), sin(kGolden), -sin(kGolden), cos(kGolden));
     float areaOut = 6.28318 * perSample * reach * reach, spacingOut = 0.5 * sqrt(areaOut);
     for (float t = perSample * (float((order * 7 + 4) & 15) + 0.5) / 16.0; t < end; t += perSample) {
-        // Denser at the centre, where small circles lie. The line is close to the root of t.
+        // Denser at the centre, where small circles are. Approximately the square root of t.
         float away = reach * t, spacing = max(spacingOut * (0.19 + 0.85 * t), 1.0);
         uvec2 other = texelFetch(circles, clamp(here + ivec2(round(t * way + kMiddle)), ivec2(0), last), 0).xy;
         way = further * way;

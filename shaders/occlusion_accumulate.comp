@@ -19,11 +19,11 @@
 
 layout(local_size_x = 64) in;
 
-layout(constant_id = kTapsId) const int kTaps = 1;        // 1, 2 or 4: pixels asked for a texel
+layout(constant_id = kTapsId) const int kTaps = 1;  // 1, 2 or 4: pixels sampled per texel
 layout(constant_id = kSpreadId) const float kSpread = 0.0;  // distance of the taps, pixels
 
 layout(set = 0, binding = 2, std430) readonly buffer Texels { uint texels[]; };
-layout(set = 0, binding = 3, std430) buffer Sums { vec2 sums[]; };  // light that came, light that could have come
+layout(set = 0, binding = 3, std430) buffer Sums { vec2 sums[]; };  // accumulated light, and its possible maximum
 #if defined(TEXELS)
 layout(set = 0, binding = 4) uniform samplerBuffer heightTexels;  // Å
 float heightAt(int i) { return texelFetch(heightTexels, i).x; }
@@ -34,16 +34,16 @@ float heightAt(int i) { return heights[i]; }
 layout(set = 0, binding = 4) uniform sampler2D depthMaps;
 #endif
 
-/// Height of the texel's own surface at position q of a depth map; z where it does not reach there.
+/// Height of the texel's own surface at position q of a depth map; z outside the surface.
 #if defined(VERTEX)
-/// Height of the tangent plane at the vertex: the slack covers the surface's curvature.
+/// Height of the tangent plane at the vertex; the slack covers curvature.
 float ownHeight(vec3 center, vec3 normal, float radius, vec2 q, float z) {
     return z - dot(normal.xy, q - center.xy) / max(normal.z, 0.15);
 }
 #elif defined(CYLINDER)
 float ownHeight(vec3 center, vec3 axis, float radius, vec2 q, float z) {
     vec2 from = q - center.xy;
-    // Squared distance of the ray's points (from, t) from the axis is a parabola in t.
+    // Squared distance between the axis and the points (from, t) of the ray: a parabola in t.
     float A = max(1.0 - axis.z * axis.z, 1e-6);
     float along = dot(from, axis.xy);
     float t0 = axis.z * along / A;
@@ -69,12 +69,12 @@ bool shows(int i, ivec2 pixel, float front) {
 #endif
 }
 
-/// Whether the depth map of direction i shows the texel, `aside` pixels from its position. @param room  length of aside
+/// Whether the depth map of direction i shows the texel at an offset `aside`, pixels. @param room  length of aside
 bool frontmost(int i, vec3 center, vec3 axis, float radius, vec3 at, vec2 aside, float room) {
     vec2 place = clamp(floor(at.xy + aside), vec2(0.0), vec2(bake.mapPixels - 1));
-    // The height that this surface itself has at the pixel's centre, so that it never shadows itself; or the texel's
-    // own height, if lower: near a contact the surface at the centre may lie inside a neighbour that does not hide the
-    // texel. A pixel's width of slack, more for a shifted tap, covers the neighbour's slope.
+    // Compares with the height of this surface at the pixel's centre, so that it never shadows itself, or with the
+    // texel's own height if lower: near a contact, the surface at the centre may lie inside a neighbour that does not
+    // hide the texel. A slack of one pixel, more for a shifted tap, covers the neighbour's slope.
     float front = max(ownHeight(center, axis, radius, place + 0.5, at.z), at.z);
     return shows(i, ivec2(place), front + 1.0 + room);
 }
@@ -84,7 +84,7 @@ vec2 asked(int i, Direction d, Texel texel) {
     vec3 center = placed(d, texel.a);
     float radius = texel.radius * bake.pixelsPerAngstrom;
 #ifdef WHOLE
-    // A sphere that lies in a surface is visible from half of all directions: that half is its visible part.
+    // A sphere embedded in a surface is visible from half of all directions; that half is its visible part.
     float cosine = 0.5 * dot(d.w.xyz, d.w.xyz), counted = 2.0 * cosine;
     vec3 at = vec3(center.xy, center.z + radius);
     vec3 axis = vec3(0.0);
@@ -96,8 +96,8 @@ vec2 asked(int i, Direction d, Texel texel) {
 #endif
     float seen = 0.0;
     [[unroll]] for (int tap = 0; tap < kTaps; ++tap) {
-        // Four taps form a rotated square, so that each has its own column and row. Two are its opposite corners: which
-        // of them, a bit of the direction says, so that it does not matter how many a batch has.
+        // Four taps form a rotated square, with one tap in each column and row. Two taps are opposite corners, chosen
+        // by a bit of the direction, independently of the batch size.
         bool first = kTaps == 2 ? (floatBitsToUint(d.u.x) & 1u) == 0u : tap % 2 == 0;
         vec2 aside = first ? vec2(0.75, 0.25) : vec2(-0.25, 0.75);
         aside *= kTaps == 1 ? 0.0 : 2 * tap < kTaps ? kSpread : -kSpread;
@@ -119,7 +119,7 @@ Texel texelOf(uint entry) {
 
 void main() {
     uint listed = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-    // All lanes stay, as each has directions that the others want.
+    // All lanes stay active, as each holds directions that others need.
     uint entry = bake.firstEntry + min(listed, bake.entries - 1u);
     fetchDirections();
     Texel texel = texelOf(entry);

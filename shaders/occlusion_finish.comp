@@ -1,12 +1,12 @@
 #version 440
-// Sums of light -> bytes of the atlas, four texels per word. A texel that lies inside a neighbour goes on in the line of
-// the two open ones next to it, so that interpolation reaches the crease with the right slope.
+// Sums of light to atlas bytes, four texels per word. A texel inside a neighbouring primitive extrapolates two open
+// texels linearly, so that interpolation reaches the crease with the right slope.
 #extension GL_GOOGLE_include_directive : require
 
 layout(local_size_x = 64) in;
 
 struct Word {
-    uint address;  // in the atlas, words
+    uint address;  // atlas index, words
     uint base;
     // Source of each texel's value, less base, in the lower half (0xffff: none); in the upper half the next one, for
     // linear extrapolation (equal: none).
@@ -17,7 +17,7 @@ layout(set = 0, binding = 0, std430) readonly buffer Sums { vec2 sums[]; };
 layout(set = 0, binding = 1, std430) readonly buffer Words { Word words[]; };
 layout(set = 0, binding = 2, std430) writeonly buffer Atlas { uint atlas[]; };
 
-/// Before any light was asked for, everything is open.
+/// Before the first direction everything is open.
 float occlusion(uint base, uint entry) {
     if (entry == 0xffffu) return 0.0;
     vec2 sum = sums[base + entry];

@@ -1,5 +1,5 @@
 #version 440
-// One more fragment in a pixel that blending adds up: those that pass the early depth test, inside the outline or not.
+// Adds one per fragment that passes the early depth test, whether inside the outline or not, by blending.
 #extension GL_GOOGLE_include_directive : require
 #include "common/count.glsl"
 
@@ -22,6 +22,6 @@ layout(location = 0) out vec4 count;
 
 void main() {
     countFragment();
-    // The record is used because the vertex stage passes it; every primitive has a radius.
+    // Uses the record because the vertex stage passes it; every primitive has a radius.
     count = vec4(radius() > 0.0 ? 1.0 / 255.0 : 0.0);
 }

@@ -1,5 +1,5 @@
 #version 440
-// Overlay over the picture: triangles in window pixels of the upright picture.
+// Overlay over the picture: triangles in pixels of the upright window.
 #extension GL_GOOGLE_include_directive : require
 #include "common/srgb.glsl"
 #include "common/turn.glsl"
@@ -11,7 +11,7 @@ layout(location = 0) out vec2 glyph;
 layout(location = 1) out vec4 color;
 
 layout(push_constant) uniform Push { vec4 scale; };  // xy: 2 / pixels of the picture
-layout(constant_id = kCodedId) const bool kCoded = false;  // the target takes sRGB-coded colour as it is
+layout(constant_id = kCodedId) const bool kCoded = false;  // the target takes sRGB-coded colour
 
 void main() {
     gl_Position = vec4(turned(inPosition * scale.xy - 1.0), 0.0, 1.0);

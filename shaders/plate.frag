@@ -1,5 +1,5 @@
 #version 440
-// A plate has no colour: its depth is all there is.
+// A plate writes depth only.
 #extension GL_GOOGLE_include_directive : require
 #include "common/count.glsl"
 

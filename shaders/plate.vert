@@ -17,7 +17,7 @@ void main() {
     const float kShrunk = 1.0 - 1e-3;
     float Z = view.origin - center.z - inSphere.w * (kShrunk * sqrt(1.0 - kRim * kRim));
     float magnify = kPerspective ? view.origin / Z : 1.0;
-    // The rasteriser may move a corner by the snap margin: draw that much less, or nothing.
+    // Shrinks the plate by the snap margin, by which the rasteriser may move a corner; or draws nothing.
     float reach = max(inSphere.w * (kShrunk * kRim) - (snapReach() * 1.5 + view.pixel * kRoom) / magnify, 0.0);
     if (kClip && (Z < view.clipNear || Z > view.clipFar)) reach = 0.0;
     gl_Position = clipPosition((center.xy + inCorner.xy * reach) * magnify, encodedDepth(Z));

@@ -8,7 +8,7 @@
 layout(set = 0, binding = 0) uniform sampler2D picture;
 layout(location = 0) out vec4 color;
 layout(constant_id = kSamplesId) const int kSamples = 0;     // n; 0: bilinear
-layout(constant_id = kCodedId) const bool kCoded = false;  // the target takes sRGB-coded colour as it is
+layout(constant_id = kCodedId) const bool kCoded = false;  // the target takes sRGB-coded colour
 
 layout(push_constant) uniform Push { vec4 scale; };  // xy: 1 / pixels of the target; z: weight of the picture
 

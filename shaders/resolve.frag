@@ -1,20 +1,20 @@
 #version 440
-// Ends a frame in the image of its picture: a pixel is the mean of n x n samples in linear light.
+// Writes a frame into its picture: a pixel is the mean of n x n samples in linear light.
 //   WORDS    the frame's colours are words of a buffer, row by row
-//   MASKED   replaces the pixels that a mask names, and leaves the others
+// MASKED   replaces only pixels of a mask
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 #include "common/srgb.glsl"
 
 layout(push_constant) uniform Push {
-    ivec2 place;  // of the first pixel, in the picture
-    ivec2 from;   // the same pixel's place in the frame
+    ivec2 place;  // of the first pixel in the picture
+    ivec2 from;  // position of that pixel in the frame
     int pitch;    // words in a row
     int samples;  // n
 };
 layout(location = 0) out vec4 color;                            // premultiplied
 layout(constant_id = kSamplesId) const bool kSeveral = false;  // n > 1
-layout(constant_id = kCodedId) const bool kCoded = false;     // frame and picture hold sRGB-coded colour
+layout(constant_id = kCodedId) const bool kCoded = false;  // frame and picture are sRGB-coded
 
 #ifdef WORDS
 layout(set = 0, binding = 0) uniform usamplerBuffer words;
@@ -41,13 +41,13 @@ void main() {
         color = sampleAt(first);
         return;
     }
-    // Lanes of a software device that draw nothing take one turn.
+    // Idle lanes of a software device take one iteration.
     vec4 sum = vec4(0.0);
     ivec2 at = ivec2(0);
     int taken = 0;
     do {
         vec4 one = sampleAt(first + at);
-        // Highlights end at white, as in 8 bits.
+        // Highlights clamp to white, as in 8 bits.
         sum += vec4(kCoded ? linearFromSrgb(one.rgb) : min(one.rgb, one.a), one.a);
         at = at.x + 1 < samples ? ivec2(at.x + 1, at.y) : ivec2(0, at.y + 1);
         ++taken;

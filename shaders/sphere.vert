@@ -1,7 +1,7 @@
 #version 440
 // The impostor polygon of a sphere: flat, at the sphere's nearest depth, around its silhouette.
 //   LOOK     passes data for shading; with ATOM the atom's number in place of the colour
-//   FETCHED  with LOOK: passes the centre and where the patch is, by which the fragment stage fetches the rest
+// FETCHED  with LOOK: passes the centre and the patch position, from which the fragment stage fetches the rest
 //   NUMBER   passes the primitive's number
 #extension GL_GOOGLE_include_directive : require
 #include "common/atlas.glsl"
@@ -21,7 +21,7 @@ layout(location = 1) in uvec2 inLook;
 #ifdef ATOM
 layout(location = 1) flat out uint atom;
 #else
-layout(location = 1) flat out vec3 base;  // linear colour: made once a primitive, not once a pixel
+layout(location = 1) flat out vec3 base;  // linear colour, converted per primitive
 #endif
 layout(location = 2) flat out vec2 place;  // of its patch
 #endif
@@ -52,7 +52,7 @@ void main() {
 #endif
     Outline outline = sphereOutline(center, reachOf(center.z, radius));
     vec2 q = outline.center + outline.axisU * inCorner.x + outline.axisV * inCorner.y;
-    // With inclined facets a corner moved by the rasteriser changes depth.
+    // With inclined facets, a corner moved by the rasteriser would change depth.
     float front = radius * inCorner.z + (kCorners == 9 ? 2.0 * snapReach() : 0.0) + kCapRoom;
     if (isCutOff(center)) q = outline.center;
     gl_Position = clipPosition(q, encodedDepth(view.origin - center.z - front));

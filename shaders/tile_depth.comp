@@ -16,7 +16,7 @@
 #include "common/tile_lists.glsl"
 
 layout(push_constant) uniform Push { MapConstants push; };
-// Heights are bound twice, as they are read and as they are written.
+// Heights have two bindings: for reading and for writing.
 #ifdef TEXELS
 layout(set = 0, binding = 2) uniform usamplerBuffer listTexels;
 layout(set = 0, binding = 3) uniform samplerBuffer heightTexels;
@@ -30,7 +30,7 @@ uint listAt(uint i) { return lists[i]; }
 float heightAt(uint i) { return heights[i]; }
 #endif
 
-const int kPixels = kTile * kTile / kLanes;  // of a lane: number i x kLanes + lane of the tile, row by row
+const int kPixels = kTile * kTile / kLanes;  // per lane: pixels i x kLanes + lane of the tile, row by row
 const float kNothing = -1e30;
 
 void main() {
@@ -54,7 +54,7 @@ void main() {
     uint at = listAt(list), end = listAt(list + 1u);
     uvec2 own = corner + uvec2(lane % uint(kTile), lane / uint(kTile));
     uint pitch = view.across * uint(kTile * kTilesInBin);
-    // A map's own pixels, so that it is the same wherever it stands.
+    // Pixel within its map, so that a map does not depend on its position.
     uvec2 map = bin / bins;
     uint firstCopy = (map.y * (view.across / bins) + map.x) * copies;
     uvec2 inMap = corner - map * bins * uint(kTile * kTilesInBin);
@@ -70,12 +70,12 @@ void main() {
     bool more = true;
     do {
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-        // Parts beyond a map's edge show on no map.
+        // Parts beyond a map's edge belong to no map.
         bool mine = at + lane < end && copyIndex - firstCopy < copies;
         uint balls = ballotOf(mine && e.meets && !e.cylinder);
         do {
             vec4 sphere = handed(e.a, lowestOf(balls));
-            // sphereHitThrough() with the terms common to a column computed first.
+            // sphereHitThrough() with the terms common to a column hoisted.
             float square = balls != 0u ? sphere.w * sphere.w : -1.0;
             for (int i = 0; i < kPixels; ++i) {
                 vec2 away = through[i] - sphere.xy;

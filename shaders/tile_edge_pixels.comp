@@ -1,8 +1,8 @@
 #version 440
-// Finds the edge pixels of the `tiles` path's picture: those whose sight differs from one of their four neighbours'
-// (any straight edge through a pixel separates its centre from one of theirs), and with a different colour, where
-// colours are known. A subgroup processes a bin, each lane a column four pixels wide, and lists the pixels in groups of
-// as many as it has lanes, so that drawing always fills them.
+// Finds edge pixels of the `tiles` path's picture: their sight differs from one of their four neighbours' (any straight
+// edge through a pixel separates its centre from one of theirs), and, where colours are known, so does the colour. A
+// subgroup processes a bin, each lane a column four pixels wide, and lists pixels in groups of one per lane, so that
+// drawing always fills the lanes.
 //   TEXELS   as in common/streams.glsl
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -19,7 +19,7 @@ layout(local_size_x_id = 50) in;  // kLanesId
 #include "common/lanes.glsl"
 layout(constant_id = kContoursId) const bool kContours = false;
 layout(constant_id = kEverywhereId) const bool kEverywhere = false;
-// Pixels are coded words, and edges are written among them; otherwise edges are halves, with a value for no edge.
+// Pixels are coded words, and edges overwrite them; otherwise edges are halves, with a value that means no edge.
 layout(constant_id = kRowsId) const bool kRows = false;
 
 #ifdef TEXELS
@@ -49,7 +49,7 @@ struct Row {
 };
 Row rowAt(uint quad) { return Row(numbersAt(quad), kRows ? colorsAt(quad) : uvec4(0u)); }
 
-/// Whether coded colours differ by 4 of 255 or more. Smaller differences show no staircase, and cost 42 dB.
+/// Whether coded colours differ by 4 of 255 or more. Smaller differences show no staircase: skipping them keeps 42 dB.
 bvec4 apart(uvec4 a, uvec4 b) {
     const uvec4 bytes = uvec4(0x00ff00ffu), room = uvec4(0x02040204u), within = uvec4(0x03f803f8u), none = uvec4(0x02000200u);
     uvec4 even = ((a & bytes) + room - (b & bytes)) & within, odd = ((a >> 8 & bytes) + room - (b >> 8 & bytes)) & within;
@@ -58,12 +58,12 @@ bvec4 apart(uvec4 a, uvec4 b) {
 /// 1 where a boundary lies between pixels.
 uvec4 parts(Row a, Row b) {
     uvec4 differs = uvec4(notEqual(a.sights, b.sights));
-    // Between equal colours there may be an outline narrower than a pixel.
+    // Equal colours may still have an outline narrower than a pixel between them.
     return kRows && !kContours ? differs & uvec4(apart(a.colors, b.colors)) : differs;
 }
 
-/// The pixels to the left of a row of four, or to the right. Beyond the picture its last pixels repeat.
-/// @param at  of the four @param last  there is no neighbour
+/// The pixels left or right of a row of four. At the picture's border the last pixels repeat.
+/// @param at  position of the four @param last  there is no neighbour
 Row leftOf(Row row, uint at, bool last) {
     Row beside = rowAt(last ? at : at - 1u);
     return Row(uvec4(last ? row.sights.x : beside.sights.w, row.sights.xyz),
@@ -77,7 +77,7 @@ Row rightOf(Row row, uint at, bool last) {
 
 uint lowestOf(uint bits) { return bits == 0u ? 0u : (floatBitsToUint(float(bits & (0u - bits))) >> 23) - 127u; }
 
-/// @param bits  of pixels from a corner on @param to  where they are listed
+/// @param bits  of pixels from a corner on @param to  where to list them
 void list(uint bits, uvec2 corner, uint to) {
     bool more = true;
     do {
@@ -91,25 +91,25 @@ void list(uint bits, uvec2 corner, uint to) {
 
 void main() {
     uint lane = gl_SubgroupInvocationID;
-    // If rows of workgroups are uneven, the last bin is processed again, but not listed again.
+    // If rows of workgroups are uneven, the last bin is processed twice but listed once.
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    uint bins = view.offsets / uint(kTilesInBin * kTilesInBin);  // that have tiles
-    // x | y << 16; 1 << 31 where the bin may show primitives between the centres of pixels
+    uint bins = view.offsets / uint(kTilesInBin * kTilesInBin);  // bins with tiles
+    // x | y << 16; bit 31: the bin may show primitives between pixel centres
     uint tile = listAt(min(group, bins - 1u) * uint(kTilesInBin * kTilesInBin));
     uint quadsAcross = view.across * uint(kQuadsAcross), height = edgePixels[1];
     uint x = (tile & 0xffffu) / uint(kTilesInBin) * uint(kQuadsAcross) + lane % uint(kQuadsAcross);
     uint y = (tile >> 16 & 0xfffu) / uint(kTilesInBin) * uint(kBin) + lane / uint(kQuadsAcross) * uint(kRowsOfLane);
 
-    uint found = 0u, foundBelow = 0u;  // one bit per pixel, row by row; below the eighth row, if a lane has as many
+    uint found = 0u, foundBelow = 0u;  // one bit per pixel, row by row; foundBelow holds rows from the eighth on
     uint at = y * quadsAcross + x;
-    bool first = x == 0u, final = x + 1u == quadsAcross;  // of its row
+    bool first = x == 0u, final = x + 1u == quadsAcross;  // in its row
     Row last = rowAt(y > 0u ? at - quadsAcross : at), here = rowAt(at);
     for (int r = 0; r < kRowsOfLane; ++r) {
         uint below = y + uint(r) + 1u < height ? at + quadsAcross : at;
         Row next = rowAt(below);
         uvec4 edge = parts(here, last) | parts(here, next) | parts(here, leftOf(here, at, first)) |
                      parts(here, rightOf(here, at, final));
-        // The sight may change inside a pixel, without a neighbour.
+        // The sight may change within a pixel while its neighbours agree.
         if (kContours) edge |= uvec4(equal(here.sights & kChanges, uvec4(kChanges)));
         if (kEverywhere && (kContours || tile >> 31 != 0u)) edge = uvec4(1u);
         uint bits = (edge.x | edge.y << 1 | edge.z << 2 | edge.w << 3) << uint(4 * (r & 7));

@@ -1,8 +1,8 @@
 #version 440
 // Edges of the `tiles` path: draws the pixels listed by tile_edge_pixels.comp with 16 samples each, one pixel per lane.
-// Samples see primitives at the centre of the pixel or one of its eight neighbours; if primitives may be smaller, the
-// bin's list is searched as in tile_nearest.comp. Then each visible primitive is shaded once, at the centre of its
-// samples, and weighted by their number.
+// Candidates of a sample are the primitives at the centres of the pixel and its eight neighbours; where primitives may
+// be smaller, the bin's list is searched as in tile_nearest.comp. Then each visible primitive is shaded once, at the
+// mean of its samples, and weighted by their number.
 //   TEXELS, CYLINDERS, TRIANGLES, MESHES, USUAL   as in tile_nearest.comp
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -24,7 +24,7 @@
 #include "common/count.glsl"
 
 layout(push_constant) uniform Push { TileConstants push; };
-// Edges go as coded words among the other pixels; else as halves.
+// Edges overwrite coded words of the picture; otherwise they are halves.
 layout(constant_id = kRowsId) const bool kRows = false;
 
 #ifdef TEXELS
@@ -59,9 +59,9 @@ const uint kNothing = 0xffffffffu;
 vec2 corner;  // of the lane's pixel
 float nearest[kSamples];  // Hit::order
 uint seen[kSamples];      // sights
-bool holes = false;       // samples that see nothing do so for want of candidates
+bool holes = false;  // samples without a hit may lack candidates
 
-/// At equal distances the last wins: equal entries are listed in order of numbers.
+/// At equal distances the last one wins: list entries are ordered by number.
 void keep(int i, bool inside, float Z, uint sight) {
     bool wins = inside && Z <= nearest[i];
     nearest[i] = wins ? Z : nearest[i];
@@ -83,7 +83,7 @@ void keepSphere(vec4 sphere, uint number, bool live) {
         }
         return;
     }
-    // sphereHitThrough() with the terms common to all samples factored out.
+    // sphereHitThrough() with the terms common to all samples hoisted.
     vec2 away = planePoint(corner) - sphere.xy;
     float square = live ? sphere.w * sphere.w : 0.0, front = view.origin - sphere.z;
     for (int i = 0; i < kSamples; ++i) {
@@ -102,14 +102,14 @@ void keepFacet(vec3 a, vec3 b, vec3 c, uint joins, uint number, bool live) {
         }
         return;
     }
-    // triangleHitThrough(), which is linear in the position: the corners' weights, depth (perspective: its reciprocal),
-    // and the functions of the weights that select the look.
+    // triangleHitThrough() is linear in the position: the corners' weights, depth (perspective: its reciprocal), and
+    // the functions of the weights that select the look.
     vec2 q = planePoint(corner), pa = a.xy - q, pb = b.xy - q, pc = c.xy - q;
     vec3 sides = vec3(edgeSide(pb, pc), edgeSide(pc, pa), edgeSide(pa, pb));
     float sum = sides.x + sides.y + sides.z;
     float unit = 1.0 / (sum == 0.0 ? 1.0 : sum);
     vec3 heights = vec3(a.z, b.z, c.z), joined = vec3(joins & 1u, joins >> 1 & 1u, joins >> 2);
-    mat3 shares;  // here, and by how much they grow along the plane's axes
+    mat3 shares;  // at the pixel, and their gradients along the plane's axes
     shares[0] = sides * unit;
     shares[1] = vec3(b.y - c.y, c.y - a.y, a.y - b.y) * unit;
     shares[2] = vec3(c.x - b.x, a.x - c.x, b.x - a.x) * unit;
@@ -120,7 +120,7 @@ void keepFacet(vec3 a, vec3 b, vec3 c, uint joins, uint number, bool live) {
         depth[k] = dot(shares[k], heights);
         alike[k] = inSpace + joined * inSpace.yzx + joined.zxy * inSpace.zxy;
     }
-    // Two that are equal up to rounding resolve to the first.
+    // Ties up to rounding resolve to the first.
     alike[0] += vec3(2e-6, 1e-6, 0.0) * (kPerspective ? abs(a.z) : 1.0);
     live = live && sum != 0.0;
     for (int i = 0; i < kSamples; ++i) {
@@ -129,7 +129,7 @@ void keepFacet(vec3 a, vec3 b, vec3 c, uint joins, uint number, bool live) {
         float along = depth.x + depth.y * d.x + depth.z * d.y;
         vec3 looks = alike[0] + alike[1] * d.x + alike[2] * d.y;
         uint flag = looks.x >= max(looks.y, looks.z) ? 0u : looks.y >= looks.z ? kSecondHalf : kThirdCorner;
-        // No sample may fall between two that meet there.
+        // No sample may fall between two triangles that meet there.
         bool inside = live && min(here.x, min(here.y, here.z)) >= -1e-5;
         keep(i, inside, kPerspective ? 1.0 / along : along, number | flag);
     }
@@ -143,14 +143,14 @@ void seeNothing() {
     }
 }
 
-/// Whether the rest of a list may be in front of some sample. @param next  of the chunk's last lane, as entryAt()
+/// Whether the rest of a list may be in front of some sample. @param next  from the chunk's last lane, as in entryAt()
 bool goesOn(uint at, uint end, float next) {
     float farthest = nearest[0];
     for (int i = 1; i < kSamples; ++i) farthest = max(farthest, nearest[i]);
     return at < end && anyLane(encodedDepth(farthest) >= subgroupShuffle(next, uint(kLanes - 1)));
 }
 
-/// Draws the bin's list into the samples of the lanes' pixels. @param lane  of the subgroup
+/// Draws the bin's list into the samples of the lanes' pixels. @param lane  index in the subgroup
 void sampleList(uint at, uint end, uint lane) {
     vec2 low = corner, high = corner;
     for (uint i = 0u; i < uint(kLanes); ++i) {
@@ -165,7 +165,7 @@ void sampleList(uint at, uint end, uint lane) {
     bool more = true;
     do {
 #ifdef TRIANGLES
-        // Where a list holds few but triangles, a chunk without others takes no turn of their loops.
+        // In lists of triangles only, a chunk skips the loops of other kinds.
         uint balls, sticks;
         Entry e;
         do {
@@ -206,7 +206,7 @@ void sampleList(uint at, uint end, uint lane) {
 }
 
 #ifndef TRIANGLES
-/// Removes the lowest of some candidates. @returns it, or kNothing if none is left
+/// Removes the lowest of some candidates. @returns it; kNothing if none is left
 uint lowestOut(inout uint candidates[9]) {
     uint lowest = kNothing;
     for (int i = 0; i < 9; ++i) lowest = min(lowest, candidates[i]);
@@ -219,14 +219,14 @@ bool anyOf(uint candidates[9]) {
     return anyLane(all != kNothing);
 }
 
-/// Draws the primitives at the centres of the surrounding pixels into a pixel's samples.
+/// Draws the primitives at the centres of surrounding pixels into a pixel's samples.
 void sampleNeighbours(ivec2 pixel) {
     ivec2 last = ivec2(int(view.across), int(edgePixelAt(1u))) * ivec2(kTile * kTilesInBin, 1) - 1;
     uint candidates[9];
     holes = true;
     for (int i = 0; i < 9; ++i) {
         ivec2 p = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), last);
-        // Numbers from 0; no primitive becomes kNothing.
+        // Numbers from 0; none equals kNothing.
         candidates[i] = numberAt(uint(p.y * (last.x + 1) + p.x)) & kNumber;
         holes = holes && candidates[i] != 0u;
         candidates[i] -= 1u;

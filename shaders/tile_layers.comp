@@ -19,7 +19,7 @@
 #include "common/layers.glsl"
 
 layout(push_constant) uniform Push { TileConstants push; };
-const int kPixels = kTile * kTile / kLanes;  // of a lane: number i x kLanes + lane of the tile, row by row
+const int kPixels = kTile * kTile / kLanes;  // per lane: pixels i x kLanes + lane of the tile, row by row
 
 #ifdef TEXELS
 layout(set = 0, binding = 2) uniform usamplerBuffer listTexels;
@@ -34,11 +34,11 @@ vec2 through[kPixels];
 float first[kPixels], second[kPixels];
 uint firstNumber[kPixels], secondNumber[kPixels];
 
-/// The first becomes second if something is in front of it, unless both are one layer.
+/// The first layer becomes the second if something is in front of it, unless both are one layer.
 void keep(int i, Hit hit, uint candidate, bool live) {
     float d = encodedDepth(hit.order);
     bool inside = live && hit.inside;
-    // At equal depths the last wins, as with a depth test that lets them pass.
+    // At equal depths the last wins, as with a LESS_OR_EQUAL test.
     bool before = inside && (d < first[i] || (d == first[i] && candidate > firstNumber[i]));
     float least = before ? d : first[i];
     bool pushed = before && first[i] > least + kLayerStep;
@@ -53,7 +53,7 @@ void keep(int i, Hit hit, uint candidate, bool live) {
 void main() {
     view = push;
     uint lane = gl_SubgroupInvocationID;
-    // Where rows of workgroups do not come out even, the last tile is drawn again.
+    // If rows of workgroups are uneven, the last tile is drawn again.
     uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets - 1u);
     uint tile = listAt(group);
     uvec2 corner = cornerOf(tile);
@@ -69,7 +69,7 @@ void main() {
     }
     vec2 middle = planePoint(vec2(corner) + float(kTile / 2));
     vec2 reach = vec2(float(kTile / 2) * view.pixel);
-    bool more = true;  // tiles of empty bins are not drawn
+    bool more = true;  // empty bins have no tiles
     do {
         bool mine = at + lane < end;
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
@@ -87,7 +87,7 @@ void main() {
         for (int i = 1; i < kPixels; ++i) farthest = max(farthest, second[i]);
         more = at < end && anyLane(farthest >= subgroupShuffle(e.next, uint(kLanes - 1)));
     } while (more);
-    // Row by row of all bins.
+    // Row by row over all bins.
     uint pitch = view.across * uint(kTile * kTilesInBin);
     uint here = (corner.y + lane / uint(kTile)) * pitch + corner.x + lane % uint(kTile);
     for (int i = 0; i < kPixels; ++i) {

@@ -1,5 +1,5 @@
 #version 440
-// The mean of a tile's fragments: a pixel here is a tile there.
+// The mean of a tile's fragment counts: one pixel per tile.
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 

@@ -4,12 +4,11 @@
 // as many entries as it has lanes: each lane fetches one and tests it against the tile; entries that pass are broadcast.
 // It ends where the next entry begins behind the tile's farthest pixel.
 //   TEXELS      as in common/streams.glsl
-//   CYLINDERS, TRIANGLES   the scene has some; MESHES: triangles alone
+// CYLINDERS, TRIANGLES   the scene has some; MESHES: triangles only
 //   USUAL       as in common/usual.glsl
-//   SHADED      what is written of a pixel is not its number, but its colour, sRGB-coded, and row by row
-//   RIMS        of that, lines and halos are found by a second walk of the list, and laid over
-// A driver that runs a loop's body once before it looks whether to leave (lavapipe 22.3) has the loops that it wants:
-// what a turn too many tests does not win.
+// SHADED      writes sRGB-coded colours instead of numbers, row by row
+// RIMS        with SHADED: finds lines and halos in a second pass over the list, and composites them
+// lavapipe 22.3 runs each loop body at least once; the extra iteration is harmless.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -41,7 +40,7 @@
 #endif
 
 layout(push_constant) uniform Push { TileConstants push; };
-const int kPixels = kTile * kTile / kLanes;  // of a lane: number i x kLanes + lane of the tile, row by row
+const int kPixels = kTile * kTile / kLanes;  // per lane: pixels i x kLanes + lane of the tile, row by row
 
 #ifdef TEXELS
 layout(set = 0, binding = 2) uniform usamplerBuffer listTexels;
@@ -67,7 +66,7 @@ float nearest[kPixels];
 uint number[kPixels];
 
 #ifdef RIMS
-/// Of the samples of a picture's pixels, which stand as those of an edge do, 4 x 4 are one of its pixels.
+/// The samples of a picture's pixel are 4 x 4 pixels of this frame, positioned as those of an edge.
 vec2 sampledAt(vec2 pixel) {
     uvec2 p = uvec2(pixel), own = p & 3u;
     vec2 among = vec2(p - own) + 4.0 * sampleAt(int(4u * own.y + own.x));
@@ -77,7 +76,7 @@ vec2 sampledAt(vec2 pixel) {
 vec2 sampledAt(vec2 pixel) { return pixel; }
 #endif
 
-/// Whether what follows in a list may come before what some pixel sees. @param next  of the chunk's last lane, as entryAt()
+/// Whether the rest of a list may be in front of some pixel. @param next  from the chunk's last lane, as in entryAt()
 bool goesOn(uint at, uint end, float next) {
     float farthest = nearest[0];
     for (int i = 1; i < kPixels; ++i) farthest = max(farthest, nearest[i]);
@@ -90,7 +89,7 @@ bool goesOn(uint at, uint end, float next) {
 
 void keep(int i, Hit hit, uint candidate, bool live) {
     float depth = encodedDepth(hit.order);
-    // At equal depths the last wins, as with a depth test that lets them pass.
+    // At equal depths the last wins, as with a LESS_OR_EQUAL test.
     bool wins = live && hit.inside && (depth < nearest[i] || (depth == nearest[i] && candidate > number[i]));
     nearest[i] = wins ? depth : nearest[i];
     number[i] = wins ? candidate : number[i];
@@ -124,7 +123,7 @@ uint sightAt(uint number, vec2 q) {
     return number == 0u ? 0u : sight;
 }
 
-/// Marks a sight that changes from one corner of its pixel to another: the tip of a contour line.
+/// Marks a sight that changes between corners of its pixel: the tip of a contour line.
 uint marked(uint sight, vec2 pixel, float width, float depth) {
     if (!kContours || !kNumbered) return sight;
     view.contourWidth = width;
@@ -147,7 +146,7 @@ layout(set = 0, binding = 8, std430) writeonly buffer PixelNumbers { uint pixelN
 const uint kBalls = 0u, kSticks = 1u, kFacets = 2u;
 
 #ifdef RIMS
-/// Coded colour under halos and lines. @param seen  linear, premultiplied
+/// Coded colour with halos and lines. @param seen  linear, premultiplied
 uint rimmed(vec4 seen, uint rimWord) {
     vec4 shown = underRim(seen, unpackUnorm4x8(rimWord).rgb);
     return packUnorm4x8(vec4(asTargetTakesIt(shown.rgb), shown.a));
@@ -200,7 +199,7 @@ Hit facetHit(uint index, vec2 q) { return facetHitThrough(facetOf(index), q); }
 #endif
 #endif
 
-/// @param index  number of the tile among those of the lists @param last  of those of the group
+/// @param index  number of the tile in the lists @param last  last tile of the group
 void drawTile(uint index, bool last) {
     uint lane = gl_SubgroupInvocationID;
     uint tile = listAt(index);
@@ -218,7 +217,7 @@ void drawTile(uint index, bool last) {
         behindZ[i] = 1e30;
 #endif
     }
-    // Row by row of all bins.
+    // Row by row over all bins.
     uint pitch = view.across * uint(kTile * kTilesInBin);
     uint here = (corner.y + lane / uint(kTile)) * pitch + corner.x + lane % uint(kTile);
     uint seeds[kPixels];
@@ -232,13 +231,13 @@ void drawTile(uint index, bool last) {
     float width = view.contourWidth, depth = view.contourDepth;
 #ifdef RIMS
     uint begin_ = at;
-    // Contour lines that are rims are none of what is nearest; nor are there any without a width.
+    // Contour lines drawn as rims are no hits; neither are lines without a width.
     view.contourWidth = effects.lineWidth > 0.0 || width == 0.0 ? -1e30 : width;
 #endif
     bool more = true;  // the word before an empty list is the number of a primitive
     do {
 #ifdef TRIANGLES
-        // Where a list holds few but triangles, a chunk without others takes no turn of their loops.
+        // In lists of triangles only, a chunk skips the loops of other kinds.
         uint balls, sticks;
         Entry e;
         do {
@@ -290,11 +289,11 @@ void drawTile(uint index, bool last) {
     view.contourWidth = chosenWidth;
     if (chosenWidth > 0.0)
 #endif
-    view.contourWidth = 1e9;  // what was chosen and is not inside is on the line
+    view.contourWidth = 1e9;  // a chosen candidate that is not inside is on the line
     view.contourDepth = 0.0;
 #ifdef SHADED
 #ifdef CYLINDERS
-    // Empty pixels are cleared, but for halos and lines over them, and seeds that turn out to show nothing.
+    // Clears empty pixels, except for halos and lines over them, and for initial hits that turn out to be misses.
 #ifdef RIMS
     for (int i = 0; i < kPixels; ++i) {
         uvec2 on = uvec2(i * kLanes) / uvec2(1u, kTile) % uint(kTile);
@@ -319,7 +318,7 @@ void drawTile(uint index, bool last) {
     if (kTriangles) shadeFacets(leftFacets, last, corner, pitch, lane, width, depth);
 #endif
 #else
-    // A turn for the pixels of all lanes, unrolled by no compiler, unless all of them are empty.
+    // One iteration for the pixels of all lanes, not unrolled; skipped if all are empty.
     uint shown = 0u;
     for (int i = 0; i < kPixels; ++i) shown |= number[i] != 0u ? 1u << i : 0u;
     shown = bitsOfAll(shown);
@@ -361,10 +360,11 @@ void drawTile(uint index, bool last) {
 
 void main() {
     view = push;
-    // Where rows of workgroups do not come out even, the last tile is drawn again.
+    // If rows of workgroups are uneven, the last tile is drawn again.
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
 #ifdef SHADED
-    // A software device takes as long to begin a workgroup as to shade some rows of pixels: each draws several tiles.
+    // On a software device, starting a workgroup costs as much as shading some rows of pixels: each draws several
+    // tiles.
     float width = view.contourWidth, depth = view.contourDepth;
     uint groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y, ofGroup = (view.offsets + groups - 1u) / groups;
     uint at = min(group * ofGroup, view.offsets - 1u), end = min(at + ofGroup, view.offsets);

@@ -1,6 +1,6 @@
 #version 440
-// Colours of pixels whose nearest sphere or cylinder the host knows (engine/software/front_shapes.h), sorted by kind, so
-// that no lane waits for one of another kind. Of a few pixels it knows all that they may show. For software devices.
+// Colours of pixels whose nearest sphere or cylinder the host found (engine/software/front_shapes.h), sorted by kind,
+// so that lanes of a subgroup take the same branch. A few pixels have several candidates. For software devices.
 #extension GL_GOOGLE_include_directive : require
 #define TILES
 #define COPY_OF_PIXEL
@@ -17,8 +17,8 @@ layout(local_size_x_id = 50) in;  // kLanesId
 layout(push_constant) uniform Push { TileConstants push; };
 layout(set = 0, binding = 2) uniform usamplerBuffer pairs;
 layout(set = 0, binding = 3, std430) writeonly buffer Colors { uint colors[]; };
-// A pixel and its number are read at once. Software devices read pairs lane by lane: processors fetch what follows from
-// memory ahead of such plain loads, but not ahead of gathered words.
+// Loads a pixel and its number together. Software devices load pairs lane by lane: processors prefetch such plain
+// loads, but not gathered words.
 uvec2 pairAt(uint i) { return texelFetch(pairs, int(i)).xy; }
 uint wordAt(uint i) {
     uvec2 pair = pairAt(i / 2u);
@@ -38,7 +38,7 @@ uint stickColor(uint number, vec2 q, const bool sideKnown) {
     return colorOf(seenStick(place(number), q, sideKnown), q);
 }
 
-/// The part of some things that this workgroup has, of full subgroups.
+/// The range of a list for this workgroup, in whole subgroups.
 uvec2 shareOf(uint count) {
     uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y, lanes = uint(kLanes);
@@ -46,10 +46,10 @@ uvec2 shareOf(uint count) {
     return min(uvec2(group, group + 1u) * each * lanes, count);
 }
 
-/// A lane's pixel of a share, and its number; of an empty share any. Asked for while the pixels before it are shaded.
+/// A lane's pixel of a range, and its number; arbitrary if the range is empty. Loaded while earlier pixels are shaded.
 uvec2 listed(uint at, uvec2 share, uint lane) { return pairAt(at + min(share.x + lane, share.y - 1u)); }
 
-/// The nearest of what a pixel may show. @param number  0: nothing
+/// The nearest of a pixel's candidates. @param number  0: none
 void settle(inout uint number, uint candidate, inout float nearest, vec2 q) {
     uint index = place(max(candidate, 1u)), at = index < view.spheres ? index : 2u * index - view.spheres;
     vec4 a = shapeAt(at), b = shapeAt(at + 1u);

@@ -23,7 +23,7 @@ uint numberAt(uint i) { return texelFetch(numberTexels, int(i)).x; }
 layout(set = 0, binding = 3, std430) readonly buffer Numbers { uint pixelNumbers[]; };
 uint numberAt(uint i) { return pixelNumbers[i]; }
 #endif
-layout(location = 0) flat in vec4 row0;  // all as tile_span.vert has them
+layout(location = 0) flat in vec4 row0;  // from tile_span.vert
 layout(location = 1) flat in vec4 row1;
 layout(location = 2) flat in vec4 row2;
 layout(location = 3) flat in vec4 pixels;

@@ -1,7 +1,7 @@
 #version 440
-// A row of bins in which something may show. What shading needs of the view goes along, flat: as push constants of the
-// fragment stage each would be gathered lane by lane for every pixel (lavapipe 22.3).
-//   PLACE   the pixels in a row go along, and nothing else
+// A row of bins that may show something. Passes the view constants for shading as flat varyings: as push constants of
+// the fragment stage, lavapipe 22.3 would gather them lane by lane for every pixel.
+// PLACE   passes the pitch only
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 

@@ -1,11 +1,11 @@
 #version 440
-// A polygon of three corners around a triangle, flat, at its nearest depth; or, as a plate, inside of it and at its
-// farthest. No instances: three consecutive vertices form a triangle, which is fetched by its number.
+// A polygon of three corners around a triangle, flat, at its nearest depth; or as a plate inside it, at its farthest
+// depth. Not instanced: three consecutive vertices form a triangle, fetched by its number.
 //   READS    as in common/fetch.glsl
 //   LOOK     passes data for shading; with ATOM the atoms' numbers in place of the colours
-//   FETCHED  passes the triangle's number alone: the fragment stage fetches the rest
+// FETCHED  passes the triangle's number only: the fragment stage fetches the rest
 //   NUMBER   passes the primitive's number
-//   PLATE    the polygon is fully inside the triangle's picture, behind it
+// PLATE    the polygon is fully inside the triangle's picture and behind it
 #extension GL_GOOGLE_include_directive : require
 #include "common/facet.glsl"
 
@@ -39,7 +39,7 @@ float nearZ(vec3 a, vec3 b, vec3 c) {
 }
 
 void main() {
-    // Its number by three, for numbers below 2^26 and in a third of the steps that drivers take: 4096 is 3 * 1365 + 1.
+    // Division by three for numbers below 2^26, with a third of the instructions of drivers: 4096 is 3 * 1365 + 1.
     uint high = uint(gl_VertexIndex) >> 12, sum = high + (uint(gl_VertexIndex) & 4095u), third = sum * 21846u >> 16;
     uint triangle = 1365u * high + third;
     int corner = int(sum - 3u * third);
@@ -63,19 +63,19 @@ void main() {
     vertices = f.vertices;
 #endif
 #ifdef NUMBER
-    // After the copy's spheres and cylinders.
+    // Numbers follow the copy's spheres and cylinders.
     primitive = view.numberBefore + view.spheres + view.cylinders + triangle + 1u;
 #endif
-    // All edges moved outwards by a margin: the triangle, grown about its incentre, which is the mean of the corners by
-    // the lengths of the opposite edges. Lengths along the axes, |x| + |y|, are no shorter than those: that moves each
-    // edge by the margin at least, without a root. From corner a on, where the way of a corner is one of
-    // 0, ab and -ca: grown by (way * around - mean) * margin / area, mean = longB * ab - longC * ca.
+    // Moves all edges outwards by at least a margin: scales the triangle about its incentre, the mean of the corners
+    // weighted by the lengths of the opposite edges. |x| + |y| replaces the length, which is never shorter, so no root
+    // is needed. From corner a on, where the path of a corner is 0, ab or -ca: offset = (path * perimeter - mean) *
+    // margin / area, with mean = longB * ab - longC * ca.
     vec2 ab = b.xy - a.xy, ca = a.xy - c.xy, bc = c.xy - b.xy;
     float longA = abs(bc.x) + abs(bc.y), longB = abs(ca.x) + abs(ca.y), longC = abs(ab.x) + abs(ab.y);
     float around = longA + longB + longC;
-    float turned = edgeSide(ab, ca), area = abs(turned);  // twice
+    float turned = edgeSide(ab, ca), area = abs(turned);  // twice the area
     bool away = kFrontsOnly && turned > 0.0 && area > 1e-3 * around * around;
-    // The rasteriser may move a corner by the snap margin, and the floats above are right to some 1e-6 of the picture.
+    // Margin: the rasteriser's snap, and rounding of the values above (about 1e-6 of the picture).
     float margin = 1.5 * snapReach() + 4e-6 * (abs(a.x) + abs(a.y) + around);
 #ifdef PLATE
     margin = -margin;
@@ -92,7 +92,7 @@ void main() {
     gl_Position = clipPosition(q, encodedDepth(Z + 1e-4 * (Z - view.depthStart)) + 1e-6);
 #else
     if (area < 5e-3 * around * around) {
-        // A splinter: the outset corners would be far away. Half of a box twice as large contains it.
+        // A sliver: its moved corners would be far away. Half of a box of twice the size contains it.
         vec2 low = min(a.xy, min(b.xy, c.xy)) - margin, size = max(a.xy, max(b.xy, c.xy)) + margin - low;
         q = low + 2.001 * size * vec2(corner == 1, corner == 2);
     }

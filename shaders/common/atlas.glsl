@@ -6,12 +6,12 @@
 #include "divide.glsl"
 #include "view.glsl"
 
-/// Rows of `inRow` patches that `patches` take.
+/// Rows needed for `patches` patches, `inRow` per row.
 uint rowsOf(uint patches, uint inRow) { return dividedSmall(patches + inRow - 1u, inRow).x; }
 uint sphereEdge() { return view.patchTexels & 0xffu; }
 uvec2 cylinderTexels() { return uvec2(view.patchTexels >> 8 & 0xffu, view.patchTexels >> 16 & 0xffu); }
 
-/// Column of a sphere's patch | its row << 16. Fragments find the sphere and its patch by it without a division.
+/// Column of a sphere's patch | its row << 16: fragments find the sphere and its patch without a division.
 /// @param index  within its copy
 uint sphereCell(uint index) {
     uvec2 at = dividedSmall(index, view.patchesInRow & 0xffffu);
@@ -26,10 +26,10 @@ uint cylinderPatch(uint index) {
     return at.x | (at.y + top) << 16;
 }
 
-// Shaders interpolate occlusion themselves, as its cells are: else the sampler does.
+// With kCells shaders interpolate occlusion from cells; otherwise the sampler does.
 layout(constant_id = kCellsId) const bool kCells = false;
 
-/// A patch by its first texel, as shaders look it up: that texel or, for the sampler, its coordinate.
+/// Position of a patch for a look-up: its first texel or, for the sampler, its coordinate.
 vec2 placeOfTexel(vec2 corner) {
     precise vec2 coordinate = (corner + 0.5) * view.atlasTexel;
     return kCells ? corner : coordinate;
@@ -37,7 +37,7 @@ vec2 placeOfTexel(vec2 corner) {
 vec2 patchPlace(uint address) { return placeOfTexel(vec2(address & 0xffffu, address >> 16)); }
 vec2 placeOfCell(uint cell) { return placeOfTexel(vec2(cell & 0xffffu, cell >> 16) * float(sphereEdge())); }
 
-/// Where a vertex's texel stands. @param side  0 the outer one, 1 the inner one @param cylinders  that have patches
+/// Position of a vertex's texel. @param side  0 outer, 1 inner @param cylinders  with patches
 ivec2 vertexPlace(uint vertex, uint side, uint cylinders) {
     uint top = rowsOf(view.spheres, view.patchesInRow & 0xffffu) * sphereEdge() +
                rowsOf(cylinders, view.patchesInRow >> 16) * cylinderTexels().y;

@@ -21,7 +21,7 @@ layout(set = 0, binding = SHADOW) uniform sampler2D shadowMap;
 layout(constant_id = kOcclusionId) const bool kOcclusion = true;
 USUALLY(kCapId) const int kCap = 0;
 USUALLY(kShadowId) const bool kShadow = false;
-// The target takes sRGB-coded colour as it is; otherwise linear light.
+// kCoded: the target takes sRGB-coded colour; otherwise linear light.
 layout(constant_id = kCodedId) const bool kCoded = false;
 
 #include "copy_color.glsl"
@@ -29,14 +29,14 @@ layout(constant_id = kCodedId) const bool kCoded = false;
 /// A cell lies between four texels of a patch.
 struct Cell {
     vec2 first;  // of the texels
-    vec2 share;  // of the others
+    vec2 share;  // weights of the right and lower texels
 };
 Cell cellOf(vec2 uv, vec2 texels) {
     precise vec2 at = uv * (texels - 1.0);
     vec2 first = clamp(floor(at), vec2(0.0), texels - 2.0);
     return Cell(first, at - first);
 }
-/// @param texels  0..255: as they are, right of it, below, and below that
+/// @param texels  0..255: first, right, below, below right
 float between(vec4 texels, vec2 share) {
     precise vec2 across = texels.xz + (texels.yw - texels.xz) * share.x;
     precise float texel = (across.x + (across.y - across.x) * share.y) * (1.0 / 255.0);
@@ -52,15 +52,15 @@ float patchTexel(vec2 place, vec2 uv, vec2 texels) {
                      texelFetch(occlusionAtlas, at + ivec2(0, 1), 0).r, texelFetch(occlusionAtlas, at + 1, 0).r);
     return between(floor(four * 255.0 + 0.5), cell.share);
 }
-/// On some drivers lanes without a triangle also fetch: they must stay inside the atlas.
+/// On some drivers lanes without a triangle also fetch: their addresses must stay inside the atlas.
 float vertexTexelOfAtlas(uint vertex, uint side) {
     ivec2 last = textureSize(occlusionAtlas, 0) - 1;
     return texelFetch(occlusionAtlas, clamp(vertexPlace(vertex, side, effects.bakedCylinders), ivec2(0), last), 0).r;
 }
 #ifdef CELLS
-/// Texels in words of four: software devices gather a word in the time of a texel. A row's last texel in a word is
-/// repeated as the first of the next, so that two words hold a cell. (One word per cell, with its four texels, took
-/// three times as much memory: time was lost waiting for it.)
+/// Texels in words of four: software devices gather a word as fast as a texel. The last texel of each word repeats as
+/// the first of the next, so that two words hold a cell. (One word per cell took three times the memory and was
+/// slower.)
 layout(set = 0, binding = CELLS) uniform usamplerBuffer cellTexels;
 uint wordsOf(uint texels) { return (texels + 1u) / 3u; }
 float cellTexel(uint firstWord, vec2 uv, vec2 texels) {
@@ -113,7 +113,7 @@ float cylinderOcclusion(Hit hit, vec3 objectAxis, vec2 place) {
     return patchTexel(place, cylinderCoordinate(hit, objectAxis), vec2(cylinderTexels()));
 }
 
-/// @param vertices  numbers of a triangle's
+/// @param vertices  vertex numbers of the triangle
 float meshOcclusion(Hit hit, uvec3 vertices) {
     if (!shadesOcclusion(hit)) return 1.0;
     uint side = hit.back ? 1u : 0u;
@@ -122,11 +122,11 @@ float meshOcclusion(Hit hit, uvec3 vertices) {
     return mean;
 }
 
-/// Occlusion is baked for the whole scene. Where a plane clips it, light enters that the bake does not know: dark parts
-/// are brightened, keeping their order.
+/// Occlusion is baked for the whole scene. Clipping lets in light that the bake does not know: brightens dark parts,
+/// keeping their order.
 float opened(float occlusion) { return mix(sqrt(occlusion), 1.0, 0.35); }
 
-/// For a molecule that moved since the bake: newly exposed surfaces are not in it.
+/// For a molecule that moved since the bake, which lacks newly exposed surfaces.
 float leastOcclusion() { return float(view.patchTexels >> 24) * (1.0 / 255.0); }
 
 /// Fraction of the direct light that reaches a hit: taps on a disc, in sunflower order, sample the light's depth map.
@@ -157,9 +157,9 @@ float sunlight(Hit hit, vec2 q) {
 float capShade(vec2 q) {
     if (kCap == 1) return 0.55;
     if (kCap == 0) return 1.0;
-    // Strokes from lower left to upper right, as draughtsmen hatch a section. They stay with the picture.
+    // Hatching from lower left to upper right, as in technical drawings. The strokes are fixed to the picture.
     float stroke = fract((q.x - q.y) * 0.70710678 / effects.hatch);
-    float inside = (0.15 - abs(stroke - 0.5)) * effects.hatch / view.pixel;  // of its edge, pixels
+    float inside = (0.15 - abs(stroke - 0.5)) * effects.hatch / view.pixel;  // distance from the stroke's edge, pixels
     return mix(1.0, 0.45, clamp(inside + 0.5, 0.0, 1.0));
 }
 

@@ -1,5 +1,5 @@
-// Colours by copy of an assembly: a primitive is stored once for all its copies, so that only the shader knows which one
-// a pixel shows. Copies take the colours of a list in turn.
+// Colours by copy of an assembly. A primitive is stored once for all copies, so only the shader knows the copy. Copies
+// cycle through a list of colours.
 #include "effects.glsl"
 #include "srgb.glsl"
 #include "usual.glsl"
@@ -14,17 +14,17 @@ uint copyHere() {
 }
 
 vec3 copyColor() { return effects.copyColors[copyHere() % uint(kCopyColors)].rgb; }
-/// @param color  linear; @param bits  as they are stored: the alpha's lowest bit, if it is 0, makes the colour a tint of
-/// the copy's; the others are its opacity (engine/scene/color/colors.h)
+/// @param color  linear @param bits  as stored: if the lowest bit of the alpha is 0, the colour tints the copy's
+/// colour; the other bits are the opacity (engine/scene/color/colors.h)
 vec3 colorInCopy(vec3 color, uint bits) {
     if (kCopyColors == 0 || (bits >> 24 & 1u) == 1u) return color;
     return color * copyColor();
 }
 
-/// Linear colour of a stored one.
+/// Linear colour from a stored one.
 vec3 linearColor(uint srgb) { return colorInCopy(linearFromSrgb(unpackUnorm4x8(srgb).rgb), srgb); }
 
-/// The colour of a triangle's place, as it is stored: that of the nearest corner, or in between. @param bits  of corners
+/// Stored colour at a point of a triangle: of the nearest corner, or blended. @param bits  of the corners
 USUALLY(kBlendColorsId) const bool kBlendColors = false;
 uint cornerColor(uvec3 bits, uint corner, vec3 shares) {
     uint nearest = corner == 0u ? bits.x : corner == 1u ? bits.y : bits.z;
@@ -34,5 +34,5 @@ uint cornerColor(uvec3 bits, uint corner, vec3 shares) {
     return (packUnorm4x8(vec4(mixed, 0.0)) & 0xffffffu) | (nearest & 0xff000000u);
 }
 
-/// Opacity of a mesh's colour: 1 hides what is behind it.
+/// Opacity from a stored colour; 1 is opaque.
 float opacityOf(uint bits) { return float((bits >> 25) + 1u) / 128.0; }

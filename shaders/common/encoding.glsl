@@ -42,7 +42,7 @@ vec4 encodeDepth(float d) {
     for (int i = 0; i < kDepthChannels; ++i) e[i] = channelOf(clamp(code - i * kDepthSteps, 0, kDepthSteps));
     return e;
 }
-/// Written by fragments that must not change the minimum; also the clear value.
+/// Neutral for MIN: written by fragments that miss, and the clear value.
 vec4 farthestDepth() { return vec4(kDepthSteps == kHalfSteps ? 65504.0 : 1.0); }
 
 /// The largest depth that has this encoding.

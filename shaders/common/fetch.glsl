@@ -1,4 +1,4 @@
-// The streams of a geometry pass, for stages that fetch by number.
+// Streams of a geometry pass for stages that fetch by index.
 //   READS   the stages read images, which precede the streams in the set
 #ifdef READS
 #define FIRST 4

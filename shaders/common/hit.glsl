@@ -7,22 +7,22 @@
 struct Hit {
     bool inside;   // the pixel's ray meets the primitive
     float Z;       // distance as ViewConstants defines it, Å
-    float order;   // order of hits: Z; less for a cap, more for an outline
+    float order;  // sort key of hits: Z; less for a cap, more for an outline
     vec3 normal;   // view space, unit
     float along;   // cylinders: 0 at a, 1 at b
-    bool cap;      // on the near clipping plane, inside of the clipped primitive
-    bool contour;  // beside the primitive, on its outline or in its rim
-    vec3 shares;   // triangles: of the corners, together 1
-    uint corner;   // triangles: the first of those that look the same and together have the largest share
+    bool cap;  // on the near clipping plane, inside the clipped primitive
+    bool contour;  // beside the primitive, on its outline or rim
+    vec3 shares;  // triangles: weights of the corners, sum 1
+    uint corner;  // triangles: the first corner of the equally coloured group with the largest total weight
     bool back;     // triangles: seen from behind
-    float away;    // in the rim: from the silhouette, a share of the rim's width
+    float away;  // in the rim: distance from the silhouette as a fraction of the rim's width
 };
 
 Hit noHit() {
     return Hit(false, 0.0, 0.0, vec3(0.0, 0.0, 1.0), 0.0, false, false, vec3(0.0), 0u, false, 0.0);
 }
 
-/// Moves a hit from the surface to the cap, or removes it, where a plane clips. @param deep  depth of the pixel's point
+/// Where a plane clips: moves a hit from the surface to the cap, or removes it. @param deep  depth of the pixel's point
 /// of the near plane inside the primitive: 1 innermost, 0 on its surface
 void cut(inout Hit hit, float deep) {
     if (deep > 0.0) {
@@ -37,22 +37,22 @@ void cut(inout Hit hit, float deep) {
     if (hit.Z > view.clipFar) hit.inside = hit.cap = false;
 }
 
-/// A pixel beside a primitive is on its outline if it is near enough. The outline is behind the silhouette by the depth
-/// jump from which it shows. A rim (rims.frag) only needs the distance.
+/// A pixel beside a primitive is on its outline if near enough. The outline lies behind the silhouette, by the depth
+/// jump at which it appears. A rim (rims.frag) needs the distance alone.
 /// @param outside  distance from the silhouette @param width  of the outline there @param Z  of the silhouette
 void drawContour(inout Hit hit, float outside, float width, float Z) {
     if (hit.inside || !(outside <= width)) return;
     hit.inside = hit.contour = true;
     hit.Z = Z;
     hit.away = outside / width;
-    // The background is at the end of the range: the outline stays in front of it.
+    // Keeps the outline in front of the background, at the end of the depth range.
     precise float behind = Z + view.contourDepth;
     hit.order = min(behind, view.depthStart + 0.99999 / view.perRange);
     hit.normal = vec3(0.0, 0.0, 1.0);
 }
 
-/// A sphere: view-space centre and radius. q: planePoint() of the pixel. Distances start at the ray's point closest to
-/// the centre, which keeps the digits that the textbook's b*b - 4ac loses.
+/// A sphere: view-space centre and radius. q: planePoint() of the pixel. Distances are measured from the ray's point
+/// closest to the centre, which keeps digits that the textbook's b*b - 4ac loses.
 Hit sphereHitThrough(vec4 sphere, vec2 q) {
     Hit hit = noHit();
     float r = sphere.w;
@@ -78,7 +78,7 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
         precise vec2 w = q - sphere.xy;
         precise float h = r * r - dot(w, w);
         hit.inside = h > 0.0;
-        // Outside the value does not matter; |h| is free. Work that does not need the root comes first.
+        // Outside, the value does not matter, and |h| avoids a branch. Independent work goes before the root.
         precise float s = sqrt(abs(h));
         precise float middle = view.origin - sphere.z;
         precise float Z = middle - s;
@@ -111,19 +111,19 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
 
 Hit sphereHit(vec4 sphere, vec2 fragment) { return sphereHitThrough(sphere, planePoint(fragment)); }
 
-/// A cylinder with flat caps, with everything that does not depend on the pixel.
+/// A cylinder with flat caps and everything that is the same for all pixels.
 struct Stick {
-    vec3 a;        // the middle of an end, view space
+    vec3 a;  // centre of the first end, view space
     float radius;
-    vec3 axis;     // unit, from there to the other end
+    vec3 axis;  // unit, towards the other end
     float len;
     vec2 ahead;    // unit: the axis in the picture
-    float sine;    // of its angle to the view direction, and the divisor
+    float sine;  // of the angle between axis and view direction; also the divisor
     float perSine;
     float perFall; // 1 / axis.z
     float perLen;
 };
-/// @param b  the other end, and 1 / their distance: known before, it spares each pixel a root and a division
+/// @param b  the other end, and 1 / length, stored to avoid a root and a division per pixel
 Stick stickOf(vec3 a, vec4 b, float radius) {
     precise vec3 span = b.xyz - a;
     precise vec3 axis = span * b.w;
@@ -136,25 +136,25 @@ Stick stickOf(vec3 a, vec4 b, float radius) {
     return Stick(a, radius, axis, len, ahead, sine, perSine, perFall, b.w);
 }
 
-/// @param a, b  as they are stored
+/// @param a, b  as stored
 Stick stickAt(vec4 a, vec4 b) {
     precise vec3 from = toView(a.xyz);
     precise vec4 to = endToView(b);
     return stickOf(from, to, stickRadius(a.w, from.z, to.z));
 }
 
-/// A cylinder's hit without clipping, and data for clipping and outlines.
+/// A cylinder's hit before clipping, with data for clipping and outlines.
 struct StickHit {
     Hit hit;
     float on;         // Å from a along the axis
-    float away2;      // square of the distance between axis and ray, as in
-    float inside;     // radius squared less it
-    vec2 silhouette;  // the point of the ray that is nearest to the axis: its Z, and how far along the axis it stands
-    vec2 cut;         // likewise that of the near clipping plane: how deep it lies, as cut() has it, and along the axis
+    float away2;  // squared distance between axis and ray
+    float inside;  // squared radius minus away2
+    vec2 silhouette;  // the ray's point nearest to the axis: its Z, and its position along the axis
+    vec2 cut;  // the same for the near clipping plane: its depth inside as in cut(), and its position along the axis
 };
 
-/// Orthographic: the pixel's position across and along the projected axis suffices.
-/// @param sideKnown  whether it is known that the hit is on the side, and inside
+/// Orthographic: the position across and along the projected axis is enough.
+/// @param sideKnown  the hit is known to be on the side
 StickHit parallelStickHit(Stick c, vec2 q, const bool sideKnown) {
     StickHit found;
     Hit hit = noHit();
@@ -177,7 +177,7 @@ StickHit parallelStickHit(Stick c, vec2 q, const bool sideKnown) {
     hit.inside = side || cap;
     precise float Z = middle - (side ? onSide : onCap);
     hit.Z = Z;
-    // The projected axis, rotated to the left, with the part that leans from the axis towards the viewer.
+    // The projected axis rotated to the left, plus the component towards the viewer.
     precise vec3 outwards = vec3(vec2(-c.ahead.y, c.ahead.x) * beside - c.ahead * (c.axis.z * root), c.sine * root) * (1.0 / r);
     hit.normal = side ? outwards : c.axis.z < 0.0 ? -c.axis : c.axis;
     if (isWire(r)) hit.normal = vec3(0.0, 0.0, 1.0);  // wires look the same from all sides
@@ -195,7 +195,7 @@ StickHit parallelStickHit(Stick c, vec2 q, const bool sideKnown) {
     return found;
 }
 
-/// Seen from the eye.
+/// Perspective.
 StickHit pointStickHit(Stick c, vec2 q) {
     StickHit found;
     Hit hit = noHit();
@@ -255,7 +255,7 @@ Hit stickHitThrough(Stick c, vec2 q, const bool sideKnown) {
     if (kContours) {
         float Z = found.silhouette.x, along = found.silhouette.y;
         bool kept = along >= 0.0 && along <= c.len && (!kClip || (Z >= view.clipNear && Z <= view.clipFar));
-        // Inside of the silhouette everything hit was clipped.
+        // Inside the silhouette without a hit: everything was clipped.
         precise float outside = kept && found.inside <= 0.0 ? sqrt(found.away2) - abs(c.radius) : 1e9;
         drawContour(hit, outside, view.contourWidth * (kPerspective ? Z / view.origin : 1.0), Z);
         if (hit.contour) on = along;
@@ -276,13 +276,13 @@ vec3 projected(vec3 p) {
     precise vec2 at = p.xy * (view.origin * nearness);
     return vec3(at, nearness);
 }
-/// Twice the area between the pixel and an edge, from two corners relative to the pixel. Both triangles of an edge get
-/// the same number with opposite sign, whatever the rounding: so every pixel on it belongs to at least one of them.
+/// Twice the area between the pixel and an edge, from two corners relative to the pixel. Both triangles at an edge get
+/// the same number with opposite sign, whatever the rounding, so each pixel on it belongs to at least one.
 float edgeSide(vec2 from, vec2 to) {
     precise float side = from.x * to.y - from.y * to.x;
     return side;
 }
-/// The point on an edge nearest to the pixel: its distance, and its weight of the second corner.
+/// The point of an edge nearest to the pixel: its distance, and the weight of the second corner.
 vec2 nearestOnEdge(vec2 from, vec2 to) {
     precise vec2 way = to - from;
     precise float share = clamp(-dot(from, way) / max(dot(way, way), 1e-20), 0.0, 1.0);

@@ -1,6 +1,6 @@
-// Subgroup operations. Votes and ballots take a dozen instructions per lane on lavapipe 22.3: there (TEXELS) shuffles
-// replace them, one per bit of the lane count. All lanes take part.
-// The bits that any lane has.
+// Subgroup operations. Votes and ballots take a dozen instructions per lane on lavapipe 22.3, so that TEXELS variants
+// use shuffles, one per bit of the lane count. All lanes must be active.
+// Bitwise OR over all lanes.
 uint bitsOfAll(uint bits) {
     for (uint step = 1u; step < uint(kLanes); step <<= 1) bits |= subgroupShuffle(bits, gl_SubgroupInvocationID ^ step);
     return bits;

@@ -1,3 +1,3 @@
-// Layers of translucent triangles. On the common edge of two triangles their depths are equal except for rounding:
-// within this much of encoded depth they are one layer.
+// Layers of translucent triangles. At a common edge the depths of two triangles agree up to rounding: hits within this
+// distance of encoded depth are one layer.
 const float kLayerStep = 2e-6;

@@ -4,7 +4,7 @@
 #include "hit.glsl"
 #include "vertex.glsl"
 
-/// As triangleHitThrough() takes it.
+/// As triangleHitThrough() expects it.
 vec3 cornerOf(uvec4 vertex, float step) { return projected(toView(vertexPosition(vertex, step))); }
 
 /// A triangle by its vertices.
@@ -14,7 +14,7 @@ struct Facet {
     float step;      // that they are in
 };
 
-/// Which corners look the same, as triangleHitThrough() takes it.
+/// Which corners have equal colours, for triangleHitThrough().
 uint joinsOf(uint lookA, uint lookB, uint lookC) {
     return uint(lookA == lookB) | uint(lookB == lookC) << 1 | uint(lookC == lookA) << 2;
 }
@@ -24,7 +24,7 @@ Hit facetHitThrough(Facet f, vec2 q) {
                               joinsOf(f.a.w, f.b.w, f.c.w), q);
 }
 
-/// Gives a hit the normal that its triangle's vertices have there, towards the viewer. @param packed  of the vertices
+/// Interpolates the vertex normals at a hit, turned towards the viewer. @param packed  vertex normals
 void smoothNormal(inout Hit hit, uvec3 packed) {
     precise vec3 n = vertexNormal(packed.x) * hit.shares.x + vertexNormal(packed.y) * hit.shares.y +
                      vertexNormal(packed.z) * hit.shares.z;

@@ -1,10 +1,10 @@
-// The four samples of a pixel that a primitive covers, and the place where its fragment is shaded: the middle of those,
-// which of a fragment that covers them all is the pixel's. All primitives are convex as they are seen, so that the
-// middle is covered, too.
+// Coverage of the four samples of a pixel, and the point at which the fragment is shaded: the mean of the covered
+// samples, which is the pixel's centre if all are covered. Projected primitives are convex, so the mean is covered as
+// well.
 
-/// @param covered  gets a bit of each sample
+/// @param covered  receives a bit per sample
 vec2 placeOfCovered(out int covered) {
-    // "Standard sample locations" of the Vulkan specification, from the pixel's middle.
+    // "Standard sample locations" of the Vulkan specification, relative to the pixel's centre.
     const vec2 kA = vec2(-0.125, -0.375), kB = vec2(0.375, -0.125), kC = vec2(-0.375, 0.125), kD = vec2(0.125, 0.375);
     vec2 pixel = gl_FragCoord.xy;
     vec4 inside = vec4(primitiveHitAt(pixel + kA).inside, primitiveHitAt(pixel + kB).inside,

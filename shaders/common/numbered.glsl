@@ -5,16 +5,16 @@
 
 struct Seen {
     Hit hit;
-    uint look;  // of the atom: index of its colour in the looks
-    uint atom;  // likewise
+    uint look;  // index of the atom's colour in the looks
+    uint atom;  // index of the atom's number in the looks
 #ifdef TRIANGLES
-    uvec3 corners;  // of a triangle, where the colours of its corners stand; of others all are `look`
+    uvec3 corners;  // triangles: indices of the corners' colours; otherwise all equal `look`
 #endif
     float occlusion;
 };
 
 #ifdef TRIANGLES
-/// @param index  of the primitive in its copy, as of the next two @param q  planePoint() of the pixel
+/// @param index  of the primitive in its copy (also below) @param q  planePoint() of the pixel
 Seen seenFacet(uint index, vec2 q) {
     Seen seen;
     Facet f = facetOf(index);
@@ -28,7 +28,7 @@ Seen seenFacet(uint index, vec2 q) {
 }
 #endif
 #ifdef CYLINDERS
-/// @param sideKnown  whether the pixel certainly shows its side
+/// @param sideKnown  the pixel certainly shows its side
 Seen seenStick(uint index, vec2 q, const bool sideKnown) {
     Seen seen;
     index -= view.spheres;
@@ -63,7 +63,7 @@ Seen seenBall(uint index, vec2 q) {
     return seen;
 }
 
-/// @param number  of a primitive, counted from 1. @param q  planePoint() of the pixel
+/// @param number  of a primitive, from 1 @param q  planePoint() of the pixel
 Seen seenOf(uint number, vec2 q) {
     uint index = place(number);
 #ifdef TRIANGLES
@@ -76,7 +76,7 @@ Seen seenOf(uint number, vec2 q) {
 }
 
 #ifdef LOOKS
-/// Its colour as it is stored.
+/// The stored colour.
 uint storedColor(Seen seen) {
 #ifdef TRIANGLES
     if (kBlendColors && any(notEqual(seen.corners, uvec3(seen.look))))

@@ -3,7 +3,7 @@
 
 layout(constant_id = kCornersId) const int kCorners = 8;  // 8: octagon, 4: square, 9: pyramid
 
-// The comparison depth of a thin cap may be in front of all of the primitive: so must its polygon.
+// The comparison depth of a cap may be in front of the whole primitive; its polygon must be, too.
 const float kCapRoom = kClip ? kCapDepth : 0.0;
 
 struct Outline {
@@ -30,7 +30,7 @@ Outline sphereOutline(vec3 center, float radius) {
     float a = E * radius * sqrt(under + rho * rho) / under;
     float b = E * radius * inversesqrt(under);
     o.center = u * (rho * E * D / under);
-    // The floats above carry a relative error of some 1e-6 of the whole picture.
+    // The values above have a relative error of about 1e-6 of the whole picture.
     float slack = margin + 4e-6 * (rho + a) * E / D;
     o.axisU = u * (a + slack);
     o.axisV = vec2(-u.y, u.x) * (b + slack);

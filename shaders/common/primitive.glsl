@@ -1,6 +1,6 @@
-// The primitive of a fragment, as passed by the vertex stage of its kind, flat.
+// The primitive of a fragment: flat varyings from its vertex stage.
 //   CYLINDER, TRIANGLE   its kind; otherwise a sphere
-//   FETCHED   the vertex stage passes a number, and of a sphere its centre; bindings as in fetch.glsl
+// FETCHED   varyings hold a number, and for spheres the centre; bindings as in fetch.glsl
 #include "hit.glsl"
 
 #if defined(CYLINDER)

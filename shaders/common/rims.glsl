@@ -1,13 +1,13 @@
-// Rims: the lines and halos about a primitive. What shows of them depends on what stands behind.
-//   Whoever includes this has lookAt() and shapeBits(), words of the looks and of the shapes.
+// Rims: lines and halos around a primitive. Their strength depends on what is behind them.
+// Includers define lookAt() and shapeBits(): words of the looks and of the shapes.
 #include "effects.glsl"
 #include "divide.glsl"
 
-// Chains that touch part where one sphere's silhouette hardly stands before the other sphere, or even behind: the line
-// between them is drawn there, too.
+// Touching chains separate where one sphere's silhouette is barely in front of the other sphere, or even behind it: a
+// line is drawn there as well.
 const float kTouching = 0.5;  // Å
 
-/// The surface that a pixel shows, or that a rim surrounds.
+/// The surface in a pixel, or the one that a rim surrounds.
 struct Owner {
     uint copy;
     uint group;  // chain and residue of its atom, as engine/scene/build/atom_groups.h packs them
@@ -26,8 +26,8 @@ uint groupOf(uint index, bool secondHalf) {
 #endif
 }
 
-/// The share of the widest line's width that a line has to what stands behind.
-/// @param behind  whether anything does @param Z  of that @returns 0: none
+/// Line width as a fraction of the widest line's.
+/// @param behind  whether there is a surface behind @param Z  of that surface @returns 0: no line
 float lineShare(Hit hit, Owner here, bool behind, Owner there, float Z) {
     if (!behind) return 1.0;
     if (Z < hit.Z - kTouching) return 0.0;
@@ -38,8 +38,9 @@ float lineShare(Hit hit, Owner here, bool behind, Owner there, float Z) {
     return Z > hit.Z + effects.lineDepth ? 0.34 : 0.0;
 }
 
-/// How clear of fog its line is, whether there is one, density of its halo: of many rims at a pixel, the most of each.
-/// @param hit  in the rim
+/// Visibility of the line through fog, whether there is a line, density of the halo. Several rims in a pixel combine by
+/// MAX.
+/// @param hit  inside the rim
 vec3 rimOf(Hit hit, Owner here, bool behind, Owner there, float Z) {
     float away = hit.away * view.contourWidth;
     float clear = kFog ? 1.0 - fogAt(hit.Z) : 1.0;

@@ -1,5 +1,5 @@
-// Light, in linear values; directions in view space, so that it stays with the viewer. `precise`, because compilers
-// evaluate sums and products differently from shader to shader.
+// Light, in linear values; directions in view space, so that the light follows the viewer. `precise`, because compilers
+// evaluate sums and products differently in each shader.
 
 const vec3 kLight = normalize(vec3(kLightX, kLightY, kLightZ));
 
@@ -11,8 +11,8 @@ layout(constant_id = kGlossId) const float kGloss = 42.0;
 layout(constant_id = kPowersId) const bool kPowers = false;
 layout(constant_id = kDeepeningId) const float kDeepening = 1.0;
 
-/// x to the power of kGloss, times a strength. Where pow() is slow, the usual exponent is multiplied out, with the
-/// shortest chain of products.
+/// strength * x^kGloss. Where pow() is slow, the default exponent is a product with the shortest chain of
+/// multiplications.
 float glossy(float x, float strength) {
     if (kPowers || kGloss != 42.0) return pow(x, kGloss) * strength;
     precise float x2 = x * x, x4 = x2 * x2, x8 = x4 * x4, x16 = x8 * x8;
@@ -20,23 +20,24 @@ float glossy(float x, float strength) {
     return x42;
 }
 
-/// Fractions of the light that reaches a point.
+/// Fractions of the light at a point.
 struct Reach {
     float direct, ambient;
 };
 /// Ambient light with bounces: the cubic that Jimenez, Wu, Pesce and Jarabo fitted to path tracing, "Practical
-/// Real-Time Strategies for Accurate Indirect Occlusion" (2016), sorted by powers of the albedo. Uses the mean of the
-/// channels: neighbours have other colours, and a cubic per channel is further from path tracing. Both results are at
-/// least kLeastLight, which they approach without a slope: no border shows where the few directions of the bake that
-/// reach a point drop to none. Both are exactly 1 under an open sky.
+/// Real-Time Strategies for Accurate Indirect Occlusion" (2016), sorted by powers of the albedo. Uses the mean albedo
+/// of the channels: neighbours have other colours, and a cubic per channel is further from path tracing. The result
+/// approaches its minimum kLeastLight with slope zero, so that no border shows where few directions reach a point. It
+/// is exactly 1 under an open sky.
 /// @param base  linear base colour @param open  0 closed to 1 open
 Reach reachOf(vec3 base, float open) {
-    // What does not wait for the occlusion, which comes late from a texture, stands first. The cubic is of the channels' sum.
+    // Terms without the occlusion come first, since it arrives late from a texture. The cubic uses the sum of the
+    // channels.
     precise float sum = base.r + base.g + base.b;
     precise float c2 = fma(sum, 2.0404 / 3.0, -0.3324), c1 = fma(sum, -4.7951 / 3.0, 0.6417);
     precise float c0 = fma(sum, 2.7552 / 3.0, 0.6903);
     precise float closed = max(2.0 * kLeastLight - open, 0.0);
-    // A parabola: a square root here made frames 5 % slower on a software device.
+    // A parabola: a square root made frames 5 % slower on a software device.
     precise float direct = fma(closed * closed, 0.25 / kLeastLight, open);
     precise float ambient = direct * max(fma(direct, fma(direct, c2, c1), c0), 1.0);
     Reach reach = Reach(direct, ambient);
@@ -46,7 +47,7 @@ Reach reachOf(vec3 base, float open) {
 
 /// @param base       linear base colour
 /// @param occlusion  0 closed to 1 open
-/// @param sun        share of the direct light that arrives
+/// @param sun        fraction of the direct light
 vec3 shade(vec3 base, vec3 normal, float occlusion, float sun) {
     if (!kLighting) return base * mix(1.0, occlusion, kDeepening);
     vec3 light = kLight;

@@ -1,4 +1,4 @@
-// Visible part of a primitive at a pixel or sample, besides its number: an edge runs where it changes.
+// The visible part of a primitive at a pixel or sample, together with its number: an edge is where this changes.
 #ifndef NACRE_SIGHT_GLSL
 #define NACRE_SIGHT_GLSL
 #include "hit.glsl"
@@ -8,7 +8,7 @@ const uint kContour = 0x40000000u;
 const uint kCutFace = 0x20000000u;
 const uint kThirdCorner = 0x10000000u;
 const uint kNumber = 0x0fffffffu;
-// Spheres look uniform at every pixel, so number alone suffices.
+// A sphere has only one part.
 const bool kPlain = !kClip && !kContours;
 
 uint sightOf(Hit hit, uint number) {

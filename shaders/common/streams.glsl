@@ -1,6 +1,5 @@
-// The streams for shaders that pick primitives by number. TEXELS: texel buffers, from which software devices gather a
-// whole vector at once, where a storage buffer is read lane by lane; else storage buffers, which have no limit of
-// elements.
+// Streams for shaders that select primitives by number. TEXELS: texel buffers, which software devices gather vector by
+// vector; storage buffers would be read lane by lane. Otherwise storage buffers, which have no element limit.
 //   STREAMS   binding of the first: shapes, then rows of the copies
 //   LOOKS     binding of the looks, if read: two words per sphere, four per cylinder
 #include "divide.glsl"
@@ -34,7 +33,7 @@ vec4 shapeAt(uint i) { return uintBitsToFloat(shapeBits(i)); }
 #ifdef TRIANGLES
 #include "mesh.glsl"
 
-/// @param index  of the primitive in its copy: records are consecutive after those of cylinders, two each
+/// @param index  of the primitive in its copy: after the cylinders' records, two each, records are consecutive
 Facet facetOf(uint index) {
     uvec4 record = shapeBits(index + view.cylinders);
     return Facet(shapeBits(record.x), shapeBits(record.y), shapeBits(record.z),
@@ -43,7 +42,7 @@ Facet facetOf(uint index) {
 bool isTriangle(uint index) { return index >= view.spheres + view.cylinders; }
 #endif
 
-/// Selects the copy of a number. @returns the primitive in it: spheres first, then cylinders
+/// Splits a number into copy and primitive. @returns the primitive: spheres first, then cylinders
 uint place(uint number) {
     if (!kCopies) {
         copyRow0 = view.row0;

@@ -6,11 +6,11 @@
 #endif
 
 #if defined(SURFACE)
-layout(location = 0) out vec4 surface;  // Z, normal: a target of one channel has the Z
+layout(location = 0) out vec4 surface;  // Z, normal; a target of one channel receives Z
 #elif defined(IDENTITY)
 layout(location = 0) out uvec2 identity;  // atom, occlusion as bits
 #else
-layout(location = 0) out vec4 color;  // straight alpha: opaque, but of translucent layers
+layout(location = 0) out vec4 color;  // straight alpha; opaque except for translucent layers
 #endif
 
 #ifdef RIMS
@@ -25,7 +25,7 @@ vec4 rimHere() { return subpassLoad(rims); }
 layout(set = 0, binding = 7) uniform sampler2D rims;
 vec4 rimHere() { return texelFetch(rims, ivec2(gl_FragCoord.xy), 0); }
 #endif
-/// Writes a colour under its halos and outlines. @param seen  linear, premultiplied
+/// Writes a colour with its halos and outlines. @param seen  linear, premultiplied
 void writeRimmed(vec4 seen) {
     seen = underRim(seen, rimHere().rgb);
     if (seen.a == 0.0) discard;
@@ -34,7 +34,7 @@ void writeRimmed(vec4 seen) {
 }
 #endif
 
-/// Writes a hit. Occlusion is passed by the caller, who knows the patch.
+/// Writes a hit. The caller passes occlusion, since it knows the patch.
 #if defined(IDENTITY)
 void writeSurface(Hit hit, uint atom, float occlusion) { identity = uvec2(atom, floatBitsToUint(occlusion)); }
 #else
@@ -52,7 +52,7 @@ void writeSurface(Hit hit, vec3 base, float occlusion) {
 #endif
 }
 #endif
-/// As above for data from the looks.
+/// The same with data from the looks.
 void writeSurface(Hit hit, uint colorBits, uint atom, float occlusion) {
 #ifdef IDENTITY
     writeSurface(hit, atom, occlusion);

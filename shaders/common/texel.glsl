@@ -8,14 +8,14 @@ layout(set = 0, binding = 0, std430) readonly buffer Shapes { uvec4 shapes[]; };
 layout(set = 0, binding = 0, std430) readonly buffer Shapes { vec4 shapes[]; };
 #endif
 
-/// The directions of a batch; missing ones are zero and add nothing. With constant addresses (loops over it are
-/// unrolled) drivers can load them once for all invocations. lavapipe 22.3 still gathers them lane by lane: with
-/// TEXELS, each lane of a subgroup fetches its share once, and shares it.
+/// The directions of a batch; missing ones are zero and add nothing. Addresses are constant (loops are unrolled), so
+/// that drivers can load directions once for all invocations. lavapipe 22.3 gathers them lane by lane anyway: with
+/// TEXELS each lane of a subgroup fetches its share and passes it on.
 layout(constant_id = kBatchId) const int kBatch = 16;
 layout(constant_id = kMapsAcrossId) const int kMapsAcross = 4;
 #ifdef TEXELS
 layout(constant_id = kLanesId) const int kLanes = 8;
-layout(set = 0, binding = 1) uniform samplerBuffer directionTexels;  // three a direction
+layout(set = 0, binding = 1) uniform samplerBuffer directionTexels;  // three per direction
 const int kShare = (kBatch + kLanes - 1) / kLanes;
 vec4 shareU[kShare], shareV[kShare], shareW[kShare];
 void fetchDirections() {
@@ -36,9 +36,9 @@ Direction directionOf(int i) {
     return Direction(handed(shareU[i / kLanes], from), handed(shareV[i / kLanes], from),
                      handed(shareW[i / kLanes], from));
 }
-/// Every second direction of a larger batch is opposite to the one before it: a surface faces one of them.
+/// In larger batches every second direction is opposite to the one before it: a surface faces one of the two.
 const int kApart = kBatch > 1 ? 2 : 1;
-/// @param i  becomes the number of the faced one of a pair @returns that
+/// @param i  receives the number of the faced direction of a pair @returns that direction
 Direction facedOf(inout int i, vec3 normal) {
     uint from = uint(i % kLanes);
     int share = i / kLanes;
@@ -69,10 +69,10 @@ vec3 turned(Direction d, vec3 p) { return vec3(dot(d.u.xyz, p), dot(d.v.xyz, p),
 vec3 placed(Direction d, vec3 p) { return turned(d, p) + vec3(d.u.w, d.v.w, d.w.w); }
 
 struct Texel {
-    vec3 a;       // object space, Å: sphere's centre, foot of the texel on the cylinder's axis, or vertex
+    vec3 a;  // object space, Å: sphere centre, foot of the texel on the cylinder's axis, or vertex
     float radius;
     vec3 normal;  // object space, unit; zero: one value for a whole sphere
-    vec3 axis;    // unit axis of a cylinder; normal of a vertex
+    vec3 axis;  // unit axis of a cylinder; normal at a vertex
 };
 
 #ifdef VERTEX

@@ -1,7 +1,7 @@
-// Colours of the pixels of a tile that show one kind of primitive; included for each, since drivers inline functions
-// before they know which kind is asked for, and optimise all of it each time.
+// Colours of the pixels of a tile that show one kind of primitive. Included once per kind, because drivers inline
+// functions before they know the kind, and would optimise all of it each time.
 //   KIND             of kindOf()
-//   FIRST            index of the first of the kind: what lanes without a pixel read
+// FIRST            index of the first primitive of the kind, read by idle lanes
 //   SEEN, HIT        what a ray sees of a primitive, by its index; its hit, by the same
 //   SIGHT_AT, MARKED, COLOR_AT, SHADE   names of the functions
 
@@ -10,7 +10,7 @@ uint SIGHT_AT(uint number, vec2 q) {
     return number == 0u ? 0u : sightOf(HIT(index, q), number);
 }
 
-/// Marks a sight that changes from one corner of its pixel to another: the tip of a contour line.
+/// Marks a sight that changes between corners of its pixel: the tip of a contour line.
 uint MARKED(uint sight, vec2 pixel, float width, float depth) {
     if (!kContours || !kNumbered) return sight;
     view.contourWidth = width;
@@ -27,7 +27,7 @@ uint MARKED(uint sight, vec2 pixel, float width, float depth) {
     return changes ? sight | kChanges : sight;
 }
 
-/// @param seenNumber  becomes a sight @param rim  of rimWords
+/// @param seenNumber  receives a sight @param rim  from rimWords
 uint COLOR_AT(inout uint seenNumber, vec2 pixel, uint rim) {
     vec2 q = planePoint(sampledAt(pixel));
     uint number = max(seenNumber, 1u);
@@ -43,11 +43,11 @@ uint COLOR_AT(inout uint seenNumber, vec2 pixel, uint rim) {
 }
 
 #ifdef CYLINDERS
-/// Shades the tile's pixels of one kind, as many at a time as there are lanes: if neighbouring lanes showed a stick and
-/// a ball, both would execute both branches. Those that fill no lanes are left to the next tile of the group.
-/// @param left  of the tile before; becomes what this one leaves @param last  whether no tile follows
+/// Shades a tile's pixels of one kind, as many at once as there are lanes: mixing kinds in a subgroup would execute
+/// both branches. Pixels that do not fill all lanes carry over to the next tile of the group.
+/// @param left  carried over from the previous tile, then for the next one @param last  no tile follows
 void SHADE(inout Left left, bool last, uvec2 corner, uint pitch, uint lane, float width, float depth) {
-    uint mine = 0u;  // one bit per pixel: of this lane, and of all lanes in turn
+    uint mine = 0u;  // a bit per pixel, for this lane and for all lanes in turn
     for (int i = 0; i < kPixels; ++i) mine |= number[i] != 0u && kindOf(number[i]) == KIND ? 1u << i : 0u;
     uvec2 bits = uvec2(0u);
     for (int i = 0; i < kLanes; ++i) bits[i * kPixels / 32] |= subgroupShuffle(mine, uint(i)) << (i * kPixels % 32);

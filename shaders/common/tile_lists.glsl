@@ -12,15 +12,16 @@ layout(local_size_x_id = 50) in;  // kLanesId
 const int kTile = 8;
 #include "lanes.glsl"
 
-/// Corner of a tile, pixels. @param tile  x | unwanted quarters << 12 | y << 16 | small primitives << 31, of a list
+/// Corner of a tile, pixels. @param tile  x | unwanted quarters << 12 | y << 16 | small primitives << 31, from a list
 uvec2 cornerOf(uint tile) { return uvec2(tile & 0xfffu, tile >> 16 & 0xfffu) * uint(kTile); }
-/// Whether a pixel of a tile, counted row by row, is in a quarter that is wanted.
+/// Whether a pixel of a tile, counted row by row, is in a wanted quarter.
 bool isWanted(uint tile, uint pixel) {
     uint quarter = pixel / uint(kTile * kTile / 2) * 2u + pixel % uint(kTile) / uint(kTile / 2);
     return (tile >> 12 >> quarter & 1u) == 0u;
 }
 
-/// A disc on the plane z = 0 that holds a sphere's picture: about the ellipse of common/outline.glsl in perspective.
+/// A disc on the plane z = 0 that contains the image of a sphere; in perspective, around the ellipse of
+/// common/outline.glsl.
 vec3 discOf(vec3 center, float radius) {
     float room = 0.05 * view.pixel;
     if (!kPerspective) return vec3(center.xy, radius * 1.005 + room);
@@ -47,7 +48,7 @@ Stick handed(Stick c, uint from) {
 }
 
 /// Whether the hull of two discs on the plane z = 0 may meet a rectangle there: false if a line separates them along
-/// one of its sides, or along the axis, or across it. @param from, to  the discs' centres
+/// one of its sides, along the axis, or across it. @param from, to  centres of the discs
 bool spanMeets(vec2 from, vec2 to, float radius, vec2 middle, vec2 reach) {
     vec2 room = reach + radius, half_ = 0.5 * abs(to - from), off = abs(middle - 0.5 * (from + to));
     vec2 way = to - from, away = middle - from;
@@ -61,11 +62,11 @@ bool spanMeets(vec2 from, vec2 to, float radius, vec2 middle, vec2 reach) {
 #include "tile_facets.glsl"
 #endif
 
-/// A primitive of a list.
+/// An entry of a list.
 struct Entry {
     uint number;
     bool cylinder, facet;
-    bool meets;  // a rectangle
+    bool meets;  // overlaps the rectangle
     vec4 a;      // view space: centre and radius
     vec3 b, c;   // with a, a triangle's corners, as they are projected
     uint joins;  // of a triangle's corners
@@ -73,12 +74,12 @@ struct Entry {
     Stick stick;
 #endif
 #ifdef RIMS
-    float front;  // encoded depth of the polygon that the other paths draw its rim in
+    float front;  // encoded depth of the polygon in which the other paths draw its rim
 #endif
-    float next;  // encoded depth before which nothing of the following chunk begins, as the chunk's last lane has it
+    float next;  // encoded depth at which the next chunk begins; valid in the chunk's last lane
 };
 
-/// @param middle, reach  of the rectangle, on the plane z = 0
+/// @param middle, reach  centre and half size of the rectangle, on the plane z = 0
 Entry entryAt(uint number, vec2 middle, vec2 reach) {
     Entry e;
     e.number = number;
@@ -116,7 +117,7 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
     float begins = view.origin - front - e.a.w * 1.001;
 #ifdef RIMS
     const float capRoom = kClip ? kCapDepth : 0.0;
-    float frontZ = view.origin - e.a.z - (e.a.w + capRoom);  // as the vertex stages have it
+    float frontZ = view.origin - e.a.z - (e.a.w + capRoom);  // as in the vertex stages
 #ifdef CYLINDERS
     vec3 ahead = normalize(end.xyz - e.a.xyz);
     float stickFront = front + e.a.w * sqrt(max(1.0 - ahead.z * ahead.z, 0.0));
@@ -139,7 +140,7 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
 #ifdef RIMS
     e.front = clamp(encodedDepth(frontZ), 0.0, 1.0);
 #endif
-    // The next entries begin behind the chunk's last one, up to a step of the order.
+    // The next entries begin after the chunk's last one, up to a step of the order.
     float step = 2.0 / float(kListSteps) + (kClip ? kCapDepth * view.perRange : 0.0);
     e.next = encodedDepth(begins) - step;
     return e;

@@ -1,13 +1,13 @@
-// Lines and halos of a tile's pixels, whose nearest primitives are known by now: a second walk of the list. It ends where
-// the first did: what begins behind the farthest pixel has no rim before it either.
+// Lines and halos of a tile's pixels, after their nearest primitives are known: a second pass over the list. It ends
+// where the first one did: a primitive behind the farthest pixel has no rim in front of it.
 #include "rims.glsl"
 
-float behindZ[kPixels];  // of what the pixel shows; far away where that is nothing
-Owner owners[kPixels];   // of what the pixel shows
-vec3 rims[kPixels];      // as rimOf() has them
-uint rimWords[kPixels];  // the same as a target of eight bits keeps them, on every path
+float behindZ[kPixels];  // Z of the visible surface; far away if there is none
+Owner owners[kPixels];  // owner of the visible surface
+vec3 rims[kPixels];  // from rimOf()
+uint rimWords[kPixels];  // the same with eight bits per value, as on every path
 
-/// @param front  encoded depth of the polygon that the other paths draw a rim in
+/// @param front  encoded depth of the polygon in which the other paths draw a rim
 void addRim(int i, Hit hit, Owner here, float front, bool live) {
     vec3 rim = rimOf(hit, here, number[i] != 0u, owners[i], behindZ[i]);
     bool shows = live && hit.contour && front <= nearest[i];
@@ -22,7 +22,7 @@ Owner handed(Owner owner, uint from) {
     return Owner(kCopies ? subgroupShuffle(owner.copy, from) : 0u, subgroupShuffle(owner.group, from));
 }
 
-/// @param at, end  of the list, which is not empty
+/// @param at, end  of the list; not empty
 void findRims(uint at, uint end, uint lane, vec2 middle, vec2 reach) {
     for (int i = 0; i < kPixels; ++i) {
         rims[i] = vec3(0.0);

@@ -1,6 +1,6 @@
-// What pixels begin with, where the host knows what is nearest (engine/software/front_triangles.h).
+// Initial hits of pixels that the host found (engine/software/front_triangles.h).
 
-/// A pixel begins with the nearest triangle, or sphere, where the host knows it: no list need name that.
+/// A pixel starts with the nearest triangle or sphere if the host knows it; lists then omit that primitive.
 void begin(int i, uint seed, Hit hit) {
     float depth = encodedDepth(hit.order);
     bool sees = seed != 0u && hit.inside && depth < nearest[i];
@@ -8,7 +8,7 @@ void begin(int i, uint seed, Hit hit) {
     number[i] = sees ? seed : 0u;
 }
 #ifdef TRIANGLES
-/// Fetches all before it uses any: each triangle is read from memory, and processors wait for several at a time.
+/// Fetches all triangles before using any, so that memory reads overlap.
 void beginAll(uint seeds[kPixels]) {
     uvec4 record[kPixels], a[kPixels], b[kPixels], c[kPixels];
     for (int i = 0; i < kPixels; ++i)
@@ -19,7 +19,7 @@ void beginAll(uint seeds[kPixels]) {
         c[i] = shapeBits(record[i].z);
     }
     for (int i = 0; i < kPixels; ++i) {
-        place(max(seeds[i], 1u));  // its copy
+        place(max(seeds[i], 1u));  // selects its copy
         float step = uintBitsToFloat(record[i].w);
         begin(i, seeds[i], triangleHitThrough(cornerOf(a[i], step), cornerOf(b[i], step), cornerOf(c[i], step), 0u,
                                               through[i]));

@@ -1,4 +1,4 @@
-// The pixels of a tile that show one kind of primitive, in turn, for common/tile_kind.glsl.
+// Pixels of a tile that show one kind of primitive, for common/tile_kind.glsl.
 
 uint kindOf(uint number) {
     uint index = number - 1u;
@@ -9,7 +9,7 @@ uint kindOf(uint number) {
     return index < view.spheres ? kBalls : kSticks;
 }
 
-/// Where the n-th bit of a word is that is set, from 0 on. By the bits of its bytes, of half a byte, of a quarter.
+/// Position of the n-th set bit of a word, from 0: by bytes, half bytes, then bits.
 uint placeOfBit(uint word, uint n) {
     uint pairs = word - (word >> 1 & 0x55555555u);
     uint fours = (pairs & 0x33333333u) + (pairs >> 2 & 0x33333333u);
@@ -25,19 +25,19 @@ uint placeOfBit(uint word, uint n) {
     return at + uint(n >= (word >> at & 1u));
 }
 
-/// Pixels that a tile leaves to the next, one per lane: as many as there are.
+/// Pixels carried over to the next tile, one per lane.
 struct Left {
-    uint number, on, rim;  // of the lane's; its place in the picture is x | y << 16
+    uint number, on, rim;  // of the lane's pixel; its position in the picture is x | y << 16
     uint count;
 };
 Left leftBalls, leftSticks, leftFacets;
 
-/// The n-th pixel of those that have a bit. @param bits  of all lanes in turn
+/// The n-th pixel with a set bit. @param bits  of all lanes in turn
 Left pixelOf(uvec2 bits, uint n, uvec2 corner) {
     uint first = uint(bitCount(bits.x));
     bool second = n >= first;
     uint at = placeOfBit(second ? bits.y : bits.x, n - (second ? first : 0u)) + (second ? 32u : 0u);
-    at &= uint(kTile * kTile - 1);  // lanes that are over
+    at &= uint(kTile * kTile - 1);  // keeps idle lanes in range
     uint from = at / uint(kPixels), row = at % uint(kPixels);
     Left pixel = Left(0u, 0u, 0u, 0u);
     for (int i = 0; i < kPixels; ++i) {

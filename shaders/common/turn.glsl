@@ -1,4 +1,4 @@
-// Quarter turns clockwise by which the image is the upright picture turned: a display's pre-rotation.
+// Clockwise quarter turns from the upright picture to the image: the display's pre-rotation.
 #include "layout.h"
 #include "usual.glsl"
 

@@ -7,7 +7,7 @@
 #include "usual.glsl"
 
 #ifdef TILES
-// main() fetches it once: lavapipe 22.3 gathers push constants lane by lane, wherever they are used.
+// Copied once at the start of main(): lavapipe 22.3 gathers push constants lane by lane at each use.
 TileConstants view;
 #else
 layout(push_constant) uniform Push { ViewConstants view; };
@@ -35,7 +35,7 @@ vec3 toView(vec3 p) {
     precise vec3 x = vec3(fma(copyRow0.x, p.x, w.x), fma(copyRow1.x, p.x, w.y), fma(copyRow2.x, p.x, w.z));
     return x;
 }
-/// A cylinder's second end, and one over its length.
+/// A cylinder's second end, and 1 / length.
 vec4 endToView(vec4 end) { return vec4(toView(end.xyz), end.w); }
 vec3 toObject(vec3 v) { return copyRow0.xyz * v.x + copyRow1.xyz * v.y + copyRow2.xyz * v.z; }
 
@@ -67,24 +67,24 @@ float stickRadius(float stored, float az, float bz) {
 }
 #ifndef TILES
 layout(constant_id = kSnapId) const float kSnap = 0.0625;
-/// The largest shift of a vertex by the rasteriser, Å at z = 0.
+/// Maximum shift of a vertex by the rasteriser, Å at z = 0.
 float snapReach() { return kSnap * view.pixel; }
-/// Whether a light's view leaves a primitive out: beyond the viewer's clipping plane.
+/// Whether a light's view omits a primitive: it is beyond the viewer's clipping plane.
 bool isCutOff(vec3 center) {
     vec4 plane = CUT_PLANE(view);
     return kCut && dot(plane.xyz, center) > plane.w;
 }
 #endif
 #ifdef RIMS
-float contourReach() { return max(view.contourWidth, 0.0); }  // below 0: no line is looked for
+float contourReach() { return max(view.contourWidth, 0.0); }  // negative: no lines
 #else
 float contourReach() { return view.contourWidth; }
 #endif
-/// Radius of a ball that holds a sphere with its contour line, whatever pixel looks at it. @param z  of the centre
+/// Radius of a ball that contains a sphere with its contour line, from any pixel. @param z  of the centre
 float reachOf(float z, float radius) {
     if (!kContours) return radius;
     if (!kPerspective) return radius + contourReach();
-    // The line is as wide as at z = 0 in the picture, so wider in space where it is farther away.
+    // Lines have a constant width in the picture, so farther ones are wider in space.
     return radius + contourReach() * (view.origin - z + radius) / (view.origin - contourReach());
 }
 #ifndef TILES
@@ -92,7 +92,7 @@ float reachOf(float z, float radius) {
 vec4 clipPosition(vec2 q, float d) {
     vec2 perPixel = 2.0 / vec2(view.extent & 0xffffu, view.extent >> 16);  // NDC
     vec2 axis = view.axisPixel * ((kQuarterTurns & 1) == 1 ? perPixel.yx : perPixel) - 1.0;
-    vec2 perAngstrom = perPixel / view.pixel;  // the same for all corners: drivers find it once a draw
+    vec2 perAngstrom = perPixel / view.pixel;  // constant per draw, so drivers can hoist it
     vec2 from = turned(vec2(q.x, -q.y) * perAngstrom);
     return vec4(kWholeImage ? from + axis : from, clamp(d, 0.0, 1.0), 1.0);
 }
