@@ -1,23 +1,25 @@
 #!/usr/bin/env python3
 """Counts the fragments that a frame of 4HHB shades by each shape of plates and impostors, for tools/tilers_costs.py.
 
-usage: NACRE_DATA=FOLDER tests/benchmark/count_fragments.py BENCHMARK > docs/tilers_fragments.json
+usage: tests/benchmark/count_fragments.py BENCHMARK > docs/tilers_fragments.json
 
 BENCHMARK is shape_benchmark, built by the preset `benchmark`.
 """
 
 import json
-import os
+import pathlib
 import subprocess
 import sys
 
-DATA = os.environ.get("NACRE_DATA", "../shared/data")
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import test_data  # noqa: E402
+
 SIZES = (64, 128, 192, 256, 320, 400, 480, 640, 960)
 MEAN_RADIUS, SCENE_RADIUS = 1.72, 37.2  # of 4HHB, angstroms
 
 
 def main():
-    benches = json.loads(subprocess.run([sys.argv[1], f"{DATA}/4hhb.pdb", *(f"{size}x{size}" for size in SIZES)],
+    benches = json.loads(subprocess.run([sys.argv[1], test_data.needed_folder() / "4hhb.pdb", *(f"{size}x{size}" for size in SIZES)],
                                         check=True, capture_output=True, text=True).stdout)
     frames = [{"pixels": size, "radius": round(size * 0.95 / 2 / SCENE_RADIUS * MEAN_RADIUS, 1),
                "shapes": [{"plates": s["plates"], "impostor": s["impostor"],

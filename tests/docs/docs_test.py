@@ -12,6 +12,9 @@ import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import test_data  # noqa: E402
+
 SOURCE, PROGRAM = pathlib.Path(sys.argv[1]), sys.argv[2]
 PAGES = sorted([SOURCE / "README.md", SOURCE / "third_party/README.md", *(SOURCE / "docs").glob("*.md")])
 FOLDERS = "engine|app|shaders|tests|tools|docs|third_party"
@@ -184,10 +187,9 @@ class Pages(unittest.TestCase):
         self.assertEqual(written.strip(), program("help", "molviewspec").strip(), "nacre help molviewspec")
 
     def test_every_node_and_parameter_of_the_schema_is_in_that_table(self):
-        data = pathlib.Path(os.environ.get("NACRE_DATA", SOURCE / "../shared/data"))
-        schema = data / "mvs/molviewspec-v1-openapi-schema.json"
-        if not schema.exists():
-            self.skipTest("no schema: neither NACRE_DATA nor ../shared/data beside the tree holds it")
+        if not test_data.folder():
+            self.skipTest(test_data.ABSENT)
+        schema = test_data.folder() / "mvs/molviewspec-v1-openapi-schema.json"
         told = {tuple(cell.strip("`") for cell in cells(row)[:2])
                 for row in program("help", "molviewspec").splitlines()[2:]}
         kinds = {"BallAndStick": "representation ball_and_stick", "Cartoon": "representation cartoon",

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Counts and bytes that a page states are those that its command prints: figures_test.py SOURCE_FOLDER PROGRAM.
 
-Files that are not built in are looked for in $NACRE_DATA; without them their figures are skipped. Times are never judged.
+Figures of files of the test data are skipped without the data. Times are never judged.
 """
 import json
 import os
@@ -13,8 +13,10 @@ import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import test_data  # noqa: E402
+
 SOURCE, PROGRAM = pathlib.Path(sys.argv[1]), sys.argv[2]
-DATA = os.environ.get("NACRE_DATA")
 
 
 def run(*words):
@@ -33,10 +35,9 @@ def page(name):
 
 class Figures(unittest.TestCase):
     def file(self, name):
-        path = pathlib.Path(DATA or "nowhere") / name
-        if not path.exists():
-            self.skipTest(f"no {name} in NACRE_DATA")
-        return path
+        if not test_data.folder():
+            self.skipTest(test_data.ABSENT)
+        return test_data.folder() / name
 
     def says(self, name, text):
         self.assertIn(text, " ".join(page(name).split()), f"docs/{name} says something else")

@@ -14,6 +14,9 @@ sys.path.insert(0, str(SOURCE / "tools"))
 import measure_page
 from measure_tables import SUMMARY, TABLES
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import test_data  # noqa: E402
+
 PAGE = measure_page.tables(measure_page.PAGE.read_text())
 
 
@@ -67,7 +70,7 @@ class Measure(unittest.TestCase):
         env = dict(os.environ, NACRE_NO_BUILD="1")
         done = subprocess.run([SOURCE / "tools/measure", "meshes", "--build", BUILD, "--rounds", "1"], env=env, capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
-        if "not measured" in done.stderr:
+        if "not measured" in done.stderr and not test_data.folder():
             self.skipTest(done.stderr)
         found = [measure_page.cells(line) for line in done.stdout.splitlines()[2:]]
         self.assertEqual({(row, column) for _, row, column, *_ in found}, {(r, c) for r in TABLES["meshes"].rows for c in TABLES["meshes"].columns})

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Helices and strands beside Debian's mkdssp: beside_dssp.py PROGRAM [FILE...]
 
-Each file of NACRE_DATA (../shared/data) that holds a protein, or those that are named, is read by Biopython (PDB,
+Each file of the test data that holds a protein, or those that are named, is read by Biopython (PDB,
 MMTF), gemmi (mmCIF) or Open Babel (MOL2, GRO, PQR, PDBQT) and written as PDB without a word about helices; chains whose
 names PDB has no room for are files of their own. mkdssp and PROGRAM then judge the same text, and the states are
 counted: helix (H, G, I), strand (E, B), coil. Fails below 98 % of the residues of any file that mkdssp takes, and below
@@ -23,8 +23,10 @@ import gemmi
 from Bio.PDB import MMCIFIO, PDBParser
 from Bio.PDB.mmtf import MMTFParser
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import test_data  # noqa: E402
+
 LEAST_SHARE, LEAST_FILES = 0.98, 40
-SKIPPED = 77
 BABEL = (".mol2", ".gro", ".pqr", ".pdbqt")
 FORMATS = (".pdb", ".cif", ".mmtf") + BABEL
 LARGEST = 20000  # residues: what takes longer than its answer is worth
@@ -159,10 +161,7 @@ def main():
     arguments.add_argument("program")
     arguments.add_argument("files", nargs="*")
     given = arguments.parse_args()
-    data = pathlib.Path(os.environ.get("NACRE_DATA", pathlib.Path(__file__).parents[3] / "shared/data"))
-    if not data.is_dir():
-        print(f"skipped: there is no {data} (NACRE_DATA)")
-        return SKIPPED
+    data = test_data.needed_folder()
     names = given.files or sorted(
         f.name for f in data.iterdir() if f.name.removesuffix(".gz").endswith(FORMATS) and f.is_file()
     )

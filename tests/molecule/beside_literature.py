@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Interactions that the literature reports: beside_literature.py PROGRAM [--rules RULES]
 
-NACRE_DATA/interactions/literature.json names complexes, a ligand, kinds of contact, and residues that must be among
+interactions/literature.json of the test data names complexes, a ligand, kinds of contact, and residues that must be among
 its partners (residues_include) or are all of them (residues_are). Each finding is looked for with the rules of Mol* and
 of PLIP, unless one is named. Fails if one is not found by PLIP's rules, whose authors collected them, or fewer than 35
 by Mol*'s: four name hydrogen bonds longer than its 3.5 Å, one takes guanine for a guanidine, one bridge has two donors.
@@ -9,12 +9,13 @@ by Mol*'s: four name hydrogen bonds longer than its 3.5 Å, one takes guanine fo
 
 import argparse
 import json
-import os
 import pathlib
 import subprocess
 import sys
 
-SKIPPED = 77
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import test_data  # noqa: E402
+
 LEAST_OF_MOLSTAR = 35
 KINDS = {
     "hydrogen bond": "hydrogen-bond",
@@ -62,10 +63,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--rules", choices=["molstar", "plip"])
     options = parser.parse_args()
-    folder = pathlib.Path(os.environ.get("NACRE_DATA", ".")) / "interactions"
-    if not (folder / "literature.json").exists():
-        print("no findings to compare with")
-        return SKIPPED
+    folder = test_data.needed_folder() / "interactions"
     bad = 0
     for rules in [options.rules] if options.rules else ["plip", "molstar"]:
         count = good = 0

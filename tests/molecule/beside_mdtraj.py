@@ -7,20 +7,20 @@ are left out. Fails if any other triplet differs.
 """
 
 import argparse
-import gzip
 import json
-import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 import warnings
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import test_data  # noqa: E402
+
 try:
     import mdtraj
 except ImportError:
-    print("no mdtraj")
-    sys.exit(77)
+    test_data.cannot_judge("python3-mdtraj is not installed")
 
 FILES = ["1l2y.pdb", "2koc-rna-nmr.cif.gz", "md-lysozyme-solvated.gro", "1msh-nmr30.mmtf"]
 
@@ -61,11 +61,7 @@ def main():
     parser.add_argument("files", nargs="*", type=pathlib.Path)
     options = parser.parse_args()
     warnings.simplefilter("ignore")
-    data = pathlib.Path(os.environ.get("NACRE_DATA", "."))
-    files = options.files or [data / name for name in FILES if (data / name).exists()]
-    if not files:
-        print("no files")
-        return 77
+    files = options.files or [test_data.needed_folder() / name for name in FILES]
     bad = 0
     with tempfile.TemporaryDirectory() as temporary:
         for path in files:

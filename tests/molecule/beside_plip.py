@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Interactions beside Debian's plip: beside_plip.py PROGRAM [--details] [FILE...]
 
-plip reads each PDB file (those of NACRE_DATA/interactions if none is named), PROGRAM reads the same text with
+plip reads each PDB file (those of interactions/ of the test data if none is named), PROGRAM reads the same text with
 --interaction-rules plip, once for each ligand that plip reports. Contacts are the same if their kind and atoms are:
 of charged groups and rings, if they share atoms on both sides. Fails if, summed over the files, fewer than 95 % of the
 contacts of plip are found, or fewer than 95 % of ours are plip's, for any kind.
@@ -11,15 +11,17 @@ import argparse
 import collections
 import gzip
 import json
-import os
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
 import xml.etree.ElementTree
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import test_data  # noqa: E402
+
 LEAST_SHARE = 0.95
-SKIPPED = 77
 KINDS = {
     "hydrophobic_interaction": "hydrophobic",
     "hydrogen_bond": "hydrogen-bond",
@@ -141,11 +143,9 @@ def main():
     parser.add_argument("--details", action="store_true", help="print each contact that differs")
     parser.add_argument("--reports", type=pathlib.Path, help="folder that keeps plip's reports for the next run")
     options = parser.parse_args()
-    data = os.environ.get("NACRE_DATA")
-    files = options.files or sorted(pathlib.Path(data or ".").glob("interactions/*.pdb.gz"))
-    if not files or subprocess.run(["which", "plipcmd"], capture_output=True).returncode:
-        print("no files, or no plip")
-        return SKIPPED
+    files = options.files or sorted(test_data.needed_folder().glob("interactions/*.pdb.gz"))
+    if not shutil.which("plipcmd"):
+        test_data.cannot_judge("plip is not installed")
     counts = collections.defaultdict(collections.Counter)
     for path in files:
         text = text_of(path)

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Bond orders and hydrogens beside RDKit and Open Babel: beside_rdkit.py CHEMISTRY_REPORT [--details] [FILE...]
 
-Orders: of each ligand of each file of NACRE_DATA (or those named), perceived from its coordinates alone. Files that
+Orders: of each ligand of each file of the test data (or those named), perceived from its coordinates alone. Files that
 state orders are judged by what they state, as RDKit and as Open Babel read them; ligands of structures by Open Babel's
 perception from the same coordinates, and by RDKit's view of that. A bond is right if it is single, double, triple or
 aromatic as one of them has it. Fails below 95 % of all bonds.
@@ -14,18 +14,19 @@ import argparse
 import collections
 import json
 import math
-import os
 import pathlib
 import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import test_data  # noqa: E402
+
 try:
     from openbabel import openbabel, pybel
     from rdkit import Chem, RDLogger
 except ImportError:
-    print("no RDKit or no Open Babel for Python")
-    sys.exit(77)
+    test_data.cannot_judge("python3-rdkit or python3-openbabel is not installed")
 
 LEAST_SHARE, MOST_RMS, LEAST_FILES = 0.95, 0.1, 10
 LIGAND = 4  # ResidueKind::ligand
@@ -218,13 +219,10 @@ def main():
     options = parser.parse_args()
     openbabel.obErrorLog.StopLogging()
     RDLogger.DisableLog("rdApp.*")
-    data = pathlib.Path(os.environ.get("NACRE_DATA", "."))
-    files = options.files or sorted(path for folder in ("", "small", "interactions") for path in (data / folder).glob("*"))
+    files = options.files or sorted(path for folder in ("", "small", "interactions")
+                                    for path in (test_data.needed_folder() / folder).glob("*"))
     stated = [path for path in files if path.name.endswith(STATED) and path.stat().st_size < 1_000_000]
     structures = [path for path in files if path.name.endswith(STRUCTURES) and path.stat().st_size < 500_000]
-    if not stated and not structures:
-        print("no files")
-        return 77
     counts, squares, measured = collections.Counter(), [], 0
     for path in stated:
         judge_stated(options.program, path, counts, squares, options.details)

@@ -14,6 +14,9 @@ import urllib.request
 
 from served import PDB, Server
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import test_data  # noqa: E402
+
 PROGRAM = sys.argv.pop(1)
 
 # WCAG 2: contrast of an element's text with the nearest background that is painted behind it.
@@ -43,7 +46,7 @@ class PageTest(unittest.TestCase):
         from selenium import webdriver
         from selenium.webdriver.chrome.service import Service
         cls.folder = pathlib.Path(tempfile.mkdtemp(prefix="nacre-page-"))
-        cls.root = pathlib.Path(os.environ["NACRE_DATA"]) if os.environ.get("NACRE_LOAD") else cls.folder
+        cls.root = test_data.needed_folder() if os.environ.get("NACRE_LOAD") else cls.folder
         cls.addClassCleanup(shutil.rmtree, cls.folder)
         cls.server = Server(PROGRAM, cls.folder, "--root", str(cls.root))
         cls.addClassCleanup(cls.server.stop)

@@ -4,15 +4,19 @@ marching cubes judge, too, where they are installed.
 area_and_volume.py NACRE"""
 import json
 import os
+import pathlib
 import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import test_data  # noqa: E402
 
 try:
     import mrcfile
     import numpy as np
 except ImportError:
-    sys.exit(77)
+    test_data.cannot_judge("python3-mrcfile or python3-numpy is not installed")
 try:
     from skimage import measure
 except ImportError:

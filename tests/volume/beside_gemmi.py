@@ -3,17 +3,21 @@ beside_gemmi.py NACRE"""
 import gzip
 import json
 import os
+import pathlib
 import struct
 import subprocess
 import sys
 import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import test_data  # noqa: E402
 
 try:
     import gemmi
     import mrcfile
     import numpy as np
 except ImportError:
-    sys.exit(77)
+    test_data.cannot_judge("python3-gemmi, python3-mrcfile or python3-numpy is not installed")
 
 NACRE = sys.argv[1]
 faults = []
@@ -57,11 +61,9 @@ def expect_values(name, values, within=1e-5, **more):
 
 
 # Files of archives: crystals, whose cell is made by symmetry.
-data = os.path.join(os.environ.get("NACRE_DATA", "../shared/data"), "maps")
+data = test_data.needed_folder() / "maps"
 for name in ("3nzd.ccp4.gz", "3nzd_diff.ccp4.gz", "3pqr.ccp4.gz", "5i55_tiny.ccp4", "emd_3001.map.gz"):
-    file = os.path.join(data, name)
-    if not os.path.exists(file):
-        continue
+    file = str(data / name)
     judge = gemmi.read_ccp4_map(file)
     axes = [judge.header_i32(i) for i in (17, 18, 19)]
     judge.setup(float("nan"))
