@@ -105,21 +105,9 @@ if(NACRE_APPS AND NOT ANDROID AND NOT IOS)
     add_library(WebP::encoder INTERFACE IMPORTED)
     target_include_directories(WebP::encoder SYSTEM INTERFACE ${WEBP_INCLUDE_DIR})
     target_link_libraries(WebP::encoder INTERFACE ${WEBP_LIBRARY})
-    if(VCPKG_TOOLCHAIN)
-        find_package(OpenImageIO 2.4 CONFIG REQUIRED)
-    else()
-        # Debian's CMake files for OpenImageIO refuse to load without every program of openimageio-tools and without
-        # OpenCV's headers. Nothing here uses either, so its libraries are found by name.
-        find_path(OPENIMAGEIO_INCLUDE_DIR OpenImageIO/imageio.h REQUIRED)
-        find_path(IMATH_INCLUDE_DIR ImathConfig.h PATH_SUFFIXES Imath REQUIRED)
-        find_library(OPENIMAGEIO_LIBRARY OpenImageIO REQUIRED)
-        find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util REQUIRED)
-        add_library(OpenImageIO::OpenImageIO INTERFACE IMPORTED)
-        target_include_directories(OpenImageIO::OpenImageIO SYSTEM
-                                   INTERFACE ${OPENIMAGEIO_INCLUDE_DIR} ${IMATH_INCLUDE_DIR})
-        target_link_libraries(OpenImageIO::OpenImageIO
-                              INTERFACE ${OPENIMAGEIO_LIBRARY} ${OPENIMAGEIO_UTIL_LIBRARY} Threads::Threads)
-    endif()
+    find_package(JPEG REQUIRED)
+    find_package(TIFF 4.5 REQUIRED)
+    find_package(OpenEXR 3.1 CONFIG REQUIRED)
     find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)
     add_library(cli11::headers INTERFACE IMPORTED)
     target_include_directories(cli11::headers SYSTEM INTERFACE ${CLI11_INCLUDE_DIR} ${NLOHMANN_JSON_INCLUDE_DIR})
@@ -155,6 +143,22 @@ if(NACRE_APPS AND (NACRE_DESKTOP OR ANDROID OR IOS))
 endif()
 if(NACRE_TESTS)
     find_package(GTest REQUIRED)
+    # By which tests read pictures.
+    if(VCPKG_TOOLCHAIN)
+        find_package(OpenImageIO 2.4 CONFIG REQUIRED)
+    else()
+        # Debian's CMake files for OpenImageIO need every program of openimageio-tools and OpenCV's headers, of which
+        # nothing here uses either.
+        find_path(OPENIMAGEIO_INCLUDE_DIR OpenImageIO/imageio.h REQUIRED)
+        find_path(IMATH_INCLUDE_DIR ImathConfig.h PATH_SUFFIXES Imath REQUIRED)
+        find_library(OPENIMAGEIO_LIBRARY OpenImageIO REQUIRED)
+        find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util REQUIRED)
+        add_library(OpenImageIO::OpenImageIO INTERFACE IMPORTED)
+        target_include_directories(OpenImageIO::OpenImageIO SYSTEM
+                                   INTERFACE ${OPENIMAGEIO_INCLUDE_DIR} ${IMATH_INCLUDE_DIR})
+        target_link_libraries(OpenImageIO::OpenImageIO
+                              INTERFACE ${OPENIMAGEIO_LIBRARY} ${OPENIMAGEIO_UTIL_LIBRARY} Threads::Threads)
+    endif()
     find_package(embree 4 QUIET)  # vcpkg's
     if(NOT embree_FOUND)
         find_package(embree 3 REQUIRED)

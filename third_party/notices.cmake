@@ -18,7 +18,9 @@ set(NACRE_PARTS
     "JSON for Modern C++|MIT|nlohmann-json3-dev|nlohmann-json|https://github.com/nlohmann/json"
     "DejaVu fonts|Bitstream Vera|fonts-dejavu-core||https://dejavu-fonts.github.io"
     "FreeType|FTL|libfreetype-dev|freetype|https://freetype.org"
-    "OpenImageIO|BSD-3-Clause|libopenimageio-dev|openimageio|https://github.com/AcademySoftwareFoundation/OpenImageIO"
+    "libjpeg-turbo|IJG and BSD-3-Clause|libjpeg62-turbo-dev|libjpeg-turbo|https://libjpeg-turbo.org"
+    "libtiff|libtiff|libtiff-dev|tiff|https://libtiff.gitlab.io/libtiff"
+    "OpenEXR and Imath|BSD-3-Clause|libopenexr-dev|openexr|https://openexr.com"
     "libwebp|BSD-3-Clause|libwebp-dev|libwebp|https://chromium.googlesource.com/webm/libwebp"
     "libpng|libpng-2.0|libpng-dev|libpng|http://www.libpng.org"
     "libdeflate|MIT|libdeflate-dev|libdeflate|https://github.com/ebiggers/libdeflate"
@@ -29,7 +31,7 @@ if(pybind11_FOUND)
     list(APPEND NACRE_PARTS "pybind11|BSD-3-Clause|pybind11-dev|pybind11|https://github.com/pybind/pybind11")
 endif()
 if(IOS)
-    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(OpenImageIO|libwebp|libpng|libdeflate|GIFLIB|libcurl|CLI11)")
+    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(libjpeg-turbo|libtiff|OpenEXR|libwebp|libpng|libdeflate|GIFLIB|libcurl|CLI11)")
 endif()
 if(APPLE)
     list(APPEND NACRE_PARTS

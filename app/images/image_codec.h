@@ -1,6 +1,5 @@
 #pragma once
-// The only call into the module for image formats. It loads hundreds of libraries, which programs that write no picture
-// do not need.
+// The only call into the module for image formats. It loads their libraries, which programs that write PNG do not need.
 
 #include <cstdint>
 

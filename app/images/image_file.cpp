@@ -8,6 +8,7 @@
 #include "app/images/image_png.h"
 #include "engine/error.h"
 #include "engine/srgb.h"
+#include "engine/storage/own_folder.h"
 #ifdef NACRE_IMAGE_MODULE
 #include <dlfcn.h>
 
@@ -31,15 +32,8 @@ bool isJpeg(const std::string& path) { return extensionOf(path) == ".jpg" || ext
 #ifdef NACRE_IMAGE_MODULE
 /// Folders that may hold the module: the program's own, and the installed one.
 std::vector<std::string> moduleNames() {
-    Dl_info info{};
-    if (!dladdr(reinterpret_cast<const void*>(&writeLayers), &info) || !info.dli_fname) return {};
-    // A program found along PATH is known only by the name that was typed.
-    const std::filesystem::path name = info.dli_fname;
-    std::error_code error;
-    std::filesystem::path file = std::filesystem::canonical(name.has_parent_path() ? name : "/proc/self/exe", error);
-    // After an update the running program's file is gone, but its module may still be there.
-    if (error) file = std::filesystem::read_symlink("/proc/self/exe", error);
-    const std::filesystem::path program = file.parent_path();
+    const std::filesystem::path program = ownFolder();
+    if (program.empty()) return {};
     return {(program / NACRE_IMAGE_MODULE).string(), (program / NACRE_MODULE_FOLDER / NACRE_IMAGE_MODULE).string()};
 }
 

@@ -1,5 +1,3 @@
-#include "app/images/image_webp.h"
-
 #include <webp/encode.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/images/image_writers.h"
 #include "app/images/srgb_profile.h"
 
 namespace nacre::app {
@@ -65,7 +64,7 @@ std::vector<std::uint8_t> withProfile(const std::vector<std::uint8_t>& file, con
 
 }  // namespace
 
-void writeWebp(const ImageRequest& request, const std::function<bool(const void*, std::size_t)>& sink) {
+void writeWebp(const ImageRequest& request, CheckedFile& out) {
     WebPConfig config;
     constexpr int kEffort = 3;  // of 9: half the time of 6, for one percent more bytes
     if (!WebPConfigInit(&config) || !WebPConfigLosslessPreset(&config, kEffort))
@@ -88,8 +87,7 @@ void writeWebp(const ImageRequest& request, const std::function<bool(const void*
     if (!WebPEncode(&config, &picture))
         throw std::runtime_error("libwebp's error " + std::to_string(picture.error_code));
     const std::vector<std::uint8_t> whole = withProfile(file, request);
-    if (!sink(whole.data(), whole.size()))
-        throw std::runtime_error("the data could not be written (is the disk full?)");
+    out.write(whole.data(), whole.size());
 }
 
 }  // namespace nacre::app

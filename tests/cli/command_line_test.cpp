@@ -181,7 +181,7 @@ TEST(CommandLine, WhoWritesNoPictureOrPngLoadsNoImageFormats) {
         const Outcome outcome = nacreIn(folder, command, "", "export LD_DEBUG=files");
         EXPECT_EQ(outcome.code, 0);
         EXPECT_NE(outcome.err.find("libc.so"), std::string::npos);
-        EXPECT_EQ(outcome.err.find("OpenImageIO"), std::string::npos) << command;
+        EXPECT_EQ(outcome.err.find("OpenEXR"), std::string::npos) << command;
         EXPECT_EQ(outcome.err.find("nacre_images"), std::string::npos) << command;
     }
 }
@@ -219,9 +219,9 @@ TEST(CommandLine, NoticesNameEveryPartAndHoldItsLicence) {
     const TemporaryFolder folder;
     const Outcome outcome = nacreIn(folder, "--notices");
     EXPECT_EQ(outcome.code, 0);
-    // Words of the licences of Nacre, GLM, gemmi, OpenImageIO, curl, GLFW, Dear ImGui and DejaVu.
+    // Words of the licences of Nacre, GLM, gemmi, OpenEXR, curl, GLFW, Dear ImGui and DejaVu.
     for (const char* words :
-         {"Redistribution and use in source and binary forms", "Christophe Riccio", "Mozilla Public", "OpenImageIO",
+         {"Redistribution and use in source and binary forms", "Christophe Riccio", "Mozilla Public", "OpenEXR",
           "Daniel Stenberg", "Camilla", "Omar Cornut", "Bitstream"})
         EXPECT_NE(outcome.out.find(words), std::string::npos) << words;
     EXPECT_GT(outcome.out.size(), 50000u);

@@ -1,0 +1,43 @@
+#include "app/images/checked_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+
+namespace nacre::app {
+
+CheckedFile::CheckedFile(const std::string& path)
+    : file_(::open(path.c_str(), O_RDWR | O_TRUNC | O_NOFOLLOW | O_CLOEXEC)) {
+    if (file_ < 0) failure_ = errno;
+}
+
+bool CheckedFile::write(const void* bytes, std::size_t size) {
+    for (std::size_t done = 0; done < size && failure_ == 0;) {
+        const ssize_t n =
+            ::pwrite(file_, static_cast<const char*>(bytes) + done, size - done, static_cast<off_t>(place_));
+        if (n > 0) {
+            done += static_cast<std::size_t>(n);
+            place_ += static_cast<std::uint64_t>(n);
+        }
+        if (n == 0) failure_ = ENOSPC;
+        if (n < 0 && errno != EINTR) failure_ = errno;
+    }
+    size_ = std::max(size_, place_);
+    return failure_ == 0;
+}
+
+std::size_t CheckedFile::read(void* bytes, std::size_t size) {
+    const ssize_t n = failure_ == 0 ? ::pread(file_, bytes, size, static_cast<off_t>(place_)) : -1;
+    if (n > 0) place_ += static_cast<std::uint64_t>(n);
+    return n > 0 ? static_cast<std::size_t>(n) : 0;
+}
+
+int CheckedFile::finish() {
+    if (file_ >= 0 && ::close(file_) != 0 && failure_ == 0) failure_ = errno;
+    file_ = -1;
+    return failure_;
+}
+
+}  // namespace nacre::app
