@@ -31,6 +31,7 @@ struct LayerPicture {
 struct DeviceInfo {
     std::string name, driver, type;   ///< type: "discrete", "integrated", "virtual", "software", "other"
     std::string apiVersion;           ///< "1.3.230"
+    bool bundled = false;             ///< of the driver in nacre's package, as the system's drivers have no device
     std::string visibility, why;      ///< the path of `automatic` on this device, and the reason
     std::uint32_t motionSamples = 1;  ///< per pixel of a window's frames in motion
     std::string motionWhy;            ///< the reason

@@ -53,6 +53,7 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
                 << (devices[i].lazyMemory ? "yes" : "no") << "; timestamps " << (devices[i].timestamps ? "yes" : "no")
                 << "; merge feedback " << (devices[i].mergeFeedback ? "yes" : "no") << "; render passes by "
                 << (devices[i].localRead ? "dynamic rendering with local reads" : "VkRenderPass") << '\n';
+            if (devices[i].bundled) out << "   driver of nacre's package: no other Vulkan driver has a device\n";
             if (!devices[i].selfTest.empty()) out << "   self-test: " << devices[i].selfTest << '\n';
             if (!devices[i].knownAs.empty())
                 out << "   known as " << devices[i].capabilitySet << ": " << devices[i].knownAs << " ("

@@ -11,6 +11,7 @@ nlohmann::ordered_json deviceJson(const DeviceInfo& device) {
             {"type", device.type},
             {"api_version", device.apiVersion},
             {"driver", device.driver},
+            {"bundled_driver", device.bundled},
             {"visibility", device.visibility},
             {"why", device.why},
             {"motion_samples", device.motionSamples},

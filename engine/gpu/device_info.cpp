@@ -4,6 +4,7 @@
 
 #include "engine/devices.h"
 #include "engine/error.h"
+#include "engine/gpu/bundled_driver.h"
 #include "engine/gpu/capture_hook.h"
 #include "engine/gpu/context.h"
 #include "engine/gpu/device_loss.h"
@@ -140,8 +141,10 @@ std::vector<DeviceInfo> listDevices() {
         gpu::InstanceExtensions found;
         const vk::raii::Instance instance = gpu::makeInstance(context, false, found);
         std::vector<DeviceInfo> devices;
-        for (const auto& physical : vk::raii::PhysicalDevices(instance))
+        for (const auto& physical : vk::raii::PhysicalDevices(instance)) {
             devices.push_back(gpu::infoOf(gpu::capsOf(physical), physical));
+            devices.back().bundled = gpu::bundledDriverTaken();
+        }
         return devices;
     } catch (const vk::SystemError& failure) {
         throw Error("cannot list devices", "", gpu::inOneLine(failure.what()));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/error.h"
+#include "engine/gpu/bundled_driver.h"
 
 namespace nacre::gpu {
 namespace {
@@ -86,10 +87,8 @@ std::optional<vk::raii::Instance> usualInstance(const vk::raii::Context& context
     }
 }
 
-}  // namespace
-
-vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
-                                const std::vector<std::string>& wanted) {
+vk::raii::Instance instanceOf(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
+                              const std::vector<std::string>& wanted) {
     if (!validate && wanted.empty())
         if (std::optional<vk::raii::Instance> instance = usualInstance(context, found)) return std::move(*instance);
     const auto available = context.enumerateInstanceExtensionProperties();
@@ -120,6 +119,32 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate,
         extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
     }
     return instanceWith(context, found, extensions, layers);
+}
+
+/// Whether the system's drivers have a device. @param instance  receives theirs
+bool findsDevice(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
+                 const std::vector<std::string>& wanted, vk::raii::Instance& instance) {
+    try {
+        instance = instanceOf(context, validate, found, wanted);
+        return !vk::raii::PhysicalDevices(instance).empty();
+    } catch (const Error&) {
+        return false;
+    } catch (const vk::SystemError&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
+                                const std::vector<std::string>& wanted) {
+    if (hasBundledDriver() && !bundledDriverTaken()) {
+        vk::raii::Instance instance{nullptr};
+        if (findsDevice(context, validate, found, wanted, instance)) return instance;
+        takeBundledDriver();
+        found = {};
+    }
+    return instanceOf(context, validate, found, wanted);
 }
 
 const std::vector<vk::ExtensionProperties>& extensionsOf(const vk::raii::PhysicalDevice& device) {

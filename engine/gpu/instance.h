@@ -13,6 +13,7 @@ struct InstanceExtensions {
     bool surfaceMaintenance = false;  ///< whether the window extensions asked for include it
 };
 
+/// An instance of the system's drivers, or of the bundled one where those have no device.
 /// @param wanted extensions besides the engine's own
 /// @throws Error without a loader or driver, if an extension is missing, or if validation is asked for and not
 /// installed
