@@ -23,7 +23,8 @@ class Stream : public Imf::OStream {
 public:
     Stream(const char* name, CheckedFile& file) : OStream(name), file_(file) {}
     void write(const char bytes[], int size) override {
-        if (!file_.write(bytes, static_cast<std::size_t>(size))) throw std::runtime_error(std::strerror(file_.failure()));
+        if (!file_.write(bytes, static_cast<std::size_t>(size)))
+            throw std::runtime_error(std::strerror(file_.failure()));
     }
     std::uint64_t tellp() override { return file_.place(); }
     void seekp(std::uint64_t place) override { file_.seek(place); }
@@ -51,7 +52,8 @@ void writeExr(const ImageRequest& request, CheckedFile& file) {
         const std::uint32_t count = std::min(kRowsAtOnce, request.height - first);
         const auto* values = static_cast<const float*>(request.rows(request.context, first, count));
         if (halves) rounded.assign(values, values + std::size_t{count} * request.width * request.channels);
-        const char* const bytes = halves ? reinterpret_cast<const char*>(rounded.data()) : reinterpret_cast<const char*>(values);
+        const char* const bytes =
+            halves ? reinterpret_cast<const char*>(rounded.data()) : reinterpret_cast<const char*>(values);
         const std::size_t sample = halves ? sizeof(Imath::half) : sizeof(float), pixel = sample * request.channels;
         Imf::FrameBuffer frame;
         for (std::uint32_t i = 0; i < request.channels; ++i)

@@ -52,7 +52,8 @@ void connect(j_compress_ptr jpeg, Target& target) {
         return TRUE;
     };
     target.manager.term_destination = [](j_compress_ptr j) {
-        targetOf(j).file->write(targetOf(j).bytes.data(), targetOf(j).bytes.size() - targetOf(j).manager.free_in_buffer);
+        targetOf(j).file->write(targetOf(j).bytes.data(),
+                                targetOf(j).bytes.size() - targetOf(j).manager.free_in_buffer);
     };
     jpeg->dest = &target.manager;
 }
@@ -111,7 +112,8 @@ void writeJpeg(const ImageRequest& request, CheckedFile& file) {
             const std::uint32_t count = std::min(kRowsAtOnce, jpeg.image_height - first);
             const auto* pixels = static_cast<const JSAMPLE*>(request.rows(request.context, first, count));
             for (std::uint32_t row = 0; row < count; ++row) {
-                JSAMPROW line = const_cast<JSAMPROW>(pixels + std::size_t{row} * request.width * 3);  // libjpeg reads it
+                JSAMPROW line =
+                    const_cast<JSAMPROW>(pixels + std::size_t{row} * request.width * 3);  // libjpeg reads it
                 jpeg_write_scanlines(&jpeg, &line, 1);
             }
         }

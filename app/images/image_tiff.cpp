@@ -35,7 +35,7 @@ struct Close {
 
 std::unique_ptr<TIFF, Close> openTiff(const char* mode, CheckedFile& file, const char* path, std::string& why) {
     const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(),
-                                                                                    &TIFFOpenOptionsFree);
+                                                                                   &TIFFOpenOptionsFree);
     TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keepReason, &why);
     TIFF* const tiff = TIFFClientOpenExt(
         path, mode, &file,

@@ -1,13 +1,14 @@
 #pragma once
-// A writer per format and library. Each throws std::runtime_error, or an exception of its library; what fails in the file
-// itself is told by the file.
+// A writer per format and library. Each throws std::runtime_error, or an exception of its library; what fails in the
+// file itself is told by the file.
 
 #include "app/images/checked_file.h"
 #include "app/images/image_codec.h"
 
 namespace nacre::app {
 
-/// JPEG of quality 95 without subsampled colours (red atoms on white would bleed), with the profile of sRGB. Bytes alone.
+/// JPEG of quality 95 without subsampled colours (red atoms on white would bleed), with the profile of sRGB. Bytes
+/// alone.
 void writeJpeg(const ImageRequest& request, CheckedFile& file);
 /// TIFF, deflated, straight alpha, with the profile of sRGB. Bytes or words; BigTIFF from 4 GB on.
 void writeTiff(const ImageRequest& request, CheckedFile& file);

@@ -37,6 +37,20 @@ class Libraries(unittest.TestCase):
         for driver in ("libvulkan_intel", "libvulkan_radeon", "libvulkan_nouveau"):
             self.assertFalse([name for name in names if name.startswith(driver)], driver)
 
+    def test_a_package_s_driver_is_taken_where_there_is_no_other(self):
+        driver = "/usr/lib/chromium/libvk_swiftshader.so"
+        with tempfile.TemporaryDirectory() as folder:
+            program = shutil.copy(PROGRAM, folder)
+            os.symlink(driver, folder + "/libvk_swiftshader.so")
+            shutil.copy(os.path.dirname(driver) + "/vk_swiftshader_icd.json", folder)
+            none = {name: value for name, value in os.environ.items() if not name.startswith("VK_")} | {"VK_DRIVER_FILES": "/nonexistent"}
+            said = subprocess.run([program, "devices"], env=none, capture_output=True, text=True, timeout=60).stdout
+            self.assertIn("SwiftShader", said)
+            self.assertIn("driver of nacre's package", said)
+            if "VK_DRIVER_FILES" in os.environ:  # the system's driver goes first
+                said = subprocess.run([program, "devices"], capture_output=True, text=True, timeout=60).stdout
+                self.assertNotIn("nacre's package", said)
+
     def test_a_program_that_is_gone_from_disk_still_writes_all_formats(self):
         with tempfile.TemporaryDirectory() as folder:
             program, picture = folder + "/nacre", folder + "/a.tif"
