@@ -1,8 +1,5 @@
 // The headless command line: 0 done, 1 failed with one line on standard error, 2 wrong usage.
 
-#if __has_include(<malloc.h>)
-#include <malloc.h>
-#endif
 #include <unistd.h>
 
 #include <cstdlib>
@@ -117,18 +114,6 @@ int complete(int argc, char** argv) {
     }
 }
 
-/// lavapipe allocates and frees memory per tile. glibc's lists of small free pieces are searched at every large free: a
-/// tenth of a frame. Large pieces that are freed serve again: each page of new memory costs the kernel 2 µs.
-void keepMemory() {
-#ifdef M_MXFAST
-    mallopt(M_MXFAST, 0);
-#endif
-#if defined(M_MMAP_THRESHOLD) && defined(M_TRIM_THRESHOLD)
-    mallopt(M_MMAP_THRESHOLD, 32 << 20);
-    mallopt(M_TRIM_THRESHOLD, 64 << 20);
-#endif
-}
-
 /// Spares the loader Mesa's drivers for GPUs where the kernel has none: they would be loaded to report no device.
 void skipDriversWithoutDevices() {
 #ifdef __linux__
@@ -144,7 +129,6 @@ void skipDriversWithoutDevices() {
 }  // namespace nacre::app
 
 int main(int argc, char** argv) {
-    nacre::app::keepMemory();
     nacre::app::skipDriversWithoutDevices();
 #ifdef NACRE_LOOPBACK
     nacre::app::listenOnLoopbackAlone();

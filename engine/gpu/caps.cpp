@@ -238,6 +238,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     // MoltenVK offers it but stores anyway.
     caps.plan.storeNone = hasExtension(device, VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME) && !identity.portable;
     caps.dispatchesApart = graph::has(graph::Quirk::dispatchesApart, identity);
+    caps.heapPerTile = graph::has(graph::Quirk::heapPerTile, identity);
     caps.plan.maxColorAttachments = std::min(properties.limits.maxColorAttachments, 8u);
     caps.plan.maxInputAttachments = std::min(properties.limits.maxPerStageDescriptorInputAttachments, 8u);
     caps.plan.placesSamples = properties.limits.standardSampleLocations;

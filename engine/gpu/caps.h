@@ -31,6 +31,7 @@ struct Caps {
     std::uint32_t maxImageSize = 4096;
     bool localRead = false;           ///< render passes with input attachments use dynamic rendering
     bool dispatchesApart = false;     ///< quirk: no dispatch after a draw in one command buffer
+    bool heapPerTile = false;         ///< quirk: the driver allocates heap memory per tile
     bool mergeFeedback = false;       ///< the driver reports how it merges subpasses
     bool blendsFloats = false;        ///< can blend colour attachments with 32 bits per channel
     std::uint32_t timestampBits = 0;  ///< of the queue's timestamps; 0: no timestamps

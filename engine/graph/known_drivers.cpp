@@ -104,6 +104,10 @@ constexpr KnownQuirk kQuirks[] = {
      Quirk::dispatchesApart,
      {"a dispatch behind dynamic viewport or scissor state of the same command buffer crashes",
       "github.com/godotengine/godot pull request 91514"}},
+    {by(VK_DRIVER_ID_MESA_LLVMPIPE),
+     Quirk::heapPerTile,
+     {"lavapipe calls malloc() and free() for each tile: a tenth of a frame with glibc's defaults",
+      "perf record of nacre bench, Mesa 22.3 and 25.0"}},
 };
 
 /// Whether a device's name contains a row's text, followed by a number in its range ("Mali-G610 MC4" for "Mali-G",

@@ -53,6 +53,7 @@ DeviceClass classOf(const DriverIdentity& identity);
 enum class Quirk : std::uint8_t {
     noLocalRead,      ///< no dynamic rendering with local reads
     dispatchesApart,  ///< dispatches after draws in one command buffer crash
+    heapPerTile,      ///< allocates and frees heap memory for each tile of a frame
 };
 struct KnownQuirk {
     DriverPattern of;
