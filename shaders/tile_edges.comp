@@ -3,7 +3,7 @@
 // Candidates of a sample are the primitives at the centres of the pixel and its eight neighbours; where primitives may
 // be smaller, the bin's list is searched as in tile_nearest.comp. Then each visible primitive is shaded once, at the
 // mean of its samples, and weighted by their number.
-//   TEXELS, CYLINDERS, TRIANGLES, MESHES, USUAL   as in tile_nearest.comp
+//   TEXELS, CYLINDERS, TRIANGLES   as in tile_nearest.comp
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -46,9 +46,7 @@ layout(set = 0, binding = 8, std430) writeonly buffer Edges { uint edges[]; };
 
 // Samples search the list of their bin.
 layout(constant_id = kListedId) const bool kListed = false;
-#if defined(MESHES)
-const bool kSpheres = false, kCylinders = false;
-#elif defined(TRIANGLES)
+#if defined(TRIANGLES)
 layout(constant_id = kSpheresId) const bool kSpheres = true;
 layout(constant_id = kCylindersId) const bool kCylinders = true;
 #else

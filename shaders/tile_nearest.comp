@@ -4,8 +4,7 @@
 // as many entries as it has lanes: each lane fetches one and tests it against the tile; entries that pass are broadcast.
 // It ends where the next entry begins behind the tile's farthest pixel.
 //   TEXELS      as in common/streams.glsl
-// CYLINDERS, TRIANGLES   the scene has some; MESHES: triangles only
-//   USUAL       as in common/usual.glsl
+//   CYLINDERS, TRIANGLES   the scene has some
 // SHADED      writes sRGB-coded colours instead of numbers, row by row
 // RIMS        with SHADED: finds lines and halos in a second pass over the list, and composites them
 // lavapipe 22.3 runs each loop body at least once; the extra iteration is harmless.
@@ -51,9 +50,7 @@ uint listAt(uint i) { return lists[i]; }
 #endif
 layout(set = 0, binding = 3, std430) buffer Numbers { uint numbers[]; };
 layout(constant_id = kSeededId) const bool kSeeded = false;
-#if defined(MESHES)
-const bool kSpheres = false, kCylinders = false, kTriangles = true;
-#elif defined(CYLINDERS)
+#if defined(CYLINDERS)
 layout(constant_id = kSpheresId) const bool kSpheres = true;
 layout(constant_id = kCylindersId) const bool kCylinders = true;
 layout(constant_id = kTrianglesId) const bool kTriangles = true;

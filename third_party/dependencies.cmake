@@ -54,8 +54,6 @@ endif()
 
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_OPT spirv-opt REQUIRED)
-find_program(SPIRV_DIS spirv-dis REQUIRED)
-find_program(SPIRV_AS spirv-as REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
 if(NACRE_APPS)

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "engine/gpu/counting_shader.h"
 #include "engine/gpu/execute.h"
 #include "engine/graph/encoded_format.h"
 #include "engine/passes/output.h"
@@ -13,12 +14,15 @@ namespace nacre::passes {
 
 /// A fragment stage, and its variant that counts fragments.
 struct Stage {
-    gpu::ShaderWords plain, counting;
-    gpu::ShaderWords of(const SceneView& view) const { return view.fragments ? counting : plain; }
+    gpu::ShaderWords plain;
+    gpu::ShaderWords counting = {};  ///< empty: made from the other one
+    gpu::ShaderWords of(const SceneView& view) const {
+        if (!view.fragments) return plain;
+        return counting.empty() ? gpu::countingShader(plain) : counting;
+    }
 };
-/// Both from the first one's name (shaders/shaders.cmake).
 #define NACRE_STAGE(name) \
-    nacre::passes::Stage { shaders::name, shaders::name##Counting }
+    nacre::passes::Stage { shaders::name }
 
 /// Encoding of depth in an attachment.
 struct Encoding {

@@ -23,8 +23,11 @@ inline TileScene tileScene(const SceneBuffers& scene) {
     (scene == TileScene::triangles   ? shaders::name##Triangles##counting \
      : scene == TileScene::cylinders ? shaders::name##Cylinders##counting \
                                      : shaders::name##Spheres##counting)
-#define NACRE_TILE_STAGE(name, counting) \
-    (texels ? NACRE_TILE_SCENE(name##Texels, counting) : NACRE_TILE_SCENE(name##Storage, counting))
+#define NACRE_TILE_SHADER(name) (texels ? NACRE_TILE_SCENE(name##Texels, ) : NACRE_TILE_SCENE(name##Storage, ))
+/// As a Stage: optimised shaders have a counting variant of their own (shaders/shaders.cmake).
+#define NACRE_TILE_STAGE(name)                                                                  \
+    (texels ? Stage{NACRE_TILE_SCENE(name##Texels, ), NACRE_TILE_SCENE(name##Texels, Counting)} \
+            : Stage{NACRE_TILE_SCENE(name##Storage, )})
 
 /// Sets one binding after another.
 class TileBindings {

@@ -1,7 +1,6 @@
 #include "engine/software/tile_edges.h"
 
 #include "engine/software/tile_bindings.h"
-#include "engine/software/usual_stages.h"
 #include "shaders.h"
 
 namespace nacre::passes {
@@ -18,9 +17,7 @@ constexpr auto kFindStorage = asStorage(kFindTexels);
 constexpr std::array kColorTexels{kTexel};
 constexpr auto kColorStorage = asStorage(kColorTexels);
 
-Stage sampleStage(bool texels, TileScene scene) {
-    return {NACRE_TILE_STAGE(tileEdges, ), NACRE_TILE_STAGE(tileEdges, Counting)};
-}
+Stage sampleStage(bool texels, TileScene scene) { return NACRE_TILE_STAGE(tileEdges); }
 
 const gpu::Layout& findLayout(gpu::PipelineContext& context) {
     return context.pipelines.layout({"edge pixels", context.device.caps().tiles.texels ? kFindTexels : kFindStorage,
@@ -60,8 +57,6 @@ gpu::ComputePipeline samplePipeline(gpu::PipelineContext& context, const SceneVi
         d.constants.set(layout::kCylindersId, view.buffers->cylinderCount > 0);
     }
     d.constants.set(layout::kRowsId, view.tiles->shaded);
-    if (caps.texels && !view.fragments && isUsual(d.constants))
-        d.code = NACRE_USUAL_STAGE(tileEdgesTexels, *view.buffers);
     return d;
 }
 

@@ -3,7 +3,6 @@
 #include "engine/passes/primitives.h"
 #include "engine/software/tile_bindings.h"
 #include "engine/software/tile_edges.h"
-#include "engine/software/usual_stages.h"
 #include "shaders.h"
 
 namespace nacre::passes {
@@ -26,24 +25,25 @@ constexpr vk::VertexInputAttributeDescription kSpanAttributes[] = {{0, 0, vk::Fo
 gpu::ShaderWords nearestShader(bool texels, TileScene scene, bool shaded, bool rims) {
     if (shaded && rims) return NACRE_TILE_SCENE(tileRimmed, );
     if (shaded) return NACRE_TILE_SCENE(tileShaded, );
-    return NACRE_TILE_STAGE(tileNearest, );
+    return NACRE_TILE_SHADER(tileNearest);
 }
 
 Stage layerShader(bool texels) {
-    return texels ? NACRE_STAGE(tileTranslucentTexels) : NACRE_STAGE(tileTranslucentStorage);
+    return texels ? Stage{shaders::tileTranslucentTexels, shaders::tileTranslucentTexelsCounting}
+                  : NACRE_STAGE(tileTranslucentStorage);
 }
 
 Stage shadeShader(Output output, bool texels, TileScene scene, bool depth) {
-    if (depth) return {NACRE_TILE_STAGE(tileColorDepth, ), NACRE_TILE_STAGE(tileColorDepth, Counting)};
+    if (depth) return NACRE_TILE_STAGE(tileColorDepth);
     switch (output) {
         case Output::surface:
-            return {NACRE_TILE_STAGE(tileSurface, ), NACRE_TILE_STAGE(tileSurface, Counting)};
+            return NACRE_TILE_STAGE(tileSurface);
         case Output::identity:
-            return {NACRE_TILE_STAGE(tileIdentity, ), NACRE_TILE_STAGE(tileIdentity, Counting)};
+            return NACRE_TILE_STAGE(tileIdentity);
         case Output::color:
             break;
     }
-    return {NACRE_TILE_STAGE(tileColor, ), NACRE_TILE_STAGE(tileColor, Counting)};
+    return NACRE_TILE_STAGE(tileColor);
 }
 
 const gpu::Layout& nearestLayout(gpu::PipelineContext& context, bool shades) {
@@ -76,11 +76,6 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
     d.constants.set(layout::kNumberedId, f.edges.drawn && !f.edges.alone);
     d.constants.set(layout::kSeededId, f.lists.seeded());
     d.constants.set(layout::kLanesId, caps.lanes);
-    const bool rims = view.rims.any();
-    if (caps.texels && isUsual(d.constants, shades && rims))
-        d.code = !shades ? NACRE_USUAL_STAGE(tileNearestTexels, scene)
-                 : rims  ? NACRE_USUAL_STAGE(tileRimmed, scene)
-                         : NACRE_USUAL_STAGE(tileShaded, scene);
     return d;
 }
 

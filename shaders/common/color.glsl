@@ -8,7 +8,6 @@
 #include "hit.glsl"
 #include "patch.glsl"
 #include "shading.glsl"
-#include "usual.glsl"
 #ifndef ATLAS
 #define ATLAS 0
 #endif
@@ -19,8 +18,8 @@
 layout(set = 0, binding = ATLAS) uniform sampler2D occlusionAtlas;
 layout(set = 0, binding = SHADOW) uniform sampler2D shadowMap;
 layout(constant_id = kOcclusionId) const bool kOcclusion = true;
-USUALLY(kCapId) const int kCap = 0;
-USUALLY(kShadowId) const bool kShadow = false;
+layout(constant_id = kCapId) const int kCap = 0;
+layout(constant_id = kShadowId) const bool kShadow = false;
 // kCoded: the target takes sRGB-coded colour; otherwise linear light.
 layout(constant_id = kCodedId) const bool kCoded = false;
 

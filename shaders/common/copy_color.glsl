@@ -2,8 +2,7 @@
 // cycle through a list of colours.
 #include "effects.glsl"
 #include "srgb.glsl"
-#include "usual.glsl"
-USUALLY(kCopyColorsId) const int kCopyColors = 0;
+layout(constant_id = kCopyColorsId) const int kCopyColors = 0;
 
 uint copyHere() {
 #ifdef COPY_OF_PIXEL
@@ -25,7 +24,7 @@ vec3 colorInCopy(vec3 color, uint bits) {
 vec3 linearColor(uint srgb) { return colorInCopy(linearFromSrgb(unpackUnorm4x8(srgb).rgb), srgb); }
 
 /// Stored colour at a point of a triangle: of the nearest corner, or blended. @param bits  of the corners
-USUALLY(kBlendColorsId) const bool kBlendColors = false;
+layout(constant_id = kBlendColorsId) const bool kBlendColors = false;
 uint cornerColor(uvec3 bits, uint corner, vec3 shares) {
     uint nearest = corner == 0u ? bits.x : corner == 1u ? bits.y : bits.z;
     if (!kBlendColors) return nearest;

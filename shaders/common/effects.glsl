@@ -3,13 +3,12 @@
 #ifndef NACRE_EFFECTS_GLSL
 #define NACRE_EFFECTS_GLSL
 #include "layout.h"
-#include "usual.glsl"
 #ifndef EFFECTS
 #define EFFECTS 1
 #endif
 
 layout(set = 0, binding = EFFECTS, std140) uniform Effects { EffectConstants effects; };
-USUALLY(kFogId) const bool kFog = false;
+layout(constant_id = kFogId) const bool kFog = false;
 
 /// Fraction of fog at distance Z.
 float fogAt(float Z) { return clamp((Z - effects.fogStart) * effects.perFog, 0.0, 1.0) * effects.fog.a; }

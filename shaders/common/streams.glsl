@@ -3,10 +3,9 @@
 //   STREAMS   binding of the first: shapes, then rows of the copies
 //   LOOKS     binding of the looks, if read: two words per sphere, four per cylinder
 #include "divide.glsl"
-#include "usual.glsl"
 
 // Whether the scene has copies; if not, everything has the transform of the push constants.
-USUALLY(kCopiesId) const bool kCopies = false;
+layout(constant_id = kCopiesId) const bool kCopies = false;
 
 #ifdef TEXELS
 layout(set = 0, binding = STREAMS) uniform usamplerBuffer shapeTexels;

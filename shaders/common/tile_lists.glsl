@@ -1,14 +1,9 @@
 // The lists of the `tiles` path (engine/software/tile_lists.h) in its compute stages: one subgroup per tile, in chunks of
 // as many entries as it has lanes.
 
-#include "usual.glsl"
-USUALLY(kLanesId) const int kLanes = 8;
-USUALLY(kTilesInBinId) const int kTilesInBin = 2;
-#ifdef USUAL
-layout(local_size_x = kLanes) in;
-#else
+layout(constant_id = kLanesId) const int kLanes = 8;
+layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
 layout(local_size_x_id = 50) in;  // kLanesId
-#endif
 const int kTile = 8;
 #include "lanes.glsl"
 

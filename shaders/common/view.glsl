@@ -4,7 +4,6 @@
 #extension GL_GOOGLE_include_directive : require
 #include "layout.h"
 #include "turn.glsl"
-#include "usual.glsl"
 
 #ifdef TILES
 // Copied once at the start of main(): lavapipe 22.3 gathers push constants lane by lane at each use.
@@ -12,11 +11,11 @@ TileConstants view;
 #else
 layout(push_constant) uniform Push { ViewConstants view; };
 #endif
-USUALLY(kPerspectiveId) const bool kPerspective = false;
-USUALLY(kWholeImageId) const bool kWholeImage = true;
-USUALLY(kClipId) const bool kClip = false;
-USUALLY(kCutId) const bool kCut = false;
-USUALLY(kContoursId) const bool kContours = USUAL_CONTOURS;
+layout(constant_id = kPerspectiveId) const bool kPerspective = false;
+layout(constant_id = kWholeImageId) const bool kWholeImage = true;
+layout(constant_id = kClipId) const bool kClip = false;
+layout(constant_id = kCutId) const bool kCut = false;
+layout(constant_id = kContoursId) const bool kContours = false;
 
 // The copy that is drawn: that of the draw call, or, with COPY_OF_PIXEL, one that the shader looks up.
 #ifdef COPY_OF_PIXEL
@@ -52,11 +51,7 @@ float encodedDepth(float Z) {
 }
 /// A wire has a constant width on screen. Its stored radius is minus half the width, in pixels of the requested
 /// picture; the result is a radius in Å, still negative.
-#ifdef USUAL
-const bool kWires = false;
-#else
 layout(constant_id = kWiresId) const bool kWires = true;
-#endif
 bool isWire(float radius) { return kWires && radius < 0.0; }
 float stickRadius(float stored, float az, float bz) {
     if (!kWires) return stored;
