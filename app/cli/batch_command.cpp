@@ -45,7 +45,7 @@ public:
         try {
             job.draw(*canvas);
         } catch (const Error&) {
-            const bool lost = !canvas->renderer.deviceLoss().empty();
+            const bool lost = canvas->isLost();
             if (lost) canvas.reset();
             giveBack(std::move(canvas), lost);
             if (!lost || tooManyLosses()) throw;
@@ -75,7 +75,7 @@ private:
 
     void giveBack(std::unique_ptr<Canvas> canvas, bool lost = false) {
         const std::lock_guard lock(turn_);
-        if (canvas && !canvas->isFull()) idle_.push_back(std::move(canvas));
+        if (canvas && !canvas->isSpent()) idle_.push_back(std::move(canvas));
         --atWork_;
         if (lost) ++losses_;
         idles_.notify_one();

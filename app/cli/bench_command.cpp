@@ -7,8 +7,7 @@
 #include "app/cli/stats.h"
 #include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
-#include "app/drawing/map_layers.h"
-#include "app/drawing/scenes.h"
+#include "app/drawing/drawing.h"
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
 #include "engine/error.h"
@@ -34,9 +33,9 @@ Json benchOf(const BenchOptions& options, const InputOptions& input) {
     picture.input = input;
     loadMaps(picture);
     progress.begin("building the scene");
-    Representation scene = sceneOf(molecule, input.path, picture.drawn, picture.look);
-    colorByMap(picture, scene);
-    scene = withMaps(std::move(scene), mapLayersOf(molecule, picture, scene.center, {picture.camera, scene.radius}));
+    Drawing drawing(CameraBy::hand);
+    drawing.build(molecule, picture);
+    const Representation scene = drawing.joinedScene();
     Json report{{"input", input.path},
                 {"atoms", {{"read", molecule.atoms.size()}, {"drawn", scene.drawnAtoms}}},
                 {"size", {options.picture.size.width, options.picture.size.height}},

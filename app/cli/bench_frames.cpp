@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/cli/stats.h"
+#include "app/drawing/scenes.h"
 #include "engine/device_plan.h"
 #include "engine/error.h"
 #include "engine/renderer.h"
@@ -54,13 +55,7 @@ Json timesJson(std::vector<double> samples) {
 RenderSettings benchFrame(const BenchOptions& options, double radius, int frame) {
     Camera camera = options.picture.camera;
     camera.rotationDegrees.y += 5.0 * frame;
-    RenderSettings settings;
-    settings.view = viewOf(camera, radius, options.picture.size.width, options.picture.size.height);
-    settings.supersample = options.picture.supersample;
-    settings.meshError = options.picture.meshError;
-    settings.occlusion.directions = options.picture.occlusion.directions;
-    settings.occlusion.bytes = options.picture.occlusion.bytes();
-    return settings;
+    return settingsOf(options.picture, camera, options.picture.size, radius);
 }
 
 /// Milliseconds that frames took by the clock, and of all processors together.

@@ -79,8 +79,7 @@ void exportCommand(const ExportCommandOptions& options) {
     loadMaps(options.picture, downloadProgress(progress));
     progress.begin("building the scene");
     if (extensionOf(options.picture.output) == ".mvsj") return writeMolViewSpec(molecule, options, file);
-    Representation scene = sceneOf(molecule, options.picture.input.path, options.picture.drawn, options.picture.look,
-                                   frameOfPrimitives(molecule, options.picture), options.picture.drawsBeside());
+    Representation scene = sceneOf(molecule, options.picture);
     addMapSurfaces(molecule, options.picture, scene);
     for (const std::string& warning : scene.warnings) sayWarning(warning);
     const BakedOcclusion baked = bakedOcclusion(options, scene, progress);

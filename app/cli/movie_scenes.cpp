@@ -171,7 +171,7 @@ void MovieScenes::addKeys() {
 MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     Look& look = looks_[number];
     if (look.canvas && look.model == model) return look;
-    if (look.moving) {
+    if (look.drawing.moving()) {
         moveTo(look, model);
         return look;
     }
@@ -193,12 +193,7 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     };
     // Occlusion of models that come and go is not worth room on the disk.
     if (options_.models) look.drawing.settings.occlusion.cache.clear();
-    if (motion_ && !look.options.look.ownFrame) {
-        look.moving.emplace(movingSceneOf(molecule_, look.options.input.path, look.options.drawn, look.options.look));
-        look.recolor.emplace(look.options);
-        Representation start = look.moving->scene();
-        (*look.recolor)(start);
-    }
+    if (motion_ && !look.options.look.ownFrame) look.drawing.startMoving(molecule_);
     if (!look.canvas) look.canvas = std::make_unique<Canvas>(look.options.device);
     options_.sweep ? look.drawing.show(*look.canvas) : look.drawing.handOver(*look.canvas);
     return look;
@@ -219,13 +214,9 @@ std::optional<Bounds> MovieScenes::frameOf(Look& look) const {
 void MovieScenes::moveTo(Look& look, int frame) {
     movePositions(molecule_, motion_->positions(static_cast<std::size_t>(frame - 1)));
     if (!saidTorn_) saidTorn_ = sayTorn(*motion_, look.options.input.trajectory.path);
-    look.moving->move(molecule_);
     look.model = frame;
-    Representation scene = look.moving->scene();
-    (*look.recolor)(scene);
-    look.drawing.placeWordsIn(scene, molecule_);
-    reachTo(look.drawing.settings.view, scene.radius);
-    look.canvas->renderer.setScene(look.drawing.withBeside(std::move(scene)));
+    look.drawing.moveTo(molecule_);
+    look.drawing.handOver(*look.canvas);
 }
 
 /// Parts of the scene that stay are not made again.

@@ -52,8 +52,6 @@ private:
         int model = 0;                                  ///< prepared for this model; 0: none yet
         std::map<Style, std::optional<Bounds>> frames;  ///< shared camera of the models
         bool framed = false;                            ///< the current model has a shared camera
-        std::optional<MovingScene> moving;              ///< for a trajectory whose frames share a camera
-        std::optional<SurfaceColoring> recolor;         ///< of its frames
         std::shared_ptr<WordMemory> wordMemory = std::make_shared<WordMemory>();
     };
     struct Key {

@@ -7,8 +7,7 @@
 #include "app/cli/progress.h"
 #include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
-#include "app/drawing/map_layers.h"
-#include "app/drawing/scenes.h"
+#include "app/drawing/drawing.h"
 #include "engine/device_plan.h"
 #include "engine/error.h"
 #include "engine/frame/lens.h"
@@ -74,10 +73,9 @@ void askSamples(const PlanOptions& options, PlanReport& report, const SceneCount
 SceneCounts countsOfInput(const PlanOptions& options) {
     const Molecule molecule = loadMolecule(options.picture.input);
     loadMaps(options.picture);
-    Representation scene = sceneOf(molecule, options.picture.input.path, options.picture.drawn, options.picture.look);
-    colorByMap(options.picture, scene);
-    scene = withMaps(std::move(scene),
-                     mapLayersOf(molecule, options.picture, scene.center, {options.picture.camera, scene.radius}));
+    Drawing drawing(CameraBy::hand);
+    drawing.build(molecule, options.picture);
+    Representation scene = drawing.joinedScene();
     const View view =
         viewOf(options.picture.camera, scene.radius, options.picture.size.width, options.picture.size.height);
     const double pixels = options.picture.meshError * (options.edges ? 0.25 : 1.0);

@@ -60,16 +60,17 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     const bool asShown = size.width == window_.size().width && size.height == window_.size().height;
     const double textSize =
         viewer().words().size() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
-    RenderSettings settings = viewer().words().settingsBeside(size, textSize);
-    // Pictures larger than the window use picture anti-aliasing, others the window's.
-    settings.supersample = asShown ? viewer().frames().mostSamples() : RenderSettings::kEdges;
-    if (transparent) settings.background = {0, 0, 0, 0};
-    Picture drawn = renderer().render(settings);
-    viewer().words().paint(viewer().picking().savedView(), settings.view, textSize, transparent, drawn);
+    PictureDescription picture = viewer().picking().savedView();
+    picture.size = {size.width, size.height};
+    picture.output = path;
+    picture.words.size = textSize;
+    // The window's own size has the window's anti-aliasing; others have that of pictures.
+    picture.supersample = asShown ? viewer().frames().mostSamples() : RenderSettings::kEdges;
+    if (transparent) picture.background = {0, 0, 0, 0};
     PictureFormat format;
     format.alpha = transparent;
     format.dpi = dpi;
-    writePicture(file, drawn, format);
+    writePicture(file, viewer().frames().draw(renderer(), std::move(picture)), format);
 }
 
 void WindowSession::copyPicture() {
@@ -155,7 +156,7 @@ void WindowSession::saveScene() {
         view.background = shown.background;
         const mvs::WrittenScene written =
             mvs::writeScene(*document->placed, view, volumesOf(view.maps),
-                            cameraOf(shown.view, document->scene.center, !document->molecule->guide), path);
+                            cameraOf(shown.view, document->drawing.scene().center, !document->molecule->guide), path);
         writeText(file, written.json);
         std::string told = "saved " + path;
         for (const std::string& note : written.notes) told += "; " + note;

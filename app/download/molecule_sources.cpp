@@ -7,7 +7,6 @@
 #include "app/download/database_id.h"
 #include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
-#include "app/drawing/scenes.h"
 #include "app/files/printable.h"
 #include "app/input/input_files.h"
 #include "app/input/read_input.h"
@@ -66,7 +65,6 @@ Sources windowSources(const InputOptions& first) {
                 "Download", [allowed] { *allowed = true; });
         }
     };
-    all.build = sceneOfView;
     all.maps = [first, allowed](const PictureDescription& view) {
         PictureDescription asked = view;
         asked.input = inputOf(view, first);

@@ -21,164 +21,166 @@
 namespace nacre::app {
 namespace {
 
-/// A frame of a trajectory is seen from where the first is, as in a window and in movies, and drawn as chosen there;
-/// unless each is to have a camera of its own. @returns the radius that the camera goes by
-double buildScene(const ResidueFacts& facts, const PictureDescription& options, const std::optional<Bounds>& frame,
-                  Representation& scene) {
-    const InputOptions& input = options.input;
-    const TrajectoryOptions& frames = input.trajectory;
-    const Molecule& molecule = facts.molecule();
-    if (frames.path.empty() || frames.frame == 1 || options.look.ownFrame || !options.look.assembly.empty() ||
-        !input.further.empty()) {
-        scene = sceneOf(facts, input.path, options.drawn, options.look,
-                        frame ? frame : frameOfPrimitives(molecule, options), options.drawsBeside());
-        return scene.radius;
-    }
-    Molecule first = molecule;
-    const HeardMessages again;  // everything was reported when the molecule was read
-    movePositions(first, openMotion(frames, molecule)->positions(0));
-    MovingScene moving = movingSceneOf(first, input.path, options.drawn, options.look);
-    const double radius = moving.scene().radius;
-    moving.move(molecule);
-    scene = moving.scene();
-    return radius;
-}
-
-RenderSettings settingsOf(const PictureDescription& options, const Camera& camera, double radius) {
-    RenderSettings settings = shadingOf(options);
-    settings.view = viewOf(camera, radius, options.size.width, options.size.height);
-    settings.supersample = options.supersample;
-    settings.meshError = options.meshError;
-    settings.fine = options.bits == 16 || extensionOf(options.output) == ".exr";
-    settings.tuning = options.tuning;
-    settings.debug = options.debug;
-    // Captures include the bake.
-    if (options.capture.empty()) settings.occlusion.cache = cacheFolder(options.input.cache, "occlusion");
-    return settings;
-}
-
-/// Removes what hides the target. Uses a clipping plane instead for assemblies, whose copies share primitives, and for
-/// movies, which rotate around it.
-void uncoverTarget(const Aimed& aim, const Aim& wanted, const ResidueFacts& facts, Representation& scene,
-                   RenderSettings& settings, RunStats& run) {
-    const std::optional<Selection>& target = uncoveredBy(wanted);
-    if (!target) return;
-    double& clipNear = settings.effects.clip.near;
-    if (aim.clipNear && (wanted.turns || !scene.copies.transforms.empty()))
-        clipNear = std::max(clipNear, *aim.clipNear);
-    if (wanted.turns) return;
-    run.uncovers = target->text;
-    run.uncovered = uncover(scene, selectAtoms(facts, *target), settings.view, clipNear);
-}
-
-void tellScene(const Molecule& molecule, const Representation& scene, RunStats& run) {
-    run.atomsRead = molecule.atoms.size();
-    run.bondsKnown = molecule.bonds.size();
-    run.center = scene.center;
-    run.atomsDrawn = scene.drawnAtoms;
-    run.bondsDrawn = scene.drawnBonds;
-    run.triangles = scene.triangles.size();
-    run.vertices = scene.meshVertices.size();
-    run.legends = scene.legends;
+/// Whether a description shows a frame of a trajectory other than the first, by the first frame's camera and choices.
+bool showsLaterFrame(const PictureDescription& picture) {
+    const TrajectoryOptions& frames = picture.input.trajectory;
+    return !frames.path.empty() && frames.frame != 1 && !picture.look.ownFrame && picture.look.assembly.empty() &&
+           picture.input.further.empty();
 }
 
 /// The view's aim. Pictures that share a scale are not fitted individually.
-Aim aimOf(const Molecule& molecule, const PictureDescription& options, const std::optional<Bounds>& frame) {
-    Aim aim = options.aim;
-    const bool alone = !frame && options.input.trajectory.path.empty() && molecule.others.empty() &&
-                       !options.look.ownFrame && !aim.turns;
-    aim.fits = aim.fits && alone && options.camera.zoom == 1 && options.camera.pan == glm::dvec2(0);
+Aim aimOf(const Molecule& molecule, const PictureDescription& picture, const std::optional<Bounds>& frame) {
+    Aim aim = picture.aim;
+    const bool alone = !frame && picture.input.trajectory.path.empty() && molecule.others.empty() &&
+                       !picture.look.ownFrame && !aim.turns;
+    aim.fits = aim.fits && alone && picture.camera.zoom == 1 && picture.camera.pan == glm::dvec2(0);
     return aim;
+}
+
+double depthOrigin(const View& view) {
+    return view.projection == Projection::perspective ? view.eyeDistance : view.radius;
+}
+
+template <typename T>
+void append(std::vector<T>& list, const std::vector<T>& more) {
+    list.insert(list.end(), more.begin(), more.end());
+}
+
+std::uint64_t nextNumber() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
 }
 
 }  // namespace
 
+Rebuild rebuildFor(const PictureDescription& before, const PictureDescription& after, CameraBy by) {
+    const Facets parts = difference(before, after);
+    const bool uncovers = by == CameraBy::hand
+                              ? before.aim.uncover != after.aim.uncover
+                              : parts && (uncoveredBy(before.aim) || uncoveredBy(after.aim));  // depends on the view
+    Rebuild rebuild;
+    rebuild.molecule = has(parts, Facet::input) || has(parts, Facet::frame);
+    // Maps and primitives decide whether all atoms may be hidden.
+    rebuild.scene = has(parts, Facet::scene) || uncovers || before.drawsBeside() != after.drawsBeside();
+    rebuild.maps = has(parts, Facet::map) || (after.maps.aroundFocus && has(parts, Facet::view));
+    return rebuild;
+}
+
 void Drawing::prepare(const Molecule& molecule, const PictureDescription& description,
                       const std::optional<Bounds>& frame) {
+    const Clock::time_point start = Clock::now();
     try {
         facts_ = facts_ ? facts_->moved(molecule) : ResidueFacts(molecule);
-        bringUpTo(*facts_, description, frame);
+        if (!update(description, frame, nullptr)) return;
+        finish(description_);
     } catch (...) {
         forget();  // an incomplete result must not pass for a complete one
         throw;
     }
-}
-
-void Drawing::bringUpTo(const ResidueFacts& facts, const PictureDescription& description,
-                        const std::optional<Bounds>& frame) {
-    static std::atomic<std::uint64_t> scenes{0};
-    const Clock::time_point start = Clock::now();
-    const Molecule& molecule = facts.molecule();
-    const Facets parts = difference(description_, description);
-    if (scene_ && parts == 0) return;
-    // Atoms left out because they hide others depend on the view, too. Maps and primitives decide whether all may be
-    // hidden.
-    const bool another = !scene_ || (parts & (Facet::input | Facet::frame | Facet::scene)) != 0 ||
-                         description.drawsBeside() != description_.drawsBeside() || (molecule.atoms.empty() && parts) ||
-                         uncoveredBy(description.aim) || uncoveredBy(description_.aim) ||
-                         (cutsScene_ && has(parts, Facet::view));
-    description_ = description;
-    if (another) {
-        scene_.emplace();
-        radius_ = buildScene(facts, description_, frame, *scene_);
-        if (recolor) recolor(*scene_);
-        colorByMap(description_, *scene_);
-        number_ = ++scenes;
-        ++counts_.scenes;
-    }
-    const Aimed aim =
-        aimed(description_.camera, aimOf(molecule, description_, frame), facts, *scene_, description_.size);
-    if (another || has(parts, Facet::map) || (description_.maps.aroundFocus && has(parts, Facet::view))) {
-        maps_ = mapLayersOf(molecule, description_, scene_->center, {aim.camera, radius_});
-        number_ = ++scenes;
-    }
-    const double framed = std::max(radius_, maps_.frame);
-    run = {};
-    settings = settingsOf(description_, aim.camera, framed);
-    const View& view = settings.view;
-    const auto depthFrom = [&] { return view.projection == Projection::perspective ? view.eyeDistance : view.radius; };
-    const double depthOfFirst = depthFrom();
-    const double reach = std::max(scene_->radius, maps_.shown.radius);
-    if (reach > framed) reachTo(settings.view, reach);
-    depthShift_ = depthFrom() - depthOfFirst;
-    run.zoom = aim.camera.zoom;
-    takeGuide(molecule, description_, settings);
-    viewScene(molecule);
-    uncoverTarget(aim, description_.aim, facts, *scene_, settings, run);
-    focusLens(molecule, description_, scene_->center, settings);
-    run.clip = clipText(settings.effects.clip);
-    warnings = molecule.guide ? molecule.guide->warnings : std::vector<std::string>();
-    warnings.insert(warnings.end(), scene_->warnings.begin(), scene_->warnings.end());
-    warnings.insert(warnings.end(), maps_.warnings.begin(), maps_.warnings.end());
-    if (description_.debug == DebugView::none) putWords(facts);
-    for (std::string& idle : idleOptions(description_, *scene_, settings.effects, scene_->radius))
-        warnings.push_back(std::move(idle));
-    makeRoom();
-    tellScene(molecule, *scene_, run);
-    run.legends.insert(run.legends.end(), maps_.shown.legends.begin(), maps_.shown.legends.end());
-    run.warnings = molecule.warnings;
-    run.warnings.insert(run.warnings.end(), warnings.begin(), warnings.end());
     run.sceneMs = millisecondsSince(start);
 }
 
-void Drawing::placeWordsIn(const Representation& scene, const ResidueFacts& facts, WordsOfHidden hidden) {
-    words = placeWords(description_.words, facts, scene, hidden);
-    addLabels(maps_.labels, scene.center, words);
-    if (description_.words.legend)
-        words.legends.insert(words.legends.end(), maps_.shown.legends.begin(), maps_.shown.legends.end());
+void Drawing::build(const Molecule& molecule, const PictureDescription& description,
+                    const std::optional<Bounds>& frame) {
+    facts_ = facts_ ? facts_->moved(molecule) : ResidueFacts(molecule);
+    update(description, frame, nullptr);
 }
 
-/// Sees a scene file's molecule from where its camera stands.
-void Drawing::viewScene(const Molecule& molecule) {
-    cutsScene_ = false;
+void Drawing::buildMoving(const Molecule& first, const Molecule& now, const PictureDescription& description) {
+    facts_ = ResidueFacts(first);
+    update(description, {}, &now);
+}
+
+void Drawing::compose(const PictureDescription& picture) {
+    setView(picture, picture.camera);
+    finish(picture);
+}
+
+/// @returns whether anything differs
+bool Drawing::update(const PictureDescription& description, const std::optional<Bounds>& frame, const Molecule* now) {
+    const Facets parts = difference(description_, description);
+    if (scene_ && parts == 0) return false;
+    const Molecule& first = facts_->molecule();
+    const Rebuild rebuild = rebuildFor(description_, description, by_);
+    const bool another =
+        !scene_ || rebuild.molecule || rebuild.scene || first.atoms.empty() || (cutsScene_ && has(parts, Facet::view));
+    description_ = description;
+    if (another) buildScene(frame, now);
+    Aimed aim{description_.camera, {}};
+    if (by_ == CameraBy::description)
+        aim = aimed(description_.camera, aimOf(first, description_, frame), *facts_, *scene_, description_.size);
+    if (another || rebuild.maps) {
+        maps_ = mapLayersOf(first, description_, scene_->center, {aim.camera, radius_});
+        number_ = nextNumber();
+    }
+    run = {};
+    run.zoom = aim.camera.zoom;
+    setView(description_, aim.camera);
+    if (by_ == CameraBy::description) {
+        // Captures include the bake.
+        if (description_.capture.empty()) settings.occlusion.cache = cacheFolder(description_.input.cache, "occlusion");
+        applySceneFile();
+    }
+    uncoverTarget(aim.clipNear);
+    return true;
+}
+
+/// @param now  the positions of moving atoms; null: they do not move
+void Drawing::buildScene(const std::optional<Bounds>& frame, const Molecule* now) {
+    moving_.reset();
+    if (now) {
+        moving_ = std::make_shared<MovingPicture>(facts_->molecule(), description_,
+                                                  recolor);  // with its own facts: it may go to another thread
+        scene_ = moving_->moved(*now);
+        radius_ = moving_->radius();
+        facts_ = facts_->moved(*now);
+    } else if (showsLaterFrame(description_)) {
+        Molecule first = facts_->molecule();
+        const HeardMessages again;  // everything was reported when the molecule was read
+        movePositions(first, openMotion(description_.input.trajectory, first)->positions(0));
+        MovingScene moving = movingSceneOf(first, description_);
+        radius_ = moving.scene().radius;
+        moving.move(facts_->molecule());
+        scene_ = moving.scene();
+    } else {
+        scene_ = sceneOf(*facts_, description_, frame);
+        radius_ = scene_->radius;
+    }
+    if (!now) {
+        if (recolor) recolor(*scene_);
+        colorByMap(description_, *scene_);
+    }
+    sceneNumber_ = nextNumber();
+    ++counts_.scenes;
+}
+
+RenderSettings Drawing::settingsFor(const PictureDescription& picture, const Camera& camera, const Size& size) const {
+    RenderSettings result = settingsOf(picture, camera, size, radius());
+    if (reach() > result.view.radius) reachTo(result.view, reach());
+    return result;
+}
+
+void Drawing::setView(const PictureDescription& picture, const Camera& camera) {
+    settings = settingsFor(picture, camera, picture.size);
+    depthShift_ =
+        depthOrigin(settings.view) - depthOrigin(viewOf(camera, radius(), picture.size.width, picture.size.height));
+}
+
+/// Takes what a scene file says and no option: its background, and its camera with clipping planes.
+void Drawing::applySceneFile() {
+    cutsScene_ = seenByScene_ = false;
+    const Molecule& molecule = facts_->molecule();
+    if (!molecule.guide) return;
+    const bool standard =
+        !description_.given.contains("background") && description_.background == PictureDescription{}.background;
+    if (molecule.guide->background && standard) settings.background = *molecule.guide->background;
     const SceneCamera* camera = sceneCamera(molecule, description_);
     seenByScene_ = camera != nullptr;
     if (!camera) return;
     const bool ortho =
         description_.given.contains("projection") && description_.camera.projection == Projection::orthographic;
-    const double reach = std::max(scene_->radius, maps_.shown.radius);
     const SceneView seen =
-        viewOf(*camera, description_.camera, ortho, reach, description_.size.width, description_.size.height);
+        viewOf(*camera, description_.camera, ortho, reach(), description_.size.width, description_.size.height);
     settings.view = seen.view;
     Clip& clip = settings.effects.clip;
     clip.near = std::max(clip.near, seen.clip.near);
@@ -188,10 +190,49 @@ void Drawing::viewScene(const Molecule& molecule) {
     dropOutside(maps_.shown, seen);
 }
 
-/// Words of what is left out since it hides something go with it.
-void Drawing::putWords(const ResidueFacts& facts) {
-    const bool some = !run.uncovers.empty();
-    placeWordsIn(*scene_, facts, some ? WordsOfHidden::leftOut : WordsOfHidden::refused);
+/// Removes what hides the target. Uses a clipping plane instead for assemblies, whose copies share primitives, and for
+/// movies, which rotate around it.
+void Drawing::uncoverTarget(std::optional<double> plane) {
+    const Aim& aim = description_.aim;
+    const std::optional<Selection>& target = uncoveredBy(aim);
+    if (!target) return;
+    double& near = settings.effects.clip.near;
+    if (plane && (aim.turns || !scene_->copies.transforms.empty())) near = std::max(near, *plane);
+    if (aim.turns) return;
+    run.uncovers = target->text;
+    run.uncovered = uncover(*scene_, selectAtoms(*facts_, *target), settings.view, near);
+}
+
+/// Lens, words and warnings of a picture with the current settings.
+void Drawing::finish(const PictureDescription& picture) {
+    const Molecule& molecule = facts_->molecule();
+    focusLens(molecule, picture, scene_->center, settings);
+    run.clip = clipText(settings.effects.clip);
+    warnings = molecule.guide ? molecule.guide->warnings : std::vector<std::string>();
+    append(warnings, scene_->warnings);
+    append(warnings, maps_.warnings);
+    placeWordsOf(picture);
+    for (std::string& idle : idleOptions(picture, *scene_, settings.effects, scene_->radius))
+        warnings.push_back(std::move(idle));
+    makeRoom(picture);
+    setStats();
+}
+
+PlacedWords Drawing::placeWords(const Words& asked, WordsOfHidden hidden) const {
+    PlacedWords placed = app::placeWords(asked, *facts_, *scene_, hidden);
+    addLabels(maps_.labels, scene_->center, placed);
+    if (asked.legend) append(placed.legends, maps_.shown.legends);
+    return placed;
+}
+
+/// Labels of atoms that were removed because they hide something are left out, too.
+void Drawing::placeWordsOf(const PictureDescription& picture) {
+    words = {};
+    wordSize_ = picture.words.size;
+    wordColor_ = picture.words.color;
+    if (picture.debug != DebugView::none) return;
+    const bool removed = by_ == CameraBy::hand || !run.uncovers.empty();
+    words = placeWords(picture.words, removed ? WordsOfHidden::leftOut : WordsOfHidden::refused);
     if (words.leftOut.empty()) return;
     const std::size_t others = words.leftOut.size() - 1;
     warnings.push_back("no label at " + words.leftOut.front() +
@@ -200,23 +241,65 @@ void Drawing::putWords(const ResidueFacts& facts) {
 }
 
 /// Moves the molecule clear of the words beside it, unless the view shows a part of it.
-void Drawing::makeRoom() {
-    if (!words.any() || seenByScene_ || description_.aim.placed || description_.aim.zoomTo) return;
-    constexpr std::size_t kMany = 200000;  // spheres and vertices: their sphere is nearly as good
+void Drawing::makeRoom(const PictureDescription& picture) {
+    if (!words.any() || seenByScene_ || picture.aim.placed || picture.aim.zoomTo) return;
+    constexpr std::size_t kMany = 200000;  // spheres and vertices; beyond, their bounding sphere is nearly as good
     View& view = settings.view;
     std::vector<glm::dvec4> balls{{0, 0, 0, view.radius}};
-    if (!description_.aim.turns && scene_->drawnAtoms + scene_->meshVertices.size() < kMany)
-        balls = drawnBalls(*scene_);
-    const View beside =
-        WordPainter().besideWords(view, words, description_.words.size, balls, description_.camera.zoom);
+    if (!picture.aim.turns && scene_->drawnAtoms + scene_->meshVertices.size() < kMany) balls = drawnBalls(*scene_);
+    const View beside = WordPainter().besideWords(view, words, picture.words.size, balls, picture.camera.zoom);
     run.zoom *= beside.pixelsPerAngstrom / view.pixelsPerAngstrom;
     view = beside;
 }
 
+void Drawing::setStats() {
+    const Molecule& molecule = facts_->molecule();
+    run.atomsRead = molecule.atoms.size();
+    run.bondsKnown = molecule.bonds.size();
+    run.center = scene_->center;
+    run.atomsDrawn = scene_->drawnAtoms;
+    run.bondsDrawn = scene_->drawnBonds;
+    run.triangles = scene_->triangles.size();
+    run.vertices = scene_->meshVertices.size();
+    run.legends = scene_->legends;
+    append(run.legends, maps_.shown.legends);
+    run.warnings = molecule.warnings;
+    append(run.warnings, warnings);
+}
+
+// --- atoms that move
+
+void Drawing::startMoving(const Molecule& first) {
+    moving_ = std::make_shared<MovingPicture>(first, description_, recolor);
+}
+
+void Drawing::moveTo(const Molecule& molecule) {
+    takeMoved(molecule, moving_->moved(molecule));
+    words = placeWords(description_.words, WordsOfHidden::refused);
+    reachTo(settings.view, reach());
+}
+
+void Drawing::takeMoved(const Molecule& molecule, Representation scene) {
+    facts_ = facts_->moved(molecule);
+    scene_ = std::move(scene);
+    number_ = nextNumber();
+}
+
+Drawing Drawing::copy() const {
+    Drawing other = *this;
+    other.facts_.reset();  // they are computed on demand, by one thread
+    other.moving_.reset();
+    return other;
+}
+
+Representation Drawing::joinedScene() const { return withMaps(*scene_, maps_); }
+
+// --- on a canvas
+
 void Drawing::show(Canvas& canvas) {
     if (canvas.scene == number_) return;
     canvas.scene = 0;
-    const bool colors = canvas.renderer.setScene(maps_.empty() ? *scene_ : withMaps(*scene_, maps_));
+    const bool colors = canvas.renderer.setScene(joinedScene());
     canvas.scene = number_;
     ++counts_.uploads;
     counts_.colors += colors ? 1 : 0;
@@ -225,6 +308,7 @@ void Drawing::show(Canvas& canvas) {
 void Drawing::handOver(Canvas& canvas) {
     canvas.scene = 0;
     canvas.renderer.setScene(withMaps(std::move(*scene_), maps_));
+    canvas.scene = number_;
     scene_.reset();
     ++counts_.uploads;
 }
@@ -257,8 +341,8 @@ LayerPicture Drawing::layers(Renderer& renderer) const {
 
 std::vector<std::string> Drawing::addWords(const RenderSettings& drawn, Picture& picture, WordMemory* memory) const {
     if (!words.any()) return {};
-    return WordPainter().paint(words, drawn.view, description_.words.size, description_.words.color, drawn.background,
-                               picture, drawn.effects.clip, memory);
+    return WordPainter().paint(words, drawn.view, wordSize_, wordColor_, drawn.background, picture, drawn.effects.clip,
+                               memory);
 }
 
 }  // namespace nacre::app

@@ -1,15 +1,17 @@
 #pragma once
-// Draws a molecule by a description. Keeps the scene, and the renderer keeps its bake: a new description repeats only
-// the work affected by its changes.
+// The road from a description to pixels. Keeps the scene, and the renderer keeps its bake: a new description repeats
+// only the work affected by its changes.
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/annotation/layout.h"
 #include "app/drawing/map_layers.h"
+#include "app/drawing/moving_picture.h"
 #include "app/drawing/run_stats.h"
 #include "app/picture/description.h"
 #include "engine/molecule/residue_facts.h"
@@ -20,27 +22,70 @@ namespace nacre::app {
 /// A renderer, and the scene that it has.
 struct Canvas {
     explicit Canvas(const DeviceOptions& options) : renderer(options) {}
-    /// Whether it should be made anew. The renderer keeps each pipeline, of which lavapipe takes megabytes for some.
-    bool isFull() const { return renderer.stats().pipelines > kMostPipelines; }
+    bool isLost() const { return !renderer.deviceLoss().empty(); }
+    /// Whether another should be made: it is lost, or holds too many pipelines. The renderer keeps each pipeline; some
+    /// take megabytes on lavapipe.
+    bool isSpent() const { return renderer.stats().pipelines > kMostPipelines || isLost(); }
 
     static constexpr std::uint64_t kMostPipelines = 48;
     Renderer renderer;
     std::uint64_t scene = 0;  ///< a Drawing's scene number; 0: none
 };
 
+/// Who sets the camera.
+enum class CameraBy {
+    description,  ///< with its aim, and a scene file's own camera where the description has none
+    hand          ///< a window: its description holds all of that, and turning the camera builds nothing
+};
+
+/// What is built again for another description.
+struct Rebuild {
+    bool molecule = false;  ///< it is read, or another of its frames is taken
+    bool scene = false;     ///< spheres, sticks and meshes
+    bool maps = false;      ///< what is drawn beside the molecule
+    bool any() const { return molecule || scene || maps; }
+};
+Rebuild rebuildFor(const PictureDescription& before, const PictureDescription& after, CameraBy by);
+
 class Drawing {
 public:
-    /// Updates everything to a description. Needs no device.
+    explicit Drawing(CameraBy by = CameraBy::description) : by_(by) {}
+
+    // --- The scene. Slow; needs no device.
+
+    /// Updates everything to a description: build(), and settings and words of its picture.
     /// @param molecule  the same as before, unless forget() was called
     /// @param frame  shared by all models of its file (shared_frame.h), if known; else computed if possible
     /// @throws Error if nothing of the molecule is drawn, or a selection has no drawn atom
     void prepare(const Molecule& molecule, const PictureDescription& description,
                  const std::optional<Bounds>& frame = {});
+    /// Updates the scene and what is beside it. @throws Error
+    void build(const Molecule& molecule, const PictureDescription& description,
+               const std::optional<Bounds>& frame = {});
+    /// As above for atoms that move: the scene is that of the molecule where its atoms are now. @throws Error
+    void buildMoving(const Molecule& first, const Molecule& now, const PictureDescription& description);
+    /// Settings and words of a picture of the scene as it is. Its camera, size and shading are the picture's.
+    /// @throws Error if it has words of what is not in the molecule
+    void compose(const PictureDescription& picture);
     /// Call before the molecule or its positions change.
     void forget() {
         scene_.reset();
         facts_.reset();
+        moving_.reset();
     }
+
+    // --- Atoms that move
+
+    /// Makes ready for moveTo(). @param first  the positions that decide about the scene @throws Error
+    void startMoving(const Molecule& first);
+    /// Shows the atoms where they are in `molecule`: scene, words, depth range. The camera stays. @throws Error
+    void moveTo(const Molecule& molecule);
+    /// As above with a scene that moving() made. Its words are those of placeWords().
+    void takeMoved(const Molecule& molecule, Representation scene);
+    /// Makes the scenes of other positions, on any one thread; null: atoms do not move.
+    const std::shared_ptr<MovingPicture>& moving() const { return moving_; }
+
+    // --- On a canvas
 
     /// Puts the scene on a canvas, if it is not there. Keeps the scene's bake.
     void show(Canvas& canvas);
@@ -61,15 +106,28 @@ public:
     std::vector<std::string> addWords(const RenderSettings& settings, Picture& picture,
                                       WordMemory* memory = nullptr) const;
 
-    /// Places words in another scene of the molecule, about the same centre; and adds maps and primitives to a scene.
-    void placeWordsIn(const Representation& scene, const ResidueFacts& facts,
-                      WordsOfHidden hidden = WordsOfHidden::refused);
-    Representation withBeside(Representation scene) const { return withMaps(std::move(scene), maps_); }
+    // --- Parts, for windows
 
-    /// Colours a scene anew once it is built, before its legend is laid out. Who changes it calls forget().
-    std::function<void(Representation&)> recolor;
+    /// Settings of a picture of the scene from a camera; without a scene, of nothing.
+    RenderSettings settingsFor(const PictureDescription& picture, const Camera& camera, const Size& size) const;
+    /// Positions of words in the scene. @throws Error
+    PlacedWords placeWords(const Words& words, WordsOfHidden hidden) const;
+    /// The scene with what is beside it.
+    Representation joinedScene() const;
     /// Without what is beside the molecule. Not after handOver().
     const Representation& scene() const { return *scene_; }
+    const MapLayers& maps() const { return maps_; }
+    /// That the camera takes in, Å; 1 without a scene.
+    double radius() const { return scene_ ? std::max(radius_, maps_.frame) : 1; }
+    /// Of everything drawn, Å.
+    double reach() const { return scene_ ? std::max(scene_->radius, maps_.shown.radius) : 0; }
+    /// Changes when scene() is built again.
+    std::uint64_t sceneNumber() const { return sceneNumber_; }
+    /// A copy for another thread, which builds it for another description of the same molecule.
+    Drawing copy() const;
+
+    /// Colours a scene again once it is built, before its legend is laid out. Who changes it calls forget().
+    MovingPicture::Recolor recolor;
     const PictureDescription& description() const { return description_; }
     RenderSettings settings;
     PlacedWords words;
@@ -85,22 +143,31 @@ public:
     const Counts& counts() const { return counts_; }
 
 private:
-    void bringUpTo(const ResidueFacts& facts, const PictureDescription& description,
-                   const std::optional<Bounds>& frame);
-    void putWords(const ResidueFacts& facts);
-    void viewScene(const Molecule& molecule);
-    void makeRoom();
+    bool update(const PictureDescription& description, const std::optional<Bounds>& frame, const Molecule* now);
+    void buildScene(const std::optional<Bounds>& frame, const Molecule* now);
+    void setView(const PictureDescription& picture, const Camera& camera);
+    void applySceneFile();
+    void uncoverTarget(std::optional<double> clipNear);
+    void finish(const PictureDescription& picture);
+    void placeWordsOf(const PictureDescription& picture);
+    void makeRoom(const PictureDescription& picture);
+    void setStats();
 
-    PictureDescription description_;
+    CameraBy by_;
+    PictureDescription description_;     ///< of the scene
     std::optional<ResidueFacts> facts_;  ///< of the molecule
     std::optional<Representation> scene_;
     MapLayers maps_;
-    std::uint64_t number_ = 0;  ///< of scene_ with maps_
-    bool seenByScene_ = false;  ///< from where a scene file's camera stands
-    bool cutsScene_ = false;    ///< scene_ lacks what that camera's planes cut away
-    double radius_ = 0;         ///< that the camera goes by, Å
+    std::shared_ptr<MovingPicture> moving_;
+    std::uint64_t sceneNumber_ = 0;  ///< of scene_
+    std::uint64_t number_ = 0;       ///< of scene_ with maps_
+    bool seenByScene_ = false;       ///< from where a scene file's camera stands
+    bool cutsScene_ = false;         ///< scene_ lacks what that camera's planes cut away
+    double radius_ = 0;              ///< that the camera goes by, Å, without maps
     /// How far the plane or the eye that depths count from stands behind that of the trajectory's first frame, Å.
     double depthShift_ = 0;
+    double wordSize_ = 0;  ///< of the last picture, as Words has it
+    std::optional<std::array<float, 3>> wordColor_;
     Counts counts_;
 };
 

@@ -192,7 +192,7 @@ double levelOf(const DensityMap& map, const MapLevel& level) {
 }
 
 Representation withMaps(Representation scene, const MapLayers& maps) {
-    joinScenes(scene, maps.shown);
+    if (!maps.empty()) joinScenes(scene, maps.shown);
     return scene;
 }
 

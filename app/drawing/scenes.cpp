@@ -3,6 +3,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/drawing/map_layers.h"
+#include "app/files/output_file.h"
 #include "app/input/color_file.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"
@@ -26,8 +27,8 @@ std::vector<std::uint32_t> someDrawnAtoms(const Molecule& molecule, const std::s
 }
 
 /// A scene without atoms, where they would be.
-Representation nothingOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
-                         const std::optional<Bounds>& frame) {
+Representation emptyScene(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
+                          const std::optional<Bounds>& frame) {
     const Molecule& molecule = facts.molecule();
     std::vector<glm::dvec4> balls;
     for (const std::uint32_t atom : drawn)
@@ -40,62 +41,56 @@ Representation nothingOf(const ResidueFacts& facts, std::span<const std::uint32_
     return scene;
 }
 
-}  // namespace
-
-MovingScene movingSceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,
-                          const RepresentationOptions& look) {
-    return {facts, someDrawnAtoms(facts.molecule(), name, drawn), withTables(look), sharedFrame(facts, drawn, look)};
-}
-
-Representation sceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawnOptions,
-                       const RepresentationOptions& asked, const std::optional<Bounds>& frame, bool orNothing) {
-    const RepresentationOptions look = withTables(asked);
-    const Molecule& molecule = facts.molecule();
-    if (molecule.guide && molecule.atoms.empty()) return nothingOf(facts, {}, frameOfGuide(*molecule.guide));
-    if (orNothing && molecule.atoms.empty()) return nothingOf(facts, {}, frame);
-    const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, name, drawnOptions);
-    if (molecule.guide) return guidedSceneOf(facts, drawn, look);
-    if (orNothing && appearanceOf(facts, drawn, look).seen == 0) return nothingOf(facts, drawn, frame);
-    Representation scene = represent(facts, drawn, look, frame ? frame : sharedFrame(facts, drawnOptions, look));
-    if (!look.ownFrame && !molecule.othersMissing.empty())
-        scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);
-    return scene;
-}
-
-RenderSettings shadingOf(const PictureDescription& picture) {
-    RenderSettings settings;
-    settings.background = picture.background;
-    settings.lighting = picture.lighting;
-    settings.effects = picture.effects;
-    settings.occlusion.directions = picture.occlusion.directions;
-    settings.occlusion.bytes = picture.occlusion.bytes();
-    settings.occlusion.detail = picture.occlusion.detail;
-    return settings;
-}
-
-void uncoverIn(Representation& scene, const ResidueFacts& facts, const PictureDescription& view) {
-    if (!view.aim.uncover) return;
-    constexpr std::uint32_t kAnySize = 256;
-    uncover(scene, selectAtoms(facts, *view.aim.uncover), viewOf(view.camera, scene.radius, kAnySize, kAnySize),
-            view.effects.clip.near);
-}
-
-Representation sceneOfView(const ResidueFacts& facts, const PictureDescription& view) {
-    Representation scene = sceneOf(facts, view.input.path, view.drawn, view.look,
-                                   frameOfPrimitives(facts.molecule(), view), view.drawsBeside());
-    colorByMap(view, scene);
-    uncoverIn(scene, facts, view);
-    return scene;
-}
-
-Representation guidedSceneOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
-                             const RepresentationOptions& look) {
+Representation guidedScene(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
+                           const RepresentationOptions& look) {
     const SceneGuide& guide = *facts.molecule().guide;
     const GuidedLayers layers = guidedLayers(facts, drawn, look);
     const Bounds frame = guide.camera            ? Bounds{guide.camera->target, guide.camera->radius}
                          : layers.layers.empty() ? frameOfGuide(guide)
                                                  : boundsOf(facts.molecule(), layers.layers);
     return representLayers(facts, layers, look, frame);
+}
+
+}  // namespace
+
+MovingScene movingSceneOf(const ResidueFacts& facts, const PictureDescription& picture) {
+    const RepresentationOptions& look = picture.look;
+    return {facts, someDrawnAtoms(facts.molecule(), picture.input.path, picture.drawn), withTables(look),
+            sharedFrame(facts, picture.drawn, look)};
+}
+
+Representation sceneOf(const ResidueFacts& facts, const PictureDescription& picture,
+                       const std::optional<Bounds>& shared) {
+    const RepresentationOptions look = withTables(picture.look);
+    const Molecule& molecule = facts.molecule();
+    const bool orNothing = picture.drawsBeside();
+    const std::optional<Bounds> frame = shared ? shared : frameOfPrimitives(molecule, picture);
+    if (molecule.guide && molecule.atoms.empty()) return emptyScene(facts, {}, frameOfGuide(*molecule.guide));
+    if (orNothing && molecule.atoms.empty()) return emptyScene(facts, {}, frame);
+    const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, picture.input.path, picture.drawn);
+    if (molecule.guide) return guidedScene(facts, drawn, look);
+    if (orNothing && appearanceOf(facts, drawn, look).seen == 0) return emptyScene(facts, drawn, frame);
+    Representation scene = represent(facts, drawn, look, frame ? frame : sharedFrame(facts, picture.drawn, look));
+    if (!look.ownFrame && !molecule.othersMissing.empty())
+        scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);
+    return scene;
+}
+
+RenderSettings settingsOf(const PictureDescription& picture, const Camera& camera, const Size& size, double radius) {
+    RenderSettings settings;
+    settings.view = viewOf(camera, radius, size.width, size.height);
+    settings.supersample = picture.supersample;
+    settings.background = picture.background;
+    settings.fine = picture.bits == 16 || extensionOf(picture.output) == ".exr";
+    settings.lighting = picture.lighting;
+    settings.effects = picture.effects;
+    settings.meshError = picture.meshError;
+    settings.debug = picture.debug;
+    settings.occlusion.directions = picture.occlusion.directions;
+    settings.occlusion.bytes = picture.occlusion.bytes();
+    settings.occlusion.detail = picture.occlusion.detail;
+    settings.tuning = picture.tuning;
+    return settings;
 }
 
 Bounds frameOfGuide(const SceneGuide& guide) {
@@ -106,14 +101,6 @@ Bounds frameOfGuide(const SceneGuide& guide) {
 const SceneCamera* sceneCamera(const Molecule& molecule, const PictureDescription& picture) {
     const bool placed = picture.aim.any() || picture.aim.placed || picture.camera.orientation != glm::dquat(1, 0, 0, 0);
     return molecule.guide && molecule.guide->camera && !placed ? &*molecule.guide->camera : nullptr;
-}
-
-void takeGuide(const Molecule& molecule, const PictureDescription& picture, RenderSettings& settings) {
-    if (!molecule.guide) return;
-    const SceneGuide& guide = *molecule.guide;
-    if (guide.background && !picture.given.contains("background") &&
-        picture.background == PictureDescription{}.background)
-        settings.background = *guide.background;
 }
 
 void takeSceneLook(const Molecule& molecule, double radius, PictureDescription& view) {

@@ -15,16 +15,13 @@
 
 namespace nacre::app {
 
-/// The scene of a molecule, in its style and colours. @throws Error if it is empty
-/// @param frame  that all models of its file share (shared_frame.h), if that is known; else it is found, if it can be
-/// @param orNothing  there may be no atom, or rules may hide each, since something is drawn beside them
-Representation sceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,
-                       const RepresentationOptions& look, const std::optional<Bounds>& frame = {},
-                       bool orNothing = false);
+/// The scene of a molecule, in its style and colours. @throws Error if nothing is drawn
+/// @param frame  shared by all models of the molecule's file (shared_frame.h), if known; else computed if possible
+Representation sceneOf(const ResidueFacts& facts, const PictureDescription& picture,
+                       const std::optional<Bounds>& frame = {});
 
 /// As above for moving atoms; framed with all models of its file, if it has others. @throws Error
-MovingScene movingSceneOf(const ResidueFacts& facts, const std::string& name, const DrawnAtomsOptions& drawn,
-                          const RepresentationOptions& look);
+MovingScene movingSceneOf(const ResidueFacts& facts, const PictureDescription& picture);
 
 /// Enlarges a view's depth range for atoms that moved beyond it; the camera stays.
 /// @param radius  that holds them, Å
@@ -34,17 +31,9 @@ inline void reachTo(View& view, double radius) {
     if (view.projection == Projection::perspective) view.eyeDistance = std::max(view.eyeDistance, radius * kNearest);
 }
 
-/// Shading settings, independent of scene and camera.
-RenderSettings shadingOf(const PictureDescription& picture);
-
-/// Removes what hides the atoms to uncover; `scene` shows the molecule at its current positions.
-void uncoverIn(Representation& scene, const ResidueFacts& facts, const PictureDescription& view);
-/// The representation of a view's molecule. @throws Error if it is empty
-Representation sceneOfView(const ResidueFacts& facts, const PictureDescription& view);
-
-/// The scene of a molecule that has a guide. @param drawn  what rules may show @throws Error
-Representation guidedSceneOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
-                             const RepresentationOptions& look);
+/// The settings that a description gives to a picture: all but its clipping to a target, its lens's focus and what a
+/// scene file adds. Needs no scene. @param radius  that the camera takes in, Å
+RenderSettings settingsOf(const PictureDescription& picture, const Camera& camera, const Size& size, double radius);
 
 /// Bounds of a scene without atoms.
 Bounds frameOfGuide(const SceneGuide& guide);
@@ -52,11 +41,8 @@ Bounds frameOfGuide(const SceneGuide& guide);
 /// The camera of a scene file, if the picture has no other one; else null.
 const SceneCamera* sceneCamera(const Molecule& molecule, const PictureDescription& picture);
 
-/// Takes settings that no option gives from a scene file.
-void takeGuide(const Molecule& molecule, const PictureDescription& picture, RenderSettings& settings);
-
-/// Puts a scene file's camera and background into a view that has none of its own, for a hand that turns on from there.
-/// @param radius  that the camera goes by, Å about the scene's centre
+/// Puts a scene file's camera and background into a view that has none of its own: a hand turns on from there.
+/// @param radius  that the camera takes in, Å
 void takeSceneLook(const Molecule& molecule, double radius, PictureDescription& view);
 
 }  // namespace nacre::app

@@ -40,7 +40,7 @@ void drawContactList(PanelFrame& f) {
     if (f.ui.word("Hide interactions", false)) f.look.look.contacts.of.reset();
     bool labels = f.look.words.distances;
     if (f.ui.toggle("Distances", labels)) f.look.words.distances = labels;
-    const std::vector<DrawnContact>& contacts = document->scene.contacts;
+    const std::vector<DrawnContact>& contacts = document->drawing.scene().contacts;
     if (contacts.empty()) f.ui.caption("None found.");
     std::optional<InteractionKind> kind;
     for (std::size_t i = 0; i < std::min(contacts.size(), kMostListed); ++i) {

@@ -99,7 +99,7 @@ void slidePlanes(Widgets& ui, Clip& clip, double radius) {
 }  // namespace
 
 void drawEffects(PanelFrame& f) {
-    const double radius = f.viewer.document() ? f.viewer.document()->scene.radius : 1;
+    const double radius = f.viewer.document() ? f.viewer.document()->drawing.scene().radius : 1;
     if (f.ui.unfold("Light, outlines, fog")) {
         for (const char* key : {"ambient", "direct", "shadow", "highlight", "occlusion-strength"}) slideOption(f, key);
         slideOutlines(f);

@@ -65,7 +65,8 @@ void drawMap(PanelFrame& f, std::size_t i) {
     const bool sliced = drawStyle(f, i, name);
     // A level that was slid is not built yet: show it where the hand has it.
     const bool slid = i < maps.levels.size() && maps.levels[i].unit == MapLevel::Unit::sigma;
-    const std::vector<double> built = f.viewer.document() ? f.viewer.document()->maps.sigmas : std::vector<double>();
+    const std::vector<double> built =
+        f.viewer.document() ? f.viewer.document()->drawing.maps().sigmas : std::vector<double>();
     if (!sliced && (slid || i < built.size())) {
         auto sigma = static_cast<float>(slid ? maps.levels[i].value : built[i]);
         if (f.ui.slide(("Level of " + name).c_str(), sigma, -kHighestSigma, kHighestSigma, "Level: %.1f σ"))

@@ -48,7 +48,7 @@ void drawStyles(PanelFrame& f) {
         f.ui.controls.back().value = chosen(row, f.look) == i ? "on" : "off";
     }
     if (!look.style && f.viewer.document())
-        f.ui.caption("Automatic: " + wordOf("style", styleName(f.viewer.document()->scene.style)));
+        f.ui.caption("Automatic: " + wordOf("style", styleName(f.viewer.document()->drawing.scene().style)));
     if (shows(Style::cartoon, look)) slideOpacity(f.ui, "cartoon-opacity", look.cartoonOpacity);
     if (shows(Style::surface, look)) slideOpacity(f.ui, "surface-opacity", look.surfaceOpacity);
 }

@@ -249,10 +249,12 @@ void PhoneSession::shareView() {
 }
 
 PictureBytes PhoneSession::picture(std::uint32_t samples) {
-    RenderSettings settings = viewer().words().settingsBeside(viewer().frames().size(), viewer().words().size());
-    settings.supersample = samples;
-    Picture picture = session_.renderer()->render(settings);
-    viewer().words().paint(viewer().picking().savedView(), settings.view, viewer().words().size(), false, picture);
+    const PixelSize size = viewer().frames().size();
+    PictureDescription wanted = viewer().picking().savedView();
+    wanted.size = {size.width, size.height};
+    wanted.words.size = viewer().words().size();
+    wanted.supersample = samples;
+    const Picture picture = viewer().frames().draw(*session_.renderer(), std::move(wanted));
     PictureBytes bytes{picture.width, picture.height, std::vector<std::uint8_t>(picture.rgba.size())};
     for (std::size_t i = 0; i < picture.rgba.size(); i += 4) codePixel(&picture.rgba[i], true, &bytes.rgba[i]);
     return bytes;

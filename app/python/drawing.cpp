@@ -72,7 +72,7 @@ public:
         drawing.prepare(*structure.molecule, request);  // in parallel with other threads
         const std::lock_guard lock(turn_);
         const auto key = deviceKey(request.device);
-        if (!canvas_ || key_ != key || !canvas_->renderer.deviceLoss().empty()) {
+        if (!canvas_ || key_ != key || canvas_->isLost()) {
             canvas_.reset();
             canvas_.emplace(request.device);
             key_ = key;

@@ -38,8 +38,7 @@ app::CameraMotion motionOf(const Moving& moving) {
 class Models {
 public:
     /// @throws Error if there is one alone
-    Models(const Structure& structure, const app::PictureDescription& request)
-        : now_(*structure.molecule), surfaces_(request) {
+    explicit Models(const Structure& structure) : now_(*structure.molecule) {
         const app::TrajectoryOptions& frames = structure.reading.trajectory;
         if (!frames.path.empty()) {
             motion_ = app::openMotion(frames, now_);
@@ -52,30 +51,20 @@ public:
             motion_ = std::make_unique<Motion>(std::move(models), now_, app::motionOptions(frames, now_));
         }
         app::movePositions(now_, motion_->positions(0));
-        moving_.emplace(app::movingSceneOf(now_, structure.inputs.front(), request.drawn, request.look));
-        Representation first = moving_->scene();
-        surfaces_(first);
     }
 
     std::uint64_t count() const { return motion_->frames(); }
+    const Molecule& molecule() const { return now_; }
     /// Puts one of them on the canvas, with its words. @throws Error
     void show(std::uint64_t model, app::Drawing& drawing, app::Canvas& canvas) {
         app::movePositions(now_, motion_->positions(model));
-        moving_->move(now_);
-        Representation scene = moving_->scene();
-        if (drawing.recolor) drawing.recolor(scene);
-        surfaces_(scene);
-        drawing.placeWordsIn(scene, now_);
-        app::reachTo(drawing.settings.view, scene.radius);
-        canvas.scene = 0;
-        canvas.renderer.setScene(drawing.withBeside(std::move(scene)));
+        drawing.moveTo(now_);
+        drawing.handOver(canvas);
     }
 
 private:
     Molecule now_;
     std::unique_ptr<Motion> motion_;
-    std::optional<MovingScene> moving_;
-    app::SurfaceColoring surfaces_;
 };
 
 }  // namespace
@@ -90,7 +79,7 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
         throw app::UsageError("map_sweep: it needs map, and does not go with models");
     request.aim.turns = true;
     std::optional<Models> models;
-    if (moving.models) models.emplace(structure, request);
+    if (moving.models) models.emplace(structure);
     const std::uint64_t modelCount = models ? models->count() : 1;
     const double seconds = app::secondsOf(motion, modelCount, !structure.reading.trajectory.path.empty());
     const auto frames = static_cast<std::uint64_t>(std::max(std::llround(seconds * motion.framesPerSecond), 1ll));
@@ -104,7 +93,10 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
     withScene(own, request, colors, [&](app::Drawing& drawing, app::Canvas& canvas) {
         warnings = drawing.warnings;
         app::WordMemory memory;
-        if (models) drawing.settings.occlusion.cache.clear();  // of models that come and go
+        if (models) {
+            drawing.settings.occlusion.cache.clear();  // of models that come and go
+            drawing.startMoving(models->molecule());
+        }
         const bool comesBack =
             motion.spin || motion.rock;  // as what begins anew at 1, which the last frame stays short of
         const auto picture = [&](std::uint64_t frame) {
@@ -145,8 +137,7 @@ std::vector<std::string> exportScene(const Structure& structure, const std::stri
     app::OutputFile file(path);
     const Molecule& molecule = *structure.molecule;
     app::loadMaps(request);
-    Representation scene = app::sceneOf(molecule, structure.inputs.front(), request.drawn, request.look,
-                                        app::frameOfPrimitives(molecule, request), request.drawsBeside());
+    Representation scene = app::sceneOf(molecule, request);
     if (!colors.atoms.empty()) {
         checkCount(colors, molecule.atoms.size());
         paint(colors, scene);

@@ -75,7 +75,7 @@ public:
     }
 
     /// Or could not be made.
-    bool isLost() const { return !canvas_ || !canvas_->renderer.deviceLoss().empty(); }
+    bool isLost() const { return !canvas_ || canvas_->isLost(); }
 
     bool idle = false;  ///< waits for a task; under the workers' lock
 
@@ -88,7 +88,7 @@ private:
     ServedPicture drawOnce(const PictureRequest& request, Clock::time_point deadline) {
         const PictureDescription& description = request.description;
         const HeardMessages heard;
-        if (isLost() || canvas_->isFull()) {
+        if (!canvas_ || canvas_->isSpent()) {
             canvas_.reset();
             makeCanvas();
         }

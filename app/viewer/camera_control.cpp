@@ -133,7 +133,7 @@ void CameraControl::take(Aim aim, bool fly, double now) {
         const PixelSize size = frames_.freeSize();
         Camera from = stage_.motion.camera();
         if (aim.zoomTo || aim.principal) from.zoom = 1;
-        const Aimed to = aimed(from, aim, *document.placed, document.scene, {size.width, size.height});
+        const Aimed to = aimed(from, aim, *document.placed, document.drawing.scene(), {size.width, size.height});
         stage_.remember();
         if (fly)
             stage_.motion.fly(to.camera, now);

@@ -62,16 +62,36 @@ RenderSettings Frames::settings() const {
 
 RenderSettings Frames::pictureSettings(PixelSize size) const {
     const PictureDescription& view = stage_.view();
-    RenderSettings s = shadingOf(view);
-    s.view = viewOf(view.camera, stage_.radius(), size.width, size.height);
-    const double reach = std::max(stage_.document.scene.radius, stage_.document.maps.shown.radius);
-    if (reach > s.view.radius) reachTo(s.view, reach);
-    if (stage_.shown()) focusLens(*stage_.document.molecule, view, stage_.document.scene.center, s);
+    const Document& document = stage_.document;
+    RenderSettings s = document.drawing.settingsFor(view, view.camera, {size.width, size.height});
+    if (stage_.shown()) focusLens(*document.placed, view, document.drawing.scene().center, s);
+    setUp(s);
+    return s;
+}
+
+/// What the device and its user decide.
+void Frames::setUp(RenderSettings& s) const {
     s.occlusion.bytes = options_.occlusionBytes;
     s.occlusion.cache = options_.occlusionCache;
     s.tuning = options_.tuning;
     s.debug = debug_;
-    return s;
+}
+
+const RenderSettings& Frames::compose(PictureDescription picture) {
+    const Camera& camera = picture.camera;
+    picture.aim.placed = camera.zoom != 1 || camera.pan != glm::dvec2(0);
+    Drawing& drawing = stage_.document.drawing;
+    drawing.compose(picture);
+    setUp(drawing.settings);
+    return drawing.settings;
+}
+
+Picture Frames::draw(Renderer& renderer, PictureDescription picture) {
+    picture.debug = debug_;
+    Picture drawn = renderer.render(compose(std::move(picture)));
+    const Drawing& drawing = stage_.document.drawing;
+    drawing.addWords(drawing.settings, drawn);
+    return drawn;
 }
 
 glm::dvec2 Frames::pointOf(const glm::dvec3& place, const View& view) const {
@@ -117,9 +137,9 @@ std::uint32_t Frames::refinedSamples() const {
 
 // --- the scene
 
-bool Frames::put(const Representation& scene, const MapLayers& maps, void (Screen::*how)(const Representation&)) {
+bool Frames::put(Representation scene, void (Screen::*how)(Representation)) {
     try {
-        maps.empty() ? (screen_.*how)(scene) : (screen_.*how)(withMaps(scene, maps));
+        (screen_.*how)(std::move(scene));
         sceneThere_ = true;
     } catch (const Error&) {
         if (!noticeLoss()) throw;
@@ -133,9 +153,7 @@ void Frames::putScene(double now) {
     restartOcclusion();
     if (sceneThere_) return;
     try {
-        const Representation& scene = stage_.document.scene;
-        const MapLayers& maps = stage_.document.maps;
-        maps.empty() ? screen_.setScene(scene) : screen_.setScene(withMaps(scene, maps));
+        screen_.setScene(stage_.document.drawing.joinedScene());
         sceneThere_ = true;
         sceneRetry_.succeeded();
     } catch (const Error& error) {
@@ -192,7 +210,7 @@ double Frames::update(double now, bool playing, const std::function<const Overla
     if (lost_) return now;
     if (!frameRetry_.due(now)) return frameRetry_.at();
     stage_.schedule.setSamples(refinedSamples());
-    stage_.schedule.setMeshes(!stage_.document.scene.triangles.empty());
+    stage_.schedule.setMeshes(stage_.shown() && !stage_.document.drawing.scene().triangles.empty());
     if (const auto due = next(now, moving); due.draw != Draw::nothing) draw(due, now, moving, overlay);
     const FrameSchedule::Next after = next(now, moving);
     double wake = after.draw != Draw::nothing ? now : after.wake;

@@ -63,8 +63,13 @@ public:
     // The picture
     // As currently shown. Only if Stage::shown().
     RenderSettings settings() const;
-    /// As above, centred in a picture of another size, for a file.
+    /// As above, centred in a picture of another size.
     RenderSettings pictureSettings(PixelSize size) const;
+    /// A picture of the document for a file, with its words. @param picture  its camera, size, shading and words
+    /// @throws Error
+    Picture draw(Renderer& renderer, PictureDescription picture);
+    /// Its settings, with the molecule beside the words if it is visible as a whole. @throws Error
+    const RenderSettings& compose(PictureDescription picture);
     /// Screen position of a point relative to the scene's centre. @param view  from settings() @returns points
     glm::dvec2 pointOf(const glm::dvec3& place, const View& view) const;
     /// @param at, reach  points
@@ -85,10 +90,10 @@ public:
 
     // The scene
     // @returns whether it is on the screen: not if the device is lost; the next device gets it. @throws Error
-    bool setScene(const Representation& scene, const MapLayers& maps) { return put(scene, maps, &Screen::setScene); }
-    /// As above for a scene with moved atoms.
+    bool setScene(const Drawing& drawing) { return put(drawing.joinedScene(), &Screen::setScene); }
+    /// As above for the document's scene with moved atoms.
     bool moveScene(const Representation& scene) {
-        return !sceneThere_ || put(scene, stage_.document.maps, &Screen::moveScene);
+        return !sceneThere_ || put(withMaps(scene, stage_.document.drawing.maps()), &Screen::moveScene);
     }
     /// Prepares the first frame of the document being read.
     void expectScene(const PictureDescription& coming);
@@ -116,7 +121,8 @@ public:
     void replaced(double now);
 
 private:
-    bool put(const Representation& scene, const MapLayers& maps, void (Screen::*how)(const Representation&));
+    bool put(Representation scene, void (Screen::*how)(Representation));
+    void setUp(RenderSettings& settings) const;
     void putScene(double now);
     void advanceOcclusion(double now, bool moving);
     void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);

@@ -39,8 +39,16 @@ void Loader::launch(Job job) {
     });
 }
 
-Document Loader::load(const Job& job) const {
-    Document document{job.view, job.molecule, {}, job.placed};
+/// A slider of a level must not wait for unchanged parts, wherever the camera is meanwhile. A moving scene is rebuilt.
+void Loader::build(const PictureDescription& view, const Document& shown) {
+    Job job{view, shown.molecule, false, shown.placed, shown.moves()};
+    const Rebuild rebuild = rebuildFor(shown.drawing.description(), view, CameraBy::hand);
+    if (!job.moves && !rebuild.molecule && !rebuild.scene && rebuild.maps) job.shown = shown.drawing.copy();
+    start(std::move(job));
+}
+
+Document Loader::load(Job& job) const {
+    Document document{job.view, job.molecule, job.placed, std::move(job.shown)};
     if (!document.molecule) {
         const auto molecule = std::make_shared<Molecule>(sources_.read(job.view));
         document.placed = document.molecule = molecule;
@@ -51,47 +59,15 @@ Document Loader::load(const Job& job) const {
     }
     if (job.first) firstLook(*document.molecule, document.view);
     if (sources_.maps) sources_.maps(document.view);
-    if (job.shown) {
-        document.scene = job.shown->scene;
-        document.radius = document.scene.radius;
-    } else {
-        build(document, job.moves || document.motion);
-    }
-    document.maps =
-        mapLayersOf(*document.molecule, document.view, document.scene.center, {document.view.camera, document.radius});
-    document.radius = std::max(document.radius, document.maps.frame);
-    if (job.first) takeSceneLook(*document.molecule, document.radius, document.view);
+    // Copies of an assembly do not move.
+    const bool moves = (job.moves || document.motion) && document.view.look.assembly.empty();
+    if (!moves) document.placed = document.molecule;
+    if (moves)
+        document.drawing.buildMoving(*document.molecule, *document.placed, document.view);
+    else
+        document.drawing.build(*document.molecule, document.view);
+    if (job.first) takeSceneLook(*document.molecule, document.drawing.radius(), document.view);
     return document;
-}
-
-/// A slider of a level must not wait for unchanged parts, wherever the camera is meanwhile. A moving scene is rebuilt.
-std::shared_ptr<const Document> Loader::mapsAlone(const PictureDescription& view, const Document& shown) {
-    constexpr Facets kMolecule = Facet::input | Facet::frame | Facet::scene;
-    const Facets parts = difference(shown.view, view);
-    const bool other = (parts & kMolecule) != 0 || shown.view.aim.uncover != view.aim.uncover ||
-                       (!view.look.style && shown.view.look.usual != view.look.usual);
-    const bool focused = view.maps.aroundFocus && has(parts, Facet::view);
-    if (shown.moves() || other || !(has(parts, Facet::map) || focused)) return nullptr;
-    return std::make_shared<const Document>(shown);
-}
-
-/// Copies of an assembly do not move.
-void Loader::build(Document& document, bool moves) const {
-    const PictureDescription& view = document.view;
-    if (!moves || !view.look.assembly.empty()) {
-        document.scene = sources_.build(*document.molecule, view);
-        document.placed = document.molecule;
-        document.radius = document.scene.radius;
-        return;
-    }
-    document.moving =
-        std::make_shared<MovingScene>(movingSceneOf(*document.molecule, view.input.path, view.drawn, view.look));
-    document.radius = document.moving->scene().radius;
-    if (document.placed != document.molecule) document.moving->move(*document.placed);
-    document.scene = document.moving->scene();
-    document.recolor.emplace(view);
-    (*document.recolor)(document.scene);
-    uncoverIn(document.scene, *document.placed, view);
 }
 
 void Loader::wait() const {

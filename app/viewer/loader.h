@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "app/drawing/map_layers.h"
+#include "app/drawing/drawing.h"
 #include "app/picture/saved_view.h"
 #include "engine/molecule/molecule.h"
 #include "engine/molecule/trajectory/motion.h"
@@ -34,7 +34,6 @@ private:
 /// A shell's access to molecules. Called on the loader's thread. @throws Error
 struct Sources {
     std::function<Molecule(const PictureDescription&)> read;
-    std::function<Representation(const Molecule&, const PictureDescription&)> build;
     /// Finished share of a download, 0..1; negative: no download, or unknown. Thread-safe.
     std::function<double()> progress = {};
     /// Makes read() throw soon, if possible. Thread-safe.
@@ -49,16 +48,12 @@ struct Sources {
 
 /// The document shown. A running build shares the molecule.
 struct Document {
-    PictureDescription view;                   ///< as requested
-    std::shared_ptr<const Molecule> molecule;  ///< as read: unchanged while its file is shown
-    Representation scene;
+    PictureDescription view;                            ///< as requested
+    std::shared_ptr<const Molecule> molecule;           ///< as read: unchanged while its file is shown
     std::shared_ptr<const Molecule> placed = molecule;  ///< the molecule at its current positions
-    double radius = 0;                                  ///< for the camera: that of the scene before it moved, Å
+    Drawing drawing{CameraBy::hand};                    ///< of `placed`
     std::shared_ptr<Motion> motion = {};                ///< of a molecule just read, if its atoms move
-    std::shared_ptr<MovingScene> moving = {};           ///< if its atoms move
-    std::optional<SurfaceColoring> recolor = {};        ///< of each of its frames
-    MapLayers maps = {};                                ///< drawn with the scene
-    bool moves() const { return moving != nullptr; }
+    bool moves() const { return drawing.moving() != nullptr; }
 };
 
 class Loader {
@@ -74,9 +69,7 @@ public:
     /// As above for a first look: in its best style (firstLook()), if the view leaves that open.
     void open(const PictureDescription& view) { start({view, nullptr, true}); }
     /// Rebuilds the current document for another view.
-    void build(const PictureDescription& view, const Document& shown) {
-        start({view, shown.molecule, false, shown.placed, shown.moves(), mapsAlone(view, shown)});
-    }
+    void build(const PictureDescription& view, const Document& shown);
     bool busy() const { return running_.valid() && !cancelled_; }
     /// Cancels running and waiting work: take() never returns it.
     void cancel();
@@ -97,13 +90,11 @@ private:
         bool first = false;                           ///< first look
         std::shared_ptr<const Molecule> placed = {};  ///< its current positions
         bool moves = false;
-        std::shared_ptr<const Document> shown = {};  ///< differs only in its maps
+        Drawing shown{CameraBy::hand};  ///< whose scene stays, if it has one
     };
-    static std::shared_ptr<const Document> mapsAlone(const PictureDescription& view, const Document& shown);
     void start(Job job);
     void launch(Job job);
-    Document load(const Job& job) const;
-    void build(Document& document, bool moves) const;
+    Document load(Job& job) const;
 
     Sources sources_;
     std::function<void()> wake_;

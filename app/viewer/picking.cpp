@@ -71,12 +71,12 @@ void Picking::tap(glm::dvec2 at, double now) {
     stage_.schedule.overlayChanged();
     stage_.messages.clear();
     pointerLeft();
-    if (*atom == 0 || stage_.document.scene.noteOf(*atom) > 0) {
+    if (*atom == 0 || stage_.document.drawing.scene().noteOf(*atom) > 0) {
         picks_.clear();
         select("");
         return;
     }
-    if (const DrawnContact* contact = stage_.document.scene.contactOf(*atom)) {
+    if (const DrawnContact* contact = stage_.document.drawing.scene().contactOf(*atom)) {
         picks_.clear();
         select(residuesText(*contact));
         return;
@@ -98,8 +98,8 @@ std::optional<Selection> Picking::doubleTap(glm::dvec2 at, double now) {
     picks_ = picksBefore_;
     stage_.schedule.overlayChanged();
     std::uint32_t atom = frames_.atomAt(at, kFingerPoints, now).value_or(0);
-    if (stage_.document.scene.noteOf(atom) > 0) atom = 0;
-    if (const DrawnContact* contact = stage_.document.scene.contactOf(atom))
+    if (stage_.document.drawing.scene().noteOf(atom) > 0) atom = 0;
+    if (const DrawnContact* contact = stage_.document.drawing.scene().contactOf(atom))
         return parseSelection(residuesText(*contact));
     if (atom == 0 || stage_.document.molecule->residues.size() < 2) return std::nullopt;
     return parseSelection(residueText(stage_.document, atom - 1));
@@ -140,7 +140,7 @@ void Picking::select(const std::string& text) {
 /// surface is drawn without them is marked once, where that is.
 std::vector<std::uint32_t> Picking::markedAtoms(const std::vector<bool>& chosen) const {
     const Molecule& m = *stage_.document.molecule;
-    const std::vector<bool> seen = seenAtoms(stage_.document.scene, m.atoms.size());
+    const std::vector<bool> seen = seenAtoms(stage_.document.drawing.scene(), m.atoms.size());
     std::vector<bool> marked(m.atoms.size());
     std::vector<std::uint32_t> atoms;
     for (const std::uint32_t atom : drawnAtoms(m, stage_.view().drawn)) {
@@ -168,7 +168,8 @@ void Picking::placeSelection() {
         const std::vector<std::uint32_t> shown = markedAtoms(chosen);
         const std::size_t step = shown.size() / kMostMarks + 1;
         for (std::size_t i = 0; i < shown.size(); i += step)
-            selectedPlaces_.push_back(glm::dvec3(document.placed->atoms[shown[i]].position) - document.scene.center);
+            selectedPlaces_.push_back(glm::dvec3(document.placed->atoms[shown[i]].position) -
+                                      document.drawing.scene().center);
     } catch (const std::exception& error) {
         selected_.error = error.what();
     }
@@ -185,17 +186,17 @@ Annotations Picking::annotations() const {
     const Document& document = stage_.document;
     const View view = frames_.settings().view;
     for (const glm::dvec3& place : selectedPlaces_) a.selected.push_back(frames_.pointOf(place, view));
-    if (const DrawnContact* contact = hovers() ? document.scene.contactOf(hovered_) : nullptr)
+    if (const DrawnContact* contact = hovers() ? document.drawing.scene().contactOf(hovered_) : nullptr)
         a.hover = contactText(*document.molecule, contact->interaction);
-    else if (const std::uint32_t note = hovers() ? document.scene.noteOf(hovered_) : 0; note > 0)
-        a.hover = note <= document.maps.notes.size() ? document.maps.notes[note - 1] : "";
+    else if (const std::uint32_t note = hovers() ? document.drawing.scene().noteOf(hovered_) : 0; note > 0)
+        a.hover = note <= document.drawing.maps().notes.size() ? document.drawing.maps().notes[note - 1] : "";
     else if (hovers() && hovered_ <= document.molecule->atoms.size())
         a.hover = hoverText(*document.molecule, hovered_ - 1);
     std::vector<glm::dvec3> places;
     for (const std::uint32_t pick : picks_) {
         const glm::dvec3 place = document.placed->atoms[pick].position;
         places.push_back(place);
-        a.atoms.push_back(frames_.pointOf(place - document.scene.center, view));
+        a.atoms.push_back(frames_.pointOf(place - document.drawing.scene().center, view));
     }
     if (!picks_.empty()) a.atom = atomText(*document.molecule, picks_.back());
     a.measurement = measurement(places);

@@ -11,14 +11,6 @@
 namespace nacre::app {
 namespace {
 
-PlacedWords wordsOf(const PictureDescription& view, const Document& document) {
-    PlacedWords words = placeWords(view.words, *document.placed, document.scene, WordsOfHidden::leftOut);
-    addLabels(document.maps.labels, document.scene.center, words);
-    const std::vector<Legend>& ofMaps = document.maps.shown.legends;
-    if (view.words.legend) words.legends.insert(words.legends.end(), ofMaps.begin(), ofMaps.end());
-    return words;
-}
-
 std::string meaningOf(std::string_view key, std::string_view value) {
     for (const auto& choice : option(key).control.choices)
         if (choice.value == value) return choice.meaning;
@@ -38,7 +30,7 @@ bool PictureWords::place(double now) {
     if (!stage_.shown()) return true;
     stage_.schedule.overlayChanged();
     try {
-        placed_ = wordsOf(stage_.view(), stage_.document);
+        placed_ = stage_.document.drawing.placeWords(stage_.view().words, WordsOfHidden::leftOut);
     } catch (const Error& error) {
         stage_.messages.say(error.what(), now);
         return false;
@@ -53,26 +45,6 @@ bool PictureWords::place(double now) {
 double PictureWords::size() const {
     const double own = stage_.view().words.size;
     return (own > 0 ? own : kWordPoints) * frames_.pixelsPerPoint();
-}
-
-RenderSettings PictureWords::settingsBeside(PixelSize size, double textSize) const {
-    constexpr std::size_t kMany = 200000;  // spheres and vertices: their sphere is nearly as good
-    RenderSettings settings = frames_.pictureSettings(size);
-    const Camera& camera = stage_.view().camera;
-    if (!placed_.any() || camera.zoom != 1 || camera.pan != glm::dvec2(0)) return settings;
-    const Representation& scene = stage_.document.scene;
-    std::vector<glm::dvec4> balls{{0, 0, 0, settings.view.radius}};
-    if (scene.drawnAtoms + scene.meshVertices.size() < kMany) balls = drawnBalls(scene);
-    settings.view = WordPainter().besideWords(settings.view, placed_, textSize, balls, camera.zoom);
-    return settings;
-}
-
-void PictureWords::paint(const PictureDescription& saved, const View& view, double size, bool transparent,
-                         Picture& picture) const {
-    std::array<float, 4> background = saved.background;
-    if (transparent) background = {0, 0, 0, 0};
-    WordPainter().paint(wordsOf(saved, stage_.document), view, size, saved.words.color, background, picture,
-                        saved.effects.clip);
 }
 
 std::string originText(const FileSummary& file) {

@@ -28,13 +28,6 @@ public:
     }
     /// Em size in the window, pixels.
     double size() const;
-    /// Settings for a picture with these words: the molecule is placed beside them, as `nacre render --view` does, if
-    /// it is visible as a whole. @param textSize  em size, pixels
-    RenderSettings settingsBeside(PixelSize size, double textSize) const;
-    /// Draws words into such a picture. Only if Stage::shown().
-    /// @param saved  whose words  @param size  em size, pixels  @param transparent  the picture has no background
-    void paint(const PictureDescription& saved, const View& view, double size, bool transparent,
-               Picture& picture) const;
 
 private:
     Stage& stage_;

@@ -50,9 +50,7 @@ void Playback::arrived(const Reading::Arrival& arrival) {
     waiting_.reset();
     if (!player_) return;
     clock_.setFrames(document.moves() ? player_->frames() : hasTrajectory() ? 1 : models());
-    std::function<void(Representation&)> recolor;
-    if (document.recolor) recolor = *document.recolor;
-    player_->setScene(document.moving, std::move(recolor));
+    player_->setScene(document.drawing.moving());
     if (document.moves()) player_->want(clock_.frame());
 }
 
@@ -182,8 +180,8 @@ void Playback::put(double now) {
         clock_.goTo(played.frame);
     Document& document = stage_.document;
     PictureDescription& view = stage_.wanted();
+    document.drawing.takeMoved(*played.molecule, std::move(played.scene));
     document.placed = std::move(played.molecule);
-    document.scene = std::move(played.scene);
     frameTime_ = played.time;
     frameRmsd_ = played.rmsd;
     const int number = static_cast<int>(played.frame + 1);

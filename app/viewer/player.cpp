@@ -30,10 +30,9 @@ Player::~Player() {
     thread_.join();
 }
 
-void Player::setScene(std::shared_ptr<MovingScene> scene, std::function<void(Representation&)> recolor) {
+void Player::setScene(std::shared_ptr<MovingPicture> scene) {
     const std::lock_guard lock(mutex_);
     scene_ = std::move(scene);
-    recolor_ = std::move(recolor);
     ready_.reset();
     changed_.notify_all();
 }
@@ -72,8 +71,7 @@ void Player::run() {
         if (ending_) return;
         const std::size_t frame = *std::exchange(wanted_, std::nullopt);
         const std::uint64_t order = order_;
-        const std::shared_ptr<MovingScene> scene = scene_;
-        const std::function<void(Representation&)> recolor = recolor_;
+        const std::shared_ptr<MovingPicture> scene = scene_;
         std::optional<MotionOptions> motion = std::exchange(newMotion_, std::nullopt);
         working_ = true;
         lock.unlock();
@@ -81,7 +79,7 @@ void Player::run() {
         std::exception_ptr failure;
         try {
             if (motion) motion_->change(std::move(*motion), *molecule_);
-            made = make(frame, *scene, recolor);
+            made = make(frame, *scene);
         } catch (...) {
             failure = std::current_exception();
         }
@@ -99,14 +97,11 @@ void Player::run() {
     }
 }
 
-PlayedFrame Player::make(std::size_t frame, MovingScene& scene, const std::function<void(Representation&)>& recolor) {
+PlayedFrame Player::make(std::size_t frame, MovingPicture& scene) {
     const std::vector<glm::vec3> positions = motion_->positions(frame);
     const std::shared_ptr<Molecule> molecule = freeMolecule();
     for (std::size_t i = 0; i < positions.size(); ++i) molecule->atoms[i].position = positions[i];
-    scene.move(*molecule);
-    Representation shown = scene.scene();
-    if (recolor) recolor(shown);
-    return {frame, molecule, std::move(shown), motion_->time(), motion_->rmsd()};
+    return {frame, molecule, scene.moved(*molecule), motion_->time(), motion_->rmsd()};
 }
 
 /// An unused copy of the molecule, without the positions of other models.

@@ -13,8 +13,8 @@
 #include <thread>
 #include <vector>
 
+#include "app/drawing/moving_picture.h"
 #include "engine/molecule/trajectory/motion.h"
-#include "engine/scene/build/representation.h"
 
 namespace nacre::app {
 
@@ -37,7 +37,7 @@ public:
     std::size_t frames() const { return frames_; }
     /// Sets the scene for the next frames. @param scene  exclusively owned from now on; null: none
     /// @param recolor  the colours of each of them, on the player's thread; empty: as the scene has them
-    void setScene(std::shared_ptr<MovingScene> scene, std::function<void(Representation&)> recolor = {});
+    void setScene(std::shared_ptr<MovingPicture> scene);
     /// Sets the processing of the next frames.
     void setMotion(MotionOptions options);
     /// Requests a frame; drops an earlier unfinished request.
@@ -49,7 +49,7 @@ public:
 
 private:
     void run();
-    PlayedFrame make(std::size_t frame, MovingScene& scene, const std::function<void(Representation&)>& recolor);
+    PlayedFrame make(std::size_t frame, MovingPicture& scene);
     std::shared_ptr<Molecule> freeMolecule();
 
     /// Unused copies of the molecule. Holders return theirs here, from any thread.
@@ -65,8 +65,7 @@ private:
     std::shared_ptr<FreeMolecules> free_;
     std::mutex mutex_;  // guards the following
     std::condition_variable changed_;
-    std::shared_ptr<MovingScene> scene_;
-    std::function<void(Representation&)> recolor_;
+    std::shared_ptr<MovingPicture> scene_;
     std::optional<MotionOptions> newMotion_;
     std::optional<std::size_t> wanted_;
     std::uint64_t order_ = 0;  // number of the request: results of older ones are dropped

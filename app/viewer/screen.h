@@ -8,9 +8,9 @@ namespace nacre::app {
 class Screen {
 public:
     virtual ~Screen() = default;
-    virtual void setScene(const Representation& scene) = 0;
+    virtual void setScene(Representation scene) = 0;
     /// See Renderer::moveScene.
-    virtual void moveScene(const Representation& scene) { setScene(scene); }
+    virtual void moveScene(Representation scene) { setScene(std::move(scene)); }
     /// See Renderer::expectScene.
     virtual void expectScene(Representation, const RenderSettings&, const WindowFrame&) {}
     virtual double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) = 0;

@@ -19,12 +19,12 @@ constexpr std::uint64_t kFramesOfWarmUp = 3;  // live, refined, kept
 
 // --- the screen
 
-void Session::OwnScreen::setScene(const Representation& scene) {
-    if (session_.renderer_) session_.renderer_->setScene(scene);
+void Session::OwnScreen::setScene(Representation scene) {
+    if (session_.renderer_) session_.renderer_->setScene(std::move(scene));
 }
 
-void Session::OwnScreen::moveScene(const Representation& scene) {
-    if (session_.renderer_) session_.renderer_->moveScene(scene);
+void Session::OwnScreen::moveScene(Representation scene) {
+    if (session_.renderer_) session_.renderer_->moveScene(std::move(scene));
 }
 
 void Session::OwnScreen::expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame) {

@@ -76,8 +76,8 @@ private:
     class OwnScreen : public Screen {
     public:
         explicit OwnScreen(Session& session) : session_(session) {}
-        void setScene(const Representation& scene) override;
-        void moveScene(const Representation& scene) override;
+        void setScene(Representation scene) override;
+        void moveScene(Representation scene) override;
         void expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame) override;
         double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) override;
         void awaitFrame() override;

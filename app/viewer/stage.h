@@ -43,7 +43,7 @@ public:
     /// Whether there is a document.
     bool shown() const { return document.molecule != nullptr; }
     /// Radius of the document, Å.
-    double radius() const { return shown() ? document.radius : 1.0; }
+    double radius() const { return document.drawing.radius(); }
 
     /// Call before every visible change: makes the previous state an undo step.
     void remember() {

@@ -66,14 +66,14 @@ void Viewer::changeLevel(double steps, double now) {
     const MapOptions& maps = view().maps;
     std::size_t map = 0;
     while (map < maps.slices.size() && maps.slices[map].axis >= 0) ++map;
-    if (!document() || map >= maps.files.size() || map >= document()->maps.sigmas.size())
+    if (!document() || map >= maps.files.size() || map >= document()->drawing.maps().sigmas.size())
         return messages().say("there is no density map", now);
     PictureDescription look = view();
     std::vector<MapLevel>& levels = look.maps.levels;
     levels.resize(std::max(levels.size(), map + 1));
     // A level that was turned is not built yet: count from it.
     const bool turned = levels[map].unit == MapLevel::Unit::sigma;
-    const double sigma = turned ? levels[map].value : document()->maps.sigmas[map];
+    const double sigma = turned ? levels[map].value : document()->drawing.maps().sigmas[map];
     levels[map] = {MapLevel::Unit::sigma, std::round((sigma + 0.1 * steps) * 10) / 10};
     setLook(look, now, now < levelTurned_ + kOneTurn);
     levelTurned_ = now;
@@ -127,7 +127,8 @@ void Viewer::setLook(const PictureDescription& look, double now, bool continues)
     // Words that do not fit this molecule are refused.
     if (has(parts, Facet::annotation) && !words_.place(now)) wanted.words = before.words;
     // The document being read will be shown in this look.
-    if ((parts & (Facet::scene | Facet::map)) != 0 && stage_.shown() && !reading_.another()) reading_.build();
+    const Rebuild rebuild = rebuildFor(before, view(), CameraBy::hand);
+    if ((rebuild.scene || rebuild.maps) && stage_.shown() && !reading_.another()) reading_.build();
     if (has(parts, Facet::occlusion)) frames_.restartOcclusion();
 }
 
@@ -157,7 +158,7 @@ void Viewer::restore(const PictureDescription& to, double now, double seconds) {
     const bool frame =
         !file && document.moves() && to.look.assembly == document.view.look.assembly;  // the player has it
     const bool another = file || (!frame && has(parts, Facet::frame));
-    const bool scene = has(seen, Facet::scene) || to.aim.uncover != view().aim.uncover;
+    const Rebuild rebuild = rebuildFor(view(), to, CameraBy::hand);
     CameraMotion& motion = stage_.motion;
     Camera camera = motion.camera();
     stage_.wanted() = to;
@@ -168,7 +169,7 @@ void Viewer::restore(const PictureDescription& to, double now, double seconds) {
     playback_.stop();
     camera_.forgetClip();
     stage_.messages.dismissFailure();
-    if (another || scene || has(seen, Facet::map) || reading_.loader().busy()) reading_.restore(to, another);
+    if (another || rebuild.scene || rebuild.maps || reading_.loader().busy()) reading_.restore(to, another);
     if (!another) words_.place(now);
     if (frame) playback_.restore(to);
     if (has(seen, Facet::occlusion)) frames_.restartOcclusion();
@@ -179,7 +180,7 @@ void Viewer::takeDocument(double now) {
     std::optional<Document> document = reading_.take(now);
     if (!document) return;
     try {
-        frames_.setScene(document->scene, document->maps);
+        frames_.setScene(document->drawing);
     } catch (const Error& error) {
         return stage_.messages.fail(error.what(), now);  // the document before stays
     }
@@ -201,7 +202,8 @@ void Viewer::takeDocument(double now) {
     frames_.restartOcclusion();
     frames_.retryOcclusion();
     const Document& shown = stage_.document;
-    if (!shown.scene.warnings.empty()) stage_.messages.say(shown.scene.warnings.front(), now);
+    if (const auto& warnings = shown.drawing.scene().warnings; !warnings.empty())
+        stage_.messages.say(warnings.front(), now);
     stage_.changed(now);
     if (arrival.another && has(difference(shown.view, view()), Facet::scene)) reading_.build();
 }
@@ -210,17 +212,19 @@ void Viewer::takeDocument(double now) {
 void Viewer::followFocus(double now) {
     constexpr double kFollows = 0.1;  // of their radius
     const PictureDescription& wanted = view();
-    if (!wanted.maps.aroundFocus || !stage_.shown() || !document()->maps.focus || followed_ == stage_.changes()) return;
+    const Drawing& drawing = stage_.document.drawing;
+    const std::optional<glm::dvec3>& followed = drawing.maps().focus;
+    if (!wanted.maps.aroundFocus || !stage_.shown() || !followed || followed_ == stage_.changes()) return;
     if (stage_.moving(now) || playback_.playing() || reading_.loader().busy()) return;
     followed_ = stage_.changes();
     const glm::dvec3 focus =
-        focusOf(*document()->molecule, wanted, {wanted.camera, stage_.radius()}, document()->scene.center);
+        focusOf(*document()->molecule, wanted, {wanted.camera, stage_.radius()}, drawing.scene().center);
     const double reach = wanted.maps.reach.value_or(wanted.maps.usualReach());
-    if (glm::distance(focus, *document()->maps.focus) > kFollows * reach) reading_.build();
+    if (glm::distance(focus, *followed) > kFollows * reach) reading_.build();
 }
 
 std::string Viewer::explanation() const {
-    return stage_.shown() ? explanationText(stage_.document.view, stage_.document.scene) : std::string();
+    return stage_.shown() ? explanationText(stage_.document.view, stage_.document.drawing.scene()) : std::string();
 }
 
 bool Viewer::hasUnsavedWork() const {

@@ -27,7 +27,7 @@ double processorMs() { return static_cast<double>(std::clock()) * 1e3 / CLOCKS_P
 /// A renderer that tells what it took.
 class TimedScreen : public app::Screen {
 public:
-    void setScene(const Representation& scene) override {
+    void setScene(Representation scene) override {
         const double began = processorMs();
         renderer_.setScene(scene);
         sceneMs += processorMs() - began;
@@ -105,10 +105,9 @@ int main(int argc, char** argv) {
     if (argc > 4) set("map-style", argv[4]);
     TimedScreen screen;
     const app::Sources sources{[](const app::PictureDescription& v) {
-                                   return v.input.path.starts_with("sample:") ? sampleMolecule(v.input.path.substr(7))
-                                                                              : readMoleculeFile(v.input.path);
-                               },
-                               app::sceneOfView};
+        return v.input.path.starts_with("sample:") ? sampleMolecule(v.input.path.substr(7))
+                                                   : readMoleculeFile(v.input.path);
+    }};
     app::Viewer viewer(screen, sources, view, {});
     double now = 100;
     viewer.frames().resize({640, 480}, 1, now);

@@ -98,16 +98,17 @@ int main(int argc, char** argv) {
     writeTrajectory(path, *molecule, frames, named ? 0.1f : 0.5f);
     {
         const auto motion = std::make_shared<Motion>(openTrajectory(path), *molecule, MotionOptions{});
-        RepresentationOptions look;
+        app::PictureDescription picture;
+        RepresentationOptions& look = picture.look;
         look.style = argc > 3 ? Style::licorice : Style::spacefill;
         if (argc > 3 && std::string(argv[3]) != "none") look.contacts.of = parseSelection(argv[3]);
-        const auto moving = std::make_shared<MovingScene>(*molecule, drawnAtoms(*molecule), look);
+        const auto moving = std::make_shared<app::MovingPicture>(*molecule, picture);
         Renderer renderer{DeviceOptions{}};
         RenderSettings settings;
-        settings.view = viewOf(Camera{}, moving->scene().radius, kWidth, kHeight);
+        settings.view = viewOf(Camera{}, moving->radius(), kWidth, kHeight);
         settings.occlusion.directions = 0;
         settings.supersample = 1;
-        renderer.setScene(moving->scene());
+        renderer.setScene(moving->moved(*molecule));
         renderer.drawFrame(settings);  // compiles what it needs
         app::Player player(molecule, motion, {});
         player.setScene(moving);

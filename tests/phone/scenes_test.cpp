@@ -63,8 +63,8 @@ TEST(PhoneScenes, AreDrawnAsTheySay) {
     Viewer& viewer = phone.session->viewer();
     ASSERT_TRUE(viewer.document()) << viewer.messages().failure();
     ASSERT_TRUE(viewer.document()->molecule->guide);
-    ASSERT_EQ(viewer.document()->scene.sphereLooks.size(), 3u);
-    EXPECT_EQ(viewer.document()->scene.sphereLooks[0].color, 0xff0000ffu);
+    ASSERT_EQ(viewer.document()->drawing.scene().sphereLooks.size(), 3u);
+    EXPECT_EQ(viewer.document()->drawing.scene().sphereLooks[0].color, 0xff0000ffu);
     EXPECT_EQ(viewer.frames().settings().background, (std::array<float, 4>{0, 0, 1, 1}));
     EXPECT_GT(phone.session->renderer()->stats().windowFrames, 0u);
     for (const std::string& message : phone.session->renderer()->validationMessages()) ADD_FAILURE() << message;

@@ -229,7 +229,7 @@ TEST(PhoneSession, DrawsInteractions) {
         begin(session);
         host.run(session);
         ASSERT_TRUE(session.viewer().document());
-        EXPECT_EQ(session.viewer().document()->scene.contacts.empty(), !shown);
+        EXPECT_EQ(session.viewer().document()->drawing.scene().contacts.empty(), !shown);
         const std::vector<std::uint8_t> picture = session.picture(1).rgba;
         EXPECT_NE(picture, plain);
         plain = picture;
@@ -376,10 +376,10 @@ TEST(PhoneSession, VoiceOverHearsAndMovesEveryControl) {
     session.viewer().undo(host.now);
     press("tab", "Parts");
     press("button", "Hide Chain A");
-    EXPECT_EQ(session.viewer().document()->scene.drawnAtoms, 2u);
+    EXPECT_EQ(session.viewer().document()->drawing.scene().drawnAtoms, 2u);
     session.run(ViewerCommand::undo);  // as a shake does
     host.run(session);
-    EXPECT_EQ(session.viewer().document()->scene.drawnAtoms, 4u);
+    EXPECT_EQ(session.viewer().document()->drawing.scene().drawnAtoms, 4u);
     for (const Control& c : session.spoken()) EXPECT_NE(c.name, "") << c.role;
     expectValid(session);
 }

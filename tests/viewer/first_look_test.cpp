@@ -25,9 +25,9 @@ TEST(FirstLook, AtomsAreSeenInTheirDensity) {
     PictureDescription view;
     setOption(option("map"), "a.mrc", view);
     firstLook(protein, view);
-    EXPECT_EQ(sceneOf(protein, "", view.drawn, view.look).style, Style::licorice);
+    EXPECT_EQ(sceneOf(protein, view).style, Style::licorice);
     setOption(option("map"), "", view);
-    EXPECT_EQ(sceneOf(protein, "", view.drawn, view.look).style, Style::spacefill);
+    EXPECT_EQ(sceneOf(protein, view).style, Style::spacefill);
 }
 
 TEST(FirstLook, PredictionsShowTheirConfidence) {
@@ -58,8 +58,7 @@ TEST(FirstLook, WhatWasAskedForStays) {
 }
 
 TEST(FirstLook, IsOfWhatIsOpenedNotOfWhatIsReadAgain) {
-    const Sources sources{[](const PictureDescription&) { return test::chainOf(300, -57, -47); },
-                          [](const Molecule&, const PictureDescription&) { return Representation(); }};
+    const Sources sources{[](const PictureDescription&) { return test::chainOf(300, -57, -47); }};
     Loader loader(sources, {});
     PictureDescription view;
     view.input.path = "protein.pdb";

@@ -18,7 +18,7 @@ namespace {
 
 class StillScreen : public Screen {
 public:
-    void setScene(const Representation&) override {}
+    void setScene(Representation) override {}
     double advanceOcclusion(const RenderSettings&, const OcclusionPace&) override { return 1; }
     FrameOutcome present(const RenderSettings&, const WindowFrame&) override { return FrameOutcome::shown; }
     PixelSize windowSize() const override { return {640, 480}; }
@@ -31,12 +31,8 @@ struct Desk {
     double now = 100;
 
     Desk()
-        : viewer(screen,
-                 {[](const PictureDescription& v) { return sampleMolecule(v.input.path.substr(7)); },
-                  [](const Molecule& m, const PictureDescription& v) {
-                      return represent(m, drawnAtoms(m, v.drawn), v.look);
-                  }},
-                 first(), {}) {
+        : viewer(screen, {[](const PictureDescription& v) { return sampleMolecule(v.input.path.substr(7)); }}, first(),
+                 {}) {
         viewer.frames().resize({640, 480}, 1, now);
         rest();
     }

@@ -23,8 +23,7 @@ struct Shown {
         Document& document = stage.document;
         document.view = stage.view();
         document.placed = document.molecule = std::make_shared<Molecule>(sampleMolecule("glucose"));
-        document.scene = sceneOfView(*document.molecule, document.view);
-        document.radius = document.scene.radius;
+        document.drawing.build(*document.molecule, document.view);
         frames.resize({640, 480}, 2, 0);
     }
 };

@@ -76,8 +76,8 @@ std::string fiveModels(bool last = false) {
 
 class MovingScreen : public Screen {
 public:
-    void setScene(const Representation& scene) override { ++scenes, shown = scene; }
-    void moveScene(const Representation& scene) override { ++moves, shown = scene; }
+    void setScene(Representation scene) override { ++scenes, shown = std::move(scene); }
+    void moveScene(Representation scene) override { ++moves, shown = std::move(scene); }
     double advanceOcclusion(const RenderSettings&, const OcclusionPace& pace) override {
         hurried = hurried || !pace.mustFit;
         return 0.5;
@@ -114,7 +114,6 @@ struct PlayingBench {
             options.others = true;
             return readMolecule(v.input.path, text, options);
         };
-        s.build = sceneOfView;
         s.motion = [](const std::shared_ptr<const Molecule>& molecule,
                       const PictureDescription& v) -> std::unique_ptr<Motion> {
             auto models = trajectoryOfModels(molecule, v.input.model);
@@ -150,8 +149,7 @@ TEST(Player, MakesFramesInMoleculesThatNobodyHoldsAnyMore) {
     const auto molecule = std::make_shared<const Molecule>(readMolecule("five.xyz", fiveModels(), options));
     auto motion = std::make_shared<Motion>(trajectoryOfModels(molecule, 1), *molecule, MotionOptions());
     Player player(molecule, std::move(motion), {});
-    const std::vector<std::uint32_t> drawn{0, 1};
-    player.setScene(std::make_shared<MovingScene>(*molecule, drawn, RepresentationOptions()));
+    player.setScene(std::make_shared<MovingPicture>(*molecule, PictureDescription()));
     const auto frame = [&](std::size_t number) {
         player.want(number);
         player.wait();

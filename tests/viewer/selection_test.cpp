@@ -17,7 +17,7 @@ class OneAtomScreen : public Screen {
 public:
     std::uint32_t atom = 0;
     int asked = 0;
-    void setScene(const Representation&) override {}
+    void setScene(Representation) override {}
     double advanceOcclusion(const RenderSettings&, const OcclusionPace&) override { return 1; }
     FrameOutcome present(const RenderSettings&, const WindowFrame&) override { return FrameOutcome::shown; }
     PixelSize windowSize() const override { return {640, 480}; }
@@ -38,9 +38,6 @@ struct Stand {
                           std::this_thread::sleep_for(std::chrono::milliseconds(5));
                       if (v.input.path == "slow") throw Error("stopped", "", "");
                       return sampleMolecule("dna");
-                  },
-                  [](const Molecule& m, const PictureDescription& v) {
-                      return represent(m, drawnAtoms(m, v.drawn), v.look);
                   },
                   [] { return 0.25; }, [this] { cancelled = true; }},
                  picture, {}) {
@@ -122,7 +119,7 @@ TEST(Pointing, ADashIsReadItsResiduesAreSelectedAndFlownTo) {
     PictureDescription view = Stand::first(Style::licorice);
     view.look.contacts.of = parseSelection("chain A and resi 4");
     Stand s(view);
-    const Representation& scene = s.viewer.document()->scene;
+    const Representation& scene = s.viewer.document()->drawing.scene();
     ASSERT_FALSE(scene.contacts.empty());
     s.screen.atom = scene.firstContact;
     s.viewer.mouseMove({300, 200}, s.now);
@@ -205,7 +202,7 @@ TEST(Pointing, ALookThatIsTakenMeanwhileDoesNotStopReading) {
     }
     EXPECT_EQ(s.viewer.view().input.path, "another");
     EXPECT_EQ(s.viewer.document()->view.look.style, Style::licorice);
-    EXPECT_GT(s.viewer.document()->scene.drawnBonds, 100u);
+    EXPECT_GT(s.viewer.document()->drawing.scene().drawnBonds, 100u);
 }
 
 TEST(Pointing, ReadingThatIsStoppedLeavesWhatWasThere) {

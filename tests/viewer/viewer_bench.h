@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "app/drawing/scenes.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
@@ -34,7 +33,7 @@ public:
         --failures;
         throw Error("out of memory", "the screen", "it was too much");
     }
-    void setScene(const Representation&) override {
+    void setScene(Representation) override {
         mayFail();
         ++scenes;
         occlusion = 0;
@@ -69,10 +68,9 @@ public:
 
 inline Sources sampleSources() {
     return {[](const PictureDescription& v) {
-                if (v.input.path == "bad") throw Error("cannot read molecule", "bad", "it is bad");
-                return sampleMolecule(v.input.path.substr(7));
-            },
-            sceneOfView};
+        if (v.input.path == "bad") throw Error("cannot read molecule", "bad", "it is bad");
+        return sampleMolecule(v.input.path.substr(7));
+    }};
 }
 
 struct Bench {

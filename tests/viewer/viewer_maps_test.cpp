@@ -24,14 +24,14 @@ TEST(Viewer, TheWheelTurnsTheLevelOfAMapAsOneStep) {
     look.maps.levels = {{MapLevel::Unit::value, 4.5}};  // the mean
     b.viewer.setLook(look, b.now);
     b.load();
-    ASSERT_EQ(b.viewer.document()->maps.sigmas.size(), 1u);
+    ASSERT_EQ(b.viewer.document()->drawing.maps().sigmas.size(), 1u);
     const int scenes = b.screen.scenes;
     for (int i = 0; i < 3; ++i) b.viewer.changeLevel(1, b.now += 0.1);
     EXPECT_EQ(b.viewer.view().maps.levels[0], (MapLevel{MapLevel::Unit::sigma, 0.3}));
     b.load();
     b.load();
     EXPECT_GT(b.screen.scenes, scenes);
-    EXPECT_NEAR(b.viewer.document()->maps.sigmas[0], 0.3, 1e-6);
+    EXPECT_NEAR(b.viewer.document()->drawing.maps().sigmas[0], 0.3, 1e-6);
     b.viewer.undo(b.now + 5);
     EXPECT_EQ(b.viewer.view().maps.levels[0], (MapLevel{MapLevel::Unit::value, 4.5})) << "one turn is one step";
     // A slice has no level.
@@ -46,14 +46,8 @@ TEST(Viewer, MapsFollowWhatTheCameraLooksAt) {
     keepMap("flat",
             std::make_shared<const DensityMap>(mapOfValues("flat", glm::ivec3(10), {glm::dvec3(10), glm::dvec3(90)}, {},
                                                            false, std::vector<float>(1000, 1))));
-    int builds = 0;
     CountingScreen screen;
-    Sources sources = sampleSources();
-    sources.build = [&](const Molecule& molecule, const PictureDescription& view) {
-        ++builds;
-        return sceneOfView(molecule, view);
-    };
-    Viewer viewer(screen, sources, Bench::viewOf("sample:dna"), {});
+    Viewer viewer(screen, sampleSources(), Bench::viewOf("sample:dna"), {});
     double now = 100;
     const auto rest = [&] {
         for (int i = 0; i < 20; ++i) {
@@ -68,17 +62,19 @@ TEST(Viewer, MapsFollowWhatTheCameraLooksAt) {
     look.maps.aroundFocus = true;
     viewer.setLook(look, now);
     rest();
-    ASSERT_TRUE(viewer.document()->maps.focus);
-    const glm::dvec3 first = *viewer.document()->maps.focus;
-    const int before = builds, scenes = screen.scenes;
+    ASSERT_TRUE(viewer.document()->drawing.maps().focus);
+    const glm::dvec3 first = *viewer.document()->drawing.maps().focus;
+    const std::uint64_t before = viewer.document()->drawing.sceneNumber();
+    const int scenes = screen.scenes;
     for (int i = 0; i < 5; ++i) viewer.run(ViewerCommand::panLeft, now);
     rest();
-    const glm::dvec3 then = *viewer.document()->maps.focus;
+    const glm::dvec3 then = *viewer.document()->drawing.maps().focus;
     EXPECT_GT(glm::distance(then, first), 1);
     EXPECT_EQ(screen.scenes, scenes + 1);
-    EXPECT_EQ(builds, before) << "the molecule stays";
+    EXPECT_EQ(viewer.document()->drawing.sceneNumber(), before) << "the molecule stays";
     EXPECT_EQ(then, focusOf(*viewer.document()->molecule, viewer.view(),
-                            {viewer.view().camera, viewer.document()->radius}, viewer.document()->scene.center));
+                            {viewer.view().camera, viewer.document()->drawing.radius()},
+                            viewer.document()->drawing.scene().center));
     rest();
     EXPECT_EQ(screen.scenes, scenes + 1) << "it rests";
     // Nor does a level build the molecule, wherever the camera is meanwhile.
@@ -88,7 +84,7 @@ TEST(Viewer, MapsFollowWhatTheCameraLooksAt) {
     viewer.setLook(look, now);
     rest();
     EXPECT_GT(screen.scenes, scenes + 1);
-    EXPECT_EQ(builds, before);
+    EXPECT_EQ(viewer.document()->drawing.sceneNumber(), before);
 }
 
 }  // namespace
