@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "app/panel/panel_state.h"
@@ -12,18 +13,32 @@ namespace {
 
 constexpr float kLowPoints = 400;  // of height: under it tools and tabs scroll with the page
 
-using Page = Panel::Page;
-
-constexpr struct {
-    Icon icon;
+/// A page with its tab.
+struct Page {
     const char* label;
-    Page page;
     void (*draw)(PanelFrame&);
-} kTabs[] = {{Icon::look, "Look", Page::look, drawLookPage},
-             {Icon::parts, "Parts", Page::parts, drawPartsPage},
-             {Icon::select, "Select", Page::select, drawSelectPage},
-             {Icon::label, "Labels", Page::labels, drawLabelsPage},
-             {Icon::more, "More", Page::more, drawMorePage}};
+    Icon icon;
+};
+
+const Page kPages[] = {
+    {"Look", drawLookPage, Icon{[](const Pen& pen) {
+         pen.ring({-0.25f, 0.2f}, 0.55f);
+         pen.ring({0.4f, -0.35f}, 0.4f);
+     }}},
+    {"Parts", drawPartsPage, Icon{[](const Pen& pen) {
+         for (const float y : {-0.6f, 0.0f, 0.6f}) {
+             pen.disc({-0.7f, y}, 0.16f);
+             pen.line({{-0.3f, y}, {0.85f, y}});
+         }
+     }}},
+    {"Select", drawSelectPage, Icon{[](const Pen& pen) {
+         pen.line({{-0.5f, -0.8f}, {0.65f, 0.25f}, {0.1f, 0.3f}, {0.4f, 0.85f}, {-0.1f, 0.4f}, {-0.5f, 0.7f}}, true);
+     }}},
+    {"Labels", drawLabelsPage, Icon{[](const Pen& pen) {
+         for (const float y : {-0.6f, 0.0f, 0.6f}) pen.line({{-0.8f, y}, {y > 0.3f ? 0.2f : 0.8f, y}});
+     }}},
+    {"More", drawMorePage, Icon{[](const Pen& pen) { Icon::more.draw(pen); }}},
+};
 
 /// Buttons of one size side by side, in so many columns.
 struct Grid {
@@ -61,10 +76,10 @@ void drawHeader(PanelFrame& f) {
     }
     if (!f.s.foreign.missing().empty()) f.ui.caption(f.s.foreign.missing());
     if (!document) return;
-    std::string text = std::to_string(document->scene.drawnAtoms) + " atoms";
+    std::string text = std::to_string(document->drawing.scene().drawnAtoms) + " atoms";
     // Ignores the few sticks beside ribbons.
-    if (2 * document->scene.drawnBonds > document->scene.drawnAtoms)
-        text += ", " + std::to_string(document->scene.drawnBonds) + " bonds";
+    if (2 * document->drawing.scene().drawnBonds > document->drawing.scene().drawnAtoms)
+        text += ", " + std::to_string(document->drawing.scene().drawnBonds) + " bonds";
     if (f.viewer.frames().occlusion() < 1 && !f.viewer.playback().playing())
         text += ", shading " + std::to_string(static_cast<int>(100 * f.viewer.frames().occlusion())) + " %";
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - f.ui.px(6));
@@ -101,18 +116,25 @@ void drawTools(PanelFrame& f) {
 
 void drawTabs(PanelFrame& f) {
     ImGui::Separator();
-    Grid grid(f.ui, ImGui::GetContentRegionAvail().x >= f.ui.px(5 * 48) ? 5 : 3);
+    constexpr std::size_t kTabs = std::size(kPages);
+    Grid grid(f.ui, ImGui::GetContentRegionAvail().x >= f.ui.px(48 * kTabs) ? kTabs : (kTabs + 1) / 2);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(f.ui.px(4), f.ui.px(7)));
-    for (const auto& tab : kTabs) {
+    for (const Page& page : kPages) {
         grid.next();
-        if (!f.ui.tool(tab.icon, tab.label, grid.size, f.s.page == tab.page, true, "tab")) continue;
-        f.s.page = tab.page;
+        if (!f.ui.tool(page.icon, page.label, grid.size, f.s.page == page.label, true, "tab")) continue;
+        f.s.page = page.label;
         f.s.restless = 2;
     }
     ImGui::PopStyleVar();
 }
 
 }  // namespace
+
+std::vector<std::string_view> Panel::pages() {
+    std::vector<std::string_view> labels;
+    for (const Page& page : kPages) labels.emplace_back(page.label);
+    return labels;
+}
 
 std::string shortName(const std::string& input) {
     return input.starts_with("sample:") ? input.substr(7) : std::filesystem::path(input).filename().string();
@@ -144,7 +166,8 @@ void drawPanel(PanelFrame& f) {
     }
     f.look = f.viewer.view();
     const PictureDescription before = f.look;
-    kTabs[static_cast<std::size_t>(s.page)].draw(f);
+    for (const Page& page : kPages)
+        if (s.page == page.label) page.draw(f);
     if (!low) ImGui::EndChild();
     ImGui::End();
     if (s.sheet) ImGui::PopStyleVar();

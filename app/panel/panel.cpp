@@ -158,7 +158,7 @@ void Panel::showStart() { state_->start = true, state_->restless = 2; }
 void Panel::showSave() { state_->saving = true, state_->restless = 2; }
 void Panel::setSavePath(const std::string& path) { state_->setSavePath(path); }
 void Panel::showRecord() { state_->recording = static_cast<bool>(state_->host.record), state_->restless = 2; }
-void Panel::showPage(Page page) { state_->page = page, state_->restless = 2; }
+void Panel::showPage(std::string_view label) { state_->page = label, state_->restless = 2; }
 bool Panel::opensTogether() const { return state_->start && state_->together; }
 void Panel::keepView(const Viewer& viewer) { app::keepView(*state_, viewer); }
 std::size_t Panel::keptViews() const { return state_->movie.keys.size(); }
@@ -209,7 +209,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     ImGui::NewFrame();
     s.occupied.clear();
     s.ui.controls.clear();
-    s.sequence.focused &= s.page == Page::parts && open && !over;
+    s.sequence.focused &= s.page == "Parts" && open && !over;
     PanelFrame f{s, s.ui, s.host, viewer, now};
     if (open) drawPanel(f);
     if (s.shown == PanelState::Shown::folded && !over) drawMenuButton(f);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/annotation/system_font.h"
@@ -116,8 +117,9 @@ public:
     /// Controls of the last frame.
     const std::vector<Control>& controls() const;
 
-    enum class Page { look, parts, select, labels, more };
-    void showPage(Page page);
+    /// The labels of the pages, as on their tabs.
+    static std::vector<std::string_view> pages();
+    void showPage(std::string_view label);
     enum class Brightness { system, dark, light };
     void setBrightness(Brightness brightness);
 

@@ -99,7 +99,7 @@ struct PanelState {
 
     // Which parts are open
     enum class Shown { open, folded, hidden } shown;
-    Panel::Page page = Panel::Page::look;
+    std::string page{Panel::pages().front()};
     Panel::Brightness brightness = Panel::Brightness::system;
     bool help = false, licences = false, start = false, saving = false, recording = false, developers = false;
     bool quitting = false;

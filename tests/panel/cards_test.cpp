@@ -146,7 +146,7 @@ TEST(Panel, SaysWhatAutomaticChoseAndWhatIsSeen) {
     b.click("Spacefill");
     EXPECT_FALSE(told(b, "Automatic chose"));
     EXPECT_EQ(b.viewer.explanation().substr(0, 52), "Each atom is a sphere of its van der Waals radius. E");
-    b.panel.showPage(Panel::Page::parts);
+    b.panel.showPage("Parts");
     b.settle();
     EXPECT_TRUE(told(b, b.viewer.explanation()));
 }

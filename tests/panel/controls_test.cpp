@@ -35,10 +35,10 @@ TEST(Controls, EveryOneHasARoleANameAndAValue) {
         look.look.rules = {Rule{Rule::Action::hide, parseSelection("resi 1"), {}, {}},
                            Rule{Rule::Action::hide, parseSelection("resi 2"), {}, {}}};
         b.viewer.setLook(look, b.now);
-        for (const Panel::Page page : kPages) {
+        for (const std::string_view page : kPages) {
             b.panel.showPage(page);
             b.settle();
-            expectTold(b, "page " + std::to_string(static_cast<int>(page)));
+            expectTold(b, "page " + std::string(page));
         }
         b.panel.showSave();
         b.settle();

@@ -38,10 +38,10 @@ TEST(Fingers, HitEveryControl) {
         look.effects.contours.width = look.effects.halos.width = 3;
         look.effects.fog.range = Fog::Range::automatic;
         b.viewer.setLook(look, b.now);
-        for (const Panel::Page page : kPages) {
+        for (const std::string_view page : kPages) {
             b.panel.showPage(page);
             b.settle();
-            expectHit(b, "page " + std::to_string(static_cast<int>(page)));
+            expectHit(b, "page " + std::string(page));
         }
         for (const auto& show : {&Panel::showSave, &Panel::showStart, &Panel::showRecord, &Panel::toggleHelp}) {
             (b.panel.*show)();
@@ -123,7 +123,7 @@ TEST(Fingers, TypeOnTheSystemsKeyboard) {
         b.settle();
     };
     b.panel.togglePanel();
-    b.panel.showPage(Panel::Page::labels);
+    b.panel.showPage("Labels");
     b.settle();
     tap("Title");
     EXPECT_EQ(asked, std::pair(std::string("Title"), std::string()));
@@ -132,7 +132,7 @@ TEST(Fingers, TypeOnTheSystemsKeyboard) {
     tap("Title");
     EXPECT_EQ(asked.second, "DNA") << "what stands there is gone on with";
     // A selection, live, and a rule of it that is edited.
-    b.panel.showPage(Panel::Page::select);
+    b.panel.showPage("Select");
     b.settle();
     tap("Selection");
     type("Selection", "chain A");
@@ -149,7 +149,7 @@ TEST(Fingers, TypeOnTheSystemsKeyboard) {
     EXPECT_EQ(b.viewer.view().look.rules[0].selection.text, "resi 1");
     // What a field was typed for that is gone changes nothing.
     type("Title", "too late");
-    b.panel.showPage(Panel::Page::labels);
+    b.panel.showPage("Labels");
     b.settle();
     EXPECT_EQ(b.viewer.view().words.title, "DNA");
     b.panel.showStart();
@@ -167,7 +167,7 @@ TEST(Fingers, AreToldListsByOtherNamesThanTabs) {
     for (const Control& c : b.panel.controls())
         if (c.role == "tab") tabs.insert(c.name);
     EXPECT_EQ(tabs.size(), 5u);
-    for (const Panel::Page page : kPages) {
+    for (const std::string_view page : kPages) {
         b.panel.showPage(page);
         b.settle();
         for (const Control& c : b.panel.controls()) EXPECT_FALSE(c.role == "list" && tabs.contains(c.name)) << c.name;

@@ -50,7 +50,7 @@ struct Shell {
 
 TEST(InputQueue, PressesWithoutHoldBetweenTwoFramesAllCount) {
     Bench b("sample:dna", kUsual);
-    b.panel.showPage(Panel::Page::labels);
+    b.panel.showPage("Labels");
     b.settle();
     Shell shell{b, {}};
     shell.click("Title");
@@ -64,7 +64,7 @@ TEST(InputQueue, PressesWithoutHoldBetweenTwoFramesAllCount) {
 
 TEST(InputQueue, KeysGoWhereThoseBeforeThemHaveLed) {
     Bench b("sample:dna", kUsual);
-    b.panel.showPage(Panel::Page::labels);
+    b.panel.showPage("Labels");
     b.settle();
     Shell shell{b, {}};
     shell.type("m");
@@ -83,7 +83,7 @@ TEST(InputQueue, KeysGoWhereThoseBeforeThemHaveLed) {
 
 TEST(InputQueue, AKeyThatRepeatsCountsEachTime) {
     Bench b("sample:dna", kUsual);
-    b.panel.showPage(Panel::Page::labels);
+    b.panel.showPage("Labels");
     b.settle();
     Shell shell{b, {}};
     shell.click("Title");

@@ -17,7 +17,7 @@ namespace nacre::app::test {
 
 class NoScreen : public Screen {
 public:
-    void setScene(const Representation&) override {}
+    void setScene(Representation) override {}
     double advanceOcclusion(const RenderSettings&, const OcclusionPace&) override { return 1; }
     FrameOutcome present(const RenderSettings&, const WindowFrame&) override { return FrameOutcome::shown; }
     PixelSize windowSize() const override { return {1, 1}; }
@@ -136,8 +136,7 @@ struct Bench {
 };
 
 inline constexpr PixelSize kUsual{1000, 720}, kNarrow{420, 760}, kTall{620, 1000}, kWide{1300, 420}, kSmall{360, 480};
-inline constexpr Panel::Page kPages[] = {Panel::Page::look, Panel::Page::parts, Panel::Page::select,
-                                         Panel::Page::labels, Panel::Page::more};
+inline const std::vector<std::string_view> kPages = Panel::pages();
 
 /// All words of a panel stand whole, side by side, and within what shows them. @returns controls that were looked at
 std::size_t expectReadable(const Bench& b, const std::string& state);

@@ -60,10 +60,10 @@ TEST(Panel, EveryPageIsReadableEverywhere) {
     for (const Place& place : kPlaces) {
         Bench b("sample:dna", place.points, place.scale, place.hand);
         if (!b.panel.panelOpen()) b.panel.togglePanel();
-        for (const Panel::Page page : kPages) {
+        for (const std::string_view page : kPages) {
             b.panel.showPage(page);
             b.settle();
-            EXPECT_GT(expectReadable(b, nameOf(place) + ", page " + std::to_string(static_cast<int>(page))), 12u);
+            EXPECT_GT(expectReadable(b, nameOf(place) + ", page " + std::string(page)), 12u);
         }
     }
 }
@@ -127,7 +127,7 @@ TEST(Panel, KeepsItsSizeAndLeavesTheMoleculeTheRest) {
         Bench b("sample:dna", place.points, place.scale, place.hand);
         if (!b.panel.panelOpen()) b.panel.togglePanel();
         std::optional<glm::dvec2> pan;
-        for (const Panel::Page page : kPages) {
+        for (const std::string_view page : kPages) {
             b.panel.showPage(page);
             b.settle();
             const View view = b.viewer.frames().settings().view;

@@ -77,11 +77,11 @@ std::vector<std::string> unreached(Bench& b, const std::string& window) {
 }
 
 TEST(Panel, KeysReachEveryControl) {
-    for (const Panel::Page page : kPages) {
+    for (const std::string_view page : kPages) {
         Bench b("sample:dna", kUsual);
         b.panel.showPage(page);
         b.settle();
-        EXPECT_EQ(unreached(b, "Nacre"), std::vector<std::string>()) << static_cast<int>(page);
+        EXPECT_EQ(unreached(b, "Nacre"), std::vector<std::string>()) << page;
         EXPECT_TRUE(b.panel.input().ownsKeys());
         b.press(SpecialKey::escape);
         EXPECT_FALSE(b.panel.input().ownsKeys());
@@ -124,9 +124,9 @@ TEST(Panel, RulesAreSwitchedOffEditedAndMoved) {
     PictureDescription look = b.viewer.view();
     look.look.rules = {parseHide("chain A"), parseShow("chain B=licorice")};
     b.viewer.setLook(look, b.now);
-    b.panel.showPage(Panel::Page::select);
+    b.panel.showPage("Select");
     b.settle();
-    const auto drawn = [&] { return b.viewer.document()->scene.drawnAtoms; };
+    const auto drawn = [&] { return b.viewer.document()->drawing.scene().drawnAtoms; };
     const std::size_t half = drawn();
     b.click("Switch off: Hide chain A");
     EXPECT_EQ(drawn(), 486u);
@@ -221,7 +221,7 @@ TEST(Panel, LinesHalosAndFogHaveSlidersAndColours) {
     expectReadable(b, "all effects");
     slideTo("Start of fog", 0.4);
     EXPECT_EQ(effects().fog.range, Fog::Range::given);
-    const double radius = b.viewer.document()->scene.radius;
+    const double radius = b.viewer.document()->drawing.scene().radius;
     EXPECT_NEAR(effects().fog.start, -0.4 * radius, 0.1 * radius);
     EXPECT_NEAR(effects().fog.end, radius, 1);
     slideTo("End of fog", 0.3);
@@ -242,7 +242,7 @@ TEST(Panel, MeasurementsAreToldByTheirAtoms) {
     PictureDescription look = b.viewer.view();
     look.words.measures.push_back(parseMeasure("chain A and resi 1 and name C1',chain B and resi 24 and name C1'"));
     b.viewer.setLook(look, b.now);
-    b.panel.showPage(Panel::Page::labels);
+    b.panel.showPage("Labels");
     b.settle();
     const auto told = [&](const std::string& words) {
         return std::any_of(b.panel.controls().begin(), b.panel.controls().end(), [&](const Control& c) {

@@ -10,21 +10,21 @@ namespace {
 
 TEST(Panel, RowsOfPartsHideAndColour) {
     Bench b("sample:dna", kUsual);
-    b.panel.showPage(Panel::Page::parts);
+    b.panel.showPage("Parts");
     b.settle();
-    const std::size_t all = b.viewer.document()->scene.drawnAtoms;
+    const std::size_t all = b.viewer.document()->drawing.scene().drawnAtoms;
     b.click("Hide Chain A");
-    EXPECT_LT(b.viewer.document()->scene.drawnAtoms, all);
+    EXPECT_LT(b.viewer.document()->drawing.scene().drawnAtoms, all);
     b.click("Show Chain A");
-    EXPECT_EQ(b.viewer.document()->scene.drawnAtoms, all);
+    EXPECT_EQ(b.viewer.document()->drawing.scene().drawnAtoms, all);
     EXPECT_TRUE(b.viewer.view().look.rules.empty());
     b.click("Undo");
-    EXPECT_LT(b.viewer.document()->scene.drawnAtoms, all);
+    EXPECT_LT(b.viewer.document()->drawing.scene().drawnAtoms, all);
     b.click("Colour of Chain B");
     b.click("Vermilion");
     ASSERT_EQ(b.viewer.view().look.rules.size(), 2u);
     EXPECT_EQ(b.viewer.view().look.rules.back().coloring, Coloring::uniform(IM_COL32(0xd5, 0x5e, 0, 255)));
-    b.panel.showPage(Panel::Page::select);
+    b.panel.showPage("Select");
     b.settle();
     bool named = false;
     for (const Control& c : b.panel.controls()) named |= c.role == "button" && c.name.ends_with(": Vermilion");
@@ -42,10 +42,10 @@ TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
     EXPECT_EQ(b.viewer.playback().models(), 1) << "molecules are no models to step through";
     ASSERT_EQ(b.viewer.view().look.rules.size(), 1u);
     EXPECT_EQ(b.viewer.view().look.rules[0].selection.text, "/buckyball");
-    b.panel.showPage(Panel::Page::parts);
+    b.panel.showPage("Parts");
     b.settle();
     expectReadable(b, "parts of two molecules");
-    const auto drawn = [&] { return b.viewer.document()->scene.drawnAtoms; };
+    const auto drawn = [&] { return b.viewer.document()->drawing.scene().drawnAtoms; };
     const std::size_t all = drawn();
     b.click("Hide 60C");
     EXPECT_EQ(drawn(), all - 60);
@@ -74,7 +74,7 @@ TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
     b.viewer.reading().open(std::vector<std::string>{"sample:dna", "sample:dna"}, b.now);
     b.settle();
     ASSERT_EQ(b.viewer.document()->molecule->atoms.size(), 2u * 486u);
-    b.panel.showPage(Panel::Page::parts);
+    b.panel.showPage("Parts");
     b.settle();
     b.click("Superposed on dna");
     ASSERT_EQ(b.viewer.view().input.fits.size(), 1u);
@@ -94,7 +94,7 @@ TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
     };
     Bench other("sample:dna", {1000, 900}, 1, PanelHand::mouse, unlike);
     other.viewer.reading().add("sample:dna", other.now);
-    other.panel.showPage(Panel::Page::parts);
+    other.panel.showPage("Parts");
     other.settle();
     other.click("Superposed on dna");
     EXPECT_NE(other.viewer.messages().failure(), "");
@@ -105,7 +105,7 @@ TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
 
 TEST(Panel, ADragAcrossTheSequenceSelectsResidues) {
     Bench b("sample:dna", kUsual);
-    b.panel.showPage(Panel::Page::parts);
+    b.panel.showPage("Parts");
     b.settle();
     b.click("Chain A");
     const Control* sequence = b.find("Sequence of Chain A");
@@ -126,7 +126,7 @@ TEST(Panel, ADragAcrossTheSequenceSelectsResidues) {
 
 TEST(Panel, KeysGoAlongTheSequence) {
     Bench b("sample:dna", kUsual);
-    b.panel.showPage(Panel::Page::parts);
+    b.panel.showPage("Parts");
     b.settle();
     b.click("Chain A");
     const auto focused = [&] {

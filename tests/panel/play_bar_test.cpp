@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/drawing/scenes.h"
 #include "app/input/read_input.h"
 #include "tests/panel/panel_bench.h"
 
@@ -24,7 +23,6 @@ Sources movingSources() {
         options.others = true;
         return readMolecule(v.input.path, text, options);
     };
-    s.build = sceneOfView;
     s.motion = [](const std::shared_ptr<const Molecule>& molecule, const PictureDescription& v) {
         return std::make_unique<Motion>(trajectoryOfModels(molecule, v.input.model), *molecule,
                                         motionOptions(v.input.trajectory, *molecule));

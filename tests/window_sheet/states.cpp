@@ -30,7 +30,7 @@ struct Mapped {
 
 std::vector<State> states(const std::string& protein, const std::string& models) {
     const char *p = protein.c_str(), *several = models.empty() ? p : models.c_str();
-    const auto page = [](Panel::Page which) { return [which](Driver& d) { d.panel().showPage(which); }; };
+    const auto page = [](std::string_view which) { return [which](Driver& d) { d.panel().showPage(which); }; };
     const auto light = [](Driver& d) { d.panel().setBrightness(Panel::Brightness::light); };
     const auto dark = [](Driver& d) {
         d.panel().setBrightness(Panel::Brightness::dark);
@@ -39,7 +39,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         d.viewer().setLook(look, seconds());
     };
     const auto rules = [](Driver& d) {
-        d.panel().showPage(Panel::Page::select);
+        d.panel().showPage("Select");
         d.pause(0.2);
         d.click("Ligands");
         d.settle();
@@ -64,10 +64,10 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         look.words.scaleBar = ScaleBar::angstrom;
         look.words.title = "Haemoglobin";
         d.viewer().setLook(look, seconds());
-        d.panel().showPage(Panel::Page::labels);
+        d.panel().showPage("Labels");
     };
     const auto sequence = [](Driver& d) {
-        d.panel().showPage(Panel::Page::parts);
+        d.panel().showPage("Parts");
         d.pause(0.2);
         d.click("Chain A");
     };
@@ -101,7 +101,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
     };
     const auto failure = [](Driver& d) { d.viewer().reading().open("no such file.pdb", seconds()); };
     const auto interactions = [](Driver& d) {
-        d.panel().showPage(Panel::Page::select);
+        d.panel().showPage("Select");
         d.pause(0.2);
         d.click("Ligands");
         d.settle();
@@ -113,7 +113,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
     const auto maps = [](Driver& d) {
         d.drop(mapped.map);
         d.drop(mapped.difference);
-        d.panel().showPage(Panel::Page::look);
+        d.panel().showPage("Look");
         d.pause(0.2);
         d.click("Place of maps");
         d.click("Around ligands");
@@ -134,7 +134,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"start, wide", kWide, "", [](Driver&) {}},
         {"start, not found", kUsual, "", failure},
         {"open, over a molecule", kUsual, p, [](Driver& d) { d.panel().showStart(); }},
-        {"look", kUsual, p, page(Panel::Page::look)},
+        {"look", kUsual, p, page("Look")},
         {"look, light", kUsual, p, light},
         {"start, dark", kUsual, "", dark},
         {"start, files of before", kUsual, p,
@@ -163,9 +163,9 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"download is asked for", kUsual, "pdb:4hhb", [](Driver&) {}},
         {"look, dark", kUsual, p, dark},
         {"look, narrow, dark", kNarrow, p, dark},
-        {"look, narrow", kNarrow, p, page(Panel::Page::look)},
-        {"look, tall", kTall, "sample:dna", page(Panel::Page::look)},
-        {"look, wide", kWide, "sample:dna", page(Panel::Page::look)},
+        {"look, narrow", kNarrow, p, page("Look")},
+        {"look, tall", kTall, "sample:dna", page("Look")},
+        {"look, wide", kWide, "sample:dna", page("Look")},
         {"look, list open", kUsual, "sample:dna", [](Driver& d) { d.click("Colours"); }},
         {"look, sliders", kUsual, p,
          [](Driver& d) {
@@ -196,21 +196,21 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              d.click("Focus on the middle of the view");
              d.click("Focus on the middle of the view");
          }},
-        {"parts", kUsual, p, page(Panel::Page::parts)},
+        {"parts", kUsual, p, page("Parts")},
         {"parts, sequence", kUsual, p, sequence},
         {"parts, sequence, light, narrow", kNarrow, p, [=](Driver& d) { light(d), sequence(d); }},
         {"parts, sequence, dark", kUsual, p, [=](Driver& d) { dark(d), sequence(d); }},
-        {"parts, models", kUsual, several, page(Panel::Page::parts)},
-        {"parts, models, narrow", kNarrow, several, page(Panel::Page::parts)},
+        {"parts, models", kUsual, several, page("Parts")},
+        {"parts, models, narrow", kNarrow, several, page("Parts")},
         {"parts, assemblies", kUsual, p,
          [](Driver& d) {
-             d.panel().showPage(Panel::Page::parts);
+             d.panel().showPage("Parts");
              d.pause(0.2);
              d.click("Assembly");
          }},
         {"parts, colour", kUsual, p,
          [](Driver& d) {
-             d.panel().showPage(Panel::Page::parts);
+             d.panel().showPage("Parts");
              d.pause(0.2);
              d.click("Colour of Chain B");
          }},
@@ -218,7 +218,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
          [](Driver& d) {
              d.viewer().reading().add("sample:buckyball", seconds());
              d.settle();
-             d.panel().showPage(Panel::Page::parts);
+             d.panel().showPage("Parts");
          }},
         {"open, beside", kUsual, "sample:dna",
          [](Driver& d) {
@@ -226,13 +226,13 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              d.pause(0.2);
              d.click("Add to current scene");
          }},
-        {"parts, small molecule", kUsual, "sample:glucose", page(Panel::Page::parts)},
-        {"select, nothing", kUsual, p, page(Panel::Page::select)},
+        {"parts, small molecule", kUsual, "sample:glucose", page("Parts")},
+        {"select, nothing", kUsual, p, page("Select")},
         {"select, rules", kUsual, p, rules},
         {"select, rules, narrow", kNarrow, p, rules},
         {"select, typed", kUsual, p,
          [](Driver& d) {
-             d.panel().showPage(Panel::Page::select);
+             d.panel().showPage("Select");
              d.pause(0.2);
              d.click("Selection");
              d.type("chain A and si");
@@ -243,7 +243,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"labels, light, narrow", kNarrow, p, [=](Driver& d) { light(d), measured(d); }},
         {"more, developers", kUsual, "sample:dna",
          [](Driver& d) {
-             d.panel().showPage(Panel::Page::more);
+             d.panel().showPage("More");
              d.pause(0.2);
              d.click("For developers");
          }},
@@ -285,7 +285,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"measuring", kUsual, p,
          [](Driver& d) {
              const double scale = d.viewer().frames().size().height / 720.0;
-             d.panel().showPage(Panel::Page::labels);
+             d.panel().showPage("Labels");
              d.run(ViewerCommand::measure), d.run(ViewerCommand::measure);
              d.clickAt(scale * glm::dvec2(600, 300));
              d.clickAt(scale * glm::dvec2(690, 400));
@@ -298,7 +298,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              look.look.color = ColorScheme::secondaryStructure;
              look.words.legend = true;
              d.viewer().setLook(look, seconds());
-             d.panel().showPage(Panel::Page::labels);
+             d.panel().showPage("Labels");
          }},
         {"film", kUsual, "sample:dna", record},
         {"film, kept views, narrow", kNarrow, "sample:dna",
@@ -337,7 +337,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
          [](Driver& d) {
              d.viewer().reading().open(std::vector<std::string>{"sample:dna", "sample:dna"}, seconds());
              d.settle();
-             d.panel().showPage(Panel::Page::parts);
+             d.panel().showPage("Parts");
              d.pause(0.2);
              d.click("Superposed on dna");
          }},
@@ -346,8 +346,8 @@ std::vector<State> states(const std::string& protein, const std::string& models)
          [=](Driver& d) { light(d), d.click("Playback options"); }},
         {"view is saved", kUsual, "sample:dna", [](Driver& d) { d.type("S"); }},
         {"start, 420 pixels", {210, 380}, "", [](Driver&) {}},
-        {"look, 420 pixels", {210, 380}, p, page(Panel::Page::look)},
-        {"parts, 420 pixels", {210, 380}, p, page(Panel::Page::parts)},
+        {"look, 420 pixels", {210, 380}, p, page("Look")},
+        {"parts, 420 pixels", {210, 380}, p, page("Parts")},
         {"help, 420 pixels", {210, 380}, "sample:dna", help},
         {"error, 420 pixels", {210, 380}, "sample:dna", failure},
         {"error, narrow, light", kNarrow, "sample:dna", [=](Driver& d) { light(d), failure(d); }},
