@@ -25,19 +25,16 @@ public:
 };
 
 inline Sources sampleSources() {
-    return {
-        [](const PictureDescription& v) {
-            const auto sample = [](const std::string& input) {
-                if (!input.starts_with("sample:"))
-                    throw Error("cannot read molecule", input, "No such file or directory");
-                return sampleMolecule(input.substr(7));
-            };
-            if (v.input.further.empty()) return sample(v.input.path);
-            std::vector<Molecule> all{sample(v.input.path)};
-            for (const FurtherInput& further : v.input.further) all.push_back(sample(further.path));
-            return joinInputs(inputOf(v), std::move(all), [](const std::string&) {});
-        },
-        [](const Molecule& m, const PictureDescription& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }};
+    return {[](const PictureDescription& v) {
+        const auto sample = [](const std::string& input) {
+            if (!input.starts_with("sample:")) throw Error("cannot read molecule", input, "No such file or directory");
+            return sampleMolecule(input.substr(7));
+        };
+        if (v.input.further.empty()) return sample(v.input.path);
+        std::vector<Molecule> all{sample(v.input.path)};
+        for (const FurtherInput& further : v.input.further) all.push_back(sample(further.path));
+        return joinInputs(inputOf(v), std::move(all), [](const std::string&) {});
+    }};
 }
 
 struct Bench {
