@@ -9,7 +9,6 @@ using Four = float __attribute__((vector_size(16)));
 using FourNumbers = std::int32_t __attribute__((vector_size(16)));
 
 #define NACRE_LANES_CODE "engine/occlusion/triangle_lanes.inc"
-#define NACRE_MOST_LANES 8
 #include "engine/simd/each_lanes.inc"
 
 std::span<const TriangleLanes> triangleLanes() {

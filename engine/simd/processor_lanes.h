@@ -7,11 +7,10 @@
 
 namespace nacre {
 
-/// 4; with AVX2 8; with AVX-512 16.
+/// 8 with AVX2, else 4.
 inline std::uint32_t processorLanes() {
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2"))
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") ? 16 : 8;
+    if (__builtin_cpu_supports("avx2")) return 8;
 #endif
     return 4;
 }

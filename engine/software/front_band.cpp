@@ -35,7 +35,6 @@ void ShapeBand::meet(std::size_t at, std::uint32_t shape, float from) const {
 namespace front_lanes {
 
 #define NACRE_LANES_CODE "engine/software/front_lanes.inc"
-#define NACRE_MOST_LANES 16
 #include "engine/simd/each_lanes.inc"
 
 }  // namespace front_lanes
@@ -46,7 +45,6 @@ std::span<const FrontLanes> frontLanes() {
         {4, lanes4::drawGroup, lanes4::findRectangles, lanes4::drawShapes, lanes4::tellRow},
 #if defined(__x86_64__)
         {8, lanes8::drawGroup, lanes8::findRectangles, lanes8::drawShapes, lanes8::tellRow},
-        {16, lanes16::drawGroup, lanes16::findRectangles, lanes16::drawShapes, lanes16::tellRow},
 #endif
     };
     return usableLanes<FrontLanes>(kLanesOf);

@@ -76,7 +76,7 @@ struct FrontLanes {
     TellShapes tell = nullptr;
 };
 
-/// Those that this processor can use, the fewest first: 4, then 8, then 16.
+/// Those that this processor can use, the fewest first: 4, then 8.
 std::span<const FrontLanes> frontLanes();
 
 }  // namespace nacre

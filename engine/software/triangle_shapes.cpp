@@ -89,7 +89,6 @@ void TriangleBand::hold(const TriangleShapes& shapes, std::uint32_t i, std::uint
 namespace triangle_lanes {
 
 #define NACRE_LANES_CODE "engine/software/triangle_lanes.inc"
-#define NACRE_MOST_LANES 16
 #include "engine/simd/each_lanes.inc"
 
 }  // namespace triangle_lanes
@@ -100,7 +99,6 @@ std::span<const TriangleLanes> triangleLanes() {
         {4, lanes4::drawTriangles, lanes4::placeCorners},
 #if defined(__x86_64__)
         {8, lanes8::drawTriangles, lanes8::placeCorners},
-        {16, lanes16::drawTriangles, lanes16::placeCorners},
 #endif
     };
     return usableLanes<TriangleLanes>(kLanesOf);

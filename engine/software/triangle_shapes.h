@@ -104,7 +104,7 @@ struct TriangleLanes {
     PlaceCorners place = nullptr;
 };
 
-/// Those that this processor can use, the fewest first: 4, then 8, then 16.
+/// Those that this processor can use, the fewest first: 4, then 8.
 std::span<const TriangleLanes> triangleLanes();
 
 }  // namespace nacre
