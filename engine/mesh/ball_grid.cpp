@@ -4,7 +4,10 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <string>
 #include <utility>
+
+#include "engine/error.h"
 
 namespace nacre {
 namespace {
@@ -44,7 +47,16 @@ BallGrid::BallGrid(const std::vector<SurfaceBall>& balls, double margin) {
         std::sort(found.begin(), found.end());
         for (const auto& [distance, other] : found) neighbours_.push_back(other);
         offsets_.push_back(neighbours_.size());
+        checkCrowd();
     }
+}
+
+void BallGrid::checkCrowd() const {
+    constexpr std::size_t kMostOfAny = 32'000'000, kMostOfEach = 256;
+    if (neighbours_.size() > kMostOfAny + kMostOfEach * sorted_.size())
+        throw Error("cannot make surface", "",
+                    "its atoms lie over one another: they have more than " + std::to_string(neighbours_.size()) +
+                        " neighbours (draw fewer of them, or use a smaller probe)");
 }
 
 glm::ivec3 BallGrid::cellAt(const glm::dvec3& place) const {

@@ -14,6 +14,8 @@ namespace nacre {
 class BallGrid {
 public:
     /// @param margin  Å, added to every radius
+    /// @throws Error if there are more pairs of neighbours than 32 million, and 256 per ball: a protein's atoms have some
+    /// eighty each, and a crowd at one place the square of its number
     BallGrid(const std::vector<SurfaceBall>& balls, double margin);
 
     /// Balls that overlap this one, nearest first.
@@ -35,6 +37,7 @@ public:
 
 private:
     glm::ivec3 cellAt(const glm::dvec3& place) const;
+    void checkCrowd() const;
     void sortIntoCells(const std::vector<SurfaceBall>& balls);
 
     glm::dvec3 low_{};

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -98,13 +99,21 @@ glm::dvec3 middleOf(const Molecule& molecule, std::span<const std::uint32_t> ato
     return low.x <= high.x ? (low + high) / 2.0 : glm::dvec3();
 }
 
-/// Refuses too large a surface before it is made, by an estimate from its atoms.
+/// Refuses a surface that would be too large, or whose atoms are a crowd at one place, before it is made: estimated from
+/// its atoms.
 void checkSurfaceSize(const std::vector<SurfaceBall>& balls, double step) {
-    double farthest = 0, apart = 0;
+    constexpr double kMostLayers = 10'000;  // as of any scene: engine/scene/build/crowd.h
+    double farthest = 0, apart = 0, reach = 0;
     for (const SurfaceBall& ball : balls) {
         farthest = std::max({farthest, std::abs(ball.center.x), std::abs(ball.center.y), std::abs(ball.center.z)});
         apart += 4 * std::numbers::pi * ball.radius * ball.radius;
+        reach = std::max(reach, glm::length(ball.center) + ball.radius);
     }
+    const double layers = apart / (4 * std::numbers::pi * reach * reach);
+    if (layers > kMostLayers)
+        throw Error("cannot make surface", "",
+                    "its atoms lie over one another " + std::to_string(std::llround(layers)) +
+                        " times, more than the limit of " + std::to_string(std::llround(kMostLayers)));
     const double area = std::min(apart, kSurfaceOfAtom * static_cast<double>(balls.size()));
     const double triangles = kTrianglesPerCellFace * area / (step * step);
     if (triangles > static_cast<double>(kMostSurfaceTriangles))

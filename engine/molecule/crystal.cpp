@@ -82,9 +82,12 @@ public:
                 for (long k = z - 1; k <= z + 1; ++k) {
                     const auto found = cells_.find({i, j, k});
                     if (found == cells_.end()) continue;
+                    looked_ += found->second.size();
                     for (const std::uint32_t atom : found->second)
                         if (glm::distance(glm::dvec3(molecule_.atoms[atom].position), p) <= distance_) return true;
                 }
+        if (looked_ > 500'000'000 + 20'000 * molecule_.atoms.size())
+            throw Error("cannot build symmetry", "", "too many atoms lie at one place");
         return false;
     }
 
@@ -96,6 +99,7 @@ private:
     }
     const Molecule& molecule_;
     double distance_, edge_;
+    mutable std::size_t looked_ = 0;  ///< atoms, by all calls
     std::map<Cell, std::vector<std::uint32_t>> cells_;
 };
 

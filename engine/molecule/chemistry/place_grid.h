@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "engine/error.h"
+
 namespace nacre {
 
 /// Cells are sorted by number, so that distant positions cost nothing: 21 bits per axis, 2^20 cells either way.
@@ -21,23 +23,29 @@ public:
                   [](const Entry& l, const Entry& r) { return l.key != r.key ? l.key < r.key : l.index < r.index; });
     }
 
-    /// Calls visit(index, squared distance) for each position at most `reach` away.
+    /// Calls visit(index, squared distance) for each position at most `reach` away. In a protein a call looks at some
+    /// hundred positions. @throws Error if all calls together look at more than 100 million, and 4,000 per position: a
+    /// crowd at one place would take for ever
     template <typename Visit>
     void near(const glm::vec3& from, const Visit& visit) const {
         const Cell centre = cellOf(from);
         const double most = reach_ * reach_;
+        std::uint64_t looked = 0;
         for (std::int64_t x = centre.x - 1; x <= centre.x + 1; ++x) {
             for (std::int64_t y = centre.y - 1; y <= centre.y + 1; ++y) {
                 const std::uint64_t first = keyOf({x, y, centre.z - 1}), last = keyOf({x, y, centre.z + 1});
                 auto at = std::lower_bound(entries_.begin(), entries_.end(), first,
                                            [](const Entry& entry, std::uint64_t key) { return entry.key < key; });
                 for (; at != entries_.end() && at->key <= last; ++at) {
+                    ++looked;
                     const glm::dvec3 way = glm::dvec3(places_[at->index]) - glm::dvec3(from);
                     const double squared = glm::dot(way, way);
                     if (squared <= most) visit(at->index, squared);
                 }
             }
         }
+        if ((looked_ += looked) > 100'000'000 + 4'000 * entries_.size())
+            throw Error("cannot find neighbours", "", "too many atoms lie at one place");
     }
 
 private:
@@ -65,6 +73,7 @@ private:
     const std::vector<glm::vec3>& places_;
     double reach_;
     std::vector<Entry> entries_;
+    mutable std::uint64_t looked_ = 0;  ///< by all calls
 };
 
 }  // namespace nacre

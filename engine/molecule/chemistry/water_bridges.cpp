@@ -44,6 +44,17 @@ Interaction& addBridge(InteractionSearch& search, const WaterPartner& first, con
 
 using Partners = std::map<std::uint32_t, std::vector<WaterPartner>>;  // by water
 
+/// Refuses waters that so many atoms surround that their pairs would take for ever. @returns the partners
+Partners checkedPairs(Partners partners) {
+    constexpr std::size_t kMostPairs = 100'000'000;
+    std::size_t pairs = 0;
+    for (const auto& [water, list] : partners) pairs += list.size() * list.size();
+    if (pairs > kMostPairs)
+        throw Error("cannot find interactions", "",
+                    "its waters have more than " + std::to_string(kMostPairs) + " pairs of neighbours");
+    return partners;
+}
+
 /// Partners that Mol* allows a water, which looser angles bind than a hydrogen bond. An atom that gives and takes is
 /// there twice.
 Partners molstarPartners(InteractionSearch& search, const PlaceGrid& grid) {
@@ -79,7 +90,7 @@ void findMolstarBridges(InteractionSearch& search, const PlaceGrid& grid) {
     const auto away = [&](std::uint32_t atom, std::uint32_t water) {
         return glm::distance(search.at(atom), search.at(water));
     };
-    for (const auto& [water, list] : molstarPartners(search, grid))
+    for (const auto& [water, list] : checkedPairs(molstarPartners(search, grid)))
         for (const WaterPartner& first : list)
             for (const WaterPartner& second : list) {
                 if (first.atom >= second.atom || search.sides(first.atom, second.atom) == 0) continue;
@@ -182,7 +193,7 @@ std::vector<PlipBridge> keptByPlip(const InteractionSearch& search, std::vector<
 
 void findPlipBridges(InteractionSearch& search, const PlaceGrid& grid) {
     const auto busy = busyDonors(search);
-    for (const auto& [water, list] : plipPartners(search, grid)) {
+    for (const auto& [water, list] : checkedPairs(plipPartners(search, grid))) {
         std::map<std::uint32_t, std::vector<PlipBridge>> byUnit;
         for (const WaterPartner& acceptor : list) {
             for (const WaterPartner& donor : list) {
