@@ -4,6 +4,7 @@
 #include "engine/renderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -22,6 +23,15 @@ namespace {
 
 occlusion::SceneToBake toBake(const std::shared_ptr<const Scene>& scene) {
     return {{scene, &scene->representation}, {scene, &scene->buffers}};
+}
+
+/// @throws Error unless it has pixels, and numbers
+void checkView(const View& view) {
+    if (view.width == 0 || view.height == 0) throw Error("cannot draw", "", "the view has no pixels");
+    double sum = view.radius + view.eyeDistance + view.pixelsPerAngstrom + view.pan.x + view.pan.y;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) sum += view.rotation[column][row];
+    if (!std::isfinite(sum)) throw Error("cannot draw", "", "the view has a number that is not finite");
 }
 
 }  // namespace
@@ -64,6 +74,12 @@ struct Renderer::Impl {
         return describe(*test);
     }
 
+    /// @throws Error if there is none
+    WindowFrames& shownIn() const {
+        if (!window) throw Error("cannot present", "", "the renderer has no window (DeviceOptions::surface)");
+        return *window;
+    }
+
     // Collects the parts' measurements for stats():
     void noteBake() { static_cast<BakeStats&>(stats) = occlusion.stats(); }
     /// @param counts  of the last frame
@@ -86,6 +102,7 @@ struct Renderer::Impl {
     /// Draws something that shows all of the occlusion that it asks for.
     template <typename Draw>
     auto drawFinished(const RenderSettings& settings, const Draw& draw) {
+        checkView(settings.view);
         return guarded([&] {
             pictures.settle();
             occlusion.finish(settings.occlusion, onlookerOf(settings));
@@ -176,6 +193,7 @@ CodedPicture Renderer::renderCoded(const RenderSettings& settings, bool alpha) {
 
 void Renderer::startCoded(const RenderSettings& settings, bool alpha) {
     impl_->orDrop([&] {
+        checkView(settings.view);
         impl_->settleUnlessBaked(settings.occlusion);
         impl_->occlusion.finish(settings.occlusion, onlookerOf(settings));
         impl_->pictures.start(settings, impl_->occlusion.atlas(), alpha);
@@ -200,6 +218,7 @@ LayerPicture Renderer::layers(const RenderSettings& settings) {
 }
 
 double Renderer::drawFrame(const RenderSettings& settings) {
+    checkView(settings.view);
     return impl_->guarded([&] {
         impl_->occlusion.begin(settings.occlusion);
         const auto start = Clock::now();
@@ -232,7 +251,7 @@ double Renderer::advanceOcclusion(const RenderSettings& settings, const Occlusio
 void Renderer::awaitFrame() {
     try {
         impl_->unlessLost(false, [&] {
-            impl_->window->await();
+            impl_->shownIn().await();
             return true;
         });
     } catch (const Error&) {
@@ -242,10 +261,10 @@ void Renderer::awaitFrame() {
 
 FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame& frame) {
     return impl_->unlessLost(FrameOutcome::lost, [&] {
-        const FrameOutcome outcome = impl_->window->present(settings, impl_->occlusion.atlas(), frame);
+        const FrameOutcome outcome = impl_->shownIn().present(settings, impl_->occlusion.atlas(), frame);
         if (outcome == FrameOutcome::shown) ++impl_->stats.windowFrames;
-        impl_->noteFrame(impl_->window->counts());
-        impl_->stats.windowMilliseconds = impl_->window->milliseconds();
+        impl_->noteFrame(impl_->shownIn().counts());
+        impl_->stats.windowMilliseconds = impl_->shownIn().milliseconds();
         return outcome;
     });
 }
@@ -259,7 +278,7 @@ void Renderer::expectScene(Representation like, const RenderSettings& settings, 
             impl_->frames.letGo();
         };
         try {
-            impl_->window->prepareScene(settings, frame);
+            impl_->shownIn().prepareScene(settings, frame);
         } catch (...) {
             back();
             throw;
@@ -299,12 +318,12 @@ std::vector<bool> Renderer::seenSpheres() const {
     return seen;
 }
 
-PixelSize Renderer::windowSize() const { return {impl_->window->size().width, impl_->window->size().height}; }
+PixelSize Renderer::windowSize() const { return {impl_->shownIn().size().width, impl_->shownIn().size().height}; }
 void Renderer::releaseWindow() {
-    impl_->guarded([&] { impl_->window->release(); });
+    impl_->guarded([&] { impl_->shownIn().release(); });
 }
 void Renderer::setOverlayGlyphs(const OverlayGlyphs& glyphs) {
-    impl_->guarded([&] { impl_->window->setGlyphs(glyphs); });
+    impl_->guarded([&] { impl_->shownIn().setGlyphs(glyphs); });
 }
 
 bool Renderer::captures() const { return impl_->device.capture().loaded(); }

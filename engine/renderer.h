@@ -53,7 +53,8 @@ public:
     /// pass needs the pipeline.
     void makePipelinesAhead();
 
-    /// @throws Error if the picture exceeds the device's limits, or memory runs out
+    /// @throws Error if the view has no pixels or a number that is not finite, if the picture exceeds the device's
+    /// limits, or if memory runs out
     Picture render(const RenderSettings& settings);
     /// As coded(render(settings), alpha), with `fine` off; takes less time where it draws one frame. @throws Error
     CodedPicture renderCoded(const RenderSettings& settings, bool alpha);
@@ -81,6 +82,7 @@ public:
     /// Draws a frame into the window of DeviceOptions::surface, with the occlusion baked so far, and queues it for the
     /// display. Waits for the device only if two frames are in flight.
     /// @param settings its view has the window's size; `supersample` and `countFragments` are ignored
+    /// @throws Error if there is no such window
     FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame);
     /// Announces a scene, for example while its file is read: a worker thread compiles the pipelines of a window's
     /// frame. Nothing is drawn, and errors are reported when the scene is drawn.

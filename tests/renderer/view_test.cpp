@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "engine/error.h"
 #include "engine/gpu/pipeline_cache.h"
+#include "engine/molecule/read.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -18,6 +20,40 @@ RenderSettings oblong(const Representation& r, Projection projection) {
     s.view = viewOf(camera, r.radius, 150, 110);
     s.occlusion.directions = 0;
     return s;
+}
+
+TEST(View, ThoseThatCannotBeDrawnAreErrors) {
+    const Representation r = scene("sample:glucose", Style::ballAndStick);
+    ValidatedRenderer renderer(Visibility::automatic);
+    renderer->setScene(r);
+    const RenderSettings good = oblong(r, Projection::orthographic);
+    const auto refuses = [&](const auto& change) {
+        RenderSettings s = good;
+        change(s.view);
+        EXPECT_THROW(renderer->render(s), Error);
+        EXPECT_THROW(renderer->renderCoded(s, false), Error);
+        EXPECT_THROW(renderer->startCoded(s, false), Error);
+        EXPECT_THROW(renderer->layers(s), Error);
+        EXPECT_THROW(renderer->drawFrame(s), Error);
+        EXPECT_EQ(renderer->started(), 0u);
+    };
+    refuses([](View& view) { view.width = view.height = 0; });
+    refuses([](View& view) { view.height = 0; });
+    refuses([](View& view) { view.rotation[1][2] = NAN; });
+    refuses([](View& view) { view.pixelsPerAngstrom = INFINITY; });
+    refuses([](View& view) { view.pan.x = NAN; });
+    EXPECT_FALSE(renderer->render(good).rgba.empty());
+    // Without a surface there is no window.
+    EXPECT_THROW(renderer->present(good, {}), Error);
+    EXPECT_THROW(renderer->windowSize(), Error);
+    EXPECT_THROW(renderer->setOverlayGlyphs({}), Error);
+    renderer->awaitFrame();
+}
+
+TEST(View, AtomsThatAreNotThereAreErrors) {
+    const Molecule molecule = sampleMolecule("glucose");
+    const std::uint32_t beyond[] = {0, static_cast<std::uint32_t>(molecule.atoms.size())};
+    EXPECT_THROW(represent(molecule, beyond, {}), Error);
 }
 
 TEST(View, PanningByWholePixelsMovesThePictureByThem) {

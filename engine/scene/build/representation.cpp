@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <optional>
+#include <string>
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
@@ -118,6 +119,10 @@ void addContactGroups(Representation& r) {
 Representation represent(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                          const RepresentationOptions& options, const std::optional<Bounds>& frame) {
     const Molecule& molecule = facts.molecule();
+    for (const std::uint32_t atom : drawn)
+        if (atom >= molecule.atoms.size())
+            throw Error("cannot draw molecule", "",
+                        "atom " + std::to_string(atom) + " is none of its " + std::to_string(molecule.atoms.size()));
     std::optional<AssemblyScene> assembly;
     if (!options.assembly.empty()) {
         assembly.emplace(molecule, options.assembly);
