@@ -129,6 +129,17 @@ void addPart(Assembly& assembly, const std::vector<glm::mat4x3>& transforms, std
     all.insert(all.end(), transforms.begin(), transforms.end());
 }
 
+std::string leftOutWarning(std::string_view id, const std::string& why) {
+    return "assembly " + printable(id) + " is left out: " + why;
+}
+
+std::string leftOutWarningOf(const Molecule& molecule, std::string_view id) {
+    const std::string begin = "assembly " + (id.empty() ? std::string() : printable(id) + " is left out: ");
+    for (const std::string& warning : molecule.warnings)
+        if (warning.starts_with(begin)) return warning;
+    return {};
+}
+
 std::vector<Assembly> assembliesFor(const Molecule& to, const Molecule& from) {
     std::map<std::string, std::uint32_t> places;
     for (std::uint32_t i = 0; i < to.subchains.size(); ++i) places.emplace(to.subchains[i], i);

@@ -59,6 +59,11 @@ std::vector<glm::mat4x3> expandOperators(std::string_view expression, const Tran
 /// the same subchains. Adds nothing without transforms or subchains.
 void addPart(Assembly& assembly, const std::vector<glm::mat4x3>& transforms, std::vector<std::uint32_t> subchains);
 
+/// The warning about an assembly that cannot be placed.
+std::string leftOutWarning(std::string_view id, const std::string& why);
+/// The warning that a molecule has about an assembly, or about any. Empty: none.
+std::string leftOutWarningOf(const Molecule& molecule, std::string_view id = {});
+
 /// One molecule's assemblies for another molecule, whose subchains are numbered differently.
 std::vector<Assembly> assembliesFor(const Molecule& to, const Molecule& from);
 

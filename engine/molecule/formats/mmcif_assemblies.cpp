@@ -73,9 +73,9 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
         if (fault == faults.end() && !assembly.parts.empty())
             builder.molecule().assemblies.push_back(std::move(assembly));
         else
-            builder.warn(
-                "assembly " + printable(assembly.id) + " is left out: " +
-                (fault == faults.end() ? "the file says of no chain that is here how to place it" : fault->second));
+            builder.warn(leftOutWarning(assembly.id, fault == faults.end()
+                                                         ? "the file says of no chain that is here how to place it"
+                                                         : fault->second));
     }
 }
 

@@ -113,7 +113,7 @@ void Remark350::resolve(Molecule& molecule) {
             if (assembly.parts.empty()) throw AssemblyFault("it places no chain that is here");
             molecule.assemblies.push_back(std::move(assembly));
         } catch (const AssemblyFault& fault) {
-            molecule.warnings.push_back("assembly " + given.id + " is left out: " + fault.what());
+            molecule.warnings.push_back(leftOutWarning(given.id, fault.what()));
         }
     }
     if (leftOut_ > 0) molecule.warnings.push_back("assemblies left out: " + std::to_string(leftOut_));

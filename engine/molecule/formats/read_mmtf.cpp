@@ -223,7 +223,7 @@ private:
                 if (assembly.parts.empty()) throw AssemblyFault("it places no chain that is here");
                 builders_.front().molecule().assemblies.push_back(std::move(assembly));
             } catch (const AssemblyFault& fault) {
-                builders_.front().warn("assembly " + printable(assembly.id) + " is left out: " + fault.what());
+                builders_.front().warn(leftOutWarning(assembly.id, fault.what()));
             }
         }
     }
