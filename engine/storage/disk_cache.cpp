@@ -108,6 +108,7 @@ bool DiskCache::write(std::string_view name, std::span<const std::string_view> p
     if (file < 0) return false;
     bool whole = true;
     for (const std::string_view part : parts) whole = whole && writeAll(file, part);
+    whole = whole && fsync(file) == 0;
     whole = close(file) == 0 && whole;
     struct stat before {};
     const bool free = !statusOf(path, before) || S_ISREG(before.st_mode);

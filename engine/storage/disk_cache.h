@@ -10,7 +10,7 @@
 
 namespace nacre {
 
-/// An entry is a file that appears complete, by rename. When the folder exceeds its limit, the least recently used
+/// An entry is a file that appears complete, by rename, once it is on the disk. When the folder exceeds its limit, the least recently used
 /// entries are removed. Never throws: a cache that cannot be read or written behaves as empty. Callers choose safe
 /// names: letters, digits, '-', '_' and '.', not at the start.
 ///
