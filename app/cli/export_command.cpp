@@ -60,7 +60,7 @@ void writeMolViewSpec(const Molecule& molecule, const ExportCommandOptions& opti
     drawing.prepare(molecule, picture);
     picture.background = drawing.settings.background;
     const mvs::WrittenScene written =
-        mvs::writeScene(molecule, picture, volumesOf(picture.maps),
+        mvs::writeScene(molecule, picture, volumesOf(picture),
                         cameraOf(drawing.settings.view, drawing.run.center, !molecule.guide), picture.output);
     for (const std::string& note : written.notes) sayNote(note);
     writeText(file, written.json);

@@ -14,6 +14,7 @@
 #include "app/download/load_molecule.h"
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
+#include "app/input/input_files.h"
 #include "app/input/read_input.h"
 #include "app/picture/input_names.h"
 #include "engine/error.h"
@@ -225,14 +226,15 @@ void putBytes(const std::string& path, Json& json) {
     if (!error) json["bytes"] = bytes;
 }
 
-InfoOfInput infoOfMap(const std::string& path) {
-    InfoOfInput info{mapInfoJson(readMapFile(path, mapLimits())), {}, true};
+InfoOfInput infoOfMap(const InputOptions& input) {
+    const std::string path = openPathOf(input);
+    InfoOfInput info{mapInfoJson(readMapFile(path, mapLimits(input))), {}, true};
     putBytes(path, info.json);
     return info;
 }
 
 InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
-    if (!input.format && isMapFile(input.path)) return infoOfMap(input.path);
+    if (!input.format && isMapFile(openPathOf(input))) return infoOfMap(input);
     Progress progress;
     progress.begin("reading");
     const Molecule molecule = loadMolecule(input, downloadProgress(progress));
@@ -246,7 +248,7 @@ InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
         progress.begin("finding interactions");
         addInteractionsOf(molecule, input, options, info);
     }
-    putBytes(input.path, info.json);
+    putBytes(openPathOf(input), info.json);
     return info;
 }
 

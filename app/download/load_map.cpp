@@ -97,11 +97,11 @@ void loadMaps(const PictureDescription& picture, const std::function<void(double
         settings.cacheFolder = cacheFolder(input.cache, "downloads");
         settings.offline = input.offline || forbidden;
         settings.limits = httpLimits();
-        settings.limits.maxBytes = std::max<std::uint64_t>(settings.limits.maxBytes, mapLimits().maxBytes);
+        settings.limits.maxBytes = std::max<std::uint64_t>(settings.limits.maxBytes, mapLimits(input).maxBytes);
         settings.onProgress = onDownload;
         DensityMap map;
         downloadFile(name, source->cacheName, source->url, settings, [&](const std::string& from, std::string bytes) {
-            map = readMap(from, std::move(bytes), mapLimits());
+            map = readMap(from, std::move(bytes), mapLimits(input));
         });
         map.difference = map.difference || startsWith(name, "pdb-diff:");
         if (!source->levelUrl.empty()) map.depositedLevel = depositedLevel(name, *source, settings);

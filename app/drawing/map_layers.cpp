@@ -8,6 +8,7 @@
 
 #include "app/input/map_input.h"
 #include "app/input/primitives_file.h"
+#include "app/input/read_input.h"
 #include "app/picture/option_text.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
@@ -84,7 +85,7 @@ struct Values {
     std::shared_ptr<const DensityMap> map;
     ValueColoring coloring;
 
-    explicit Values(const ValueMap& of) : map(mapOf(of.file)) {
+    Values(const ValueMap& of, const MapLimits& limits) : map(mapOf(of.file, limits)) {
         coloring = {map.get(), of.file.substr(of.file.find_last_of('/') + 1), of.palette, of.range};
     }
 };
@@ -208,7 +209,7 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, con
     Representation& shown = layers.shown;
     shown.center = center;
     for (std::size_t i = 0; i < d.maps.files.size(); ++i) {
-        const std::shared_ptr<const DensityMap> map = mapOf(d.maps.files[i]);
+        const std::shared_ptr<const DensityMap> map = mapOf(d.maps.files[i], mapLimits(d.input));
         const Around around = aroundOf(molecule, d, *map, layers.focus);
         const std::shared_ptr<const MapRegion> region = regionOf(map, around.places, around.reach);
         const MapColors colors = ofMap(d.maps.colors, i);
@@ -221,7 +222,8 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, con
         layers.sigmas.push_back(statistics.rms > 0 ? (contour.level - statistics.mean) / statistics.rms : 0);
         const MapSliceOption slice = ofMap(d.maps.slices, i);
         const ValueMap valueMap = ofMap(d.maps.values, i);
-        const Values values(valueMap.file.empty() ? ValueMap{d.maps.files[i], {}, Palette::automatic} : valueMap);
+        const Values values(valueMap.file.empty() ? ValueMap{d.maps.files[i], {}, Palette::automatic} : valueMap,
+                            mapLimits(d.input));
         if (!valueMap.file.empty()) contour.values = &values.coloring;
         if (slice.axis < 0)
             addContours(*map, *region, contour, colors, shown);
@@ -248,11 +250,12 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, con
     return layers;
 }
 
-std::vector<SceneVolume> volumesOf(const MapOptions& maps) {
+std::vector<SceneVolume> volumesOf(const PictureDescription& picture) {
+    const MapOptions& maps = picture.maps;
     std::vector<SceneVolume> volumes;
     for (std::size_t i = 0; i < maps.files.size(); ++i) {
         SceneVolume volume;
-        volume.map = mapOf(maps.files[i]);
+        volume.map = mapOf(maps.files[i], mapLimits(picture.input));
         const MapSliceOption slice = ofMap(maps.slices, i);
         const MapColors colors = ofMap(maps.colors, i);
         const MapContour contour = contourOf(*volume.map, maps, i);
@@ -277,9 +280,12 @@ std::vector<SceneVolume> volumesOf(const MapOptions& maps) {
     return volumes;
 }
 
+SurfaceColoring::SurfaceColoring(const PictureDescription& picture)
+    : from_(picture.maps.surface), limits_(mapLimits(picture.input)) {}
+
 void SurfaceColoring::operator()(Representation& scene) {
     if (from_.file.empty()) return;
-    const Values values(from_);
+    const Values values(from_, limits_);
     const std::optional<ColorRange> range = colorSurfaces(values.coloring, scene);
     if (!range)
         scene.warnings.push_back("--surface-color-from changes nothing: no surface is drawn");

@@ -10,6 +10,7 @@
 #include "engine/scene/build/representation.h"
 #include "engine/scene/build/scene_guide.h"
 #include "engine/volume/density_map.h"
+#include "engine/volume/read_map.h"
 
 namespace nacre::app {
 
@@ -45,18 +46,19 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& descri
                       const Seen& seen);
 
 /// The maps of a picture as a scene file has them: contours, and slices of the grid. @throws Error
-std::vector<SceneVolume> volumesOf(const MapOptions& maps);
+std::vector<SceneVolume> volumesOf(const PictureDescription& picture);
 
 /// Colours molecular surfaces by the map that a picture names for them. Of a scene that moves, each frame has the
 /// colours of where it is, in the range of the first.
 class SurfaceColoring {
 public:
-    explicit SurfaceColoring(const PictureDescription& picture) : from_(picture.maps.surface) {}
+    explicit SurfaceColoring(const PictureDescription& picture);
     /// Adds a warning where there is no surface. @throws Error
     void operator()(Representation& scene);
 
 private:
     ValueMap from_;
+    MapLimits limits_;
 };
 inline void colorByMap(const PictureDescription& picture, Representation& scene) { SurfaceColoring{picture}(scene); }
 

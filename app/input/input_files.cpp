@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/files/opened_file.h"
+
 namespace nacre::app {
 namespace fs = std::filesystem;
 
@@ -97,6 +99,8 @@ std::string filePathOf(const InputOptions& input) {
     const fs::path moved = beside(folder, fs::path(input.path).filename(), input.hash, fileHash);
     return moved.empty() ? named.string() : moved.string();
 }
+
+std::string openPathOf(const InputOptions& input) { return input.opened ? input.opened->path() : filePathOf(input); }
 
 std::string trajectoryPathOf(const InputOptions& input) {
     const fs::path path = input.trajectory.path;

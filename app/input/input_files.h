@@ -13,6 +13,9 @@ namespace nacre::app {
 /// not exist and the view states its hash, it is the file beside the view with that hash, whatever its name.
 std::string filePathOf(const InputOptions& input);
 
+/// The path that opens the file of INPUT: as above, unless it is open already.
+std::string openPathOf(const InputOptions& input);
+
 /// A path for a saved view: relative to the view's folder if it is inside, so that both can move together.
 std::string pathInView(const std::string& view, const std::string& path);
 

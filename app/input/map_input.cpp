@@ -48,10 +48,10 @@ public:
         const auto found = maps_.find(name);
         return found == maps_.end() ? nullptr : found->second.map;
     }
-    void keep(const std::string& name, const std::optional<FileState>& state, std::shared_ptr<const DensityMap> map) {
+    void keep(const std::string& name, const std::optional<FileState>& state, std::shared_ptr<const DensityMap> map,
+              std::uint64_t most) {
         const std::lock_guard lock(mutex_);
         maps_[name] = {state, std::move(map), ++uses_};
-        const std::size_t most = mapLimits().maxBytes;
         while (maps_.size() > 1 && bytes() > most) {
             auto oldest = maps_.begin();
             for (auto at = maps_.begin(); at != maps_.end(); ++at)
@@ -79,16 +79,16 @@ KeptMaps& keptMaps() {
 
 }  // namespace
 
-std::shared_ptr<const DensityMap> mapOf(const std::string& path) {
+std::shared_ptr<const DensityMap> mapOf(const std::string& path, const MapLimits& limits) {
     const std::optional<FileState> state = stateOf(path);
     if (auto kept = keptMaps().find(path, state)) return kept;
-    auto map = std::make_shared<const DensityMap>(readMapFile(path, mapLimits()));
-    keptMaps().keep(path, state, map);
+    auto map = std::make_shared<const DensityMap>(readMapFile(path, limits));
+    keptMaps().keep(path, state, map, limits.maxBytes);
     return map;
 }
 
 void keepMap(const std::string& name, std::shared_ptr<const DensityMap> map) {
-    keptMaps().keep(name, {}, std::move(map));
+    keptMaps().keep(name, {}, std::move(map), memoryShare(4));
 }
 std::shared_ptr<const DensityMap> keptMap(const std::string& name) { return keptMaps().find(name); }
 

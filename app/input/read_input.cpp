@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <string_view>
 
@@ -78,6 +80,23 @@ std::string fitInput(Molecule& molecule, const FitOptions& fit) {
            " pairs of atoms, RMSD " + rmsd + " Å";
 }
 
+/// A file that is open goes by its own name. @throws Error
+Molecule readOpened(const InputOptions& input, const ReadOptions& options) {
+    std::error_code error;
+    const std::string path = openPathOf(input);
+    const std::uint64_t size = std::filesystem::file_size(path, error);
+    if (error) throw Error("cannot read molecule", input.path, error.message());
+    if (size > options.maxBytes)
+        throw Error("cannot read molecule", input.path,
+                    "the file has " + std::to_string(size >> 20) + " MB, more than the limit of " +
+                        std::to_string(options.maxBytes >> 20) + " MB");
+    std::string bytes(size, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(bytes.data(), static_cast<std::streamsize>(size));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    return readMolecule(input.path, std::move(bytes), options);
+}
+
 }  // namespace
 
 std::uint64_t memoryShare(unsigned parts) {
@@ -94,7 +113,11 @@ Molecule completed(const InputOptions& input, Molecule molecule) {
     return withMissingHydrogens(molecule);
 }
 
-MapLimits mapLimits() { return {static_cast<std::size_t>(memoryShare(4))}; }
+std::uint64_t memoryLimit(const InputOptions& input) {
+    return input.memoryMegabytes ? static_cast<std::uint64_t>(*input.memoryMegabytes) << 20 : memoryShare(2);
+}
+
+MapLimits mapLimits(const InputOptions& input) { return {static_cast<std::size_t>(memoryLimit(input) / 2)}; }
 
 Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
                      const std::function<std::string(const std::string&)>& readFile,
@@ -112,9 +135,9 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
     options.others = !input.alone;
     if (readFile) return completed(input, readMolecule(input.path, readFile(input.path), options));
     try {
-        return completed(input, readMoleculeFile(input.path, options));
+        return completed(input, input.opened ? readOpened(input, options) : readMoleculeFile(input.path, options));
     } catch (const Error&) {
-        if (input.format || !isMapFile(input.path)) throw;
+        if (input.format || !isMapFile(openPathOf(input))) throw;
         throw Error("cannot read molecule", input.path, "it is a density map: name a molecule, and this with --map");
     }
 }

@@ -21,8 +21,10 @@ std::uint64_t memoryShare(unsigned parts);
 /// A molecule as read, with hydrogens added if requested. @throws Error if they would not move with a trajectory
 Molecule completed(const InputOptions& input, Molecule molecule);
 
-/// Limits for a density map: a quarter of the machine's memory.
-MapLimits mapLimits();
+/// The memory limit for a molecule, or for a map: that of `--memory`, else half of the machine's.
+std::uint64_t memoryLimit(const InputOptions& input);
+/// Limits for a density map: half of that for its values and for its text each.
+MapLimits mapLimits(const InputOptions& input);
 
 /// Reads a sample, a file or standard input; treats `input.path` as nothing else.
 /// @param bytes     memory limit for the molecule

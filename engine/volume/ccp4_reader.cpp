@@ -120,6 +120,7 @@ void Ccp4Reader::readGeometry() {
     box_.crystal = box_.spaceGroup > 1 || (box_.spaceGroup == 1 && (beyond || !box_.cell.isRectangular()));
     for (int i = 0; i < 3; ++i) place_[i] = static_cast<double>(real(kOrigin + i));
     const bool finite = std::isfinite(place_.x) && std::isfinite(place_.y) && std::isfinite(place_.z);
+    checkCell(name_, box_, limits_);
     placed_ = !box_.crystal && finite && place_ != glm::dvec3(0, 0, 0) && glm::length(place_) < 1e6;
 }
 

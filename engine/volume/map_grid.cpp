@@ -42,34 +42,42 @@ std::vector<float> wrappedIntoCell(const MapBox& box) {
     return cell;
 }
 
+/// Where an operation puts a node.
+std::size_t movedNode(const NodeOperation& operation, const glm::ivec3& n, const glm::ivec3& node) {
+    std::size_t there = 0;
+    for (int i = 2; i >= 0; --i) {
+        const auto& row = operation.rows[static_cast<std::size_t>(i)];
+        const long to = long{row[0]} * node[0] + long{row[1]} * node[1] + long{row[2]} * node[2] +
+                        operation.shift[static_cast<std::size_t>(i)];
+        there = there * n[i] + static_cast<std::size_t>(wrapped(to, n[i]));
+    }
+    return there;
+}
+
 /// Fills unknown nodes of a cell from known nodes by symmetry. @returns whether every operation maps nodes to nodes
 bool spread(std::vector<float>& cell, const glm::ivec3& n, const std::vector<SymmetryOperation>& operations) {
-    std::vector<std::size_t> unknown;
-    for (std::size_t i = 0; i < cell.size(); ++i)
-        if (std::isnan(cell[i])) unknown.push_back(i);
-    if (unknown.empty()) return true;
-    std::vector<std::pair<std::size_t, float>> found;
+    std::vector<bool> known(cell.size());  // before any is filled
+    for (std::size_t i = 0; i < cell.size(); ++i) known[i] = !std::isnan(cell[i]);
+    if (std::find(known.begin(), known.end(), false) == known.end()) return true;
+    std::vector<NodeOperation> onGrid;
     for (const SymmetryOperation& operation : operations) {
         if (operation.isIdentity()) continue;
         const std::optional<NodeOperation> op = onNodes(operation, n);
         if (!op) return false;
-        std::erase_if(unknown, [&](std::size_t at) {
-            const long node[3] = {static_cast<long>(at % static_cast<std::size_t>(n.x)),
-                                  static_cast<long>(at / static_cast<std::size_t>(n.x) % static_cast<std::size_t>(n.y)),
-                                  static_cast<long>(at / (static_cast<std::size_t>(n.x) * n.y))};
-            std::size_t there = 0;
-            for (int i = 2; i >= 0; --i) {
-                const auto& row = op->rows[static_cast<std::size_t>(i)];
-                const long to =
-                    row[0] * node[0] + row[1] * node[1] + row[2] * node[2] + op->shift[static_cast<std::size_t>(i)];
-                there = there * n[i] + static_cast<std::size_t>(wrapped(to, n[i]));
-            }
-            if (std::isnan(cell[there])) return false;
-            found.emplace_back(at, cell[there]);
-            return true;
-        });
+        onGrid.push_back(*op);
     }
-    for (const auto& [at, value] : found) cell[at] = value;
+    std::size_t at = 0;
+    glm::ivec3 node;
+    for (node.z = 0; node.z < n.z; ++node.z)
+        for (node.y = 0; node.y < n.y; ++node.y)
+            for (node.x = 0; node.x < n.x; ++node.x, ++at) {
+                if (known[at]) continue;
+                for (const NodeOperation& op : onGrid)
+                    if (const std::size_t there = movedNode(op, n, node); known[there]) {
+                        cell[at] = cell[there];
+                        break;
+                    }
+            }
     return true;
 }
 
@@ -94,16 +102,34 @@ DensityMap mapOf(const std::string& name, const char* format) {
 
 }  // namespace
 
-std::size_t checkedNodes(const std::string& name, const glm::ivec3& size, const MapLimits& limits) {
+std::size_t checkedNodes(const std::string& name, const glm::ivec3& size, const MapLimits& limits,
+                         std::uint64_t beside) {
     const auto text = [&] {
         return std::to_string(size.x) + " x " + std::to_string(size.y) + " x " + std::to_string(size.z);
     };
     if (size.x <= 0 || size.y <= 0 || size.z <= 0) cannotReadMap(name, "a grid of " + text() + " nodes");
-    const double bytes = 4.0 * size.x * size.y * size.z;
+    const double bytes = sizeof(float) * static_cast<double>(size.x) * size.y * size.z + static_cast<double>(beside);
     if (bytes > static_cast<double>(limits.maxBytes))
         cannotReadMap(name, "a grid of " + text() + " nodes takes " + std::to_string(std::llround(bytes / 1048576)) +
                                 " MB, more than the limit of " + std::to_string(limits.maxBytes >> 20) + " MB");
     return static_cast<std::size_t>(size.x) * size.y * size.z;
+}
+
+std::size_t heldNodes(const std::string& name, const glm::ivec3& size, const MapLimits& limits, std::uint64_t held) {
+    const std::size_t nodes = checkedNodes(name, size, limits);
+    if (nodes > held)
+        cannotReadMap(name, "it is cut short: its header announces " + std::to_string(nodes) +
+                                " values, and it can hold " + std::to_string(held));
+    return nodes;
+}
+
+void checkCell(const std::string& name, const MapBox& box, const MapLimits& limits) {
+    if (!box.crystal) return;
+    // Beside the cell: the values of the box, and a bit for each node.
+    const double nodes = static_cast<double>(box.intervals.x) * box.intervals.y * box.intervals.z;
+    const std::uint64_t beside = sizeof(float) * checkedNodes(name, box.size, limits) +
+                                 static_cast<std::uint64_t>(std::min(nodes / 8, 1e18));
+    checkedNodes(name, box.intervals, limits, beside);
 }
 
 DensityMap completed(const std::string& name, const char* format, MapBox box, const MapLimits& limits,
@@ -119,7 +145,7 @@ DensityMap completed(const std::string& name, const char* format, MapBox box, co
     for (int i = 0; i < 3; ++i) map.step[i] = edges[i] / static_cast<double>(box.intervals[i]);
     map.periodic = box.crystal;
     if (box.crystal) {
-        checkedNodes(name, box.intervals, limits);
+        checkCell(name, box, limits);
         map.size = box.intervals;
         forgetNonNumbers(box.values, map);
         map.values = wrappedIntoCell(box);
@@ -177,11 +203,17 @@ DensityMap mapOfValues(const std::string& name, const glm::ivec3& size, const Un
     return map;
 }
 
-GridValues::GridValues(const std::string& name, const glm::ivec3& size, const MapLimits& limits, std::size_t perNode)
-    : name_(name), size_(size), perNode_(perNode), values_(checkedNodes(name, size, limits)) {}
+// A number takes a digit and a blank at least.
+GridValues::GridValues(const std::string& name, const glm::ivec3& size, const MapLimits& limits, std::string_view text,
+                       std::size_t perNode)
+    : name_(name),
+      size_(size),
+      text_(text),
+      perNode_(perNode),
+      values_(heldNodes(name, size, limits, (text.size() + 1) / 2 / perNode)) {}
 
-void GridValues::read(std::string_view text, std::uint64_t line) {
-    const char *at = text.data(), *end = at + text.size();
+void GridValues::read(std::uint64_t line) {
+    const char *at = text_.data(), *end = at + text_.size();
     const auto next = [&]() -> std::string_view {
         while (at != end && isBlank(*at)) line += *at++ == '\n';
         const char* first = at;

@@ -32,8 +32,14 @@ struct MapBox {
     std::vector<float> values;  ///< a fastest
 };
 
-/// Number of nodes of a grid, checked before allocation. @throws Error if it is zero or too large
-std::size_t checkedNodes(const std::string& name, const glm::ivec3& size, const MapLimits& limits);
+/// Number of nodes of a grid, checked before allocation. @param beside  bytes held at the same time
+/// @throws Error if it is zero or too large
+std::size_t checkedNodes(const std::string& name, const glm::ivec3& size, const MapLimits& limits,
+                         std::uint64_t beside = 0);
+/// As above for values that a file holds. @param held  values that it has room for @throws Error if there are fewer
+std::size_t heldNodes(const std::string& name, const glm::ivec3& size, const MapLimits& limits, std::uint64_t held);
+/// Checks a crystal's whole cell before its box is read. @throws Error if both together are too large
+void checkCell(const std::string& name, const MapBox& box, const MapLimits& limits);
 
 /// The box itself or, for a crystal, the whole cell, completed by symmetry as far as possible. Values that are not
 /// finite become unknown. @param shift  of a box: position of its first node, Å @throws Error if no value is known
@@ -52,16 +58,19 @@ DensityMap readDensityServer(const std::string& name, std::string_view bytes, co
 /// Grid values in text: numbers between blanks, the last axis fastest.
 class GridValues {
 public:
-    /// @param perNode  numbers per node: only the first is used
-    GridValues(const std::string& name, const glm::ivec3& size, const MapLimits& limits, std::size_t perNode = 1);
+    /// @param text  of the values @param perNode  numbers per node: only the first is used
+    /// @throws Error if the text has no room for them
+    GridValues(const std::string& name, const glm::ivec3& size, const MapLimits& limits, std::string_view text,
+               std::size_t perNode = 1);
     /// Reads the expected number of values. @param line  of the text's first @throws Error if some are missing
-    void read(std::string_view text, std::uint64_t line);
+    void read(std::uint64_t line);
     /// With the first axis fastest.
     std::vector<float> done() { return std::move(values_); }
 
 private:
     const std::string& name_;
     glm::ivec3 size_;
+    std::string_view text_;
     std::size_t perNode_;
     std::vector<float> values_;
 };

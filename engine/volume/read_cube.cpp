@@ -35,8 +35,8 @@ public:
         for (std::int64_t i = 0; i < std::abs(atoms); ++i) next();
         if (atoms < 0) perNode = orbitals();
         if (perNode < 1 || perNode > kMostOrbitals) fail(std::to_string(perNode) + " values at each node");
-        GridValues values(name_, size, limits_, static_cast<std::size_t>(perNode));
-        values.read(lines_.rest(), lines_.number() + 1);
+        GridValues values(name_, size, limits_, lines_.rest(), static_cast<std::size_t>(perNode));
+        values.read(lines_.number() + 1);
         DensityMap map = completed(name_, "cube", size, origin * unit, step * unit, values.done());
         // Orbitals and potentials have positive and negative values.
         map.difference = map.difference || atoms < 0;

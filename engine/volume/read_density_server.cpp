@@ -111,7 +111,9 @@ private:
     std::vector<float> valuesOf(const MsgpackValue& data, const MapBox& box) const {
         const auto column = named(data, "columns", "values");
         if (!column) fail("volume_data_3d has no values");
-        const std::size_t nodes = checkedNodes(name_, box.size, limits_);
+        // Runs of equal values are packed: as much as a compressed file may be.
+        constexpr std::uint64_t kMostRatio = 100, kAnyNodes = std::uint64_t{16} << 20;
+        const std::size_t nodes = heldNodes(name_, box.size, limits_, std::max(kAnyNodes, kMostRatio * bytes_.size()));
         std::vector<float> values;
         try {
             BcifColumn packed(*column, nodes, 16);

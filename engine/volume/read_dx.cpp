@@ -51,8 +51,8 @@ private:
     }
     DensityMap values() {
         if (size_.x == 0 || deltas_ < 3) fail("an array of values before its grid");
-        GridValues values(name_, size_, limits_);
-        values.read(lines_.rest(), lines_.number() + 1);
+        GridValues values(name_, size_, limits_, lines_.rest());
+        values.read(lines_.number() + 1);
         return completed(name_, "dx", size_, origin_, step_, values.done());
     }
 
