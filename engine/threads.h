@@ -6,8 +6,12 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#include "engine/error.h"
 
 namespace nacre {
 
@@ -23,7 +27,27 @@ inline unsigned threadsPerTask() {
     return set > 0 ? set : std::max(1u, std::thread::hardware_concurrency());
 }
 
-/// Calls work(0) to work(count - 1) in any order, on at most threadsPerTask() threads.
+/// Starts a thread, unless the system has none left. @returns whether it runs
+template <typename Run>
+bool mayStart(std::thread& thread, Run&& run) {
+    try {
+        thread = std::thread(std::forward<Run>(run));
+        return true;
+    } catch (const std::system_error&) {
+        return false;
+    }
+}
+
+/// As above. @throws Error if there is none left
+template <typename Run>
+std::thread startThread(Run&& run) {
+    std::thread thread;
+    if (!mayStart(thread, std::forward<Run>(run)))
+        throw Error("cannot start a thread", "", "the system's limit on threads or processes is reached");
+    return thread;
+}
+
+/// Calls work(0) to work(count - 1) in any order, on at most threadsPerTask() threads; on those that the system has left.
 /// @throws the exception of the first call that failed
 template <typename Work>
 void inParallel(std::size_t count, const Work& work) {
@@ -40,10 +64,12 @@ void inParallel(std::size_t count, const Work& work) {
             next = count;
         }
     };
-    std::vector<std::thread> others;
-    for (std::size_t t = 1; t < threads; ++t) others.emplace_back(run);
+    std::vector<std::thread> others(threads > 1 ? threads - 1 : 0);
+    for (std::thread& thread : others)
+        if (!mayStart(thread, run)) break;
     run();
-    for (std::thread& thread : others) thread.join();
+    for (std::thread& thread : others)
+        if (thread.joinable()) thread.join();
     if (failure) std::rethrow_exception(failure);
 }
 

@@ -108,7 +108,9 @@ int complete(int argc, char** argv) {
         const bool usage = why.starts_with("usage: ");
         return complain((usage ? "" : "wrong usage: ") + std::string(why) + " (see --help)", 2);
     } catch (const std::bad_alloc&) {
-        return complain("out of memory", 1);
+        constexpr std::string_view kText = "nacre: error: out of memory\n";  // without memory
+        [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kText.data(), kText.size());
+        return 1;
     } catch (const std::exception& error) {
         return complain(error.what(), 1);
     }

@@ -11,6 +11,7 @@
 #include "app/files/messages.h"
 #include "app/files/output_file.h"
 #include "engine/error.h"
+#include "engine/threads.h"
 
 namespace nacre::app {
 namespace {
@@ -43,7 +44,7 @@ std::string progressText(const std::string& work, std::optional<double> share, s
 }
 
 Progress::Progress(bool shown) {
-    if (shown && isatty(STDERR_FILENO) && !isQuiet()) thread_ = std::thread([this] { show(); });
+    if (shown && isatty(STDERR_FILENO) && !isQuiet()) mayStart(thread_, [this] { show(); });
 }
 
 Progress::~Progress() {

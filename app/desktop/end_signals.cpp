@@ -4,6 +4,8 @@
 
 #include <csignal>
 
+#include "engine/threads.h"
+
 namespace nacre::app {
 namespace {
 
@@ -24,9 +26,13 @@ extern "C" void tellOfEnd(int signal) {
 EndSignals::EndSignals(void (*wake)()) {
     cameFirst = 0;
     if (pipe(wakeUp) != 0) return;  // the signals keep their default action
-    thread_ = std::thread([wake, from = wakeUp[0]] {
+    const bool started = mayStart(thread_, [wake, from = wakeUp[0]] {
         for (char byte = 0; read(from, &byte, 1) == 1 && byte == 1;) wake();
     });
+    if (!started) {
+        for (const int end : wakeUp) close(end);
+        return;
+    }
     for (const int signal : kSignals)
         // A signal that the parent ignores (nohup) stays ignored.
         if (struct sigaction now{}; sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN)

@@ -8,6 +8,7 @@
 
 #include "app/desktop/portal.h"
 #include "app/desktop/processes.h"
+#include "engine/threads.h"
 
 namespace nacre::app {
 namespace {
@@ -67,11 +68,12 @@ void FileDialog::save(const std::string& suggested, Chosen chosen) {
 void FileDialog::run(std::function<std::vector<std::string>()> ask, Chosen chosen) {
     if (busy_->exchange(true)) return;
     if (thread_.joinable()) thread_.join();
-    thread_ = std::thread([ask = std::move(ask), chosen = std::move(chosen), busy = busy_] {
+    const bool started = mayStart(thread_, [ask = std::move(ask), chosen = std::move(chosen), busy = busy_] {
         const std::vector<std::string> paths = ask();
         if (!paths.empty()) chosen(paths);
         busy->store(false);
     });
+    if (!started) busy_->store(false);
 }
 
 }  // namespace nacre::app

@@ -18,6 +18,7 @@
 #include "app/input/input_files.h"
 #include "app/picture/option_text.h"
 #include "engine/error.h"
+#include "engine/threads.h"
 
 extern char** environ;
 
@@ -152,7 +153,12 @@ void Recorder::start(const RecordingWish& wish, PictureDescription shown, std::v
     state_ = {};
     state_.running = true;
     state_.path = wish.path;
-    thread_ = std::thread([this, out = reports.keep(0), err = complaints.keep(0)] { follow(out, err); });
+    if (mayStart(thread_, [this, out = reports.keep(0), err = complaints.keep(0)] { follow(out, err); })) return;
+    kill(pid, SIGKILL);
+    waitpid(pid, nullptr, 0);
+    child_ = -1;
+    state_ = {};
+    throw Error("cannot record", wish.path, "no thread can be started");
 }
 
 void Recorder::stop() {
@@ -171,7 +177,8 @@ RecordingState Recorder::state() const {
 void Recorder::follow(int reports, int complaints) {
     std::string complained;
     // Reads its errors on another thread, so that neither pipe fills up.
-    std::thread other([&] { complained = readAll(complaints); });
+    std::thread other;
+    const bool beside = mayStart(other, [&] { complained = readAll(complaints); });
     std::FILE* lines = fdopen(reports, "r");
     const Clock::time_point began = Clock::now();
     Clock::time_point drawing = began;
@@ -191,7 +198,10 @@ void Recorder::follow(int reports, int complaints) {
         }
         if (wake_) wake_();
     }
-    other.join();
+    if (beside)
+        other.join();
+    else
+        complained = readAll(complaints);
     if (lines) std::fclose(lines);
     close(complaints);
     int status = 0;

@@ -2,9 +2,11 @@
 
 #include <utility>
 
+#include "engine/threads.h"
+
 namespace nacre::app {
 
-MovieEncoder::MovieEncoder(MovieFile& file) : file_(file), thread_([this] { run(); }) {}
+MovieEncoder::MovieEncoder(MovieFile& file) : file_(file), thread_(startThread([this] { run(); })) {}
 
 MovieEncoder::~MovieEncoder() {
     {

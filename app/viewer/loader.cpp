@@ -8,6 +8,7 @@
 #include "app/picture/options.h"
 #include "app/viewer/presets.h"
 #include "engine/error.h"
+#include "engine/threads.h"
 
 namespace nacre::app {
 
@@ -27,16 +28,13 @@ Loader::~Loader() {
 void Loader::launch(Job job) {
     if (thread_.joinable()) thread_.join();
     last_ = job.view;
-    std::promise<Document> promise;
-    running_ = promise.get_future();
-    thread_ = std::thread([this, job = std::move(job), promise = std::move(promise)]() mutable {
-        try {
-            promise.set_value(load(job));
-        } catch (...) {
-            promise.set_exception(std::current_exception());
-        }
+    const auto task = std::make_shared<std::packaged_task<Document()>>([this, job = std::move(job)] { return load(job); });
+    running_ = task->get_future();
+    const auto run = [this, task] {
+        (*task)();
         if (wake_) wake_();
-    });
+    };
+    if (!mayStart(thread_, run)) run();
 }
 
 /// A slider of a level must not wait for unchanged parts, wherever the camera is meanwhile. A moving scene is rebuilt.

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "engine/threads.h"
+
 namespace nacre::app {
 namespace {
 
@@ -19,7 +21,7 @@ Player::Player(std::shared_ptr<const Molecule> molecule, std::shared_ptr<Motion>
       frames_(motion_->frames()),
       wake_(std::move(wake)),
       free_(std::make_shared<FreeMolecules>()),
-      thread_([this] { run(); }) {}
+      thread_(startThread([this] { run(); })) {}
 
 Player::~Player() {
     {

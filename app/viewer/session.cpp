@@ -9,6 +9,7 @@
 #include "app/files/json_text.h"
 #include "engine/devices.h"
 #include "engine/error.h"
+#include "engine/threads.h"
 
 namespace nacre::app {
 namespace {
@@ -107,7 +108,7 @@ void Session::openAside() {
     close();
     std::promise<std::unique_ptr<Renderer>> made;
     opening_ = made.get_future();
-    opener_ = std::thread([this, made = std::move(made)]() mutable {
+    opener_ = startThread([this, made = std::move(made)]() mutable {
         try {
             made.set_value(std::make_unique<Renderer>(deviceOptions()));
         } catch (...) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/threads.h"
+
 namespace nacre::gpu {
 
 PipelineWorker::~PipelineWorker() {
@@ -39,7 +41,9 @@ void PipelineWorker::want(const PipelineDescription& description) {
         if (auto* d = std::get_if<GraphicsPipeline>(&w.description)) w.detail = d->detail, d->detail = w.detail;
     }
     changed_.notify_all();
-    if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+    if (thread_.joinable() || mayStart(thread_, [this] { run(); })) return;
+    const std::lock_guard lock(mutex_);
+    wanted_.clear();  // the frames that need them make them
 }
 
 std::optional<vk::raii::Pipeline> PipelineWorker::take(const PipelineDescription& description) {

@@ -113,15 +113,21 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optio
     cache_ = occlusionCache(moved_ ? std::string() : settings.cache);  // positions of moving atoms do not recur
     worthKeeping_ = settings.worthKeeping;
     auto& preparing = state_.emplace<Preparing>();
-    preparing.result =
-        std::async(std::launch::async, [&caps = device_.caps(), scene = of_.representation, options = options_,
-                                        cache = cache_, stop = preparing.stop.get_token()] {
-            Prepared p;
-            if (cache.on()) p.cacheName = occlusionCacheName(*scene, howBaked(caps, options));
-            p.kept = readOcclusion(cache, p.cacheName, *scene, caps.maxImageSize);
-            if (!p.kept) p.bake = prepareBake(caps, *scene, options, stop);
-            return p;
-        });
+    const auto prepare = [&caps = device_.caps(), scene = of_.representation, options = options_, cache = cache_,
+                          stop = preparing.stop.get_token()] {
+        Prepared p;
+        if (cache.on()) p.cacheName = occlusionCacheName(*scene, howBaked(caps, options));
+        p.kept = readOcclusion(cache, p.cacheName, *scene, caps.maxImageSize);
+        if (!p.kept) p.bake = prepareBake(caps, *scene, options, stop);
+        return p;
+    };
+    try {
+        preparing.result = std::async(std::launch::async, prepare);
+    } catch (const std::system_error&) {  // no thread is left
+        std::packaged_task<Prepared()> here(prepare);
+        preparing.result = here.get_future();
+        here();
+    }
 }
 
 void SceneOcclusion::drop() {
