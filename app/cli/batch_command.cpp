@@ -19,9 +19,11 @@
 #include "app/cli/picture_options.h"
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
+#include "app/files/printable.h"
 #include "app/files/spare_memory.h"
 #include "app/movie/stop_request.h"
 #include "engine/error.h"
+#include "engine/threads.h"
 
 namespace nacre::app {
 namespace {
@@ -129,10 +131,12 @@ public:
 
     /// @returns whether all jobs are done @throws Error if they are stopped
     bool run() {
-        std::vector<std::thread> threads;
-        for (int i = 1; i < options_.parallel; ++i) threads.emplace_back([this] { work(); });
+        std::vector<std::thread> threads(static_cast<std::size_t>(options_.parallel - 1));
+        for (std::thread& thread : threads)
+            if (!mayStart(thread, [this] { work(); })) break;
         work();
-        for (std::thread& thread : threads) thread.join();
+        for (std::thread& thread : threads)
+            if (thread.joinable()) thread.join();
         progress_.reset();
         if (failure_) std::rethrow_exception(failure_);
         const double seconds = millisecondsSince(start_) / 1000;
@@ -170,6 +174,8 @@ private:
         JobJson told = toldOf(line);
         HeardMessages heard;
         try {
+            if (line.tooLong)
+                throw UsageError("the line has more than " + std::to_string(kLongestLine >> 20) + " MB");
             const PictureDescription job = jobOf(line.text, options_);
             if (told["input"].is_null()) told["input"] = job.input.path;
             files_.claim(job);
@@ -205,7 +211,7 @@ private:
     static void fail(JobJson& told, const std::string& why, Clock::time_point start) {
         told["status"] = "failed";
         told["ms"] = millisecondsSince(start);
-        told["error"] = why;
+        told["error"] = shortened(why);
     }
 
     void draw(const PictureDescription& options) {

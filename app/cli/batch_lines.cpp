@@ -36,20 +36,19 @@ BatchLines::~BatchLines() {
 
 std::optional<BatchLine> BatchLines::next() {
     const std::lock_guard lock(turn_);
-    for (std::string text; readLine(text);)
-        if (text.find_first_not_of(" \t\r") != std::string::npos) return BatchLine{number_, std::move(text)};
+    for (BatchLine line; readLine(line);)
+        if (line.text.find_first_not_of(" \t\r") != std::string::npos) return line;
     return std::nullopt;
 }
 
-bool BatchLines::readLine(std::string& text) {
-    text.clear();
-    ++number_;
+bool BatchLines::readLine(BatchLine& line) {
+    line = {++number_, {}, false};
     for (;;) {
-        if (at_ == buffer_.size() && !fill()) return !text.empty();
+        if (at_ == buffer_.size() && !fill()) return !line.text.empty();
         const std::size_t end = std::min(buffer_.find('\n', at_), buffer_.size());
-        if (text.size() + end - at_ > kLongestLine)
-            throw Error("cannot read jobs", path_, "a line has more than 1 MB", number_);
-        text.append(buffer_, at_, end - at_);
+        const std::size_t room = kLongestLine - line.text.size();
+        line.tooLong = line.tooLong || end - at_ > room;
+        line.text.append(buffer_, at_, std::min(end - at_, room));
         at_ = end;
         if (at_ == buffer_.size()) continue;
         ++at_;

@@ -15,8 +15,11 @@ namespace nacre::app {
 
 struct BatchLine {
     std::uint64_t number;  ///< 1-based
-    std::string text;
+    std::string text;    ///< its beginning, if it is too long
+    bool tooLong = false;
 };
+
+constexpr std::size_t kLongestLine = 1 << 20;  ///< bytes
 
 /// The lines of a file or of standard input, one at a time; thread-safe.
 class BatchLines {
@@ -33,10 +36,9 @@ public:
     bool isFile() const { return isFile_; }
 
 private:
-    bool readLine(std::string& text);
+    bool readLine(BatchLine& line);
     bool fill();
 
-    static constexpr std::size_t kLongestLine = 1 << 20;
     const std::string path_;
     const std::function<bool()> stopped_;
     int file_ = 0;

@@ -19,7 +19,7 @@ void say(const char* kind, const std::string& text) {
 
 }  // namespace
 
-void sayError(const std::string& text) { say("error: ", text); }
+void sayError(const std::string& text) { say("error: ", shortened(text)); }
 
 void sayWarning(const std::string& text) {
     if (heard || !quiet) sayNotice(text);

@@ -42,6 +42,13 @@ std::string shown(std::string_view text, bool keepLines) {
 
 std::string printable(std::string_view text) { return shown(text, false); }
 
+std::string shortened(const std::string& text) {
+    constexpr std::size_t kMost = 2000, kEnd = 500;
+    constexpr std::string_view kGap = " ... ";
+    if (text.size() <= kMost) return text;
+    return text.substr(0, kMost - kEnd - kGap.size()) + std::string(kGap) + text.substr(text.size() - kEnd);
+}
+
 std::string printableLines(std::string_view text) { return shown(text, true); }
 
 std::string printableJson(std::string_view json) {

@@ -11,6 +11,10 @@ namespace nacre::app {
 /// "\u202e".
 std::string printable(std::string_view text);
 
+/// A message that may quote anything: what is too long loses its middle.
+std::string shortened(const std::string& text);
+
+
 /// As above, keeping line ends.
 std::string printableLines(std::string_view text);
 
