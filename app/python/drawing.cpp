@@ -19,6 +19,7 @@
 #include "app/picture/input_names.h"
 #include "app/picture/option_json.h"
 #include "app/picture/picture_names.h"
+#include "app/python/interrupt.h"
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
 #include "engine/renderer.h"
@@ -68,8 +69,10 @@ public:
             if (!colors.atoms.empty())
                 drawing.recolor = [kept = structure.kept.get()](Representation& scene) { paint(kept->colors, scene); };
         }
-        app::loadMaps(request);
+        const auto check = [](double) { checkInterrupt(); };
+        app::loadMaps(request, check);
         drawing.prepare(*structure.molecule, request);  // in parallel with other threads
+        drawing.settings.occlusion.onProgress = check;
         const std::lock_guard lock(turn_);
         const auto key = deviceKey(request.device);
         if (!canvas_ || key_ != key || canvas_->isLost()) {
@@ -142,7 +145,8 @@ Structure openInputs(const std::vector<std::string>& inputs, const std::string& 
     if (standard(input) || std::any_of(input.further.begin(), input.further.end(), standard))
         throw app::UsageError("open() does not read standard input: pass its bytes");
     const app::HeardMessages heard;
-    auto molecule = std::make_shared<const Molecule>(app::loadMolecule(input));
+    const auto check = [](double) { checkInterrupt(); };
+    auto molecule = std::make_shared<const Molecule>(app::loadMolecule(input, check, check, checkInterrupt));
     return {std::move(molecule), inputs, heard.warnings, heard.notes, input};
 }
 
@@ -221,6 +225,7 @@ std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::st
                 try {
                     app::loadMaps(request);
                     drawing.prepare(*structure.molecule, request);
+                    drawing.settings.occlusion.onProgress = [](double) { checkInterrupt(); };
                 } catch (const std::exception&) {
                     if (i == 0) throw;
                     all.resize(i);

@@ -12,6 +12,7 @@
 #include "app/input/molecule_info.h"
 #include "app/picture/usage_error.h"
 #include "app/python/drawing.h"
+#include "app/python/interrupt.h"
 #include "app/python/pickled.h"
 #include "engine/error.h"
 #include "engine/molecule/bonds/bonds.h"
@@ -335,10 +336,7 @@ void addDrawing(py::module_& m) {
                       const std::vector<std::pair<std::string, std::string>>& motion, bool models,
                       const std::string& options, const Colors& colors) {
         return freely([&] {
-            return movie(s, path, {motion, models}, options, colors, [] {
-                const py::gil_scoped_acquire lock;
-                if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-            });
+            return movie(s, path, {motion, models}, options, colors, checkInterrupt);
         });
     });
     m.def("option_names", &optionNames);

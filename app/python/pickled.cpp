@@ -1,5 +1,7 @@
 #include "app/python/pickled.h"
 
+#include <xxhash.h>
+
 #include <cstring>
 #include <type_traits>
 #include <utility>
@@ -16,6 +18,8 @@ std::string heading() {
         text += " " + std::to_string(size);
     return text;
 }
+
+std::uint64_t hashOf(std::string_view bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
 class Writer {
 public:
@@ -201,14 +205,20 @@ std::string pickled(const Molecule& molecule) {
     Writer writer;
     writer.text(heading());
     write(writer, molecule);
+    writer.plain(hashOf(writer.bytes));
     return std::move(writer.bytes);
 }
 
 Molecule unpickled(std::string_view bytes) {
-    Reader reader(bytes);
+    std::uint64_t hash = 0;
+    if (bytes.size() < sizeof hash) throw Error("cannot unpickle", "a structure", "its bytes are damaged");
+    const std::string_view whole = bytes.substr(0, bytes.size() - sizeof hash);
+    std::memcpy(&hash, whole.data() + whole.size(), sizeof hash);
+    Reader reader(whole);
     std::string begin;
     reader.text(begin);
     if (begin != heading()) throw Error("cannot unpickle", "a structure", "another version of nacre pickled it");
+    if (hash != hashOf(whole)) throw Error("cannot unpickle", "a structure", "its bytes are damaged");
     return read(reader, true);
 }
 
