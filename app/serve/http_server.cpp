@@ -1,166 +1,209 @@
 #include "app/serve/http_server.h"
 
-#include <poll.h>
-#include <sys/socket.h>
-#include <unistd.h>
+#include <fcntl.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cstdlib>
-#include <cstring>
 
-#include "engine/milliseconds.h"
+#include "engine/error.h"
+#include "engine/threads.h"
 
 namespace nacre::app {
 namespace {
 
-constexpr std::size_t kRequests = 1000;                    // of a connection
-constexpr std::size_t kMostRead = std::size_t{128} << 20;  // bytes of a body, of which one that is too large is skipped
-constexpr int kSliceMs = 250;                              // after which a wait looks whether the server stops
+constexpr std::size_t kRequests = 1000;  // of a connection
+constexpr int kSliceMs = 250;            // after which deadlines are looked at
+
+double secondsSince(Clock::time_point start) { return millisecondsSince(start) / 1000; }
 
 }  // namespace
 
-/// A connection, read and written within the deadlines of the request that it is at.
-class ClientStream final : public httplib::Stream {
-public:
-    ClientStream(socket_t socket, int seconds) : socket_(socket), seconds_(seconds) {}
-    ~ClientStream() override { ::close(socket_); }
-    ClientStream(const ClientStream&) = delete;
-
-    /// The next request begins.
-    void begin() {
-        start_ = Clock::now();
-        received_ = sent_ = 0;
-        headRead_ = false;
-        expected_ = 0;
-    }
-
-    /// The request's head was read.
-    void takeHead(httplib::Request& request) {
-        request.ranges.clear();  // pictures are sent whole; many ranges of one would take its size many times
-        headRead_ = true;
-        start_ = Clock::now();
-        received_ = 0;
-        const std::string length = request.get_header_value("Content-Length");
-        expected_ = std::strtoull(length.c_str(), nullptr, 10);
-        // Where a body in chunks ends only its reader knows.
-        if (request.has_header("Transfer-Encoding")) expected_ = ~std::size_t{0};
-    }
-
-    /// Whether all of the request was read, so that another one may follow.
-    bool isThrough() const { return headRead_ && received_ >= expected_; }
-
-    /// @returns whether bytes are there, or the other end is gone
-    bool hasBytes(int milliseconds) const { return first_ < last_ || wait(POLLIN, milliseconds); }
-
-    /// The client learns that nothing more comes. What it still sends is read for a moment: a reset would take the
-    /// answer away from it.
-    void end() {
-        ::shutdown(socket_, SHUT_WR);
-        constexpr int kReads = 64, kLingerMs = 500;
-        for (int i = 0; i < kReads && !isThrough() && wait(POLLIN, kLingerMs); ++i)
-            if (::recv(socket_, buffer_.data(), buffer_.size(), MSG_DONTWAIT) <= 0) return;
-    }
-
-    ssize_t read(char* to, std::size_t size) override {
-        if (first_ == last_ && !fill()) return -1;
-        const std::size_t taken = std::min(size, last_ - first_);
-        std::memcpy(to, buffer_.data() + first_, taken);
-        first_ += taken;
-        received_ += taken;
-        sent_ = 0;  // after "100 Continue" the answer is still to come
-        // httplib reads lines byte by byte, into a buffer that grows.
-        line_ = size == 1 && *to != '\n' ? line_ + 1 : 0;
-        if (line_ > kMostHeadBytes) return -1;
-        return static_cast<ssize_t>(taken);
-    }
-
-    ssize_t write(const char* from, std::size_t size) override {
-        if (sent_ == 0) start_ = Clock::now();
-        for (;;) {
-            const ssize_t sent = ::send(socket_, from, size, MSG_NOSIGNAL | MSG_DONTWAIT);
-            if (sent >= 0) {
-                sent_ += static_cast<std::size_t>(sent);
-                return sent;
-            }
-            if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) return -1;
-            if (!wait(POLLOUT, left(sent_))) return -1;
-        }
-    }
-
-    bool is_readable() const override { return hasBytes(0); }
-    bool is_writable() const override { return wait(POLLOUT, 0); }
-    // Nobody is told who asks.
-    void get_remote_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
-    void get_local_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
-    socket_t socket() const override { return socket_; }
-
-private:
-    bool wait(short events, int milliseconds) const {
-        pollfd one{socket_, events, 0};
-        int ready = 0;
-        do ready = ::poll(&one, 1, std::max(milliseconds, 0));
-        while (ready < 0 && errno == EINTR);
-        return ready > 0;
-    }
-
-    /// Milliseconds until the deadline of what has moved so many bytes.
-    int left(std::size_t moved) const {
-        const double most = 1000.0 * (seconds_ + static_cast<double>(moved) / static_cast<double>(kLeastRate));
-        return static_cast<int>(std::clamp(most - millisecondsSince(start_), 0.0, 3.6e6));
-    }
-
-    bool fill() {
-        if (received_ >= (headRead_ ? kMostRead : kMostHeadBytes)) return false;
-        if (!wait(POLLIN, left(headRead_ ? received_ : 0))) return false;
-        const ssize_t got = ::recv(socket_, buffer_.data(), buffer_.size(), MSG_DONTWAIT);
-        first_ = 0;
-        last_ = got > 0 ? static_cast<std::size_t>(got) : 0;
-        return got > 0;
-    }
-
-    const socket_t socket_;
-    const int seconds_;
-    Clock::time_point start_ = Clock::now();
-    bool headRead_ = false;
-    std::size_t received_ = 0, sent_ = 0, expected_ = 0;
-    std::size_t line_ = 0;  // bytes of the line that is being read
-    std::array<char, 16384> buffer_{};
-    std::size_t first_ = 0, last_ = 0;
-};
-
-HttpServer::HttpServer(std::size_t connections, ClientTimes times) : most_(connections), times_(times) {
-    new_task_queue = [connections] { return new httplib::ThreadPool(connections); };
+HttpServer::HttpServer(std::size_t requests, std::size_t connections, ClientTimes times)
+    : mostRequests_(requests), mostConnections_(connections), times_(times) {
     set_keep_alive_timeout(times.idle);  // as the answers tell
     set_keep_alive_max_count(kRequests);
-}
-
-bool HttpServer::awaitRequest(ClientStream& stream, bool first) const {
-    const Clock::time_point start = Clock::now();
-    while (!stream.hasBytes(kSliceMs)) {
-        const bool crowded = served_ >= most_;
-        const int seconds = crowded ? times_.crowded : first ? times_.head : times_.idle;
-        if (svr_sock_ == INVALID_SOCKET || millisecondsSince(start) >= 1000.0 * seconds) return false;
+    if (pipe(wake_) != 0) throw Error("cannot serve", "", "no pipe can be opened");
+    for (const int end : wake_) {
+        fcntl(end, F_SETFD, FD_CLOEXEC);
+        fcntl(end, F_SETFL, O_NONBLOCK);
     }
-    return true;
 }
 
-bool HttpServer::process_and_close_socket(socket_t socket) {
-    ++served_;
-    {
-        ClientStream stream(socket, times_.head);
-        for (std::size_t left = kRequests; left > 0 && awaitRequest(stream, left == kRequests); --left) {
-            bool closed = false;
-            stream.begin();
-            const bool last = left == 1 || svr_sock_ == INVALID_SOCKET;
-            const auto taken = [&](httplib::Request& request) { stream.takeHead(request); };
-            if (!process_request(stream, last, closed, taken) || closed || last || !stream.isThrough()) break;
+HttpServer::~HttpServer() {
+    for (const int end : wake_) ::close(end);
+    if (svr_sock_ != INVALID_SOCKET) ::close(svr_sock_);
+    svr_sock_ = INVALID_SOCKET;
+}
+
+void HttpServer::wake() const {
+    const char byte = 0;
+    [[maybe_unused]] const ssize_t written = ::write(wake_[1], &byte, 1);  // where it is full, it wakes as well
+}
+
+void HttpServer::stop() {
+    stopping_ = true;
+    wake();
+}
+
+void HttpServer::serve() {
+    threads_.reserve(mostRequests_);
+    threads_.push_back(startThread([this] { work(); }));
+    constexpr int kBacklog = 1024;
+    ::listen(svr_sock_, kBacklog);
+    fcntl(svr_sock_, F_SETFL, O_NONBLOCK);  // who has left before it is accepted keeps nobody waiting
+    std::vector<pollfd> polled;
+    std::vector<Connections::iterator> order;
+    while (!stopping_) {
+        polled.assign({{svr_sock_, POLLIN, 0}, {wake_[0], POLLIN, 0}});
+        order.clear();
+        for (auto at = waiting_.begin(); at != waiting_.end(); ++at) {
+            polled.push_back({at->stream->socket(), POLLIN, 0});
+            order.push_back(at);
         }
-        stream.end();
+        if (::poll(polled.data(), polled.size(), kSliceMs) > 0) {
+            for (std::size_t i = 0; i < order.size(); ++i)
+                if (polled[i + 2].revents != 0) look(order[i]);
+            if (polled[0].revents != 0) accept();
+            if (polled[1].revents != 0) takeBack();
+        }
+        dropLate();
     }
-    --served_;
-    return true;
+    ::close(svr_sock_);
+    svr_sock_ = INVALID_SOCKET;
+    waiting_.clear();
+    {
+        const std::lock_guard lock(turn_);
+        closed_ = true;
+    }
+    ready_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+    threads_.clear();
+    back_.clear();
+}
+
+void HttpServer::accept() {
+    constexpr int kAtOnce = 64;
+    for (int i = 0; i < kAtOnce; ++i) {
+        pollfd more{svr_sock_, POLLIN, 0};
+        if (i > 0 && ::poll(&more, 1, 0) <= 0) return;
+        const socket_t socket = ::accept(svr_sock_, nullptr, nullptr);
+        if (socket == INVALID_SOCKET) {
+            // Without descriptors the oldest connection makes room for the next.
+            if ((errno == EMFILE || errno == ENFILE) && !waiting_.empty()) waiting_.pop_front();
+            return;
+        }
+        fcntl(socket, F_SETFD, FD_CLOEXEC);
+        const int yes = 1;
+        setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+        if (waiting_.size() >= mostConnections_) waiting_.pop_front();
+        Connection connection;
+        connection.stream = std::make_unique<ClientStream>(socket, times_.head);
+        waiting_.push_back(std::move(connection));
+        look(std::prev(waiting_.end()));
+    }
+}
+
+/// Something came of a connection.
+void HttpServer::look(Connections::iterator at) {
+    if (at->state == Connection::State::ending) {
+        if (!at->stream->skip()) waiting_.erase(at);
+        return;
+    }
+    const ClientStream::Head head = at->stream->readHead();
+    if (head == ClientStream::Head::missing) {
+        waiting_.erase(at);
+        return;
+    }
+    if (head == ClientStream::Head::partial) {
+        if (at->state == Connection::State::idle && !at->stream->ahead().empty()) {
+            at->state = Connection::State::head;
+            at->since = Clock::now();
+        }
+        return;
+    }
+    Connection connection = std::move(*at);
+    waiting_.erase(at);
+    if (!isForGate(connection.stream->ahead())) return hand(std::move(connection));
+    const bool more = answer(connection, false);
+    connection.since = Clock::now();
+    connection.state = more ? Connection::State::idle : Connection::State::ending;
+    if (!more) connection.stream->end();
+    waiting_.push_back(std::move(connection));
+}
+
+/// One request alone: the answers to many may have to wait until the client reads them.
+bool HttpServer::isForGate(std::string_view head) const {
+    if (head.find("\r\n\r\n") + 4 != head.size()) return false;
+    for (const std::string_view method : {"GET ", "HEAD "})
+        if (head.starts_with(method))
+            return std::ranges::any_of(atGate_, [&](const std::string& path) {
+                return head.substr(method.size()).starts_with(path + " ");
+            });
+    return false;
+}
+
+void HttpServer::dropLate() {
+    for (auto at = waiting_.begin(); at != waiting_.end();) {
+        const int most = at->state == Connection::State::idle   ? times_.idle
+                         : at->state == Connection::State::head ? times_.head
+                                                                : times_.linger;
+        at = secondsSince(at->since) > most ? waiting_.erase(at) : std::next(at);
+    }
+}
+
+void HttpServer::takeBack() {
+    char bytes[64];
+    while (::read(wake_[0], bytes, sizeof bytes) > 0) {
+    }
+    std::deque<Connection> back;
+    {
+        const std::lock_guard lock(turn_);
+        back.swap(back_);
+    }
+    for (Connection& connection : back) {
+        connection.since = Clock::now();
+        waiting_.push_back(std::move(connection));
+        look(std::prev(waiting_.end()));  // a request may have come with the one before
+    }
+}
+
+bool HttpServer::answer(Connection& connection, bool waits) {
+    ClientStream& stream = *connection.stream;
+    const bool last = ++connection.requests >= kRequests || stopping_;
+    bool closed = false;
+    stream.begin(waits);
+    const auto taken = [&](httplib::Request& request) { stream.takeHead(request); };
+    return process_request(stream, last, closed, taken) && !closed && !last && stream.isThrough();
+}
+
+void HttpServer::hand(Connection connection) {
+    bool starts = false;
+    {
+        const std::lock_guard lock(turn_);
+        heads_.push_back(std::move(connection));
+        starts = heads_.size() > idleThreads_ && threads_.size() < mostRequests_;
+    }
+    ready_.notify_one();
+    if (std::thread thread; starts && mayStart(thread, [this] { work(); })) threads_.push_back(std::move(thread));
+}
+
+void HttpServer::work() {
+    std::unique_lock lock(turn_);
+    for (;;) {
+        ++idleThreads_;
+        ready_.wait(lock, [&] { return closed_ || !heads_.empty(); });
+        --idleThreads_;
+        if (heads_.empty()) return;
+        Connection connection = std::move(heads_.front());
+        heads_.pop_front();
+        lock.unlock();
+        const bool more = answer(connection, true);
+        connection.state = more ? Connection::State::idle : Connection::State::ending;
+        if (!more) connection.stream->end();
+        lock.lock();
+        back_.push_back(std::move(connection));
+        wake();
+    }
 }
 
 }  // namespace nacre::app

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/files/json_text.h"
+#include "app/files/printable.h"
 
 namespace nacre::app {
 
@@ -10,7 +11,7 @@ const char* titleOf(int status) {
     constexpr std::pair<int, const char*> kTitles[] = {
         {400, "Bad Request"},       {401, "Unauthorized"},        {403, "Forbidden"},
         {404, "Not Found"},         {405, "Method Not Allowed"},  {413, "Content Too Large"},
-        {414, "URI Too Long"},      {421, "Misdirected Request"}, {422, "Unprocessable Content"},
+        {414, "URI Too Long"},      {415, "Unsupported Media Type"},      {421, "Misdirected Request"}, {422, "Unprocessable Content"},
         {429, "Too Many Requests"}, {503, "Service Unavailable"}};
     for (const auto& [code, title] : kTitles)
         if (code == status) return title;
@@ -18,7 +19,7 @@ const char* titleOf(int status) {
 }
 
 std::string problemJson(int status, const std::string& detail) {
-    return jsonText({{"type", "about:blank"}, {"title", titleOf(status)}, {"status", status}, {"detail", detail}});
+    return jsonText({{"type", "about:blank"}, {"title", titleOf(status)}, {"status", status}, {"detail", shortened(detail)}});
 }
 
 }  // namespace nacre::app

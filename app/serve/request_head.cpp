@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "app/serve/http_server.h"
+#include "engine/molecule/text.h"
 
 namespace nacre::app {
 namespace {
@@ -33,6 +34,18 @@ std::string unescaped(std::string_view text) {
     return plain;
 }
 
+/// "http://localhost:8080" and a header Host of "localhost:8080". A proxy may have left out the port.
+bool isOwnPage(const std::string& origin, const std::string& host) {
+    const std::size_t scheme = origin.find("://");
+    if (scheme == std::string::npos) return false;
+    std::string place = lowerCase(origin.substr(scheme + 3));
+    const std::string own = lowerCase(host);
+    if (place == own) return true;
+    const std::size_t port = place.rfind(':');
+    if (port != std::string::npos && place.find(']', port) == std::string::npos) place.resize(port);
+    return place == own;
+}
+
 bool takesBodies(const std::string& path) { return path == "/picture" || path == "/structures"; }
 
 }  // namespace
@@ -47,8 +60,7 @@ bool isLoopback(const std::string& host) {
         name = name.substr(0, name.find(']') + 1);
     else if (std::count(name.begin(), name.end(), ':') == 1)
         name.resize(name.find(':'));
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    name = lowerCase(name);
     const bool address = name.starts_with("127.") && name.find_first_not_of("0123456789.") == std::string::npos;
     return address || name == "localhost" || name == "::1" || name == "[::1]";
 }
@@ -63,8 +75,12 @@ std::optional<Problem> refusalOf(const httplib::Request& request, bool local) {
         return Problem(400, "a request has one header Host");
     if (local && hosts == 1 && !isLoopback(request.get_header_value("Host")))
         return Problem(421, "this server answers for this machine alone: localhost, 127.0.0.1 or [::1]");
-    if (post && request.get_header_value("Sec-Fetch-Site") == "cross-site")
-        return Problem(403, "a page of another site may not send bodies here");
+    const bool foreign = request.get_header_value("Sec-Fetch-Site") == "cross-site" ||
+                         (request.has_header("Origin") &&
+                          !isOwnPage(request.get_header_value("Origin"), request.get_header_value("Host")));
+    if (post && foreign) return Problem(403, "a page of another site may not send bodies here");
+    if (post && lowerCase(request.get_header_value("Content-Type")).starts_with("multipart/"))
+        return Problem(415, "a body is the file itself, not a form: curl --data-binary @FILE");
     if (post && !request.has_header("Content-Length") && !request.has_header("Transfer-Encoding"))
         return Problem(400, "a POST request has a body, whose length Content-Length says");
     return {};

@@ -1,0 +1,73 @@
+#pragma once
+// A connection of the server, read and written within the deadlines of its request.
+
+#include <httplib.h>
+#include <poll.h>
+
+#include <string>
+
+#include "engine/milliseconds.h"
+
+namespace nacre::app {
+
+/// Bodies and answers that take longer than ClientTimes::head go at this rate on average, in bytes per second.
+constexpr std::size_t kLeastRate = std::size_t{64} << 10;
+constexpr std::size_t kMostHeadBytes = std::size_t{64} << 10;
+
+class ClientStream final : public httplib::Stream {
+public:
+    enum class Head {
+        partial,
+        whole,    ///< or longer than one may be
+        missing,  ///< the other end is gone
+    };
+
+    /// @param seconds  for a body or an answer that is small
+    ClientStream(socket_t socket, int seconds) : socket_(socket), seconds_(seconds) {}
+    ~ClientStream() override;
+    ClientStream(const ClientStream&) = delete;
+
+    /// Reads what there is of the next request's head, without waiting.
+    Head readHead();
+    /// What was read and not yet taken.
+    std::string_view ahead() const { return std::string_view(buffer_).substr(first_); }
+
+    /// The request whose head was read begins. @param waits  false: an answer that the system does not take at once is
+    /// given up
+    void begin(bool waits);
+    /// httplib took the head.
+    void takeHead(httplib::Request& request);
+    /// Whether all of the request was read, so that another one may follow.
+    bool isThrough() const { return headTaken_ && received_ >= expected_; }
+
+    /// The client learns that nothing more comes. A reset would take the answer away from it: what it still sends is
+    /// read by skip().
+    void end();
+    /// Drops what there is, without waiting. @returns whether more may come
+    bool skip();
+
+    ssize_t read(char* to, std::size_t size) override;
+    ssize_t write(const char* from, std::size_t size) override;
+    bool is_readable() const override { return first_ < buffer_.size() || wait(POLLIN, 0); }
+    bool is_writable() const override { return wait(POLLOUT, 0); }
+    // Nobody is told who asks.
+    void get_remote_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
+    void get_local_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
+    socket_t socket() const override { return socket_; }
+
+private:
+    bool wait(short events, int milliseconds) const;
+    int left(std::size_t moved) const;
+    bool fill(bool waits);
+
+    const socket_t socket_;
+    const int seconds_;
+    Clock::time_point start_ = Clock::now();
+    bool headTaken_ = false, waits_ = true;
+    std::size_t received_ = 0, sent_ = 0, expected_ = 0;
+    std::size_t line_ = 0;  ///< bytes of the line that is being read
+    std::string buffer_;
+    std::size_t first_ = 0, searched_ = 0;  ///< bytes of buffer_ that were taken, and in which no head ends
+};
+
+}  // namespace nacre::app
