@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "app/cli/movie_options.h"
+#include "app/download/allowed_hosts.h"
 #include "app/drawing/complete.h"
 #include "app/files/output_file.h"
 #include "app/movie/movie_file.h"
@@ -164,6 +165,15 @@ void addServe(CommandSpec& command, ServeOptions& options) {
                   });
     command.flag("--allow-download", options.picture.input.allowDownload,
                  "Download the structures that requests name; otherwise only the cache is used");
+    command
+        .value("--allow-host", "HOST[:PORT]", "none",
+               "A host that scenes may download from, beside the databases; may be given several times",
+               [&](const std::string& text) {
+                   if (hostRule("http://" + text, {text}) != HostRule::named)
+                       throw std::invalid_argument("'" + text + "' is not a host, or a host and a port");
+                   options.sceneHosts.push_back(text);
+               })
+        .repeatable = true;
     command.value("--jobs", "N", "one per processor", "Pictures drawn at the same time, 1 to 64",
                   [&](const std::string& text) { options.workers = static_cast<int>(parseInteger(text, 1, 64)); });
     command.value("--queue", "N", "64", "Requests that wait for a worker, 1 to 10000; more are answered with 429",

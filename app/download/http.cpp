@@ -1,11 +1,15 @@
 #include "app/download/http.h"
 
+#include <sys/socket.h>
+
 #include <charconv>
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <optional>
 #include <string_view>
 
+#include "app/download/allowed_hosts.h"
 #include "app/download/curl_library.h"
 
 namespace nacre::app {
@@ -129,6 +133,18 @@ Headers rangeHeaders(Transfer& transfer) {
     return headers;
 }
 
+/// Refuses addresses as they were resolved: a name may lead anywhere.
+curl_socket_t openPublic(void*, curlsocktype, curl_sockaddr* address) {
+    return isPublic(address->addr) ? ::socket(address->family, address->socktype, address->protocol) : CURL_SOCKET_BAD;
+}
+
+/// Whether libcurl may go through a proxy, whose address is nobody's concern.
+bool hasProxy() {
+    for (const char* name : {"http_proxy", "https_proxy", "HTTPS_PROXY", "all_proxy", "ALL_PROXY"})
+        if (const char* value = std::getenv(name); value && *value) return true;
+    return false;
+}
+
 void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, Transfer& transfer, char* message) {
     const auto set = curlLibrary().setOption;
     const char* scheme = url.rfind("https:", 0) == 0 ? "https" : "http";
@@ -136,7 +152,7 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
     set(handle, CURLOPT_URL, url.c_str());
     set(handle, CURLOPT_PROTOCOLS_STR, scheme);
     set(handle, CURLOPT_REDIR_PROTOCOLS_STR, scheme);
-    set(handle, CURLOPT_FOLLOWLOCATION, 1L);
+    set(handle, CURLOPT_FOLLOWLOCATION, limits.redirects > 0 ? 1L : 0L);
     set(handle, CURLOPT_MAXREDIRS, limits.redirects);
     set(handle, CURLOPT_CONNECTTIMEOUT, seconds);
     set(handle, CURLOPT_LOW_SPEED_TIME, seconds);
@@ -146,6 +162,7 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
     set(handle, CURLOPT_ERRORBUFFER, message);
     set(handle, CURLOPT_WRITEFUNCTION, &receive);
     set(handle, CURLOPT_WRITEDATA, &transfer);
+    if (limits.publicAlone && !hasProxy()) set(handle, CURLOPT_OPENSOCKETFUNCTION, &openPublic);
     if (!limits.certificates.empty()) set(handle, CURLOPT_CAINFO, limits.certificates.c_str());
 }
 

@@ -15,16 +15,12 @@
 namespace nacre::app {
 namespace {
 
-std::uint64_t memoryOf(const InputOptions& input) {
-    return input.memoryMegabytes ? static_cast<std::uint64_t>(*input.memoryMegabytes) << 20 : memoryShare(2);
-}
-
 using OnContent = std::function<void(const std::string&, std::string, Format)>;
 
 Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const std::function<void(double)>& onDownload,
                       const std::function<void(double)>& onModel, const OnContent& onContent = {}) {
     if (input.format) throw Error("cannot download", input.path, "a download takes no --format");
-    ReadOptions options = readWithin(memoryOf(input));
+    ReadOptions options = readWithin(memoryLimit(input));
     options.model = input.model;
     options.onModel = onModel;
     options.others = !input.alone;
@@ -77,7 +73,7 @@ Error notNamed(const InputOptions& input) {
 Molecule loadNamed(InputOptions input, const std::function<void(double)>& onModel) {
     input.path = namedPath(input);
     try {
-        return readLocally(input, memoryOf(input), {}, onModel);
+        return readLocally(input, memoryLimit(input), {}, onModel);
     } catch (const Error&) {
         throw notNamed(input);
     }
@@ -100,31 +96,33 @@ void checkScene(const InputOptions& input) {
     if (input.addHydrogens) throw Error("cannot read scene", input.path, "its molecules take no hydrogens");
 }
 
-Molecule loadSceneFile(InputOptions input, std::string bytes, const std::function<void(double)>& onDownload) {
+Molecule loadSceneFile(InputOptions input, std::string bytes, const std::function<void(double)>& onDownload,
+                       const std::function<void()>& onStep) {
     checkScene(input);
     if (!input.namedBy.empty()) input.path = namedPath(input);
-    return loadScene(input, std::move(bytes), readWithin(memoryOf(input)), onDownload);
+    return loadScene(input, std::move(bytes), readWithin(memoryLimit(input)), onDownload, onStep);
 }
 
 Molecule loadStructure(const InputOptions& input, const std::function<void(double)>& onDownload,
-                       const std::function<void(double)>& onModel) {
+                       const std::function<void(double)>& onModel, const std::function<void()>& onStep) {
     if (const auto id = parseDatabaseId(input.path))
         return completed(input, loadDownload(input, *id, onDownload, onModel));
     if (!input.format)
-        if (auto bytes = mvs::readScene(filePathOf(input))) return loadSceneFile(input, std::move(*bytes), onDownload);
+        if (auto bytes = mvs::readScene(openPathOf(input))) 
+            return loadSceneFile(input, std::move(*bytes), onDownload, onStep);
     if (!input.namedBy.empty()) return loadNamed(input, onModel);
-    checkThere(input.path);
-    return readLocally(input, memoryOf(input), {}, onModel);
+    if (!input.opened) checkThere(input.path);
+    return readLocally(input, memoryLimit(input), {}, onModel);
 }
 
 }  // namespace
 
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload,
-                      const std::function<void(double)>& onModel) {
+                      const std::function<void(double)>& onModel, const std::function<void()>& onStep) {
     InputOptions structure = input;
     // Frames of a trajectory do not match other models, and several molecules are not models of one file.
     structure.alone = input.alone || !input.trajectory.path.empty() || !input.further.empty();
-    Molecule molecule = loadStructure(structure, onDownload, onModel);
+    Molecule molecule = loadStructure(structure, onDownload, onModel, onStep);
     moveToFrame(input.trajectory, molecule);
     if (input.further.empty() && !input.fits.empty())
         throw Error("cannot fit", input.path, "--fit superposes one INPUT on another: name two");
@@ -135,18 +133,19 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
     for (const FurtherInput& further : input.further) {
         next.path = further.path;
         next.hash = further.hash;
-        molecules.push_back(loadStructure(next, onDownload, onModel));
+        next.opened = further.opened;
+        molecules.push_back(loadStructure(next, onDownload, onModel, onStep));
     }
     return joinInputs(input, std::move(molecules), sayNote);
 }
 
 Molecule loadSnapshot(OpenScene& scene, const InputOptions& input, const std::function<void(double)>& onDownload) {
     checkScene(input);
-    return scene.snapshot(input, readWithin(memoryOf(input)), onDownload);
+    return scene.snapshot(input, readWithin(memoryLimit(input)), onDownload);
 }
 
 std::unique_ptr<ModelFile> openModels(const InputOptions& input, const std::function<void(double)>& onDownload) {
-    ReadOptions options = readWithin(memoryOf(input));
+    ReadOptions options = readWithin(memoryLimit(input));
     options.format = input.format;
     std::unique_ptr<ModelFile> file;
     if (const auto id = parseDatabaseId(input.path)) {

@@ -34,9 +34,10 @@ private:
 /// before it is opened; and errors do not quote a file that is not a molecule.
 /// @param onDownload  called as a download's bytes arrive, with the finished share, 0..1
 /// @param onModel  called after each model of `--model all` with the share read, 0..1
+/// @param onStep  called between the nodes of a scene; may throw to end it
 /// @throws Error, DownloadForbidden, InputMissing with a suggestion
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload = {},
-                      const std::function<void(double)>& onModel = {});
+                      const std::function<void(double)>& onModel = {}, const std::function<void()>& onStep = {});
 
 /// A snapshot of a scene that is open. @throws Error, DownloadForbidden
 Molecule loadSnapshot(OpenScene& scene, const InputOptions& input, const std::function<void(double)>& onDownload = {});

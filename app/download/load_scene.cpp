@@ -6,10 +6,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <optional>
+#include <set>
 
+#include "app/download/allowed_hosts.h"
 #include "app/download/download.h"
 #include "app/download/load_molecule.h"
 #include "app/files/cache_folder.h"
+#include "app/files/opened_file.h"
 #include "app/input/input_files.h"
 #include "app/mvs/build_scene.h"
 #include "app/mvs/scene_file.h"
@@ -27,13 +31,13 @@ namespace fs = std::filesystem;
 
 std::string fileBytes(const std::string& uri, const fs::path& path, std::size_t most) {
     std::error_code error;
-    if (!fs::is_regular_file(path, error)) fail(uri, path.string() + " is no file");
+    if (!fs::is_regular_file(path, error)) fail(uri, "there is no such file");
     const std::uint64_t size = fs::file_size(path, error);
-    if (error || size > most) fail(uri, path.string() + " is too large");
+    if (error || size > most) fail(uri, "its file is too large");
     std::string bytes(size, '\0');
     std::ifstream file(path, std::ios::binary);
     file.read(bytes.data(), static_cast<std::streamsize>(size));
-    if (static_cast<std::uint64_t>(file.gcount()) != size) fail(uri, path.string() + " cannot be read");
+    if (static_cast<std::uint64_t>(file.gcount()) != size) fail(uri, "its file cannot be read");
     return bytes;
 }
 
@@ -42,22 +46,55 @@ bool isAddress(std::string_view uri) { return uri.starts_with("http://") || uri.
 /// Normalises a relative name: "./a//b" is "a/b".
 std::string plainName(const std::string& uri) { return fs::path(uri).lexically_normal().generic_string(); }
 
+/// The name of an address in the cache of downloads.
+std::string cacheNameOf(const std::string& url) {
+    std::array<char, 33> digits{};
+    const XXH128_hash_t hash = XXH3_128bits(url.data(), url.size());
+    std::snprintf(digits.data(), digits.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                  static_cast<unsigned long long>(hash.low64));
+    return std::string("mvs-") + digits.data();
+}
+
 class SceneFetch {
 public:
-    SceneFetch(const InputOptions& input, const mvs::SceneFile& scene, const ReadOptions& reading,
+    SceneFetch(const InputOptions& input, const mvs::SceneFile& scene, std::size_t most,
                const std::function<void(double)>& onDownload)
-        : input_(input), scene_(scene), most_(reading.maxBytes), onDownload_(onDownload) {}
+        : input_(input), scene_(scene), most_(most), onDownload_(onDownload) {}
 
     std::string operator()(const std::string& uri) const {
-        if (const SceneMap* map = mapOf(uri)) return fileBytes(uri, map->path + uri.substr(map->url.size()), most_);
-        if (isAddress(uri)) return download(uri);
-        const std::string name = plainName(uri);
-        if (uri.find(':') != std::string::npos) fail(uri, "it is neither http nor https nor a relative name");
-        if (scene_.archive) return scene_.archive->read(name);
-        return beside(uri, name);
+        const Place place = placeOf(uri);
+        if (place.file) return fileBytes(uri, place.file->path(), most_);
+        if (place.download) return download(uri);
+        if (!place.path.empty()) return fileBytes(uri, place.path, most_);
+        return scene_.archive->read(plainName(uri));
+    }
+
+    /// Identifies what it returns. Empty: it is in the scene's own file.
+    std::string contentOf(const std::string& uri) const {
+        const Place place = placeOf(uri);
+        return place.file ? fileHash(place.file->path()) : fileHash(place.path);
     }
 
 private:
+    /// Where something is that a scene names. Nowhere: in its archive.
+    struct Place {
+        std::shared_ptr<const OpenedFile> file;
+        std::string path;       ///< of a file; of a download in the cache
+        bool download = false;  ///< it comes from there
+    };
+
+    Place placeOf(const std::string& uri) const {
+        if (const SceneMap* map = mapOf(uri)) return {nullptr, map->path + uri.substr(map->url.size())};
+        if (isAddress(uri)) {
+            const std::string folder = cacheFolder(input_.cache, "downloads");
+            return {nullptr, folder.empty() ? folder : (fs::path(folder) / cacheNameOf(uri)).string(), true};
+        }
+        const std::string name = plainName(uri);
+        if (uri.find(':') != std::string::npos) fail(uri, "it is neither http nor https nor a relative name");
+        if (scene_.archive) return {};
+        return beside(uri, name);
+    }
+
     /// The longest prefix that fits.
     const SceneMap* mapOf(const std::string& uri) const {
         const SceneMap* best = nullptr;
@@ -67,15 +104,20 @@ private:
     }
 
     /// A file in the scene's folder.
-    std::string beside(const std::string& uri, const std::string& name) const {
+    Place beside(const std::string& uri, const std::string& name) const {
         if (!input_.sceneFiles) fail(uri, "a scene without a folder may name addresses alone");
+        if (input_.opened) {
+            std::shared_ptr<const OpenedFile> file = input_.opened->beside(name);
+            if (!file) fail(uri, "there is no such file in the scene's folder");
+            return {std::move(file), {}};
+        }
         std::error_code error;
         const fs::path folder = fs::weakly_canonical(fs::absolute(scene_.name), error).parent_path();
         const fs::path file = fs::weakly_canonical(folder / name, error);
         const bool inside = !error && !fs::path(name).is_absolute() &&
                             std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
         if (!inside) fail(uri, "it is not in the scene's folder");
-        return fileBytes(uri, file, most_);
+        return {nullptr, file.string()};
     }
 
     std::string download(const std::string& url) const {
@@ -85,13 +127,10 @@ private:
         settings.limits = httpLimits();
         settings.limits.maxBytes = std::min<std::uint64_t>(settings.limits.maxBytes, most_);
         settings.onProgress = onDownload_;
-        std::array<char, 33> digits{};
-        const XXH128_hash_t hash = XXH3_128bits(url.data(), url.size());
-        std::snprintf(digits.data(), digits.size(), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                      static_cast<unsigned long long>(hash.low64));
+        if (input_.sceneHosts) return downloadForStranger(url, settings);
         std::string bytes;
         try {
-            downloadFile(nacre::printable(url, 200), std::string("mvs-") + digits.data(), url, settings,
+            downloadFile(nacre::printable(url, 200), cacheNameOf(url), url, settings,
                          [&](const std::string&, std::string got) { bytes = std::move(got); });
         } catch (const Error&) {
             if (input_.offline || input_.allowDownload) throw;
@@ -102,11 +141,34 @@ private:
         return bytes;
     }
 
+    /// Tells nothing but whether it came: other answers would describe this machine's network.
+    std::string downloadForStranger(const std::string& url, DownloadSettings& settings) const {
+        const HostRule rule = hostRule(url, *input_.sceneHosts);
+        settings.limits.publicAlone = rule != HostRule::named;
+        settings.limits.redirects = 0;  // to hosts that nobody checked
+        std::string bytes;
+        try {
+            if (rule == HostRule::refused) throw Error("", "", "");
+            downloadFile(nacre::printable(url, 200), cacheNameOf(url), url, settings,
+                         [&](const std::string&, std::string got) { bytes = std::move(got); });
+        } catch (const Error&) {
+            fail(url, "it cannot be downloaded here");
+        }
+        return bytes;
+    }
+
     const InputOptions& input_;
     const mvs::SceneFile& scene_;
     std::size_t most_;
     const std::function<void(double)>& onDownload_;
 };
+
+/// Adds what a node and those below it name.
+void collectNames(const mvs::Node& node, std::set<std::string>& names) {
+    for (const char* key : {"url", "uri"})
+        if (const mvs::Json* value = node.param(key); value && value->is_string()) names.insert(value->get<std::string>());
+    for (const mvs::Node& child : node.children) collectNames(child, names);
+}
 
 Molecule moleculeOf(const mvs::SceneFile& scene, const InputOptions& input, const mvs::SceneSources& sources) {
     if (input.snapshot == kAllSnapshots)
@@ -118,9 +180,33 @@ Molecule moleculeOf(const mvs::SceneFile& scene, const InputOptions& input, cons
 }  // namespace
 
 Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptions& reading,
-                   const std::function<void(double)>& onDownload) {
+                   const std::function<void(double)>& onDownload, const std::function<void()>& onStep) {
     const mvs::SceneFile scene(input.path, std::move(bytes));
-    return moleculeOf(scene, input, {SceneFetch(input, scene, reading, onDownload), reading});
+    return moleculeOf(scene, input, {SceneFetch(input, scene, reading.maxBytes, onDownload), reading, onStep});
+}
+
+std::string contentOfNamed(const InputOptions& input) {
+    std::string content;
+    try {
+        std::optional<std::string> bytes = mvs::readScene(openPathOf(input));
+        if (!bytes) return {};
+        const mvs::SceneFile scene(input.path, std::move(*bytes));
+        std::set<std::string> names;
+        for (const mvs::Snapshot& snapshot : scene.tree.snapshots) collectNames(snapshot.root, names);
+        if (names.size() > mvs::kMostFiles) return "too many files\n";
+        const std::function<void(double)> none;
+        const SceneFetch fetch(input, scene, 0, none);
+        for (const std::string& name : names) {
+            content += name + '\n';
+            try {
+                content += fetch.contentOf(name) + '\n';
+            } catch (const Error&) {  // that there is none is told by whoever reads it
+            }
+        }
+    } catch (const Error&) {
+        content += "unreadable\n";
+    }
+    return content;
 }
 
 OpenScene::OpenScene(const InputOptions& input) {
@@ -132,7 +218,7 @@ OpenScene::~OpenScene() = default;
 
 Molecule OpenScene::snapshot(const InputOptions& input, const ReadOptions& reading,
                              const std::function<void(double)>& onDownload) {
-    const SceneFetch fetch(input, *file_, reading, onDownload);
+    const SceneFetch fetch(input, *file_, reading.maxBytes, onDownload);
     const auto once = [&](const std::string& uri) {
         if (const auto known = fetched_.find(uri); known != fetched_.end()) return known->second;
         std::string bytes = fetch(uri);
@@ -142,7 +228,7 @@ Molecule OpenScene::snapshot(const InputOptions& input, const ReadOptions& readi
         }
         return bytes;
     };
-    return moleculeOf(*file_, input, {once, reading});
+    return moleculeOf(*file_, input, {once, reading, {}});
 }
 
 std::vector<SnapshotTimes> OpenScene::times() const {

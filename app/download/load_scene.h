@@ -19,9 +19,13 @@ struct SceneFile;
 }
 
 /// The molecule of a scene, with its guide. Files at addresses in the scene are downloaded only if that is allowed;
-/// files must stand in its folder. @param bytes  of the scene's file @throws Error
+/// files must stand in its folder. @param bytes  of the scene's file @param onStep  as in mvs::SceneSources @throws Error
 Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptions& reading,
-                   const std::function<void(double)>& onDownload = {});
+                   const std::function<void(double)>& onDownload = {}, const std::function<void()>& onStep = {});
+
+/// Names and contents of the files that a scene names, as they are now: with its own content they decide what it shows.
+/// Empty: INPUT is no scene, or names none. Downloads nothing.
+std::string contentOfNamed(const InputOptions& input);
 
 /// Duration of a snapshot in a movie, seconds: at rest, and in transition to the next.
 struct SnapshotTimes {

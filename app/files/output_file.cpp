@@ -139,7 +139,7 @@ bool sameFile(const NamedFile& a, const NamedFile& b) {
 }  // namespace
 
 void removeUnfinishedOnSignals() {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU})
         // Ignored signals stay ignored, as under nohup; other handlers end the program normally, which removes files.
         if (struct sigaction now{}; sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL)
             std::signal(signal, removeUnfinished);
@@ -178,7 +178,7 @@ void OutputFile::makeTemporary(const std::string& folder, const std::string& ext
         temporary_ = (fs::path(folder) /
                       (std::string(kPrefix) + hostDigits() + unforeseenDigits().substr(kHostDigits) + extension))
                          .string();
-        lock_ = openPlain(temporary_, O_WRONLY | O_CREAT | O_EXCL, target_.empty() ? 0600 : 0666);
+        lock_ = openPlain(temporary_, O_RDWR | O_CREAT | O_EXCL, target_.empty() ? 0600 : 0666);
         if (lock_ < 0) fail(path_, std::strerror(errno));
         // Another run that removes leftovers may hold the lock: waits, then checks whether the file still exists.
         // Without locks only age identifies leftovers.

@@ -11,7 +11,7 @@ bool isStandardOutput(const std::string& path);
 /// A file that appears complete or not at all: written under a temporary name in the same folder and renamed. The
 /// temporary file is created at once, so that an unwritable folder is refused before any work; its name is
 /// unpredictable, and files of others are neither followed nor overwritten. A replaced file keeps its permissions.
-/// Standard output gets the complete temporary file. Errors, SIGINT, SIGTERM and SIGHUP remove it; the first OutputFile
+/// Standard output gets the complete temporary file. Errors and signals that end the program remove it; the first OutputFile
 /// in the same folder removes leftovers of crashes, those of other machines once they are ten minutes old. Each for one
 /// thread at a time; several threads may have their own.
 class OutputFile {
@@ -25,6 +25,8 @@ public:
 
     /// Path to write to: same folder and extension as the final file.
     const std::string& temporary() const { return temporary_; }
+    /// The same file, open for reading and writing.
+    int descriptor() const { return lock_; }
     /// For messages.
     const std::string& path() const { return path_; }
     /// Registers another temporary file, made by a library: removed in the same cases.
@@ -41,7 +43,7 @@ private:
     bool committed_ = false;
 };
 
-/// From now on SIGINT, SIGTERM and SIGHUP remove unfinished files, if they would end the program; the first OutputFile
+/// From now on SIGINT, SIGTERM, SIGHUP, SIGPIPE and SIGXCPU remove unfinished files, if they would end the program; the first OutputFile
 /// also sets this up.
 void removeUnfinishedOnSignals();
 

@@ -8,8 +8,7 @@
 
 namespace nacre::app {
 
-CheckedFile::CheckedFile(const std::string& path)
-    : file_(::open(path.c_str(), O_RDWR | O_TRUNC | O_NOFOLLOW | O_CLOEXEC)) {
+CheckedFile::CheckedFile(int file) : file_(::fcntl(file, F_DUPFD_CLOEXEC, 0)) {
     if (file_ < 0) failure_ = errno;
 }
 

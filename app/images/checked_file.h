@@ -2,14 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
 namespace nacre::app {
 
-/// An existing file to write from its beginning, which keeps the first failure. No write after it does anything.
+/// An open file to write from its beginning, which keeps the first failure. No write after it does anything.
 class CheckedFile {
 public:
-    explicit CheckedFile(const std::string& path);
+    /// @param file  stays open
+    explicit CheckedFile(int file);
     ~CheckedFile() { finish(); }
     CheckedFile(const CheckedFile&) = delete;
     CheckedFile& operator=(const CheckedFile&) = delete;

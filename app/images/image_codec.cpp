@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "app/images/image_writers.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 /// @throws std::exception
 void write(const ImageRequest& request, CheckedFile& file) {
-    const std::string extension = std::filesystem::path(request.path).extension().string();
+    const std::string_view extension = request.extension;
     if (extension == ".exr")
         writeExr(request, file);
     else if (extension == ".tif" || extension == ".tiff")
@@ -34,7 +34,7 @@ extern "C" __attribute__((visibility("default"))) const char nacreImageCall[] = 
 
 extern "C" __attribute__((visibility("default"))) bool nacreWriteImage(const nacre::app::ImageRequest* request,
                                                                        char* why, std::size_t whyBytes) {
-    nacre::app::CheckedFile file(request->path);
+    nacre::app::CheckedFile file(request->file);
     std::string reason;
     try {
         if (file.failure() == 0) nacre::app::write(*request, file);

@@ -8,7 +8,9 @@ namespace nacre::app {
 enum class Samples { bytes, words, halves, floats };  ///< in the file; halves are passed as floats
 
 struct ImageRequest {
-    const char* path;  ///< an existing regular file; its extension decides the format
+    const char* path;       ///< of the file, for the libraries' messages
+    int file;               ///< open for reading and writing, empty; stays open
+    const char* extension;  ///< decides the format: ".webp"
     std::uint32_t width, height, channels;
     Samples samples;
     const char* const* channelNames;  ///< null: grey, RGB or RGBA by their number

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "app/files/unnamed_file.h"
 #include "app/images/image_codec.h"
 #include "app/images/image_png.h"
 #include "engine/error.h"
@@ -20,13 +21,23 @@
 namespace nacre::app {
 namespace {
 
-bool isExr(const std::string& path) { return extensionOf(path) == ".exr"; }
-bool isPng(const std::string& path) { return extensionOf(path) == ".png"; }
-bool isJpeg(const std::string& path) { return extensionOf(path) == ".jpg" || extensionOf(path) == ".jpeg"; }
+/// Where a picture is written.
+struct ImageTarget {
+    std::string name;       ///< for messages
+    std::string path;       ///< of the file
+    std::string extension;  ///< in lower case, with the dot
+    int file;               ///< open for reading and writing
+};
 
-[[noreturn]] void fail(const OutputFile& file, std::string why) {
+ImageTarget targetOf(const OutputFile& file) {
+    return {file.path(), file.temporary(), extensionOf(file.temporary()), file.descriptor()};
+}
+
+bool isJpeg(const std::string& extension) { return extension == ".jpg" || extension == ".jpeg"; }
+
+[[noreturn]] void fail(const ImageTarget& target, std::string why) {
     std::replace(why.begin(), why.end(), '\n', ' ');
-    throw Error("cannot write file", file.path(), why);
+    throw Error("cannot write file", target.name, why);
 }
 
 #ifdef NACRE_IMAGE_MODULE
@@ -49,7 +60,7 @@ WriteImage* load(const std::string& name, std::string& why) {
     return nullptr;
 }
 
-WriteImage* codec(const OutputFile& file) {
+WriteImage* codec(const ImageTarget& target) {
     static std::mutex turn;
     static WriteImage* loaded = nullptr;
     const std::lock_guard lock(turn);
@@ -60,38 +71,38 @@ WriteImage* codec(const OutputFile& file) {
         loaded = load(name, reason);
         if (why.find("another build") == std::string::npos) why = reason;
     }
-    if (!loaded) fail(file, "image formats cannot be loaded: " + why);
+    if (!loaded) fail(target, "image formats cannot be loaded: " + why);
     return loaded;
 }
 #else
-WriteImage* codec(const OutputFile&) { return nacreWriteImage; }
+WriteImage* codec(const ImageTarget&) { return nacreWriteImage; }
 #endif
 
 /// Writes rows from `convert(first, count)`, which returns a pointer to interleaved channels.
 template <class Convert>
-void write(OutputFile& file, ImageRequest request, Convert& convert) {
-    request.path = file.temporary().c_str();
+void write(const ImageTarget& target, ImageRequest request, Convert& convert) {
+    request.path = target.path.c_str();
+    request.file = target.file;
+    request.extension = target.extension.c_str();
     request.context = &convert;
     request.rows = [](void* context, std::uint32_t first, std::uint32_t count) -> const void* {
         return (*static_cast<Convert*>(context))(first, count);
     };
-    if (isPng(file.temporary())) {
+    if (target.extension == ".png") {
         try {
-            writePng(request);
+            return writePng(request);
         } catch (const Error&) {  // from the function that makes the rows
             throw;
         } catch (const std::runtime_error& error) {
-            fail(file, error.what());
+            fail(target, error.what());
         }
-        return file.commit();
     }
     std::array<char, 1000> why{};
-    if (!codec(file)(&request, why.data(), why.size())) fail(file, why.data());
-    file.commit();
+    if (!codec(target)(&request, why.data(), why.size())) fail(target, why.data());
 }
 
 ImageRequest requestOf(std::uint32_t width, std::uint32_t height, std::uint32_t channels, Samples samples) {
-    return {nullptr, width, height, channels, samples, nullptr, -1, -1, 0, nullptr, nullptr};
+    return {nullptr, -1, nullptr, width, height, channels, samples, nullptr, -1, -1, 0, nullptr, nullptr};
 }
 
 }  // namespace
@@ -100,19 +111,14 @@ PictureFormat formatOf(const PictureDescription& picture) {
     return {picture.background[3] < 1.0f, picture.bits, picture.dpi.value_or(0)};
 }
 
-bool hasAlpha(const PictureFormat& format, const std::string& path) { return format.alpha && !isJpeg(path); }
-
-void writePicture(OutputFile& file, const Picture& picture, const PictureFormat& format) {
-    const PictureRows rows = [&](std::size_t first, std::size_t) {
-        return picture.rgba.data() + first * picture.width * 4;
-    };
-    writePicture(file, picture.width, picture.height, rows, format);
+bool hasAlpha(const PictureFormat& format, const std::string& path) {
+    return format.alpha && !isJpeg(extensionOf(path));
 }
 
 namespace {
 
 template <typename Code>
-void writeCoded(OutputFile& file, ImageRequest request, const PictureRows& source) {
+void writeCoded(const ImageTarget& target, ImageRequest request, const PictureRows& source) {
     std::vector<Code> codes(std::size_t{request.width} * kRowsAtOnce * request.channels);
     auto rows = [&](std::uint32_t first, std::uint32_t count) {
         const float* pixels = source(first, count);
@@ -120,30 +126,50 @@ void writeCoded(OutputFile& file, ImageRequest request, const PictureRows& sourc
             codePixel(pixels + i * 4, request.channels == 4, codes.data() + i * request.channels);
         return codes.data();
     };
-    write(file, request, rows);
+    write(target, request, rows);
 }
 
-}  // namespace
-
-void writePicture(OutputFile& file, std::uint32_t width, std::uint32_t height, const PictureRows& source,
-                  const PictureFormat& format) {
-    const std::string& path = file.temporary();
-    if (isExr(path)) {
+void writeRows(const ImageTarget& target, std::uint32_t width, std::uint32_t height, const PictureRows& source,
+               const PictureFormat& format) {
+    if (target.extension == ".exr") {
         ImageRequest request = requestOf(width, height, 4, Samples::halves);
         constexpr const char* kNames[] = {"R", "G", "B", "A"};
         request.channelNames = kNames;
         request.alphaChannel = 3;
         auto rows = [&](std::uint32_t first, std::uint32_t count) { return source(first, count); };
-        return write(file, request, rows);
+        return write(target, request, rows);
     }
     const bool words = format.bits == 16;
-    ImageRequest request =
-        requestOf(width, height, hasAlpha(format, path) ? 4 : 3, words ? Samples::words : Samples::bytes);
+    const bool alpha = format.alpha && !isJpeg(target.extension);
+    ImageRequest request = requestOf(width, height, alpha ? 4 : 3, words ? Samples::words : Samples::bytes);
     request.dotsPerInch = static_cast<float>(format.dpi);
     if (words)
-        writeCoded<std::uint16_t>(file, request, source);
+        writeCoded<std::uint16_t>(target, request, source);
     else
-        writeCoded<std::uint8_t>(file, request, source);
+        writeCoded<std::uint8_t>(target, request, source);
+}
+
+PictureRows rowsOf(const Picture& picture) {
+    return [&](std::size_t first, std::size_t) { return picture.rgba.data() + first * picture.width * 4; };
+}
+
+}  // namespace
+
+void writePicture(OutputFile& file, const Picture& picture, const PictureFormat& format) {
+    writePicture(file, picture.width, picture.height, rowsOf(picture), format);
+}
+
+void writePicture(OutputFile& file, std::uint32_t width, std::uint32_t height, const PictureRows& source,
+                  const PictureFormat& format) {
+    writeRows(targetOf(file), width, height, source, format);
+    file.commit();
+}
+
+std::string encodePicture(const std::string& extension, const Picture& picture, const PictureFormat& format) {
+    UnnamedFile file;
+    writeRows({"the picture", file.path(), extension, file.descriptor()}, picture.width, picture.height,
+              rowsOf(picture), format);
+    return file.bytes();
 }
 
 void writePicture(OutputFile& file, const CodedPicture& picture, double dpi) {
@@ -151,7 +177,8 @@ void writePicture(OutputFile& file, const CodedPicture& picture, double dpi) {
     ImageRequest request = requestOf(picture.width, picture.height, channels, Samples::bytes);
     request.dotsPerInch = static_cast<float>(dpi);
     auto rows = [&](std::size_t first, std::size_t) { return picture.bytes.data() + first * picture.width * channels; };
-    write(file, request, rows);
+    write(targetOf(file), request, rows);
+    file.commit();
 }
 
 void writeLayers(OutputFile& file, const LayerPicture& layers) {
@@ -175,7 +202,8 @@ void writeLayers(OutputFile& file, const LayerPicture& layers) {
         }
         return values.data();
     };
-    write(file, request, rows);
+    write(targetOf(file), request, rows);
+    file.commit();
 }
 
 }  // namespace nacre::app

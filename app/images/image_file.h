@@ -28,7 +28,10 @@ bool hasAlpha(const PictureFormat& format, const std::string& path);
 /// the same bytes. @throws Error
 void writePicture(OutputFile& file, const Picture& picture, const PictureFormat& format);
 
-/// As above. @param dpi  as PictureFormat has it
+/// The bytes of such a file, made in memory. @param extension  of the format, with the dot @throws Error
+std::string encodePicture(const std::string& extension, const Picture& picture, const PictureFormat& format);
+
+/// As writePicture(). @param dpi  as PictureFormat has it
 void writePicture(OutputFile& file, const CodedPicture& picture, double dpi);
 
 /// Rows of a picture, layout as in Picture, from `first` on; valid until the next call.

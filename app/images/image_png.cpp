@@ -21,7 +21,7 @@ namespace {
 /// A file written sequentially that records failures.
 class PngFile {
 public:
-    explicit PngFile(const char* path) : file_(::open(path, O_WRONLY | O_TRUNC | O_NOFOLLOW | O_CLOEXEC)) {
+    explicit PngFile(int file) : file_(::fcntl(file, F_DUPFD_CLOEXEC, 0)) {
         if (file_ < 0) failure_ = errno;
     }
     ~PngFile() {
@@ -199,7 +199,7 @@ Bytes compressed(const Bytes& bytes) {
 }  // namespace
 
 void writePng(const ImageRequest& request) {
-    PngState state{PngFile(request.path)};
+    PngState state{PngFile(request.file)};
     const auto check = [&](bool good) {
         if (state.file.failure() != 0) throw std::runtime_error(std::strerror(state.file.failure()));
         if (!good) throw std::runtime_error(state.why.data());

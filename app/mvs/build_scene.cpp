@@ -61,6 +61,7 @@ public:
 
 private:
     void root(const Node& node, const Node& parent) {
+        files_.step();
         tellUnknown(node, parent, warnings_);
         if (node.kind == "download") download(node);
         if (node.kind == "camera") camera_.takeCamera(node, warnings_);
@@ -95,6 +96,7 @@ private:
 
     void parse(const Node& node, const std::string& url) {
         for (const Node& child : node.children) {
+            files_.step();
             tellUnknown(child, node, warnings_);
             if (child.kind == "structure") structure(node, child, url);
             if (child.kind == "volume") addVolume(child, url, files_, *guide_, camera_, warnings_);
@@ -110,6 +112,7 @@ private:
         takeMotions(node, s);
         const std::vector<bool> all(s.molecule->atoms.size(), true);
         for (const Node& child : node.children) {
+            files_.step();
             tellUnknown(child, node, warnings_);
             if (child.kind.starts_with("component")) component(child, s);
             words(child, all, s);
@@ -169,12 +172,14 @@ private:
         const std::vector<std::uint32_t> drawn = s.atoms->drawnOf(atoms);
         if (drawn.empty()) warnings_.add(node, "it matches no atoms");
         for (const Node& child : node.children) {
+            files_.step();
             tellUnknown(child, node, warnings_);
             if (child.kind == "representation") {
                 if (++layers_ > kMostLayers)
                     throw Error("cannot draw scene", child.place,
                                 "it has more than " + std::to_string(kMostLayers) + " representations");
                 if (!s.representation) s.representation = &child;
+                files_.countShown(child, drawn.size());
                 addRepresentation(child, drawn, s, files_, warnings_);
             }
             words(child, atoms, s);
@@ -275,6 +280,7 @@ private:
 
     void takePrimitives() {
         for (const Group& group : groups_) {
+            files_.step();
             const Structure* own = group.structure == kNoStructure ? nullptr : &structures_[group.structure];
             Node loaded;
             const Node* node = group.node;
@@ -319,6 +325,7 @@ private:
         std::vector<std::uint32_t> firsts;
         std::uint32_t atoms = 0;
         for (std::size_t i = 0; i < structures_.size(); ++i) {
+            files_.step();
             Structure& s = structures_[i];
             takeTexts(s, atoms);
             once ? putAtoms(s) : placeCopies(s);

@@ -12,15 +12,19 @@
 #include "app/mvs/primitive_values.h"
 #include "app/picture/appearance_values.h"
 #include "engine/error.h"
+#include "engine/molecule/assemblies.h"
 #include "engine/molecule/crystal.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/decompress.h"
 #include "engine/molecule/text.h"
+#include "engine/volume/read_map.h"
 #include "engine/scene/instances/copies.h"
 #include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app::mvs {
 namespace {
+
+constexpr std::size_t kMostMapBytes = std::size_t{2} << 30;  // of the values of all maps
 
 [[noreturn]] void refuseNode(const Node& node, const std::string& why) {
     throw Error("cannot draw scene", node.place, why);
@@ -72,8 +76,10 @@ void placeAssemblyOf(const Node& node, Structure& s, SceneWarnings& warnings) {
     std::string id = nodeText(node, "assembly_id");
     const std::size_t index =
         static_cast<std::size_t>(std::max<std::int64_t>(wholeOf(node, "assembly_index").value_or(0), 0));
-    if (id.empty() && molecule.assemblies.empty())
-        return warnings.add(node, "the file states no assemblies: its model is shown");
+    if (id.empty() && molecule.assemblies.empty()) {
+        const std::string why = leftOutWarningOf(molecule);
+        return warnings.add(node, (why.empty() ? "the file states no assemblies" : why) + ": its model is shown");
+    }
     if (id.empty() && index >= molecule.assemblies.size())
         refuseNode(node, "there is no assembly of index " + std::to_string(index));
     if (id.empty()) id = molecule.assemblies[index].id;
@@ -118,7 +124,6 @@ std::vector<std::string> SceneWarnings::take() {
 
 const std::string& SceneFiles::bytes(const std::string& uri) {
     if (const auto known = known_.find(uri); known != known_.end()) return known->second;
-    constexpr std::size_t kMostFiles = 1000;
     if (known_.size() >= kMostFiles)
         throw Error("cannot draw scene", "", "it names more than " + std::to_string(kMostFiles) + " files");
     std::string bytes = sources_.fetch(uri);
@@ -127,6 +132,45 @@ const std::string& SceneFiles::bytes(const std::string& uri) {
     if (held_ > sources_.reading.maxBytes)
         throw Error("cannot draw scene", nacre::printable(uri, 200), "its files together are too large");
     return known_.emplace(uri, std::move(bytes)).first->second;
+}
+
+Molecule SceneFiles::molecule(const std::string& uri, std::string text, ReadOptions options) {
+    countParsed(uri, text.size());
+    options.maxAtoms = sources_.reading.maxAtoms - std::min(atoms_, sources_.reading.maxAtoms);
+    Molecule molecule = readMolecule(nacre::printable(uri, 200), std::move(text), options);
+    atoms_ += molecule.atoms.size();
+    return molecule;
+}
+
+std::shared_ptr<const DensityMap> SceneFiles::map(const std::string& uri, const std::string& channel) {
+    ReadMap& known = maps_[{uri, channel}];
+    if (!known.map && known.failure.empty()) {
+        const std::string& text = bytes(uri);
+        countParsed(uri, text.size());
+        try {
+            const std::size_t most = std::min(sources_.reading.maxBytes, kMostMapBytes);
+            known.map = std::make_shared<const DensityMap>(
+                readMap(nacre::printable(uri, 200), text, {most - std::min(mapBytes_, most), channel}));
+            mapBytes_ += known.map->values.size() * sizeof(float);
+        } catch (const Error& error) {
+            known.failure = error.what();
+        }
+    }
+    if (!known.map) throw Error(known.failure, "", "");
+    return known.map;
+}
+
+void SceneFiles::countShown(const Node& node, std::size_t atoms) {
+    shown_ += atoms;
+    if (shown_ / kMostTimes > sources_.reading.maxAtoms)
+        refuseNode(node, "the representations have more than " +
+                             std::to_string(sources_.reading.maxAtoms * kMostTimes) + " atoms together");
+}
+
+void SceneFiles::countParsed(const std::string& uri, std::size_t bytes) {
+    parsed_ += bytes;
+    if (parsed_ / kMostTimes > sources_.reading.maxBytes)
+        throw Error("cannot draw scene", nacre::printable(uri, 200), "it is read too often");
 }
 
 std::string nodeText(const Node& node, const char* name) {
@@ -164,7 +208,7 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
         options.model = static_cast<int>(std::min<std::size_t>(block, 1'000'000)) + 1;
     else if (!header.empty() || block > 0)
         warnings.add(node, "of BinaryCIF the first block with atoms is read");
-    s.molecule = std::make_unique<Molecule>(readMolecule(nacre::printable(uri, 200), std::move(bytes), options));
+    s.molecule = std::make_unique<Molecule>(files.molecule(uri, std::move(bytes), options));
     s.atoms = std::make_unique<StructureAtoms>(*s.molecule);
     const std::string type = nodeText(node, "type");
     if (type == "assembly") {

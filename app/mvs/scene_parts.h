@@ -15,6 +15,7 @@
 #include "app/mvs/build_scene.h"
 #include "app/mvs/expressions.h"
 #include "app/mvs/node_table.h"
+#include "engine/volume/density_map.h"
 #include "engine/scene/build/primitives.h"
 #include "engine/scene/build/scene_guide.h"
 
@@ -34,18 +35,35 @@ private:
     std::size_t more_ = 0;
 };
 
-/// Files that were fetched, once per name; inflated.
+/// Files that were fetched, once per name; inflated. Counts what is made of them.
 class SceneFiles {
 public:
     explicit SceneFiles(const SceneSources& sources) : sources_(sources) {}
     /// @throws Error
     const std::string& bytes(const std::string& uri);
+    /// A structure of a file. @param text  of the file, or of a part of it @throws Error
+    Molecule molecule(const std::string& uri, std::string text, ReadOptions options);
+    /// A map of a file, read once. @throws Error
+    std::shared_ptr<const DensityMap> map(const std::string& uri, const std::string& channel);
+    /// Counts atoms of a representation. @throws Error if there are too many
+    void countShown(const Node& node, std::size_t atoms);
+    /// A node is done, and another begins.
+    void step() const {
+        if (sources_.onStep) sources_.onStep();
+    }
     const SceneSources& sources() const { return sources_; }
 
 private:
+    void countParsed(const std::string& uri, std::size_t bytes);
+
+    struct ReadMap {
+        std::shared_ptr<const DensityMap> map;
+        std::string failure;  ///< why there is none
+    };
     const SceneSources& sources_;
     std::map<std::string, std::string> known_;
-    std::size_t held_ = 0;
+    std::map<std::pair<std::string, std::string>, ReadMap> maps_;  ///< by name and channel
+    std::size_t held_ = 0, parsed_ = 0, atoms_ = 0, shown_ = 0, mapBytes_ = 0;
 };
 
 /// One structure node: a molecule of its own until all are joined.

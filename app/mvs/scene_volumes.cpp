@@ -15,7 +15,6 @@ namespace nacre::app::mvs {
 namespace {
 
 constexpr std::uint32_t kVolumeColor = 0xffffffffu;
-constexpr std::size_t kMostMapBytes = std::size_t{2} << 30;  // of the values of a map
 
 std::optional<double> valueOf(const Node& node, const char* name, SceneWarnings& warnings) {
     const Json* value = node.param(name);
@@ -49,8 +48,9 @@ Bounds boundsOfBox(const DensityMap& map) {
 /// One volume node as it is read.
 class VolumeReader {
 public:
-    VolumeReader(const Node& node, SceneGuide& guide, CameraNodes& camera, SceneWarnings& warnings)
-        : node_(node), guide_(guide), camera_(camera), warnings_(warnings) {}
+    VolumeReader(const Node& node, const SceneFiles& files, SceneGuide& guide, CameraNodes& camera,
+                 SceneWarnings& warnings)
+        : node_(node), files_(files), guide_(guide), camera_(camera), warnings_(warnings) {}
 
     void read(const std::shared_ptr<const DensityMap>& file) {
         place(file);
@@ -78,7 +78,11 @@ private:
         for (const Node& child : node_.children)
             if (child.kind == "instance") instances.push_back(motionOfNode(child, centroid));
         if (instances.empty()) instances.emplace_back(1.0);
+        if (instances.size() > kMostVolumes)
+            throw Error("cannot draw scene", node_.place,
+                        "it has more than " + std::to_string(kMostVolumes) + " instances");
         for (const glm::dmat4x3& instance : instances) {
+            files_.step();
             const glm::dmat4x3 motion = joinedMotion(instance, moved);
             maps_.push_back(motion == glm::dmat4x3(1.0) ? file : movedMap(file, motion));
         }
@@ -100,6 +104,7 @@ private:
         if (slice ? !setSlice(node, volume) : !setContour(node, volume)) return {};
         std::vector<glm::dvec4> balls;
         for (const auto& map : maps_) {
+            files_.step();
             if (guide_.volumes.size() == kMostVolumes)
                 throw Error("cannot draw scene", node.place,
                             "it has more than " + std::to_string(kMostVolumes) + " representations of maps");
@@ -161,6 +166,7 @@ private:
     }
 
     const Node& node_;
+    const SceneFiles& files_;
     SceneGuide& guide_;
     CameraNodes& camera_;
     SceneWarnings& warnings_;
@@ -189,17 +195,15 @@ std::optional<Bounds> boundsOfContour(const DensityMap& map, double level) {
 
 void addVolume(const Node& node, const std::string& uri, SceneFiles& files, SceneGuide& guide, CameraNodes& camera,
                SceneWarnings& warnings) {
-    std::string bytes = files.bytes(uri);
+    files.bytes(uri);  // one that cannot be had ends the scene
     std::shared_ptr<const DensityMap> map;
     try {
-        const std::size_t most = std::min(files.sources().reading.maxBytes, kMostMapBytes);
-        map = std::make_shared<const DensityMap>(
-            readMap(nacre::printable(uri, 200), std::move(bytes), {most, nodeText(node, "channel_id")}));
+        map = files.map(uri, nodeText(node, "channel_id"));
     } catch (const Error& error) {
         return warnings.add(node, std::string("it is left out: ") + error.what());
     }
     for (const std::string& warning : map->warnings) warnings.add(node, warning);
-    VolumeReader(node, guide, camera, warnings).read(map);
+    VolumeReader(node, files, guide, camera, warnings).read(map);
 }
 
 }  // namespace nacre::app::mvs

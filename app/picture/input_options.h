@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "engine/molecule/selection/selection.h"
 
 namespace nacre::app {
+
+class OpenedFile;
 
 /// Positions from another file than names and bonds.
 struct TrajectoryOptions {
@@ -26,6 +29,7 @@ struct FurtherInput {
     std::string name;  ///< for selections; empty: by its path
     std::string path;  ///< as in InputOptions
     std::string hash;  ///< as in InputOptions
+    std::shared_ptr<const OpenedFile> opened = {};  ///< as in InputOptions
     friend bool operator==(const FurtherInput&, const FurtherInput&) = default;
 };
 
@@ -57,7 +61,10 @@ struct InputOptions {
     bool allowDownload = false;  ///< what a view names may be downloaded
     int snapshot = 1;            ///< of a scene, counted from 1, or kAllSnapshots
     std::vector<SceneMap> sceneMaps;  ///< for scenes
+    /// Of strangers: beside the databases, the hosts that their scenes may download from. Empty: any.
+    std::optional<std::vector<std::string>> sceneHosts;
     bool sceneFiles = true;           ///< a scene may name files of its folder
+    std::shared_ptr<const OpenedFile> opened;  ///< what is read as the file `path`; null: the file of that name
     TrajectoryOptions trajectory;
     std::string name;                             ///< for selections, with further inputs; empty: by its path
     std::vector<FurtherInput> further;            ///< read as this one is

@@ -2,44 +2,43 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <sstream>
 
 #include "app/download/database_id.h"
+#include "app/download/load_scene.h"
 #include "app/drawing/complete.h"
 #include "app/files/json_text.h"
+#include "app/files/opened_file.h"
+#include "app/files/unnamed_file.h"
 #include "app/input/input_files.h"
 #include "app/picture/appearance_values.h"
 #include "app/picture/picture_names.h"
 #include "app/picture/saved_view.h"
 #include "app/serve/problem.h"
+#include "app/serve/uploads.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"
 
 namespace nacre::app {
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr Topics kServers = Topic::device | Topic::path | Topic::validation | Topic::files | Topic::view |
                             Topic::trajectory | Topic::debug | Topic::frame;
+const std::string kBody = "the input";  // the name of a body
 /// Reading options reserved to the server.
 constexpr std::string_view kServerKeys[] = {"cache", "offline", "memory", "occlusion-memory", "mvs-map"};
 
-/// Where an input is, if a request may have it. @throws Problem
-std::string placeOf(const std::string& input, const ServeOptions& options, const std::string& uploads) {
-    constexpr std::string_view kUpload = "upload:";
-    std::error_code error;
-    if (input.starts_with(kUpload)) {
-        const std::string name = input.substr(kUpload.size());
-        const std::string path = uploads + "/" + name;
-        if (name.find_first_not_of("0123456789abcdef") == std::string::npos && fs::is_regular_file(path, error))
-            return path;
+using Opened = std::shared_ptr<const OpenedFile>;
+
+/// Opens an input, if a request may have it. Null: it is no file. @throws Problem
+Opened openedInput(const std::string& input, const ServeOptions& options, const Uploads& uploads) {
+    if (input.starts_with(Uploads::kPrefix)) {
+        if (Opened file = uploads.find(input)) return file;
         throw Problem(404, "'" + input + "' is no longer stored: upload it again");
     }
-    if (input.starts_with("sample:")) return input;
+    if (input.starts_with("sample:")) return nullptr;
     try {
-        if (parseDatabaseId(input)) return input;
+        if (parseDatabaseId(input)) return nullptr;
     } catch (const Error& wrong) {
         throw Problem(400, wrong.what());
     }
@@ -47,18 +46,24 @@ std::string placeOf(const std::string& input, const ServeOptions& options, const
         throw Problem(404, "'" + input +
                                "' is neither a sample nor an identifier (pdb:1BNA), and this server has no folder "
                                "of files (--root)");
-    const fs::path root = fs::canonical(options.root, error);
-    const fs::path file = error ? fs::path() : fs::canonical(root / input, error);
-    const bool inside = !error && std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first == root.end();
+    const std::shared_ptr<const OpenFolder> root = OpenFolder::at(options.root);
+    Opened file = root ? root->open(input) : nullptr;
     // The same answer for files outside and missing files.
-    if (!inside || !fs::is_regular_file(file, error)) throw Problem(404, "there is no input '" + input + "'");
-    return file.string();
+    if (!file) throw Problem(404, "there is no input '" + input + "'");
+    return file;
 }
 
-/// Key of an input's content.
-std::string contentOf(const std::string& place) {
-    const bool named = place.starts_with("sample:") || parseDatabaseId(place);
-    return named ? place : fileHash(place);
+/// Takes the place of an input, if a request may have it. @throws Problem
+void takeInput(std::string& path, Opened& opened, const ServeOptions& options, const Uploads& uploads) {
+    opened = openedInput(path, options, uploads);
+    if (opened) path = opened->name();
+}
+
+/// Key of an input: its name, its content, and the content of what it names. A body's name says nothing of it.
+std::string keyOf(const InputOptions& input) {
+    if (!input.opened) return input.path;
+    return input.path + (input.sceneFiles ? " with its folder " : " ") + fileHash(input.opened->path()) + "\n" +
+           contentOfNamed(input);
 }
 
 /// Whether an option takes a file or its text, of which the server takes the text.
@@ -146,14 +151,25 @@ bool isServed(const Option& option) {
            std::find(std::begin(kServerKeys), std::end(kServerKeys), option.key) == std::end(kServerKeys);
 }
 
-PictureRequest pictureRequest(const Query& query, const std::string& body, const ServeOptions& options,
-                              const std::string& uploads) {
+std::string moleculeKey(const PictureDescription& description) {
+    InputOptions input = description.input;
+    std::string key = printed(description, true) + (input.alone ? "alone " : "") + keyOf(input);
+    for (const FurtherInput& further : description.input.further) {
+        input.path = further.path;
+        input.opened = further.opened;
+        key += "\n" + further.name + "=" + keyOf(input);
+    }
+    return key;
+}
+
+PictureRequest pictureRequest(const Query& query, const UnnamedFile* body, const ServeOptions& options,
+                              const Uploads& uploads) {
     PictureRequest request;
     PictureDescription& d = request.description;
     try {
         bool isView = false;
-        if (!body.empty()) {
-            const std::string text = fs::file_size(body) <= kMostViewBytes ? readViewText(body) : std::string();
+        if (body) {
+            const std::string text = body->size() <= kMostViewBytes ? body->bytes() : std::string();
             const nlohmann::json json = parseJson<nlohmann::json>(text);
             isView = json.is_object() && (json.contains("input") || json.contains("rules") || json.contains("style"));
             if (isView) takeView(text, "the request's view", d);
@@ -165,11 +181,11 @@ PictureRequest pictureRequest(const Query& query, const std::string& body, const
             if (!value.key.empty()) values.push_back(std::move(value));
         }
         setOptions(values, d);
-        if (!body.empty() && !isView)
-            d.input.path = body;
+        if (body && !isView)
+            d.input.path = kBody, d.input.opened = OpenedFile::of(kBody, *body);
         else if (!d.input.path.empty())
-            d.input.path = placeOf(d.input.path, options, uploads);
-        for (FurtherInput& further : d.input.further) further.path = placeOf(further.path, options, uploads);
+            takeInput(d.input.path, d.input.opened, options, uploads);
+        for (FurtherInput& further : d.input.further) takeInput(further.path, further.opened, options, uploads);
         d.output = pictureName(query);
         d.input.cache = options.picture.input.cache;
         d.input.offline = options.picture.input.offline || !options.picture.input.allowDownload;
@@ -177,14 +193,13 @@ PictureRequest pictureRequest(const Query& query, const std::string& body, const
         // Scenes: what they name by an address, by the server's rules, and no files of its own.
         d.input.allowDownload = options.picture.input.allowDownload;
         d.input.sceneMaps = options.picture.input.sceneMaps;
-        d.input.sceneFiles = body.empty() && !options.root.empty() && !d.input.path.starts_with(uploads + "/");
+        d.input.sceneHosts = options.sceneHosts;
+        d.input.sceneFiles = !body && d.input.opened && d.input.opened->hasFolder();
         d.occlusion.megabytes = options.picture.occlusion.megabytes;
         d.device = options.picture.device;
         completePicture(d);
         checkSize(d, kMostServedSamples);
-        request.molecule = printed(d, true) + (d.input.alone ? "alone " : "") + contentOf(d.input.path);
-        for (const FurtherInput& further : d.input.further)
-            request.molecule += "\n" + further.name + "=" + contentOf(further.path);
+        request.molecule = moleculeKey(d);
         request.identity = printed(d, false) + request.molecule + "\n" + d.output;
     } catch (const UsageError& error) {
         throw Problem(400, error.what());

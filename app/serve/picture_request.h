@@ -10,12 +10,15 @@
 
 namespace nacre::app {
 
+class UnnamedFile;
+class Uploads;
+
 /// Keys and values of a query, in order.
 using Query = std::vector<std::pair<std::string, std::string>>;
 
 struct PictureRequest {
     PictureDescription description;  ///< complete; `output` is no file but the format, "picture.png"
-    std::string molecule;            ///< key of the molecule: its content, and how it is read
+    std::string molecule;            ///< key of the molecule, as it was when the request came; see moleculeKey()
     std::string identity;            ///< key of the picture
 };
 
@@ -27,11 +30,12 @@ constexpr std::size_t kMostBodyBytes = std::size_t{64} << 20;
 bool isServed(const Option& option);
 
 /// @param query  option keys, with `input` and `format` (png, jpg, webp, tif, exr)
-/// @param body   path of a file with the request's body: a structure or a saved view; empty: none
-/// @param uploads  folder of "upload:NAME" inputs
-/// @throws Problem
-PictureRequest pictureRequest(const Query& query, const std::string& body, const ServeOptions& options,
-                              const std::string& uploads = {});
+/// @param body   the request's body: a structure or a saved view; null: none @throws Problem
+PictureRequest pictureRequest(const Query& query, const UnnamedFile* body, const ServeOptions& options,
+                              const Uploads& uploads);
+
+/// Key of the molecule of a complete description, by the names and contents of all that is read for it, as they are now.
+std::string moleculeKey(const PictureDescription& description);
 
 /// "4hhb_assembly-1_front-512x512.webp": PDB identifier or sample, then any number of assembly-N, model-N, front, side
 /// or top (the camera), a style, a colour scheme; then a size. @returns the equivalent query; empty: invalid name

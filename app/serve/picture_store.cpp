@@ -9,9 +9,16 @@ namespace {
 
 constexpr const char* kPrefix = "picture-";
 
+/// What an entry begins with: the picture's name, length and hash. All heads of a name are of the same size.
+std::string headOf(const std::string& name, std::string_view picture) {
+    char length[17];
+    std::snprintf(length, sizeof length, "%016llx", static_cast<unsigned long long>(picture.size()));
+    return "nacre picture " + name + " " + length + " " + contentKey(picture) + "\n";
+}
+
 }  // namespace
 
-std::string contentKey(const std::string& bytes) {
+std::string contentKey(std::string_view bytes) {
     const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
     char text[33];
     std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
@@ -24,11 +31,22 @@ PictureStore::PictureStore(std::string folder, std::uint64_t bytes)
     cache_.trim();  // the bound may have been another
 }
 
-std::optional<std::string> PictureStore::find(const std::string& name) const { return cache_.read(kPrefix + name); }
+std::optional<std::string> PictureStore::find(const std::string& name) const {
+    std::optional<std::string> entry = cache_.read(kPrefix + name);
+    if (!entry) return std::nullopt;
+    const std::size_t head = headOf(name, {}).size();
+    if (entry->size() >= head && entry->compare(0, head, headOf(name, std::string_view(*entry).substr(head))) == 0) {
+        entry->erase(0, head);
+        return entry;
+    }
+    cache_.remove(kPrefix + name);
+    return std::nullopt;
+}
 
 void PictureStore::keep(const std::string& name, const std::string& picture) {
-    const std::string_view part = picture;
-    if (picture.size() > slack_ || !cache_.write(kPrefix + name, {&part, 1}, false)) return;
+    const std::string head = headOf(name, picture);
+    const std::string_view parts[] = {head, picture};
+    if (picture.size() > slack_ || !cache_.write(kPrefix + name, parts, false)) return;
     const std::lock_guard lock(turn_);
     added_ += picture.size();
     if (added_ <= slack_) return;

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/serve/workers.h"
 #include "engine/storage/disk_cache.h"
@@ -15,13 +16,14 @@
 namespace nacre::app {
 
 /// Key of some bytes: 32 hexadecimal digits of their XXH3.
-std::string contentKey(const std::string& bytes);
+std::string contentKey(std::string_view bytes);
 
 class PictureStore {
 public:
     /// @param folder  empty: no cache  @param bytes  maximum size
     PictureStore(std::string folder, std::uint64_t bytes);
 
+    /// One that is not as it was stored is removed.
     std::optional<std::string> find(const std::string& name) const;
     /// Stores a picture, if possible. The least recently used ones are removed to make room.
     void keep(const std::string& name, const std::string& picture);

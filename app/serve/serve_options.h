@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "app/picture/description.h"
 
@@ -16,6 +17,7 @@ struct ServeOptions {
     int queue = 64;               ///< maximum of requests waiting for a worker
     double seconds = 60;          ///< maximum time of a request
     std::int64_t cacheMiB = 256;  ///< size of the picture cache on disk
+    std::vector<std::string> sceneHosts;  ///< that scenes may download from, beside the databases
     PictureDescription picture;   ///< device, cache folder, memory, offline and allow-download for all requests
 };
 

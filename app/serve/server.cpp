@@ -1,13 +1,10 @@
 #include "app/serve/server.h"
 
-#include <unistd.h>
-
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
-#include <filesystem>
+#include <future>
 #include <sstream>
 #include <thread>
 
@@ -15,7 +12,9 @@
 #include "app/files/cache_folder.h"
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
+#include "app/files/opened_file.h"
 #include "app/files/output_file.h"
+#include "app/files/unnamed_file.h"
 #include "app/images/image_file.h"
 #include "app/movie/stop_request.h"
 #include "app/picture/option_json.h"
@@ -29,6 +28,7 @@
 #include "app/serve/workers.h"
 #include "engine/error.h"
 #include "engine/milliseconds.h"
+#include "engine/threads.h"
 
 namespace nacre::app {
 namespace {
@@ -36,7 +36,8 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
-constexpr std::size_t kConnections = 256;                    // threads that read requests and wait for pictures
+constexpr std::size_t kAnswering = 256;                      // threads that read bodies and wait for pictures
+constexpr std::size_t kConnections = 640;                    // beside them; a process often has 1024 descriptors
 constexpr std::size_t kMostBodies = std::size_t{512} << 20;  // bytes, of all requests together
 const std::string kTooLarge = "a body has at most " + std::to_string(kMostBodyBytes >> 20) + " MiB";
 
@@ -48,36 +49,18 @@ std::string mediaType(const std::string& extension) {
     return "image/jpeg";
 }
 
-/// A request's body in a file, for as long as it is read.
-class BodyFile {
-public:
-    explicit BodyFile(const std::string& body) {
-        if (body.empty()) throw Problem(400, "the body is empty: a structure or a saved view is expected");
-        std::string name = (std::filesystem::temp_directory_path() / "nacre-body-XXXXXX").string();
-        const int file = mkstemp(name.data());
-        if (file < 0) throw Problem(503, "no room for the request's body");
-        path_ = name;
-        std::size_t done = 0;
-        while (done < body.size()) {
-            const ssize_t written = write(file, body.data() + done, body.size() - done);
-            if (written <= 0) break;
-            done += static_cast<std::size_t>(written);
-        }
-        close(file);
-        if (done < body.size()) throw Problem(503, "no room for the request's body");
-    }
-    ~BodyFile() { std::remove(path_.c_str()); }
-    BodyFile(const BodyFile&) = delete;
-    const std::string& path() const { return path_; }
-
-private:
-    std::string path_;
-};
-
-/// An error's text without paths that the client did not name.
-std::string without(std::string text, const std::string& place) {
-    for (std::size_t at; !place.empty() && (at = text.find(place)) != std::string::npos;)
-        text.replace(at, place.size(), "the input");
+/// A text without paths that the client did not name.
+std::string forClient(std::string text, const PictureDescription& asked) {
+    const auto hide = [&](const std::string& path) {
+        for (std::size_t at; (at = text.find(path)) != std::string::npos;) text.replace(at, path.size(), "the input");
+    };
+    const auto hideFile = [&](const std::shared_ptr<const OpenedFile>& file) {
+        if (!file) return;
+        hide(file->path());
+        if (file->hasFolder()) hide(file->name());
+    };
+    hideFile(asked.input.opened);
+    for (const FurtherInput& further : asked.input.further) hideFile(further.opened);
     return text;
 }
 
@@ -105,7 +88,6 @@ struct Server::Parts {
                 static_cast<std::uint64_t>(asked.cacheMiB) << 20),
           workers(asked) {
         http.set_payload_max_length(kMostBodyBytes);
-        http.set_tcp_nodelay(true);
         // Not shared with another process, which httplib asks for by default.
         http.set_socket_options([](socket_t socket) {
             const int yes = 1;
@@ -119,7 +101,6 @@ struct Server::Parts {
         else if (http.bind_to_port(options.address.c_str(), options.port))
             bound = options.port;
         if (bound <= 0) throw Error("cannot listen", placeOf(options, options.port), whyNotBound(options, errno));
-        http.holdConnections(1024);
     }
 
     void addRoutes() {
@@ -136,6 +117,7 @@ struct Server::Parts {
                 "default-src 'self'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src 'self' blob:");
             response.set_content(kServePage, "text/html; charset=utf-8");
         });
+        http.answerAtGate("/health");
         http.Get("/health", [](const Request&, Response& response) { response.set_content("ok\n", "text/plain"); });
         http.Get("/metrics", [this](const Request&, Response& response) {
             response.set_content(metrics.text(workers.waiting(), workers.devices()), "text/plain; version=0.0.4");
@@ -145,13 +127,12 @@ struct Server::Parts {
             response.set_content(schema, "application/schema+json");
         });
         http.Get("/picture", answer([this](const Request& request, Response& response) {
-                     sendPicture(queryOf(request), "", request, response);
+                     sendPicture(queryOf(request), nullptr, request, response);
                  }));
-        http.Post("/picture", withBody([this](const Request& request, const std::string& body, Response& response) {
-                      const BodyFile file(body);
-                      sendPicture(queryOf(request), file.path(), request, response);
+        http.Post("/picture", withBody([this](const Request& request, const UnnamedFile& body, Response& response) {
+                      sendPicture(queryOf(request), &body, request, response);
                   }));
-        http.Post("/structures", withBody([this](const Request&, const std::string& body, Response& response) {
+        http.Post("/structures", withBody([this](const Request&, const UnnamedFile& body, Response& response) {
                       response.set_content(jsonText({{"input", uploads.keep(body)}}), "application/json");
                   }));
         http.Get("/info", answer([this](const Request& request, Response& response) { sendInfo(request, response); }));
@@ -160,7 +141,7 @@ struct Server::Parts {
                      Query query = queryOfName(request.matches[1].str());
                      if (query.empty()) throw Problem(404, "no picture has this name");
                      for (auto& pair : queryOf(request)) query.push_back(std::move(pair));
-                     sendPicture(query, "", request, response);
+                     sendPicture(query, nullptr, request, response);
                  }));
         http.set_error_handler([](const Request& request, Response& response) {
             if (!response.body.empty()) return;
@@ -198,7 +179,7 @@ struct Server::Parts {
         };
     }
 
-    using BodyHandler = std::function<void(const Request&, const std::string&, Response&)>;
+    using BodyHandler = std::function<void(const Request&, const UnnamedFile&, Response&)>;
     /// The body as bytes, whatever type its client calls it.
     httplib::Server::HandlerWithContentReader withBody(BodyHandler handler) {
         return [this, handler = std::move(handler)](const Request& request, Response& response,
@@ -206,22 +187,30 @@ struct Server::Parts {
             std::size_t received = 0;
             const auto leave = [&](void*) { bodies -= received; };
             const std::unique_ptr<void, decltype(leave)> held(this, leave);
-            std::string body;
+            std::optional<UnnamedFile> body;
             bool room = true;
             const bool whole = read([&](const char* data, std::size_t size) {
                 received += size;
                 room = (bodies += size) <= kMostBodies;
                 if (!room || received > kMostBodyBytes) return false;
-                body.append(data, size);
-                return true;
+                try {
+                    if (!body) body.emplace();
+                    body->append({data, size});
+                } catch (const Error&) {
+                    room = false;
+                }
+                return room;
             });
             if (whole) {
-                answer([&](const Request& whose, Response& to) { handler(whose, body, to); })(request, response);
+                answer([&](const Request& whose, Response& to) {
+                    if (!body) throw Problem(400, "the body is empty: a structure or a saved view is expected");
+                    handler(whose, *body, to);
+                })(request, response);
                 return;
             }
             const bool large = received > kMostBodyBytes || response.status == 413;
             if (!room)
-                tell(Problem(503, "other requests' bodies fill the memory"), response);
+                tell(Problem(503, "no room for the request's body"), response);
             else if (large)
                 tell(Problem(413, kTooLarge), response);
             else if (response.status < 400)
@@ -229,25 +218,26 @@ struct Server::Parts {
         };
     }
 
-    void sendPicture(Query query, const std::string& body, const Request& request, Response& response) {
+    void sendPicture(Query query, const UnnamedFile* body, const Request& request, Response& response) {
         const std::string session = taken(query, "session");
         const bool moving = !taken(query, "moving").empty();
-        const PictureRequest asked = pictureRequest(query, body, options, uploads.folder());
+        const PictureRequest asked = pictureRequest(query, body, options, uploads);
         const std::string extension = extensionOf(asked.description.output);
         const std::string name = contentKey(asked.identity + program()) + extension;
         const std::string tag = "\"" + name.substr(0, 32) + "\"";
-        if (body.empty() && !moving) {
+        const bool kept = !body && !moving;
+        if (kept) {
             response.set_header("ETag", tag);
             // A file's content may change: must be revalidated.
-            const bool file = asked.description.input.path.find(':') == std::string::npos;
+            const bool file = asked.description.input.opened != nullptr;
             response.set_header("Cache-Control", file ? "no-cache" : "public, max-age=3600");
             if (request.get_header_value("If-None-Match").find(tag) != std::string::npos) {
                 response.status = 304;
                 return;
             }
-            if (std::optional<std::string> kept = store.find(name)) {
+            if (std::optional<std::string> known = store.find(name)) {
                 metrics.hit();
-                return response.set_content(std::move(*kept), mediaType(extension));
+                return response.set_content(std::move(*known), mediaType(extension));
             }
         } else {
             response.set_header("Cache-Control", "no-store");
@@ -255,41 +245,37 @@ struct Server::Parts {
         const auto draw = [&] {
             ServedPicture picture = workers.draw(asked, moving ? session : "");
             metrics.drawn();
-            if (body.empty() && !moving) store.keep(name, picture.bytes);
+            if (kept && picture.asAsked) store.keep(name, picture.bytes);
             return picture;
         };
         try {
-            // A body's place is its own, so it is never shared.
             const SharedPictures::Shared picture =
                 moving ? std::make_shared<const ServedPicture>(draw()) : shared.get(name, draw);
-            addWarnings(*picture, asked.description.input.path, response);
+            if (!picture->asAsked) response.headers.erase("ETag");
+            addWarnings(*picture, asked.description, response);
             response.set_content(picture->bytes, mediaType(extension));
         } catch (const Problem& problem) {
-            const bool known = asked.description.input.path.find(':') != std::string::npos;
-            throw Problem(problem.status,
-                          known ? problem.what() : without(problem.what(), asked.description.input.path));
+            throw Problem(problem.status, forClient(problem.what(), asked.description));
         }
     }
 
     /// As headers, of which proxies take some kilobytes.
-    static void addWarnings(const ServedPicture& picture, const std::string& place, Response& response) {
+    static void addWarnings(const ServedPicture& picture, const PictureDescription& asked, Response& response) {
         constexpr std::size_t kMost = 2048;
         std::size_t bytes = 0;
         for (const std::string& warning : picture.warnings) {
-            const std::string text = printable(without(warning, place));
+            const std::string text = printable(forClient(warning, asked));
             if ((bytes += text.size()) > kMost) return response.set_header("Nacre-Warning", "...");
             response.set_header("Nacre-Warning", text);
         }
     }
 
     void sendInfo(const Request& request, Response& response) {
-        const PictureRequest asked = pictureRequest(queryOf(request), "", options, uploads.folder());
+        const PictureRequest asked = pictureRequest(queryOf(request), nullptr, options, uploads);
         InfoOptions info;
         info.picture = asked.description;
         info.paths = {asked.description.input.path};
         info.json = true;
-        const std::string place = info.paths.front();
-        const bool file = place.find(':') == std::string::npos;
         try {
             const std::string told = workers.run([info] {
                 std::ostringstream text;
@@ -301,9 +287,9 @@ struct Server::Parts {
                 }
                 return text.str();
             });
-            response.set_content(file ? without(told, place) : told, "application/json");
+            response.set_content(forClient(told, asked.description), "application/json");
         } catch (const Problem& problem) {
-            throw Problem(problem.status, file ? without(problem.what(), place) : problem.what());
+            throw Problem(problem.status, forClient(problem.what(), asked.description));
         }
     }
 
@@ -318,7 +304,7 @@ struct Server::Parts {
     }
 
     const ServeOptions& options;
-    HttpServer http{kConnections};
+    HttpServer http{kAnswering, kConnections};
     std::atomic<std::size_t> bodies{0};  ///< bytes of bodies that requests hold
     Metrics metrics;
     PictureStore store;
@@ -332,17 +318,32 @@ Server::Server(const ServeOptions& options) : parts_(std::make_unique<Parts>(opt
 Server::~Server() = default;
 
 int Server::port() const { return parts_->bound; }
-void Server::run() { parts_->http.listen_after_bind(); }
+void Server::run() { parts_->http.serve(); }
 void Server::stop() { parts_->http.stop(); }
 
 void serveCommand(const ServeOptions& options) {
+    constexpr std::chrono::seconds kGrace(8);  // container engines kill after 10
     const StopRequest stop;
-    Server server(options);
-    std::thread listening([&] { server.run(); });
-    sayNote("serving http://" + placeOf(options, server.port()) + "/ (Ctrl C stops it)");
-    while (!stop.asked()) std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    server.stop();
+    auto server = std::make_unique<Server>(options);
+    std::promise<void> stopped;
+    std::packaged_task<void()> serving([&] {
+        server->run();
+        stopped.get_future().wait();
+        server.reset();
+    });
+    std::future<void> ended = serving.get_future();
+    std::thread listening = startThread(std::move(serving));
+    sayNote("serving http://" + placeOf(options, server->port()) + "/ (Ctrl C stops it)");
+    while (!stop.asked() && ended.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
+    }
+    server->stop();
+    stopped.set_value();
+    if (ended.wait_for(kGrace) != std::future_status::ready) {
+        sayNotice("stopped while pictures were still drawn");
+        std::_Exit(0);  // none of their files has a name
+    }
     listening.join();
+    ended.get();
 }
 
 }  // namespace nacre::app

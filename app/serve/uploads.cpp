@@ -1,49 +1,42 @@
 #include "app/serve/uploads.h"
 
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
+#include <algorithm>
 
-#include "app/files/output_file.h"
+#include "app/files/unnamed_file.h"
 #include "app/serve/picture_store.h"
 #include "app/serve/problem.h"
 #include "engine/error.h"
 
 namespace nacre::app {
 
-Uploads::Uploads() {
-    std::string name = (std::filesystem::temp_directory_path() / "nacre-uploads-XXXXXX").string();
-    if (mkdtemp(name.data())) folder_ = name;
-}
-
-Uploads::~Uploads() {
-    std::error_code error;
-    if (!folder_.empty()) std::filesystem::remove_all(folder_, error);
-}
-
-std::string Uploads::keep(const std::string& body) {
-    if (body.empty()) throw Problem(400, "the body is empty: a structure is expected");
-    if (folder_.empty()) throw Problem(503, "no room for the structure");
-    const std::string name = contentKey(body);
+std::string Uploads::keep(const UnnamedFile& body) {
+    const std::string bytes = body.bytes();
+    std::string name = std::string(kPrefix) + contentKey(bytes);
     const std::lock_guard lock(turn_);
+    const auto known = std::ranges::find_if(kept_, [&](const Kept& one) { return one.file->name() == name; });
+    if (known != kept_.end()) {
+        std::rotate(known, known + 1, kept_.end());
+        return name;
+    }
     try {
-        OutputFile file(folder_ + "/" + name);
-        writeText(file, body);
+        UnnamedFile file(UnnamedFile::Place::disk);
+        file.append(bytes);
+        kept_.push_back({OpenedFile::of(name, file), bytes.size()});
     } catch (const Error&) {
         throw Problem(503, "no room for the structure");
     }
-    std::erase_if(kept_, [&](const Kept& one) {
-        if (one.name == name) bytes_ -= one.bytes;
-        return one.name == name;
-    });
-    kept_.push_back({name, body.size()});
-    bytes_ += body.size();
+    bytes_ += bytes.size();
     while (kept_.size() > kMost || bytes_ > kMostBytes) {
-        std::remove((folder_ + "/" + kept_.front().name).c_str());
         bytes_ -= kept_.front().bytes;
         kept_.pop_front();
     }
-    return "upload:" + name;
+    return name;
+}
+
+std::shared_ptr<const OpenedFile> Uploads::find(const std::string& name) const {
+    const std::lock_guard lock(turn_);
+    const auto known = std::ranges::find_if(kept_, [&](const Kept& one) { return one.file->name() == name; });
+    return known == kept_.end() ? nullptr : known->file;
 }
 
 }  // namespace nacre::app

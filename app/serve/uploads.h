@@ -1,33 +1,35 @@
 #pragma once
-// Uploaded structures: files of this process; the oldest are removed to make room.
+// Uploaded structures: files without names; the oldest are removed to make room.
 
 #include <deque>
+#include <memory>
 #include <mutex>
 #include <string>
+#include <string_view>
+
+#include "app/files/opened_file.h"
 
 namespace nacre::app {
 
 class Uploads {
 public:
-    Uploads();
-    ~Uploads();
-    Uploads(const Uploads&) = delete;
+    static constexpr std::string_view kPrefix = "upload:";
 
-    const std::string& folder() const { return folder_; }
     /// @returns its input name, "upload:9f0c..." @throws Problem
-    std::string keep(const std::string& body);
+    std::string keep(const UnnamedFile& body);
+    /// Null: it is not stored.
+    std::shared_ptr<const OpenedFile> find(const std::string& name) const;
 
 private:
     struct Kept {
-        std::string name;
-        std::size_t bytes;
+        std::shared_ptr<const OpenedFile> file;
+        std::uint64_t bytes;
     };
     static constexpr std::size_t kMost = 32;
-    static constexpr std::size_t kMostBytes = std::size_t{512} << 20;
-    std::string folder_;
-    std::mutex turn_;
+    static constexpr std::uint64_t kMostBytes = std::uint64_t{512} << 20;
+    mutable std::mutex turn_;
     std::deque<Kept> kept_;
-    std::size_t bytes_ = 0;  ///< of all of them
+    std::uint64_t bytes_ = 0;  ///< of all
 };
 
 }  // namespace nacre::app

@@ -1,12 +1,7 @@
 #include "app/serve/workers.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <atomic>
 #include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <optional>
 
 #include "app/download/database_id.h"
@@ -16,30 +11,18 @@
 #include "app/files/spare_memory.h"
 #include "app/images/image_file.h"
 #include "engine/error.h"
+#include "engine/threads.h"
 
 namespace nacre::app {
 namespace {
 
-std::string bytesOfFile(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// A picture encoded in its format. The codecs write files, so it goes through one.
+/// A picture in its format.
 std::string encoded(const Picture& picture, const PictureDescription& description) {
-    static std::atomic<unsigned> number{0};
-    const std::string name =
-        "nacre-serve-" + std::to_string(getpid()) + "-" + std::to_string(++number) + extensionOf(description.output);
-    const std::string path = (std::filesystem::temp_directory_path() / name).string();
-    {
-        OutputFile file(path);
-        writePicture(file, picture, formatOf(description));
+    try {
+        return encodePicture(extensionOf(description.output), picture, formatOf(description));
+    } catch (const Error&) {
+        throw Problem(503, "no room for the picture");
     }
-    std::string bytes = bytesOfFile(path);
-    std::error_code error;
-    std::filesystem::remove(path, error);
-    if (bytes.empty()) throw Problem(503, "no room for the picture");
-    return bytes;
 }
 
 }  // namespace
@@ -65,10 +48,10 @@ public:
         return drawOnce(request, deadline);
     }
 
-    /// @throws Problem
-    static Molecule load(const InputOptions& input) {
+    /// @param check  called between its steps; ends it by throwing @throws Problem
+    static Molecule load(const InputOptions& input, const std::function<void(double)>& check) {
         try {
-            return loadMolecule(input);
+            return loadMolecule(input, check, check, [&] { check(0); });
         } catch (const Error& error) {
             throw unreadable(error, input.path);
         }
@@ -92,15 +75,16 @@ private:
             canvas_.reset();
             makeCanvas();
         }
-        if (!has(request)) {
-            drawing_.forget();
-            molecule_.reset();
-            molecule_.emplace(load(description.input));
-            held_ = request.molecule;
-        }
         const auto check = [deadline](double) {
             if (Clock::now() > deadline) throw Problem(503, "the picture took too long");
         };
+        if (!has(request)) {
+            drawing_.forget();
+            molecule_.reset();
+            molecule_.emplace(load(description.input, check));
+            held_ = request.molecule;
+            asAsked_ = moleculeKey(description) == held_;
+        }
         check(0);
         drawing_.prepare(*molecule_, description);
         check(0);
@@ -108,14 +92,17 @@ private:
         std::vector<std::string> said = heard.warnings;
         said.insert(said.end(), drawing_.warnings.begin(), drawing_.warnings.end());
         std::string picture = encoded(drawing_.draw(*canvas_, &said), description);
-        return {std::move(picture), std::move(said)};
+        const bool asAsked = asAsked_;
+        if (!asAsked_) molecule_.reset();  // it is not what its key says
+        return {std::move(picture), std::move(said), asAsked};
     }
 
     const DeviceOptions& device_;
     std::atomic<std::uint64_t>& devices_;
     std::optional<Canvas> canvas_;
     std::optional<Molecule> molecule_;
-    std::string held_;  ///< PictureRequest::molecule of it
+    std::string held_;     ///< PictureRequest::molecule of it
+    bool asAsked_ = true;  ///< nothing of it changed since that request
     Drawing drawing_;
 };
 
@@ -127,7 +114,10 @@ Problem unreadable(const std::exception& error, const std::string& place) {
 Workers::Workers(const ServeOptions& options) : options_(options) {
     for (int i = 0; i < options.workers; ++i)
         workers_.push_back(std::make_unique<Worker>(options.picture.device, devices_));
-    for (const std::unique_ptr<Worker>& worker : workers_) threads_.emplace_back([&] { work(*worker); });
+    threads_.reserve(workers_.size());
+    for (const std::unique_ptr<Worker>& worker : workers_)
+        if (std::thread thread; mayStart(thread, [&] { work(*worker); })) threads_.push_back(std::move(thread));
+    if (threads_.empty()) throw Error("cannot serve", "", "no thread can be started");
 }
 
 Workers::~Workers() {
@@ -225,7 +215,7 @@ void Workers::work(Worker& worker) {
             if (task->given) continue;
         }
         try {
-            task->promise.set_value(task->work ? ServedPicture{task->work(), {}}
+            task->promise.set_value(task->work ? ServedPicture{task->work(), {}, true}
                                                : worker.draw(task->request, task->deadline));
         } catch (const Problem&) {
             task->promise.set_exception(std::current_exception());

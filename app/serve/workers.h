@@ -24,6 +24,7 @@ namespace nacre::app {
 struct ServedPicture {
     std::string bytes;
     std::vector<std::string> warnings;
+    bool asAsked = true;  ///< no input changed between the request and its reading
 };
 
 /// The problem of an input that cannot be read. @param place  its file or identifier

@@ -1,4 +1,5 @@
 """A `nacre serve` of its own for a test."""
+import json
 import os
 import pathlib
 import re
@@ -17,6 +18,15 @@ PDB = ("ATOM      1  N   GLY A   1       0.000   0.000   0.000  1.00  0.00      
        "ATOM      4  O   GLY A   1       1.250   2.390   0.000  1.00  0.00           O\nEND\n")
 
 ROOM = "HTTP/1.1\r\nHost: localhost\r\n"
+
+
+def scene(url, format="pdb", kind="structure", **params):
+    """A MolViewSpec scene of one file."""
+    node = {"kind": "representation", "params": {"type": "ball_and_stick"}}
+    for kind, params in (("component", {"selector": "all"}), (kind, {"type": "model"} | params), ("parse", {"format": format}),
+                         ("download", {"url": url}), ("root", {})):
+        node = {"kind": kind, "params": params, "children": [node]}
+    return json.dumps({"root": node, "metadata": {"version": "1", "timestamp": "2026-01-01T00:00:00Z"}})
 
 
 class Client:
@@ -63,10 +73,11 @@ class ServedTest(unittest.TestCase):
 
 
 class Server:
-    def __init__(self, program, folder, *options, listen="0", **environment):
+    def __init__(self, program, folder, *options, listen="0", prepare=None, **environment):
+        """@param prepare  called in the new process, before it is nacre"""
         environment = os.environ | {"NACRE_CACHE": str(folder / "cache"), "TMPDIR": str(folder)} | environment
         self.process = subprocess.Popen([program, "serve", "--listen", listen, *options], stderr=subprocess.PIPE, text=True,
-                                        env=environment)
+                                        env=environment, preexec_fn=prepare)
         line = self.process.stderr.readline()
         self.url = re.search(r"http://[^/ ]+/", line).group(0)
         self.port = int(self.url.rstrip("/").rsplit(":", 1)[1])

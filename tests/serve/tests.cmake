@@ -2,11 +2,12 @@
 add_test(NAME serve COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/serve_test.py $<TARGET_FILE:nacre-cli>)
 add_test(NAME serve/attack COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/attack_test.py
                                    $<TARGET_FILE:nacre-cli>)
+add_test(NAME serve/files COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/files_test.py $<TARGET_FILE:nacre-cli>)
 add_test(NAME serve/page COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/page_test.py $<TARGET_FILE:nacre-cli>)
 add_test(NAME serve/load COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/load_test.py $<TARGET_FILE:nacre-cli>
                                  ${fault_layer_folder})
 add_test(NAME serve/nginx COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/nginx_test.py $<TARGET_FILE:nacre-cli>
                                   ${CMAKE_SOURCE_DIR})
-set_tests_properties(serve serve/attack serve/page serve/load serve/nginx PROPERTIES TIMEOUT 600 ENVIRONMENT "${on_lavapipe}")
+set_tests_properties(serve serve/attack serve/files serve/page serve/load serve/nginx PROPERTIES TIMEOUT 600 ENVIRONMENT "${on_lavapipe}")
 # They mostly wait: begun last, they would wait alone.
 set_tests_properties(serve/attack serve/page serve/load PROPERTIES COST 95)
