@@ -28,7 +28,8 @@ Loader::~Loader() {
 void Loader::launch(Job job) {
     if (thread_.joinable()) thread_.join();
     last_ = job.view;
-    const auto task = std::make_shared<std::packaged_task<Document()>>([this, job = std::move(job)] { return load(job); });
+    const auto task = std::make_shared<std::packaged_task<Document()>>(
+        [this, job = std::move(job)]() mutable { return load(job); });
     running_ = task->get_future();
     const auto run = [this, task] {
         (*task)();
