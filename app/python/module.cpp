@@ -12,6 +12,7 @@
 #include "app/input/molecule_info.h"
 #include "app/picture/usage_error.h"
 #include "app/python/drawing.h"
+#include "app/python/frames.h"
 #include "app/python/interrupt.h"
 #include "app/python/pickled.h"
 #include "engine/error.h"
@@ -276,6 +277,10 @@ void addReading(py::module_& m) {
                 structure.reading.model = state[3].cast<int>();
                 return structure;
             }));
+    py::class_<Frames>(m, "Frames")
+        .def(py::init<const Structure&>())
+        .def("__len__", &Frames::count)
+        .def("at", [](const Frames& frames, std::uint64_t frame) { return freely([&] { return frames.at(frame); }); });
     m.def("open_inputs", [](const std::vector<std::string>& inputs, const std::string& options) {
         return freely([&] { return openInputs(inputs, options); });
     });

@@ -14,7 +14,7 @@
 #include "app/movie/movie_encoder.h"
 #include "app/movie/movie_file.h"
 #include "app/picture/usage_error.h"
-#include "app/python/drawing.h"
+#include "app/python/frames.h"
 #include "engine/error.h"
 
 namespace nacre::python {
@@ -38,18 +38,11 @@ app::CameraMotion motionOf(const Moving& moving) {
 class Models {
 public:
     /// @throws Error if there is one alone
-    explicit Models(const Structure& structure) : now_(*structure.molecule) {
-        const app::TrajectoryOptions& frames = structure.reading.trajectory;
-        if (!frames.path.empty()) {
-            motion_ = app::openMotion(frames, now_);
-        } else {
-            auto models = trajectoryOfModels(structure.molecule, structure.reading.model);
-            if (!models)
-                throw Error("cannot show models", structure.inputs.front(),
-                            structure.molecule->othersMissing.empty() ? "it has only one, or models of other atoms"
-                                                                      : structure.molecule->othersMissing);
-            motion_ = std::make_unique<Motion>(std::move(models), now_, app::motionOptions(frames, now_));
-        }
+    explicit Models(const Structure& structure) : now_(*structure.molecule), motion_(motionOf(structure, now_)) {
+        if (!motion_)
+            throw Error("cannot show models", structure.inputs.front(),
+                        structure.molecule->othersMissing.empty() ? "it has only one, or models of other atoms"
+                                                                  : structure.molecule->othersMissing);
         app::movePositions(now_, motion_->positions(0));
     }
 

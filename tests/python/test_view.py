@@ -1,15 +1,8 @@
-"""Structure.view(): its page, its answers, and the cell of a notebook in headless Chromium."""
+"""Structure.view(): what it answers, over loopback and over the kernel's channel. test_notebook_view.py has the browser."""
 import base64
-import contextlib
 import html
-import http.server
 import json
-import os
-import pathlib
 import re
-import shutil
-import socket
-import subprocess
 import threading
 import time
 import urllib.error
@@ -19,6 +12,7 @@ import urllib.request
 import nacre
 import numpy as np
 import pytest
+from nacre._channel import Channel
 
 
 @pytest.fixture(scope="module")
@@ -82,12 +76,10 @@ def test_nobody_else_is_answered(dna):
     assert ask(page + "picture?size=32x32&output=/tmp/x.png&look=/etc/passwd")[0] == 400
 
 
-def test_without_a_browser_it_is_a_picture(dna):
+def test_outside_a_notebook_it_is_a_picture(dna):
     bundle = dna.view(size=(64, 48))._repr_mimebundle_()
-    assert list(bundle) == ["text/plain", "image/png", "text/html"]
-    picture = base64.b64decode(bundle["image/png"])
-    assert picture.startswith(b"\x89PNG") and bundle["image/png"] in bundle["text/html"]
-    assert "visibility:hidden" in bundle["text/html"]  # until it has drawn
+    assert list(bundle) == ["text/plain", "image/png"]
+    assert base64.b64decode(bundle["image/png"]).startswith(b"\x89PNG")
 
 
 def test_a_page_that_is_loaded_again_shows_what_was_seen(dna):
@@ -107,162 +99,105 @@ def test_the_token_stays_secret(dna, capfd):
     assert request.headers["Referrer-Policy"] == "no-referrer" and request.headers["Cache-Control"] == "no-store"
     assert request.headers["Access-Control-Allow-Origin"] is None
     assert len(urllib.parse.urlsplit(view.url).path) >= 32
-    for wrong in ("", "x", view._token[:-1], view._token + "x", view._token.swapcase(), "%00" + view._token, "\u00e4"):
-        assert ask(view.url.replace(view._token, urllib.parse.quote(wrong)))[0] == 404
-    assert view._token not in "".join(capfd.readouterr())
+    for wrong in ("", "x", view._loopback[:-1], view._loopback + "x", view._loopback.swapcase(), "%00" + view._loopback, "\u00e4"):
+        assert ask(view.url.replace(view._loopback, urllib.parse.quote(wrong)))[0] == 404
+    assert view._loopback not in "".join(capfd.readouterr())
 
 
-NOTEBOOK = pathlib.Path(os.environ.get("NACRE_SOURCE", ".")) / "docs/python/view.ipynb"
+def test_what_is_picked(dna):
+    view = dna.view(size=(64, 64))
+    ids = dna.layers(size=(64, 64), zoom=1)["id"]
+    y, x = np.argwhere(ids > 0)[0]
+    answer = json.loads(ask(view.url.partition("?")[0] + f"pick?size=64x64&zoom=1&at={x},{y}")[2])
+    assert view.picked == answer["atom"] == ids[y, x] - 1
+    assert answer["text"].startswith(str(dna.atoms["residue_name"][view.picked]))
+    y, x = np.argwhere(ids == 0)[0]
+    assert json.loads(ask(view.url.partition("?")[0] + f"pick?size=64x64&zoom=1&at={x},{y}")[2]) == {"atom": None, "text": ""}
+    assert view.picked is None
 
 
-def wait_for(browser, condition, seconds=90):
-    from selenium.webdriver.support.ui import WebDriverWait
-    return WebDriverWait(browser, seconds).until(condition)
+class Page:
+    """The other end of a channel."""
+
+    def __init__(self, channel, token):
+        self.channel, self.token, self.answers, self.changed = channel, token, {}, threading.Condition()
+
+    def ask(self, n, path):
+        self.channel.receive({"n": n, "view": self.token, "path": path}, self.take)
+
+    def take(self, data, buffers):
+        with self.changed:
+            self.answers[data["n"]] = data["status"], data["type"], buffers[0]
+            self.changed.notify()
+
+    def wait(self, *numbers):
+        with self.changed:
+            assert self.changed.wait_for(lambda: all(n in self.answers for n in numbers), 60)
+        return [self.answers[n] for n in numbers]
 
 
-@contextlib.contextmanager
-def chromium():
-    pytest.importorskip("selenium")
-    if not shutil.which("chromedriver"):
-        pytest.skip("chromedriver is not installed")
-    from selenium import webdriver
-    from selenium.webdriver.chrome.service import Service
+def test_the_newest_view_wins(dna):
+    channel, drawn, go = Channel(), [], threading.Event()
 
-    options = webdriver.ChromeOptions()
-    for word in ("--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=1100,1000"):
-        options.add_argument(word)
-    browser = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-    try:
-        yield browser
-    finally:
-        if os.environ.get("NACRE_SCREENSHOT"):
-            browser.save_screenshot(os.environ["NACRE_SCREENSHOT"])
-        browser.quit()
+    class Slow:
+        def _answer(self, path):
+            go.wait(60)
+            drawn.append(path)
+            return 200, "image/jpeg", b"x"
 
-
-# JupyterLab puts a trusted output's HTML in an element, makes its scripts anew so that they run, and attaches it; cells
-# out of sight are detached. There is nothing else that classic Notebook has: no jQuery, no require, no IPython.
-LAB = b"""<!doctype html><div id="cell"></div><script>
-fetch("repr").then(answer => answer.text()).then(html => {
-  window.host = document.createElement("div");
-  host.innerHTML = html;
-  for (const old of host.querySelectorAll("script")) {
-    const script = document.createElement("script");
-    script.textContent = old.textContent;
-    old.replaceWith(script);
-  }
-  document.getElementById("cell").append(host);
-});</script>"""
+    channel.add("slow", Slow())
+    page = Page(channel, "slow")
+    for n in range(6):
+        page.ask(n, f"picture?zoom={n}&moving=1")
+        if n == 0:  # it is being drawn
+            wait_until(lambda: not channel._moving)
+    go.set()
+    answers = page.wait(*range(6))
+    assert [status for status, _, _ in answers] == [200, 204, 204, 204, 204, 200]
+    assert drawn == ["picture?zoom=0&moving=1", "picture?zoom=5&moving=1"]
 
 
-def test_the_html_alone_turns(dna):
-    """As JupyterLab shows it, which Debian does not have."""
-    from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.by import By
-
-    view = dna.view(size=(400, 300), style="ball-and-stick")
-    answers = {"/": LAB, "/repr": view._repr_mimebundle_()["text/html"].encode()}
-
-    class Handler(http.server.BaseHTTPRequestHandler):
-        def log_message(self, *_):
-            pass
-
-        def do_GET(self):
-            self.send_response(200 if self.path in answers else 404)
-            self.send_header("Content-Type", "text/html; charset=utf-8")
-            self.end_headers()
-            self.wfile.write(answers.get(self.path, b""))
-
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    try:
-        with chromium() as browser:
-            browser.get(f"http://127.0.0.1:{server.server_port}/")
-
-            def shown():
-                frame = wait_for(browser, lambda b: b.find_elements(By.CSS_SELECTOR, "iframe[src*='127.0.0.1']"))[0]
-                wait_for(browser, lambda b: b.execute_script("return arguments[0].style.visibility", frame) == "visible")
-                return frame
-
-            browser.switch_to.frame(shown())
-            before = int(browser.execute_script("return document.body.dataset.pictures"))
-            ActionChains(browser).click_and_hold(browser.find_element(By.ID, "stage")).move_by_offset(60, 20).release().perform()
-            wait_for(browser, lambda b: b.execute_script("return document.body.dataset.state === 'rest' && "
-                                                         "Number(document.body.dataset.pictures) > arguments[0]", before))
-            browser.switch_to.default_content()
-            turned = view.description["orientation"]
-            assert abs(turned[0]) < 0.999
-            # Out of sight and back: the frame is loaded again.
-            browser.execute_script("host.remove(); view = host; setTimeout(() => document.getElementById('cell').append(view), 100)")
-            browser.switch_to.frame(shown())
-            wait_for(browser, lambda b: b.execute_script("return document.body.dataset.state === 'rest'"))
-            assert view.description["orientation"] == pytest.approx(turned, abs=1e-5)
-    finally:
-        server.shutdown()
-        server.server_close()
+def wait_until(condition):
+    for _ in range(6000):
+        if condition():
+            return
+        time.sleep(0.01)
+    pytest.fail("it did not come")
 
 
-@pytest.fixture
-def notebook(tmp_path):
-    """The address of Debian's notebook server in a folder with view.ipynb."""
-    if not shutil.which("jupyter-notebook"):
-        pytest.skip("jupyter-notebook is not installed (tools/packages_dev.txt)")
-    shutil.copy(NOTEBOOK, tmp_path)
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
-    log = open(tmp_path / "log", "w")
-    server = subprocess.Popen(["jupyter-notebook", "--no-browser", "--allow-root", "--ip=127.0.0.1", f"--port={port}", "--NotebookApp.token=",
-                               "--NotebookApp.disable_check_xsrf=True", f"--notebook-dir={tmp_path}"], stderr=log, stdout=log,
-                              env=os.environ | {"HOME": str(tmp_path), "JUPYTER_RUNTIME_DIR": str(tmp_path / "runtime")})
-    try:
-        for _ in range(600):
-            if "is running at" in (tmp_path / "log").read_text():
-                break
-            time.sleep(0.1)
-        else:
-            pytest.fail((tmp_path / "log").read_text())
-        yield f"http://127.0.0.1:{port}/notebooks/view.ipynb"
-    finally:
-        server.terminate()
-        server.wait(30)
-        log.close()
+def test_a_hundred_views_share_one_renderer(dna):
+    channel = Channel()
+    views = [dna.view(size=(48, 32), style="licorice") for _ in range(100)]
+    pages = []
+    for i, view in enumerate(views):
+        channel.add(str(i), view)
+        pages.append(Page(channel, str(i)))
+    for i, page in enumerate(pages):
+        page.ask(0, f"picture?size=48x32&zoom={1 + i / 100}&format=jpg&moving=1")
+    for i, page in enumerate(pages):
+        (status, kind, data), = page.wait(0)
+        assert (status, kind) == (200, "image/jpeg") and data.startswith(b"\xff\xd8")
+        assert views[i].description["zoom"] == 1 + i / 100
+    assert len([t for t in threading.enumerate() if t.name == "nacre-view"]) <= 2  # this channel's, and an earlier test's
 
 
-def test_a_cell_turns(notebook):
-    from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.by import By
+def test_who_knows_no_view_is_told_nothing(dna):
+    page = Page(Channel(), "x" * 32)
+    page.ask(1, "picture?zoom=1")
+    assert page.wait(1)[0][0] == 404
 
-    with chromium() as browser:
-        browser.get(notebook)
-        wait_for(browser, lambda b: b.execute_script(
-            "return window.Jupyter && Jupyter.notebook && Jupyter.notebook.kernel && Jupyter.notebook.kernel.is_connected()"))
 
-        def run(cell):
-            browser.execute_script("Jupyter.notebook.get_cell(arguments[0]).execute()", cell)
-
-        def output(cell):
-            return browser.execute_script("return Jupyter.notebook.get_cell(arguments[0]).output_area.toJSON()", cell)
-
-        run(0)
-        frame = wait_for(browser, lambda b: b.find_elements(By.CSS_SELECTOR, "iframe[src*='127.0.0.1']"))[0]
-        wait_for(browser, lambda b: b.execute_script("return arguments[0].style.visibility", frame) == "visible")
-        browser.execute_script("arguments[0].scrollIntoView()", frame)
-        browser.switch_to.frame(frame)
-        stage = browser.find_element(By.ID, "stage")
-        before = int(browser.execute_script("return document.body.dataset.pictures"))
-        ActionChains(browser).click_and_hold(stage).move_by_offset(60, 20).release().perform()
-        wait_for(browser, lambda b: b.execute_script("return document.body.dataset.state === 'rest' && "
-                                                     "Number(document.body.dataset.pictures) > arguments[0]", before))
-        browser.switch_to.default_content()
-        run(1)
-        told = wait_for(browser, lambda b: output(1))[0]["data"]["text/plain"]
-        turned = [float(part) for part in re.search(r"orientation': \[([^]]*)\]", told).group(1).split(",")]
-        assert len(turned) == 4 and abs(turned[0]) < 0.999, told
-        run(2)
-        assert "(480, 640, 4)" in wait_for(browser, lambda b: output(2))[0]["data"]["text/plain"]
-        run(3)  # a movie, inline
-        movie = wait_for(browser, lambda b: output(3))[0]["data"]
-        assert "image/png" in movie or "text/html" in movie
-        assert wait_for(browser, lambda b: b.execute_script(
-            "const i = Jupyter.notebook.get_cell(3).output_area.element.find('img')[0]; return i && i.naturalWidth"))
+def test_models_are_frames(tmp_path):
+    atom = "HETATM    1  C   LIG A   1    {:8.3f}   0.000   0.000  1.00  0.00           C  \n"
+    (tmp_path / "a.pdb").write_text("".join(f"MODEL {i + 1:8d}\n{atom.format(i * 4)}{atom.format(2 + i * 4)}ENDMDL\n" for i in range(3)))
+    several = nacre.open(tmp_path / "a.pdb")
+    assert several.frames == 3
+    assert several.frame(3).atoms["position"][:, 0].tolist() == [8, 10]
+    with pytest.raises(nacre.UsageError, match="frames 1 to 3"):
+        several.frame(4)
+    view = several.view(size=(32, 32))
+    status, _, data = view._answer("picture?size=32x32&zoom=1&frame=2")
+    assert status == 200 and view.frame == 2
+    several.frame(2).save(tmp_path / "b.png", size=(32, 32), zoom=1)
+    assert data == (tmp_path / "b.png").read_bytes()
+    assert json.loads(view._answer("info?input=x")[2])["frames"] == 3

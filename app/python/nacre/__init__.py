@@ -27,7 +27,7 @@ import tempfile as _tempfile
 
 import numpy as _numpy
 
-from . import _nacre
+from . import _nacre, _others
 from ._given import FileMissing
 from ._given import colored as _colored, groups as _groups, kind as _kind, tell as _tell, text as _text
 from ._given import writable as _writable
@@ -35,7 +35,7 @@ from ._nacre import Error, UsageError
 from ._view import View
 
 __version__ = _nacre.__version__
-__all__ = ["Error", "FileMissing", "Movie", "Structure", "UsageError", "View", "__version__", "density_map", "from_arrays",
+__all__ = ["Atoms", "Error", "FileMissing", "Movie", "Structure", "UsageError", "View", "__version__", "density_map", "from_arrays",
            "from_biopython", "from_gemmi", "open", "options"]
 
 _NOTEBOOK = {"size": (512, 512), "supersample": 2}
@@ -62,6 +62,17 @@ class Movie:
         return {"text/html": f'<video autoplay loop muted controls src="{source}"></video>'}
 
 
+class Atoms(dict):
+    """Arrays with one entry per atom, by name."""
+
+    def to_frame(self):
+        """The same as a pandas DataFrame: a row per atom, the position as x, y and z in Å."""
+        import pandas
+
+        columns = {axis: self["position"][:, i] for i, axis in enumerate("xyz")}
+        return pandas.DataFrame(columns | {key: values for key, values in self.items() if key != "position"})
+
+
 class Structure:
     """A molecule: the atoms and bonds of one model of a file. Immutable.
 
@@ -73,7 +84,7 @@ class Structure:
             raise TypeError("a Structure is made by nacre.open() or nacre.from_arrays()")
         self._core = core
         self._maps = [_os.fspath(name) for name in maps]
-        self._atoms = self._bonds = None
+        self._atoms = self._bonds = self._motion = None
 
     def __len__(self):
         """The number of atoms, drawn or not."""
@@ -105,7 +116,8 @@ class Structure:
     @property
     def atoms(self):
         """Arrays with one entry per atom, in the file's order: position (n, 3) in Å, element, name, residue_name,
-        residue_number, chain, model, b_factor in Å², occupancy, charge, hetero. Read-only.
+        residue_number, chain, model, b_factor in Å², occupancy, charge, hetero. Read-only. With pandas installed,
+        atoms.to_frame() is a DataFrame of them.
         """
         if self._atoms is None:
             atoms = self._core.atoms()
@@ -114,7 +126,7 @@ class Structure:
                     atoms[key] = _numpy.char.decode(values, "utf-8", "replace") if len(values) else values.astype("U8")
                 atoms[key].flags.writeable = False
             self._atoms = atoms
-        return dict(self._atoms)
+        return Atoms(self._atoms)
 
     @property
     def bonds(self):
@@ -123,6 +135,22 @@ class Structure:
             self._bonds = self._core.bonds()
             self._bonds.flags.writeable = False
         return self._bonds
+
+    @property
+    def frames(self):
+        """The number of its models, or of the frames of the trajectory that it was opened with."""
+        return len(self._moving())
+
+    def frame(self, number):
+        """The structure at one of its frames, from 1: the same atoms at other places."""
+        if not 1 <= int(number) <= self.frames:
+            raise UsageError(f"frame(): there are frames 1 to {self.frames}")
+        return Structure(self._moving().at(int(number) - 1), self._maps)
+
+    def _moving(self):
+        if self._motion is None:
+            self._motion = _nacre.Frames(self._core)
+        return self._motion
 
     def info(self):
         """The summary of `nacre info --json` as a dict: counts, chains with sequences, ligands, assemblies, bonds."""
@@ -252,19 +280,32 @@ _open = __builtins__["open"] if isinstance(__builtins__, dict) else __builtins__
 
 
 def open(source, *, name="", maps=(), **options):  # noqa: A001: nacre.open, as PIL's Image.open
-    """Reads a structure: a path, "sample:dna", "pdb:1BNA" or another INPUT of `nacre render`, or a file's bytes, in any
-    supported format, compressed or not. A list of paths is drawn together, each with a name for selections:
-    open(["receptor=a.pdb", "ligand=b.sdf"], fit=("/ligand", "/receptor")) superposes the first on the second.
+    """Reads a structure:
+
+    - a path, "sample:dna", "pdb:1BNA" or another INPUT of `nacre render`, or a list of them, which are drawn together, each
+      with a name for selections: open(["receptor=a.pdb", "ligand=b.sdf"], fit=("/ligand", "/receptor")) superposes the
+      first on the second
+    - a file's bytes or an open file, in any supported format, compressed or not; an address (https://...)
+    - a Universe or AtomGroup of MDAnalysis, a Trajectory of MDTraj, a Mol of RDKit with conformers, a Structure, Model or
+      Chain of gemmi or Biopython
 
     name: of bytes, for messages and as a hint to the format ("1crn.pdb"). maps: density maps that its pictures show: files,
     downloads or names of density_map(). options: those of `nacre info`: format, model (a
     number from 1, or "all"), trajectory, frame, memory, offline, cache and more.
     """
     if isinstance(source, (bytes, bytearray, memoryview)):
-        return Structure(_nacre.open_bytes(name, bytes(source), _text(options)), maps)
+        return _of_file(name, bytes(source), options, maps)
+    if _others.is_address(source):
+        found, data = _others.address_bytes(source)
+        return _of_file(name or found, data, options, maps)
+    if convert := _others.converter(source):
+        return _of_other(convert(source), options, maps)
+    if hasattr(source, "read") and not isinstance(source, _os.PathLike):
+        found, data = _others.file_bytes(source)
+        return _of_file(name or found, data, options, maps)
     sources = [source] if isinstance(source, (str, _os.PathLike)) else source
     if not isinstance(sources, (list, tuple)):
-        raise UsageError(f"open() takes a path, a list of paths or a file's bytes, not {_kind(source)}")
+        raise UsageError(f"open() takes a path, a list of paths, a file, its bytes or another package's structure, not {_kind(source)}")
     for one in sources:
         if isinstance(one, (bytes, bytearray, memoryview)):
             raise UsageError("open() takes bytes alone, not in a list: write them to a file")
@@ -285,6 +326,12 @@ def from_arrays(positions, elements, bonds=None, *, names=(), residue_names=(), 
     positions: (n, 3) in Å. elements: n symbols or atomic numbers. bonds: rows of two indices from 0, or of two indices
     and an order; None: found by residue and distance; an empty list: none. The others: n entries each, or empty.
     """
+    return Structure(_core_of(positions, elements, bonds, names, residue_names, residue_numbers, chains, b_factors,
+                              occupancies, name))
+
+
+def _core_of(positions, elements, bonds=None, names=(), residue_names=(), residue_numbers=(), chains=(), b_factors=(),
+             occupancies=(), name="arrays"):
     elements = [_symbol(e) for e in _numpy.asarray(elements).ravel().tolist()]
     positions = _numpy.asarray(positions, dtype=_numpy.float32)
     if bonds is not None:
@@ -299,9 +346,9 @@ def from_arrays(positions, elements, bonds=None, *, names=(), residue_names=(), 
     def numbers(column, kind):
         return [kind(entry) for entry in _numpy.asarray(column).ravel().tolist()]
 
-    return Structure(_nacre.from_arrays(positions, elements, bonds, texts(names), texts(residue_names),
-                                        numbers(residue_numbers, int), texts(chains), numbers(b_factors, float),
-                                        numbers(occupancies, float), name))
+    return _nacre.from_arrays(positions, elements, bonds, texts(names), texts(residue_names),
+                              numbers(residue_numbers, int), texts(chains), numbers(b_factors, float),
+                              numbers(occupancies, float), name)
 
 
 def _symbol(element):
@@ -334,41 +381,40 @@ def density_map(name, values, cell, *, origin=(0, 0, 0), crystal=False):
 
 def from_gemmi(structure, **options):
     """A gemmi Structure, Model or Chain, by way of mmCIF. options: as for open()."""
-    import gemmi
-
-    whole = structure
-    if isinstance(whole, gemmi.Chain):
-        chain, whole = whole, gemmi.Model("1")
-        whole.add_chain(chain)
-    if isinstance(whole, gemmi.Model):
-        model, whole = whole, gemmi.Structure()
-        whole.add_model(model)
-    if not isinstance(whole, gemmi.Structure):
-        raise UsageError(f"from_gemmi() takes a Structure, a Model or a Chain of gemmi, not {_kind(structure)}")
-    text = whole.make_mmcif_document().as_string()
-    return open(text.encode(), name=f"{whole.name or 'gemmi'}.cif", **{"format": "mmcif"} | options)
+    return _of_file(*_others.from_gemmi(structure), {"format": "mmcif"} | options)
 
 
 def from_biopython(entity, **options):
     """A Bio.PDB Structure, Model or Chain, by way of mmCIF. options: as for open()."""
-    import copy
-    import io
+    return _of_file(*_others.from_biopython(entity), {"format": "mmcif"} | options)
 
-    from Bio.PDB.Entity import Entity
-    from Bio.PDB.mmcifio import MMCIFIO
 
-    if not isinstance(entity, Entity):
-        raise UsageError(f"from_biopython() takes a Structure, a Model or a Chain of Bio.PDB, not {_kind(entity)}")
-    if entity.get_level() == "S":
-        # Biopython writes models 0 and 1 as one, whose atoms would be there twice.
-        models, entity = entity.get_list(), copy.copy(entity)
-        entity.child_list = [copy.copy(model) for model in models]
-        for number, model in enumerate(entity.child_list, 1):
-            model.serial_num = number
-    writer, text = MMCIFIO(), io.StringIO()
-    writer.set_structure(entity)
-    writer.save(text)
-    return open(text.getvalue().encode(), name="biopython.cif", **{"format": "mmcif"} | options)
+def _of_file(name, data, options, maps=()):
+    return Structure(_nacre.open_bytes(name, data, _text(options)), maps)
+
+
+class _Places:
+    """Frames of a structure that another package holds."""
+
+    def __init__(self, columns):
+        self._columns = columns
+
+    def __len__(self):
+        return self._columns.frames
+
+    def at(self, number):
+        return _core_of(**self._columns.arguments | {"positions": self._columns.positions(number), "name": self._columns.name})
+
+
+def _of_other(made, options, maps):
+    """A structure of what _others made: a file's name and bytes, or columns."""
+    if not isinstance(made, _others.Columns):
+        return _of_file(*made, options, maps)
+    if options:
+        raise UsageError(f'open() takes no "{next(iter(options))}" with this object')
+    structure = Structure(_core_of(**made.arguments, name=made.name), maps)
+    structure._motion = _Places(made) if made.frames > 1 else None
+    return structure
 
 
 def options():
