@@ -26,12 +26,12 @@ foreach(header ${headers})
     file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/include/nacre/${header} CONTENT "${text}" @ONLY)
     # One by one: the build folder may hold headers that are gone.
     get_filename_component(folder nacre/${header} DIRECTORY)
-    install(FILES ${CMAKE_BINARY_DIR}/include/nacre/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder})
+    install(FILES ${CMAKE_BINARY_DIR}/include/nacre/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder}
+            COMPONENT development)
 endforeach()
 
-install(TARGETS nacre nacre_molecule nacre_graph EXPORT nacre-targets)
-install(EXPORT nacre-targets NAMESPACE nacre:: DESTINATION ${NACRE_CMAKE_DIR})
+install(TARGETS nacre nacre_molecule nacre_graph EXPORT nacre-targets ARCHIVE COMPONENT development)
+install(EXPORT nacre-targets NAMESPACE nacre:: DESTINATION ${NACRE_CMAKE_DIR} COMPONENT development)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/nacre-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_SOURCE_DIR}/third_party/nacre-config.cmake ${CMAKE_BINARY_DIR}/nacre-config-version.cmake
-        DESTINATION ${NACRE_CMAKE_DIR})
-install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+        DESTINATION ${NACRE_CMAKE_DIR} COMPONENT development)
