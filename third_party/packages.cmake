@@ -69,6 +69,18 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 math(EXPR next "${Python_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next}), python3-numpy, libcurl4, ca-certificates")
+# Compiled Python goes with the package.
+foreach(script postinst prerm)
+    set(program py3compile)
+    if(script STREQUAL "prerm")
+        set(program py3clean)
+    endif()
+    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/files/${script} @ONLY NEWLINE_STYLE UNIX
+         CONTENT "#!/bin/sh\nset -e\nif command -v @program@ >/dev/null; then @program@ -p python3-nacre; fi\n")
+    file(CHMOD ${CMAKE_BINARY_DIR}/files/${script} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+         WORLD_READ WORLD_EXECUTE)
+endforeach()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_BINARY_DIR}/files/postinst ${CMAKE_BINARY_DIR}/files/prerm)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "nacre, mesa-vulkan-drivers")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${what}This package has the Python module, for scripts and notebooks.")
 # Debian's manual pages are compressed.
