@@ -18,6 +18,7 @@ set(NACRE_PARTS
     "JSON for Modern C++|MIT|nlohmann-json3-dev|nlohmann-json|https://github.com/nlohmann/json"
     "DejaVu fonts|Bitstream Vera|fonts-dejavu-core||https://dejavu-fonts.github.io"
     "FreeType|FTL|libfreetype-dev|freetype|https://freetype.org"
+    "HarfBuzz|MIT|libharfbuzz-dev|harfbuzz|https://harfbuzz.github.io"
     "libjpeg-turbo|IJG and BSD-3-Clause|libjpeg62-turbo-dev|libjpeg-turbo|https://libjpeg-turbo.org"
     "libtiff|libtiff|libtiff-dev|tiff|https://libtiff.gitlab.io/libtiff"
     "OpenEXR and Imath|BSD-3-Clause|libopenexr-dev|openexr|https://openexr.com"
@@ -39,8 +40,7 @@ if(APPLE)
 endif()
 if(NACRE_DESKTOP)
     list(APPEND NACRE_PARTS
-        "GLFW|zlib|libglfw3-dev|glfw3|https://www.glfw.org"
-        "FriBidi|LGPL-2.1-or-later|libfribidi-dev|fribidi|https://github.com/fribidi/fribidi")
+        "GLFW|zlib|libglfw3-dev|glfw3|https://www.glfw.org")
 endif()
 if(NACRE_DESKTOP OR ANDROID OR IOS)
     list(APPEND NACRE_PARTS

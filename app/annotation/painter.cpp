@@ -13,9 +13,8 @@
 #include FT_OUTLINE_H
 #include FT_STROKER_H
 
+#include "app/annotation/shaping.h"
 #include "app/annotation/system_font.h"
-#include "app/annotation/visual_text.h"
-#include "app/files/code_points.h"
 #include "engine/error.h"
 #include "engine/srgb.h"
 
@@ -130,6 +129,7 @@ struct WordPainter::Face {
     std::vector<FT_Face> faces;  // the built-in font, and system fonts in use
     FT_Stroker stroker = nullptr;
     FindFont find;
+    Shaper shaper;
     // characters missing in the built-in font; the built-in face if no font has them
     std::map<char32_t, FT_Face> foreign;
 
@@ -169,41 +169,18 @@ struct WordPainter::Face {
         return found;
     }
 
-    /// Calls glyph(face, index, pen) for each glyph, in ems. @returns the width, in ems
-    template <typename OnGlyph>
-    double walk(const std::string& text, const OnGlyph& glyph) {
-        double pen = 0;
-        FT_UInt before = 0;
-        FT_Face last = nullptr;
-        for (const char32_t point : codePoints(visualText(text))) {
-            FT_Face face = faceOf(point);
-            const FT_UInt index = FT_Get_Char_Index(face, point);
-            FT_Vector kerning{};
-            if (before && index && face == last) FT_Get_Kerning(face, before, index, FT_KERNING_UNSCALED, &kerning);
-            pen += static_cast<double>(kerning.x) / face->units_per_EM;
-            glyph(face, index, pen);
-            if (FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE) == 0)
-                pen += static_cast<double>(face->glyph->metrics.horiAdvance) / face->units_per_EM;
-            before = index, last = face;
-        }
-        return pen;
+    ShapedLine shape(const std::string& text) {
+        return shaper.shape(text, [this](char32_t c) { return faceOf(c); });
     }
-
-    struct Placed {
-        FT_Face face;
-        FT_UInt index;
-        double pen;
-    };
 
     /// @param halo  width around the letters, pixels; 0: draw the letters
     void addText(const TextMark& mark, double halo, Coverage& coverage) {
         // Baselines on whole pixels keep all letters of a line equally sharp.
         const glm::dvec2 at(mark.at.x, std::round(mark.at.y));
-        std::vector<Placed> glyphs;
-        walk(mark.text, [&](FT_Face face, FT_UInt index, double pen) { glyphs.push_back({face, index, pen}); });
+        const ShapedLine line = shape(mark.text);
         for (FT_Face face : faces)
             if (FT_Set_Char_Size(face, 0, std::max<FT_F26Dot6>(fixed(mark.size), 1), 72, 72)) return;
-        for (const auto& [face, index, pen] : glyphs) {
+        for (const auto& [face, index, x, y] : line.glyphs) {
             if (FT_Load_Glyph(face, index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP)) continue;
             FT_Glyph glyph = nullptr;
             if (FT_Get_Glyph(face->glyph, &glyph)) continue;
@@ -213,7 +190,7 @@ struct WordPainter::Face {
             }
             if (glyph->format == FT_GLYPH_FORMAT_OUTLINE) {
                 FT_Outline& outline = reinterpret_cast<FT_OutlineGlyph>(glyph)->outline;
-                FT_Outline_Translate(&outline, fixed(at.x + pen * mark.size), fixed(-at.y));
+                FT_Outline_Translate(&outline, fixed(at.x + x * mark.size), fixed(y * mark.size - at.y));
                 rasterize(library, outline, coverage);
             }
             FT_Done_Glyph(glyph);
@@ -234,9 +211,7 @@ WordPainter::WordPainter(FindFont find) : face_(std::make_unique<Face>()) {
 }
 WordPainter::~WordPainter() = default;
 
-double WordPainter::widthOf(const std::string& text, double size) const {
-    return face_->walk(text, [](FT_Face, FT_UInt, double) {}) * size;
-}
+double WordPainter::widthOf(const std::string& text, double size) const { return face_->shape(text).width * size; }
 
 void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, std::uint32_t first,
                         std::uint32_t rows) const {

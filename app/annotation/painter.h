@@ -21,7 +21,7 @@ public:
     ~WordPainter();
     WordPainter(const WordPainter&) = delete;
 
-    /// Pixels, with kerning; a character that no font has is as wide as its box.
+    /// Pixels; a character that no font has is as wide as its box.
     double widthOf(const std::string& text, double size) const;
 
     /// Draws the part of the marks in some rows of a picture.

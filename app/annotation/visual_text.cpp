@@ -1,35 +1,115 @@
 #include "app/annotation/visual_text.h"
 
-#ifdef NACRE_FRIBIDI
-#include <fribidi.h>
+#include <hb.h>
 
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "app/annotation/bidi.h"
 #include "app/files/code_points.h"
-#endif
 
 namespace nacre::app {
+namespace {
 
-#ifdef NACRE_FRIBIDI
-std::string visualText(const std::string& text) {
-    // There is no right-to-left character below U+0590.
-    bool may = false;
-    for (const char c : text) may |= static_cast<unsigned char>(c) >= 0xd6;
-    if (!may) return text;
-    std::vector<FriBidiChar> logical, visual;
-    for (const char32_t c : codePoints(text)) logical.push_back(c);
-    visual.resize(logical.size() + 1);
-    FriBidiParType direction = FRIBIDI_PAR_ON;
-    const auto count = static_cast<FriBidiStrIndex>(logical.size());
-    if (!fribidi_log2vis(logical.data(), count, &direction, visual.data(), nullptr, nullptr, nullptr)) return text;
-    std::string out(4 * logical.size() + 1, '\0');
-    out.resize(
-        static_cast<std::size_t>(fribidi_unicode_to_charset(FRIBIDI_CHAR_SET_UTF8, visual.data(), count, out.data())));
-    // Joined letters leave zero-width marks.
-    for (const char* mark : {"\xef\xbb\xbf", "\xe2\x80\x8e", "\xe2\x80\x8f"})
-        for (std::size_t at; (at = out.find(mark)) != std::string::npos;) out.erase(at, 3);
+constexpr char32_t kFirstLetter = 0x621, kTatweel = 0x640, kLam = 0x644;
+/// Presentation forms of the Arabic letters from U+0621 on, which follow each other from U+FE80 on: isolated, final,
+/// initial, medial. 1: it joins no neighbour; 2: the one before it; 4: both; 0: no letter.
+constexpr std::array<int, 42> kForms = {1, 2, 2, 2, 2, 4, 2, 4, 2, 4, 4, 4, 4, 4, 2, 2, 2, 2, 4, 4, 4,
+                                        4, 4, 4, 4, 4, 0, 0, 0, 0, 0, 0, 4, 4, 4, 4, 4, 4, 4, 2, 2, 4};
+
+int formsOf(char32_t c) { return c >= kFirstLetter && c < kFirstLetter + kForms.size() ? kForms[c - kFirstLetter] : 0; }
+char32_t firstFormOf(char32_t c) {
+    char32_t form = 0xfe80;
+    for (char32_t before = kFirstLetter; before < c; ++before) form += static_cast<char32_t>(formsOf(before));
+    return form;
+}
+bool isMark(char32_t c) { return bidiClassOf(c) == BidiClass::NSM; }
+bool joinsNext(char32_t c) { return formsOf(c) == 4 || c == kTatweel; }
+bool joinsPrevious(char32_t c) { return formsOf(c) > 1 || c == kTatweel; }
+
+/// The isolated form of lam with this alef, if they are written as one.
+std::optional<char32_t> lamWith(char32_t alef) {
+    switch (alef) {
+        case 0x622:
+            return 0xfef5;
+        case 0x623:
+            return 0xfef7;
+        case 0x625:
+            return 0xfef9;
+        case 0x627:
+            return 0xfefb;
+        default:
+            return {};
+    }
+}
+
+/// Arabic letters as the forms that they have beside their neighbours. @param text  in its own order
+std::vector<char32_t> joined(std::vector<char32_t> text) {
+    std::vector<char32_t> out;
+    char32_t before = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char32_t c = text[i];
+        const bool previous = joinsNext(before) && joinsPrevious(c);
+        if (const auto ligature = c == kLam && i + 1 < text.size() ? lamWith(text[i + 1]) : std::nullopt) {
+            out.push_back(*ligature + (previous ? 1 : 0));
+            before = text[++i];
+            continue;
+        }
+        std::size_t next = i + 1;
+        while (next < text.size() && isMark(text[next])) ++next;
+        const bool following = joinsNext(c) && next < text.size() && joinsPrevious(text[next]);
+        if (formsOf(c) == 0)
+            out.push_back(c);
+        else
+            out.push_back(firstFormOf(c) + (following ? 2 : 0) + (previous ? 1 : 0));
+        if (!isMark(c)) before = c;
+    }
     return out;
 }
-#else
-std::string visualText(const std::string& text) { return text; }
-#endif
+
+void append(std::string& text, char32_t c) {
+    const std::u16string one = c < 0x10000 ? std::u16string{static_cast<char16_t>(c)}
+                                           : std::u16string{static_cast<char16_t>(0xd7c0 + (c >> 10)),
+                                                            static_cast<char16_t>(0xdc00 + (c & 0x3ff))};
+    text += utf8Of(one);
+}
+
+}  // namespace
+
+std::string visualText(const std::string& text) {
+    if (!mayRunFromRight(text)) return text;
+    const std::vector<char32_t> points = codePoints(text);
+    std::string out;
+    for (const DirectedRun& run : visualRuns(points)) {
+        const auto first = points.begin() + static_cast<std::ptrdiff_t>(run.first);
+        std::vector<char32_t> part(first, first + static_cast<std::ptrdiff_t>(run.count));
+        if (!run.rightToLeft) {
+            for (const char32_t c : part)
+                if (bidiClassOf(c) != BidiClass::BN) append(out, c);
+            continue;
+        }
+        part = joined(std::move(part));
+        for (std::size_t end = part.size(); end > 0;) {
+            std::size_t base = end - 1;
+            while (base > 0 && isMark(part[base])) --base;
+            for (std::size_t i = base; i < end; ++i)  // marks stay behind their letter
+                if (bidiClassOf(part[i]) != BidiClass::BN)
+                    append(out, static_cast<char32_t>(hb_unicode_mirroring(hb_unicode_funcs_get_default(), part[i])));
+            end = base;
+        }
+    }
+    // Marks of direction have done their work.
+    for (const char* mark : {"\xe2\x80\x8e", "\xe2\x80\x8f", "\xd8\x9c"})
+        for (std::size_t at; (at = out.find(mark)) != std::string::npos;) out.erase(at, std::string(mark).size());
+    return out;
+}
+
+bool mayRunFromRight(const std::string& text) {
+    // There is no right-to-left character below U+0590.
+    for (const char c : text)
+        if (static_cast<unsigned char>(c) >= 0xd6) return true;
+    return false;
+}
 
 }  // namespace nacre::app

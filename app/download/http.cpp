@@ -5,9 +5,11 @@
 #include <charconv>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 #include "app/download/allowed_hosts.h"
 #include "app/download/curl_library.h"
@@ -145,6 +147,16 @@ bool hasProxy() {
     return false;
 }
 
+/// The certificates of systems on which Debian's libcurl, as a wheel brings it, does not find any; empty where it does.
+std::string certificatesElsewhere() {
+    constexpr const char* kOfDebian = "/etc/ssl/certs/ca-certificates.crt";
+    std::error_code error;
+    for (const char* path :
+         {kOfDebian, "/etc/pki/tls/certs/ca-bundle.crt", "/etc/ssl/ca-bundle.pem", "/etc/ssl/cert.pem"})
+        if (std::filesystem::exists(path, error)) return path == std::string_view(kOfDebian) ? "" : path;
+    return "";
+}
+
 void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, Transfer& transfer, char* message) {
     const auto set = curlLibrary().setOption;
     const char* scheme = url.rfind("https:", 0) == 0 ? "https" : "http";
@@ -163,7 +175,8 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
     set(handle, CURLOPT_WRITEFUNCTION, &receive);
     set(handle, CURLOPT_WRITEDATA, &transfer);
     if (limits.publicAlone && !hasProxy()) set(handle, CURLOPT_OPENSOCKETFUNCTION, &openPublic);
-    if (!limits.certificates.empty()) set(handle, CURLOPT_CAINFO, limits.certificates.c_str());
+    const std::string certificates = limits.certificates.empty() ? certificatesElsewhere() : limits.certificates;
+    if (!certificates.empty()) set(handle, CURLOPT_CAINFO, certificates.c_str());  // which libcurl copies
 }
 
 [[noreturn]] void failOfCurl(CURLcode code, const char* message, const Transfer& transfer) {

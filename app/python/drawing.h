@@ -86,7 +86,6 @@ std::string schemaOfOptions();
 
 // Shared by the sources of this folder.
 
-
 /// The description to draw. @param output  decides the format; it is not created @throws app::UsageError
 app::PictureDescription requestOf(const Structure& structure, const std::string& json, const std::string& output);
 constexpr const char* kPlain = "picture.png";  ///< a format that keeps a picture's pixels unchanged

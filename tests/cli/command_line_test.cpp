@@ -220,9 +220,8 @@ TEST(CommandLine, NoticesNameEveryPartAndHoldItsLicence) {
     const Outcome outcome = nacreIn(folder, "--notices");
     EXPECT_EQ(outcome.code, 0);
     // Words of the licences of Nacre, GLM, gemmi, OpenEXR, curl, GLFW, Dear ImGui and DejaVu.
-    for (const char* words :
-         {"Redistribution and use in source and binary forms", "Christophe Riccio", "Mozilla Public", "OpenEXR",
-          "Daniel Stenberg", "Camilla", "Omar Cornut", "Bitstream"})
+    for (const char* words : {"Redistribution and use in source and binary forms", "Christophe Riccio",
+                              "Mozilla Public", "OpenEXR", "Daniel Stenberg", "Camilla", "Omar Cornut", "Bitstream"})
         EXPECT_NE(outcome.out.find(words), std::string::npos) << words;
     EXPECT_GT(outcome.out.size(), 50000u);
 }

@@ -10,13 +10,11 @@ namespace {
 TEST(Fonts, LinesRunAsTheirScriptsDo) {
     EXPECT_EQ(visualText("4hhb.pdb"), "4hhb.pdb");
     EXPECT_EQ(visualText("h\u00e9mo \u4e2d\u6587.cif"), "h\u00e9mo \u4e2d\u6587.cif");
-#ifdef NACRE_FRIBIDI
     // From the right: shin, lamed, vav, final mem; what is Latin in it runs on from the left.
     EXPECT_EQ(visualText("\u05e9\u05dc\u05d5\u05dd.pdb"), "pdb.\u05dd\u05d5\u05dc\u05e9");
     EXPECT_EQ(visualText("A \u05d0\u05d1 1"), "A 1 \u05d1\u05d0");  // digits go on as the letters before them
     // Joined: seen at the beginning, lam and alif in one, mim apart (Unicode's presentation forms).
     EXPECT_EQ(visualText("\u0633\u0644\u0627\u0645"), "\ufee1\ufefc\ufeb3");
-#endif
 }
 
 TEST(Fonts, AreAskedForOnceForEachScript) {

@@ -1,0 +1,43 @@
+#pragma once
+// From characters to glyphs by HarfBuzz: letters join, change places and carry marks as their script wants.
+
+#include <ft2build.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+#include FT_FREETYPE_H
+
+struct hb_font_t;
+
+namespace nacre::app {
+
+struct ShapedGlyph {
+    FT_Face face;
+    FT_UInt index;
+    double x, y;  ///< ems from the line's left end and its baseline, y up
+};
+
+struct ShapedLine {
+    std::vector<ShapedGlyph> glyphs;
+    double width = 0;  ///< ems
+};
+
+/// Not thread-safe. Keeps what it needs of each face; the faces outlive it.
+class Shaper {
+public:
+    Shaper();
+    ~Shaper();
+    Shaper(const Shaper&) = delete;
+
+    /// @param faceOf  the face that draws a character
+    ShapedLine shape(const std::string& text, const std::function<FT_Face(char32_t)>& faceOf);
+
+private:
+    hb_font_t* fontOf(FT_Face face);
+    std::map<FT_Face, hb_font_t*> fonts_;
+};
+
+}  // namespace nacre::app
