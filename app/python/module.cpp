@@ -5,6 +5,8 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstring>
 
 #include "app/download/load_molecule.h"
@@ -16,6 +18,7 @@
 #include "app/python/interrupt.h"
 #include "app/python/pickled.h"
 #include "engine/error.h"
+#include "engine/milliseconds.h"
 #include "engine/molecule/bonds/bonds.h"
 #include "engine/molecule/element.h"
 #include "engine/srgb.h"
@@ -23,6 +26,17 @@
 namespace py = pybind11;
 
 namespace nacre::python {
+
+void checkInterrupt() {
+    constexpr std::chrono::milliseconds kBetween(50);  // the lock may be another thread's
+    static std::atomic<Clock::duration> last{Clock::duration{}};
+    const Clock::duration now = Clock::now().time_since_epoch();
+    if (now - last.load() < kBetween) return;
+    last = now;
+    const pybind11::gil_scoped_acquire lock;
+    if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+}
+
 namespace {
 
 using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;

@@ -209,6 +209,7 @@ std::shared_ptr<Workers::Task> Workers::next(Worker& worker) {
 }
 
 void Workers::work(Worker& worker) {
+    static const std::exception_ptr noMemory = std::make_exception_ptr(Problem(503, "out of memory"));  // made in time
     while (const std::shared_ptr<Task> task = next(worker)) {
         {
             const std::lock_guard lock(turn_);
@@ -220,7 +221,7 @@ void Workers::work(Worker& worker) {
         } catch (const Problem&) {
             task->promise.set_exception(std::current_exception());
         } catch (const std::bad_alloc&) {
-            task->promise.set_exception(std::make_exception_ptr(Problem(503, "out of memory")));
+            task->promise.set_exception(noMemory);
         } catch (const std::exception& error) {
             const int status = worker.isLost() ? 503 : 422;
             task->promise.set_exception(std::make_exception_ptr(Problem(status, error.what())));

@@ -129,7 +129,7 @@ const std::vector<Arrows> kLibraries = {
      {"engine/gpu/", "engine/passes/", "engine/occlusion/", "engine/frame/", "engine/renderer",
       "app/android/surface.cpp", "app/desktop/window.cpp", "app/apple/ios/metal_surface.mm"}},
     {"GLFW/", {"app/desktop/window.cpp"}},
-    {"httplib.h", {"app/serve/http_server"}},
+    {"httplib.h", {"app/serve/client_stream.h", "app/serve/http_server"}},
     {"CLI/", {"app/cli/command_parser.cpp"}},
     {"OpenImageIO/", {}},
     {"jpeglib.h", {"app/images/image_jpeg.cpp"}},

@@ -140,9 +140,29 @@ def test_structures_are_pickled(tmp_path):
         np.testing.assert_array_equal(again.render(color="chain", **SMALL), structure.render(color="chain", **SMALL))
         assert pickle.dumps(again) == pickle.dumps(structure)
     state = nacre.open("sample:glucose")._core.__reduce_ex__(2)[2]
-    for damaged in (state[0][:-9], b"x" + state[0][1:], b""):
+    flipped = [state[0][:at] + bytes([state[0][at] ^ bit]) + state[0][at + 1:]
+               for at in range(60, len(state[0]), 97) for bit in (1, 128)]
+    for damaged in (state[0][:-9], b"x" + state[0][1:], b"", *flipped):
         with pytest.raises(nacre.Error, match="cannot unpickle"):
             nacre._nacre.Structure.__new__(nacre._nacre.Structure).__setstate__((damaged, *state[1:]))
+
+
+def test_an_interrupt_ends_a_render():
+    """Between two steps: long before the picture is done, which would take a minute of CPU time."""
+    code = ("import nacre, os, signal, threading, time\n"
+            "threading.Timer(3.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
+            "try:\n"
+            "    atoms = ''.join('ATOM  %5d  CA  ALA A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\\n'\n"
+            "                    % (n % 99999, n % 9999, n % 30 * 4, n // 30 % 30 * 4, n // 900 * 4) for n in range(27000))\n"
+            "    structure = nacre.open(atoms.encode(), format='pdb')\n"
+            "    structure.render(size=(64, 64), occlusion=4096, occlusion_detail=32, occlusion_memory=4096, cache='off')\n"
+            "except KeyboardInterrupt:\n"
+            "    print('ended')\n"
+            "print(time.process_time())\n")
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    words = run.stdout.split()
+    assert words[0] == "ended", run.stderr
+    assert float(words[1]) < 15
 
 
 def test_after_a_fork_it_says_what_to_do(dna):
