@@ -4,6 +4,7 @@
 #include <span>
 
 #include "app/annotation/room.h"
+#include "app/picture/options.h"
 #include "engine/scene/color/palettes.h"
 
 namespace nacre::app {
@@ -19,19 +20,9 @@ struct LegendRow {
 
 std::string headingOf(const Legend& legend) {
     const std::string scheme = legend.scheme.substr(0, legend.scheme.find(':'));
-    constexpr std::pair<const char*, const char*> kNames[] = {{"b-factor", "B factor (Å²)"},
-                                                              {"plddt", "Confidence (pLDDT)"},
-                                                              {"hydrophobicity", "Hydropathy (Kyte–Doolittle)"},
-                                                              {"secondary-structure", "Secondary structure"},
-                                                              {"chain-carbons", "Carbons by chain"},
-                                                              {"input", "Molecule"},
-                                                              {"copy", "Copy"},
-                                                              {"copy-chain", "Copy, chain"},
-                                                              {"copy-entity", "Copy, entity"},
-                                                              {"rainbow", "Along the chain"}};
     std::string heading;
-    for (const auto& [name, text] : kNames)
-        if (scheme == name) heading = text;
+    for (const Option::Control::Choice& choice : option("color").control.choices)
+        if (choice.value == scheme) heading = choice.heading;
     if (heading.empty() && !scheme.empty() && scheme[0] != '#') {
         heading = scheme;
         if (heading[0] >= 'a' && heading[0] <= 'z') heading[0] = static_cast<char>(heading[0] - 'a' + 'A');

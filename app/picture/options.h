@@ -122,6 +122,7 @@ struct Option {
             const char* label;
             std::string value;
             const char* meaning = "";  ///< what a picture with it shows, a sentence
+            const char* heading = "";  ///< of its legend; empty: the value
         };
         const char* label = nullptr;
         double low = 0, high = 0;          ///< of a slider

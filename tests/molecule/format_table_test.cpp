@@ -1,4 +1,4 @@
-// Lists that have to name every format, and what docs/contributing.md says of them.
+// Lists that have to name every format.
 
 #include "engine/molecule/formats/format_table.h"
 
@@ -49,20 +49,6 @@ TEST(FormatTable, IsFollowedByEveryList) {
             EXPECT_TRUE(named) << ending;
         }
         EXPECT_NE(readme.find(row.title.substr(0, row.title.find('/'))), std::string::npos) << row.title;
-    }
-}
-
-TEST(FormatTable, IsTheWayThatThePageForContributorsSays) {
-    const std::string page = sourceFile("docs/contributing.md");
-    const std::size_t begin = page.find("## A format"), end = page.find("\n## ", begin);
-    ASSERT_NE(begin, std::string::npos);
-    const std::string section = page.substr(begin, end - begin);
-    for (const char* file :
-         {"engine/molecule/read.h", "engine/molecule/formats/format_table.cpp", "engine/molecule/formats/detect.cpp",
-          "app/apple/documents.cmake", "app/android/src/main/AndroidManifest.xml", "README.md"}) {
-        EXPECT_NE(section.find(std::string("`") + file + "`"), std::string::npos) << file;
-        const std::string text = sourceFile(file);
-        EXPECT_TRUE(text.find("pdbqt") != std::string::npos || text.find("PDBQT") != std::string::npos) << file;
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "app/picture/option_json.h"
 #include "app/picture/saved_view.h"
@@ -12,130 +13,68 @@
 namespace nacre::app {
 namespace {
 
-/// A value of each option that has one, other than what holds without it.
-const std::map<std::string_view, std::string>& otherValues() {
-    static const std::map<std::string_view, std::string> kValues{{"allow-download", ""},
-                                                                 {"input", "a.pdb"},
-                                                                 {"hash", "12-ab"},
-                                                                 {"name", "receptor"},
-                                                                 {"fit", "/a\nresn STI"},
-                                                                 {"cache", "off"},
-                                                                 {"offline", ""},
-                                                                 {"memory", "100"},
-                                                                 {"format", "pdb"},
-                                                                 {"model", "all"},
-                                                                 {"snapshot", "2"},
-                                                                 {"mvs-map", "https://a.b/=c"},
-                                                                 {"trajectory", "md.xtc"},
-                                                                 {"trajectory-hash", "5-cd"},
-                                                                 {"frame", "7"},
-                                                                 {"whole", ""},
-                                                                 {"fit-frames", "backbone"},
-                                                                 {"smooth", "5"},
-                                                                 {"camera", "model"},
-                                                                 {"occlusion-models", "all"},
-                                                                 {"assembly", "1"},
-                                                                 {"style", "licorice"},
-                                                                 {"color", "chain"},
-                                                                 {"color-from", "a.csv:10..60:viridis"},
-                                                                 {"palette", "muted"},
-                                                                 {"helices", "tube"},
-                                                                 {"bases", "ladder"},
-                                                                 {"putty", "on"},
-                                                                 {"carbohydrates", "icon"},
-                                                                 {"line-width", "3"},
-                                                                 {"disulfides", "hide"},
-                                                                 {"surface", "gaussian"},
-                                                                 {"probe", "2"},
-                                                                 {"surface-resolution", "0.5"},
-                                                                 {"cavities", "hide"},
-                                                                 {"surface-opacity", "0.5"},
-                                                                 {"cartoon-opacity", "0.25"},
-                                                                 {"add-hydrogens", "on"},
-                                                                 {"bond-orders", "on"},
-                                                                 {"aromatic-bonds", "ring"},
-                                                                 {"interactions", "ligand,protein"},
-                                                                 {"interaction-kinds", "hydrogen-bond,metal"},
-                                                                 {"interaction-rules", "plip"},
-                                                                 {"interaction-width", "0.2"},
-                                                                 {"interaction-labels", "distance"},
-                                                                 {"water", "show"},
-                                                                 {"hydrogens", "hide"},
-                                                                 {"map", "a.ccp4"},
-                                                                 {"map-level", "1.5sigma"},
-                                                                 {"map-style", "surface"},
-                                                                 {"map-color", "#102030,#405060"},
-                                                                 {"map-color-from", "emdb:3001:2..6:viridis"},
-                                                                 {"map-slice", "b,0.25"},
-                                                                 {"map-opacity", "0.75"},
-                                                                 {"map-width", "2"},
-                                                                 {"map-around", "ligand,3"},
-                                                                 {"primitives", "a.json"},
-                                                                 {"surface-color-from", "a.dx:-5..5"},
-                                                                 {"output", "a.png"},
-                                                                 {"layers", "a.exr"},
-                                                                 {"stats", "a.json"},
-                                                                 {"capture", "a.rdc"},
-                                                                 {"projection", "perspective"},
-                                                                 {"fov", "41.7"},
-                                                                 {"zoom", "0.1"},
-                                                                 {"orientation", "0,1,0,0"},
-                                                                 {"pan", "1.5,-2"},
-                                                                 {"rotate", "10,20,30"},
-                                                                 {"orient", "principal"},
-                                                                 {"look-at", "ligand"},
-                                                                 {"zoom-to", "ligand"},
-                                                                 {"uncover", "ligand"},
-                                                                 {"background", "#203040"},
-                                                                 {"lighting", "off"},
-                                                                 {"occlusion", "64"},
-                                                                 {"occlusion-memory", "32"},
-                                                                 {"contours", "2"},
-                                                                 {"contour-depth", "3"},
-                                                                 {"contour-weights", "3"},
-                                                                 {"contour-color", "#102030"},
-                                                                 {"halos", "6"},
-                                                                 {"halo-depth", "20"},
-                                                                 {"halo-strength", "0.4"},
-                                                                 {"halo-color", "#203040"},
-                                                                 {"fog", "-5,20"},
-                                                                 {"fog-strength", "0.3"},
-                                                                 {"shadow", "0.5"},
-                                                                 {"depth-of-field", "7"},
-                                                                 {"focus-depth", "-4.5"},
-                                                                 {"ambient", "0.5"},
-                                                                 {"direct", "2"},
-                                                                 {"highlight", "0"},
-                                                                 {"gloss", "100"},
-                                                                 {"occlusion-strength", "0.25"},
-                                                                 {"clip", "-3,4"},
-                                                                 {"cap", "dark"},
-                                                                 {"label", "ligand={residue}"},
-                                                                 {"measure", "1,2"},
-                                                                 {"title", "DNA"},
-                                                                 {"scale-bar", "nm"},
-                                                                 {"legend", "on"},
-                                                                 {"show-labels", "seen"},
-                                                                 {"text-size", "13.3"},
-                                                                 {"text-color", "#202020"},
-                                                                 {"occlusion-detail", "12"},
-                                                                 {"size", "640x480"},
-                                                                 {"supersample", "2"},
-                                                                 {"mesh-error", "0.5"},
-                                                                 {"width", "85mm"},
-                                                                 {"height", "100px"},
-                                                                 {"dpi", "600"},
-                                                                 {"depth", "16"},
-                                                                 {"debug", "plates"},
-                                                                 {"device", "0"},
-                                                                 {"visibility", "tiles"},
-                                                                 {"msaa", "4"},
-                                                                 {"encoded-format", "r32f"},
-                                                                 {"prepass", "off"},
-                                                                 {"transient", "off"},
-                                                                 {"merge", "off"},
-                                                                 {"validate", ""}};
-    return kValues;
+/// A value of an option that differs from its default: one of an unusual form, or the first that it takes of its
+/// choices and some common ones.
+std::string otherValue(const Option& option) {
+    static const std::map<std::string_view, std::string> kUnusual{
+        {"hash", "12-ab"},
+        {"name", "receptor"},
+        {"fit", "/a\nresn STI"},
+        {"mvs-map", "https://a.b/=c"},
+        {"trajectory-hash", "5-cd"},
+        {"fit-frames", "backbone"},
+        {"color-from", "a.csv:10..60:viridis"},
+        {"interactions", "ligand,protein"},
+        {"interaction-kinds", "hydrogen-bond,metal"},
+        {"map-level", "1.5sigma"},
+        {"map-color-from", "emdb:3001:2..6:viridis"},
+        {"map-slice", "b,0.25"},
+        {"map-around", "ligand,3"},
+        {"surface-color-from", "a.dx:-5..5"},
+        {"fov", "41.7"},
+        {"orientation", "0,1,0,0"},
+        {"pan", "1.5,-2"},
+        {"rotate", "10,20,30"},
+        {"look-at", "ligand"},
+        {"zoom-to", "ligand"},
+        {"uncover", "ligand"},
+        {"fog", "-5,20"},
+        {"clip", "-3,4"},
+        {"label", "ligand={residue}"},
+        {"measure", "1,2"},
+        {"size", "640x480"},
+        {"width", "85mm"},
+        {"height", "100px"},
+        {"text-size", "13.3"},
+        {"layers", "a.exr"},
+        {"stats", "a.json"},
+        {"capture", "a.rdc"},
+        {"output", "a.png"},
+        {"primitives", "a.json"},
+        {"trajectory", "md.xtc"},
+        {"input", "a.pdb"},
+        {"map", "a.ccp4"},
+        {"title", "DNA"},
+        {"focus-depth", "-4.5"},
+    };
+    if (const auto unusual = kUnusual.find(option.key); unusual != kUnusual.end()) return unusual->second;
+    std::vector<std::string> values = option.choices;
+    for (const auto& choice : option.control.choices) values.push_back(choice.value);
+    std::istringstream syntax(option.syntax);
+    for (std::string word; std::getline(syntax, word, '|');) values.push_back(word);
+    for (const char* common : {"0.25",  "0.5",  "2",       "4",      "7",        "64",    "100",     "1000",
+                               "on",    "off",  "#203040", "ligand", "pdb",      "model", "muted",   "plates",
+                               "tiles", "r32f", "tube",    "ladder", "gaussian", "plip",  "surface", ""})
+        values.emplace_back(common);
+    const std::string standard = option.print(PictureDescription());
+    for (const std::string& value : values) try {
+            PictureDescription other;
+            option.parse(value, other);
+            if (option.print(other) != standard) return value;
+        } catch (const std::exception&) {
+            // not one of its values
+        }
+    throw std::logic_error("list a value of " + std::string(option.key) + " that differs from its default");
 }
 
 TEST(Options, EachHasAKeyOfItsOwnAndAHelp) {
@@ -154,9 +93,9 @@ TEST(Options, WhatEachPrintsIsWhatItReads) {
     const PictureDescription plain;
     for (const Option& option : options()) {
         if (!option.print || !option.parse) continue;
-        ASSERT_TRUE(otherValues().contains(option.key)) << option.key;
+        SCOPED_TRACE(option.key);
         PictureDescription other;
-        option.parse(otherValues().at(option.key), other);
+        EXPECT_NO_THROW(option.parse(otherValue(option), other));
         const std::string text = option.print(other);
         EXPECT_NE(text, option.print(plain)) << option.key;
         EXPECT_EQ(difference(plain, other) & static_cast<Facets>(option.facet), static_cast<Facets>(option.facet))
@@ -173,7 +112,7 @@ TEST(Options, ASavedViewKeepsEachThatIsSaved) {
     const PictureDescription plain;
     PictureDescription all;
     for (const Option& option : options())
-        if (option.save != Option::Save::never && option.parse) option.parse(otherValues().at(option.key), all);
+        if (option.save != Option::Save::never && option.parse) option.parse(otherValue(option), all);
     option("show").parse("ligand=spacefill", all);
     option("hide").parse("water", all);
     all.look.rules.back().on = false;
