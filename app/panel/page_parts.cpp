@@ -1,6 +1,4 @@
-// The pages of parts (models, assemblies, and rows of chains, ligands, ions and water), of words in the picture
-// (labels, measurements, title, scale and legend, all saved with it), and of what else there is: motion, the window
-// itself, developer tools.
+// The page of parts: models, assemblies, and rows of chains, ligands, ions and water.
 
 #include <algorithm>
 #include <string>
@@ -8,7 +6,6 @@
 #include "app/panel/panel_state.h"
 #include "app/panel/words.h"
 #include "app/picture/input_names.h"
-#include "app/picture/option_values.h"
 #include "app/viewer/picture_words.h"
 #include "engine/scene/color/colors.h"
 
@@ -125,40 +122,6 @@ void drawPart(PanelFrame& f, const Part& part, std::size_t number) {
     ImGui::PopID();
 }
 
-/// A measurement's atoms and value; while the atoms are not drawn, its text as written.
-std::string rowText(const Measure& measure, const PlacedWords& placed) {
-    for (const PlacedMeasure& at : placed.measures)
-        if (at.of == measure.text) return at.text + ", " + at.atoms;
-    return "Atoms " + measure.text;
-}
-
-/// A row each, with a sign that removes it. @param id  of the first row
-template <typename Word, typename TextOf>
-void listWords(PanelFrame& f, int id, std::vector<Word>& words, TextOf textOf) {
-    const float side = f.ui.rowHeight();
-    std::erase_if(words, [&](const Word& word) {
-        ImGui::PushID(id++);
-        const float x = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
-        f.ui.name(textOf(word), room - side - f.ui.px(8));
-        ImGui::SameLine(x + room - side);
-        const bool gone = f.ui.sign(Icon::close, "Remove");
-        ImGui::PopID();
-        return gone;
-    });
-}
-
-void drawForDevelopers(PanelFrame& f) {
-    f.ui.heading("Debug views");
-    const auto names = debugViewNames();
-    const std::vector<const char*> choices(names.begin(), names.end());
-    DebugView debug = f.viewer.frames().debugView();
-    if (f.ui.choose("Debug view", choices, debug)) f.viewer.frames().setDebugView(debug, f.now);
-    if (f.host.captures && f.ui.button(Icon::none, "Capture a frame (F12)", -1))
-        f.host.run(ViewerCommand::captureFrame);
-    if (f.host.copyReport && f.ui.button(Icon::none, "Copy report", -1)) f.host.copyReport();
-    if (f.host.statistics) f.ui.caption(f.host.statistics());
-}
-
 }  // namespace
 
 void drawPartsPage(PanelFrame& f) {
@@ -198,64 +161,6 @@ void drawPartsPage(PanelFrame& f) {
     }
     if (f.s.parts.size() >= kMostParts) f.ui.caption("Only the first 200 parts are listed.");
     toggleOption(f, "hydrogens");
-}
-
-void drawLabelsPage(PanelFrame& f) {
-    Words& words = f.look.words;
-    f.ui.caption("Included in saved images and views.");
-    f.ui.heading("Title");
-    if (!f.s.typingTitle) f.s.title = words.title;
-    f.ui.field("Title", "None", f.s.title);
-    f.s.typingTitle = ImGui::IsItemActive();
-    if (f.ui.edited()) f.s.take([&] { words.title = parseTitle(f.s.title); });
-    if (!f.s.ruleError.empty()) f.ui.warning(f.s.ruleError);
-    toggleOption(f, "legend");
-    f.ui.heading("Scale bar");
-    chooseOption(f, "scale-bar");
-    f.ui.heading("Measurements");
-    Picking& picking = f.viewer.picking();
-    constexpr const char* kModes[] = {"Measure nothing", "Measure distances", "Measure angles", "Measure torsions"};
-    Measuring measuring = picking.measuring();
-    if (f.ui.choose("Measure", kModes, measuring)) picking.measure(measuring);
-    if (measuring != Measuring::off)
-        f.ui.caption((f.ui.forFingers() ? "Tap " : "Click ") + std::to_string(picking.mostPicks()) +
-                     " atoms. One more starts again.");
-    if (picking.picks().size() > 1) {
-        f.ui.paragraph(picking.annotations().measurement);
-        if (f.ui.button(Icon::none, "Pin measurement")) f.host.run(ViewerCommand::keepMeasurement);
-    }
-    listWords(f, 0, words.measures,
-              [&](const Measure& measure) { return rowText(measure, f.viewer.words().placed()); });
-    f.ui.heading("Labels");
-    if (words.labels.empty())
-        f.ui.caption("Choose atoms under \"Select\", then \"Label\".");
-    else
-        toggleOption(f, "show-labels");
-    listWords(f, 1000, words.labels, [](const Label& label) { return label.selection.text; });
-}
-
-void drawMorePage(PanelFrame& f) {
-    f.ui.heading("Motion");
-    bool spinning = f.viewer.motion().autoRotation(), rocking = f.viewer.motion().rocking();
-    if (f.ui.toggle("Spin", spinning)) f.host.run(ViewerCommand::autoRotate);
-    if (f.ui.toggle("Rock", rocking)) f.host.run(ViewerCommand::rock);
-    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    if (f.ui.button(Icon::none, "Align axes", half)) f.host.run(ViewerCommand::orient);
-    ImGui::SameLine();
-    if (f.ui.button(Icon::none, "Reset view", half)) f.host.run(ViewerCommand::reset);
-    f.ui.heading("View");
-    if (f.ui.button(Icon::save, "Save this view", -1)) f.host.run(ViewerCommand::saveView);
-    if (f.host.savesScenes && f.ui.button(Icon::save, "Save as MolViewSpec", -1)) f.host.run(ViewerCommand::saveScene);
-    if (f.host.record) {
-        if (f.ui.button(Icon::eye, "Add keyframe", -1)) f.host.run(ViewerCommand::keepView);
-        if (f.ui.button(Icon::record, "Record movie", -1)) f.host.run(ViewerCommand::record);
-    }
-    f.ui.heading("Panel");
-    constexpr const char* kBrightness[] = {"Theme: system", "Theme: dark", "Theme: light"};
-    if (f.ui.choose("Brightness", kBrightness, f.s.brightness)) f.s.setBrightness(f.s.brightness);
-    ImGui::Spacing();
-    if (f.ui.button(f.s.developers ? Icon::up : Icon::down, "For developers", -1)) f.s.developers = !f.s.developers;
-    if (f.s.developers) drawForDevelopers(f);
 }
 
 }  // namespace nacre::app
