@@ -4,9 +4,8 @@
 
 #include "app/cli/bench_frames.h"
 #include "app/cli/commands.h"
+#include "app/cli/progress.h"
 #include "app/cli/stats.h"
-#include "app/download/load_map.h"
-#include "app/download/load_molecule.h"
 #include "app/drawing/drawing.h"
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
@@ -25,13 +24,11 @@ void printTable(const Json& report, std::ostream& out) {
 
 Json benchOf(const BenchOptions& options, const InputOptions& input) {
     Progress progress;
-    progress.begin("reading");
     const auto start = Clock::now();
-    const Molecule molecule = loadMolecule(input, downloadProgress(progress));
-    const double load = millisecondsSince(start);
     PictureDescription picture = options.picture;
     picture.input = input;
-    loadMaps(picture);
+    const Molecule molecule = readMoleculeAndMaps(picture, progress);
+    const double load = millisecondsSince(start);
     progress.begin("building the scene");
     Drawing drawing(CameraBy::hand);
     drawing.build(molecule, picture);

@@ -55,7 +55,7 @@ Json timesJson(std::vector<double> samples) {
 RenderSettings benchFrame(const BenchOptions& options, double radius, int frame) {
     Camera camera = options.picture.camera;
     camera.rotationDegrees.y += 5.0 * frame;
-    return settingsOf(options.picture, camera, options.picture.size, radius);
+    return makeSettings(options.picture, camera, options.picture.size, radius);
 }
 
 /// Milliseconds that frames took by the clock, and of all processors together.

@@ -5,8 +5,6 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
-#include "app/download/load_map.h"
-#include "app/download/load_molecule.h"
 #include "app/drawing/drawing.h"
 #include "app/drawing/map_layers.h"
 #include "app/drawing/scenes.h"
@@ -60,7 +58,7 @@ void writeMolViewSpec(const Molecule& molecule, const ExportCommandOptions& opti
     drawing.prepare(molecule, picture);
     picture.background = drawing.settings.background;
     const mvs::WrittenScene written =
-        mvs::writeScene(molecule, picture, volumesOf(picture),
+        mvs::writeScene(molecule, picture, sceneVolumes(picture),
                         cameraOf(drawing.settings.view, drawing.run.center, !molecule.guide), picture.output);
     for (const std::string& note : written.notes) sayNote(note);
     writeText(file, written.json);
@@ -73,13 +71,10 @@ void exportCommand(const ExportCommandOptions& options) {
     std::optional<OutputFile> stats;
     if (!options.picture.stats.empty()) stats.emplace(options.picture.stats, ".json");
     Progress progress;
-    progress.begin("reading");
-    const Molecule molecule =
-        loadMolecule(options.picture.input, downloadProgress(progress), [&](double share) { progress.advance(share); });
-    loadMaps(options.picture, downloadProgress(progress));
+    const Molecule molecule = readMoleculeAndMaps(options.picture, progress);
     progress.begin("building the scene");
     if (extensionOf(options.picture.output) == ".mvsj") return writeMolViewSpec(molecule, options, file);
-    Representation scene = sceneOf(molecule, options.picture);
+    Representation scene = buildScene(molecule, options.picture);
     addMapSurfaces(molecule, options.picture, scene);
     for (const std::string& warning : scene.warnings) sayWarning(warning);
     const BakedOcclusion baked = bakedOcclusion(options, scene, progress);

@@ -5,8 +5,6 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
-#include "app/download/load_map.h"
-#include "app/download/load_molecule.h"
 #include "app/drawing/drawing.h"
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
@@ -49,10 +47,7 @@ private:
 void drawSheet(const LooksOptions& options) {
     OutputFile file(options.picture.output, ".png");
     Progress progress;
-    progress.begin("reading");
-    const Molecule molecule =
-        loadMolecule(options.picture.input, downloadProgress(progress), [&](double share) { progress.advance(share); });
-    loadMaps(options.picture, downloadProgress(progress));
+    const Molecule molecule = readMoleculeAndMaps(options.picture, progress);
     progress.begin("drawing");
     Canvas canvas(options.picture.device);
     Drawing drawing;

@@ -73,12 +73,12 @@ void moveClip(Clip& clip, const Clip& a, const Clip& b, double share, double rad
     clip.far = way(a.far, b.far, radius);
 }
 
+}  // namespace
+
 Picture mixed(Picture a, const Picture& b, float share) {
     for (std::size_t i = 0; i < a.rgba.size(); ++i) a.rgba[i] += (b.rgba[i] - a.rgba[i]) * share;
     return a;
 }
-
-}  // namespace
 
 bool isTransparent(const MovieOptions& options) {
     if (options.views.empty()) return options.picture.background[3] < 1.0f;
@@ -234,12 +234,6 @@ void MovieScenes::letGo(std::size_t a, std::size_t b) {
         if (i != a && i != b) looks_[i].canvas.reset();
 }
 
-Picture MovieScenes::pictureOf(Look& look, const RenderSettings& settings) const {
-    Picture picture = look.canvas->renderer.render(settings);
-    look.drawing.addWords(settings, picture, look.wordMemory.get());
-    return picture;
-}
-
 /// Words are placed as in a single picture. Looks with the same words share a memory: during a cross-fade each word has
 /// one position.
 void MovieScenes::forgetWords() {
@@ -275,7 +269,7 @@ Picture MovieScenes::drawKeys(double place, int model) {
                 viewThrough(path_->at(static_cast<double>(from) + share), settings.view, look.drawing.run.center);
             moveClip(clip, a.clip, b.clip, share, settings.view.radius);
         }
-        return pictureOf(look, settings);
+        return look.drawing.drawAs(settings, look.canvas->renderer, look.wordMemory.get());
     };
     if (a.look == b.look || share == 0) return draw(a.look);
     if (share == 1) return draw(b.look);
@@ -312,7 +306,7 @@ Picture MovieScenes::draw(std::uint64_t frame) {
         settings.effects.clip = firstClip_;
     }
     view = viewAt(options_, view, time);
-    return pictureOf(look, settings);
+    return look.drawing.drawAs(settings, look.canvas->renderer, look.wordMemory.get());
 }
 
 }  // namespace nacre::app

@@ -29,6 +29,9 @@ public:
     std::function<void(double)> onBake;
 };
 
+/// A cross-fade. @param share  of the second
+Picture mixed(Picture a, const Picture& b, float share);
+
 /// Whether any background, of the options or of a key view, is not opaque. @throws Error
 bool isTransparent(const MovieOptions& options);
 
@@ -67,7 +70,6 @@ private:
     std::optional<Bounds> frameOf(Look& look) const;
     void letGo(std::size_t a, std::size_t b);
     void forgetWords();
-    Picture pictureOf(Look& look, const RenderSettings& settings) const;
     Picture drawKeys(double place, int model);
     void moveTo(Look& look, int frame);
     void sweepTo(Look& look, double time);

@@ -88,9 +88,7 @@ Picture MovieSnapshots::drawFrom(std::size_t number, const Lens* lens) {
     Shot& shot = ready(number);
     RenderSettings settings = shot.drawing.settings;
     if (lens) settings.view = viewThrough(*lens, settings.view, shot.drawing.run.center);
-    Picture picture = shot.canvas->renderer.render(settings);
-    shot.drawing.addWords(settings, picture);
-    return picture;
+    return shot.drawing.drawAs(settings, shot.canvas->renderer);
 }
 
 Picture MovieSnapshots::draw(std::uint64_t frame) {
@@ -104,10 +102,7 @@ Picture MovieSnapshots::draw(std::uint64_t frame) {
     if (lenses[0].projection != lenses[1].projection) return drawFrom(share < 0.5 ? place.from : to, nullptr);
     const Lens lens = CameraPath(lenses, false).at(share);
     Picture picture = drawFrom(place.from, &lens);
-    const Picture next = drawFrom(to, &lens);
-    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
-        picture.rgba[i] += (next.rgba[i] - picture.rgba[i]) * static_cast<float>(share);
-    return picture;
+    return mixed(std::move(picture), drawFrom(to, &lens), static_cast<float>(share));
 }
 
 }  // namespace nacre::app

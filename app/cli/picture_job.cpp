@@ -7,8 +7,6 @@
 
 #include "app/annotation/painter.h"
 #include "app/cli/banded_picture.h"
-#include "app/download/load_map.h"
-#include "app/download/load_molecule.h"
 #include "app/files/capture_file.h"
 #include "app/files/messages.h"
 #include "engine/error.h"
@@ -58,12 +56,7 @@ PictureJob::PictureJob(const PictureDescription& options, Progress& progress)
 }
 
 void PictureJob::prepare(OpenScene* scene) {
-    progress_.begin("reading");
-    const auto onDownload = downloadProgress(progress_);
-    const Molecule molecule =
-        scene ? loadSnapshot(*scene, options_.input, onDownload)
-              : loadMolecule(options_.input, onDownload, [&](double share) { progress_.advance(share); });
-    loadMaps(options_, downloadProgress(progress_));
+    const Molecule molecule = readMoleculeAndMaps(options_, progress_, scene);
     const double loadMs = millisecondsSince(start_);
     progress_.begin("building the scene");
     drawing_.prepare(molecule, options_);

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "app/download/load_map.h"
+#include "app/download/load_molecule.h"
 #include "app/files/messages.h"
 #include "app/files/output_file.h"
 #include "engine/error.h"
@@ -83,6 +85,15 @@ std::function<void(double)> downloadProgress(Progress& progress) {
         progress.advance(share);
         if (share >= 1) progress.begin("reading");
     };
+}
+
+Molecule readMoleculeAndMaps(const PictureDescription& picture, Progress& progress, OpenScene* scene) {
+    progress.begin("reading");
+    const auto onDownload = downloadProgress(progress);
+    Molecule molecule = scene ? loadSnapshot(*scene, picture.input, onDownload)
+                              : loadMolecule(picture.input, onDownload, [&](double share) { progress.advance(share); });
+    loadMaps(picture, downloadProgress(progress));
+    return molecule;
 }
 
 void Progress::show() {

@@ -10,6 +10,9 @@
 #include <string>
 #include <thread>
 
+#include "app/picture/description.h"
+#include "engine/molecule/molecule.h"
+
 namespace nacre::app {
 
 /// One line for a terminal, at most 60 columns: "nacre: ambient occlusion [######        ]  43 %", or without a bar if
@@ -49,6 +52,11 @@ private:
 
 /// Callback of a download as bytes arrive.
 std::function<void(double)> downloadProgress(Progress& progress);
+
+class OpenScene;
+
+/// Reads the molecule and the maps of a picture. @param scene  its INPUT, if that is open @throws Error
+Molecule readMoleculeAndMaps(const PictureDescription& picture, Progress& progress, OpenScene* scene = nullptr);
 
 /// A movie's progress for a waiting program: lines of JSON.
 class MovieReport {

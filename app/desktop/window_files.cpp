@@ -155,7 +155,7 @@ void WindowSession::saveScene() {
         const RenderSettings shown = viewer().frames().settings();
         view.background = shown.background;
         const mvs::WrittenScene written =
-            mvs::writeScene(*document->placed, view, volumesOf(view),
+            mvs::writeScene(*document->placed, view, sceneVolumes(view),
                             cameraOf(shown.view, document->drawing.scene().center, !document->molecule->guide), path);
         writeText(file, written.json);
         std::string told = "saved " + path;

@@ -11,7 +11,6 @@
 #include "app/input/input_files.h"
 #include "app/input/read_input.h"
 #include "app/mvs/scene_file.h"
-#include "app/viewer/local_molecules.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -84,15 +83,13 @@ Sources windowSources(const InputOptions& first) {
 }
 
 Sources phoneSources(const InputOptions& first, const std::function<std::string(const std::string&)>& readFile) {
-    Sources all = localMolecules(readFile);
-    const Sources downloads = windowSources(first);
-    all.read = [local = all.read, fetched = downloads.read](const PictureDescription& view) {
-        const bool ours = parseDatabaseId(view.input.path) || mvs::isSceneFile(view.input.path);
-        return ours ? fetched(view) : local(view);
+    constexpr std::uint64_t kShare = 4;  // of the memory for a molecule: systems end apps that use about half of it
+    Sources all = windowSources(first);
+    all.motion = {};
+    all.read = [readFile, fetched = all.read](const PictureDescription& view) {
+        if (parseDatabaseId(view.input.path) || mvs::isSceneFile(view.input.path)) return fetched(view);
+        return readLocally(inputOf(view), memoryShare(kShare), readFile);
     };
-    all.maps = downloads.maps;
-    all.progress = downloads.progress;
-    all.cancel = downloads.cancel;
     return all;
 }
 

@@ -10,8 +10,8 @@
 namespace nacre::app {
 namespace {
 
-std::vector<glm::dvec4> ballsOf(const Selection& selection, const char* what, const ResidueFacts& facts,
-                                const Representation& scene) {
+std::vector<glm::dvec4> selectedBalls(const Selection& selection, const char* what, const ResidueFacts& facts,
+                                      const Representation& scene) {
     const std::vector<bool> chosen = selectAtoms(facts, selection);
     std::vector<glm::dvec4> balls = chosenBalls(scene, chosen);
     if (!balls.empty()) return balls;
@@ -43,19 +43,19 @@ Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, con
     const std::vector<glm::dvec4> all = aim.any() ? drawnBalls(scene) : std::vector<glm::dvec4>();
     if (aim.principal) result.camera.orientation = principalOrientation(all, size.width >= size.height);
     if (aim.lookAt)
-        result.camera.orientation = facingOrientation(ballsOf(*aim.lookAt, "cannot look at", facts, scene), all,
+        result.camera.orientation = facingOrientation(selectedBalls(*aim.lookAt, "cannot look at", facts, scene), all,
                                                       glm::mat3_cast(result.camera.orientation));
     if ((aim.fits || (aim.principal && !aim.lookAt)) && !aim.zoomTo)
         result.camera = fitted(result.camera, scene, scene.radius, size.width, size.height, kLargestZoom);
     if (aim.zoomTo) {
-        const std::vector<glm::dvec4> target = ballsOf(*aim.zoomTo, "cannot zoom to", facts, scene);
+        const std::vector<glm::dvec4> target = selectedBalls(*aim.zoomTo, "cannot zoom to", facts, scene);
         result.camera = closeUp(result.camera, target, scene.radius, kZoomMargin, kLargestZoom);
     }
     const std::optional<Selection>& shown = uncoveredBy(aim);
     if (!shown) return result;
     const glm::dmat3 rotation =
         rotationMatrix(result.camera.rotationDegrees) * glm::mat3_cast(result.camera.orientation);
-    result.clipNear = clipBefore(ballsOf(*shown, "cannot uncover", facts, scene), all, rotation);
+    result.clipNear = clipBefore(selectedBalls(*shown, "cannot uncover", facts, scene), all, rotation);
     return result;
 }
 

@@ -29,7 +29,7 @@ bool showsLaterFrame(const PictureDescription& picture) {
 }
 
 /// The view's aim. Pictures that share a scale are not fitted individually.
-Aim aimOf(const Molecule& molecule, const PictureDescription& picture, const std::optional<Bounds>& frame) {
+Aim sharedAim(const Molecule& molecule, const PictureDescription& picture, const std::optional<Bounds>& frame) {
     Aim aim = picture.aim;
     const bool alone = !frame && picture.input.trajectory.path.empty() && molecule.others.empty() &&
                        !picture.look.ownFrame && !aim.turns;
@@ -105,12 +105,12 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
     const bool another =
         !scene_ || rebuild.molecule || rebuild.scene || first.atoms.empty() || (cutsScene_ && has(parts, Facet::view));
     description_ = description;
-    if (another) buildScene(frame, now);
+    if (another) rebuildScene(frame, now);
     Aimed aim{description_.camera, {}};
     if (by_ == CameraBy::description)
-        aim = aimed(description_.camera, aimOf(first, description_, frame), *facts_, *scene_, description_.size);
+        aim = aimed(description_.camera, sharedAim(first, description_, frame), *facts_, *scene_, description_.size);
     if (another || rebuild.maps) {
-        maps_ = mapLayersOf(first, description_, scene_->center, {aim.camera, radius_});
+        maps_ = buildMapLayers(first, description_, scene_->center, {aim.camera, radius_});
         number_ = nextNumber();
     }
     run = {};
@@ -126,7 +126,7 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
 }
 
 /// @param now  the positions of moving atoms; null: they do not move
-void Drawing::buildScene(const std::optional<Bounds>& frame, const Molecule* now) {
+void Drawing::rebuildScene(const std::optional<Bounds>& frame, const Molecule* now) {
     moving_.reset();
     if (now) {
         moving_ = std::make_shared<MovingPicture>(facts_->molecule(), description_,
@@ -138,12 +138,12 @@ void Drawing::buildScene(const std::optional<Bounds>& frame, const Molecule* now
         Molecule first = facts_->molecule();
         const HeardMessages again;  // everything was reported when the molecule was read
         movePositions(first, openMotion(description_.input.trajectory, first)->positions(0));
-        MovingScene moving = movingSceneOf(first, description_);
+        MovingScene moving = buildMovingScene(first, description_);
         radius_ = moving.scene().radius;
         moving.move(facts_->molecule());
         scene_ = moving.scene();
     } else {
-        scene_ = sceneOf(*facts_, description_, frame);
+        scene_ = buildScene(*facts_, description_, frame);
         radius_ = scene_->radius;
     }
     if (!now) {
@@ -155,7 +155,7 @@ void Drawing::buildScene(const std::optional<Bounds>& frame, const Molecule* now
 }
 
 RenderSettings Drawing::settingsFor(const PictureDescription& picture, const Camera& camera, const Size& size) const {
-    RenderSettings result = settingsOf(picture, camera, size, radius());
+    RenderSettings result = makeSettings(picture, camera, size, radius());
     if (reach() > result.view.radius) reachTo(result.view, reach());
     return result;
 }
@@ -211,7 +211,7 @@ void Drawing::finish(const PictureDescription& picture) {
     warnings = molecule.guide ? molecule.guide->warnings : std::vector<std::string>();
     append(warnings, scene_->warnings);
     append(warnings, maps_.warnings);
-    placeWordsOf(picture);
+    placePictureWords(picture);
     for (std::string& idle : idleOptions(picture, *scene_, settings.effects, scene_->radius))
         warnings.push_back(std::move(idle));
     makeRoom(picture);
@@ -226,7 +226,7 @@ PlacedWords Drawing::placeWords(const Words& asked, WordsOfHidden hidden) const 
 }
 
 /// Labels of atoms that were removed because they hide something are left out, too.
-void Drawing::placeWordsOf(const PictureDescription& picture) {
+void Drawing::placePictureWords(const PictureDescription& picture) {
     words = {};
     wordSize_ = picture.words.size;
     wordColor_ = picture.words.color;
@@ -337,6 +337,12 @@ LayerPicture Drawing::layers(Renderer& renderer) const {
     if (depthShift_ != 0)  // the background's infinity stays
         for (float& z : layers.z) z = static_cast<float>(static_cast<double>(z) - depthShift_);
     return layers;
+}
+
+Picture Drawing::drawAs(const RenderSettings& drawn, Renderer& renderer, WordMemory* memory) const {
+    Picture picture = renderer.render(drawn);
+    addWords(drawn, picture, memory);
+    return picture;
 }
 
 std::vector<std::string> Drawing::addWords(const RenderSettings& drawn, Picture& picture, WordMemory* memory) const {

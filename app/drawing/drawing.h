@@ -76,7 +76,7 @@ public:
 
     // --- Atoms that move
 
-    /// Makes ready for moveTo(). @param first  the positions that decide about the scene @throws Error
+    /// Prepares moveTo(). @param first  the positions that decide selections, colours and camera @throws Error
     void startMoving(const Molecule& first);
     /// Shows the atoms where they are in `molecule`: scene, words, depth range. The camera stays. @throws Error
     void moveTo(const Molecule& molecule);
@@ -101,14 +101,16 @@ public:
     void startCoded(Canvas& canvas, bool alpha);
     /// Layers of the scene on the renderer. Depths of all frames of a trajectory have one origin.
     LayerPicture layers(Renderer& renderer) const;
-    /// Draws the words into a picture. @returns warnings of them
-    /// @param settings  of the picture @param memory  of a sequence of pictures
-    std::vector<std::string> addWords(const RenderSettings& settings, Picture& picture,
+    /// A picture of the scene on the renderer by other settings: another view or clipping.
+    /// @param memory  of a sequence of pictures
+    Picture drawAs(const RenderSettings& settings, Renderer& renderer, WordMemory* memory = nullptr) const;
+    /// Draws the words into a picture. @param drawn  its settings @returns warnings of them
+    std::vector<std::string> addWords(const RenderSettings& drawn, Picture& picture,
                                       WordMemory* memory = nullptr) const;
 
     // --- Parts, for windows
 
-    /// Settings of a picture of the scene from a camera; without a scene, of nothing.
+    /// Settings of a picture of the scene from a camera. There may be no scene yet.
     RenderSettings settingsFor(const PictureDescription& picture, const Camera& camera, const Size& size) const;
     /// Positions of words in the scene. @throws Error
     PlacedWords placeWords(const Words& words, WordsOfHidden hidden) const;
@@ -117,16 +119,16 @@ public:
     /// Without what is beside the molecule. Not after handOver().
     const Representation& scene() const { return *scene_; }
     const MapLayers& maps() const { return maps_; }
-    /// That the camera takes in, Å; 1 without a scene.
+    /// Radius that the camera takes in, Å; 1 without a scene.
     double radius() const { return scene_ ? std::max(radius_, maps_.frame) : 1; }
-    /// Of everything drawn, Å.
+    /// Radius of everything drawn, Å.
     double reach() const { return scene_ ? std::max(scene_->radius, maps_.shown.radius) : 0; }
     /// Changes when scene() is built again.
     std::uint64_t sceneNumber() const { return sceneNumber_; }
     /// A copy for another thread, which builds it for another description of the same molecule.
     Drawing copy() const;
 
-    /// Colours a scene again once it is built, before its legend is laid out. Who changes it calls forget().
+    /// Colours each scene that is built, before its legend is laid out. Call forget() after a change.
     MovingPicture::Recolor recolor;
     const PictureDescription& description() const { return description_; }
     RenderSettings settings;
@@ -144,12 +146,12 @@ public:
 
 private:
     bool update(const PictureDescription& description, const std::optional<Bounds>& frame, const Molecule* now);
-    void buildScene(const std::optional<Bounds>& frame, const Molecule* now);
+    void rebuildScene(const std::optional<Bounds>& frame, const Molecule* now);
     void setView(const PictureDescription& picture, const Camera& camera);
     void applySceneFile();
     void uncoverTarget(std::optional<double> clipNear);
     void finish(const PictureDescription& picture);
-    void placeWordsOf(const PictureDescription& picture);
+    void placePictureWords(const PictureDescription& picture);
     void makeRoom(const PictureDescription& picture);
     void setStats();
 
@@ -164,7 +166,7 @@ private:
     bool seenByScene_ = false;       ///< from where a scene file's camera stands
     bool cutsScene_ = false;         ///< scene_ lacks what that camera's planes cut away
     double radius_ = 0;              ///< that the camera goes by, Å, without maps
-    /// How far the plane or the eye that depths count from stands behind that of the trajectory's first frame, Å.
+    /// Å by which the origin of depths moved back for atoms beyond the reach of the trajectory's first frame.
     double depthShift_ = 0;
     double wordSize_ = 0;  ///< of the last picture, as Words has it
     std::optional<std::array<float, 3>> wordColor_;

@@ -25,7 +25,7 @@ struct Sight {
     double distance(const glm::dvec3& v) const { return glm::length(v - at(v.z)); }
 };
 
-/// As focusOf(), for a view of the scene.
+/// As findFocus(), for a view of the scene.
 glm::dvec3 focusIn(const Molecule& molecule, const PictureDescription& d, const View& view, const glm::dvec3& center) {
     const Sight sight{-view.pan, view.eyeDistance};
     const auto placeOf = [&](std::uint32_t atom) {
@@ -56,7 +56,8 @@ glm::dvec3 focusIn(const Molecule& molecule, const PictureDescription& d, const 
 
 }  // namespace
 
-glm::dvec3 focusOf(const Molecule& molecule, const PictureDescription& d, const Seen& seen, const glm::dvec3& center) {
+glm::dvec3 findFocus(const Molecule& molecule, const PictureDescription& d, const Seen& seen,
+                     const glm::dvec3& center) {
     if (const SceneCamera* camera = sceneCamera(molecule, d)) return camera->target;
     constexpr std::uint32_t kAnySize = 256;
     const View view = viewOf(seen.camera, seen.radius, kAnySize, kAnySize);

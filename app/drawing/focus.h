@@ -9,7 +9,7 @@
 
 namespace nacre::app {
 
-/// A camera, aimed as the picture asks, and the radius that it goes by (Å).
+/// A camera after aiming, and the radius that it takes in (Å).
 struct Seen {
     Camera camera;
     double radius = 0;
@@ -19,8 +19,8 @@ struct Seen {
 /// the nearest drawn atom in front of which nothing is, within 2 Å of the line of sight; else of the atom that is
 /// closest to that line.
 /// @param center  of the scene
-glm::dvec3 focusOf(const Molecule& molecule, const PictureDescription& picture, const Seen& seen,
-                   const glm::dvec3& center);
+glm::dvec3 findFocus(const Molecule& molecule, const PictureDescription& picture, const Seen& seen,
+                     const glm::dvec3& center);
 
 /// Focuses the lens of pictures at that place, unless its distance is given or there is no lens.
 void focusLens(const Molecule& molecule, const PictureDescription& picture, const glm::dvec3& center,

@@ -34,8 +34,8 @@ struct KeptRegion {
     std::shared_ptr<const MapRegion> region;
 };
 
-std::shared_ptr<const MapRegion> regionOf(const std::shared_ptr<const DensityMap>& map,
-                                          const std::vector<glm::dvec3>& places, double reach) {
+std::shared_ptr<const MapRegion> keptRegion(const std::shared_ptr<const DensityMap>& map,
+                                            const std::vector<glm::dvec3>& places, double reach) {
     constexpr std::size_t kMostKept = 4;
     static std::mutex mutex;
     static std::list<KeptRegion> kept;
@@ -57,20 +57,20 @@ std::shared_ptr<const MapRegion> regionOf(const std::shared_ptr<const DensityMap
     return region;
 }
 
-/// The one of a map; the standard where the list is shorter.
+/// A map's entry in a list of options; the default if the list is shorter.
 template <typename Value>
 Value ofMap(const std::vector<Value>& list, std::size_t i) {
     return i < list.size() ? list[i] : Value{};
 }
 
-std::uint32_t bitsOf(const std::array<float, 4>& color) {
+std::uint32_t packRgb(const std::array<float, 4>& color) {
     const auto channel = [&](std::size_t i) {
         return static_cast<std::uint32_t>(std::lround(static_cast<double>(color[i]) * 255)) << 8 * i;
     };
     return channel(0) | channel(1) | channel(2);
 }
 
-std::vector<glm::dvec3> placesOf(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+std::vector<glm::dvec3> finitePositions(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
     std::vector<glm::dvec3> places;
     places.reserve(atoms.size());
     for (const std::uint32_t atom : atoms) {
@@ -80,7 +80,7 @@ std::vector<glm::dvec3> placesOf(const Molecule& molecule, std::span<const std::
     return places;
 }
 
-/// The colours of a map's values; it holds the map.
+/// Colours by the values of a map, which it keeps alive.
 struct Values {
     std::shared_ptr<const DensityMap> map;
     ValueColoring coloring;
@@ -90,25 +90,25 @@ struct Values {
     }
 };
 
-/// Where maps are drawn, and how far from there; no places: everywhere.
+/// Positions about which a map is drawn, and how far from them; no positions: the whole map.
 struct Around {
     std::vector<glm::dvec3> places;
     double reach = 0;
 };
 
-Around aroundOf(const Molecule& molecule, const PictureDescription& d, const DensityMap& map,
-                const std::optional<glm::dvec3>& focus) {
+Around findSurroundings(const Molecule& molecule, const PictureDescription& d, const DensityMap& map,
+                        const std::optional<glm::dvec3>& focus) {
     const MapOptions& maps = d.maps;
     if (focus) return {{*focus}, maps.reach.value_or(maps.usualReach())};
     if (!maps.around) {
         if (!map.periodic) return {};
-        return {placesOf(molecule, drawnAtoms(molecule, d.drawn)), kMapReachOfAll};
+        return {finitePositions(molecule, drawnAtoms(molecule, d.drawn)), kMapReachOfAll};
     }
     const std::vector<bool> chosen = selectAtoms(molecule, *maps.around);
     std::vector<std::uint32_t> atoms;
     for (std::uint32_t i = 0; i < chosen.size(); ++i)
         if (chosen[i]) atoms.push_back(i);
-    Around around{placesOf(molecule, atoms), maps.reach.value_or(maps.usualReach())};
+    Around around{finitePositions(molecule, atoms), maps.reach.value_or(maps.usualReach())};
     if (around.places.empty())
         throw Error("cannot draw map", map.name, "--map-around '" + maps.around->text + "' matches no atoms");
     return around;
@@ -128,7 +128,7 @@ void addGeometry(Primitives primitives, MapLayers& layers) {
 
 /// Adds a map as a scene file shows it.
 void addVolume(const SceneVolume& volume, Representation& shown) {
-    const std::shared_ptr<const MapRegion> region = regionOf(volume.map, {}, kBoxOfFile);
+    const std::shared_ptr<const MapRegion> region = keptRegion(volume.map, {}, kBoxOfFile);
     if (volume.axis >= 0) {
         ValueColoring values{volume.map.get(), volume.map->name, {}, {}, volume.color};
         values.range = ColorRange{volume.map->statistics.min, volume.map->statistics.max};
@@ -146,19 +146,19 @@ void addVolume(const SceneVolume& volume, Representation& shown) {
     if (volume.wires) addContour(*region, contour, shown);
 }
 
-MapContour contourOf(const DensityMap& map, const MapOptions& maps, std::size_t i) {
+MapContour makeContour(const DensityMap& map, const MapOptions& maps, std::size_t i) {
     MapContour contour;
     contour.style = ofMap(maps.styles, i);
     if (contour.style == MapStyle::automatic) contour.style = map.periodic ? MapStyle::mesh : MapStyle::surface;
     contour.opacity = ofMap(maps.opacities, i).value_or(kOpacityBesideMolecule);
     contour.width = maps.width;
-    contour.level = levelOf(map, ofMap(maps.levels, i));
+    contour.level = contourLevel(map, ofMap(maps.levels, i));
     return contour;
 }
 
-std::uint32_t colorOfContour(const DensityMap& map, const MapColors& colors) {
+std::uint32_t contourColor(const DensityMap& map, const MapColors& colors) {
     const auto usual = map.difference ? kPositiveGreen : map.periodic ? kCrystalBlue : kCryoGrey;
-    return bitsOf(colors.automatic ? usual : colors.high);
+    return packRgb(colors.automatic ? usual : colors.high);
 }
 
 /// A map's contour, and the negative one of a difference map.
@@ -169,13 +169,13 @@ void addContours(const DensityMap& map, const MapRegion& region, const MapContou
     MapContour other = contour;
     other.level = 2 * map.statistics.mean - contour.level;
     other.above = !contour.above;
-    other.color = bitsOf(colors.automatic ? kNegativeRed : colors.low);
+    other.color = packRgb(colors.automatic ? kNegativeRed : colors.low);
     addContour(region, other, shown);
 }
 
 }  // namespace
 
-double levelOf(const DensityMap& map, const MapLevel& level) {
+double contourLevel(const DensityMap& map, const MapLevel& level) {
     const MapStatistics& s = map.statistics;
     switch (level.unit) {
         case MapLevel::Unit::value:
@@ -197,25 +197,25 @@ Representation withMaps(Representation scene, const MapLayers& maps) {
     return scene;
 }
 
-std::optional<Bounds> frameOfPrimitives(const Molecule& molecule, const PictureDescription& d) {
+std::optional<Bounds> primitiveBounds(const Molecule& molecule, const PictureDescription& d) {
     if (!molecule.atoms.empty() || d.primitives.empty()) return std::nullopt;
     return boundsOf(primitivesOf(d.primitives, molecule));
 }
 
-MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, const glm::dvec3& center,
-                      const Seen& seen) {
+MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& d, const glm::dvec3& center,
+                         const Seen& seen) {
     MapLayers layers;
-    if (d.maps.aroundFocus && !d.maps.files.empty()) layers.focus = focusOf(molecule, d, seen, center);
+    if (d.maps.aroundFocus && !d.maps.files.empty()) layers.focus = findFocus(molecule, d, seen, center);
     Representation& shown = layers.shown;
     shown.center = center;
     for (std::size_t i = 0; i < d.maps.files.size(); ++i) {
         const std::shared_ptr<const DensityMap> map = mapOf(d.maps.files[i], mapLimits(d.input));
-        const Around around = aroundOf(molecule, d, *map, layers.focus);
-        const std::shared_ptr<const MapRegion> region = regionOf(map, around.places, around.reach);
+        const Around around = findSurroundings(molecule, d, *map, layers.focus);
+        const std::shared_ptr<const MapRegion> region = keptRegion(map, around.places, around.reach);
         const MapColors colors = ofMap(d.maps.colors, i);
         const std::size_t before = shown.wires.size() + shown.triangles.size();
-        MapContour contour = contourOf(*map, d.maps, i);
-        contour.color = colorOfContour(*map, colors);
+        MapContour contour = makeContour(*map, d.maps, i);
+        contour.color = contourColor(*map, colors);
         // A level below a crystal map's mean encloses lower values; the mean of a cryo-EM map means little.
         contour.above = contour.level >= map->statistics.mean || !map->periodic;
         const MapStatistics& statistics = map->statistics;
@@ -250,7 +250,7 @@ MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& d, con
     return layers;
 }
 
-std::vector<SceneVolume> volumesOf(const PictureDescription& picture) {
+std::vector<SceneVolume> sceneVolumes(const PictureDescription& picture) {
     const MapOptions& maps = picture.maps;
     std::vector<SceneVolume> volumes;
     for (std::size_t i = 0; i < maps.files.size(); ++i) {
@@ -258,7 +258,7 @@ std::vector<SceneVolume> volumesOf(const PictureDescription& picture) {
         volume.map = mapOf(maps.files[i], mapLimits(picture.input));
         const MapSliceOption slice = ofMap(maps.slices, i);
         const MapColors colors = ofMap(maps.colors, i);
-        const MapContour contour = contourOf(*volume.map, maps, i);
+        const MapContour contour = makeContour(*volume.map, maps, i);
         const auto add = [&](double level, std::uint32_t color) {
             volume.level = level;
             volume.color = 0xff000000u | color;
@@ -273,9 +273,9 @@ std::vector<SceneVolume> volumesOf(const PictureDescription& picture) {
             add(0, 0xffffffu);
             continue;
         }
-        add(contour.level, colorOfContour(*volume.map, colors));
+        add(contour.level, contourColor(*volume.map, colors));
         if (volume.map->difference)
-            add(2 * volume.map->statistics.mean - contour.level, bitsOf(colors.automatic ? kNegativeRed : colors.low));
+            add(2 * volume.map->statistics.mean - contour.level, packRgb(colors.automatic ? kNegativeRed : colors.low));
     }
     return volumes;
 }
@@ -297,7 +297,7 @@ void addMapSurfaces(const Molecule& molecule, PictureDescription picture, Repres
     colorByMap(picture, scene);
     if (!picture.drawsBeside()) return;
     picture.maps.styles.assign(picture.maps.files.size(), MapStyle::surface);
-    MapLayers maps = mapLayersOf(molecule, picture, scene.center, {picture.camera, scene.radius});
+    MapLayers maps = buildMapLayers(molecule, picture, scene.center, {picture.camera, scene.radius});
     scene = withMaps(std::move(scene), maps);
     std::move(maps.warnings.begin(), maps.warnings.end(), std::back_inserter(scene.warnings));
 }

@@ -14,8 +14,8 @@
 
 namespace nacre::app {
 
-/// A contour level in the map's unit. For the negative contour of a difference map mirrored about the mean.
-double levelOf(const DensityMap& map, const MapLevel& level);
+/// A contour level in the map's unit. The negative contour of a difference map mirrors it about the mean.
+double contourLevel(const DensityMap& map, const MapLevel& level);
 
 /// Maps and primitives about a scene's centre.
 struct MapLayers {
@@ -36,20 +36,18 @@ struct MapLayers {
 /// A scene together with its maps and primitives.
 Representation withMaps(Representation scene, const MapLayers& maps);
 
-/// @throws Error
-/// The view of a molecule without atoms, which has a centre by its primitives alone; else nothing. @throws Error
-std::optional<Bounds> frameOfPrimitives(const Molecule& molecule, const PictureDescription& description);
+/// Bounds of the primitives, if the molecule has no atoms. @throws Error
+std::optional<Bounds> primitiveBounds(const Molecule& molecule, const PictureDescription& description);
 
-/// @throws Error
-/// @param seen  the camera, which may decide where they are drawn
-MapLayers mapLayersOf(const Molecule& molecule, const PictureDescription& description, const glm::dvec3& center,
-                      const Seen& seen);
+/// @param seen  the camera: maps may be drawn about what it looks at @throws Error
+MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& description, const glm::dvec3& center,
+                         const Seen& seen);
 
 /// The maps of a picture as a scene file has them: contours, and slices of the grid. @throws Error
-std::vector<SceneVolume> volumesOf(const PictureDescription& picture);
+std::vector<SceneVolume> sceneVolumes(const PictureDescription& picture);
 
-/// Colours molecular surfaces by the map that a picture names for them. Of a scene that moves, each frame has the
-/// colours of where it is, in the range of the first.
+/// Colours molecular surfaces by the map that a picture names for them. The first scene decides the range of values;
+/// later frames of moving atoms keep it.
 class SurfaceColoring {
 public:
     explicit SurfaceColoring(const PictureDescription& picture);
@@ -62,8 +60,7 @@ private:
 };
 inline void colorByMap(const PictureDescription& picture, Representation& scene) { SurfaceColoring{picture}(scene); }
 
-/// For files of triangles: the surfaces of a picture's maps, whatever their styles, and the colours that maps give.
-/// @throws Error
+/// For files of triangles: adds a picture's maps as surfaces, and colours by maps. @throws Error
 void addMapSurfaces(const Molecule& molecule, PictureDescription picture, Representation& scene);
 
 }  // namespace nacre::app

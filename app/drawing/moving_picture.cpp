@@ -5,7 +5,7 @@
 namespace nacre::app {
 
 MovingPicture::MovingPicture(const ResidueFacts& facts, const PictureDescription& picture, Recolor recolor)
-    : scene_(movingSceneOf(facts, picture)),
+    : scene_(buildMovingScene(facts, picture)),
       radius_(scene_.scene().radius),
       recolor_(std::move(recolor)),
       surfaces_(picture) {

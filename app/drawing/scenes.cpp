@@ -46,26 +46,26 @@ Representation guidedScene(const ResidueFacts& facts, std::span<const std::uint3
     const SceneGuide& guide = *facts.molecule().guide;
     const GuidedLayers layers = guidedLayers(facts, drawn, look);
     const Bounds frame = guide.camera            ? Bounds{guide.camera->target, guide.camera->radius}
-                         : layers.layers.empty() ? frameOfGuide(guide)
+                         : layers.layers.empty() ? guideBounds(guide)
                                                  : boundsOf(facts.molecule(), layers.layers);
     return representLayers(facts, layers, look, frame);
 }
 
 }  // namespace
 
-MovingScene movingSceneOf(const ResidueFacts& facts, const PictureDescription& picture) {
+MovingScene buildMovingScene(const ResidueFacts& facts, const PictureDescription& picture) {
     const RepresentationOptions& look = picture.look;
     return {facts, someDrawnAtoms(facts.molecule(), picture.input.path, picture.drawn), withTables(look),
             sharedFrame(facts, picture.drawn, look)};
 }
 
-Representation sceneOf(const ResidueFacts& facts, const PictureDescription& picture,
-                       const std::optional<Bounds>& shared) {
+Representation buildScene(const ResidueFacts& facts, const PictureDescription& picture,
+                          const std::optional<Bounds>& shared) {
     const RepresentationOptions look = withTables(picture.look);
     const Molecule& molecule = facts.molecule();
     const bool orNothing = picture.drawsBeside();
-    const std::optional<Bounds> frame = shared ? shared : frameOfPrimitives(molecule, picture);
-    if (molecule.guide && molecule.atoms.empty()) return emptyScene(facts, {}, frameOfGuide(*molecule.guide));
+    const std::optional<Bounds> frame = shared ? shared : primitiveBounds(molecule, picture);
+    if (molecule.guide && molecule.atoms.empty()) return emptyScene(facts, {}, guideBounds(*molecule.guide));
     if (orNothing && molecule.atoms.empty()) return emptyScene(facts, {}, frame);
     const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, picture.input.path, picture.drawn);
     if (molecule.guide) return guidedScene(facts, drawn, look);
@@ -76,7 +76,7 @@ Representation sceneOf(const ResidueFacts& facts, const PictureDescription& pict
     return scene;
 }
 
-RenderSettings settingsOf(const PictureDescription& picture, const Camera& camera, const Size& size, double radius) {
+RenderSettings makeSettings(const PictureDescription& picture, const Camera& camera, const Size& size, double radius) {
     RenderSettings settings;
     settings.view = viewOf(camera, radius, size.width, size.height);
     settings.supersample = picture.supersample;
@@ -93,7 +93,7 @@ RenderSettings settingsOf(const PictureDescription& picture, const Camera& camer
     return settings;
 }
 
-Bounds frameOfGuide(const SceneGuide& guide) {
+Bounds guideBounds(const SceneGuide& guide) {
     if (guide.camera) return {guide.camera->target, guide.camera->radius};
     return boundsOf(guide.primitives).value_or(Bounds{{}, 1});
 }

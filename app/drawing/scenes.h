@@ -17,11 +17,11 @@ namespace nacre::app {
 
 /// The scene of a molecule, in its style and colours. @throws Error if nothing is drawn
 /// @param frame  shared by all models of the molecule's file (shared_frame.h), if known; else computed if possible
-Representation sceneOf(const ResidueFacts& facts, const PictureDescription& picture,
-                       const std::optional<Bounds>& frame = {});
+Representation buildScene(const ResidueFacts& facts, const PictureDescription& picture,
+                          const std::optional<Bounds>& frame = {});
 
 /// As above for moving atoms; framed with all models of its file, if it has others. @throws Error
-MovingScene movingSceneOf(const ResidueFacts& facts, const PictureDescription& picture);
+MovingScene buildMovingScene(const ResidueFacts& facts, const PictureDescription& picture);
 
 /// Enlarges a view's depth range for atoms that moved beyond it; the camera stays.
 /// @param radius  that holds them, Å
@@ -31,12 +31,12 @@ inline void reachTo(View& view, double radius) {
     if (view.projection == Projection::perspective) view.eyeDistance = std::max(view.eyeDistance, radius * kNearest);
 }
 
-/// The settings that a description gives to a picture: all but its clipping to a target, its lens's focus and what a
-/// scene file adds. Needs no scene. @param radius  that the camera takes in, Å
-RenderSettings settingsOf(const PictureDescription& picture, const Camera& camera, const Size& size, double radius);
+/// The renderer's settings for a description, without a scene: clipping before a target, the lens's focus and what a
+/// scene file adds are Drawing's. @param radius  that the camera takes in, Å
+RenderSettings makeSettings(const PictureDescription& picture, const Camera& camera, const Size& size, double radius);
 
 /// Bounds of a scene without atoms.
-Bounds frameOfGuide(const SceneGuide& guide);
+Bounds guideBounds(const SceneGuide& guide);
 
 /// The camera of a scene file, if the picture has no other one; else null.
 const SceneCamera* sceneCamera(const Molecule& molecule, const PictureDescription& picture);

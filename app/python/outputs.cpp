@@ -108,8 +108,7 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
             // A rotation returns to its start at 1, which the last frame does not reach.
             settings.view =
                 app::viewAt(motion, settings.view, static_cast<double>(frame) / static_cast<double>(frames));
-            Picture drawn = canvas.renderer.render(settings);
-            drawing.addWords(settings, drawn, &memory);
+            Picture drawn = drawing.drawAs(settings, canvas.renderer, &memory);
             between();
             return drawn;
         };
@@ -130,7 +129,7 @@ std::vector<std::string> exportScene(const Structure& structure, const std::stri
     app::OutputFile file(path);
     const Molecule& molecule = *structure.molecule;
     app::loadMaps(request);
-    Representation scene = app::sceneOf(molecule, request);
+    Representation scene = app::buildScene(molecule, request);
     if (!colors.atoms.empty()) {
         checkCount(colors, molecule.atoms.size());
         paint(colors, scene);

@@ -88,10 +88,7 @@ const RenderSettings& Frames::compose(PictureDescription picture) {
 
 Picture Frames::draw(Renderer& renderer, PictureDescription picture) {
     picture.debug = debug_;
-    Picture drawn = renderer.render(compose(std::move(picture)));
-    const Drawing& drawing = stage_.document.drawing;
-    drawing.addWords(drawing.settings, drawn);
-    return drawn;
+    return stage_.document.drawing.drawAs(compose(std::move(picture)), renderer);
 }
 
 glm::dvec2 Frames::pointOf(const glm::dvec3& place, const View& view) const {
@@ -148,7 +145,7 @@ bool Frames::put(Representation scene, void (Screen::*how)(Representation)) {
     return sceneThere_;
 }
 
-/// The document's scene, where it is not there.
+/// Puts the document's scene on a screen that lacks it.
 void Frames::putScene(double now) {
     restartOcclusion();
     if (sceneThere_) return;

@@ -28,8 +28,8 @@ Loader::~Loader() {
 void Loader::launch(Job job) {
     if (thread_.joinable()) thread_.join();
     last_ = job.view;
-    const auto task = std::make_shared<std::packaged_task<Document()>>(
-        [this, job = std::move(job)]() mutable { return load(job); });
+    const auto task =
+        std::make_shared<std::packaged_task<Document()>>([this, job = std::move(job)]() mutable { return load(job); });
     running_ = task->get_future();
     const auto run = [this, task] {
         (*task)();
@@ -38,7 +38,8 @@ void Loader::launch(Job job) {
     if (!mayStart(thread_, run)) run();
 }
 
-/// A slider of a level must not wait for unchanged parts, wherever the camera is meanwhile. A moving scene is rebuilt.
+/// Copies the shown scene if only maps differ, so that a level's slider does not wait for it. Moving scenes are
+/// rebuilt.
 void Loader::build(const PictureDescription& view, const Document& shown) {
     Job job{view, shown.molecule, false, shown.placed, shown.moves()};
     const Rebuild rebuild = rebuildFor(shown.drawing.description(), view, CameraBy::hand);
@@ -52,7 +53,7 @@ Document Loader::load(Job& job) const {
         const auto molecule = std::make_shared<Molecule>(sources_.read(job.view));
         document.placed = document.molecule = molecule;
         if (sources_.motion) document.motion = sources_.motion(molecule, job.view);
-        // The file of the names may have the atoms elsewhere: the camera goes by where the first frame has them.
+        // The camera frames the trajectory's first frame, not the positions in the molecule's file.
         if (document.motion && !job.view.input.trajectory.path.empty())
             movePositions(*molecule, document.motion->positions(0));
     }

@@ -64,7 +64,8 @@ std::string nameOf(const std::string& identifier, const std::map<std::string, st
     const auto found = names.find(identifier);
     return found == names.end() ? identifier : found->second;
 }
-/// Both.
+
+/// "A, Haemoglobin subunit alpha"
 std::string named(const std::string& identifier, const std::map<std::string, std::string>& names) {
     const auto found = names.find(identifier);
     return found == names.end() ? identifier : identifier + ", " + found->second;

@@ -1,6 +1,6 @@
 #pragma once
-// Labels, measurements, legend and the like: their positions in the document, and pictures with them. The explanation
-// of a picture in words: its molecule, style and colours.
+// Labels, measurements, legend and the like in a window. The explanation of a picture in words: its molecule, style and
+// colours.
 
 #include <string>
 

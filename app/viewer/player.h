@@ -36,7 +36,6 @@ public:
 
     std::size_t frames() const { return frames_; }
     /// Sets the scene for the next frames. @param scene  exclusively owned from now on; null: none
-    /// @param recolor  the colours of each of them, on the player's thread; empty: as the scene has them
     void setScene(std::shared_ptr<MovingPicture> scene);
     /// Sets the processing of the next frames.
     void setMotion(MotionOptions options);

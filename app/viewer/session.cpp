@@ -18,33 +18,52 @@ constexpr std::uint64_t kFramesOfWarmUp = 3;  // live, refined, kept
 
 }  // namespace
 
-// --- the screen
+/// The current renderer, as the viewer sees it.
+class Session::OwnScreen : public Screen {
+public:
+    explicit OwnScreen(Session& session) : session_(session) {}
 
-void Session::OwnScreen::setScene(Representation scene) {
-    if (session_.renderer_) session_.renderer_->setScene(std::move(scene));
-}
+    void setScene(Representation scene) override {
+        if (Renderer* r = session_.renderer()) r->setScene(std::move(scene));
+    }
+    void moveScene(Representation scene) override {
+        if (Renderer* r = session_.renderer()) r->moveScene(std::move(scene));
+    }
+    void expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame) override {
+        if (Renderer* r = session_.renderer()) r->expectScene(std::move(like), settings, frame);
+    }
+    double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) override {
+        Renderer* r = session_.renderer();
+        return r ? r->advanceOcclusion(settings, pace) : 0;
+    }
+    void awaitFrame() override {
+        if (Renderer* r = session_.renderer()) r->awaitFrame();
+    }
+    /// The slower of host and device: lists of triangles cost the host more than pixels cost the device.
+    double frameMilliseconds() const override {
+        const Renderer* r = session_.renderer();
+        const double device = r ? r->stats().windowMilliseconds : 0;
+        return device > 0 ? std::max(device, hostMilliseconds_) : 0;
+    }
+    FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame) override;
+    PixelSize windowSize() const override {
+        const Renderer* r = session_.renderer();
+        return r ? r->windowSize() : PixelSize{1, 1};
+    }
+    std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) override {
+        Renderer* r = session_.renderer();
+        return r ? r->atomAt(settings, x, y, reach) : 0;
+    }
+    std::string deviceLoss() const override {
+        const Renderer* r = session_.renderer();
+        return r ? r->deviceLoss() : std::string();
+    }
 
-void Session::OwnScreen::moveScene(Representation scene) {
-    if (session_.renderer_) session_.renderer_->moveScene(std::move(scene));
-}
-
-void Session::OwnScreen::expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame) {
-    if (session_.renderer_) session_.renderer_->expectScene(std::move(like), settings, frame);
-}
-
-double Session::OwnScreen::advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) {
-    return session_.renderer_ ? session_.renderer_->advanceOcclusion(settings, pace) : 0;
-}
-
-void Session::OwnScreen::awaitFrame() {
-    if (session_.renderer_) session_.renderer_->awaitFrame();
-}
-
-/// The slower of the two that work on frames: lists of triangles cost the host more than pixels cost the device.
-double Session::OwnScreen::frameMilliseconds() const {
-    const double device = session_.renderer_ ? session_.renderer_->stats().windowMilliseconds : 0;
-    return device > 0 ? std::max(device, hostMilliseconds_) : 0;
-}
+private:
+    Session& session_;
+    int failures_ = 0;             // consecutive failures to present
+    double hostMilliseconds_ = 0;  // of the last frame
+};
 
 FrameOutcome Session::OwnScreen::present(const RenderSettings& settings, const WindowFrame& frame) {
     Renderer* renderer = session_.renderer();
@@ -67,18 +86,6 @@ FrameOutcome Session::OwnScreen::present(const RenderSettings& settings, const W
     }
 }
 
-PixelSize Session::OwnScreen::windowSize() const {
-    return session_.renderer_ ? session_.renderer_->windowSize() : PixelSize{1, 1};
-}
-
-std::uint32_t Session::OwnScreen::atomAt(const RenderSettings& settings, double x, double y, double reach) {
-    return session_.renderer_ ? session_.renderer_->atomAt(settings, x, y, reach) : 0;
-}
-
-std::string Session::OwnScreen::deviceLoss() const {
-    return session_.renderer_ ? session_.renderer_->deviceLoss() : std::string();
-}
-
 // --- the session
 
 Session::Session(SessionHost host, Sources sources, const PictureDescription& first, const ViewerOptions& options,
@@ -86,7 +93,8 @@ Session::Session(SessionHost host, Sources sources, const PictureDescription& fi
     : host_(std::move(host)),
       wake_(wake),
       occlusionBytes_(options.occlusionBytes),
-      viewer_(screen_, std::move(sources), first, options, std::move(wake)) {}
+      screen_(std::make_unique<OwnScreen>(*this)),
+      viewer_(*screen_, std::move(sources), first, options, std::move(wake)) {}
 
 Session::~Session() {
     if (opener_.joinable()) opener_.join();

@@ -72,26 +72,7 @@ public:
     static constexpr double kForgottenAfter = 60;
 
 private:
-    /// The current renderer, as the viewer sees it.
-    class OwnScreen : public Screen {
-    public:
-        explicit OwnScreen(Session& session) : session_(session) {}
-        void setScene(Representation scene) override;
-        void moveScene(Representation scene) override;
-        void expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame) override;
-        double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) override;
-        void awaitFrame() override;
-        double frameMilliseconds() const override;
-        FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame) override;
-        PixelSize windowSize() const override;
-        std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) override;
-        std::string deviceLoss() const override;
-
-    private:
-        Session& session_;
-        int failures_ = 0;             // consecutive failures to present
-        double hostMilliseconds_ = 0;  // of the last frame
-    };
+    class OwnScreen;
 
     DeviceOptions deviceOptions() const;
     void opened(std::unique_ptr<Renderer> renderer, double now);
@@ -104,7 +85,7 @@ private:
     std::thread opener_;
     std::future<std::unique_ptr<Renderer>> opening_;
     std::unique_ptr<Renderer> renderer_;
-    OwnScreen screen_{*this};
+    std::unique_ptr<OwnScreen> screen_;
     Viewer viewer_;
     bool pipelinesKept_ = false;
     int losses_ = 0;        // recent ones

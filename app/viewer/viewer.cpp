@@ -218,7 +218,7 @@ void Viewer::followFocus(double now) {
     if (stage_.moving(now) || playback_.playing() || reading_.loader().busy()) return;
     followed_ = stage_.changes();
     const glm::dvec3 focus =
-        focusOf(*document()->molecule, wanted, {wanted.camera, stage_.radius()}, drawing.scene().center);
+        findFocus(*document()->molecule, wanted, {wanted.camera, stage_.radius()}, drawing.scene().center);
     const double reach = wanted.maps.reach.value_or(wanted.maps.usualReach());
     if (glm::distance(focus, *followed) > kFollows * reach) reading_.build();
 }

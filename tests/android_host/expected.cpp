@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "app/download/molecule_sources.h"
 #include "app/picture/option_values.h"
-#include "app/viewer/local_molecules.h"
 #include "engine/renderer.h"
 #include "engine/srgb.h"
 
@@ -28,17 +28,14 @@ const std::string& driverKey() { return expectingRenderer().stats().device.drive
 
 WindowPicture expectedPicture(const app::PictureDescription& view, std::uint32_t width, std::uint32_t height,
                               std::uint32_t samples) {
-    const app::Sources sources = app::localMolecules();
+    const app::Sources sources = app::phoneSources({});
     const Molecule molecule = sources.read(view);
-    const Representation scene = sources.build(molecule, view);
-    RenderSettings settings;
-    settings.view = viewOf(view.camera, scene.radius, width, height);
-    settings.background = view.background;
-    settings.lighting = view.lighting;
-    settings.occlusion.directions = view.occlusion.directions;
+    app::Drawing drawing(app::CameraBy::hand);
+    drawing.build(molecule, view);
+    RenderSettings settings = drawing.settingsFor(view, view.camera, {width, height});
     settings.supersample = samples;
     Renderer& renderer = expectingRenderer();
-    renderer.setScene(scene);
+    renderer.setScene(drawing.joinedScene());
     const Picture picture = renderer.render(settings);
     WindowPicture result{width, height, {}};
     for (std::size_t i = 0; i < picture.rgba.size(); ++i)

@@ -89,8 +89,8 @@ TEST_F(LoadMaps, OfEmdbHaveTheLevelOfTheirDepositors) {
     EXPECT_EQ(map->size, glm::ivec3(4));
     ASSERT_TRUE(map->depositedLevel);
     EXPECT_EQ(*map->depositedLevel, 42.5) << "the primary contour";
-    EXPECT_EQ(levelOf(*map, {}), 42.5);
-    EXPECT_EQ(levelOf(*map, parseMapLevel("3")), 3);
+    EXPECT_EQ(contourLevel(*map, {}), 42.5);
+    EXPECT_EQ(contourLevel(*map, parseMapLevel("3")), 3);
     EXPECT_EQ(requestsFor("/EMD-9001/map/emd_9001.map.gz"), 1u);
     EXPECT_EQ(requestsFor("/entry/map/EMD-9001"), 1u);
     EXPECT_EQ(load("emdb:9001"), map) << "kept";
@@ -100,7 +100,7 @@ TEST_F(LoadMaps, OfEmdbHaveTheLevelOfTheirDepositors) {
 TEST_F(LoadMaps, WithoutADepositorsLevelShowTheHighestHundredth) {
     const auto map = load("emdb:EMD-9002");
     EXPECT_FALSE(map->depositedLevel);
-    EXPECT_EQ(levelOf(*map, {}), levelOf(*map, parseMapLevel("top1%")));
+    EXPECT_EQ(contourLevel(*map, {}), contourLevel(*map, parseMapLevel("top1%")));
 }
 
 TEST_F(LoadMaps, OfThePdbAreFoundByTheirKind) {

@@ -22,7 +22,7 @@ class FocusTest : public testing::Test {
 protected:
     void set(std::string_view key, const std::string& value) { setOption(option(key), value, picture); }
     void expectFocus(const glm::dvec3& wanted, double radius = 12) const {
-        const glm::dvec3 focus = focusOf(molecule, picture, {picture.camera, radius}, kCenter);
+        const glm::dvec3 focus = findFocus(molecule, picture, {picture.camera, radius}, kCenter);
         EXPECT_LT(glm::distance(focus, wanted), 1e-9) << focus.x << " " << focus.y << " " << focus.z;
     }
     const Molecule molecule = threeAtoms();
@@ -96,7 +96,7 @@ TEST_F(FocusTest, MapsAreDrawnAboutIt) {
     set("map-level", "0.5");
     for (const auto& [around, reach] : {std::pair{"focus,6", 6.0}, {"focus", kMapReachOfFocus}}) {
         set("map-around", around);
-        const MapLayers maps = mapLayersOf(molecule, picture, kCenter, {picture.camera, 12});
+        const MapLayers maps = buildMapLayers(molecule, picture, kCenter, {picture.camera, 12});
         ASSERT_TRUE(maps.focus);
         const glm::dvec3 focus = *maps.focus - kCenter;
         EXPECT_LT(glm::distance(focus, {0, 0, 5}), 1e-9);

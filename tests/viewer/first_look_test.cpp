@@ -25,9 +25,9 @@ TEST(FirstLook, AtomsAreSeenInTheirDensity) {
     PictureDescription view;
     setOption(option("map"), "a.mrc", view);
     firstLook(protein, view);
-    EXPECT_EQ(sceneOf(protein, view).style, Style::licorice);
+    EXPECT_EQ(buildScene(protein, view).style, Style::licorice);
     setOption(option("map"), "", view);
-    EXPECT_EQ(sceneOf(protein, view).style, Style::spacefill);
+    EXPECT_EQ(buildScene(protein, view).style, Style::spacefill);
 }
 
 TEST(FirstLook, PredictionsShowTheirConfidence) {

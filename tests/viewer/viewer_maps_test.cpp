@@ -72,9 +72,9 @@ TEST(Viewer, MapsFollowWhatTheCameraLooksAt) {
     EXPECT_GT(glm::distance(then, first), 1);
     EXPECT_EQ(screen.scenes, scenes + 1);
     EXPECT_EQ(viewer.document()->drawing.sceneNumber(), before) << "the molecule stays";
-    EXPECT_EQ(then, focusOf(*viewer.document()->molecule, viewer.view(),
-                            {viewer.view().camera, viewer.document()->drawing.radius()},
-                            viewer.document()->drawing.scene().center));
+    EXPECT_EQ(then, findFocus(*viewer.document()->molecule, viewer.view(),
+                              {viewer.view().camera, viewer.document()->drawing.radius()},
+                              viewer.document()->drawing.scene().center));
     rest();
     EXPECT_EQ(screen.scenes, scenes + 1) << "it rests";
     // Nor does a level build the molecule, wherever the camera is meanwhile.
