@@ -1,5 +1,6 @@
-// The parts of a renderer, and its calls. A picture continues in frame/picture_frames.cpp, which declares its passes
-// (frame/screen.cpp), plans them (graph/) and has them recorded (passes/).
+// The parts of a renderer, and its calls. A picture continues in frame/picture_frames.cpp: its frames are chosen
+// (frame/choose.h), declared (frame/frame.h, frame/paths), planned (graph/) and recorded (gpu/). docs/frame.md walks
+// through one.
 
 #include "engine/renderer.h"
 
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "engine/error.h"
+#include "engine/frame/devices.h"
 #include "engine/frame/picture_frames.h"
 #include "engine/frame/window_frames.h"
 #include "engine/gpu/device_info.h"
@@ -51,26 +53,26 @@ struct Renderer::Impl {
     std::tuple<const Scene*, int, std::uint64_t, OcclusionMaps, std::uint32_t> startedWith{};
 
     explicit Impl(const DeviceOptions& options) : device(options) {
-        const std::string selfTest = chooseTested(options);
+        const std::string selfTest = testPath(options);
         stats.device = gpu::infoOf(device.caps(), device.physical());
+        addChoices(stats.device, device.caps());
         stats.device.selfTest = selfTest;
+        occlusion.setAutomaticMaps(chooseOcclusionMaps(device.caps()));
         if (options.surface.create) window = std::make_unique<WindowFrames>(device, executor, frames, options.surface);
     }
     ~Impl() { device.settle(); }
 
-    /// The correct and fastest path, if a self-test decides. @returns the test's result as text
-    std::string chooseTested(const DeviceOptions& options) {
+    /// Finds the correct and fastest path, if a self-test decides. @returns the test's result as text
+    std::string testPath(const DeviceOptions& options) {
         const gpu::Caps& caps = device.caps();
-        if (options.selfTests.empty() || options.visibility != Visibility::automatic || caps.software ||
-            device.capture().loaded())
-            return {};
+        if (options.selfTests.empty() || !wantsSelfTest(caps) || device.capture().loaded()) return {};
         std::optional<SelfTest> test = keptSelfTest(options.selfTests, caps.driverKey);
         if (!test) {
             if (options.onSelfTest) options.onSelfTest();
             test = testPaths(options, caps.driverKey);
         }
-        const TestedPath taken = choosePath(*test, caps.visibility, caps.visibilityReason);
-        device.choose(taken.visibility, taken.why);
+        const graph::TestedPath byCaps = nacre::choosePath(caps);
+        device.choose(nacre::choosePath(*test, byCaps.visibility, byCaps.why));
         return describe(*test);
     }
 
@@ -113,7 +115,7 @@ struct Renderer::Impl {
     }
 
     /// Pictures that are started read the bake, which may only change after them.
-    void settleUnlessBaked(const OcclusionSettings& wanted) {
+    void waitUnlessBaked(const OcclusionSettings& wanted) {
         std::tuple now(scene.get(), wanted.directions, wanted.bytes, wanted.maps, wanted.detail);
         if (wanted.once || now != startedWith) pictures.settle();
         startedWith = std::move(now);
@@ -121,7 +123,7 @@ struct Renderer::Impl {
 
     /// Runs a call of pictures that are started, and gives them up if it fails.
     template <typename Call>
-    auto orDrop(const Call& call) {
+    auto dropOnError(const Call& call) {
         try {
             return guarded(call);
         } catch (...) {
@@ -192,9 +194,9 @@ CodedPicture Renderer::renderCoded(const RenderSettings& settings, bool alpha) {
 }
 
 void Renderer::startCoded(const RenderSettings& settings, bool alpha) {
-    impl_->orDrop([&] {
+    impl_->dropOnError([&] {
         checkView(settings.view);
-        impl_->settleUnlessBaked(settings.occlusion);
+        impl_->waitUnlessBaked(settings.occlusion);
         impl_->occlusion.finish(settings.occlusion, onlookerOf(settings));
         impl_->pictures.start(settings, impl_->occlusion.atlas(), alpha);
         impl_->notePicture();
@@ -202,7 +204,7 @@ void Renderer::startCoded(const RenderSettings& settings, bool alpha) {
 }
 
 CodedPicture Renderer::finishCoded() {
-    return impl_->orDrop([&] { return impl_->pictures.finish(); });
+    return impl_->dropOnError([&] { return impl_->pictures.finish(); });
 }
 
 std::size_t Renderer::started() const { return impl_->pictures.started(); }
@@ -343,6 +345,7 @@ DriverFeedback Renderer::driverFeedback() const {
     return impl_->guarded([&] { return impl_->executor.feedback(); });
 }
 const std::string& Renderer::planText() const { return impl_->pictures.planText(); }
+std::vector<Decision> Renderer::decisions() const { return impl_->pictures.decisions(); }
 std::vector<std::string> Renderer::validationMessages() const { return impl_->device.validationMessages(); }
 std::uint32_t Renderer::maxSize() const { return impl_->device.caps().maxImageSize; }
 

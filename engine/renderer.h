@@ -120,6 +120,8 @@ public:
     DriverFeedback driverFeedback() const;
     /// Plan of the last frame as text.
     const std::string& planText() const;
+    /// How the first frame of the last picture was drawn, and why; empty before the first picture.
+    std::vector<Decision> decisions() const;
     /// Messages of the validation layer so far; there should be none.
     std::vector<std::string> validationMessages() const;
     /// Largest picture side of this device, in pixels.

@@ -171,6 +171,13 @@ enum class FrameOutcome {
     lost,     ///< nothing drawn: the device is lost (deviceLoss()); create a new Renderer
 };
 
+/// One decision on how a picture was drawn.
+struct Decision {
+    std::string what;  ///< "path"
+    std::string how;   ///< "tiles"
+    std::string why;   ///< one sentence
+};
+
 struct PixelSize {
     std::uint32_t width = 0, height = 0;
 };

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "engine/error.h"
+#include "engine/frame/choose.h"
 #include "engine/frame/picture.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
@@ -260,11 +261,6 @@ PathResult tested(const DeviceOptions& options, Visibility path) {
     return result;
 }
 
-/// Whether a device has a path at all.
-bool has(const DeviceInfo& device, Visibility path) {
-    return path == Visibility::rasterOrder ? device.rasterOrder : path != Visibility::tiles || device.tiles;
-}
-
 }  // namespace
 
 SelfTest testPaths(const DeviceOptions& options, const std::string& key, bool every) {
@@ -277,7 +273,7 @@ SelfTest testPaths(const DeviceOptions& options, const std::string& key, bool ev
     SelfTest test = read(options.selfTests, key);
     const std::span<const Visibility> paths = every ? std::span<const Visibility>(kEveryPath) : kPaths;
     for (const Visibility path : paths) {
-        if (!has(device, path)) continue;
+        if (!hasPath(path, device.rasterOrder, device.tiles)) continue;
         auto it = std::find_if(test.begin(), test.end(), [&](const PathResult& r) { return r.visibility == path; });
         if (it == test.end()) it = test.insert(it, {path, PathResult::Outcome::unfinished, 0, 0});
         if (it->known()) continue;
@@ -327,12 +323,12 @@ std::string describe(const SelfTest& test) {
     return text.str();
 }
 
-TestedPath choosePath(const SelfTest& test, Visibility byCaps, const std::string& whyByCaps) {
+graph::TestedPath choosePath(const SelfTest& test, Visibility byCaps, const std::string& whyByCaps) {
     const PathResult *chosen = nullptr, *fastest = nullptr;
     for (const PathResult& r : test) {
         if (r.outcome != PathResult::Outcome::right) continue;
         if (r.visibility == byCaps) chosen = &r;
-        if (r.visibility == Visibility::tiles && r.visibility != byCaps) continue;  // in small scenes it is meaningless
+        if (!isTimedBySmallScenes(r.visibility) && r.visibility != byCaps) continue;
         if (!fastest || r.milliseconds < fastest->milliseconds) fastest = &r;
     }
     if (!fastest) return {byCaps, whyByCaps + " (and no path draws right: " + describe(test) + ")"};
@@ -351,7 +347,7 @@ void addSelfTest(DeviceInfo& device, const std::string& folder) {
     device.selfTest = describe(*kept);
     for (const Visibility path : kPaths)
         if (device.visibility == visibilityName(path)) {
-            const TestedPath taken = choosePath(*kept, path, device.why);
+            const graph::TestedPath taken = choosePath(*kept, path, device.why);
             device.visibility = visibilityName(taken.visibility);
             device.why = taken.why;
             return;

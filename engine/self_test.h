@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/device_options.h"
+#include "engine/graph/frame_caps.h"
 #include "engine/results.h"
 
 namespace nacre {
@@ -44,13 +45,9 @@ std::optional<SelfTest> keptSelfTest(const std::string& folder, const std::strin
 /// Removes the kept results, so that the next start tests again.
 void forgetSelfTest(const std::string& folder, const std::string& key);
 
-struct TestedPath {
-    Visibility visibility{};
-    std::string why;
-};
 /// The path of `automatic`: chosen by capabilities, unless it draws wrongly or another path takes less than four fifths
 /// of its time.
-TestedPath choosePath(const SelfTest& test, Visibility byCaps, const std::string& whyByCaps);
+graph::TestedPath choosePath(const SelfTest& test, Visibility byCaps, const std::string& whyByCaps);
 
 /// "encoded 1.20 ms (3 subpasses as 1, 0 of 41 kB committed), fragdepth wrong"
 std::string describe(const SelfTest& test);

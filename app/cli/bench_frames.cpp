@@ -11,7 +11,7 @@
 
 #include "app/cli/stats.h"
 #include "app/drawing/scenes.h"
-#include "engine/device_plan.h"
+#include "engine/devices.h"
 #include "engine/error.h"
 #include "engine/renderer.h"
 
@@ -86,7 +86,7 @@ double timeFrame(Renderer& renderer, const RenderSettings& settings, Samples* sa
 std::vector<Timed> timedPaths(const BenchOptions& options, const Representation& scene, Json& lacks,
                               Progress& progress) {
     std::vector<Timed> timed;
-    const bool all = options.picture.device.visibility == Visibility::automatic;
+    const bool all = isAutomatic(options.picture.device.visibility);
     for (const Visibility path : kTimedPaths) {
         if (!all && path != options.picture.device.visibility) continue;
         DeviceOptions device = options.picture.device;
@@ -248,12 +248,10 @@ void addFrames(const BenchOptions& options, const Representation& scene, Json& r
     report["paths"] = pathsJson(options, scene.radius, timed);
     report["lacks"] = lacks;
     // The path that a user gets.
-    const Visibility used = options.picture.device.visibility == Visibility::automatic
-                                ? planOf(options.picture.device).visibility
-                                : options.picture.device.visibility;
-    const auto it = std::find_if(timed.begin(), timed.end(), [&](const Timed& t) { return t.path == used; });
+    const std::string used = deviceInfo(options.picture.device).visibility;
+    const auto it = std::find_if(timed.begin(), timed.end(), [&](const Timed& t) { return visibilityName(t.path) == used; });
     const DeviceInfo& device = it->renderer->stats().device;
-    report["device"] = {{"name", device.name}, {"driver", device.driver}, {"visibility", visibilityName(used)}};
+    report["device"] = {{"name", device.name}, {"driver", device.driver}, {"visibility", used}};
     report["times"]["bake"] = it->renderer->stats().bakeMilliseconds;
     report["times"]["frame"] = timesJson(it->samples.wall);
     report["times"]["frame_processor"] = timesJson(it->samples.processor);

@@ -73,6 +73,7 @@ struct PlanOptions {
     std::string caps;            ///< name of a capability set; empty: the real device
     bool edges = false;          ///< draw edges as pictures do
     bool merge = true;
+    bool explain = false;  ///< print each decision on the frame, with its reason
     bool json = false;
 };
 

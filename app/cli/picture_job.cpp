@@ -130,6 +130,7 @@ void PictureJob::draw(Canvas& canvas) {
         frame_ = renderer.stats();  // of this picture, before the frames that follow add theirs
     }
     drawing_.run.driver = renderer.driverFeedback();
+    drawing_.run.choice = renderer.decisions();
     drawing_.run.firstPictureMs = millisecondsSince(start_);
     if (options_.occlusion.megabytes || (isatty(STDERR_FILENO) && isCoarse(frame_.occlusion)))
         sayOcclusion(frame_.occlusion);

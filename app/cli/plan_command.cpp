@@ -1,6 +1,7 @@
 #include "app/cli/plan_command.h"
 
 #include <algorithm>
+#include <optional>
 #include <ostream>
 
 #include "app/cli/commands.h"
@@ -8,9 +9,10 @@
 #include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
 #include "app/drawing/drawing.h"
-#include "engine/device_plan.h"
+#include "app/drawing/scenes.h"
+#include "engine/device_caps.h"
 #include "engine/error.h"
-#include "engine/frame/lens.h"
+#include "engine/frame/effects/lens/lens.h"
 
 namespace nacre::app {
 namespace {
@@ -21,116 +23,73 @@ const graph::EncodedFormat& formatOf(EncodedDepth rung) {
     return graph::encodedFormats().front();
 }
 
-void chooseBySet(const PlanOptions& options, PlanReport& report) {
-    const graph::CapabilitySet& set = graph::capabilitySet(options.caps);
-    report.caps = set.plan.name;
-    report.plannedWith = set.plan;
-    report.facts = set.facts;
-    const bool automatic = options.picture.device.visibility == Visibility::automatic;
-    const graph::VisibilityChoice choice = graph::chooseVisibility(set.kind, set.plan);
-    report.visibility = automatic ? choice.visibility : options.picture.device.visibility;
-    if (report.visibility == Visibility::rasterOrder && !set.plan.rasterOrder)
-        throw Error("cannot draw by raster-order", set.plan.name, "it does not read its own attachments in order");
-    if (report.visibility == Visibility::tiles && !set.plan.tiles)
-        throw Error("cannot draw by tiles", set.plan.name, "it is unknown whether its subgroups exchange values");
-    report.why = automatic ? choice.why : "asked for";
-    report.encoded = set.encoded;
-    report.motion = graph::chooseSamples(set.kind, report.visibility, set.plan);
-    if (options.picture.device.encoded == EncodedDepth::automatic) return;
+/// The capability set, or the real device, with what the options ask for.
+graph::FrameCaps capsOf(const PlanOptions& options) {
+    const DeviceOptions& device = options.picture.device;
+    if (options.caps.empty()) return deviceCaps(device);
+    graph::FrameCaps caps = graph::capabilitySet(options.caps);
+    caps.visibility = device.visibility;
+    caps.multisampling = device.multisampling;
+    if (device.encoded == EncodedDepth::automatic) return caps;
     // Formats are sorted finest first: a device blends its own and all coarser ones.
-    const graph::EncodedFormat& wanted = formatOf(options.picture.device.encoded);
-    if (wanted.rung < set.encoded.rung)
-        throw Error("cannot encode depth", std::string(wanted.name), set.plan.name + " does not blend that format");
-    if (wanted.rung != set.encoded.rung) report.encoded = wanted;
+    const graph::EncodedFormat& wanted = formatOf(device.encoded);
+    if (wanted.rung < caps.encoded.rung)
+        throw Error("cannot encode depth", std::string(wanted.name), caps.plan.name + " does not blend that format");
+    if (wanted.rung != caps.encoded.rung) caps.encoded = wanted;
+    return caps;
 }
 
-void chooseByDevice(const PlanOptions& options, PlanReport& report) {
-    const DevicePlan device = planOf(options.picture.device);
-    report.caps = device.name;
-    report.plannedWith = device.caps;
-    report.visibility = device.visibility;
-    report.why = device.why;
-    report.encoded = device.encoded;
-    report.motion = device.motion;
-    report.shadesByTiles = device.shadesByTiles;
-}
-
-/// Takes the number of samples that the options ask for instead of the device's.
-void askSamples(const PlanOptions& options, PlanReport& report, const SceneCounts& counts) {
-    const Multisampling wanted = options.picture.device.multisampling;
-    const std::string alone = lacksSamples(options.picture.effects, counts.translucent > 0);
-    if (wanted == Multisampling::off) report.motion = {1, "asked for"};
-    if (wanted == Multisampling::automatic && report.motion.samples > 1 && !alone.empty()) report.motion = {1, alone};
-    if (wanted != Multisampling::four) return;
-    std::string lacks = graph::lacksMultisampling(report.visibility, report.plannedWith);
-    if (lacks.empty()) lacks = alone;
-    if (lacks.empty() && options.edges) lacks = "--supersample auto takes 16: leave it out";
-    if (!lacks.empty()) throw Error("cannot draw 4 samples per pixel", report.caps, lacks);
-    report.motion = {graph::kMultisamples, "asked for"};
-}
-
-/// Submitted primitives of the given scene.
-SceneCounts countsOfInput(const PlanOptions& options) {
+/// The scene of the input, if there is one.
+std::optional<Representation> sceneOfInput(const PlanOptions& options) {
+    if (options.picture.input.path.empty()) return {};
     const Molecule molecule = loadMolecule(options.picture.input);
     loadMaps(options.picture);
     Drawing drawing(CameraBy::hand);
     drawing.build(molecule, options.picture);
-    Representation scene = drawing.joinedScene();
-    const View view =
-        viewOf(options.picture.camera, scene.radius, options.picture.size.width, options.picture.size.height);
-    const double pixels = options.picture.meshError * (options.edges ? 0.25 : 1.0);
-    return countsOf(std::move(scene), view, pixels);
+    return drawing.joinedScene();
 }
 
+RenderSettings settingsOf(const PlanOptions& options, double radius) {
+    const PictureDescription& picture = options.picture;
+    RenderSettings settings = app::settingsOf(picture, picture.camera, picture.size, radius);
+    settings.supersample = options.edges ? RenderSettings::kEdges : 1;
+    return settings;
+}
+
+/// A frame, planned without what reads its result.
 struct PlannedFrame {
-    Visibility visibility;
-    std::uint32_t samples;  ///< of it that a pixel of a picture has
-    ScreenFrame frame;
+    FrameChoice choice;
+    Frame frame;
     graph::Plan plan;
 };
 
-/// The frame as some effects have it, by what the report says of device and path.
-/// @param multisamples  of a pixel, resolved on the tile
-PlannedFrame framePlanned(const PlanOptions& options, const PlanReport& report, const SceneCounts& counts,
-                          const Effects& effects, std::uint32_t multisamples = 1) {
-    const bool rims = effects.rims();
-    const bool shades = report.shadesByTiles && report.visibility == Visibility::tiles && counts.translucent == 0;
-    const Visibility visibility = rims && !shades ? Visibility::deferred : report.visibility;
-    ScreenOptions screen{report.extent, visibility, report.encoded, {VK_FORMAT_R8_UNORM, {1024, 1024}}, {}};
-    screen.targets = kScreenTargets;
-    screen.rims = rims;
-    screen.prepass = graph::platesReject(visibility, report.plannedWith);
-    if (counts.translucent > 0) screen.translucentLayers = kTranslucentLayers;
-    screen.layersByTiles = counts.translucent > 0 && visibility == Visibility::tiles;
-    screen.edges = options.edges && visibility == Visibility::tiles && counts.translucent == 0 && !rims;
-    screen.shadedByTiles = shades;
-    constexpr std::uint32_t kShadowPixels = 1024;  // of all but the largest scenes
-    screen.shadowPixels = effects.shadow.strength > 0 ? kShadowPixels : 0;
-    screen.samples = multisamples;
-    const std::uint32_t samples = options.edges && !screen.edges ? RenderSettings::kEdgeSamples : multisamples;
-    PlannedFrame planned{visibility, samples, screenFrame(screen), {}};
+PlannedFrame framePlanned(const RenderSettings& settings, Part part, const SceneFacts& scene,
+                          const graph::FrameCaps& caps) {
+    PlannedFrame planned;
+    planned.choice = choose({settings, part}, scene, caps);
+    FrameShape shape;
+    shape.choice = planned.choice;
+    shape.choice.ending = Ending::left;
+    shape.extent = {settings.view.width, settings.view.height};
+    shape.atlas = {VK_FORMAT_R8_UNORM, {1024, 1024}};
+    shape.targets = targetsOf(planned.choice);
+    planned.frame = declareFrame(shape);
+    if (part == Part::distances) declareLens(planned.frame, shape.extent, VK_FORMAT_R8G8B8A8_SRGB, nullptr);
+    if (planned.choice.shadedByCompute()) planned.frame.graph.output(planned.frame.numbers);
     for (const graph::Image target : planned.frame.targets) planned.frame.graph.output(target);
-    if (shades) planned.frame.graph.output(planned.frame.numbers);
-    planned.plan = graph::compile(planned.frame.graph, report.plannedWith);
+    planned.plan = graph::compile(planned.frame.graph, caps.plan);
     return planned;
 }
 
-/// The second frame of a picture with depth of field, as drawn behind the first.
-PlannedFrame lensPlanned(const PlanReport& report) {
-    ScreenOptions screen{report.extent, report.visibility, report.encoded, {VK_FORMAT_R8_UNORM, {1, 1}}, {}};
-    screen.targets = kLensTargets;
-    screen.prepass = graph::platesReject(report.visibility, report.plannedWith);
-    PlannedFrame planned{report.visibility, 1, screenFrame(screen), {}};
-    declareLens(planned.frame, report.extent, VK_FORMAT_R8G8B8A8_SRGB, nullptr);
-    planned.frame.graph.output(planned.frame.targets[0]);
-    planned.plan = graph::compile(planned.frame.graph, report.plannedWith);
-    return planned;
+/// Samples per pixel of a picture where colours change.
+std::uint32_t samplesOf(const FrameChoice& choice) {
+    return choice.refinement != Refinement::none ? RenderSettings::kEdgeSamples : choice.attachmentSamples();
 }
 
 /// A lens costs a frame of its own.
-EffectCost costOfLens(const PlanReport& report, std::uint32_t samples) {
-    const PlannedFrame lens = lensPlanned(report);
-    EffectCost cost{"depth-of-field", visibilityName(lens.visibility), {}, samples, 0, 0, 0};
+EffectCost costOfLens(const RenderSettings& settings, const graph::FrameCaps& caps, std::uint32_t samples) {
+    const PlannedFrame lens = framePlanned(settings, Part::distances, {}, caps);
+    EffectCost cost{"depth-of-field", visibilityName(lens.choice.path), {}, samples, 0, 0, 0};
     for (const graph::PassDecl& pass : lens.frame.graph.passes()) cost.passes.push_back(pass.name);
     cost.loaded = static_cast<std::int64_t>(lens.plan.total.loaded);
     cost.stored = static_cast<std::int64_t>(lens.plan.total.stored);
@@ -144,44 +103,48 @@ const char* opacityOption(const RepresentationOptions& look) {
 }
 
 /// Cost of each active effect alone: the frame with it compared with the frame without any, with opaque meshes.
-std::vector<EffectCost> costsOf(const PlanOptions& options, const PlanReport& report, const SceneCounts& counts) {
+std::vector<EffectCost> costsOf(const PlanOptions& options, const RenderSettings& settings, const SceneFacts& scene,
+                                const graph::FrameCaps& caps, const MotionSamples& motion) {
     struct Alone {
         const char* name;
         Effects effects;
-        std::uint64_t translucent;
-        std::uint32_t multisamples = 1;
+        Part part = Part::whole;
+        bool translucent = false;
     };
-    const Effects& asked = options.picture.effects;
+    const Effects& asked = settings.effects;
     std::vector<Alone> alone;
     const auto add = [&](const char* name, auto change) {
-        alone.push_back({name, {}, 0, 1});
+        alone.push_back({name, {}});
         change(alone.back().effects);
     };
     if (asked.contours.width > 0) add("contours", [&](Effects& e) { e.contours.width = asked.contours.width; });
     if (asked.linesByGroups()) add("contour-weights 3", [&](Effects& e) { e.contours = asked.contours; });
     if (asked.halos.width > 0) add("halos", [&](Effects& e) { e.halos = asked.halos; });
     if (asked.fog.range != Fog::Range::off) add("fog", [&](Effects& e) { e.fog = asked.fog; });
-    if (asked.shadow.strength > 0 && options.picture.lighting)
-        add("shadow", [&](Effects& e) { e.shadow = asked.shadow; });
+    if (asked.shadow.strength > 0 && settings.lighting) add("shadow", [&](Effects& e) { e.shadow = asked.shadow; });
     if (asked.clip.on()) add("clip", [&](Effects& e) { e.clip = asked.clip; });
-    if (counts.translucent > 0) alone.push_back({opacityOption(options.picture.look), {}, counts.translucent, 1});
-    if (report.motion.samples > 1) alone.push_back({"msaa 4", {}, 0, report.motion.samples});
-    SceneCounts opaque = counts;
-    opaque.translucent = 0;
-    const PlannedFrame none = framePlanned(options, report, opaque, {});
+    if (scene.hasTranslucent) alone.push_back({opacityOption(options.picture.look), {}, Part::whole, true});
+    if (motion.count > 1) alone.push_back({"msaa 4", {}, Part::motion});
+    const auto planned = [&](const Alone& with) {
+        RenderSettings s = settings.ofFrame();
+        s.effects = with.effects;
+        SceneFacts facts = scene;
+        facts.hasTranslucent = with.translucent;
+        graph::FrameCaps device = caps;
+        if (with.part == Part::whole) device.multisampling = Multisampling::off;
+        return framePlanned(s, with.part, facts, device);
+    };
+    const PlannedFrame none = planned({"", {}});
     const auto has = [&](const std::string& pass) {
-        const auto& passes = none.frame.graph.passes();
-        return std::any_of(passes.begin(), passes.end(), [&](const graph::PassDecl& p) { return p.name == pass; });
+        return std::ranges::any_of(none.frame.graph.passes(), [&](const graph::PassDecl& p) { return p.name == pass; });
     };
     std::vector<EffectCost> costs;
-    for (const auto& [name, effects, translucent, multisamples] : alone) {
-        SceneCounts scene = opaque;
-        scene.translucent = translucent;
-        const PlannedFrame with = framePlanned(options, report, scene, effects, multisamples);
+    for (const Alone& one : alone) {
+        const PlannedFrame with = planned(one);
         const auto more = [](std::uint64_t a, std::uint64_t b) {
             return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);
         };
-        EffectCost cost{name, visibilityName(with.visibility), {}, with.samples, 0, 0, 0};
+        EffectCost cost{one.name, visibilityName(with.choice.path), {}, samplesOf(with.choice), 0, 0, 0};
         for (const graph::PassDecl& pass : with.frame.graph.passes())
             if (!has(pass.name)) cost.passes.push_back(pass.name);
         cost.loaded = more(with.plan.total.loaded, none.plan.total.loaded);
@@ -189,7 +152,7 @@ std::vector<EffectCost> costsOf(const PlanOptions& options, const PlanReport& re
         cost.tileBytes = more(graph::tileBytesPerPixel(with.plan), graph::tileBytesPerPixel(none.plan));
         costs.push_back(std::move(cost));
     }
-    if (asked.depthOfField.strength > 0) costs.push_back(costOfLens(report, none.samples));
+    if (asked.depthOfField.strength > 0) costs.push_back(costOfLens(settings, caps, samplesOf(none.choice)));
     return costs;
 }
 
@@ -202,29 +165,40 @@ std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& 
 }  // namespace
 
 PlanReport planReport(const PlanOptions& options) {
-    const Size& size = options.picture.size;
-    PlanReport report{{}, {}, {}, {}, {}, {}, {}, {size.width, size.height}, {}, {}, {}, graph::Graph(""), {}};
-    if (options.caps.empty())
-        chooseByDevice(options, report);
-    else
-        chooseBySet(options, report);
-    graph::PlanCaps& caps = report.plannedWith;
-    caps.merge = caps.merge && options.merge;
-    const bool scene = !options.picture.input.path.empty();
-    SceneCounts counts = scene ? countsOfInput(options) : SceneCounts();
-    askSamples(options, report, counts);
-    report.costs = costsOf(options, report, counts);
-    Effects effects = options.picture.effects;
-    if (!options.picture.lighting) effects.shadow = {};
-    const bool sampled = options.picture.device.multisampling == Multisampling::four;
+    graph::FrameCaps caps = capsOf(options);
+    caps.plan.merge = caps.plan.merge && options.merge;
+    choosePath(caps);
+    const bool sampled = caps.multisampling == Multisampling::four;
+    MotionSamples motion = chooseMotionSamples(caps);
+    if (sampled && options.edges)
+        throw Error("cannot draw 4 samples per pixel", caps.plan.name, "--supersample auto takes 16: leave it out");
+
+    std::optional<Representation> scene = sceneOfInput(options);
+    constexpr double kSomeRadius = 10;  // Å
+    const RenderSettings settings = settingsOf(options, scene ? scene->radius : kSomeRadius);
+    SceneFacts facts;
+    SceneCounts counts;
+    const bool given = scene.has_value();
+    if (given) counts = countsOf(std::move(*scene), settings, facts);
     counts.flat = counts.flat || sampled;
-    PlannedFrame planned = framePlanned(options, report, counts, effects, sampled ? report.motion.samples : 1);
-    if (planned.visibility != report.visibility) report.why = "lines and halos ask which primitive a pixel shows";
-    report.visibility = planned.visibility;
-    report.samples = planned.samples;
+    const std::string lacks = lacksSamples(settings, facts.hasTranslucent);
+    if (motion.count > 1 && !sampled && !lacks.empty()) motion = {1, lacks};
+
+    PlannedFrame planned = framePlanned(settings, Part::whole, facts, caps);
+    PlanReport report;
+    report.caps = caps.plan.name;
+    report.plannedWith = caps.plan;
+    report.decisions = explain({settings, Part::whole}, facts, caps);
+    report.choice = planned.choice;
+    if (!options.caps.empty()) report.facts = graph::capabilitySet(options.caps).facts;
+    report.extent = {settings.view.width, settings.view.height};
+    report.motion = motion;
+    report.samples = samplesOf(planned.choice);
+    report.costs = costsOf(options, settings, facts, caps, motion);
     report.frame = std::move(planned.frame);
     report.plan = std::move(planned.plan);
-    graph::PlanCaps alone = caps;
+    report.explained = options.explain;
+    graph::PlanCaps alone = caps.plan;
     alone.merge = false;
     report.unmerged = graph::compile(report.frame.graph, alone);
     graph::PlanCaps gles;
@@ -234,8 +208,8 @@ PlanReport planReport(const PlanOptions& options) {
     report.paper = graph::compile(report.paperGraph, gles);
     report.meshLevels = counts.meshLevels;
     report.copyLevels = counts.copyLevels;
-    if (scene)
-        report.geometry = geometryOf(report.frame.graph, counts, report.plannedWith.geometry, PlateShape::automatic,
+    if (given)
+        report.geometry = geometryOf(report.frame.graph, counts, caps.plan.geometry, PlateShape::automatic,
                                      ImpostorShape::automatic);
     return report;
 }

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "app/cli/options.h"
+#include "engine/frame/choose.h"
+#include "engine/frame/frame.h"
 #include "engine/frame/geometry.h"
 #include "engine/frame/pass_notes.h"
-#include "engine/frame/screen.h"
 #include "engine/graph/capability_sets.h"
 
 namespace nacre::app {
@@ -26,22 +27,24 @@ struct EffectCost {
 struct PlanReport {
     std::string caps;  ///< name of the capability set or device
     graph::PlanCaps plannedWith;
-    Visibility visibility{};
-    std::string why;  ///< reason for `visibility`
-    graph::EncodedFormat encoded;
-    bool shadesByTiles = false;          ///< as DevicePlan has it
+    std::vector<Decision> decisions;  ///< how the frame is drawn, and why
+    FrameChoice choice;
     std::span<const graph::Fact> facts;  ///< empty for a real device
     graph::Extent extent;
-    ScreenFrame frame;
+    Frame frame;
     graph::Plan plan, unmerged;
-    graph::Graph paperGraph;
+    graph::Graph paperGraph{""};
     graph::Plan paper;
-    graph::SampleChoice motion{};          ///< of a window's frames in motion
-    std::uint32_t samples = 1;             ///< of such a frame per pixel of a picture where colours change
+    MotionSamples motion{};                ///< of a window's frames in motion
+    std::uint32_t samples = 1;             ///< per pixel of a picture where colours change
     std::vector<PassGeometry> geometry{};  ///< of the scene that was given
     std::vector<MeshLevelCount> meshLevels{};
     std::vector<CopyLevelCount> copyLevels{};
     std::vector<EffectCost> costs{};  ///< of the effects that are on
+    bool explained = false;           ///< the text has all decisions
+
+    /// The reason for the path.
+    const std::string& why() const { return decisions.front().why; }
 };
 
 /// @throws Error if there is no such device, or it cannot encode depth or take samples as asked for

@@ -115,11 +115,12 @@ Json costsJson(const PlanReport& report) {
 
 std::string planJson(const PlanReport& report) {
     Json json{{"caps", report.caps},
-              {"visibility", visibilityName(report.visibility)},
-              {"why", report.why},
+              {"visibility", visibilityName(report.choice.path)},
+              {"why", report.why()},
+              {"choice", choiceJson(report.decisions)},
               {"size", {report.extent.width, report.extent.height}},
               {"samples", report.samples},
-              {"motion", {{"samples", report.motion.samples}, {"why", report.motion.why}}},
+              {"motion", {{"samples", report.motion.count}, {"why", report.motion.why}}},
               {"merge", report.plannedWith.merge},
               {"compute_passes", Json::array()},
               {"render_passes", Json::array()},

@@ -216,11 +216,17 @@ void copyLevelsText(std::ostream& out, const PlanReport& report) {
 std::string planText(const PlanReport& report) {
     std::ostringstream out;
     out << report.caps << ", " << report.extent.width << "x" << report.extent.height << '\n'
-        << "visibility " << visibilityName(report.visibility) << ": " << report.why << "\n";
-    out << "frames in motion: " << report.motion.samples << (report.motion.samples == 1 ? " sample" : " samples")
+        << "visibility " << visibilityName(report.choice.path) << ": " << report.why() << "\n";
+    out << "frames in motion: " << report.motion.count << (report.motion.count == 1 ? " sample" : " samples")
         << " per pixel (" << report.motion.why << ")\n";
     if (report.samples > 1)
         out << "pixels of a picture where colours change are the mean of " << report.samples << " samples\n";
+    if (report.explained) {
+        out << "\nhow the frame is drawn\n";
+        std::vector<Row> rows;
+        for (const Decision& decision : report.decisions) rows.push_back({decision.what, decision.how, decision.why});
+        table(out, "  ", rows);
+    }
     out << '\n';
     for (const graph::Step& step : report.plan.steps) {
         barriersText(out, report, step.before);

@@ -63,6 +63,16 @@ Json copyLevelsJson(const std::vector<CopyLevelCount>& levels) {
     return list;
 }
 
+Json choiceJson(const std::vector<Decision>& decisions) {
+    Json json = Json::object();
+    for (const Decision& decision : decisions) {
+        std::string key = decision.what;
+        std::ranges::replace(key, ' ', '_');
+        json[key] = {{"is", decision.how}, {"why", decision.why}};
+    }
+    return json;
+}
+
 Json geometryJson(const std::vector<PassGeometry>& passes, bool stored) {
     Json list = Json::array();
     for (const PassGeometry& pass : passes)
@@ -171,6 +181,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                       {"loaded", frame.loadedBytes},
                       {"stored", frame.storedBytes}};
     json["driver_feedback"] = driverJson(run.driver);
+    json["choice"] = choiceJson(run.choice);
     json["device"] = {{"name", frame.device.name},
                       {"driver", frame.device.driver},
                       {"api_version", frame.device.apiVersion},

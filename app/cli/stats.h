@@ -17,6 +17,8 @@ nlohmann::ordered_json passesJson(const std::vector<PassCount>& counts, const st
 
 nlohmann::ordered_json copyLevelsJson(const std::vector<CopyLevelCount>& levels);
 nlohmann::ordered_json meshLevelsJson(const std::vector<MeshLevelCount>& levels);
+/// Each decision on a frame by its name: `is` and `why`.
+nlohmann::ordered_json choiceJson(const std::vector<Decision>& decisions);
 /// Vertex output of the passes: `varying_bytes`, which go through memory (`memory_bytes`) on GPUs that store them.
 nlohmann::ordered_json geometryJson(const std::vector<PassGeometry>& passes, bool stored);
 

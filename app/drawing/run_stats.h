@@ -26,6 +26,7 @@ struct RunStats {
     double sceneMs = 0;                 ///< selecting atoms, building the streams
     double firstPictureMs = 0;          ///< from the command's start to the first picture in memory
     DriverFeedback driver;              ///< after the picture
+    std::vector<Decision> choice;       ///< how the picture's first frame was drawn, and why
     std::uint64_t parts = 1;            ///< number of parts that the picture was drawn in
     double totalMs = 0;                 ///< from the command's start until only this file is left to write
 };

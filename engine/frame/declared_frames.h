@@ -6,60 +6,22 @@
 #include <memory>
 #include <vector>
 
-#include "engine/frame/screen.h"
+#include "engine/frame/frame.h"
 #include "engine/gpu/recording.h"
 #include "engine/graph/plan.h"
-#include "engine/settings.h"
 
 namespace nacre {
-
-/// Destination of the picture that a scene's passes make.
-enum class FrameEnd : std::uint8_t {
-    left,            ///< stays on the device
-    readBack,        ///< read by the host
-    resolved,        ///< in the image of its picture
-    coarse,          ///< the same, and read by the host, which finds where more samples are needed
-    throughLens,     ///< that image blurred by depth, read by the host
-    window,          ///< drawn into the window's image
-    onWindow,        ///< copied to the window
-    scaledOnWindow,  ///< scaled to the window
-    firstSample,     ///< starts a sum of samples, which is shown in the window
-    nextSample,      ///< adds to such a sum
-    sumOnWindow,     ///< shows the sum only: no scene is drawn
-};
-
-/// The image that a picture's frames end in, and how one of them does.
-struct PictureEnd {
-    graph::ImageDesc image{};
-    bool first = true;          ///< nothing is in it yet
-    bool masked = false;        ///< only some pixels are replaced
-    std::uint32_t samples = 1;  ///< n: n x n pixels of the frame are one of it
-};
-
-/// Everything that decides how a frame is declared and planned.
-struct FrameShape {
-    ScreenOptions options;
-    DebugView debug = DebugView::none;
-    FrameEnd end = FrameEnd::left;
-    PictureEnd picture{};  ///< for ends in an image, and through the lens
-    graph::Extent window;  ///< its image's size, for ends in a window
-    bool overlay = false;  ///< the window has an overlay
-    bool merge = true, transient = true;
-};
-bool operator==(const FrameShape& a, const FrameShape& b);
 
 struct DeclaredFrame {
     FrameShape shape;
     std::vector<ScreenTarget> targets;  ///< targets of the shape
     std::shared_ptr<ShownScene> shown = std::make_shared<ShownScene>();
-    ScreenFrame frame;
+    Frame frame;
     graph::Plan plan;
     std::unique_ptr<gpu::Recording> recording;
     gpu::Imports imports;  ///< for the next recording
 };
 
-/// Declares the passes of a shape's scene. The caller declares the end.
-ScreenFrame declare(const FrameShape& shape, const Recorder& recorder);
 /// The device's caps, changed for a shape.
 graph::PlanCaps planCaps(graph::PlanCaps caps, const FrameShape& shape);
 

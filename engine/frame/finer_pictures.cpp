@@ -5,8 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/frame/geometry.h"
-#include "engine/frame/lens.h"
+#include "engine/frame/effects/lens/lens.h"
 #include "engine/frame/picture_frames.h"
 #include "engine/passes/read_back.h"
 #include "engine/software/tile_lists.h"
@@ -57,21 +56,19 @@ Picture PictureFrames::part(const RenderSettings& settings, const passes::Atlas&
     return picture(settings, atlas, {view, inner});
 }
 
-/// The picture's image, of that size and format from then on.
-void PictureFrames::makePicture(const graph::ImageDesc& desc) {
+/// Has a frame end in the picture's image, all of which it draws. @param picture  its view
+/// @param n  n x n pixels of the frame are one of the picture
+void PictureFrames::endInPicture(PreparedFrame& prepared, const View& picture, std::uint32_t n) {
     using Usage = vk::ImageUsageFlagBits;
-    if (picture_.image.desc == desc) return;
-    executor_.forgetFramebuffers();
-    picture_.image = gpu::makeImage(
-        device_, desc, Usage::eColorAttachment | Usage::eSampled | Usage::eTransferSrc | Usage::eTransferDst, false,
-        "picture");
-}
-
-/// How a frame ends in the picture's image. @param shown  of the picture @param samples  as PictureEnd has it
-PictureFrames::Ending PictureFrames::inImage(const RenderSettings& settings, const View& shown, Samples samples) {
-    const graph::Extent image = imageExtent(shown);
-    makePicture({pictureTargets(settings, samples)[0].format, image});
-    return {FrameEnd::resolved, {picture_.image.desc}, {wholeOf(image)}};
+    const graph::ImageDesc desc{prepared.shape.targets[0].format, imageExtent(picture)};
+    if (picture_.image.desc != desc) {
+        executor_.forgetFramebuffers();
+        picture_.image = gpu::makeImage(
+            device_, desc, Usage::eColorAttachment | Usage::eSampled | Usage::eTransferSrc | Usage::eTransferDst, false,
+            "picture");
+    }
+    prepared.shape.picture = {desc, true, false, n};
+    picture_.place = {wholeOf(desc.extent)};
 }
 
 /// The picture's image, as the host reads it.
@@ -94,46 +91,40 @@ PictureFrames::Drawn PictureFrames::readPicture() {
     return drawn;
 }
 
-/// Draws a picture with one sample per pixel. @returns where it needs more samples; nothing: in all pixels, as
-/// something may lie between their centres
-std::optional<FinerPlaces> PictureFrames::coarsePicture(const RenderSettings& settings, const passes::Atlas& atlas,
-                                                        const View& view) {
-    constexpr double kSmallPixels = 0.75;  // half of a width
-    constexpr double kThinLine = 0.34;     // of the widest, as shaders/common/rims.glsl has it
-    const double width = settings.effects.contours.width;
-    const bool thin = settings.effects.linesByGroups() && kThinLine * width < 1;
-    if (view.quarterTurns != 0 || (thin && width < 1)) return {};
-    Ending ending = inImage(settings, view, Samples::one);
-    ending.end = FrameEnd::coarse;
-    ending.finer = settings.effects.rims();  // no path but `deferred` has them beside the device's
-    const Drawn drawn = draw(settings, atlas, view, pictureTargets(settings), ending, "coarse screen");
-    if (drawn.smallestPixels < kSmallPixels) return {};
-    const auto [pixels, rowPixels] = rowsOf(drawn, view, 1);
-    const graph::Extent image = imageExtent(view);
-    FinerPlaces places = isFine(settings)
-                             ? FinerPlaces(reinterpret_cast<const float*>(pixels), image)
-                             : FinerPlaces(reinterpret_cast<const std::uint32_t*>(pixels), rowPixels, image);
-    if (thin) places.grow();  // some pixels have a thin line beside their centres
+/// Draws a picture with one sample per pixel. @returns where it needs more samples
+FinerPlaces PictureFrames::drawCoarse(const RenderSettings& settings, const Wanted& wanted, PreparedFrame coarse) {
+    constexpr double kThinOutline = 0.34;  // of the widest, as shaders/common/rims.glsl has it
+    coarse.shape.name = "coarse screen";
+    endInPicture(coarse, wanted.view, 1);
+    const bool fine = coarse.choice().color == ColorFormat::linear;
+    const Drawn drawn = run(std::move(coarse), settings);
+    const auto [pixels, rowPixels] = rowsOf(drawn, wanted.view, 1);
+    const graph::Extent image = imageExtent(wanted.view);
+    FinerPlaces places = fine ? FinerPlaces(reinterpret_cast<const float*>(pixels), image)
+                              : FinerPlaces(reinterpret_cast<const std::uint32_t*>(pixels), rowPixels, image);
+    // Some pixels have a thin outline beside their centres.
+    if (settings.effects.linesByGroups() && kThinOutline * settings.effects.contours.width < 1) places.grow();
     return places;
 }
 
-/// Draws finer places from the samples of one frame by tiles, for pictures by other paths. @returns whether it can
-bool PictureFrames::addEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                             const FinerPlaces& places) {
-    if (drawsEdges(settings) || frames_.isFineMesh(settings.view) || !frames_.drawsEdges(true) ||
-        settings.effects.rims())
-        return false;
+/// Draws finer places from the samples of one frame by tiles, for pictures by other paths.
+/// @returns whether its lists are short enough
+bool PictureFrames::drawEdges(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+                              const FinerPlaces& places) {
     const PictureRect whole = wholeOf(imageExtent(view));
     const PictureRect rect = hasLens(settings) ? places.boundsIn(whole) : whole;  // else they are all over it
     const auto [part, inner] = withRim(view, rect, rimOf(settings));
-    Ending ending = inImage(settings, view, Samples::one);
-    ending.picture.first = false;
-    ending.picture.masked = true;
-    ending.place = {rect, static_cast<std::int32_t>(inner.x), static_cast<std::int32_t>(inner.y), places.bandsIn(rect)};
     const auto [wanted, tiles] = places.edgesOf({rect.x - inner.x, rect.y - inner.y, part.width, part.height}, rect);
-    return draw(settings, atlas, part, pictureTargets(settings), ending, "finer screen", Samples::edges, &tiles,
-                &wanted)
-        .edges;
+    FrameInputs inputs{atlas, part, "finer screen"};
+    inputs.mask = &tiles;
+    inputs.places = &wanted;
+    PreparedFrame edges = prepare({settings, Part::edges}, inputs);
+    if (edges.choice().givesWay()) return false;
+    edges.shape.picture = {picture_.image.desc, false, true, 1};
+    picture_.place = {rect, static_cast<std::int32_t>(inner.x), static_cast<std::int32_t>(inner.y),
+                      places.bandsIn(rect)};
+    run(std::move(edges), settings);
+    return true;
 }
 
 /// Draws all blocks of a picture with kBlockSamples x kBlockSamples samples, where it needs them.
@@ -143,8 +134,7 @@ void PictureFrames::drawBlocks(const RenderSettings& settings, const passes::Atl
                                const FinerPlaces* places, const Drew& drew) {
     constexpr std::uint32_t n = RenderSettings::kBlockSamples;
     const PictureRect& all = wanted.inner;
-    Ending ending = inImage(settings, wanted.view, Samples::block);
-    ending.picture = {ending.picture.image, places == nullptr, places != nullptr, n};
+    bool first = places == nullptr;  // of the picture's frames
     const std::uint32_t most = wanted.view.quarterTurns == 0 ? kBlockPixels : std::max(all.width, all.height);
     for (std::uint32_t top = 0; top < all.height; top += most)
         for (std::uint32_t left = 0; left < all.width; left += most) {
@@ -161,19 +151,24 @@ void PictureFrames::drawBlocks(const RenderSettings& settings, const passes::Atl
                     {rect.x - block.inner.x, rect.y - block.inner.y, block.view.width, block.view.height}, rect);
             const View view = scaled(block.view, n);
             checkSize(view);
-            ending.place = {rect, static_cast<std::int32_t>(block.inner.x), static_cast<std::int32_t>(block.inner.y)};
-            draw(settings, atlas, view, pictureTargets(settings), ending, "screen", Samples::block,
-                 places ? &mask : nullptr);
-            ending.picture.first = false;
+            FrameInputs inputs{atlas, view};
+            inputs.mask = places ? &mask : nullptr;
+            PreparedFrame prepared = prepare({settings, Part::block}, inputs);
+            endInPicture(prepared, wanted.view, n);
+            prepared.shape.picture.first = first;
+            prepared.shape.picture.masked = places != nullptr;
+            picture_.place = {rect, static_cast<std::int32_t>(block.inner.x), static_cast<std::int32_t>(block.inner.y)};
+            run(std::move(prepared), settings);
+            first = false;
             drew();
         }
 }
 
-/// As many samples on a grid where a picture with one sample per pixel shows that colours change, in blocks, so that
-/// memory does not grow with the picture. A frame for each sample would list the scene as often; and lists that were
-/// too long are not, of a quarter of the pixels' side.
-void PictureFrames::finerPicture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
-    checkSize(wanted.view);
+/// Draws a picture with samples where its coarse frame shows that colours change, or everywhere, as its choice has it.
+/// @param first  the coarse frame, or one that gives way to others
+void PictureFrames::refine(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
+                           PreparedFrame first) {
+    const Refinement refinement = first.choice().refinement;
     PictureStats sum;
     sum.frames = 0;
     const auto drew = [&] {
@@ -182,8 +177,10 @@ void PictureFrames::finerPicture(const RenderSettings& settings, const passes::A
         addUp(sum.passes, stats_.passes, &PassCount::shadedFragments);
         addUp(sum.passTimes, stats_.passTimes, &PassTime::milliseconds);
     };
-    std::optional<FinerPlaces> places = coarsePicture(settings, atlas, wanted.view);
-    if (places) {
+    std::optional<FinerPlaces> places;
+    if (refinement != Refinement::everywhere) {
+        if (first.choice().givesWay()) first = prepare({settings, Part::coarse}, {atlas, wanted.view});
+        places = drawCoarse(settings, wanted, std::move(first));
         drew();
         // Its images' memory serves those of the lens.
         if (hasLens(settings)) executor_.forget("coarse screen");
@@ -191,7 +188,7 @@ void PictureFrames::finerPicture(const RenderSettings& settings, const passes::A
         picture_.finer = passes::makeTexture(device_, executor_, {VK_FORMAT_R8_UNORM, picture_.image.desc.extent},
                                              places->bytes(), "finer pixels");
     }
-    if (places && places->any() && addEdges(settings, atlas, wanted.view, *places))
+    if (refinement == Refinement::edges && places->any() && drawEdges(settings, atlas, wanted.view, *places))
         drew();
     else
         drawBlocks(settings, atlas, wanted, places ? &*places : nullptr, drew);

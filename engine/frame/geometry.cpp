@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
-#include "engine/frame/seen_scene.h"
+#include "engine/frame/effects/outlines/outlines.h"
+#include "engine/frame/effects/shadow/choice.h"
+#include "engine/frame/effects/translucency/translucency.h"
+#include "engine/frame/level_scenes.h"
 #include "engine/passes/placed_copies.h"
 #include "engine/passes/plates.h"
-#include "engine/passes/translucent.h"
+#include "engine/passes/select_triangles.h"
 #include "engine/scene/instances/mesh_levels.h"
 
 namespace nacre {
@@ -53,32 +56,43 @@ bool numbers(const graph::Graph& graph, const graph::PassDecl& pass) {
 
 }  // namespace
 
-SceneCounts countsOf(Representation r, const View& view, double meshError) {
-    RenderSettings settings;
-    settings.occlusion.directions = 0;
-    if (SeenScenes::draws(r, settings)) {
-        SeenScenes scenes;
-        SceneCounts counts = countsOf(scenes.see(r, settings, view), view);
+SceneCounts countsOf(Representation r, const RenderSettings& settings, SceneFacts& facts) {
+    RenderSettings unbaked = settings.ofFrame();
+    unbaked.occlusion.directions = 0;
+    if (LevelScenes::draws(r, unbaked)) {
+        LevelScenes scenes;
+        SceneCounts counts = countsOf(scenes.show(r, unbaked, settings.view), settings, facts);
         counts.copyLevels = scenes.counts();
         return counts;
     }
     orderInSpace(r);
     const Chunks chunks = chunksOf(r);
-    const passes::PlacedCopies placed = passes::placeCopies(r, view, &chunks, 0, errorInSpace(view, meshError), true);
-    passes::PlacedCopies translucent;
-    translucent.triangles = placed.triangles;
-    passes::choose(translucent.triangles, translucentRuns(r), passes::Triangles::translucent);
-    const std::uint64_t layered = translucent.triangleCount();
-    double radii = 0;
-    for (const Sphere& s : r.spheres) radii += s.radius;
-    const double mean = radii / static_cast<double>(std::max<std::size_t>(r.spheres.size(), 1));
-    return {placed.sphereCount(),
-            placed.cylinderCount(),
-            placed.triangleCount() - layered,
-            mean * view.pixelsPerAngstrom,
-            view.projection == Projection::perspective,
-            layered,
-            placed.triangleLevels(r)};
+    const View& view = settings.view;
+    passes::PlacedCopies placed = passes::placeCopies(r, view, &chunks, cullingMargin(settings, view, !r.wires.empty()),
+                                                      meshErrorOf(settings, view), true);
+    const SceneSizes sizes = sizesOf(r);
+    const TranslucentRuns runs = translucentRuns(r);
+    SceneCounts counts;
+    counts.meshLevels = placed.triangleLevels(r);
+    const std::uint64_t triangles = placed.triangleCount();
+    passes::selectTriangles(placed.triangles, runs, passes::Triangles::translucent);
+    counts.translucent = placed.triangleCount();
+    counts.triangles = triangles - counts.translucent;
+    counts.spheres = placed.sphereCount();
+    counts.cylinders = placed.cylinderCount();
+    counts.radiusPixels = sizes.meanRadius * view.pixelsPerAngstrom;
+    counts.flat = view.projection == Projection::perspective;
+
+    facts = factsOf(r, chunks, runs);
+    facts.spheres = counts.spheres;
+    facts.cylinders = counts.cylinders;
+    facts.triangles = counts.triangles;
+    facts.translucent = counts.translucent;
+    facts.numbers = placed.rows.size() / 3 * (r.spheres.size() + r.cylinders.size() + r.wires.size() +
+                                              r.triangles.size() + r.coarseTriangles.size());
+    facts.radiusPixels = counts.radiusPixels;
+    facts.smallestPixels = smallestPixels(sizes, !r.wires.empty(), settings, view);
+    return counts;
 }
 
 void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const graph::GeometryCaps& caps,

@@ -4,18 +4,26 @@
 #include <span>
 #include <vector>
 
-#include "engine/device_options.h"
-#include "engine/frame/screen.h"
+#include "engine/frame/frame.h"
 #include "engine/graph/plan.h"
-#include "engine/results.h"
 #include "engine/scene/build/representation.h"
-#include "engine/scene/view/camera.h"
 
 namespace nacre {
 
-/// Primitives that a view of a scene submits, after culling those outside of the picture as frames do.
-/// @param meshError  screen-space error of meshes, pixels
-SceneCounts countsOf(Representation representation, const View& view, double meshError = 0);
+/// Primitives that a view submits, and their size in the picture.
+struct SceneCounts {
+    std::uint64_t spheres = 0, cylinders = 0, triangles = 0;  ///< in all copies
+    double radiusPixels = 0;                                  ///< mean radius of the spheres
+    bool flat = false;                                        ///< no impostor leans
+    std::uint64_t translucent = 0;                            ///< triangles of translucent layers, beside the others
+    std::vector<MeshLevelCount> meshLevels{};
+    std::vector<CopyLevelCount> copyLevels{};
+    TileCounts lists{};  ///< tile lists
+};
+
+/// Primitives that the settings' view of a scene submits, after culling those outside of the picture as frames do.
+/// @param facts  receives what choose() needs of the view
+SceneCounts countsOf(Representation representation, const RenderSettings& settings, SceneFacts& facts);
 
 /// Geometry of a screen frame's passes that draw primitives, in order. @param plates, impostor  as requested
 std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCounts& counts,

@@ -8,30 +8,17 @@
 #include "engine/frame/picture_frames.h"
 
 namespace nacre {
-namespace {
-
-using passes::Output;
-
-constexpr ScreenTarget kLayerTargets[] = {kFineTargets[0],
-                                          {"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Output::surface, "surface layer"},
-                                          {"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
-
-/// Where layers are translucent, colour is of a frame of its own.
-constexpr ScreenTarget kSolidTargets[] = {kLayerTargets[1], kLayerTargets[2]};
-
-constexpr ScreenTarget kPickTargets[] = {{"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
-
-}  // namespace
 
 LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes::Atlas& atlas) {
+    const auto drawPart = [&](Part part, const char* name) {
+        return run(prepare({settings, part, Ending::readBack}, {atlas, settings.view, name}), settings).pixels;
+    };
     std::vector<gpu::Buffer> pixels;
-    if (frames_.translucent()) {
-        pixels = draw(settings, atlas, settings.view, kFineTargets, {FrameEnd::readBack}, "screen").pixels;
-        for (gpu::Buffer& layer :
-             draw(settings, atlas, settings.view, kSolidTargets, {FrameEnd::readBack}, "solid").pixels)
-            pixels.push_back(std::move(layer));
+    if (frames_.facts().hasTranslucent) {
+        pixels = drawPart(Part::color, "screen");
+        for (gpu::Buffer& layer : drawPart(Part::solid, "solid")) pixels.push_back(std::move(layer));
     } else {
-        pixels = draw(settings, atlas, settings.view, kLayerTargets, {FrameEnd::readBack}, "screen").pixels;
+        pixels = drawPart(Part::layers, "screen");
     }
     return assembleLayers(settings.view.width, settings.view.height, reinterpret_cast<const float*>(pixels[0].mapped),
                           reinterpret_cast<const float*>(pixels[1].mapped),
@@ -47,7 +34,7 @@ std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, do
     small.tuning.countFragments = false;
     small.view.pan = -planePointAt(settings.view, std::floor(x) + 0.5, std::floor(y) + 0.5);
     small.view.width = small.view.height = side;
-    const auto pixels = draw(small, {}, small.view, kPickTargets, {FrameEnd::readBack}, "pick").pixels;
+    const auto pixels = run(prepare({small, Part::pick, Ending::readBack}, {{}, small.view, "pick"}), small).pixels;
     return nearestAtom(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), side, reach);
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/frame/lens.h"
+#include "engine/frame/effects/lens/lens.h"
 #include "engine/frame/picture_frames.h"
 
 namespace nacre {
@@ -25,35 +25,22 @@ bool PictureFrames::leaveBlurred(const RenderSettings& settings, const View& vie
     constexpr std::uint32_t n = FinerPlaces::kTogether;
     const auto wholes = [](std::uint32_t pixels) { return (pixels + n - 1) / n * n; };
     const View few = scaled(partOf(view, 0, 0, wholes(view.width), wholes(view.height)), 1.0 / n);
-    const Drawn drawn =
-        draw(distances(settings), {}, few, kLensTargets, {FrameEnd::readBack, {}, {}, true}, "distances");
+    const RenderSettings far = distances(settings);
+    const Drawn drawn = run(prepare({far, Part::distances, Ending::readBack}, {{}, few, "distances"}), far);
     const auto* shown = reinterpret_cast<const float*>(drawn.pixels[0].mapped);
     const double rim = std::max(settings.effects.contours.width, settings.effects.halos.width);
     places.keep(sharpPlaces(shown, imageExtent(few), lensOf(settings, view), rim / n));
     return true;
 }
 
-/// Draws a picture into its image. The host does not read it.
-void PictureFrames::sharp(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
-    const bool edges = wantsEdges(settings);
-    if (!edges || drawsEdges(settings)) {
-        Ending ending = inImage(settings, wanted.view, edges ? Samples::edges : singleOrResolved(settings));
-        if (!edges) ending.picture.samples = std::max(settings.supersample, 1u);
-        const Drawn drawn = inOneFrame(settings, atlas, wanted, ending);
-        if (!edges || drawn.edges) return;
-    }
-    finerPicture(settings, atlas, wanted);
-}
-
-/// Draws a picture, then how far away its pixels are, and blurs it by that.
-PictureFrames::Drawn PictureFrames::throughLens(const RenderSettings& settings, const passes::Atlas& atlas,
-                                                const Wanted& wanted) {
-    const graph::Extent image = imageExtent(wanted.view);
-    sharp(settings, atlas, {wanted.view, {0, 0, image.width, image.height}});
+/// Draws how far away the pixels of the picture's image are, and blurs it by that.
+PictureFrames::Drawn PictureFrames::blur(const RenderSettings& settings, const Wanted& wanted) {
     const PictureStats first = stats_;
+    const RenderSettings far = distances(settings);
     picture_.lens = lensOf(settings, wanted.view);
-    const Ending ending{FrameEnd::throughLens, {picture_.image.desc}, {}, true};
-    Drawn drawn = draw(distances(settings), {}, wanted.view, kLensTargets, ending, "depth of field");
+    PreparedFrame prepared = prepare({far, Part::distances, Ending::throughLens}, {{}, wanted.view, "depth of field"});
+    prepared.shape.picture = {picture_.image.desc};
+    Drawn drawn = run(std::move(prepared), far);
     stats_.frames = first.frames + 1;
     stats_.samples = first.samples;
     stats_.frameMilliseconds += first.frameMilliseconds;

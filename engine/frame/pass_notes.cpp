@@ -1,6 +1,8 @@
 #include "engine/frame/pass_notes.h"
 
-#include "engine/frame/screen.h"
+#include "engine/frame/effects/outlines/outlines.h"
+#include "engine/frame/effects/shadow/choice.h"
+#include "engine/frame/effects/translucency/translucency.h"
 #include "engine/scene/build/representation.h"
 
 namespace nacre {

@@ -2,6 +2,7 @@
 // Converts device pixels to the caller's picture.
 
 #include <array>
+#include <glm/vec4.hpp>
 
 #include "engine/coded_picture.h"
 #include "engine/results.h"
@@ -10,6 +11,11 @@ namespace nacre {
 
 /// Linear value of an sRGB-coded channel; both 0..1. IEC 61966-2-1.
 float linearFromSrgb(float coded);
+
+/// A linear colour. @param coded  sRGB-coded @param share  the fourth number
+inline glm::vec4 linearColor(const std::array<float, 3>& coded, double share) {
+    return {linearFromSrgb(coded[0]), linearFromSrgb(coded[1]), linearFromSrgb(coded[2]), share};
+}
 
 /// Which device pixels form a part of the picture.
 struct ResolvedPart {

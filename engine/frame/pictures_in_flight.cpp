@@ -1,33 +1,28 @@
 // Pictures that are drawn while the host prepares the next and codes the last: the device need not wait for it.
 
 #include "engine/error.h"
-#include "engine/frame/lens.h"
 #include "engine/frame/picture_frames.h"
 
 namespace nacre {
 
-/// Whether it is one frame whose pixels the host reads where compute writes them.
-bool PictureFrames::overlaps(const RenderSettings& settings) const {
-    const FrameTuning& tuning = settings.tuning;
-    const bool edges = settings.supersample == RenderSettings::kEdges;
-    return device_.caps().tiles.shade && settings.debug == DebugView::none && !hasLens(settings) &&
-           !tuning.countFragments && !tuning.timePasses && (edges ? drawsEdges(settings) : settings.supersample == 1) &&
-           singleOrResolved(settings) == Samples::one;
-}
-
-/// @returns whether it can be drawn so
+/// Starts a picture of one frame whose pixels the host reads where compute writes them. @returns whether it is one
 bool PictureFrames::submit(const RenderSettings& settings, const passes::Atlas& atlas, bool alpha) {
-    const bool edges = settings.supersample == RenderSettings::kEdges;
+    const auto isOneFrame = [&](const FrameChoice& choice) {
+        return choice.refinement == Refinement::none && !choice.has(Effect::Kind::lens) && choice.shadedByCompute();
+    };
+    const FrameRequest request{settings, Part::whole, Ending::readBack, settings.view.quarterTurns};
+    if (settings.tuning.countFragments || settings.tuning.timePasses || settings.supersample > 1 ||
+        !isOneFrame(choose(request, frames_.facts(), device_.caps())))
+        return false;
     Started next;
     next.background = settings.background;
     next.alpha = alpha;
     next.wanted = wantedOf(settings);
     checkSize(next.wanted.view);
-    next.seen = frames_.see(
-        {settings, atlas, next.wanted.view, pictureTargets(settings), "screen", FrameEnd::readBack, nullptr, edges});
-    if (!next.seen.colors() || edges != next.seen.shape.options.edges) return false;
-    const std::shared_ptr<DeclaredFrame> declared = declare(next.seen);
-    SceneFrames::bind(*declared, next.seen);
+    next.prepared = prepare(request, {atlas, next.wanted.view});
+    if (!isOneFrame(next.prepared.choice())) return false;
+    const std::shared_ptr<DeclaredFrame> declared = declare(next.prepared);
+    SceneFrames::bind(*declared, next.prepared);
     if (!spare_.empty()) {
         next.submission = std::move(spare_.back());
         spare_.pop_back();
@@ -40,16 +35,16 @@ bool PictureFrames::submit(const RenderSettings& settings, const passes::Atlas& 
     if (last_ != declared) planText_.clear();
     last_ = declared;
     stats_.frames = 1;
-    stats_.samples = edges ? RenderSettings::kEdgeSamples : 1;
-    tell(next.seen, settings.tuning);
-    counts_ = next.seen.counts;
+    stats_.samples = next.prepared.choice().samples.count;
+    note(next.prepared, settings.tuning);
+    counts_ = next.prepared.counts;
     started_.push_back(std::move(next));
     return true;
 }
 
 void PictureFrames::start(RenderSettings settings, const passes::Atlas& atlas, bool alpha) {
     settings.fine = false;
-    if (overlaps(settings) && submit(settings, atlas, alpha)) return;
+    if (submit(settings, atlas, alpha)) return;
     settle();
     Started next;
     next.picture = coded(settings, atlas, alpha);
@@ -62,7 +57,7 @@ CodedPicture PictureFrames::finish() {
     started_.pop_front();
     if (first.picture) return std::move(*first.picture);
     first.submission->wait();
-    const passes::TileFrame& colors = *first.seen.colors();
+    const passes::TileFrame& colors = *first.prepared.colors();
     colors.numbers.buffer.invalidate();
     CodedPicture picture =
         codePixels(reinterpret_cast<const std::uint32_t*>(colors.numbers.buffer.mapped),

@@ -7,7 +7,7 @@ namespace nacre {
 namespace {
 
 /// All pixels go as they are, from words of a buffer.
-void declareCopy(ScreenFrame& f, graph::Image picture, graph::Extent extent, const PictureImage& to) {
+void declareCopy(Frame& f, graph::Image picture, graph::Extent extent, const PictureImage& to) {
     const vk::ImageSubresourceLayers color(vk::ImageAspectFlagBits::eColor, 0, 0, 1);
     const vk::Extent3D size(extent.width, extent.height, 1);
     f.graph.transfer("picture").copiesTo(picture).copiesFrom(f.numbers).record(
@@ -20,8 +20,8 @@ void declareCopy(ScreenFrame& f, graph::Image picture, graph::Extent extent, con
 
 }  // namespace
 
-void declareResolve(ScreenFrame& f, const FrameShape& shape, const PictureImage& to) {
-    if (shape.options.intoPicture) {
+void declareResolve(Frame& f, const FrameShape& shape, const PictureImage& to) {
+    if (shape.drawsIntoPicture()) {
         f.picture = f.targets[0];
         return f.graph.output(*f.picture);
     }
@@ -29,7 +29,7 @@ void declareResolve(ScreenFrame& f, const FrameShape& shape, const PictureImage&
     const graph::Image picture = f.graph.importImage("picture", end.image, passes::kTextureState, end.first);
     f.picture = picture;
     std::optional<graph::Image> drawn;
-    if (!shape.options.shadedByTiles) drawn = f.targets[0];
+    if (!shape.choice.shadedByCompute()) drawn = f.targets[0];
     if (end.first && end.samples == 1) return declareCopy(f, picture, end.image.extent, to);
     std::optional<graph::Clear> clear;
     if (end.first) clear = graph::Clear{0.0f};

@@ -1,9 +1,9 @@
 #pragma once
 // The one image that all paths and all ways to sample end in, for passes over the whole picture behind them.
 
-#include "engine/frame/declared_frames.h"
+#include "engine/frame/effects/lens/lens_pass.h"
+#include "engine/frame/frame.h"
 #include "engine/gpu/resources.h"
-#include "engine/passes/lens.h"
 #include "engine/passes/resolve.h"
 
 namespace nacre {
@@ -19,6 +19,6 @@ struct PictureImage {
 };
 
 /// Declares the pass that ends a frame in the image. @param to  read when the pass is recorded
-void declareResolve(ScreenFrame& frame, const FrameShape& shape, const PictureImage& to);
+void declareResolve(Frame& frame, const FrameShape& shape, const PictureImage& to);
 
 }  // namespace nacre

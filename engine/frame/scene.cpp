@@ -1,12 +1,13 @@
 #include "engine/frame/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
+#include "engine/frame/effects/halos/halos.h"
+#include "engine/frame/effects/outlines/outlines.h"
+#include "engine/frame/effects/shadow/shadow.h"
 #include "engine/frame/picture.h"
-#include "engine/passes/translucent.h"
 #include "engine/passes/view_constants.h"
 #include "engine/scene/build/atom_groups.h"
 #include "engine/scene/instances/mesh_levels.h"
@@ -20,84 +21,13 @@ void addAtlas(layout::ViewConstants& c, const passes::Atlas& atlas) {
     c.patchesInRow = atlas.spherePatches | atlas.cylinderPatches << 16;
 }
 
-/// Planes and lines, in the numbers of the passes.
+/// Clipping planes and outlines, in the units of the passes.
 void addEffects(layout::ViewConstants& c, const RenderSettings& settings, const View& view) {
     const Effects& e = settings.effects;
     const double center = view.projection == Projection::perspective ? view.eyeDistance : view.radius;  // its Z
     c.clipNear = static_cast<float>(std::max<double>(center + e.clip.near, -layout::kNoPlane));
     c.clipFar = static_cast<float>(std::min<double>(center + e.clip.far, layout::kNoPlane));
-    // `view` may have more pixels than the picture: scales the outline accordingly.
-    c.contourWidth = static_cast<float>(e.contours.width / settings.view.pixelsPerAngstrom);
-    c.contourDepth = static_cast<float>(e.contours.depth);
-}
-
-/// `view` may have more pixels than the picture: scales rims accordingly.
-passes::Rims rimsOf(const RenderSettings& settings) {
-    const Effects& e = settings.effects;
-    const double perPixel = 1.0 / settings.view.pixelsPerAngstrom;
-    return {static_cast<float>(e.linesByGroups() ? e.contours.width * perPixel : 0),
-            static_cast<float>(e.halos.width * perPixel)};
-}
-
-glm::vec4 linear(float r, float g, float b, double share) {
-    return {linearFromSrgb(r), linearFromSrgb(g), linearFromSrgb(b), share};
-}
-
-/// The scene from the light: the frame in which +z points to it.
-View lightView(const RenderSettings& settings, const View& view) {
-    const glm::dvec3 w = glm::normalize(glm::dvec3(layout::kLightX, layout::kLightY, layout::kLightZ));
-    const glm::dvec3 u = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), w)), v = glm::cross(w, u);
-    View light;
-    light.width = light.height = shadowPixels(settings);
-    light.rotation = glm::transpose(glm::dmat3(u, v, w)) * view.rotation;
-    light.radius = view.radius;
-    constexpr double kRoom = 0.5;  // margin, Å: bonds may extend slightly beyond
-    light.pixelsPerAngstrom = light.width / (2.0 * (view.radius + kRoom));
-    return light;
-}
-
-/// From view space to the light's map: u, v and depth as dot products with (x, y, z, 1).
-void addShadow(layout::EffectConstants& c, const RenderSettings& settings) {
-    const View light = lightView(settings, settings.view);
-    if (light.width == 0) return;
-    const layout::ViewConstants seen = passes::viewConstants(light, light.width / 2.0, light.height / 2.0);
-    const glm::dmat3 turn = light.rotation * glm::transpose(settings.view.rotation);  // from view space
-    const double perMap = light.pixelsPerAngstrom / light.width;
-    const auto row = [&](int i, double scale, double shift) {
-        return glm::vec4(turn[0][i] * scale, turn[1][i] * scale, turn[2][i] * scale, shift);
-    };
-    c.shadowU = row(0, perMap, 0.5);
-    c.shadowV = row(1, -perMap, 0.5);
-    c.shadowW = row(2, -seen.perRange, (seen.origin - seen.depthStart) * seen.perRange);
-    constexpr double kSoft = 0.45, kLift = 0.12;  // Å
-    const double texel = 1.0 / light.pixelsPerAngstrom;
-    c.shadowSpread = static_cast<float>(std::max(kSoft, 1.5 * texel) * perMap);
-    c.shadowSlope = static_cast<float>(std::max(kSoft, 1.5 * texel)) * seen.perRange;
-    c.shadowBias = static_cast<float>(kLift + 2.0 * texel);
-    c.shadow = static_cast<float>(settings.effects.shadow.strength);
-}
-
-/// The scene as the light sees it. With clipping, primitives whose centre is in front of the near plane are left out.
-std::shared_ptr<passes::SceneView> lightScene(const Scene& scene, const RenderSettings& settings, const View& view,
-                                              SceneViews& views) {
-    const View light = lightView(settings, view);
-    const auto seen = nextView(views);
-    layout::ViewConstants& c = seen->constants;
-    c = passes::viewConstants(light, light.width / 2.0, light.height / 2.0);
-    const Clip& clip = settings.effects.clip;
-    if (clip.near > -Clip::kNone) {
-        const glm::dvec3 viewer = light.rotation * glm::transpose(view.rotation) * glm::dvec3(0, 0, 1);
-        layout::setCutPlane(c, glm::vec4(viewer, -clip.near));
-        seen->cut = true;
-    }
-    seen->buffers = &scene.buffers;
-    // As the view does, so that nothing shades itself.
-    passes::placeCopies(seen->copies, scene.representation, light, nullptr, 0, meshErrorOf(settings, view));
-    // Translucent parts cast no shadow.
-    passes::choose(seen->copies.triangles, scene.translucent, passes::Triangles::opaque);
-    seen->impostor = settings.tuning.impostor;
-    seen->radiusPixels = scene.meanRadius * light.pixelsPerAngstrom;
-    return seen;
+    addOutlines(c, settings);
 }
 
 template <typename T>
@@ -134,32 +64,59 @@ void completeScene(const gpu::Device& device, Scene& scene) {
     scene.solid = isSolid(scene.representation) && scene.translucent.empty();
     scene.chunks = chunksOf(scene.representation);
     scene.buffers = passes::makeSceneBuffers(device, scene.representation);
-    double sum = 0;
-    const auto smallest = [&](float radius) {
-        scene.smallestRadius = std::min(scene.smallestRadius, static_cast<double>(radius));
-    };
-    for (const Sphere& s : scene.representation.spheres) {
-        sum += s.radius;
-        smallest(s.radius);
-    }
-    for (const Cylinder& c : scene.representation.cylinders) smallest(c.radius);
-    for (const Cylinder& wire : scene.representation.wires)
-        scene.thinnestWire = std::min(scene.thinnestWire, -static_cast<double>(wire.radius));
-    scene.meanRadius = sum / static_cast<double>(std::max<std::size_t>(scene.representation.spheres.size(), 1));
+    scene.sizes = sizesOf(scene.representation);
 }
 
 }  // namespace
+
+SceneSizes sizesOf(const Representation& r) {
+    SceneSizes sizes;
+    double sum = 0;
+    const auto smallest = [&](float radius) {
+        sizes.smallestRadius = std::min(sizes.smallestRadius, static_cast<double>(radius));
+    };
+    for (const Sphere& s : r.spheres) {
+        sum += s.radius;
+        smallest(s.radius);
+    }
+    for (const Cylinder& c : r.cylinders) smallest(c.radius);
+    for (const Cylinder& wire : r.wires)
+        sizes.thinnestWire = std::min(sizes.thinnestWire, -static_cast<double>(wire.radius));
+    sizes.meanRadius = sum / static_cast<double>(std::max<std::size_t>(r.spheres.size(), 1));
+    return sizes;
+}
+
+SceneFacts factsOf(const Representation& r, const Chunks& chunks, const TranslucentRuns& translucent) {
+    SceneFacts facts;
+    facts.hasCylinders = !r.cylinders.empty();
+    facts.hasWires = !r.wires.empty();
+    facts.hasTranslucent = !translucent.empty();
+    facts.meshTriangles = r.triangles.size();
+    facts.boxed = std::isfinite(chunks.sphereBoxes.reach);
+    return facts;
+}
+
+double cullingMargin(const RenderSettings& settings, const View& view, bool wires) {
+    constexpr double kWidestWire = 10;  // pixels
+    return (wires ? kWidestWire : 0) + std::max(settings.effects.contours.width, settings.effects.halos.width) *
+                                           view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom;
+}
+
+double smallestPixels(const SceneSizes& sizes, bool wires, const RenderSettings& settings, const View& view) {
+    const double farthest =
+        view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance + view.radius) : 1;
+    double smallest = sizes.smallestRadius * view.pixelsPerAngstrom * farthest;
+    if (wires)
+        smallest = std::min(smallest, sizes.thinnestWire * static_cast<double>(static_cast<float>(
+                                                               view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom)));
+    const Contours& outlines = settings.effects.contours;
+    return outlines.width > 0 ? std::min(smallest, 0.75 * outlines.width) : smallest;
+}
 
 double meshErrorOf(const RenderSettings& settings, const View& view) {
     static_assert(RenderSettings::kEdgeSamples == 16);
     const bool edges = settings.supersample == RenderSettings::kEdges && settings.debug == DebugView::none;
     return errorInSpace(view, settings.meshError * (edges ? 0.25 : 1.0));
-}
-
-std::uint32_t shadowPixels(const RenderSettings& settings) {
-    if (settings.effects.shadow.strength <= 0 || !settings.lighting) return 0;
-    constexpr double kLarge = 80;  // Å
-    return settings.view.radius > kLarge ? 2048 : 1024;
 }
 
 layout::EffectConstants effectConstants(const RenderSettings& settings, const Scene& scene) {
@@ -172,8 +129,7 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const Sc
     const double start = automatic ? 0.0 : e.fog.start, end = automatic ? view.radius : e.fog.end;
     const auto& [r, g, b, alpha] = settings.background;
     layout::EffectConstants c{};
-    c.contour = linear(e.contours.color[0], e.contours.color[1], e.contours.color[2], 1);
-    c.fog = alpha > 0 ? linear(r, g, b, e.fog.strength) : linear(1, 1, 1, e.fog.strength);
+    c.fog = alpha > 0 ? linearColor({r, g, b}, e.fog.strength) : linearColor({1, 1, 1}, e.fog.strength);
     c.fogStart = static_cast<float>(center + start);
     c.perFog = static_cast<float>(1.0 / std::max(end - start, 1e-6));
     constexpr double kHatchPixels = 7;
@@ -182,29 +138,25 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const Sc
     static_assert(kResidueBits == layout::kResidueBits && kGroupResidues == layout::kGroupResidues);
     for (std::size_t i = 0; i < copyColors.size(); ++i) {
         const auto channel = [&](int shift) { return static_cast<float>(copyColors[i] >> shift & 0xff) / 255.0f; };
-        c.copyColors[i] = linear(channel(0), channel(8), channel(16), 1);
+        c.copyColors[i] = linearColor({channel(0), channel(8), channel(16)}, 1);
     }
     addShadow(c, settings);
-    const passes::Rims rims = rimsOf(settings);
+    addOutlines(c, settings);
+    addHalos(c, settings);
     c.firstGroup = scene.buffers.firstGroup;
-    c.halo = linear(e.halos.color[0], e.halos.color[1], e.halos.color[2], e.halos.strength);
-    c.haloWidth = rims.halo;
-    c.perHaloDepth = static_cast<float>(1.0 / e.halos.depth);
-    c.lineWidth = rims.line;
-    c.lineDepth = static_cast<float>(e.contours.depth);
     c.bakedCylinders = static_cast<std::uint32_t>(scene.representation.cylinders.size());
     return c;
 }
 
 Scene makeScene(const gpu::Device& device, Representation representation) {
-    Scene scene{std::move(representation), {}, 0, 1e9, 1e9, {}, {}, {}, false};
+    Scene scene{std::move(representation), {}, {}, {}, {}, {}, false};
     scene.order = orderInSpace(scene.representation);
     completeScene(device, scene);
     return scene;
 }
 
 Scene makeOrderedScene(const gpu::Device& device, Representation representation) {
-    Scene scene{std::move(representation), {}, 0, 1e9, 1e9, {}, {}, {}, false};
+    Scene scene{std::move(representation), {}, {}, {}, {}, {}, false};
     completeScene(device, scene);
     return scene;
 }
@@ -239,7 +191,7 @@ bool isMoved(const Scene& scene, const Representation& r) {
 }
 
 Scene makeMovedScene(const gpu::Device& device, Representation representation, const Scene& before) {
-    Scene scene{std::move(representation), {}, 0, 1e9, 1e9, {}, {}, before.order, false};
+    Scene scene{std::move(representation), {}, {}, {}, {}, before.order, false};
     putInOrder(scene.representation, scene.order);
     completeScene(device, scene);
     return scene;
@@ -276,11 +228,9 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
     seen->blendsColors = scene.representation.blendsColors;
     if (shadowPixels(settings) > 0) seen->light = lightScene(scene, settings, view, views);
     seen->buffers = &scene.buffers;
-    constexpr double kWidestWire = 10;  // pixels
-    const double wires = scene.representation.wires.empty() ? 0 : kWidestWire;
+    const bool wires = !scene.representation.wires.empty();
     passes::placeCopies(seen->copies, scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
-                        wires + std::max(settings.effects.contours.width, settings.effects.halos.width) *
-                                    view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom,
+                        cullingMargin(settings, view, wires),
                         meshErrorOf(settings, view), true);
     seen->perspective = view.projection == Projection::perspective;
     // Where a surface folds, its inner side may look out. Nothing else of it does.
@@ -289,18 +239,13 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
     seen->quarterTurns = view.quarterTurns;
     seen->plates = settings.tuning.plates;
     seen->impostor = settings.tuning.impostor;
-    seen->radiusPixels = scene.meanRadius * view.pixelsPerAngstrom;
-    const double farthest = seen->perspective ? view.eyeDistance / (view.eyeDistance + view.radius) : 1;
-    seen->smallestPixels = scene.smallestRadius * view.pixelsPerAngstrom * farthest;
+    seen->radiusPixels = scene.sizes.meanRadius * view.pixelsPerAngstrom;
+    seen->smallestPixels = smallestPixels(scene.sizes, wires, settings, view);
     seen->wireScale = 0;
-    if (!scene.representation.wires.empty()) {
+    if (wires) {
         seen->wireScale = static_cast<float>(view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom);
         c.wirePixel = static_cast<float>(1 / settings.view.pixelsPerAngstrom);
-        seen->smallestPixels =
-            std::min(seen->smallestPixels, scene.thinnestWire * static_cast<double>(seen->wireScale));
     }
-    const Contours& contours = settings.effects.contours;
-    if (contours.width > 0) seen->smallestPixels = std::min(seen->smallestPixels, 0.75 * contours.width);
     return seen;
 }
 

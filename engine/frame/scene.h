@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "engine/frame/choose.h"
 #include "engine/gpu/pool.h"
 #include "engine/graph/graph.h"
 #include "engine/passes/scene_view.h"
@@ -11,12 +12,18 @@
 
 namespace nacre {
 
+/// Sizes of a scene's primitives.
+struct SceneSizes {
+    double meanRadius = 0;        ///< of spheres, Å
+    double smallestRadius = 1e9;  ///< of spheres and cylinders, Å
+    double thinnestWire = 1e9;    ///< half its width, pixels
+};
+SceneSizes sizesOf(const Representation& representation);
+
 struct Scene {
     Representation representation;  ///< its streams in spatial order
     passes::SceneBuffers buffers;
-    double meanRadius = 0;      ///< of spheres, Å
-    double smallestRadius = 0;  ///< of spheres and cylinders, Å
-    double thinnestWire = 1e9;  ///< half its width, pixels
+    SceneSizes sizes;
     Chunks chunks;
     TranslucentRuns translucent;  ///< of the translucent triangles
     StreamOrder order;            ///< maps to the caller's order
@@ -40,14 +47,20 @@ Scene makeMovedScene(const gpu::Device& device, Representation representation, c
 /// Size of the image that holds a view: the view's own, possibly turned by 90°.
 graph::Extent imageExtent(const View& view);
 
+/// Facts of a scene for choose(), without those of a view.
+SceneFacts factsOf(const Representation& representation, const Chunks& chunks, const TranslucentRuns& translucent);
+
+/// Room around the picture within which primitives may reach into it, pixels.
+double cullingMargin(const RenderSettings& settings, const View& view, bool wires);
+
+/// Half the width of the narrowest primitive or outline in a picture, pixels.
+double smallestPixels(const SceneSizes& sizes, bool wires, const RenderSettings& settings, const View& view);
+
 /// Parameters of the shading effects, for shaders.
 layout::EffectConstants effectConstants(const RenderSettings& settings, const Scene& scene);
 
 /// Allowed error of a view's meshes, Å.
 double meshErrorOf(const RenderSettings& settings, const View& view);
-
-/// Width of the shadow map, pixels; 0 if the settings ask for no shadows.
-std::uint32_t shadowPixels(const RenderSettings& settings);
 
 using SceneViews = gpu::Pool<passes::SceneView>;
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/frame/lens.h"
+#include "engine/frame/effects/lens/lens.h"
 #include "engine/frame/picture.h"
 #include "engine/passes/full_screen.h"
 #include "engine/passes/read_back.h"
@@ -75,7 +75,7 @@ bool WindowFrames::coded() const {
 VkFormat WindowFrames::pictureFormat() const { return coded() ? VK_FORMAT_R8G8B8A8_SRGB : swapchain_.format(); }
 
 /// Brings swapchain and kept picture to the window's size. @returns whether there is anything to draw into
-bool WindowFrames::prepare(graph::Extent wanted) {
+bool WindowFrames::resize(graph::Extent wanted) {
     if (!swapchain_.stale() && swapchain_.ready() && swapchain_.upright() == wanted) return true;
     if (swapchain_.retires()) {
         if (const auto image = ring_.skipImage()) swapchain_.giveBack(*image);
@@ -143,38 +143,25 @@ void WindowFrames::prepareOthers() {
     prepare([&](graph::Graph& graph, graph::Image colour) { addPicture(graph, colour, 0); });
 }
 
-FrameEnd WindowFrames::endOf(const WindowFrame& frame) const {
-    if (frame.quality == Quality::kept) return FrameEnd::sumOnWindow;
-    if (frame.quality == Quality::refined) return frame.sample == 0 ? FrameEnd::firstSample : FrameEnd::nextSample;
-    if (frame.scale != 1.0) return FrameEnd::scaledOnWindow;
-    return coded() ? FrameEnd::onWindow : FrameEnd::window;
+Ending WindowFrames::endingOf(const WindowFrame& frame) const {
+    if (frame.quality == Quality::kept) return Ending::sumToWindow;
+    if (frame.quality == Quality::refined) return frame.sample == 0 ? Ending::firstSample : Ending::nextSample;
+    if (frame.scale != 1.0) return Ending::scaledToWindow;
+    return coded() ? Ending::copiedToWindow : Ending::window;
 }
 
 /// The passes behind a scene's own. The last target is the window.
-void WindowFrames::declareEnd(ScreenFrame& frame, const FrameShape& shape) {
+void WindowFrames::declareEnding(Frame& frame, const FrameShape& shape) {
     graph::Graph& g = frame.graph;
-    switch (shape.end) {
-        case FrameEnd::firstSample:
-        case FrameEnd::nextSample:
-            frame.sum = addSum(g, frame.targets[0], shape.end == FrameEnd::firstSample);
-            break;
-        case FrameEnd::sumOnWindow:
-            frame.sum = g.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState);
-            break;
-        case FrameEnd::onWindow:
-        case FrameEnd::scaledOnWindow:
-            frame.targets.push_back(addPicture(g, frame.targets[0], shape.end == FrameEnd::onWindow ? 1 : 0));
-            break;
-        case FrameEnd::left:
-        case FrameEnd::readBack:
-        case FrameEnd::resolved:
-        case FrameEnd::coarse:
-        case FrameEnd::throughLens:
-        case FrameEnd::window:
-            break;
-    }
+    const Ending ending = shape.choice.ending;
+    if (ending == Ending::firstSample || ending == Ending::nextSample)
+        frame.sum = addSum(g, frame.targets[0], ending == Ending::firstSample);
+    if (ending == Ending::sumToWindow)
+        frame.sum = g.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState);
+    if (ending == Ending::copiedToWindow || ending == Ending::scaledToWindow)
+        frame.targets.push_back(addPicture(g, frame.targets[0], ending == Ending::copiedToWindow ? 1 : 0));
     if (frame.sum) frame.targets.push_back(addPicture(g, *frame.sum, 1));
-    const bool direct = shape.end == FrameEnd::window;
+    const bool direct = ending == Ending::window;
     if (shape.overlay) addOverlay(g, frame.targets.back(), direct ? frame.samples : std::nullopt);
 }
 
@@ -189,56 +176,52 @@ void WindowFrames::makeSum() {
 }
 
 /// The scene as the frame shows it, and the frame's shape.
-/// @param radiusBefore  as FrameRequest has it
-SeenFrame WindowFrames::see(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame,
-                            std::optional<double> radiusBefore) {
-    SeenFrame seen;
+/// @param radiusBefore  as FrameInputs has it
+PreparedFrame WindowFrames::prepare(const RenderSettings& settings, const passes::Atlas& atlas,
+                                    const WindowFrame& frame, std::optional<double> radiusBefore) {
+    PreparedFrame prepared;
     View view = settings.view;
     view.quarterTurns = swapchain_.quarterTurns();
-    const FrameEnd end = endOf(frame);
+    const Ending ending = endingOf(frame);
     const graph::Clear clear = clearOf(settings.background);
     target_ = {"colour", pictureFormat(), passes::Output::color, "impostor colour", clear};
     RenderSettings drawn = settings.ofFrame();
-    if (end == FrameEnd::sumOnWindow) {
-        seen.shape.options.name = "kept screen";
-        seen.shape.end = end;
+    const auto prepareAs = [&](Part part, const char* name) {
+        FrameInputs inputs{atlas, view, name};
+        inputs.window = {&target_, 1};
+        inputs.radiusBefore = radiusBefore;
+        prepared = frames_.prepare({drawn, part, ending, view.quarterTurns}, inputs);
+    };
+    if (ending == Ending::sumToWindow) {
+        prepared.shape.name = "kept screen";
+        prepared.shape.choice.ending = ending;
     } else if (frame.quality == Quality::refined) {
         view = throughSampleOf(drawn, view, frame.samples, frame.sample);
-        seen = frames_.see({drawn, atlas, view, {&target_, 1}, "refinement", end, nullptr, false, radiusBefore});
+        prepareAs(Part::sample, "refinement");
     } else {
         drawn.supersample = 1;
         drawn.meshError = frame.meshError * settings.meshError;
-        const bool direct = end == FrameEnd::window;
+        const bool direct = ending == Ending::window;
         if (direct) target_ = {"window", swapchain_.format(), target_.output, target_.pass, clear, true};
         view = scaled(view, frame.scale);
-        seen = frames_.see({drawn,
-                            atlas,
-                            view,
-                            {&target_, 1},
-                            direct ? "screen" : "scaled screen",
-                            end,
-                            nullptr,
-                            false,
-                            radiusBefore,
-                            false,
-                            device_.caps().motion.samples});
+        prepareAs(Part::motion, direct ? "screen" : "scaled screen");
     }
-    seen.shape.window = swapchain_.extent();
-    seen.shape.overlay = frame.overlay && !frame.overlay->batches.empty();
-    return seen;
+    prepared.shape.window = swapchain_.extent();
+    prepared.shape.overlay = frame.overlay && !frame.overlay->batches.empty();
+    return prepared;
 }
 
-DeclaredFrame& WindowFrames::declared(const SeenFrame& seen) {
-    return *declared_.of(seen.shape, [&](ScreenFrame& f) { declareEnd(f, seen.shape); });
+DeclaredFrame& WindowFrames::declared(const PreparedFrame& prepared) {
+    return *declared_.of(prepared.shape, [&](Frame& f) { declareEnding(f, prepared.shape); });
 }
 
 void WindowFrames::prepareScene(const RenderSettings& settings, const WindowFrame& frame) {
     if (!swapchain_.ready()) return;
     WindowFrame first = frame;
     first.quality = Quality::live;
-    const SeenFrame seen = see(settings, {}, first, {});
-    DeclaredFrame& wanted = declared(seen);
-    SceneFrames::bind(wanted, seen);
+    const PreparedFrame prepared = prepare(settings, {}, first, {});
+    DeclaredFrame& wanted = declared(prepared);
+    SceneFrames::bind(wanted, prepared);
     executor_.prepare(wanted.frame.graph, wanted.plan);
 }
 
@@ -247,32 +230,32 @@ void WindowFrames::prepareRest(const RenderSettings& settings, const passes::Atl
     WindowFrame still;
     still.quality = Quality::refined;
     still.samples = RenderSettings::kEdgeSamples;
-    const SeenFrame seen = see(settings, atlas, still, counts_.radiusPixels);
-    DeclaredFrame& wanted = declared(seen);
-    SceneFrames::bind(wanted, seen);
+    const PreparedFrame prepared = prepare(settings, atlas, still, counts_.radiusPixels);
+    DeclaredFrame& wanted = declared(prepared);
+    SceneFrames::bind(wanted, prepared);
     executor_.prepare(wanted.frame.graph, wanted.plan);
 }
 
 /// Draws the frame into the image that the slot has.
 void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                           const WindowFrame& frame) {
-    const SeenFrame seen = see(settings, atlas, frame, counts_.radiusPixels);
-    if (seen.view) counts_ = seen.counts;
-    slot.held = seen.view;
-    DeclaredFrame& declared = this->declared(seen);
-    if (seen.shape.options.samples > 1) restWanted_ = std::exchange(multisampled_, &declared) != &declared;
+    const PreparedFrame prepared = prepare(settings, atlas, frame, counts_.radiusPixels);
+    if (prepared.view) counts_ = prepared.counts;
+    slot.held = prepared.view;
+    DeclaredFrame& declared = this->declared(prepared);
+    if (prepared.choice().attachmentSamples() > 1) restWanted_ = std::exchange(multisampled_, &declared) != &declared;
     declared.imports.clear();
-    if (seen.view) SceneFrames::bind(declared, seen);
+    if (prepared.view) SceneFrames::bind(declared, prepared);
     declared.imports.bind(declared.frame.targets.back(), swapchain_.image(*slot.image));
     share_ = 1;
     if (declared.frame.sum) {
-        if (seen.view) makeSum();
+        if (prepared.view) makeSum();
         declared.imports.bind(*declared.frame.sum, sum_);
-        share_ = 1.0f / static_cast<float>(seen.view ? frame.sample + 1 : summed_);
+        share_ = 1.0f / static_cast<float>(prepared.view ? frame.sample + 1 : summed_);
     }
     slot_ = &slot;
     overlaid_ = frame.overlay;
-    if (seen.shape.overlay) overlay_.upload(slot, *frame.overlay);
+    if (prepared.shape.overlay) overlay_.upload(slot, *frame.overlay);
     device_.log().begin();
     slot.commands.reset();
     slot.commands.begin();
@@ -296,7 +279,7 @@ FrameOutcome WindowFrames::present(const RenderSettings& settings, const passes:
                                    const WindowFrame& frame) {
     const graph::Extent wanted{settings.view.width, settings.view.height};
     for (int attempt = 0; attempt < 3; ++attempt) {
-        if (!prepare(wanted)) return FrameOutcome::hidden;
+        if (!resize(wanted)) return FrameOutcome::hidden;
         if (swapchain_.upright() != wanted) return FrameOutcome::resized;
         const std::uint32_t there = sum_.desc.extent == swapchain_.extent() ? summed_ : 0;
         if (frame.quality == Quality::kept && there == 0) return FrameOutcome::resized;

@@ -35,14 +35,14 @@ public:
     graph::Extent size() const { return swapchain_.upright(); }
 
 private:
-    bool prepare(graph::Extent wanted);
+    bool resize(graph::Extent wanted);
     void submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                 const WindowFrame& frame);
-    FrameEnd endOf(const WindowFrame& frame) const;
-    SeenFrame see(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame,
-                  std::optional<double> radiusBefore);
-    DeclaredFrame& declared(const SeenFrame& seen);
-    void declareEnd(ScreenFrame& frame, const FrameShape& shape);
+    Ending endingOf(const WindowFrame& frame) const;
+    PreparedFrame prepare(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame,
+                          std::optional<double> radiusBefore);
+    DeclaredFrame& declared(const PreparedFrame& prepared);
+    void declareEnding(Frame& frame, const FrameShape& shape);
     void makeSum();
     void prepareOthers();
     void prepareRest(const RenderSettings& settings, const passes::Atlas& atlas);

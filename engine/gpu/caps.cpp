@@ -94,6 +94,7 @@ TileCaps tileCapsOf(const vk::raii::PhysicalDevice& device) {
     const auto& limits = chain.get<vk::PhysicalDeviceProperties2>().properties.limits;
     const auto& subgroups = chain.get<Subgroups>();
     TileCaps caps;
+    caps.lacks.clear();
     caps.lanes = subgroups.subgroupSize;
     caps.texels = limits.maxTexelBufferElements >= limits.maxStorageBufferRange / sizeof(std::uint32_t);
     // Inputs: shapes, rows of copies, looks, lists, numbers, tiles of bins. One output.
@@ -183,20 +184,6 @@ graph::DriverIdentity identityOf(const vk::raii::PhysicalDevice& device) {
     return identity;
 }
 
-namespace {
-
-void chooseMotion(Caps& caps, graph::DeviceKind kind, Multisampling wanted) {
-    caps.motion = graph::chooseSamples(kind, caps.visibility, caps.plan);
-    if (wanted == Multisampling::automatic) return;
-    if (wanted == Multisampling::off) return void(caps.motion = {1, "asked for"});
-    if (const std::string lacks = graph::lacksMultisampling(caps.visibility, caps.plan); !lacks.empty())
-        throw Error("cannot draw 4 samples per pixel", caps.deviceName, lacks);
-    caps.motion = {graph::kMultisamples, "asked for"};
-    caps.samplesPictures = true;
-}
-
-}  // namespace
-
 Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options) {
     const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceIDProperties>();
     const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
@@ -245,27 +232,21 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     applyEnvironment(caps.plan);
     caps.encoded = encodedFormatOf(device, options.encoded, caps.plan.rasterOrder);
     caps.encodedMaps = caps.encoded.ordered ? blendedFormatOf(device, EncodedDepth::automatic) : caps.encoded;
-    caps.software = identity.software;
-    constexpr double kNever = std::numeric_limits<double>::infinity();
-    if (caps.software) caps.plan.geometry = {false, kNever, kNever, kNever};  // a triangle costs a hundred fragments
-    // no software device tests early where a shader writes depth
-    if (caps.software) caps.plan.conservativeDepth = false;
+    caps.kind = known.kind;
     caps.tiles = tileCapsOf(device);
-    caps.tiles.shade = caps.software && caps.tiles.texels;
     caps.plan.tiles = caps.tiles.lacks.empty();
-
-    const graph::VisibilityChoice choice = graph::chooseVisibility(known.kind, caps.plan);
-    const bool automatic = options.visibility == Visibility::automatic;
-    caps.visibility = automatic ? choice.visibility : options.visibility;
-    caps.visibilityReason = automatic ? choice.why : "asked for";
-    if (caps.visibility == Visibility::rasterOrder && !caps.plan.rasterOrder)
-        throw Error("cannot draw by raster-order", caps.deviceName,
-                    options.capture
-                        ? "RenderDoc hides VK_EXT_rasterization_order_attachment_access: capture another path"
-                        : "VK_EXT_rasterization_order_attachment_access is missing");
-    if (caps.visibility == Visibility::tiles && !caps.plan.tiles)
-        throw Error("cannot draw by tiles", caps.deviceName, caps.tiles.lacks);
-    chooseMotion(caps, known.kind, options.multisampling);
+    if (identity.software) {
+        constexpr double kNever = std::numeric_limits<double>::infinity();
+        caps.plan.geometry = {false, kNever, kNever, kNever};  // a triangle costs a hundred fragments
+        caps.plan.conservativeDepth = false;                   // none of them tests early what writes depth
+        caps.tiles.shade = caps.tiles.texels;
+        caps.fastPowers = caps.asynchronous = false;
+    }
+    caps.visibility = options.visibility;
+    caps.multisampling = options.multisampling;
+    caps.lacksRasterOrder = options.capture
+                                ? "RenderDoc hides VK_EXT_rasterization_order_attachment_access: capture another path"
+                                : "VK_EXT_rasterization_order_attachment_access is missing";
     return caps;
 }
 

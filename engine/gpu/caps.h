@@ -6,23 +6,14 @@
 
 #include "engine/device_options.h"
 #include "engine/graph/capability_sets.h"
-#include "engine/graph/encoded_format.h"
+#include "engine/graph/frame_caps.h"
 #include "engine/graph/known_drivers.h"
-#include "engine/graph/plan.h"
-#include "engine/graph/visibility.h"
 
 namespace nacre::gpu {
 
-/// For the tile path.
-struct TileCaps {
-    bool texels = false;      ///< texel buffers can hold whole streams
-    std::uint32_t lanes = 0;  ///< per subgroup
-    bool shade = false;       ///< compute shading is faster than drawing fragments
-    bool drawsEdges = false;  ///< draws edges from the tile lists
-    std::string lacks;        ///< what the path needs and the device lacks; empty: nothing
-};
+using graph::TileCaps;
 
-struct Caps {
+struct Caps : graph::FrameCaps {
     std::string deviceName, driverName;
     std::string type;  ///< "discrete", "integrated", "virtual", "software", "other"
     std::uint32_t apiVersion = 0;
@@ -33,26 +24,20 @@ struct Caps {
     bool dispatchesApart = false;     ///< quirk: no dispatch after a draw in one command buffer
     bool heapPerTile = false;         ///< quirk: the driver allocates heap memory per tile
     bool mergeFeedback = false;       ///< the driver reports how it merges subpasses
-    bool blendsFloats = false;        ///< can blend colour attachments with 32 bits per channel
     std::uint32_t timestampBits = 0;  ///< of the queue's timestamps; 0: no timestamps
     double nanosecondsPerTick = 1;    ///< per timestamp tick
     std::uint64_t maxStorageBufferBytes = 1u << 27;
     std::uint64_t maxBufferBytes = UINT64_MAX;  ///< per buffer, where the device reports it (VK_KHR_maintenance4)
-    graph::PlanCaps plan;
-    graph::EncodedFormat encoded;      ///< format for images
-    graph::EncodedFormat encodedMaps;  ///< format for maps of a bake, which are blended
-    TileCaps tiles;
+    graph::EncodedFormat encodedMaps;  ///< for maps of a bake, which blends
     /// Quirk: do not use a pipeline cache. SwiftShader keys shaders by the address of the render pass, and confuses a
     /// destroyed render pass with a new one at the same address.
     bool cacheMixesRenderPasses = false;
-    bool software = false;  ///< a CPU draws: triangles cost more than fragments
-    std::string driverKey;  ///< device, driver and driver version as hexadecimal digits
-    Visibility visibility = Visibility::encoded;
-    std::string visibilityReason;
-    graph::SampleChoice motion;    ///< for a window's frames in motion
-    bool samplesPictures = false;  ///< pictures of one sample per pixel have as many
-    std::string capabilitySet;     ///< what the plan's caps started from
-    graph::Fact knownAs{};         ///< row of the driver table; null if it has none
+    bool fastPowers = true;  ///< powers take a few instructions
+    /// Submissions return at once, and timestamps cost nothing: bakes are cut into short, timed submissions.
+    bool asynchronous = true;
+    std::string driverKey;      ///< device, driver and driver version as hexadecimal digits
+    std::string capabilitySet;  ///< what the plan's caps started from
+    graph::Fact knownAs{};      ///< what the table of drivers says of it; null where it has no row
 };
 
 /// The identity that a device reports, for the tables of known drivers.

@@ -36,11 +36,8 @@ public:
     const Caps& caps() const { return caps_; }
     const LocalReadCalls& localReadCalls() const { return localReadCalls_; }
     CaptureHook& capture() { return capture_; }
-    /// Replaces the path that the caps chose. Call before anything is drawn.
-    void choose(Visibility visibility, const std::string& why) {
-        caps_.visibility = visibility;
-        caps_.visibilityReason = why;
-    }
+    /// Notes the path that a self-test found. Call before anything is drawn.
+    void choose(graph::TestedPath path) { caps_.tested = std::move(path); }
 
     struct Allocation {
         vk::raii::DeviceMemory memory;

@@ -3,11 +3,7 @@
 #include <algorithm>
 
 #include "engine/devices.h"
-#include "engine/error.h"
-#include "engine/gpu/bundled_driver.h"
 #include "engine/gpu/capture_hook.h"
-#include "engine/gpu/context.h"
-#include "engine/gpu/device_loss.h"
 #include "engine/gpu/instance.h"
 
 namespace nacre {
@@ -29,10 +25,6 @@ DeviceInfo gpu::infoOf(const Caps& caps) {
     info.apiVersion = std::to_string(VK_API_VERSION_MAJOR(caps.apiVersion)) + "." +
                       std::to_string(VK_API_VERSION_MINOR(caps.apiVersion)) + "." +
                       std::to_string(VK_API_VERSION_PATCH(caps.apiVersion));
-    info.visibility = visibilityName(caps.visibility);
-    info.why = caps.visibilityReason;
-    info.motionSamples = caps.motion.samples;
-    info.motionWhy = caps.motion.why;
     info.encodedFormat = graph::formatName(caps.encoded.format) + (caps.encoded.ordered ? " in raster order" : "");
     info.lazyMemory = caps.plan.transient;
     info.timestamps = caps.timestampBits > 0;
@@ -134,21 +126,5 @@ std::string describe(const DriverFeedback& feedback) {
 }
 
 bool capturesBuilt() { return gpu::CaptureHook::built(); }
-
-std::vector<DeviceInfo> listDevices() {
-    try {
-        const vk::raii::Context context = gpu::makeContext();
-        gpu::InstanceExtensions found;
-        const vk::raii::Instance instance = gpu::makeInstance(context, false, found);
-        std::vector<DeviceInfo> devices;
-        for (const auto& physical : vk::raii::PhysicalDevices(instance)) {
-            devices.push_back(gpu::infoOf(gpu::capsOf(physical), physical));
-            devices.back().bundled = gpu::bundledDriverTaken();
-        }
-        return devices;
-    } catch (const vk::SystemError& failure) {
-        throw Error("cannot list devices", "", gpu::inOneLine(failure.what()));
-    }
-}
 
 }  // namespace nacre

@@ -141,17 +141,17 @@ std::vector<CapabilitySet> makeSets() {
     PlanCaps desktop = plan("desktop", 16, false);
     desktop.transient = false;
     return {
-        {mali, kTiler, encodedInOrder(), kMali},
-        {maliOld, kTiler, kHalf, kMaliOld},
-        {adreno, kTiler, kHalf, kAdreno},
-        {noSubpass, kTiler, kHalf, kAdrenoNoSubpass},
-        {powerVr, kTiler, kHalf, kPowerVr},
-        {doubtful, kTiler, kHalf, kNoSubpass},
-        {turnip, kTiler, kFloat, kTurnip},
-        {v3dv, kTiler, kHalf, kV3dv},
-        {panvk, kTiler, kHalf, kPanvk},
-        {apple, DeviceKind::layered, kFloat, kApple},
-        {desktop, DeviceKind::immediate, kFloat, kDesktop},
+        {{mali, kTiler, encodedInOrder()}, kMali},
+        {{maliOld, kTiler, kHalf}, kMaliOld},
+        {{adreno, kTiler, kHalf}, kAdreno},
+        {{noSubpass, kTiler, kHalf}, kAdrenoNoSubpass},
+        {{powerVr, kTiler, kHalf}, kPowerVr},
+        {{doubtful, kTiler, kHalf}, kNoSubpass},
+        {{turnip, kTiler, kFloat}, kTurnip},
+        {{v3dv, kTiler, kHalf}, kV3dv},
+        {{panvk, kTiler, kHalf}, kPanvk},
+        {{apple, DeviceKind::layered, kFloat}, kApple},
+        {{desktop, DeviceKind::immediate, kFloat}, kDesktop},
     };
 }
 

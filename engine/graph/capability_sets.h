@@ -6,9 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "engine/device_options.h"
-#include "engine/graph/encoded_format.h"
-#include "engine/graph/visibility.h"
+#include "engine/graph/frame_caps.h"
 
 namespace nacre::graph {
 
@@ -17,10 +15,7 @@ struct Fact {
     const char* source;
 };
 
-struct CapabilitySet {
-    PlanCaps plan;
-    DeviceKind kind{};
-    EncodedFormat encoded;  ///< the choice of `auto`
+struct CapabilitySet : FrameCaps {
     std::span<const Fact> facts;
 };
 

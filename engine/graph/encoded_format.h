@@ -20,6 +20,7 @@ struct EncodedFormat {
     float farthest = 1.0f;  ///< clear value, larger than any encoded depth
     /// No blending: fragments read their own attachment in raster order.
     bool ordered = false;
+    friend bool operator==(const EncodedFormat&, const EncodedFormat&) = default;
 
     /// Number of distinct depths; 2^24 for a float, whose steps are finer near 0.
     int levels() const { return steps == 0 ? 1 << 24 : channels * steps; }

@@ -6,7 +6,7 @@
 
 #include "engine/occlusion/pipelines.h"
 #include "engine/passes/geometry_passes.h"
-#include "engine/passes/translucent.h"
+#include "engine/passes/select_triangles.h"
 #include "engine/passes/view_constants.h"
 #include "engine/scene/instances/mesh_levels.h"
 
@@ -163,7 +163,7 @@ passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t mo
     const double error = runs_.size() > 1 ? 0 : errorInSpace(seen, DepthMapSizes::kMeshError);
     passes::PlacedCopies all = passes::placeCopies(representation_, seen, nullptr, 0, error);
     // Translucent primitives do not occlude.
-    passes::choose(all.triangles, translucent_, passes::Triangles::opaque);
+    passes::selectTriangles(all.triangles, translucent_, passes::Triangles::opaque);
     if (runs_.size() > 1) {
         all.spheres = within(all.spheres, runs_[model].spheres);
         all.cylinders = within(all.cylinders, runs_[model].cylinders);

@@ -14,14 +14,6 @@ constexpr double kWaitedMilliseconds = 30;
 /// Minimum value while a molecule moves: surfaces exposed since the bake are dark, not black.
 constexpr std::uint32_t kLeastOfMoved = 102;
 
-/// The path of the depth maps if the device chooses. @param tiles  supported
-OcclusionMaps automaticMaps(const gpu::Caps& caps, bool tiles) {
-    if (caps.software && tiles) return OcclusionMaps::tiles;
-    // Where MIN blending is a shader, the depth buffer costs less.
-    return caps.visibility == Visibility::encoded && !caps.encoded.ordered ? OcclusionMaps::encoded
-                                                                           : OcclusionMaps::fragdepth;
-}
-
 const char* nameOf(OcclusionMaps maps) {
     switch (maps) {
         case OcclusionMaps::encoded:
@@ -91,7 +83,7 @@ void SceneOcclusion::begin(const OcclusionSettings& settings, const std::optiona
     orDrop([&] {
         if (isOutdated()) drop();
         prepare(settings, onlooker);
-        if (is<Preparing>()) make(device_.caps().software ? Allowance() : allowed(kWaitedMilliseconds), Allowance());
+        if (is<Preparing>()) make(device_.caps().asynchronous ? allowed(kWaitedMilliseconds) : Allowance(), Allowance());
         if (const auto bake = there(); bake && !bake->shows()) finishFlight(), bake->finish(executor_);
     });
 }
@@ -109,7 +101,7 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optio
                 settings.detail, onlooker};
     const bool tiles = device_.caps().plan.tiles;
     if (options_.path == OcclusionMaps::automatic || (options_.path == OcclusionMaps::tiles && !tiles))
-        options_.path = automaticMaps(device_.caps(), tiles);
+        options_.path = automaticMaps_;
     cache_ = occlusionCache(moved_ ? std::string() : settings.cache);  // positions of moving atoms do not recur
     worthKeeping_ = settings.worthKeeping;
     auto& preparing = state_.emplace<Preparing>();
@@ -259,7 +251,7 @@ void SceneOcclusion::runSlice(Bake& bake, const Allowance& allowance) {
     const graph::Plan plan = graph::compile(g, device_.caps().plan);
     // Measured on the host, the first submission would include the driver's compilation. Software devices drain each
     // pass for a timestamp and execute synchronously, so the host's clock is right there.
-    const bool timed = !device_.caps().software;
+    const bool timed = device_.caps().asynchronous;
     if (timed && !timer_) timer_ = std::make_unique<gpu::Timer>(device_);
     device_.submitAndWait(
         [&](gpu::CommandBuffer& c) { executor_.record(c, g, plan, imports, timed ? timer_.get() : nullptr); });
@@ -295,7 +287,7 @@ void SceneOcclusion::finish(const OcclusionSettings& settings, const std::option
         if (!baking) return;
         const auto start = Clock::now();
         while (!baking->bake->complete()) {
-            runSlice(*baking->bake, device_.caps().software ? Allowance() : allowed(kWaitedMilliseconds));
+            runSlice(*baking->bake, device_.caps().asynchronous ? allowed(kWaitedMilliseconds) : Allowance());
             if (settings.onProgress && baking->bake->betweenSteps()) settings.onProgress(share());
         }
         show(*baking, start);

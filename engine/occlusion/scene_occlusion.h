@@ -30,6 +30,9 @@ public:
     SceneOcclusion(const gpu::Device& device, gpu::Executor& executor) : device_(device), executor_(executor) {}
     ~SceneOcclusion() { drop(); }
 
+    /// The maps of OcclusionMaps::automatic. Call before the first bake.
+    void setAutomaticMaps(OcclusionMaps maps) { automaticMaps_ = maps; }
+
     /// Waits for submitted work, and drops all bakes.
     void setScene(SceneToBake scene);
     /// The same primitives at other positions. The old bake is shown until a new one is done.
@@ -139,6 +142,7 @@ private:
     std::shared_ptr<Bake> before_;  // finished bake of earlier positions, shown until the current one is done
     Wanted wanted_{};               // request of the bake, or of before_
     BakeOptions options_;           // the request, resolved
+    OcclusionMaps automaticMaps_ = OcclusionMaps::fragdepth;
     DiskCache cache_;               // off: do not cache the bake
     std::string cacheName_;         // of the bake
     double worthKeeping_ = 0;

@@ -13,8 +13,6 @@ namespace {
 using Usage = vk::BufferUsageFlagBits;
 constexpr auto kReadByTiles = Usage::eStorageBuffer | Usage::eUniformTexelBuffer;
 
-/// As above with edges: a subgroup may go through a list several times.
-constexpr std::uint32_t kLongestListOfEdges = 6000;
 /// Loop iterations of an invocation available for edges, and those used by a subgroup's pixels besides the list.
 constexpr std::uint64_t kTurnsOfEdges = 60'000, kTurnsOfFilling = 48;
 
@@ -59,10 +57,10 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
 
 /// Where compute shades, a workgroup draws several tiles, one after another: to begin one takes a software device as
 /// long as to shade some rows of pixels. Together their lists are as long as one may be. @param walks  of a list
-std::uint32_t groupsOfTiles(const TileLists& lists, bool shaded, std::uint32_t walks) {
+std::uint32_t groupsOfTiles(const TileLists& lists, bool shaded, std::uint32_t walks, std::uint32_t longestList) {
     constexpr std::uint32_t kMost = 16, kGroups = 64;  // tiles of a group; groups that keep all processors busy
     const auto tiles = static_cast<std::uint32_t>(lists.tiles().size());
-    const std::uint32_t together = kLongestList / (walks * std::max(lists.longest(), 1u));
+    const std::uint32_t together = longestList / (walks * std::max(lists.longest(), 1u));
     const std::uint32_t ofGroup = shaded ? std::clamp(std::min(tiles / kGroups, together), 1u, kMost) : 1;
     return (tiles + ofGroup - 1) / ofGroup;
 }
@@ -124,19 +122,15 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     const TileScenery scenery{r.spheres,   spheres_,       r.cylinders,        cylinders_,        r.wires,
                               r.triangles, r.meshVertices, triangles_,         r.coarseTriangles, r.meshes,
                               work.boxes,  work.drawn,     work.triangleChunks};
-    const auto build = [&] {
-        TileView asked = tileView(seen, view, image, !work.edges && !work.subsamples);
-        asked.layers = work.kept;
-        asked.edges = work.edges;
-        asked.small = work.edges ? static_cast<float>(kSmallPixels) : 0.0f;
-        asked.mask = work.mask;
-        frame.lists.build(asked, scenery);
-    };
-    build();
-    if (frame.lists.longest() > kLongestListOfEdges && std::exchange(work.edges, false) && !triangles_.empty()) build();
+    TileView asked = tileView(seen, view, image, !work.edges && !work.subsamples);
+    asked.layers = work.kept;
+    asked.edges = work.edges;
+    asked.small = work.edges ? static_cast<float>(kSmallPixels) : 0.0f;
+    asked.mask = work.mask;
+    frame.lists.build(asked, scenery);
+    if (frame.lists.longest() > work.longestList) return free;
     const std::uint32_t walks = seen.rims.any() ? 2 : 1;
-    if (frame.lists.longest() > kLongestList / walks) return nullptr;
-    frame.groups = work.drawn ? groupsOfShapes(*frame.lists.shapes()) : groupsOfTiles(frame.lists, work.shaded, walks);
+    frame.groups = work.drawn ? groupsOfShapes(*frame.lists.shapes()) : groupsOfTiles(frame.lists, work.shaded, walks, device_.caps().tiles.longestList);
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;
@@ -147,9 +141,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     // A surface at grazing angles has triangles that no pixel centre hits, and an outline may be narrower than a pixel.
     frame.edges.listed = seen.smallestPixels < kLargePixels || !r.triangles.empty() || seen.constants.contourWidth > 0;
     if (frame.edges.drawn) uploadEdges(frame, image, work.shaded ? work.places : nullptr);
-    // A sphere that nothing cuts or outlines is known by its number.
-    frame.edges.alone = frame.edges.drawn && frame.edges.placed && !frame.cleared && !seen.rims.any() &&
-                        seen.constants.contourWidth == 0 && !seen.effects.clip.on();
+    frame.edges.alone = work.edgesAlone;
     return free;
 }
 

@@ -13,10 +13,6 @@
 
 namespace nacre::passes {
 
-/// Maximum of entries per list. lavapipe 22.3 allows an invocation 65,535 loop iterations in total, then silently ends
-/// its loops. Entries take one iteration each, and chunks as many again.
-constexpr std::uint32_t kLongestList = 28000;
-
 /// A growing buffer, with a texel view where the device's texel buffers can hold whole streams.
 struct TileBuffer {
     gpu::Buffer buffer;
@@ -59,7 +55,9 @@ struct EdgePlaces {
 /// Options of a frame.
 struct TileWork {
     bool shaded = false;                 ///< compute shades, too
-    bool edges = false;                  ///< edges are drawn; none are where a list is longer than their loops
+    bool edges = false;                  ///< edges are drawn
+    bool edgesAlone = false;             ///< only they are shaded, from the numbers of primitives
+    std::uint32_t longestList = 0;       ///< a frame with a longer list is not uploaded
     bool subsamples = false;             ///< pixels are samples of a picture's, and need not be asked at their centres
     std::uint32_t kept = 1;              ///< numbers of a pixel
     const TileMask* mask = nullptr;      ///< as TileView has it
@@ -104,7 +102,7 @@ class TileFrames {
 public:
     explicit TileFrames(const gpu::Device& device) : device_(device) {}
 
-    /// Lists the primitives in view and uploads the lists. @returns null if a list is too long for the device's loops
+    /// Lists the primitives in view and uploads the lists, if none is too long.
     std::shared_ptr<const TileFrame> prepare(const Representation& representation, const SceneView& seen,
                                              const View& view, graph::Extent image, TileWork work);
 

@@ -144,7 +144,7 @@ void TileMaps::list(Part& part, std::uint64_t first, std::uint64_t& end) {
     for (;; end = first + (end - first) / 2) {
         take(first, end);
         part.lists.build(view(), {representation_.spheres, spheres_, representation_.cylinders, cylinders_});
-        if (part.lists.longest() <= passes::kLongestList) break;
+        if (part.lists.longest() <= device_.caps().tiles.longestList) break;
     }
     reserve(device_, part.words, 4 * part.lists.words(), kRead, vk::Format::eR32Uint, "lists of depth maps");
     part.lists.write(reinterpret_cast<std::uint32_t*>(part.words.buffer.mapped));

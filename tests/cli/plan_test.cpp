@@ -287,7 +287,7 @@ TEST(Plan, TextNamesEveryPassAndImage) {
         const std::string text = planText(planReport(phone(set.plan.name)));
         for (const char* word : {"impostor colour", "colour", "depth", "total", "paper"})
             EXPECT_NE(text.find(word), std::string::npos) << set.plan.name << ": " << word;
-        const bool plates = graph::platesReject(graph::chooseVisibility(set.kind, set.plan).visibility, set.plan);
+        const bool plates = platesReject(choosePath(set).visibility, set.plan);
         EXPECT_EQ(text.find("opaque prepass") != std::string::npos, plates) << set.plan.name;
         EXPECT_EQ(text.find("  late  ") != std::string::npos, !plates) << set.plan.name;
         EXPECT_EQ(text.find("  \n"), std::string::npos);

@@ -5,6 +5,8 @@
 #include <set>
 #include <string>
 
+#include "engine/frame/choose.h"
+
 namespace nacre::graph {
 namespace {
 
@@ -16,6 +18,12 @@ DriverIdentity identity(std::uint32_t vendor, VkDriverId driver, std::string_vie
     of.driver = driver;
     of.device = device;
     return of;
+}
+
+Visibility pathOf(const DeviceClass& device) {
+    FrameCaps caps = *device.set;
+    caps.kind = device.kind;
+    return choosePath(caps).visibility;
 }
 
 struct Told {
@@ -61,12 +69,12 @@ TEST(KnownDrivers, TellTilersByVendorDriverAndDevice) {
         const DeviceClass found = classOf(of);
         EXPECT_EQ(found.set->plan.name, told.set);
         EXPECT_EQ(found.kind, DeviceKind::tiler);  // without lazily allocated memory
-        EXPECT_EQ(chooseVisibility(found.kind, found.set->plan).visibility, told.visibility);
+        EXPECT_EQ(pathOf(found), told.visibility);
         met.insert(found.row);
     }
     DriverIdentity metal = identity(0x106B, static_cast<VkDriverId>(28), "Apple M2");  // KosmicKrisp
     EXPECT_EQ(classOf(metal).kind, DeviceKind::layered);
-    EXPECT_EQ(chooseVisibility(classOf(metal).kind, classOf(metal).set->plan).visibility, Visibility::fragdepth);
+    EXPECT_EQ(pathOf(classOf(metal)), Visibility::fragdepth);
     met.insert(classOf(metal).row);
     // Each row has a device here, and a source.
     EXPECT_EQ(met.size(), knownDrivers().size());

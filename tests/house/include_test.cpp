@@ -45,7 +45,6 @@ const std::vector<Arrows> kArrows = {
     {"engine/storage/", {}},
     {"engine/graph/", {}},
     {"engine/gpu/", {"engine/graph/", "engine/storage/"}},
-    {"engine/gpu/device_plan.cpp", {"engine/device_plan.h", "engine/gpu/", "engine/graph/"}},
     {"engine/passes/",
      {"engine/software/", "engine/lists/", "engine/scene/", "engine/gpu/", "engine/graph/", "shaders/", "shaders.h"}},
     {"engine/software/",
@@ -55,10 +54,12 @@ const std::vector<Arrows> kArrows = {
      {"engine/software/", "engine/passes/", "engine/scene/", "engine/simd/", "engine/mesh/", "engine/gpu/",
       "engine/graph/", "engine/storage/", "shaders/", "shaders.h"}},
     {"engine/frame/",
-     {"engine/software/", "engine/passes/", "engine/lists/", "engine/scene/", "engine/gpu/", "engine/graph/"}},
+     {"engine/software/", "engine/passes/", "engine/lists/", "engine/scene/", "engine/gpu/", "engine/graph/", "shaders.h"}},
+    {"engine/frame/devices.cpp", {"engine/frame/", "engine/device_caps.h", "engine/gpu/", "engine/graph/"}},
     // The face tells of molecules and scenes, and one of its headers of plans; its sources are the renderer.
     {"engine/*.h", {"engine/molecule/", "engine/scene/"}},
-    {"engine/device_plan.h", {"engine/graph/"}},
+    {"engine/device_caps.h", {"engine/graph/"}},
+    {"engine/self_test.h", {"engine/graph/frame_caps.h"}},
     {"engine/", {"engine/"}},
 
     {"app/files/", {"engine/*.h", "engine/storage/"}},

@@ -134,7 +134,7 @@ TEST(SelfTest, AnotherPathIsTakenWhereItIsFasterByFar) {
     const auto choose = [](SelfTest test) { return choosePath(test, Visibility::encoded, "by its caps"); };
     const PathResult encoded{Visibility::encoded, Outcome::right, 2, 0};
     EXPECT_EQ(choose({encoded, {Visibility::rasterOrder, Outcome::right, 1.8, 0}}).why, "by its caps");
-    const TestedPath faster = choose({encoded, {Visibility::rasterOrder, Outcome::right, 1.5, 0}});
+    const graph::TestedPath faster = choose({encoded, {Visibility::rasterOrder, Outcome::right, 1.5, 0}});
     EXPECT_EQ(faster.visibility, Visibility::rasterOrder);
     EXPECT_EQ(faster.why, "the fastest here: encoded 2.00 ms, raster-order 1.50 ms");
     EXPECT_EQ(choose({encoded, {Visibility::rasterOrder, Outcome::wrong, 0, 0}}).visibility, Visibility::encoded);
@@ -142,7 +142,7 @@ TEST(SelfTest, AnotherPathIsTakenWhereItIsFasterByFar) {
     const PathResult tiles{Visibility::tiles, Outcome::right, 0.1, 0};
     EXPECT_EQ(choose({encoded, tiles}).why, "by its caps");
     EXPECT_EQ(choosePath({encoded, tiles}, Visibility::tiles, "by its caps").visibility, Visibility::tiles);
-    const TestedPath none = choose({{Visibility::encoded, Outcome::wrong, 0, 0}});
+    const graph::TestedPath none = choose({{Visibility::encoded, Outcome::wrong, 0, 0}});
     EXPECT_EQ(none.visibility, Visibility::encoded);
     EXPECT_NE(none.why.find("no path draws right"), std::string::npos);
 }

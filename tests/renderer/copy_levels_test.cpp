@@ -6,7 +6,7 @@
 #include <random>
 
 #include "engine/error.h"
-#include "engine/frame/seen_scene.h"
+#include "engine/frame/level_scenes.h"
 #include "engine/threads.h"
 #include "tests/renderer/scenes.h"
 
@@ -170,10 +170,10 @@ INSTANTIATE_TEST_SUITE_P(Projections, CopyLevels, testing::Values(Projection::or
                          });
 
 TEST(SeenCopies, TakeBoundedMemoryForLargePictures) {
-    EXPECT_EQ(SeenScenes::gridOf(640, 960), 4u);
-    EXPECT_EQ(SeenScenes::gridOf(2048, 2048), 4u);
-    EXPECT_EQ(SeenScenes::gridOf(4096, 4096), 2u);
-    EXPECT_EQ(SeenScenes::gridOf(16384, 16384), 1u);
+    EXPECT_EQ(LevelScenes::gridOf(640, 960), 4u);
+    EXPECT_EQ(LevelScenes::gridOf(2048, 2048), 4u);
+    EXPECT_EQ(LevelScenes::gridOf(4096, 4096), 2u);
+    EXPECT_EQ(LevelScenes::gridOf(16384, 16384), 1u);
 }
 
 // Samples beside a pixel's centre may show what no centre shows.

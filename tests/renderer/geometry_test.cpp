@@ -8,6 +8,7 @@
 
 #include "engine/graph/capability_sets.h"
 #include "shaders.h"
+#include "tests/frame/shapes.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -41,11 +42,7 @@ std::uint32_t outputBytes(std::span<const std::uint32_t> words) {
     return sum;
 }
 
-ScreenFrame frameOf(Visibility path) {
-    ScreenOptions options{{1170, 2532}, path, graph::encodedFormats().front(), {VK_FORMAT_R8_UNORM, {64, 64}}, {}};
-    options.targets = kScreenTargets;
-    return screenFrame(options);
-}
+Frame frameOf(Visibility path) { return frameOf(shapeOf(path, {1170, 2532})); }
 
 /// Varyings of a corner in a pass of a path.
 enum Kind { sphere, cylinder, triangle };

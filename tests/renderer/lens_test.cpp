@@ -1,6 +1,6 @@
 // Depth of field against the mean of many pictures through points of the lens, and what it must never do.
 
-#include "engine/frame/lens.h"
+#include "engine/frame/effects/lens/lens.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,629 @@
+#include "engine/frame/choose.h"
+
+#include <algorithm>
+
+#include "engine/error.h"
+#include "engine/frame/effects/lens/choice.h"
+#include "engine/frame/effects/shadow/choice.h"
+
+namespace nacre {
+
+using graph::DeviceKind;
+using graph::FrameCaps;
+using Kind = Effect::Kind;
+using Where = Samples::Where;
+
+namespace {
+
+constexpr const char* kAskedFor = "asked for";
+
+bool isPicture(Part part) {
+    return part != Part::distances && part != Part::layers && part != Part::solid && part != Part::pick;
+}
+bool hasColor(Part part) { return isPicture(part) || part == Part::layers; }
+
+struct PathRow {
+    Visibility path;
+    const char* why;
+};
+
+/// The path that the device's kind suggests.
+PathRow pathOfKind(DeviceKind kind, const graph::PlanCaps& caps) {
+    switch (kind) {
+        case DeviceKind::tiler:
+            if (!caps.tileSubpasses)
+                return {Visibility::fragdepth,
+                        "subpasses do not stay on the tile here: one subpass, and no encoded depth in memory"};
+            if (caps.rasterOrder && caps.blendsByShader)
+                return {Visibility::rasterOrder,
+                        "tile-based GPU whose MIN is a shader: one pass over the impostors, in raster order"};
+            return {Visibility::encoded, "tile-based GPU: depth stays fixed-function, encoded depth on the tile"};
+        case DeviceKind::layered:
+            return {Visibility::fragdepth, "Vulkan over Metal leaves the tile between subpasses"};
+        case DeviceKind::software:
+            if (caps.tiles)
+                return {Visibility::tiles,
+                        "software rasteriser: compute over lists of primitives costs less than triangles"};
+            return {Visibility::encoded,
+                    "software rasteriser: early tests against plates save more than a second pass costs"};
+        case DeviceKind::immediate:
+            break;
+    }
+    return {Visibility::fragdepth, "immediate-mode GPU: no tile memory to keep encoded depth in"};
+}
+
+/// As choosePath() without the reason, which takes memory.
+Visibility pathOf(const FrameCaps& device) {
+    if (device.visibility != Visibility::automatic) return device.visibility;
+    if (device.tested.visibility != Visibility::automatic) return device.tested.visibility;
+    return pathOfKind(device.kind, device.plan).path;
+}
+
+/// The path of a debug view on a device whose path is `usual`.
+Visibility pathOf(DebugView view, Visibility usual) {
+    switch (view) {
+        case DebugView::encoded:
+            return Visibility::encoded;
+        case DebugView::overdraw:
+        case DebugView::tiles:
+        case DebugView::patches:
+            return Visibility::fragdepth;  // the prepass alone
+        default:
+            // A float picture in addition to the nearest depth would not fit the tile.
+            return usual == Visibility::rasterOrder ? Visibility::fragdepth : usual;
+    }
+}
+
+enum class Lack { nothing, encoded, deferred, tiles, places, room };
+
+std::uint32_t bytesOfSamples(Visibility path) {
+    constexpr std::uint32_t kColor = 4, kNearest = 4;  // bytes of a sample
+    return kMultisamples * (path == Visibility::rasterOrder ? kColor + kNearest : kColor);
+}
+
+Lack lackOfMultisampling(Visibility path, const graph::PlanCaps& caps) {
+    if (path == Visibility::encoded) return Lack::encoded;
+    if (path == Visibility::deferred) return Lack::deferred;
+    if (path == Visibility::tiles) return Lack::tiles;
+    if (!caps.placesSamples) return Lack::places;
+    return bytesOfSamples(path) > caps.tileBytesPerPixel ? Lack::room : Lack::nothing;
+}
+
+/// Why frames in motion have one sample per pixel by default, besides what the path lacks; null: they have more.
+const char* whySingleInMotion(DeviceKind kind, Visibility path, const graph::PlanCaps& caps) {
+    if (kind == DeviceKind::software) return "software rasteriser: each sample costs as much as a pixel";
+    if (kind == DeviceKind::immediate) return "immediate-mode GPU: samples go through memory";
+    if (!caps.transient || caps.storeAll) return "samples would take memory: none is lazily allocated here";
+    if (path == Visibility::rasterOrder)
+        return "no driver has shown that it reads each sample of an attachment in order; --msaa 4 asks for it";
+    return nullptr;
+}
+
+/// As chooseMotionSamples() without the reason, which takes memory.
+std::uint32_t motionSamples(const FrameCaps& device) {
+    if (device.multisampling == Multisampling::four) return kMultisamples;
+    const Visibility path = pathOf(device);
+    const bool several = device.multisampling == Multisampling::automatic &&
+                         lackOfMultisampling(path, device.plan) == Lack::nothing &&
+                         !whySingleInMotion(device.kind, path, device.plan);
+    return several ? kMultisamples : 1;
+}
+
+/// Why a frame has one sample per pixel; null: it can have more.
+const char* lackOfSamples(const RenderSettings& settings, bool translucent) {
+    if (settings.debug != DebugView::none) return "debug views show single samples";
+    if (settings.fine) return "16 bits per channel and sample do not fit the tile";
+    if (settings.effects.rims() || settings.effects.contours.width > 0)
+        return "outlines and halos have one sample per pixel";
+    if (translucent) return "translucent surfaces have one sample per pixel";
+    return nullptr;
+}
+
+/// Whether pictures have samples where edges are.
+bool wantsEdges(const RenderSettings& settings) {
+    return settings.supersample == RenderSettings::kEdges && settings.debug == DebugView::none;
+}
+
+/// Whether a view is small, and shows a mesh of so many triangles that samples would search long lists. The host finds
+/// the triangle of each sample there.
+bool isFineMesh(const View& view, const SceneFacts& scene) {
+    constexpr std::uint32_t kLargest = 384;  // a side: one block of samples
+    constexpr std::uint64_t kPixels = 8;     // per triangle
+    return std::max(view.width, view.height) <= kLargest &&
+           scene.meshTriangles * kPixels > std::uint64_t{view.width} * view.height;
+}
+
+/// Makes one choice, step by step. Steps note their reasons if somebody wants them.
+class Chooser {
+public:
+    Chooser(const FrameRequest& request, const SceneFacts& scene, const FrameCaps& device,
+            std::vector<Decision>* reasons = nullptr)
+        : request_(request),
+          settings_(drawnSettings(request)),
+          scene_(scene),
+          device_(device),
+          reasons_(reasons) {}
+
+    FrameChoice choose() {
+        choice_.part = request_.part;
+        choice_.debug = settings_.debug;
+        choice_.encoded = device_.encoded;
+        chooseSamples();
+        chooseEffects();
+        chooseColor();
+        choosePath();
+        chooseGeometry();
+        chooseEnding();
+        chooseOverflow();
+        return choice_;
+    }
+    Samples samples() {
+        chooseSamples();
+        return choice_.samples;
+    }
+
+private:
+    template <typename Why>
+    void because(const char* what, const Why& why) {
+        if (reasons_) reasons_->push_back({what, {}, why});
+    }
+
+    bool debugs() const { return settings_.debug != DebugView::none; }
+    bool rims() const { return settings_.effects.rims(); }
+
+    /// The device's path, or that of frames that add samples to a picture or depth behind it. Devices that shade by
+    /// tiles draw those by tiles whatever path is wanted: other paths draw each sample as a pixel.
+    Visibility usual(bool adds) const {
+        return adds && device_.tiles.shade && device_.plan.tiles ? Visibility::tiles : pathOf(device_);
+    }
+    bool adds() const {
+        switch (choice_.part) {
+            case Part::edges:
+            case Part::block:
+            case Part::distances:
+                return true;
+            case Part::coarse:
+                return rims();  // else only `deferred` draws them
+            default:
+                return false;
+        }
+    }
+    /// Whether a frame by tiles can have samples at edges.
+    bool canDrawEdges(bool adds) const {
+        return usual(adds) == Visibility::tiles && device_.tiles.drawsEdges && !scene_.hasTranslucent && !rims() &&
+               !isFineMesh(request_.settings.view, scene_);
+    }
+
+    void chooseSamples();
+    const char* blind() const;
+    void refine();
+    void chooseEffects();
+    void chooseColor();
+    void choosePath();
+    void chooseGeometry();
+    HostWork hostWorkOfTiles() const;
+    HostWork hostWorkOf(Visibility path) const;
+    bool prepassOf(Visibility path) const;
+    void chooseEnding();
+    void chooseOverflow();
+
+    const FrameRequest& request_;
+    const RenderSettings settings_;
+    const SceneFacts& scene_;
+    const FrameCaps& device_;
+    std::vector<Decision>* reasons_;
+    FrameChoice choice_;
+};
+
+void Chooser::chooseSamples() {
+    Samples& samples = choice_.samples;
+    const std::uint32_t n = settings_.supersample;
+    const char* lack = lackOfSamples(settings_, scene_.hasTranslucent);
+    switch (request_.part) {
+        case Part::edges:
+            samples = {Where::edges, RenderSettings::kEdgeSamples};
+            return because("samples", "added to a picture with one sample per pixel");
+        case Part::block:
+            samples = {Where::everywhere, RenderSettings::kEdgeSamples};
+            return because("samples", "a block of a picture, whose pixels are the mean of 4 x 4");
+        case Part::motion:
+            if (!lack && motionSamples(device_) > 1) samples = {Where::resolved, motionSamples(device_)};
+            if (reasons_) because("samples", lack ? lack : chooseMotionSamples(device_).why);
+            return;
+        case Part::whole:
+            break;
+        default:
+            return because("samples", "layers, picks, distances and refined samples have one per pixel");
+    }
+    if (wantsEdges(settings_)) {
+        if (!canDrawEdges(false)) return refine();
+        samples = {Where::edges, RenderSettings::kEdgeSamples};
+        return because("samples", "compute draws the samples of edge pixels from the tiles' lists");
+    }
+    if (n > 1) {
+        samples = {Where::everywhere, n * n};
+    } else if (device_.multisampling == Multisampling::four && n == 1) {
+        if (lack) throw Error("cannot draw 4 samples per pixel", "--msaa 4", lack);
+        samples = {Where::resolved, kMultisamples};
+    }
+    because("samples", n == 0 ? "debug views show single samples" : kAskedFor);
+}
+
+/// Why a picture with one sample per pixel does not show where it needs more; null: it does.
+const char* Chooser::blind() const {
+    constexpr double kSmallPixels = 0.75;  // half of a width
+    if (request_.quarterTurns != 0) return "blocks of a turned view are its whole rows";
+    if (settings_.effects.linesByGroups() && settings_.effects.contours.width < 1)
+        return "outlines thinner than a pixel may lie between pixel centres";
+    if (scene_.smallestPixels < kSmallPixels) return "shapes thinner than a pixel may lie between pixel centres";
+    return nullptr;
+}
+
+/// Samples where a picture with one sample per pixel shows that colours change, in blocks, so that memory does not grow
+/// with the picture. A frame for each sample would list the scene as often.
+void Chooser::refine() {
+    if (const char* why = blind()) {
+        choice_.refinement = Refinement::everywhere;
+        return because("samples", why);
+    }
+    choice_.part = Part::coarse;
+    if (canDrawEdges(true)) {
+        choice_.refinement = Refinement::edges;
+        return because("samples", "compute adds samples of edge pixels in one frame");
+    }
+    choice_.refinement = Refinement::blocks;
+    because("samples", rims()                                       ? "outlines and halos have no samples at edges"
+                       : scene_.hasTranslucent                      ? "translucent layers have no samples at edges"
+                       : isFineMesh(request_.settings.view, scene_) ? "a small picture of a fine mesh: lists would be long"
+                                                                    : "the path has no lists of what edge pixels may show");
+}
+
+void Chooser::chooseEffects() {
+    const auto add = [&](Kind kind, std::uint32_t size = 0) { choice_.effects.add({kind, size}); };
+    if (const std::uint32_t pixels = shadowPixels(settings_)) add(Kind::shadow, pixels);
+    if (settings_.effects.linesByGroups()) add(Kind::outlines);
+    if (settings_.effects.halos.width > 0) add(Kind::halos);
+    if (drawsLayers(request_, scene_)) add(Kind::translucency, kTranslucentLayers);
+    if (request_.part == Part::whole && hasLens(settings_)) add(Kind::lens);
+}
+
+void Chooser::chooseColor() {
+    ColorFormat& color = choice_.color;
+    switch (choice_.part) {
+        case Part::whole:
+        case Part::coarse:
+        case Part::edges:
+        case Part::block:
+            // Averages of the render pass are linear: no shader codes those colours.
+            if (settings_.fine && !debugs())
+                color = ColorFormat::linear;
+            else if (choice_.samples.where != Where::resolved && device_.tiles.shade && !scene_.hasTranslucent)
+                color = ColorFormat::coded;
+            break;
+        case Part::motion:
+        case Part::sample:
+            break;  // the window's format
+        default:
+            color = ColorFormat::linear;
+    }
+    if (color == ColorFormat::linear && choice_.has(Kind::translucency) && !device_.blendsFloats)
+        throw Error("cannot draw translucent surfaces", device_.plan.name,
+                    "it does not blend 32 bits per channel, which layers and 16-bit pictures need; use 8 bits");
+}
+
+void Chooser::choosePath() {
+    const Visibility path = usual(adds());
+    const bool computes = path == Visibility::tiles && device_.tiles.shade && choice_.color == ColorFormat::coded &&
+                          isPicture(request_.part) && !request_.counted;
+    choice_.path = rims() ? (computes ? Visibility::tiles : Visibility::deferred)
+                   : debugs() ? pathOf(settings_.debug, path)
+                              : path;
+    if (computes && !debugs()) choice_.shading = Shading::compute;
+    if (!reasons_) return;
+    because("path", rims() && !computes               ? "outlines and halos need the primitive of each pixel"
+                    : choice_.path == pathOf(device_) ? nacre::choosePath(device_).why
+                    : debugs()                        ? "the debug view needs this path"
+                                                      : "compute adds samples and depth to pictures of this device");
+    because("shading", choice_.shadedByCompute() ? "compute shades faster than fragments on this device"
+                       : choice_.path != Visibility::tiles ? "triangles cover the pixels"
+                       : request_.counted                  ? "fragments are counted"
+                       : !device_.tiles.shade              ? "fragments shade as fast on this device"
+                                                           : "no shader codes the frame's colour, or it has other targets");
+}
+
+/// Work of the host before a path that draws triangles.
+HostWork Chooser::hostWorkOf(Visibility path) const {
+    // Where depth is tested late, a processor takes longer to shade what is hidden than to find it.
+    const bool late = device_.kind == DeviceKind::software && !platesReject(path, device_.plan);
+    return settings_.tuning.cull && late ? HostWork::hiddenSpheres : HostWork::none;
+}
+
+HostWork Chooser::hostWorkOfTiles() const {
+    constexpr double kSmallPixels = 2.5;                // a radius below which lists and tiles take longer
+    constexpr std::uint64_t kManySpheres = 100'000;
+    constexpr std::uint64_t kMostShapes = 1'000'000;    // memory of 200 bytes each
+    constexpr std::uint64_t kMostNumbers = 1u << 30;    // two bits of a number are flags
+    const Effects& effects = settings_.effects;
+    // The host finds what the centres of pixels show, without planes and rims.
+    const bool plain = settings_.view.projection == Projection::orthographic && !effects.clip.on() &&
+                       effects.contours.width <= 0 && effects.halos.width <= 0;
+    const bool meshless = scene_.triangles == 0;
+    const bool many = settings_.tuning.cull && scene_.spheres >= settings_.tuning.hideFrom;
+    const bool small = settings_.tuning.cull && scene_.radiusPixels <= kSmallPixels && scene_.spheres >= kManySpheres;
+    if ((small || many) && meshless && plain && scene_.boxed && !choice_.drawsEdges()) return HostWork::frontSpheres;
+    if (many) return HostWork::hiddenSpheres;
+    if (choice_.shadedByCompute() && !choice_.drawsEdges() && !request_.masked && scene_.hasCylinders && !scene_.hasWires &&
+        meshless && plain && scene_.spheres + scene_.cylinders <= kMostShapes && scene_.numbers < kMostNumbers)
+        return HostWork::frontShapes;
+    return HostWork::none;
+}
+
+bool Chooser::prepassOf(Visibility path) const {
+    if (debugs()) return true;  // views show it
+    // Without plates the passes that write depth themselves need no pass before them.
+    const bool plates = settings_.tuning.plates != PlateShape::none ||
+                        (path != Visibility::fragdepth && path != Visibility::deferred);
+    return plates && platesReject(path, device_.plan);
+}
+
+void Chooser::chooseGeometry() {
+    const bool tiles = choice_.path == Visibility::tiles;
+    choice_.prepass = prepassOf(choice_.path);
+    choice_.geometry = tiles ? Geometry::hostLists
+                       : device_.plan.geometry.storesVaryings && !request_.counted ? Geometry::fetched
+                                                                                   : Geometry::instanced;
+    if (!debugs()) choice_.host = tiles ? hostWorkOfTiles() : hostWorkOf(choice_.path);
+    if (tiles) choice_.effects.replace(Kind::translucency, Kind::tileTranslucency);
+    if (request_.part == Part::edges && choice_.shadedByCompute()) {
+        // A sphere that nothing cuts or outlines is known by its number.
+        const bool alone = !scene_.hasCylinders && !scene_.hasWires && scene_.meshTriangles == 0 && !rims() &&
+                           settings_.effects.contours.width <= 0 && !settings_.effects.clip.on();
+        choice_.edgePixels = alone ? EdgePixels::alone : EdgePixels::listed;
+    }
+    if (!reasons_) return;
+    because("geometry", tiles                                   ? "compute reads the primitives of each tile"
+                        : choice_.geometry == Geometry::fetched ? "varyings go through memory: a number costs less"
+                        : device_.plan.geometry.storesVaryings  ? "fragments are counted"
+                                                                : "varyings stay on the chip");
+    constexpr const char* kHost[] = {"the device finds what is hidden", "finding hidden spheres costs less than shading them",
+                                     "many small spheres: lists would take longer",
+                                     "few shapes in a plain view: lists would take longer"};
+    because("host", kHost[static_cast<std::size_t>(choice_.host)]);
+    because("prepass", tiles             ? "compute draws no plates"
+                       : choice_.prepass ? "plates reject fragments before they are shaded"
+                                         : "the path tests depth after shading: plates reject nothing");
+    because("effects", "those with passes or images of their own");
+}
+
+void Chooser::chooseEnding() {
+    Ending& ending = choice_.ending;
+    ending = request_.ending;
+    if (choice_.part == Part::edges || choice_.part == Part::block || choice_.has(Kind::lens) ||
+        choice_.refinement == Refinement::everywhere)
+        ending = Ending::picture;
+    if (choice_.part == Part::coarse) ending = Ending::pictureAndHost;
+    because("ending", ending == request_.ending ? kAskedFor : "further frames of the picture follow");
+}
+
+void Chooser::chooseOverflow() {
+    if (!choice_.drawnByTiles()) return;
+    Overflow& overflow = choice_.overflow;
+    const Visibility usual = pathOf(device_);
+    overflow.longestListOfLayers = device_.tiles.longestList;
+    // Rims walk through each list twice.
+    overflow.longestList = choice_.drawsEdges() ? device_.tiles.longestListOfEdges
+                                                : device_.tiles.longestList / (rims() ? 2 : 1);
+    overflow.path = rims() ? Visibility::deferred : usual == Visibility::tiles ? Visibility::fragdepth : usual;
+    // Lists of a quarter of the pixels' side are shorter.
+    if (choice_.drawsEdges()) overflow.refinement = blind() ? Refinement::everywhere : Refinement::blocks;
+    overflow.host = hostWorkOf(overflow.path);
+    overflow.prepass = prepassOf(overflow.path);
+    if (reasons_)
+        because("long lists", "taken where a tile's list has more than " + std::to_string(overflow.longestList) + " entries");
+}
+
+/// A name by its place in a list.
+template <typename Enum, std::size_t n>
+std::string nameIn(const char* const (&names)[n], Enum value) {
+    return names[static_cast<std::size_t>(value)];
+}
+
+std::string samplesText(const FrameChoice& choice) {
+    const std::string count = std::to_string(choice.samples.count);
+    switch (choice.refinement) {
+        case Refinement::none:
+            return count + (choice.drawsEdges() ? " at edges" : " per pixel");
+        case Refinement::edges:
+            return "1 per pixel, then 16 at edges";
+        case Refinement::blocks:
+            return "1 per pixel, then 16 in blocks where colours change";
+        case Refinement::everywhere:
+            break;
+    }
+    return "16 per pixel, in blocks";
+}
+
+std::string effectsText(const EffectList& effects) {
+    constexpr const char* kNames[] = {"shadow", "outlines", "halos", "translucency", "translucency by tiles", "lens"};
+    std::string text;
+    for (const Effect& e : effects) {
+        text += (text.empty() ? "" : ", ") + nameIn(kNames, e.kind);
+        if (e.size > 0) text += " " + std::to_string(e.size);
+    }
+    return text.empty() ? "none" : text;
+}
+
+}  // namespace
+
+std::uint32_t EffectList::size(Kind kind) const {
+    const Effect* found = std::ranges::find(*this, kind, &Effect::kind);
+    return found == end() ? 0 : found->size;
+}
+bool EffectList::has(Kind kind) const { return std::ranges::find(*this, kind, &Effect::kind) != end(); }
+void EffectList::replace(Kind kind, Kind by) {
+    for (std::uint32_t i = 0; i < count_; ++i)
+        if (effects_[i].kind == kind) effects_[i].kind = by;
+}
+
+std::uint32_t FrameChoice::layers() const {
+    return std::max(effects.size(Kind::translucency), effects.size(Kind::tileTranslucency));
+}
+
+bool FrameChoice::readsCopyRows() const { return path == Visibility::deferred || layers() > 0 || rims(); }
+
+FrameChoice FrameChoice::within(std::uint32_t longest, std::uint32_t longestOfLayers) const {
+    FrameChoice choice = *this;
+    if (!drawnByTiles()) return choice;
+    if (longest > overflow.longestList) {
+        choice.refinement = overflow.refinement;
+        choice.path = overflow.path;
+        choice.geometry = Geometry::instanced;
+        choice.host = overflow.host;
+        choice.prepass = overflow.prepass;
+        choice.shading = Shading::fragments;
+        choice.samples = {};
+        choice.edgePixels = {};
+        choice.overflow = {};
+    }
+    if (longest > overflow.longestList || longestOfLayers > overflow.longestListOfLayers)
+        choice.effects.replace(Kind::tileTranslucency, Kind::translucency);
+    return choice;
+}
+
+FrameChoice choose(const FrameRequest& request, const SceneFacts& scene, const FrameCaps& device) {
+    return Chooser(request, scene, device).choose();
+}
+
+std::vector<Decision> describe(const FrameChoice& choice) {
+    constexpr const char* kShading[] = {"fragments", "compute"};
+    constexpr const char* kGeometry[] = {"instanced", "fetched by fragments", "lists of the host"};
+    constexpr const char* kHost[] = {"nothing", "hidden spheres", "front spheres", "front shapes"};
+    constexpr const char* kEndings[] = {"left on the device",   "read back",          "picture",
+                                        "picture, read back",   "lens, read back",    "window",
+                                        "copied to the window", "scaled to the window", "first sample of a window",
+                                        "sample of a window",   "sum of samples"};
+    std::vector<Decision> decisions{{"path", visibilityName(choice.path), {}},
+                                    {"shading", nameIn(kShading, choice.shading), {}},
+                                    {"samples", samplesText(choice), {}},
+                                    {"effects", effectsText(choice.effects), {}},
+                                    {"geometry", nameIn(kGeometry, choice.geometry), {}},
+                                    {"host", nameIn(kHost, choice.host), {}},
+                                    {"prepass", choice.prepass && !choice.drawnByTiles() ? "on" : "off", {}},
+                                    {"ending", nameIn(kEndings, choice.ending), {}}};
+    if (choice.overflow.longestList > 0)
+        decisions.push_back({"long lists", choice.drawsEdges() ? "blocks" : visibilityName(choice.overflow.path), {}});
+    return decisions;
+}
+
+std::vector<Decision> explain(const FrameRequest& request, const SceneFacts& scene, const FrameCaps& device) {
+    std::vector<Decision> reasons;
+    std::vector<Decision> decisions = describe(Chooser(request, scene, device, &reasons).choose());
+    for (Decision& decision : decisions) {
+        const auto found = std::ranges::find(reasons, decision.what, &Decision::what);
+        if (found != reasons.end()) decision.why = found->why;
+    }
+    return decisions;
+}
+
+std::vector<Decision> explain(const FrameRequest& request, const SceneFacts& scene, const FrameCaps& device,
+                              const FrameChoice& drawn) {
+    std::vector<Decision> decisions = describe(drawn);
+    const std::vector<Decision> chosen = explain(request, scene, device);
+    for (Decision& decision : decisions) {
+        const auto same = std::ranges::find(chosen, decision.what, &Decision::what);
+        const bool kept = same != chosen.end() && same->how == decision.how;
+        decision.why = kept ? same->why : "a tile's list is too long";
+    }
+    return decisions;
+}
+
+RenderSettings drawnSettings(const FrameRequest& request) {
+    RenderSettings settings = request.settings.ofFrame();
+    if (!isPicture(request.part)) settings.debug = DebugView::none;
+    const bool debug = settings.debug != DebugView::none;
+    // Passes that report a pixel's atom ignore outlines.
+    if (!isPicture(request.part) || debug) settings.effects.contours.width = settings.effects.halos.width = 0;
+    if (debug || !hasColor(request.part)) settings.effects.shadow = {};
+    return settings;
+}
+
+Samples chooseSamples(const FrameRequest& request, const SceneFacts& scene, const FrameCaps& device) {
+    return Chooser(request, scene, device).samples();
+}
+
+bool drawsLayers(const FrameRequest& request, const SceneFacts& scene) {
+    return isPicture(request.part) && request.settings.debug == DebugView::none && scene.hasTranslucent;
+}
+
+graph::TestedPath choosePath(const FrameCaps& device) {
+    const auto refuse = [&](Visibility path, const std::string& lacks) {
+        throw Error("cannot draw by " + std::string(visibilityName(path)), device.plan.name, lacks);
+    };
+    if (device.visibility == Visibility::rasterOrder && !device.plan.rasterOrder)
+        refuse(device.visibility, device.lacksRasterOrder);
+    if (device.visibility == Visibility::tiles && !device.plan.tiles) refuse(device.visibility, device.tiles.lacks);
+    if (device.visibility != Visibility::automatic) return {device.visibility, kAskedFor};
+    if (device.tested.visibility != Visibility::automatic) return device.tested;
+    const PathRow row = pathOfKind(device.kind, device.plan);
+    return {row.path, row.why};
+}
+
+MotionSamples chooseMotionSamples(const FrameCaps& device) {
+    if (device.multisampling == Multisampling::off) return {1, kAskedFor};
+    const Visibility path = pathOf(device);
+    const std::string lacks = lacksMultisampling(path, device.plan);
+    if (device.multisampling == Multisampling::four) {
+        if (!lacks.empty()) throw Error("cannot draw 4 samples per pixel", device.plan.name, lacks);
+        return {kMultisamples, kAskedFor};
+    }
+    if (!lacks.empty()) return {1, lacks};
+    if (const char* why = whySingleInMotion(device.kind, path, device.plan)) return {1, why};
+    return {kMultisamples, "samples stay on the tile, and each fragment is shaded once"};
+}
+
+OcclusionMaps chooseOcclusionMaps(const FrameCaps& device) {
+    if (device.kind == DeviceKind::software && device.plan.tiles) return OcclusionMaps::tiles;
+    // Where MIN is a blend shader, depth costs less by the depth buffer.
+    return pathOf(device) == Visibility::encoded && !device.encoded.ordered ? OcclusionMaps::encoded
+                                                                            : OcclusionMaps::fragdepth;
+}
+
+bool wantsSelfTest(const FrameCaps& device) {
+    return device.visibility == Visibility::automatic && device.kind != DeviceKind::software;
+}
+
+bool hasPath(Visibility path, bool rasterOrder, bool tiles) {
+    return path == Visibility::rasterOrder ? rasterOrder : path != Visibility::tiles || tiles;
+}
+
+bool isTimedBySmallScenes(Visibility path) { return path != Visibility::tiles; }
+
+bool platesReject(Visibility path, const graph::PlanCaps& caps) {
+    return caps.conservativeDepth || (path != Visibility::fragdepth && path != Visibility::deferred);
+}
+
+std::string lacksMultisampling(Visibility path, const graph::PlanCaps& caps) {
+    switch (lackOfMultisampling(path, caps)) {
+        case Lack::nothing:
+            break;
+        case Lack::encoded:
+            return "--visibility encoded settles depth in one sample per pixel; fragdepth and raster-order take more";
+        case Lack::deferred:
+            return "--visibility deferred numbers one primitive per pixel";
+        case Lack::tiles:
+            return "--visibility tiles draws by compute: --supersample auto refines its edges";
+        case Lack::places:
+            return "the device places samples of its own";
+        case Lack::room:
+            return "its samples take " + std::to_string(bytesOfSamples(path)) +
+                   " bytes per pixel of the tile, which holds " + std::to_string(caps.tileBytesPerPixel);
+    }
+    return {};
+}
+
+std::string lacksSamples(const RenderSettings& settings, bool translucent) {
+    const char* lack = lackOfSamples(settings, translucent);
+    return lack ? lack : "";
+}
+
+}  // namespace nacre

@@ -1,0 +1,267 @@
+#pragma once
+// Decides how a frame is drawn, before anything is declared. Pure: the same request, scene and device give the same
+// choice. The renderer executes the choice; `nacre plan`, --stats and `nacre devices` print it. No other code compares
+// paths or asks what kind of device it runs on.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/graph/frame_caps.h"
+#include "engine/results.h"
+#include "engine/settings.h"
+
+namespace nacre {
+
+// What is asked for.
+
+/// What a frame draws.
+enum class Part : std::uint8_t {
+    whole,      ///< all of a picture: in one frame where that is possible, else the first of several
+    coarse,     ///< a picture with one sample per pixel, which shows where more are needed
+    edges,      ///< samples of listed edge pixels, added to a picture with one sample per pixel
+    block,      ///< a rectangle of a picture, with kBlockSamples x kBlockSamples pixels for each of its pixels
+    distances,  ///< how far away each pixel is, for depth of field
+    layers,     ///< colour, surface and identity
+    color,      ///< the colour of layers alone, with translucent parts
+    solid,      ///< the surface and identity of layers alone
+    pick,       ///< identity alone
+    motion,     ///< a window's frame in motion
+    sample,     ///< one sample of each pixel of a window at rest
+};
+
+/// What becomes of the frame.
+enum class Ending : std::uint8_t {
+    left,             ///< stays on the device
+    readBack,         ///< read by the host
+    picture,          ///< in the image of its picture
+    pictureAndHost,   ///< the same, and read by the host, which finds where more samples are needed
+    throughLens,      ///< that image blurred by depth, read by the host
+    window,           ///< drawn into the window's image
+    copiedToWindow,   ///< copied to the window
+    scaledToWindow,   ///< scaled to the window
+    firstSample,      ///< starts a sum of samples, which is shown in the window
+    nextSample,       ///< adds to such a sum
+    sumToWindow,      ///< shows the sum only: no scene is drawn
+};
+
+struct FrameRequest {
+    const RenderSettings& settings;
+    Part part = Part::whole;
+    Ending ending = Ending::left;  ///< of a picture's last frame
+    int quarterTurns = 0;          ///< of the view
+    bool masked = false;           ///< only some tiles matter
+    bool counted = false;          ///< fragments are counted
+};
+
+/// Counts that are known before a frame.
+struct SceneFacts {
+    // Of the scene:
+    bool hasCylinders = false, hasWires = false, hasTranslucent = false;
+    std::uint64_t meshTriangles = 0;  ///< of the finest level
+    // Of what the view submits, in all copies:
+    std::uint64_t spheres = 0, cylinders = 0, triangles = 0;
+    std::uint64_t translucent = 0;  ///< triangles of translucent layers, not counted in `triangles`
+    std::uint64_t numbers = 0;      ///< numbers of primitives: those of all copies, hidden or not
+    double radiusPixels = 0;        ///< mean radius of the spheres in the picture
+    double smallestPixels = 1e9;    ///< half the width of the narrowest primitive or line in the picture
+    bool boxed = false;             ///< the scene's spheres have finite bounding boxes
+};
+
+// What is chosen.
+
+struct Samples {
+    enum class Where : std::uint8_t {
+        one,         ///< one sample per pixel
+        edges,       ///< several where the frame finds or is given edges
+        everywhere,  ///< several pixels of the frame are one of the picture
+        resolved,    ///< several, which the render pass averages
+    };
+    Where where = Where::one;
+    std::uint32_t count = 1;  ///< per pixel of the picture, where it has several
+    friend bool operator==(const Samples&, const Samples&) = default;
+};
+
+/// The frames behind a picture's first one, which add samples.
+enum class Refinement : std::uint8_t {
+    none,
+    edges,       ///< behind a coarse frame, one frame draws samples where colours change
+    blocks,      ///< behind a coarse frame, frames of a block each draw samples where colours change
+    everywhere,  ///< frames of a block each draw samples in every pixel; there is no other frame
+};
+
+/// Translucent layers per pixel: the nearest ones in front of opaque surfaces.
+constexpr std::uint32_t kTranslucentLayers = 2;
+
+/// An effect with passes or images of its own. Fog, clipping and plain outlines are a few instructions of the shading.
+struct Effect {
+    enum class Kind : std::uint8_t {
+        shadow,            ///< a map of what the light sees; size: its width, pixels
+        outlines,          ///< by groups of atoms
+        halos,             ///< drawn by the pass of those outlines
+        translucency,      ///< layers of triangles; size: their number
+        tileTranslucency,  ///< the same, found by compute
+        lens,              ///< depth of field: frames of distances, and a blur of the picture
+    };
+    Kind kind{};
+    std::uint32_t size = 0;
+    friend bool operator==(const Effect&, const Effect&) = default;
+};
+
+/// The effects of a frame, in the order in which they run. Frames allocate nothing.
+class EffectList {
+public:
+    void add(Effect effect) { effects_[count_++] = effect; }
+    std::uint32_t size(Effect::Kind kind) const;  ///< 0: it has no such effect, or one without a size
+    bool has(Effect::Kind kind) const;
+    void replace(Effect::Kind kind, Effect::Kind by);
+    const Effect* begin() const { return effects_.data(); }
+    const Effect* end() const { return effects_.data() + count_; }
+    friend bool operator==(const EffectList&, const EffectList&) = default;
+
+private:
+    std::array<Effect, 5> effects_{};
+    std::uint32_t count_ = 0;
+};
+
+/// How primitives reach the device.
+enum class Geometry : std::uint8_t {
+    instanced,  ///< vertex streams; attributes go through varyings
+    fetched,    ///< fragments fetch attributes by the primitive's number
+    hostLists,  ///< the host lists the primitives of each tile
+};
+
+/// What the host finds before the device draws.
+enum class HostWork : std::uint8_t {
+    none,
+    hiddenSpheres,  ///< spheres behind others, which are left out
+    frontSpheres,   ///< the nearest sphere of each pixel, from bounding boxes
+    frontShapes,    ///< the nearest sphere or cylinder of each pixel
+};
+
+/// How colour is stored and coded.
+enum class ColorFormat : std::uint8_t {
+    srgb,    ///< 8 bits, coded by the format
+    coded,   ///< the same bytes, coded by shaders
+    linear,  ///< 32 bits
+};
+
+/// Who shades on the tile path.
+enum class Shading : std::uint8_t { fragments, compute };
+
+/// How a tile frame with samples at edges knows its edge pixels.
+enum class EdgePixels : std::uint8_t {
+    found,   ///< compute finds them
+    listed,  ///< the host lists them
+    alone,   ///< the same, and only they are shaded, from the numbers of primitives
+};
+
+/// Changes of a choice where a tile's list is longer than the device's loops.
+struct Overflow {
+    std::uint32_t longestList = 0;         ///< entries that a list may have; 0: the frame has no lists
+    std::uint32_t longestListOfLayers = 0;  ///< beyond, only translucent layers are drawn otherwise
+    Visibility path{};
+    Refinement refinement{};  ///< not none: the frame is not drawn, and these are
+    HostWork host{};
+    bool prepass = false;
+    friend bool operator==(const Overflow&, const Overflow&) = default;
+};
+
+/// How a frame is drawn. Equal choices declare the same passes.
+struct FrameChoice {
+    Part part{};
+    Visibility path = Visibility::encoded;  ///< not automatic
+    Samples samples;
+    Refinement refinement{};
+    EffectList effects;
+    Ending ending{};
+    DebugView debug = DebugView::none;
+    ColorFormat color{};
+    Geometry geometry{};
+    HostWork host{};
+    Shading shading{};
+    EdgePixels edgePixels{};
+    bool prepass = true;             ///< false: plates would reject nothing
+    graph::EncodedFormat encoded{};  ///< for `encoded`
+    Overflow overflow{};
+    friend bool operator==(const FrameChoice&, const FrameChoice&) = default;
+
+    /// Whether the frame is not drawn, but those of `refinement`.
+    bool givesWay() const { return refinement != Refinement::none && part != Part::coarse; }
+    bool has(Effect::Kind kind) const { return effects.has(kind); }
+    /// Whether shaders find copies by the numbers of primitives.
+    bool readsCopyRows() const;
+    /// Outlines by groups or halos: one pass draws both.
+    bool rims() const { return has(Effect::Kind::outlines) || has(Effect::Kind::halos); }
+    std::uint32_t layers() const;
+    bool drawsEdges() const { return samples.where == Samples::Where::edges; }
+    bool drawnByTiles() const { return geometry == Geometry::hostLists; }
+    bool shadedByCompute() const { return shading == Shading::compute; }
+    /// Samples per pixel of the frame's attachments.
+    std::uint32_t attachmentSamples() const { return samples.where == Samples::Where::resolved ? samples.count : 1; }
+
+    /// The choice itself, or what takes its place where lists are too long.
+    /// @param longest  entries of the frame's longest list @param longestOfLayers  of the translucent layers' lists
+    FrameChoice within(std::uint32_t longest, std::uint32_t longestOfLayers = 0) const;
+};
+
+/// @throws Error if the device cannot do what its options or the settings ask for
+FrameChoice choose(const FrameRequest& request, const SceneFacts& scene, const graph::FrameCaps& device);
+
+/// The decisions of a choice, for people; without reasons.
+std::vector<Decision> describe(const FrameChoice& choice);
+/// The decisions of choose(), each with its reason. @param drawn  what became of it where lists are too long
+std::vector<Decision> explain(const FrameRequest& request, const SceneFacts& scene, const graph::FrameCaps& device);
+std::vector<Decision> explain(const FrameRequest& request, const SceneFacts& scene, const graph::FrameCaps& device,
+                              const FrameChoice& drawn);
+
+// Steps of choose() that are needed before a view's counts are known:
+
+/// The settings without what such a frame leaves out: layers have no outlines, for example.
+RenderSettings drawnSettings(const FrameRequest& request);
+/// Samples of such a frame, of a scene whose view is not known yet.
+Samples chooseSamples(const FrameRequest& request, const SceneFacts& scene, const graph::FrameCaps& device);
+/// Whether it draws translucent layers.
+bool drawsLayers(const FrameRequest& request, const SceneFacts& scene);
+
+// Choices that hold for all frames of a device:
+
+/// Samples per pixel of multisampled frames: a fragment states which of them it covers.
+constexpr std::uint32_t kMultisamples = 4;
+
+/// The path of a device's plain frames. @throws Error if the device lacks the path that its options ask for
+graph::TestedPath choosePath(const graph::FrameCaps& device);
+
+struct MotionSamples {
+    std::uint32_t count = 1;
+    std::string why;
+};
+/// Samples per pixel of a window's frames in motion: several where they cost neither memory traffic nor a second
+/// fragment. @throws Error if the options ask for more than the path can draw
+MotionSamples chooseMotionSamples(const graph::FrameCaps& device);
+
+/// How a bake's depth maps are drawn.
+OcclusionMaps chooseOcclusionMaps(const graph::FrameCaps& device);
+
+/// Whether a device's paths are tested before one is chosen. Software devices need no test: the program's own tests
+/// cover their paths.
+bool wantsSelfTest(const graph::FrameCaps& device);
+
+/// Whether a device with these abilities has a path at all.
+bool hasPath(Visibility path, bool rasterOrder, bool tiles);
+/// Whether the small scenes of a self-test tell how long a path takes.
+bool isTimedBySmallScenes(Visibility path);
+
+/// Whether plates in the hardware depth buffer reject fragments on a path. Where impostors write depth themselves, that
+/// needs a depth test before the fragment shader.
+bool platesReject(Visibility path, const graph::PlanCaps& caps);
+
+/// Why a path cannot draw kMultisamples per pixel in one render pass without storing them. Empty: it can.
+std::string lacksMultisampling(Visibility path, const graph::PlanCaps& caps);
+
+/// Why a picture with these settings has one sample per pixel, whatever the device can. Empty: it can have more.
+std::string lacksSamples(const RenderSettings& settings, bool translucent);
+
+}  // namespace nacre

@@ -1,0 +1,130 @@
+#include "engine/frame/debug/debug_frame.h"
+
+#include <array>
+
+#include "engine/frame/debug/debug_view.h"
+#include "engine/frame/paths/paths.h"
+#include "engine/frame/record.h"
+#include "engine/passes/geometry_passes.h"
+#include "shaders.h"
+
+namespace nacre {
+namespace {
+
+using graph::Clear;
+using passes::Output;
+using passes::SceneView;
+
+constexpr ScreenTarget kSurface{"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Output::surface, "surface layer"};
+constexpr ScreenTarget kIdentity{"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"};
+constexpr ScreenTarget kShaded{"shaded", VK_FORMAT_R8G8B8A8_SRGB, Output::color, "impostor colour"};
+constexpr ScreenTarget kCodedShaded{"shaded", VK_FORMAT_R8G8B8A8_UNORM, Output::color, "impostor colour"};
+
+/// Targets of the screen frame that a view needs.
+std::span<const ScreenTarget> drawnFor(DebugView view, bool coded) {
+    switch (view) {
+        case DebugView::depth:
+        case DebugView::normals:
+            return {&kSurface, 1};
+        case DebugView::id:
+        case DebugView::occlusion:
+            return {&kIdentity, 1};
+        case DebugView::plates:
+            return {coded ? &kCodedShaded : &kShaded, 1};
+        default:
+            return {};
+    }
+}
+
+/// Images that the view is made from.
+struct Shown {
+    graph::Image source;
+    std::optional<graph::Image> under;
+};
+
+/// The prepass once more, for itself: on some paths the frame's own depth goes on to hold the impostors.
+graph::Image addPlates(Frame& f, graph::Extent extent) {
+    const graph::Image plates = f.graph.image("plates", {VK_FORMAT_D32_SFLOAT, extent});
+    declarePrepass(f, plates);
+    return plates;
+}
+
+/// Number of impostor fragments per pixel that pass the depth test, in steps of 1/255.
+passes::GeometryPass overdraw() {
+    passes::GeometryPass pass{NACRE_SHADERS(geometry, , overdraw, )};
+    pass.blend = gpu::Blend::add;
+    return pass;
+}
+
+graph::Image addOverdraw(Frame& f, graph::Extent extent) {
+    const graph::Image counts = f.graph.image("overdraw", {VK_FORMAT_R8_UNORM, extent});
+    f.graph.graphics("overdraw")
+        .depthTest(f.depth)
+        .color(counts, Clear{0.0f})
+        .record(records(f, [](gpu::PassContext& c, const SceneView& scene) { passes::draw(c, scene, overdraw()); }));
+    return counts;
+}
+
+graph::Image addTileMeans(Frame& f, graph::Extent extent, graph::Image counts) {
+    const auto tilesAcross = [](std::uint32_t pixels) { return (pixels + kDebugTile - 1) / kDebugTile; };
+    const graph::Image tiles =
+        f.graph.image("tiles", {VK_FORMAT_R32_SFLOAT, {tilesAcross(extent.width), tilesAcross(extent.height)}});
+    f.graph.graphics("tile mean")
+        .samples(counts)
+        .color(tiles)
+        .record(records(f, [counts](gpu::PassContext& c, const SceneView& scene) {
+            passes::drawTileMean(c, scene, kDebugTile, c.view(counts));
+        }));
+    return tiles;
+}
+
+/// Adds the passes between the screen frame's and the picture.
+Shown addShown(DebugView view, Frame& f, graph::Extent extent) {
+    switch (view) {
+        case DebugView::encoded:
+            return {f.nearest, {}};
+        case DebugView::patches:
+            return {f.atlas, {}};
+        case DebugView::plates:
+            return {addPlates(f, extent), f.targets[0]};
+        case DebugView::overdraw:
+            return {addOverdraw(f, extent), {}};
+        case DebugView::tiles: {
+            const graph::Image counts = addOverdraw(f, extent);
+            return {addTileMeans(f, extent, counts), counts};
+        }
+        default:
+            return {f.targets[0], {}};
+    }
+}
+
+}  // namespace
+
+std::span<const char* const> debugViewNames() {
+    static constexpr std::array kNames{"none",      "depth",   "encoded", "plates",  "overdraw",
+                                       "occlusion", "patches", "id",      "normals", "tiles"};
+    return kNames;
+}
+
+void declareDebugView(Frame& f, const FrameShape& shape) {
+    const DebugView view = shape.choice.debug;
+    const ScreenTarget& target = shape.targets[0];
+    FrameShape drawn = shape;
+    drawn.choice.debug = DebugView::none;
+    drawn.choice.ending = Ending::left;
+    drawn.targets = drawnFor(view, target.format == VK_FORMAT_R8G8B8A8_UNORM);
+    declarePath(f, drawn);
+    const Shown shown = addShown(view, f, shape.extent);
+    f.targets.clear();
+    const graph::Image picture = f.add(target, shape);
+    graph::PassBuilder pass = f.graph.graphics("debug view");
+    pass.samples(shown.source);
+    if (shown.under) pass.samples(*shown.under);
+    pass.color(picture, target.clear)
+        .record(records(f, [=](gpu::PassContext& c, const SceneView& scene) {
+            passes::drawDebugView(c, scene, view, kDebugTile, c.view(shown.source),
+                                  shown.under ? c.view(*shown.under) : vk::ImageView());
+        }));
+}
+
+}  // namespace nacre

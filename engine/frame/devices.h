@@ -1,0 +1,12 @@
+#pragma once
+// What is chosen for a device, for people.
+
+#include "engine/graph/frame_caps.h"
+#include "engine/results.h"
+
+namespace nacre {
+
+/// Sets path and samples in motion. @throws Error if the device cannot do what its options ask for
+void addChoices(DeviceInfo& info, const graph::FrameCaps& device);
+
+}  // namespace nacre

@@ -1,0 +1,50 @@
+#pragma once
+// Depth of field: passes behind a frame that draws how far away each pixel is, and the lens they stand for.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/frame/effects/lens/choice.h"
+#include "engine/frame/effects/lens/lens_pass.h"
+#include "engine/frame/frame.h"
+#include "engine/settings.h"
+#include "engine/software/tile_lists.h"
+
+namespace nacre {
+
+struct PictureImage;
+
+/// Z of an empty pixel, as shaders/lens.frag has it.
+constexpr float kNoDistance = 1e30f;
+/// The target of such a frame: of the surface layer, Z alone.
+constexpr ScreenTarget kLensTargets[] = {
+    {"distances", VK_FORMAT_R32_SFLOAT, passes::Output::surface, "surface layer", kNoDistance}};
+
+/// The passes begin with this one.
+constexpr const char* kLensPass = "depth of field";
+
+/// The lens of a view's pictures. @param view  of the settings, or a part of it
+passes::Lens lensOf(const RenderSettings& settings, const View& view);
+
+/// Where a picture through the lens shows single pixels, as a byte for each of a frame of less resolution: 0 where all
+/// nearby is blurred by more. @param distances  what that frame shows, as kLensTargets have it
+/// @param lens  of the picture @param rim  width of outlines and halos, pixels of that frame
+std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent extent, const passes::Lens& lens,
+                                      double rim);
+
+/// Largest radius of a circle that a lens shows, pixels.
+double largestCircle(const RenderSettings& settings);
+
+/// A view through a point of the lens: the mean of all is what the lens shows. @param point  in the unit disc
+View throughLens(const RenderSettings& settings, View view, glm::dvec2 point);
+
+/// The parts of a picture that a lens may change: around what it shows. @param spans  of bins that show anything
+std::vector<PictureRect> blurredBy(const passes::Lens& lens, std::span<const TileLists::Span> spans,
+                                   graph::Extent extent);
+
+/// Declares the passes that blur a picture, Frame::picture. The first target becomes the result.
+/// @param format  of both @param from  read when the passes are recorded; null: the frame is only planned
+void declareLens(Frame& frame, graph::Extent extent, VkFormat format, const PictureImage* from);
+
+}  // namespace nacre

@@ -1,0 +1,87 @@
+#include "engine/frame/effects/shadow/shadow.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "engine/passes/geometry_passes.h"
+#include "engine/passes/select_triangles.h"
+#include "engine/passes/view_constants.h"
+
+namespace nacre {
+namespace {
+
+/// The scene from the light: the frame in which +z points to it.
+View lightView(const RenderSettings& settings, const View& view) {
+    const glm::dvec3 w = glm::normalize(glm::dvec3(layout::kLightX, layout::kLightY, layout::kLightZ));
+    const glm::dvec3 u = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), w)), v = glm::cross(w, u);
+    View light;
+    light.width = light.height = shadowPixels(settings);
+    light.rotation = glm::transpose(glm::dmat3(u, v, w)) * view.rotation;
+    light.radius = view.radius;
+    constexpr double kRoom = 0.5;  // margin, Å: bonds may extend slightly beyond
+    light.pixelsPerAngstrom = light.width / (2.0 * (view.radius + kRoom));
+    return light;
+}
+
+}  // namespace
+
+void declareShadow(Frame& f, const FrameChoice& choice) {
+    const std::uint32_t side = choice.effects.size(Effect::Kind::shadow);
+    if (side == 0) return;
+    f.shadow = f.graph.image("shadow map", {VK_FORMAT_D32_SFLOAT, {side, side}});
+    graph::Work work;
+    if (f.shown)
+        work = {[shown = f.shown](gpu::PassContext& c) {
+                    passes::draw(c, *shown->scene->light, passes::nearestDepth());
+                },
+                [shown = f.shown](gpu::PipelineContext& c) {
+                    passes::want(c, *shown->scene->light, passes::nearestDepth());
+                }};
+    f.graph.graphics(kShadowPass).depth(*f.shadow, graph::Clear{1.0f}).record(work);
+}
+
+std::shared_ptr<passes::SceneView> lightScene(const Scene& scene, const RenderSettings& settings, const View& view,
+                                              SceneViews& views) {
+    const View light = lightView(settings, view);
+    const auto seen = nextView(views);
+    layout::ViewConstants& c = seen->constants;
+    c = passes::viewConstants(light, light.width / 2.0, light.height / 2.0);
+    const Clip& clip = settings.effects.clip;
+    if (clip.near > -Clip::kNone) {
+        const glm::dvec3 viewer = light.rotation * glm::transpose(view.rotation) * glm::dvec3(0, 0, 1);
+        layout::setCutPlane(c, glm::vec4(viewer, -clip.near));
+        seen->cut = true;
+    }
+    seen->buffers = &scene.buffers;
+    // As the view does, so that nothing shades itself.
+    passes::placeCopies(seen->copies, scene.representation, light, nullptr, 0, meshErrorOf(settings, view));
+    // Translucent parts cast no shadow.
+    passes::selectTriangles(seen->copies.triangles, scene.translucent, passes::Triangles::opaque);
+    seen->impostor = settings.tuning.impostor;
+    seen->radiusPixels = scene.sizes.meanRadius * light.pixelsPerAngstrom;
+    return seen;
+}
+
+void addShadow(layout::EffectConstants& c, const RenderSettings& settings) {
+    const View light = lightView(settings, settings.view);
+    if (light.width == 0) return;
+    const layout::ViewConstants seen = passes::viewConstants(light, light.width / 2.0, light.height / 2.0);
+    const glm::dmat3 turn = light.rotation * glm::transpose(settings.view.rotation);  // from view space
+    const double perMap = light.pixelsPerAngstrom / light.width;
+    const auto row = [&](int i, double scale, double shift) {
+        return glm::vec4(turn[0][i] * scale, turn[1][i] * scale, turn[2][i] * scale, shift);
+    };
+    // u, v and depth in the map as dot products with (x, y, z, 1).
+    c.shadowU = row(0, perMap, 0.5);
+    c.shadowV = row(1, -perMap, 0.5);
+    c.shadowW = row(2, -seen.perRange, (seen.origin - seen.depthStart) * seen.perRange);
+    constexpr double kSoft = 0.45, kLift = 0.12;  // Å
+    const double texel = 1.0 / light.pixelsPerAngstrom;
+    c.shadowSpread = static_cast<float>(std::max(kSoft, 1.5 * texel) * perMap);
+    c.shadowSlope = static_cast<float>(std::max(kSoft, 1.5 * texel)) * seen.perRange;
+    c.shadowBias = static_cast<float>(kLift + 2.0 * texel);
+    c.shadow = static_cast<float>(settings.effects.shadow.strength);
+}
+
+}  // namespace nacre

@@ -1,0 +1,20 @@
+#pragma once
+// Cast shadows: a depth map of what the light sees, which shading passes sample.
+
+#include "engine/frame/effects/shadow/choice.h"
+#include "engine/frame/frame.h"
+#include "engine/frame/scene.h"
+
+namespace nacre {
+
+/// Declares the map, Frame::shadow, if the choice has one.
+void declareShadow(Frame& frame, const FrameChoice& choice);
+
+/// The scene as the light sees it. With clipping, primitives whose centre is in front of the near plane are left out.
+std::shared_ptr<passes::SceneView> lightScene(const Scene& scene, const RenderSettings& settings, const View& view,
+                                              SceneViews& views);
+
+/// Where a point of view space is in the map, for shaders.
+void addShadow(layout::EffectConstants& constants, const RenderSettings& settings);
+
+}  // namespace nacre

@@ -1,0 +1,96 @@
+#include "engine/frame/effects/translucency/translucency.h"
+
+#include "engine/frame/record.h"
+#include "engine/passes/deferred_shading.h"
+#include "engine/passes/select_triangles.h"
+#include "engine/software/tile_lists.h"
+#include "engine/software/tile_passes.h"
+#include "shaders.h"
+
+namespace nacre {
+namespace {
+
+using graph::Clear;
+using passes::NearestFrom;
+using passes::SceneView;
+
+/// A layer of triangles: the nearest behind the previous layer. @param before  its depth; none: the first layer
+passes::GeometryPass layerPass(const std::optional<passes::Reads>& before) {
+    passes::GeometryPass pass{{{}, {}, {shaders::numberTriangleVertex, NACRE_STAGE(identifyTriangle)}}};
+    if (before) pass.shaders.triangle = {shaders::numberTriangleReadsVertex, NACRE_STAGE(peelTriangle)};
+    pass.depth = gpu::DepthUse::write;
+    pass.reads = before;
+    return pass;
+}
+
+void declareLayersByTiles(Frame& f, const FrameShape& shape) {
+    const std::uint64_t pixels = TileLists::pixelsOfBins(shape.extent.width, shape.extent.height);
+    static_assert(kTranslucentLayers == 2);  // as shaders/tile_layers.comp
+    f.layerNumbers = f.graph.importBuffer("translucent layers", 2 * sizeof(std::uint32_t) * pixels);
+    f.graph.compute("translucent layers")
+        .writes(*f.layerNumbers)
+        .record(records(f, [](gpu::PassContext& c, const SceneView& scene) {
+            passes::findLayersByTiles(c, *scene.translucent);
+        }));
+}
+
+}  // namespace
+
+void declareTranslucentLayers(Frame& f, const FrameShape& shape) {
+    if (shape.choice.has(Effect::Kind::tileTranslucency)) return declareLayersByTiles(f, shape);
+    std::optional<graph::Image> before;
+    for (std::uint32_t i = 0; i < shape.choice.layers(); ++i) {
+        const std::string name = kTranslucentLayer + std::to_string(i + 1);
+        const graph::Image depth = f.graph.image(name + " depth", {VK_FORMAT_D32_SFLOAT, shape.extent});
+        f.layers.push_back(f.graph.image(name, {VK_FORMAT_R32_UINT, shape.extent}));
+        graph::PassBuilder pass = f.graph.graphics(name);
+        if (before) pass.samples(*before);
+        pass.depth(depth, Clear{1.0f}).color(f.layers.back(), Clear{0.0f});
+        pass.record(records(f, [atlas = f.atlas, before](gpu::PassContext& c, const SceneView& scene) {
+            std::optional<passes::Reads> reads;
+            if (before) reads = readsOf(c, NearestFrom::texture, atlas, before);
+            passes::drawCovers(c, *scene.translucent);
+            passes::draw(c, *scene.translucent, layerPass(reads));
+        }));
+        before = depth;
+    }
+}
+
+void declareTranslucentColors(Frame& f, const FrameShape& shape) {
+    for (std::uint32_t i = shape.choice.layers(); i-- > 0;) {
+        graph::PassBuilder pass = f.graph.graphics(kTranslucentColor + std::to_string(i + 1));
+        if (f.layerNumbers) {
+            f.lit(pass.reads(*f.layerNumbers).depthTest(f.depth)).color(f.targets[0]);
+            pass.record(records(f, [atlas = f.atlas, i](gpu::PassContext& c, const SceneView& scene) {
+                passes::draw(c, *scene.translucent,
+                             passes::TileShading{c.view(atlas), passes::Output::color, false, i});
+            }));
+            continue;
+        }
+        f.lit(pass.samples(f.layers[i]));
+        f.encoding ? pass.input(f.nearest) : pass.depthTest(f.depth);
+        pass.color(f.targets[0])
+            .record(records(f, [atlas = f.atlas, numbers = f.layers[i], encoding = f.encoding,
+                                nearest = f.nearest](gpu::PassContext& c, const SceneView& scene) {
+                passes::DeferredPass layer{passes::Output::color, readsOf(c, NearestFrom::texture, atlas, numbers)};
+                layer.over = passes::LayerOver();
+                if (encoding)
+                    layer.over =
+                        passes::LayerOver{fromEarlierPass(c), c.view(nearest), passes::Encoding(*encoding)};
+                passes::draw(c, *scene.translucent, layer);
+            }));
+    }
+}
+
+void viewTranslucent(passes::SceneView& view, const passes::SceneView& all, const TranslucentRuns& runs) {
+    view = all;
+    view.copies.spheres.clear();
+    view.copies.cylinders.clear();
+    passes::selectTriangles(view.copies.triangles, runs, passes::Triangles::translucent);
+    view.effects.contours.width = 0;
+    view.rims = {};
+    view.constants.contourWidth = 0;
+    view.coded = false;  // layers are blended, in linear light
+}
+
+}  // namespace nacre

@@ -1,0 +1,112 @@
+#pragma once
+// A frame: its graph, and the images and buffers that its passes hand on. frame.cpp declares it from a choice; the files
+// of paths/ and effects/ declare and record the passes.
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/frame/choose.h"
+#include "engine/graph/graph.h"
+#include "engine/passes/output.h"
+
+namespace nacre::passes {
+struct SceneView;
+}
+
+namespace nacre {
+
+/// A picture that the frame makes.
+struct ScreenTarget {
+    const char* image;
+    VkFormat format;
+    passes::Output output;
+    const char* pass;  ///< name of the pass that makes it
+    graph::Clear clear{0.0f};
+    bool window = false;  ///< it is the window's image, to be presented
+};
+
+/// The targets of a choice, but those of windows.
+std::span<const ScreenTarget> targetsOf(const FrameChoice& choice);
+
+/// State of a window's image before and after a frame.
+constexpr graph::State kWindowState{VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, 0, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
+
+/// The image that a picture's frames end in, and how one of them does.
+struct PictureEnd {
+    graph::ImageDesc image{};
+    bool first = true;          ///< nothing is in it yet
+    bool masked = false;        ///< only some pixels are replaced
+    std::uint32_t samples = 1;  ///< n: n x n pixels of the frame are one of it
+    friend bool operator==(const PictureEnd&, const PictureEnd&) = default;
+};
+
+/// Everything that decides how a frame is declared and planned.
+struct FrameShape {
+    FrameChoice choice;
+    graph::Extent extent;
+    graph::ImageDesc atlas{VK_FORMAT_R8_UNORM, {1, 1}};
+    std::span<const ScreenTarget> targets;
+    const char* name = "screen";  ///< images are kept by it: frames of several sizes want several names
+    PictureEnd picture{};         ///< for endings in a picture's image, and through the lens
+    graph::Extent window{};       ///< its image's size, for endings in a window
+    bool overlay = false;         ///< the window has an overlay
+    bool merge = true, transient = true;
+
+    /// Whether the frame's target is the picture's image itself.
+    bool drawsIntoPicture() const {
+        return (choice.ending == Ending::picture || choice.ending == Ending::pictureAndHost) && picture.first &&
+               picture.samples == 1 && !choice.shadedByCompute();
+    }
+};
+bool operator==(const FrameShape& a, const FrameShape& b);
+
+/// The scene that a frame's passes currently record: a frame is declared once and shows many scenes.
+struct ShownScene {
+    const passes::SceneView* scene = nullptr;
+};
+
+struct Frame {
+    graph::Graph graph{"screen"};
+    std::shared_ptr<const ShownScene> shown;  ///< null: the frame is only planned, and its passes record nothing
+    // On every path:
+    graph::Image depth;                   ///< hardware depth
+    graph::Image nearest;                 ///< encoded depth or primitive numbers; `fragdepth`: depth itself
+    std::optional<graph::EncodedFormat> encoding;  ///< of `nearest`; none: the depth buffer has the nearest depth
+    graph::Image atlas;                   ///< imported
+    std::optional<graph::Image> shadow;   ///< what the light sees
+    std::vector<graph::Image> targets;    ///< none where compute shades: `numbers` are the picture
+    std::optional<graph::Image> samples;  ///< that the first target is the mean of
+    // Translucent triangles:
+    std::vector<graph::Image> layers;           ///< numbers of the nearest layer first
+    std::optional<graph::Buffer> layerNumbers;  ///< the same where compute finds them, imported
+    // Of `tiles`, imported:
+    graph::Buffer numbers;               ///< of primitives, or their colours
+    std::optional<graph::Buffer> edges;  ///< what edges need beside that
+    graph::Buffer edgePixels{};          ///< where `edges` are
+    // Of the ending:
+    std::vector<graph::Buffer> pixels;    ///< imported, of targets that the host reads
+    std::optional<graph::Image> picture;  ///< imported: the image that the picture ends in
+    std::optional<graph::Image> finer;    ///< imported, if only some pixels are replaced: which
+    std::optional<graph::Image> sum;      ///< imported, of a window: of its picture's samples
+
+    /// The pass samples the atlas, and the shadow map if there is one. @returns the pass
+    graph::PassBuilder& lit(graph::PassBuilder& pass) const;
+    /// The image of a target, which a pass clears and draws to, with the choice's samples per pixel. @returns the pass
+    graph::PassBuilder& draw(graph::PassBuilder& pass, const ScreenTarget& target, const FrameShape& shape);
+    /// The image of a target.
+    graph::Image add(const ScreenTarget& target, const FrameShape& shape);
+};
+
+/// Declares the passes of a shape's scene. The caller declares what becomes of the targets.
+/// @param shown  null: the frame is only planned
+Frame declareFrame(const FrameShape& shape, std::shared_ptr<const ShownScene> shown = nullptr);
+
+/// The frame as the paper built it on OpenGL ES 2: prepass and depth texture in one framebuffer, then the picture in
+/// another that samples the full-screen depth texture. Depth is encoded in three 8-bit channels; hardware depth has 16
+/// bits, the minimum of OpenGL ES 2.
+graph::Graph paperFrame(graph::Extent extent);
+
+}  // namespace nacre

@@ -1,0 +1,84 @@
+#include "engine/frame/level_scenes.h"
+
+#include <algorithm>
+
+#include "engine/passes/view_constants.h"
+
+namespace nacre {
+namespace {
+
+TileView tileViewOf(const View& view, const RenderSettings& settings) {
+    const graph::Extent image = imageExtent(view);
+    const layout::ViewConstants c = passes::viewConstants(view, image.width / 2.0, image.height / 2.0);
+    TileView v;
+    v.width = image.width;
+    v.height = image.height;
+    v.perspective = view.projection == Projection::perspective;
+    v.quarterTurns = view.quarterTurns;
+    v.axis = c.axisPixel;
+    v.pixels = static_cast<float>(view.pixelsPerAngstrom);
+    v.origin = c.origin;
+    v.nearest = c.depthStart;
+    v.range = 1.0f / c.perRange;
+    const Clip& clip = settings.effects.clip;
+    if (clip.on()) {
+        v.clipNear = std::max(v.origin + static_cast<float>(clip.near), -TileView::kNoPlane);
+        v.clipFar = std::min(v.origin + static_cast<float>(clip.far), TileView::kNoPlane);
+    }
+    return v;
+}
+
+}  // namespace
+
+std::uint32_t LevelScenes::gridOf(std::uint32_t width, std::uint32_t height) {
+    static_assert(RenderSettings::kEdgeSamples == RenderSettings::kBlockSamples * RenderSettings::kBlockSamples);
+    constexpr std::uint64_t kMostPlaces = std::uint64_t{1} << 26;  // 512 MB
+    std::uint32_t grid = RenderSettings::kBlockSamples;
+    while (grid > 1 && std::uint64_t{width} * height * grid * grid > kMostPlaces) grid /= 2;
+    return grid;
+}
+
+bool LevelScenes::draws(const Representation& r, const RenderSettings& settings) {
+    if (!canHaveLevels(r)) return false;
+    if (!hasNumbers(r)) return true;
+    return settings.occlusion.directions == 0 && spheresInCopies(r) >= settings.levelsFrom;
+}
+
+Representation LevelScenes::shownBy(const Representation& whole, const RenderSettings& settings, const View& view,
+                                    bool edges) {
+    const TileView seen = tileViewOf(view, settings);
+    const float samples = edges ? RenderSettings::kBlockSamples : 1;
+    copies_.draw(seen, {levels_, whole.copies, view.rotation}, static_cast<float>(settings.levelError) / samples,
+                 edges ? gridOf(seen.width, seen.height) : 1, edges);
+    Representation r;
+    r.spheres.assign(copies_.spheres().begin(), copies_.spheres().end());
+    r.sphereLooks.assign(copies_.looks().begin(), copies_.looks().end());
+    r.atomGroups = whole.atomGroups;
+    r.center = whole.center;
+    r.radius = whole.radius;
+    return r;
+}
+
+Representation LevelScenes::show(const Representation& whole, const RenderSettings& settings, const View& view) {
+    leveled_.reset();
+    levels_ = sphereLevelsOf(whole);
+    return shownBy(whole, settings, view, false);
+}
+
+std::shared_ptr<const Scene> LevelScenes::show(const gpu::Device& device, const std::shared_ptr<const Scene>& scene,
+                                             const RenderSettings& settings, const View& view, bool edges) {
+    if (leveled_.lock() != scene) {
+        levels_ = sphereLevelsOf(scene->representation);
+        leveled_ = scene;
+    }
+    return std::make_shared<const Scene>(makeOrderedScene(device, shownBy(scene->representation, settings, view, edges)));
+}
+
+std::vector<CopyLevelCount> LevelScenes::counts() const {
+    std::vector<CopyLevelCount> counts;
+    for (const SeenCopies::LevelCount& l : copies_.levels())
+        counts.push_back({static_cast<double>(l.error), l.copies, l.spheres});
+    return counts;
+}
+
+}  // namespace nacre

@@ -1,0 +1,36 @@
+#pragma once
+// Scenes of very many copies: what a view shows of them becomes a scene of its own, which all paths can draw.
+
+#include "engine/frame/scene.h"
+#include "engine/lists/seen_copies.h"
+#include "engine/results.h"
+#include "engine/scene/instances/sphere_levels.h"
+
+namespace nacre {
+
+class LevelScenes {
+public:
+    /// Whether a scene's views are drawn by levels. They show no occlusion.
+    static bool draws(const Representation& representation, const RenderSettings& settings);
+
+    /// Places per pixel and side where pixels have several samples: fewer in a large picture, whose places take memory.
+    static std::uint32_t gridOf(std::uint32_t width, std::uint32_t height);
+
+    /// What a view shows of such a scene, without copies. One sample per pixel.
+    Representation show(const Representation& whole, const RenderSettings& settings, const View& view);
+    /// As above, on the device. The levels are kept while the scene stays. @param edges  have several samples: so
+    /// the levels are finer, and what lies between pixels' centres is found
+    std::shared_ptr<const Scene> show(const gpu::Device& device, const std::shared_ptr<const Scene>& scene,
+                                     const RenderSettings& settings, const View& view, bool edges);
+    /// Of the last view.
+    std::vector<CopyLevelCount> counts() const;
+
+private:
+    Representation shownBy(const Representation& whole, const RenderSettings& settings, const View& view, bool edges);
+
+    std::weak_ptr<const Scene> leveled_;
+    SphereLevels levels_;  // of it
+    SeenCopies copies_;
+};
+
+}  // namespace nacre

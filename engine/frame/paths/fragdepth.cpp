@@ -1,0 +1,44 @@
+#include "engine/frame/paths/paths.h"
+#include "engine/frame/record.h"
+#include "engine/passes/geometry_passes.h"
+#include "shaders.h"
+
+namespace nacre {
+
+using graph::Clear;
+using passes::NearestFrom;
+using passes::Output;
+using passes::SceneView;
+
+namespace {
+
+/// Impostors that write their depth. @param multisampled  each states the samples of a pixel that it covers
+passes::GeometryPass shadedImpostors(Output output, const passes::Reads& reads, bool multisampled) {
+    static const passes::PrimitiveShaders kShaders[] = NACRE_OUTPUTS(Fragdepth),
+                                          kMultisampled = NACRE_SHADERS(look, , color, FragdepthMultisampled);
+    passes::GeometryPass pass =
+        passes::shadingPass(multisampled ? kMultisampled : kShaders[static_cast<std::size_t>(output)], reads);
+    if (output == Output::color && !multisampled) pass.fetched = NACRE_FETCHED(Fragdepth);
+    pass.depth = gpu::DepthUse::write;
+    return pass;
+}
+
+}  // namespace
+
+void declareFragdepth(Frame& f, const FrameShape& shape) {
+    std::optional<Clear> clear = Clear{1.0f};
+    if (shape.choice.prepass) {
+        declarePrepass(f, f.depth);
+        clear.reset();
+    }
+    for (const ScreenTarget& target : shape.targets) {
+        const auto describe = [atlas = f.atlas, output = target.output](const auto& c, const SceneView& scene) {
+            return shadedImpostors(output, readsOf(c, NearestFrom::depthBuffer, atlas), scene.samples > 1);
+        };
+        f.draw(f.lit(f.graph.graphics(target.pass).depth(f.depth, clear)), target, shape)
+            .record(clear ? drawsFirst(f, describe) : draws(f, describe));
+        clear.reset();
+    }
+}
+
+}  // namespace nacre

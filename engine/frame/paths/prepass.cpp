@@ -1,0 +1,15 @@
+#include "engine/frame/paths/paths.h"
+#include "engine/frame/record.h"
+#include "engine/passes/geometry_passes.h"
+
+namespace nacre {
+
+void declarePrepass(Frame& f, graph::Image depth) {
+    f.graph.graphics("opaque prepass")
+        .depth(depth, graph::Clear{1.0f})
+        .record(drawsFirst(f, [](const auto&, const passes::SceneView& scene) {
+            return passes::opaquePrepass(scene.plates != PlateShape::none);
+        }));
+}
+
+}  // namespace nacre

@@ -1,0 +1,69 @@
+#include "engine/frame/paths/paths.h"
+#include "engine/frame/record.h"
+#include "engine/graph/plan.h"
+#include "engine/passes/geometry_passes.h"
+#include "shaders.h"
+
+namespace nacre {
+
+using graph::Clear;
+using passes::NearestFrom;
+using passes::Output;
+using passes::SceneView;
+
+namespace {
+
+/// Impostors that keep the nearest depth themselves, in a second colour attachment.
+passes::GeometryPass orderedImpostors(Output output, const passes::Reads& reads, bool multisampled) {
+    static const passes::PrimitiveShaders kShaders[] = NACRE_OUTPUTS(Ordered),
+                                          kMultisampled = NACRE_SHADERS(look, , color, OrderedMultisampled);
+    passes::GeometryPass pass =
+        passes::shadingPass(multisampled ? kMultisampled : kShaders[static_cast<std::size_t>(output)], reads);
+    if (output == Output::color && !multisampled) pass.fetched = NACRE_FETCHED(Ordered);
+    pass.colorsWritten = 2;
+    return pass;
+}
+
+/// Impostors that are shown where an earlier pass has left their depth.
+passes::GeometryPass impostorsAtNearest(Output output, const passes::Reads& reads) {
+    static const passes::PrimitiveShaders kShaders[] = NACRE_OUTPUTS(Sampled);
+    passes::GeometryPass pass = passes::shadingPass(kShaders[static_cast<std::size_t>(output)], reads);
+    if (output == Output::color) pass.fetched = NACRE_FETCHED(Sampled);
+    return pass;
+}
+
+}  // namespace
+
+void declareRasterOrder(Frame& f, const FrameShape& shape) {
+    declarePrepass(f, f.depth);
+    f.encoding = graph::EncodedFormat();
+    f.nearest = f.graph.image("nearest depth",
+                              {VK_FORMAT_R32_SFLOAT, shape.extent, shape.choice.attachmentSamples()});
+    const graph::Image atlas = f.atlas, nearest = f.nearest;
+    constexpr std::uint32_t kNarrow = 8;  // bytes of colour: the depth beside it fits every tile
+    if (shape.targets.size() == 1 && graph::bytesPerTexel(shape.targets[0].format) <= kNarrow) {
+        const ScreenTarget& target = shape.targets[0];
+        f.draw(f.lit(f.graph.graphics(target.pass).depthTest(f.depth)), target, shape)
+            .ordered(f.nearest, Clear{1.0f})
+            .record(draws(f, [=, output = target.output](const auto& c, const SceneView& scene) {
+                return orderedImpostors(output, readsOf(c, NearestFrom::ownAttachment, atlas, nearest),
+                                        scene.samples > 1);
+            }));
+        return;
+    }
+    f.graph.graphics("depth encoding")
+        .depthTest(f.depth)
+        .ordered(f.nearest, Clear{1.0f})
+        .record(draws(f, [=](const auto& c, const SceneView&) {
+            return passes::orderedDepth(readsOf(c, NearestFrom::ownAttachment, atlas, nearest));
+        }));
+    for (const ScreenTarget& target : shape.targets)  // share the previous pass's attachments
+        f.lit(f.graph.graphics(target.pass).depthTest(f.depth))
+            .color(f.add(target, shape), target.clear)
+            .samples(f.nearest)
+            .record(draws(f, [=, output = target.output](const auto& c, const SceneView&) {
+                return impostorsAtNearest(output, readsOf(c, NearestFrom::texture, atlas, nearest));
+            }));
+}
+
+}  // namespace nacre

@@ -1,0 +1,95 @@
+#include "engine/frame/paths/paths.h"
+#include "engine/frame/record.h"
+#include "engine/software/tile_lists.h"
+#include "engine/software/tile_edges.h"
+#include "engine/software/tile_passes.h"
+
+namespace nacre {
+namespace {
+
+using passes::SceneView;
+
+constexpr std::uint64_t kWord = sizeof(std::uint32_t);
+
+/// A buffer of pixels, which goes by the tiles of bins.
+graph::Buffer addPixels(Frame& f, const FrameShape& shape, const char* name, std::uint64_t bytes) {
+    return f.graph.importBuffer(name, bytes * TileLists::pixelsOfBins(shape.extent.width, shape.extent.height));
+}
+
+graph::Work nearestByTiles(const Frame& f) {
+    return draws(f, [](const auto&, const SceneView&) { return passes::NearestByTiles(); });
+}
+graph::Work edgeSamples(const Frame& f) {
+    return records(f, [atlas = f.atlas](gpu::PassContext& c, const SceneView& scene) {
+        passes::drawEdgesByTiles(c, scene, c.view(atlas));
+    });
+}
+
+/// Compute finds and shades in one pass. Colours are in a buffer row by row, where the host reads them: no image is
+/// made.
+void declareShadedByCompute(Frame& f, const FrameShape& shape) {
+    const FrameChoice& choice = shape.choice;
+    f.numbers = addPixels(f, shape, "colours of tiles", kWord);
+    if (choice.drawsEdges()) f.edges = addPixels(f, shape, "primitive numbers", kWord);
+    if (choice.edgePixels == EdgePixels::alone) {
+        f.graph.compute("nearest primitive").writes(*f.edges).record(nearestByTiles(f));
+    } else {
+        graph::PassBuilder nearest = f.graph.compute(choice.rims() ? "nearest primitive, lines and halos, shaded"
+                                                                   : "nearest primitive, shaded");
+        f.lit(nearest).writes(f.numbers);
+        if (f.edges) nearest.writes(*f.edges);
+        nearest.record(draws(f, [atlas = f.atlas](const auto& c, const SceneView&) {
+            return passes::NearestByTiles{viewOf(c, atlas)};
+        }));
+    }
+    if (!f.edges) return;
+    f.edgePixels = addPixels(f, shape, "edge pixels", kWord);
+    if (choice.edgePixels == EdgePixels::found)
+        f.graph.compute("edge pixels")
+            .reads(*f.edges)
+            .reads(f.numbers)
+            .writes(f.edgePixels)
+            .record(records(f, passes::findEdgesByTiles));
+    f.lit(f.graph.compute("edge samples").reads(*f.edges).reads(f.edgePixels)).writes(f.numbers).record(edgeSamples(f));
+}
+
+}  // namespace
+
+void declareTiles(Frame& f, const FrameShape& shape) {
+    const FrameChoice& choice = shape.choice;
+    if (choice.shadedByCompute()) return declareShadedByCompute(f, shape);
+    f.numbers = addPixels(f, shape, "primitive numbers", kWord);
+    f.graph.compute("nearest primitive").writes(f.numbers).record(nearestByTiles(f));
+
+    if (choice.drawsEdges()) {
+        f.edges = addPixels(f, shape, "edge colours", 2 * kWord);
+        f.edgePixels = addPixels(f, shape, "edge pixels", kWord);
+        f.graph.compute("edge pixels")
+            .reads(f.numbers)
+            .writes(f.edgePixels)
+            .writes(*f.edges)
+            .record(records(f, passes::findEdgesByTiles));
+        f.lit(f.graph.compute("edge samples").reads(f.numbers).reads(f.edgePixels))
+            .writes(*f.edges)
+            .record(edgeSamples(f));
+    }
+    const bool depth = choice.layers() > 0;
+    for (const ScreenTarget& target : shape.targets) {
+        graph::PassBuilder shading = f.graph.graphics(target.pass);
+        if (depth) shading.depth(f.depth, graph::Clear{1.0f});
+        f.lit(shading.reads(f.numbers))
+            .color(f.add(target, shape), target.clear)
+            .record(draws(f, [=, atlas = f.atlas, output = target.output](const auto& c, const SceneView&) {
+                return passes::TileShading{viewOf(c, atlas), output, depth};
+            }));
+    }
+    if (f.edges)
+        f.graph.graphics("edge colour")
+            .reads(*f.edges)
+            .color(f.targets[0])
+            .record(records(f, [clear = shape.targets[0].clear](gpu::PassContext& c, const SceneView& scene) {
+                passes::drawEdgeColors(c, scene, clear);
+            }));
+}
+
+}  // namespace nacre

@@ -1,0 +1,55 @@
+#pragma once
+// What a device can do, as far as the choice of how to draw a frame depends on it: of a real device or a named set.
+
+#include <cstdint>
+#include <string>
+
+#include "engine/device_options.h"
+#include "engine/graph/encoded_format.h"
+#include "engine/graph/plan.h"
+
+namespace nacre::graph {
+
+/// Kinds of GPU by how they handle geometry.
+enum class DeviceKind : std::uint8_t {
+    tiler,      ///< renders tile by tile in on-chip memory
+    layered,    ///< Vulkan on top of another API: MoltenVK, KosmicKrisp
+    immediate,  ///< no tile memory
+    software,   ///< a CPU draws: triangles cost more than fragments
+};
+
+/// For the tile path.
+struct TileCaps {
+    bool texels = false;      ///< texel buffers can hold whole streams
+    std::uint32_t lanes = 0;  ///< per subgroup
+    bool shade = false;       ///< compute shading is faster than drawing fragments
+    bool drawsEdges = false;  ///< draws edges from the tile lists
+    /// Entries that a tile's list may have. lavapipe 22.3 allows an invocation 65,535 loop iterations in total, then ends
+    /// its loops in silence. Entries take one iteration each, and chunks as many again.
+    std::uint32_t longestList = 28000;
+    /// As above with samples at edges: a subgroup may go through a list several times.
+    std::uint32_t longestListOfEdges = 6000;
+    /// What the path needs and the device lacks; empty: nothing.
+    std::string lacks = "it is unknown whether its subgroups exchange values";
+};
+
+/// The path that a self-test found to be right and fastest.
+struct TestedPath {
+    Visibility visibility = Visibility::automatic;  ///< automatic: none was tested
+    std::string why;
+};
+
+struct FrameCaps {
+    PlanCaps plan;
+    DeviceKind kind = DeviceKind::immediate;
+    EncodedFormat encoded{};  ///< for images
+    TileCaps tiles{};
+    bool blendsFloats = false;  ///< can blend colour attachments with 32 bits per channel
+    std::string lacksRasterOrder = "it does not read its own attachments in order";  ///< the reason, if it does not
+    // What the user asks for, and what a test has shown:
+    Visibility visibility = Visibility::automatic;
+    Multisampling multisampling = Multisampling::automatic;
+    TestedPath tested{};
+};
+
+}  // namespace nacre::graph

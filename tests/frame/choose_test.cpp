@@ -1,0 +1,236 @@
+// How frames are drawn: by every class of device, with every effect, for every part of a picture. And what a choice
+// becomes where a list is too long.
+
+#include "engine/frame/choose.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+
+#include "engine/error.h"
+#include "engine/graph/capability_sets.h"
+#include "tests/frame/choices.h"
+
+namespace nacre::test {
+namespace {
+
+using graph::FrameCaps;
+
+/// lavapipe's and SwiftShader's: compute shades.
+FrameCaps software(bool tiles) {
+    FrameCaps caps = graph::capabilitySet("desktop");
+    caps.plan.name = "software";
+    caps.kind = graph::DeviceKind::software;
+    caps.plan.conservativeDepth = false;
+    caps.plan.tiles = caps.tiles.shade = caps.tiles.drawsEdges = tiles;
+    caps.blendsFloats = true;
+    return caps;
+}
+
+/// A device of each kind; devices of the same kind choose the same.
+std::map<std::string, std::vector<FrameCaps>> devicesByKind() {
+    std::map<std::string, std::vector<FrameCaps>> kinds;
+    for (const graph::CapabilitySet& set : graph::capabilitySets()) {
+        FrameCaps caps = set;
+        caps.blendsFloats = true;
+        kinds[visibilityName(choosePath(caps).visibility)].push_back(caps);
+    }
+    kinds["software"] = {software(true)};
+    return kinds;
+}
+
+/// Settings and scenes with one effect each.
+struct Case {
+    const char* effect;
+    std::function<void(RenderSettings&, SceneFacts&)> set;
+};
+const Case kCases[] = {
+    {"plain", [](auto&, auto&) {}},
+    {"outlines", [](auto& s, auto&) { s.effects.contours.width = 2; }},
+    {"outlines by groups", [](auto& s, auto&) { s.effects.contours.width = 2, s.effects.contours.weights = 3; }},
+    {"halos", [](auto& s, auto&) { s.effects.halos.width = 4; }},
+    {"shadow", [](auto& s, auto&) { s.effects.shadow.strength = 0.5; }},
+    {"translucency", [](auto&, auto& f) { f.hasTranslucent = true, f.translucent = 9; }},
+    {"lens", [](auto& s, auto&) { s.effects.depthOfField.strength = 0.1; }},
+    {"fine", [](auto& s, auto&) { s.fine = true; }},
+    {"thin shapes", [](auto&, auto& f) { f.smallestPixels = 0.5; }},
+    {"debug view", [](auto& s, auto&) { s.debug = DebugView::normals; }},
+};
+
+struct Drawn {
+    const char* part;
+    Part what;
+    std::uint32_t supersample;
+};
+constexpr Drawn kParts[] = {
+    {"edges", Part::whole, RenderSettings::kEdges},
+    {"one sample", Part::whole, 1},
+    {"3 x 3", Part::whole, 3},
+    {"edge frame", Part::edges, RenderSettings::kEdges},
+    {"block", Part::block, RenderSettings::kEdges},
+    {"distances", Part::distances, 1},
+    {"layers", Part::layers, 1},
+    {"pick", Part::pick, 1},
+    {"motion", Part::motion, 1},
+    {"sample", Part::sample, RenderSettings::kEdges},
+};
+
+Ending endingOf(Part part) {
+    return part == Part::motion ? Ending::window : part == Part::sample ? Ending::nextSample : Ending::readBack;
+}
+
+/// "deferred, 1+16 in blocks, halos, picture"
+std::string shortly(const FrameChoice& choice) {
+    std::string text;
+    for (const Decision& decision : describe(choice)) {
+        if (decision.what == "path") text = decision.how;
+        if (decision.what == "shading" && decision.how == "compute") text += " by compute";
+        if (decision.what == "samples") text += ", " + decision.how;
+        if (decision.what == "effects" && decision.how != "none") text += ", " + decision.how;
+        if (decision.what == "ending") text += ", " + decision.how;
+    }
+    return text;
+}
+
+std::string tableOf(const FrameCaps& caps) {
+    std::string table;
+    for (const Drawn& drawn : kParts)
+        for (const Case& one : kCases) {
+            RenderSettings settings;
+            settings.view.width = settings.view.height = 640;
+            settings.view.radius = 20;
+            settings.supersample = drawn.supersample;
+            SceneFacts facts;
+            facts.spheres = 1000;
+            one.set(settings, facts);
+            table += std::string(drawn.part) + ", " + one.effect + ": " +
+                     shortly(choose({settings, drawn.what, endingOf(drawn.what)}, facts, caps)) + "\n";
+        }
+    return table;
+}
+
+TEST(Choose, IsStatedForEveryKindOfDeviceEffectAndPart) {
+    for (const auto& [kind, devices] : devicesByKind())
+        for (const FrameCaps& caps : devices) {
+            // Frames in motion alone differ among devices of a kind.
+            const auto& stated = statedChoices();
+            ASSERT_TRUE(stated.count(kind)) << kind << ":\n" << tableOf(caps);
+            EXPECT_EQ(withoutMotion(tableOf(caps)), stated.at(kind)) << caps.plan.name;
+        }
+}
+
+FrameRequest pictureOf(const RenderSettings& settings) { return {settings, Part::whole, Ending::readBack}; }
+
+TEST(Choose, OfASceneWithLongListsIsInTheValue) {
+    const FrameCaps caps = software(true);
+    RenderSettings settings;
+    settings.view.width = settings.view.height = 640;
+    SceneFacts facts;
+    const FrameChoice edges = choose(pictureOf(settings), facts, caps);
+    EXPECT_EQ(edges.within(6000), edges);
+    EXPECT_EQ(edges.within(6001).refinement, Refinement::blocks);
+    EXPECT_TRUE(edges.within(6001).givesWay());
+    settings.supersample = 1;
+    const FrameChoice single = choose(pictureOf(settings), facts, caps);
+    EXPECT_EQ(single.within(28000), single);
+    EXPECT_EQ(single.within(28001).path, Visibility::fragdepth);
+    EXPECT_FALSE(single.within(28001).shadedByCompute());
+    EXPECT_FALSE(single.within(28001).givesWay());
+    settings.effects.halos.width = 3;  // which walk through lists twice
+    const FrameChoice halos = choose(pictureOf(settings), facts, caps);
+    EXPECT_EQ(halos.within(14000), halos);
+    EXPECT_EQ(halos.within(14001).path, Visibility::deferred);
+    settings.effects.halos.width = 0;
+    facts.hasTranslucent = true;
+    const FrameChoice layered = choose(pictureOf(settings), facts, caps);
+    EXPECT_TRUE(layered.has(Effect::Kind::tileTranslucency));
+    EXPECT_EQ(layered.within(1, 28001).path, Visibility::tiles);
+    EXPECT_TRUE(layered.within(1, 28001).has(Effect::Kind::translucency));
+    // Paths without lists have nothing that could be too long.
+    const FrameChoice encoded = choose(pictureOf(settings), facts, graph::capabilitySet("adreno"));
+    EXPECT_EQ(encoded.within(1'000'000, 1'000'000), encoded);
+}
+
+TEST(Choose, HasTheHostFindWhatIsInFrontWhereThatCostsLess) {
+    const FrameCaps caps = software(true);
+    RenderSettings settings;
+    settings.view.width = settings.view.height = 640;
+    settings.supersample = 1;
+    SceneFacts facts;
+    facts.boxed = true;
+    facts.radiusPixels = 2;
+    facts.spheres = 99'999;
+    const auto host = [&] { return choose(pictureOf(settings), facts, caps).host; };
+    EXPECT_EQ(host(), HostWork::none);
+    facts.spheres = 100'000;
+    EXPECT_EQ(host(), HostWork::frontSpheres);
+    settings.supersample = RenderSettings::kEdges;
+    EXPECT_EQ(host(), HostWork::none);
+    facts.spheres = settings.tuning.hideFrom;
+    EXPECT_EQ(host(), HostWork::hiddenSpheres);
+    settings.tuning.cull = false;
+    EXPECT_EQ(host(), HostWork::none);
+    facts = {};
+    facts.hasCylinders = true;
+    facts.spheres = facts.cylinders = 1000;
+    settings.supersample = 1;
+    EXPECT_EQ(host(), HostWork::frontShapes);
+    settings.effects.clip.near = 0;
+    EXPECT_EQ(host(), HostWork::none);
+    // Where depth is tested late, a processor finds hidden spheres in less time than it shades them.
+    settings = {};
+    FrameCaps late = caps;
+    late.visibility = Visibility::fragdepth;
+    EXPECT_EQ(choose(pictureOf(settings), facts, late).host, HostWork::hiddenSpheres);
+    late.visibility = Visibility::encoded;
+    EXPECT_EQ(choose(pictureOf(settings), facts, late).host, HostWork::none);
+}
+
+TEST(Choose, ExplainsEveryDecision) {
+    for (const auto& [kind, devices] : devicesByKind())
+        for (const Drawn& drawn : kParts)
+            for (const Case& one : kCases) {
+                RenderSettings settings;
+                settings.supersample = drawn.supersample;
+                SceneFacts facts;
+                one.set(settings, facts);
+                const FrameRequest request{settings, drawn.what, endingOf(drawn.what)};
+                const std::vector<Decision> decisions = explain(request, facts, devices[0]);
+                ASSERT_GE(decisions.size(), 8u);
+                for (const Decision& d : decisions) {
+                    EXPECT_FALSE(d.how.empty()) << d.what;
+                    EXPECT_GT(d.why.size(), 8u) << d.what << " of " << drawn.part << " with " << one.effect;
+                }
+            }
+}
+
+TEST(Choose, ThatDidNotHoldSaysWhy) {
+    RenderSettings settings;
+    settings.supersample = 1;
+    const FrameCaps caps = software(true);
+    const FrameRequest request = pictureOf(settings);
+    const FrameChoice drawn = choose(request, {}, caps).within(30'000);
+    const std::vector<Decision> decisions = explain(request, {}, caps, drawn);
+    EXPECT_EQ(decisions[0].how, "fragdepth");
+    EXPECT_EQ(decisions[0].why, "a tile's list is too long");
+    EXPECT_EQ(decisions[2].why, "asked for");
+}
+
+TEST(Choose, RefusesWhatTheDeviceCannotDraw) {
+    FrameCaps caps = graph::capabilitySet("apple-moltenvk");
+    RenderSettings settings;
+    settings.supersample = 1;
+    caps.multisampling = Multisampling::four;
+    EXPECT_EQ(choose(pictureOf(settings), {}, caps).attachmentSamples(), 4u);
+    settings.effects.contours.width = 1;
+    EXPECT_THROW(choose(pictureOf(settings), {}, caps), Error);
+    settings = {};
+    settings.fine = true;
+    SceneFacts translucent;
+    translucent.hasTranslucent = true;
+    EXPECT_THROW(choose(pictureOf(settings), translucent, caps), Error);
+}
+
+}  // namespace
+}  // namespace nacre::test
