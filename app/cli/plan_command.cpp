@@ -66,7 +66,7 @@ struct PlannedFrame {
 PlannedFrame framePlanned(const RenderSettings& settings, Part part, const SceneFacts& scene,
                           const graph::FrameCaps& caps) {
     PlannedFrame planned;
-    planned.choice = choose({settings, part}, scene, caps);
+    planned.choice = choose({settings, part, Ending::readBack}, scene, caps);
     FrameShape shape;
     shape.choice = planned.choice;
     shape.choice.ending = Ending::left;
@@ -188,7 +188,7 @@ PlanReport planReport(const PlanOptions& options) {
     PlanReport report;
     report.caps = caps.plan.name;
     report.plannedWith = caps.plan;
-    report.decisions = explain({settings, Part::whole}, facts, caps);
+    report.decisions = explain({settings, Part::whole, Ending::readBack}, facts, caps);
     report.choice = planned.choice;
     if (!options.caps.empty()) report.facts = graph::capabilitySet(options.caps).facts;
     report.extent = {settings.view.width, settings.view.height};
@@ -209,8 +209,8 @@ PlanReport planReport(const PlanOptions& options) {
     report.meshLevels = counts.meshLevels;
     report.copyLevels = counts.copyLevels;
     if (given)
-        report.geometry = geometryOf(report.frame.graph, counts, caps.plan.geometry, PlateShape::automatic,
-                                     ImpostorShape::automatic);
+        report.geometry =
+            geometryOf(report.frame.graph, counts, caps.plan.geometry, PlateShape::automatic, ImpostorShape::automatic);
     return report;
 }
 

@@ -138,11 +138,7 @@ class Chooser {
 public:
     Chooser(const FrameRequest& request, const SceneFacts& scene, const FrameCaps& device,
             std::vector<Decision>* reasons = nullptr)
-        : request_(request),
-          settings_(drawnSettings(request)),
-          scene_(scene),
-          device_(device),
-          reasons_(reasons) {}
+        : request_(request), settings_(drawnSettings(request)), scene_(scene), device_(device), reasons_(reasons) {}
 
     FrameChoice choose() {
         choice_.part = request_.part;
@@ -272,10 +268,11 @@ void Chooser::refine() {
         return because("samples", "compute adds samples of edge pixels in one frame");
     }
     choice_.refinement = Refinement::blocks;
-    because("samples", rims()                                       ? "outlines and halos have no samples at edges"
-                       : scene_.hasTranslucent                      ? "translucent layers have no samples at edges"
-                       : isFineMesh(request_.settings.view, scene_) ? "a small picture of a fine mesh: lists would be long"
-                                                                    : "the path has no lists of what edge pixels may show");
+    because("samples", rims()                  ? "outlines and halos have no samples at edges"
+                       : scene_.hasTranslucent ? "translucent layers have no samples at edges"
+                       : isFineMesh(request_.settings.view, scene_)
+                           ? "a small picture of a fine mesh: lists would be long"
+                           : "the path has no lists of what edge pixels may show");
 }
 
 void Chooser::chooseEffects() {
@@ -315,7 +312,7 @@ void Chooser::choosePath() {
     const Visibility path = usual(adds());
     const bool computes = path == Visibility::tiles && device_.tiles.shade && choice_.color == ColorFormat::coded &&
                           isPicture(request_.part) && !request_.counted;
-    choice_.path = rims() ? (computes ? Visibility::tiles : Visibility::deferred)
+    choice_.path = rims()     ? (computes ? Visibility::tiles : Visibility::deferred)
                    : debugs() ? pathOf(settings_.debug, path)
                               : path;
     if (computes && !debugs()) choice_.shading = Shading::compute;
@@ -324,11 +321,11 @@ void Chooser::choosePath() {
                     : choice_.path == pathOf(device_) ? nacre::choosePath(device_).why
                     : debugs()                        ? "the debug view needs this path"
                                                       : "compute adds samples and depth to pictures of this device");
-    because("shading", choice_.shadedByCompute() ? "compute shades faster than fragments on this device"
+    because("shading", choice_.shadedByCompute()           ? "compute shades faster than fragments on this device"
                        : choice_.path != Visibility::tiles ? "triangles cover the pixels"
                        : request_.counted                  ? "fragments are counted"
                        : !device_.tiles.shade              ? "fragments shade as fast on this device"
-                                                           : "no shader codes the frame's colour, or it has other targets");
+                                              : "no shader codes the frame's colour, or it has other targets");
 }
 
 /// Work of the host before a path that draws triangles.
@@ -339,10 +336,10 @@ HostWork Chooser::hostWorkOf(Visibility path) const {
 }
 
 HostWork Chooser::hostWorkOfTiles() const {
-    constexpr double kSmallPixels = 2.5;                // a radius below which lists and tiles take longer
+    constexpr double kSmallPixels = 2.5;  // a radius below which lists and tiles take longer
     constexpr std::uint64_t kManySpheres = 100'000;
-    constexpr std::uint64_t kMostShapes = 1'000'000;    // memory of 200 bytes each
-    constexpr std::uint64_t kMostNumbers = 1u << 30;    // two bits of a number are flags
+    constexpr std::uint64_t kMostShapes = 1'000'000;  // memory of 200 bytes each
+    constexpr std::uint64_t kMostNumbers = 1u << 30;  // two bits of a number are flags
     const Effects& effects = settings_.effects;
     // The host finds what the centres of pixels show, without planes and rims.
     const bool plain = settings_.view.projection == Projection::orthographic && !effects.clip.on() &&
@@ -352,8 +349,9 @@ HostWork Chooser::hostWorkOfTiles() const {
     const bool small = settings_.tuning.cull && scene_.radiusPixels <= kSmallPixels && scene_.spheres >= kManySpheres;
     if ((small || many) && meshless && plain && scene_.boxed && !choice_.drawsEdges()) return HostWork::frontSpheres;
     if (many) return HostWork::hiddenSpheres;
-    if (choice_.shadedByCompute() && !choice_.drawsEdges() && !request_.masked && scene_.hasCylinders && !scene_.hasWires &&
-        meshless && plain && scene_.spheres + scene_.cylinders <= kMostShapes && scene_.numbers < kMostNumbers)
+    if (choice_.shadedByCompute() && !choice_.drawsEdges() && !request_.masked && scene_.hasCylinders &&
+        !scene_.hasWires && meshless && plain && scene_.spheres + scene_.cylinders <= kMostShapes &&
+        scene_.numbers < kMostNumbers)
         return HostWork::frontShapes;
     return HostWork::none;
 }
@@ -361,15 +359,15 @@ HostWork Chooser::hostWorkOfTiles() const {
 bool Chooser::prepassOf(Visibility path) const {
     if (debugs()) return true;  // views show it
     // Without plates the passes that write depth themselves need no pass before them.
-    const bool plates = settings_.tuning.plates != PlateShape::none ||
-                        (path != Visibility::fragdepth && path != Visibility::deferred);
+    const bool plates =
+        settings_.tuning.plates != PlateShape::none || (path != Visibility::fragdepth && path != Visibility::deferred);
     return plates && platesReject(path, device_.plan);
 }
 
 void Chooser::chooseGeometry() {
     const bool tiles = choice_.path == Visibility::tiles;
     choice_.prepass = prepassOf(choice_.path);
-    choice_.geometry = tiles ? Geometry::hostLists
+    choice_.geometry = tiles                                                       ? Geometry::hostLists
                        : device_.plan.geometry.storesVaryings && !request_.counted ? Geometry::fetched
                                                                                    : Geometry::instanced;
     if (!debugs()) choice_.host = tiles ? hostWorkOfTiles() : hostWorkOf(choice_.path);
@@ -385,9 +383,9 @@ void Chooser::chooseGeometry() {
                         : choice_.geometry == Geometry::fetched ? "varyings go through memory: a number costs less"
                         : device_.plan.geometry.storesVaryings  ? "fragments are counted"
                                                                 : "varyings stay on the chip");
-    constexpr const char* kHost[] = {"the device finds what is hidden", "finding hidden spheres costs less than shading them",
-                                     "many small spheres: lists would take longer",
-                                     "few shapes in a plain view: lists would take longer"};
+    constexpr const char* kHost[] = {
+        "the device finds what is hidden", "finding hidden spheres costs less than shading them",
+        "many small spheres: lists would take longer", "few shapes in a plain view: lists would take longer"};
     because("host", kHost[static_cast<std::size_t>(choice_.host)]);
     because("prepass", tiles             ? "compute draws no plates"
                        : choice_.prepass ? "plates reject fragments before they are shaded"
@@ -411,15 +409,16 @@ void Chooser::chooseOverflow() {
     const Visibility usual = pathOf(device_);
     overflow.longestListOfLayers = device_.tiles.longestList;
     // Rims walk through each list twice.
-    overflow.longestList = choice_.drawsEdges() ? device_.tiles.longestListOfEdges
-                                                : device_.tiles.longestList / (rims() ? 2 : 1);
+    overflow.longestList =
+        choice_.drawsEdges() ? device_.tiles.longestListOfEdges : device_.tiles.longestList / (rims() ? 2 : 1);
     overflow.path = rims() ? Visibility::deferred : usual == Visibility::tiles ? Visibility::fragdepth : usual;
     // Lists of a quarter of the pixels' side are shorter.
     if (choice_.drawsEdges()) overflow.refinement = blind() ? Refinement::everywhere : Refinement::blocks;
     overflow.host = hostWorkOf(overflow.path);
     overflow.prepass = prepassOf(overflow.path);
     if (reasons_)
-        because("long lists", "taken where a tile's list has more than " + std::to_string(overflow.longestList) + " entries");
+        because("long lists",
+                "taken where a tile's list has more than " + std::to_string(overflow.longestList) + " entries");
 }
 
 /// A name by its place in a list.
@@ -498,10 +497,17 @@ std::vector<Decision> describe(const FrameChoice& choice) {
     constexpr const char* kShading[] = {"fragments", "compute"};
     constexpr const char* kGeometry[] = {"instanced", "fetched by fragments", "lists of the host"};
     constexpr const char* kHost[] = {"nothing", "hidden spheres", "front spheres", "front shapes"};
-    constexpr const char* kEndings[] = {"left on the device",   "read back",          "picture",
-                                        "picture, read back",   "lens, read back",    "window",
-                                        "copied to the window", "scaled to the window", "first sample of a window",
-                                        "sample of a window",   "sum of samples"};
+    constexpr const char* kEndings[] = {"left on the device",
+                                        "read back",
+                                        "picture",
+                                        "picture, read back",
+                                        "lens, read back",
+                                        "window",
+                                        "copied to the window",
+                                        "scaled to the window",
+                                        "first sample of a window",
+                                        "sample of a window",
+                                        "sum of samples"};
     std::vector<Decision> decisions{{"path", visibilityName(choice.path), {}},
                                     {"shading", nameIn(kShading, choice.shading), {}},
                                     {"samples", samplesText(choice), {}},

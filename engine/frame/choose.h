@@ -34,17 +34,17 @@ enum class Part : std::uint8_t {
 
 /// What becomes of the frame.
 enum class Ending : std::uint8_t {
-    left,             ///< stays on the device
-    readBack,         ///< read by the host
-    picture,          ///< in the image of its picture
-    pictureAndHost,   ///< the same, and read by the host, which finds where more samples are needed
-    throughLens,      ///< that image blurred by depth, read by the host
-    window,           ///< drawn into the window's image
-    copiedToWindow,   ///< copied to the window
-    scaledToWindow,   ///< scaled to the window
-    firstSample,      ///< starts a sum of samples, which is shown in the window
-    nextSample,       ///< adds to such a sum
-    sumToWindow,      ///< shows the sum only: no scene is drawn
+    left,            ///< stays on the device
+    readBack,        ///< read by the host
+    picture,         ///< in the image of its picture
+    pictureAndHost,  ///< the same, and read by the host, which finds where more samples are needed
+    throughLens,     ///< that image blurred by depth, read by the host
+    window,          ///< drawn into the window's image
+    copiedToWindow,  ///< copied to the window
+    scaledToWindow,  ///< scaled to the window
+    firstSample,     ///< starts a sum of samples, which is shown in the window
+    nextSample,      ///< adds to such a sum
+    sumToWindow,     ///< shows the sum only: no scene is drawn
 };
 
 struct FrameRequest {
@@ -160,7 +160,7 @@ enum class EdgePixels : std::uint8_t {
 
 /// Changes of a choice where a tile's list is longer than the device's loops.
 struct Overflow {
-    std::uint32_t longestList = 0;         ///< entries that a list may have; 0: the frame has no lists
+    std::uint32_t longestList = 0;          ///< entries that a list may have; 0: the frame has no lists
     std::uint32_t longestListOfLayers = 0;  ///< beyond, only translucent layers are drawn otherwise
     Visibility path{};
     Refinement refinement{};  ///< not none: the frame is not drawn, and these are

@@ -21,10 +21,9 @@ namespace {
 
 constexpr ScreenTarget kSrgb[] = {{"colour", VK_FORMAT_R8G8B8A8_SRGB, Output::color, "impostor colour"}};
 constexpr ScreenTarget kCoded[] = {{"colour", VK_FORMAT_R8G8B8A8_UNORM, Output::color, "impostor colour"}};
-constexpr ScreenTarget kLayers[] = {
-    {"colour", VK_FORMAT_R32G32B32A32_SFLOAT, Output::color, "impostor colour"},
-    {"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Output::surface, "surface layer"},
-    {"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
+constexpr ScreenTarget kLayers[] = {{"colour", VK_FORMAT_R32G32B32A32_SFLOAT, Output::color, "impostor colour"},
+                                    {"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Output::surface, "surface layer"},
+                                    {"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
 
 // Structured bindings name every member: a new one does not compile until it is compared.
 auto membersOf(const ScreenTarget& t) {
@@ -72,7 +71,7 @@ bool operator==(const FrameShape& a, const FrameShape& b) {
 
 graph::Image Frame::add(const ScreenTarget& target, const FrameShape& shape) {
     const graph::ImageDesc desc{target.format, shape.extent};
-    targets.push_back(target.window               ? graph.importImage(target.image, desc, kWindowState, true)
+    targets.push_back(target.window              ? graph.importImage(target.image, desc, kWindowState, true)
                       : shape.drawsIntoPicture() ? graph.importImage("picture", desc, passes::kTextureState, true)
                                                  : graph.image(target.image, desc));
     return targets.back();

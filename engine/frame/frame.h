@@ -1,6 +1,6 @@
 #pragma once
-// A frame: its graph, and the images and buffers that its passes hand on. frame.cpp declares it from a choice; the files
-// of paths/ and effects/ declare and record the passes.
+// A frame: its graph, and the images and buffers that its passes hand on. frame.cpp declares it from a choice; the
+// files of paths/ and effects/ declare and record the passes.
 
 #include <memory>
 #include <optional>
@@ -72,13 +72,13 @@ struct Frame {
     graph::Graph graph{"screen"};
     std::shared_ptr<const ShownScene> shown;  ///< null: the frame is only planned, and its passes record nothing
     // On every path:
-    graph::Image depth;                   ///< hardware depth
-    graph::Image nearest;                 ///< encoded depth or primitive numbers; `fragdepth`: depth itself
+    graph::Image depth;                            ///< hardware depth
+    graph::Image nearest;                          ///< encoded depth or primitive numbers; `fragdepth`: depth itself
     std::optional<graph::EncodedFormat> encoding;  ///< of `nearest`; none: the depth buffer has the nearest depth
-    graph::Image atlas;                   ///< imported
-    std::optional<graph::Image> shadow;   ///< what the light sees
-    std::vector<graph::Image> targets;    ///< none where compute shades: `numbers` are the picture
-    std::optional<graph::Image> samples;  ///< that the first target is the mean of
+    graph::Image atlas;                            ///< imported
+    std::optional<graph::Image> shadow;            ///< what the light sees
+    std::vector<graph::Image> targets;             ///< none where compute shades: `numbers` are the picture
+    std::optional<graph::Image> samples;           ///< that the first target is the mean of
     // Translucent triangles:
     std::vector<graph::Image> layers;           ///< numbers of the nearest layer first
     std::optional<graph::Buffer> layerNumbers;  ///< the same where compute finds them, imported

@@ -66,12 +66,13 @@ Representation LevelScenes::show(const Representation& whole, const RenderSettin
 }
 
 std::shared_ptr<const Scene> LevelScenes::show(const gpu::Device& device, const std::shared_ptr<const Scene>& scene,
-                                             const RenderSettings& settings, const View& view, bool edges) {
+                                               const RenderSettings& settings, const View& view, bool edges) {
     if (leveled_.lock() != scene) {
         levels_ = sphereLevelsOf(scene->representation);
         leveled_ = scene;
     }
-    return std::make_shared<const Scene>(makeOrderedScene(device, shownBy(scene->representation, settings, view, edges)));
+    return std::make_shared<const Scene>(
+        makeOrderedScene(device, shownBy(scene->representation, settings, view, edges)));
 }
 
 std::vector<CopyLevelCount> LevelScenes::counts() const {

@@ -21,7 +21,7 @@ public:
     /// As above, on the device. The levels are kept while the scene stays. @param edges  have several samples: so
     /// the levels are finer, and what lies between pixels' centres is found
     std::shared_ptr<const Scene> show(const gpu::Device& device, const std::shared_ptr<const Scene>& scene,
-                                     const RenderSettings& settings, const View& view, bool edges);
+                                      const RenderSettings& settings, const View& view, bool edges);
     /// Of the last view.
     std::vector<CopyLevelCount> counts() const;
 

@@ -76,8 +76,9 @@ PreparedFrame PictureFrames::prepare(const FrameRequest& request, FrameInputs in
     if (counted.counted) inputs.fragments = std::make_shared<passes::FragmentCounter>(device_);
     PreparedFrame prepared = frames_.prepare(counted, inputs);
     if (request.part == Part::whole || request.part == Part::layers || request.part == Part::color)
-        asked_ = Asked{request.settings.ofFrame(), request.part,   request.ending,   counted.quarterTurns,
-                       counted.counted,            prepared.facts, prepared.choice()};
+        asked_ = Asked{request.settings.ofFrame(), request.part,    request.ending,
+                       counted.quarterTurns,       counted.counted, prepared.facts,
+                       prepared.choice()};
     return prepared;
 }
 

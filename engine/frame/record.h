@@ -32,12 +32,11 @@ inline passes::NearestFrom fromEarlierPass(const gpu::PipelineContext& c) {
 template <typename Describe>
 graph::Work draws(const Frame& frame, Describe describe) {
     if (!frame.shown) return {};
-    return {[shown = frame.shown, describe](gpu::PassContext& c) {
-                draw(c, *shown->scene, describe(c, *shown->scene));
-            },
-            [shown = frame.shown, describe](gpu::PipelineContext& c) {
-                want(c, *shown->scene, describe(c, *shown->scene));
-            }};
+    return {
+        [shown = frame.shown, describe](gpu::PassContext& c) { draw(c, *shown->scene, describe(c, *shown->scene)); },
+        [shown = frame.shown, describe](gpu::PipelineContext& c) {
+            want(c, *shown->scene, describe(c, *shown->scene));
+        }};
 }
 
 /// As above for the first pass that uses the depth buffer: masked pixels are covered before it.

@@ -107,8 +107,9 @@ double smallestPixels(const SceneSizes& sizes, bool wires, const RenderSettings&
         view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance + view.radius) : 1;
     double smallest = sizes.smallestRadius * view.pixelsPerAngstrom * farthest;
     if (wires)
-        smallest = std::min(smallest, sizes.thinnestWire * static_cast<double>(static_cast<float>(
-                                                               view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom)));
+        smallest =
+            std::min(smallest, sizes.thinnestWire * static_cast<double>(static_cast<float>(
+                                                        view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom)));
     const Contours& outlines = settings.effects.contours;
     return outlines.width > 0 ? std::min(smallest, 0.75 * outlines.width) : smallest;
 }
@@ -230,8 +231,7 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
     seen->buffers = &scene.buffers;
     const bool wires = !scene.representation.wires.empty();
     passes::placeCopies(seen->copies, scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
-                        cullingMargin(settings, view, wires),
-                        meshErrorOf(settings, view), true);
+                        cullingMargin(settings, view, wires), meshErrorOf(settings, view), true);
     seen->perspective = view.projection == Projection::perspective;
     // Where a surface folds, its inner side may look out. Nothing else of it does.
     seen->frontsOnly = scene.solid && !settings.effects.clip.on() && settings.effects.contours.width <= 0 &&

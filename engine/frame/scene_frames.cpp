@@ -84,8 +84,8 @@ void SceneFrames::addLists(PreparedFrame& prepared, const FrameRequest& request,
     work.kept = kTranslucentLayers;
     work.mask = inputs.mask;
     work.longestList = choice.overflow.longestListOfLayers;
-    const std::shared_ptr<const passes::TileFrame> layers = layerTiles_.prepare(
-        shown_->representation, *view.translucent, inputs.view, imageExtent(inputs.view), work);
+    const std::shared_ptr<const passes::TileFrame> layers =
+        layerTiles_.prepare(shown_->representation, *view.translucent, inputs.view, imageExtent(inputs.view), work);
     choice = choice.within(tiles->lists.longest(), layers->lists.longest());
     if (choice.has(Effect::Kind::tileTranslucency)) view.translucent->tiles = layers;
 }
@@ -159,7 +159,8 @@ PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInput
         viewTranslucent(*over, view, scene_->translucent);
         view.translucent = over;
     }
-    passes::selectTriangles(view.copies.triangles, scene_->translucent, layered ? passes::Triangles::opaque : passes::Triangles::solid);
+    passes::selectTriangles(view.copies.triangles, scene_->translucent,
+                            layered ? passes::Triangles::opaque : passes::Triangles::solid);
     addViewFacts(facts, view);
 
     FrameShape& shape = prepared.shape;

@@ -18,11 +18,11 @@ namespace nacre {
 struct FrameInputs {
     const passes::Atlas& atlas;  ///< occlusion computed so far; unused if the settings ask for none
     const View& view;
-    const char* name = "screen";                  ///< of the graph; its images are kept by this name
-    std::span<const ScreenTarget> window{};       ///< the target of a window's frame
+    const char* name = "screen";                                   ///< of the graph; its images are kept by this name
+    std::span<const ScreenTarget> window{};                        ///< the target of a window's frame
     std::shared_ptr<passes::FragmentCounter> fragments = nullptr;  ///< not null: counts fragments
-    const TileMask* mask = nullptr;               ///< only these tiles' pixels matter, on every path
-    const passes::EdgePlaces* places = nullptr;   ///< edge pixels, for Part::edges
+    const TileMask* mask = nullptr;                                ///< only these tiles' pixels matter, on every path
+    const passes::EdgePlaces* places = nullptr;                    ///< edge pixels, for Part::edges
     /// SceneCounts::radiusPixels of the previous window frame, or 0. Hysteresis: small zooms in and out keep their
     /// pipelines.
     std::optional<double> radiusBefore{};

@@ -28,7 +28,7 @@ struct Caps : graph::FrameCaps {
     double nanosecondsPerTick = 1;    ///< per timestamp tick
     std::uint64_t maxStorageBufferBytes = 1u << 27;
     std::uint64_t maxBufferBytes = UINT64_MAX;  ///< per buffer, where the device reports it (VK_KHR_maintenance4)
-    graph::EncodedFormat encodedMaps;  ///< for maps of a bake, which blends
+    graph::EncodedFormat encodedMaps;           ///< for maps of a bake, which blends
     /// Quirk: do not use a pipeline cache. SwiftShader keys shaders by the address of the render pass, and confuses a
     /// destroyed render pass with a new one at the same address.
     bool cacheMixesRenderPasses = false;

@@ -83,7 +83,8 @@ void SceneOcclusion::begin(const OcclusionSettings& settings, const std::optiona
     orDrop([&] {
         if (isOutdated()) drop();
         prepare(settings, onlooker);
-        if (is<Preparing>()) make(device_.caps().asynchronous ? allowed(kWaitedMilliseconds) : Allowance(), Allowance());
+        if (is<Preparing>())
+            make(device_.caps().asynchronous ? allowed(kWaitedMilliseconds) : Allowance(), Allowance());
         if (const auto bake = there(); bake && !bake->shows()) finishFlight(), bake->finish(executor_);
     });
 }

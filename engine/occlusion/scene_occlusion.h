@@ -143,8 +143,8 @@ private:
     Wanted wanted_{};               // request of the bake, or of before_
     BakeOptions options_;           // the request, resolved
     OcclusionMaps automaticMaps_ = OcclusionMaps::fragdepth;
-    DiskCache cache_;               // off: do not cache the bake
-    std::string cacheName_;         // of the bake
+    DiskCache cache_;        // off: do not cache the bake
+    std::string cacheName_;  // of the bake
     double worthKeeping_ = 0;
     std::vector<std::uint8_t>* texels_ = nullptr;  // receives the finished atlas; null: unused
 

@@ -130,7 +130,8 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     frame.lists.build(asked, scenery);
     if (frame.lists.longest() > work.longestList) return free;
     const std::uint32_t walks = seen.rims.any() ? 2 : 1;
-    frame.groups = work.drawn ? groupsOfShapes(*frame.lists.shapes()) : groupsOfTiles(frame.lists, work.shaded, walks, device_.caps().tiles.longestList);
+    frame.groups = work.drawn ? groupsOfShapes(*frame.lists.shapes())
+                              : groupsOfTiles(frame.lists, work.shaded, walks, device_.caps().tiles.longestList);
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;

@@ -80,6 +80,12 @@ class Pages(unittest.TestCase):
                     headings = re.findall(r"^#+ (.+)$", without_code(target.read_text()), re.MULTILINE)
                     self.assertIn(heading, [anchor(h) for h in headings], f"{page.name}: {link}")
 
+    def test_functions_of_the_walk_stand_in_their_files(self):
+        rows = re.findall(r"^\| \d .*?\]\(\.\./([^)]+)\) \| `(\w+)` \|$", (SOURCE / "docs/frame.md").read_text(), re.MULTILINE)
+        self.assertGreaterEqual(len(rows), 9)
+        for file, function in rows:
+            self.assertRegex((SOURCE / file).read_text(), rf"\b{function}\b", file)
+
     def test_pages_and_pictures_are_reached(self):
         linked = {(page.parent / link.partition("#")[0]).resolve()
                   for page in PAGES for link in re.findall(r'(?:\]\(|<img src=")([^)"\s]+)', page.read_text())}

@@ -64,10 +64,16 @@ TEST_F(DeclaredFramesTest, WhateverDiffersIsAnother) {
         [](FrameShape& s) { s.choice.prepass = false, s.choice.path = Visibility::fragdepth; },
         [](FrameShape& s) { s.name = "other"; },
         [](FrameShape& s) { s.choice.path = Visibility::tiles; },
-        [](FrameShape& s) { s.choice.path = Visibility::tiles, s.choice.samples = {Samples::Where::edges, 16}; },
+        [](FrameShape& s) {
+            s.choice.path = Visibility::tiles, s.choice.samples = {Samples::Where::edges, 16};
+        },
         [](FrameShape& s) { s.choice.path = Visibility::deferred, s.choice.effects.add({Effect::Kind::halos}); },
-        [](FrameShape& s) { s.choice.effects.add({Effect::Kind::shadow, 512}); },
-        [](FrameShape& s) { s.choice.effects.add({Effect::Kind::translucency, 2}); },
+        [](FrameShape& s) {
+            s.choice.effects.add({Effect::Kind::shadow, 512});
+        },
+        [](FrameShape& s) {
+            s.choice.effects.add({Effect::Kind::translucency, 2});
+        },
         [](FrameShape& s) { s.choice.debug = DebugView::normals; },
         [](FrameShape& s) { s.choice.ending = Ending::readBack; },
         [](FrameShape& s) { s.window.width = 7; },

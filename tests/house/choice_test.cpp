@@ -12,8 +12,9 @@ namespace nacre::test {
 namespace {
 
 bool decides(const std::string& line) {
-    static const std::regex kDecides(R"re([!=]=\s*(\w+::)?Visibility::\w|Visibility::\w+\s*[!=]=|case (\w+::)?Visibility::|)re"
-                                     R"re(DeviceKind::software\s*[!=]=|[!=]=\s*(\w+::)?DeviceKind::software|caps\w*(\(\))?\.software)re");
+    static const std::regex kDecides(
+        R"re([!=]=\s*(\w+::)?Visibility::\w|Visibility::\w+\s*[!=]=|case (\w+::)?Visibility::|)re"
+        R"re(DeviceKind::software\s*[!=]=|[!=]=\s*(\w+::)?DeviceKind::software|caps\w*(\(\))?\.software)re");
     return std::regex_search(line, kDecides);
 }
 

@@ -54,7 +54,8 @@ const std::vector<Arrows> kArrows = {
      {"engine/software/", "engine/passes/", "engine/scene/", "engine/simd/", "engine/mesh/", "engine/gpu/",
       "engine/graph/", "engine/storage/", "shaders/", "shaders.h"}},
     {"engine/frame/",
-     {"engine/software/", "engine/passes/", "engine/lists/", "engine/scene/", "engine/gpu/", "engine/graph/", "shaders.h"}},
+     {"engine/software/", "engine/passes/", "engine/lists/", "engine/scene/", "engine/gpu/", "engine/graph/",
+      "shaders/", "shaders.h"}},
     {"engine/frame/devices.cpp", {"engine/frame/", "engine/device_caps.h", "engine/gpu/", "engine/graph/"}},
     // The face tells of molecules and scenes, and one of its headers of plans; its sources are the renderer.
     {"engine/*.h", {"engine/molecule/", "engine/scene/"}},

@@ -120,11 +120,10 @@ void declareDebugView(Frame& f, const FrameShape& shape) {
     graph::PassBuilder pass = f.graph.graphics("debug view");
     pass.samples(shown.source);
     if (shown.under) pass.samples(*shown.under);
-    pass.color(picture, target.clear)
-        .record(records(f, [=](gpu::PassContext& c, const SceneView& scene) {
-            passes::drawDebugView(c, scene, view, kDebugTile, c.view(shown.source),
-                                  shown.under ? c.view(*shown.under) : vk::ImageView());
-        }));
+    pass.color(picture, target.clear).record(records(f, [=](gpu::PassContext& c, const SceneView& scene) {
+        passes::drawDebugView(c, scene, view, kDebugTile, c.view(shown.source),
+                              shown.under ? c.view(*shown.under) : vk::ImageView());
+    }));
 }
 
 }  // namespace nacre

@@ -48,8 +48,8 @@ void declareDeferred(Frame& f, const FrameShape& shape) {
         if (drawnRims) shading.input(*drawnRims);
         f.lit(shading)
             .color(f.add(target, shape), target.clear)
-            .record(draws(f, [=, atlas = f.atlas, numbers = f.nearest, output = target.output,
-                              clear = target.clear](const auto& c, const SceneView&) {
+            .record(draws(f, [=, atlas = f.atlas, numbers = f.nearest, output = target.output, clear = target.clear](
+                                 const auto& c, const SceneView&) {
                 passes::DeferredPass pass{output, readsOf(c, fromEarlierPass(c), atlas, numbers)};
                 if (drawnRims) pass.rims = passes::DeferredRims{viewOf(c, *drawnRims), clear};
                 return pass;

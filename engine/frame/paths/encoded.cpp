@@ -56,10 +56,10 @@ void declareEncoded(Frame& f, const FrameShape& shape) {
         graph::PassBuilder shading = f.graph.graphics(target.pass);
         settles ? shading.depth(f.depth) : shading.depthTest(f.depth);
         f.lit(shading.input(f.nearest)).color(image, target.clear);
-        shading.record(draws(f, [=, output = target.output, encoding = passes::Encoding(format)](const auto& c,
-                                                                                              const SceneView&) {
-            return shadedImpostors(output, readsOf(c, fromEarlierPass(c), atlas, nearest), encoding, settles);
-        }));
+        shading.record(
+            draws(f, [=, output = target.output, encoding = passes::Encoding(format)](const auto& c, const SceneView&) {
+                return shadedImpostors(output, readsOf(c, fromEarlierPass(c), atlas, nearest), encoding, settles);
+            }));
     }
 }
 

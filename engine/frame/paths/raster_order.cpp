@@ -37,8 +37,7 @@ passes::GeometryPass impostorsAtNearest(Output output, const passes::Reads& read
 void declareRasterOrder(Frame& f, const FrameShape& shape) {
     declarePrepass(f, f.depth);
     f.encoding = graph::EncodedFormat();
-    f.nearest = f.graph.image("nearest depth",
-                              {VK_FORMAT_R32_SFLOAT, shape.extent, shape.choice.attachmentSamples()});
+    f.nearest = f.graph.image("nearest depth", {VK_FORMAT_R32_SFLOAT, shape.extent, shape.choice.attachmentSamples()});
     const graph::Image atlas = f.atlas, nearest = f.nearest;
     constexpr std::uint32_t kNarrow = 8;  // bytes of colour: the depth beside it fits every tile
     if (shape.targets.size() == 1 && graph::bytesPerTexel(shape.targets[0].format) <= kNarrow) {

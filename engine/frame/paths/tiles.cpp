@@ -1,7 +1,7 @@
 #include "engine/frame/paths/paths.h"
 #include "engine/frame/record.h"
-#include "engine/software/tile_lists.h"
 #include "engine/software/tile_edges.h"
+#include "engine/software/tile_lists.h"
 #include "engine/software/tile_passes.h"
 
 namespace nacre {
@@ -34,8 +34,8 @@ void declareShadedByCompute(Frame& f, const FrameShape& shape) {
     if (choice.edgePixels == EdgePixels::alone) {
         f.graph.compute("nearest primitive").writes(*f.edges).record(nearestByTiles(f));
     } else {
-        graph::PassBuilder nearest = f.graph.compute(choice.rims() ? "nearest primitive, lines and halos, shaded"
-                                                                   : "nearest primitive, shaded");
+        graph::PassBuilder nearest =
+            f.graph.compute(choice.rims() ? "nearest primitive, lines and halos, shaded" : "nearest primitive, shaded");
         f.lit(nearest).writes(f.numbers);
         if (f.edges) nearest.writes(*f.edges);
         nearest.record(draws(f, [atlas = f.atlas](const auto& c, const SceneView&) {

@@ -32,12 +32,11 @@ void declareShadow(Frame& f, const FrameChoice& choice) {
     f.shadow = f.graph.image("shadow map", {VK_FORMAT_D32_SFLOAT, {side, side}});
     graph::Work work;
     if (f.shown)
-        work = {[shown = f.shown](gpu::PassContext& c) {
-                    passes::draw(c, *shown->scene->light, passes::nearestDepth());
-                },
-                [shown = f.shown](gpu::PipelineContext& c) {
-                    passes::want(c, *shown->scene->light, passes::nearestDepth());
-                }};
+        work = {
+            [shown = f.shown](gpu::PassContext& c) { passes::draw(c, *shown->scene->light, passes::nearestDepth()); },
+            [shown = f.shown](gpu::PipelineContext& c) {
+                passes::want(c, *shown->scene->light, passes::nearestDepth());
+            }};
     f.graph.graphics(kShadowPass).depth(*f.shadow, graph::Clear{1.0f}).record(work);
 }
 

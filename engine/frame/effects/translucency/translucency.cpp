@@ -29,9 +29,8 @@ void declareLayersByTiles(Frame& f, const FrameShape& shape) {
     f.layerNumbers = f.graph.importBuffer("translucent layers", 2 * sizeof(std::uint32_t) * pixels);
     f.graph.compute("translucent layers")
         .writes(*f.layerNumbers)
-        .record(records(f, [](gpu::PassContext& c, const SceneView& scene) {
-            passes::findLayersByTiles(c, *scene.translucent);
-        }));
+        .record(records(
+            f, [](gpu::PassContext& c, const SceneView& scene) { passes::findLayersByTiles(c, *scene.translucent); }));
 }
 
 }  // namespace
@@ -70,13 +69,12 @@ void declareTranslucentColors(Frame& f, const FrameShape& shape) {
         f.lit(pass.samples(f.layers[i]));
         f.encoding ? pass.input(f.nearest) : pass.depthTest(f.depth);
         pass.color(f.targets[0])
-            .record(records(f, [atlas = f.atlas, numbers = f.layers[i], encoding = f.encoding,
-                                nearest = f.nearest](gpu::PassContext& c, const SceneView& scene) {
+            .record(records(f, [atlas = f.atlas, numbers = f.layers[i], encoding = f.encoding, nearest = f.nearest](
+                                   gpu::PassContext& c, const SceneView& scene) {
                 passes::DeferredPass layer{passes::Output::color, readsOf(c, NearestFrom::texture, atlas, numbers)};
                 layer.over = passes::LayerOver();
                 if (encoding)
-                    layer.over =
-                        passes::LayerOver{fromEarlierPass(c), c.view(nearest), passes::Encoding(*encoding)};
+                    layer.over = passes::LayerOver{fromEarlierPass(c), c.view(nearest), passes::Encoding(*encoding)};
                 passes::draw(c, *scene.translucent, layer);
             }));
     }
