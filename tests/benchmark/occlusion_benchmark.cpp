@@ -18,6 +18,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "engine/frame/choose.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/occlusion/bake.h"
@@ -56,7 +57,7 @@ struct Stage {
         scene = represent(molecule, drawnAtoms(molecule), {Style::spacefill});
         buffers = passes::makeSceneBuffers(device, scene);
     }
-    OcclusionMaps deviceMaps() const { return device.caps().software ? OcclusionMaps::tiles : OcclusionMaps::encoded; }
+    OcclusionMaps deviceMaps() const { return chooseOcclusionMaps(device.caps()); }
     std::unique_ptr<occlusion::Bake> bake(int directions, OcclusionMaps maps) {
         const occlusion::BakeOptions options{directions, 64ull << 20, maps};
         return std::make_unique<occlusion::Bake>(device, buffers, scene, options);
