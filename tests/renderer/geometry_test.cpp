@@ -42,13 +42,13 @@ std::uint32_t outputBytes(std::span<const std::uint32_t> words) {
     return sum;
 }
 
-Frame frameOf(Visibility path) { return frameOf(shapeOf(path, {1170, 2532})); }
+Frame frameBy(Visibility path) { return frameOf(shapeOf(path, {1170, 2532})); }
 
 /// Varyings of a corner in a pass of a path.
 enum Kind { sphere, cylinder, triangle };
 std::uint64_t bytesOfCorner(Visibility path, std::size_t pass, Kind kind) {
     const SceneCounts one{kind == sphere, kind == cylinder, kind == triangle, 1, false};
-    const auto geometry = geometryOf(frameOf(path).graph, one, {}, PlateShape::square, ImpostorShape::square);
+    const auto geometry = geometryOf(frameBy(path).graph, one, {}, PlateShape::square, ImpostorShape::square);
     return geometry[pass].varyingBytes / geometry[pass].vertices;
 }
 
@@ -76,7 +76,7 @@ TEST(Geometry, PassesNumbersWhereVertexOutputsGoThroughMemory) {
     constexpr std::uint32_t kPosition = 16;
     const auto corner = [&](std::size_t pass, const SceneCounts& one) {
         const auto geometry =
-            geometryOf(frameOf(Visibility::encoded).graph, one, mali, PlateShape::square, ImpostorShape::square);
+            geometryOf(frameBy(Visibility::encoded).graph, one, mali, PlateShape::square, ImpostorShape::square);
         return geometry[pass].varyingBytes / geometry[pass].vertices;
     };
     const std::uint32_t fetched = outputBytes(shaders::lookSphereFetchedVertex);
@@ -93,7 +93,7 @@ TEST(Geometry, OfALargeProteinIsAQuarterOfWhatPyramidsWithoutIndicesTook) {
     const graph::GeometryCaps& mali = graph::capabilitySet("mali").plan.geometry;
     ASSERT_TRUE(mali.storesVaryings);
     const PassGeometry sum = sumOf(
-        geometryOf(frameOf(Visibility::encoded).graph, counts, mali, PlateShape::automatic, ImpostorShape::automatic));
+        geometryOf(frameBy(Visibility::encoded).graph, counts, mali, PlateShape::automatic, ImpostorShape::automatic));
     EXPECT_EQ(sum.varyingBytes, 58'870u * (8 * 16 + 4 * 32 + 4 * 32));
     EXPECT_LE(4 * sum.varyingBytes, 58'870u * 2'208u);
 }
