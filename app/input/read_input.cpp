@@ -2,11 +2,13 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <glm/geometric.hpp>
+#include <span>
 #include <string_view>
 
 #include "app/files/messages.h"
@@ -51,6 +53,25 @@ double spreadOf(const std::vector<glm::dvec3>& points) {
     return std::sqrt(squares / static_cast<double>(points.size()));
 }
 
+std::string threeDecimals(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.3f", value);
+    return text;
+}
+
+/// " (chain A on B, C on D)": which chains were paired, at most six of them.
+std::string chainsOf(const Molecule& molecule, const AtomPairs& pairs) {
+    constexpr std::size_t kMostNamed = 6;
+    std::string text;
+    for (const auto& [moving, fixed] : std::span(pairs.chains).first(std::min(pairs.chains.size(), kMostNamed))) {
+        const std::string &from = molecule.chains[moving].name, &to = molecule.chains[fixed].name;
+        if (from.empty() || to.empty()) continue;
+        text += (text.empty() ? " (chain " : ", ") + from + " on " + to;
+    }
+    if (pairs.chains.size() > kMostNamed) text += ", ...";
+    return text.empty() ? text : text + ")";
+}
+
 std::string fitInput(Molecule& molecule, const FitOptions& fit) {
     const std::vector<bool> moving = selectAtoms(molecule, fit.moving), fixed = selectAtoms(molecule, fit.fixed);
     const int moved = inputOf(molecule, moving, fit.moving);
@@ -63,21 +84,24 @@ std::string fitInput(Molecule& molecule, const FitOptions& fit) {
     std::vector<glm::dvec3> from, to;
     for (const std::uint32_t atom : pairs.first) from.emplace_back(molecule.atoms[atom].position);
     for (const std::uint32_t atom : pairs.second) to.emplace_back(molecule.atoms[atom].position);
-    const Superposition onto = superpose(to, from);
+    const PrunedSuperposition fitted = superposePruned(to, from);
     for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
         if (modelOf(molecule, i) == moved)
-            molecule.atoms[i].position = glm::vec3(onto(glm::dvec3(molecule.atoms[i].position)));
+            molecule.atoms[i].position = glm::vec3(fitted.motion(glm::dvec3(molecule.atoms[i].position)));
     // Less related molecules give worse fits than these.
     constexpr double kFarApart = 3, kShareOfSpread = 0.6;  // Å
     const bool unlike = 10 * pairs.sameResidues < 3 * pairs.residues;
-    if (onto.rmsd > kFarApart && (unlike || onto.rmsd > kShareOfSpread * spreadOf(to)))
+    if (fitted.rmsdOfAll > kFarApart && (unlike || fitted.rmsdOfAll > kShareOfSpread * spreadOf(to)))
         sayWarning("the fit of " + fit.moving.text + " onto " + fit.fixed.text +
                    " may make no sense: " + std::to_string(pairs.sameResidues) + " of " +
                    std::to_string(pairs.residues) + " residues have a counterpart, and atoms end far from theirs");
-    char rmsd[40];
-    std::snprintf(rmsd, sizeof rmsd, "%.3f", onto.rmsd);
-    return "fit of " + fit.moving.text + " onto " + fit.fixed.text + ": " + std::to_string(pairs.first.size()) +
-           " pairs of atoms, RMSD " + rmsd + " Å";
+    std::string said = "fit of " + fit.moving.text + " onto " + fit.fixed.text + chainsOf(molecule, pairs) + ": " +
+                       std::to_string(pairs.first.size()) + " pairs of atoms, RMSD " + threeDecimals(fitted.rmsdOfAll) +
+                       " Å";
+    if (fitted.count < pairs.first.size())
+        said += "; " + std::to_string(fitted.count) + " pairs, RMSD " + threeDecimals(fitted.motion.rmsd) +
+                " Å without " + std::to_string(pairs.first.size() - fitted.count) + " outliers";
+    return said;
 }
 
 /// A file that is open goes by its own name. @throws Error

@@ -126,7 +126,7 @@ void parseColoringPart(std::string_view text, Coloring& coloring) {
     const PaletteUse use = paletteUse(coloring.scheme);
     if (const auto range = parseColorRange(text)) {
         if (!takesRange(coloring.scheme))
-            throw std::invalid_argument("'" + name + "' takes no range; b-factor and occupancy do");
+            throw std::invalid_argument("'" + name + "' takes no range; b-factor, occupancy and rmsd do");
         coloring.range = range;
     } else if (const auto palette = paletteFromName(lowerCase(text))) {
         if (use != (isRamp(*palette) ? PaletteUse::ramp : PaletteUse::kinds))

@@ -117,7 +117,8 @@ std::vector<Option> named() {
          .syntax = "SEL SEL",
          .standard = "none",
          .help = "Superpose one INPUT on another: the atoms that move, then the atoms they move to,\n"
-                 "paired by sequence and name; reports the RMSD; repeatable",
+                 "paired by chain, sequence and name; polymers alone, if both have some; without the outliers beyond\n"
+                 "twice the RMSD, which is reported with and without them; repeatable",
          .topic = Topic::fit,
          .parse = parseFit,
          .print = printFits,

@@ -1,12 +1,19 @@
 #include "engine/molecule/matched_atoms.h"
 
 #include <algorithm>
+#include <cmath>
+#include <compare>
+#include <glm/geometric.hpp>
+#include <map>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/superpose.h"
 
 namespace nacre {
 namespace {
@@ -41,6 +48,9 @@ constexpr int kSameName = 5, kOtherName = -4, kGapBegin = -11, kGapMore = -1;
 struct Unit {
     Name name;
     std::size_t letter = std::string_view::npos;  ///< index into kLetters, if it is an amino acid of these
+    friend auto operator<=>(const Unit& a, const Unit& b) {
+        return std::tie(a.letter, a.name.bytes) <=> std::tie(b.letter, b.name.bytes);
+    }
 };
 
 int scoreOf(const Unit& a, const Unit& b) {
@@ -57,6 +67,8 @@ public:
         : a_(a), b_(b), from_(a.size() * b.size()), best_(b.size() + 1), gapInB_(b.size() + 1, kGapBegin) {
         for (std::size_t i = 0; i < a_.size(); ++i) fillRow(i);
     }
+
+    int score() const { return endScore_; }
 
     std::vector<std::pair<std::size_t, std::size_t>> pairs() const {
         std::vector<std::pair<std::size_t, std::size_t>> pairs;
@@ -162,27 +174,217 @@ std::vector<std::uint32_t> namedAtoms(const Molecule& molecule, const Residue& r
     return atoms;
 }
 
+/// Selected residues of one chain.
+struct Strand {
+    std::vector<std::uint32_t> residues;
+    std::vector<Unit> sequence;
+};
+
+/// Two strands' paired residues, as positions in them.
+struct StrandPair {
+    std::size_t first = 0, second = 0;  ///< strands
+    double rmsd = 0;                    ///< of the first paired atoms of each residue, as placed
+};
+
+using ResiduePairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// What two sequences have in common.
+struct Likeness {
+    ResiduePairs pairs;
+    int score = 0;
+    std::size_t same = 0;  ///< pairs of equal names
+};
+
+/// Pairs the strands of two selections.
+class StrandMatch {
+public:
+    StrandMatch(const Molecule& molecule, const std::vector<bool>& inFirst, const std::vector<bool>& inSecond,
+                bool byChain)
+        : molecule_(molecule),
+          inFirst_(inFirst),
+          inSecond_(inSecond),
+          byChain_(byChain),
+          first_(strandsOf(inFirst)),
+          second_(strandsOf(inSecond)) {}
+
+    AtomPairs pairs(Placing placing) {
+        if (first_.empty() || second_.empty()) return {};
+        std::vector<StrandPair> chosen;
+        if (first_.size() == 1 && second_.size() == 1)
+            chosen.push_back({});
+        else if (placing == Placing::settled)
+            chosen = nearest({}, Superposition{}, kAnyDistance);
+        else
+            chosen = bestStart();
+        std::sort(chosen.begin(), chosen.end(),
+                  [](const StrandPair& l, const StrandPair& r) { return l.first < r.first; });
+        return atomsOf(chosen);
+    }
+
+private:
+    static constexpr double kNear = 8, kAnyDistance = 1e9;  // Å
+
+    std::vector<Strand> strandsOf(const std::vector<bool>& selected) const {
+        std::vector<Strand> strands;
+        std::map<std::uint32_t, std::size_t> ofChain;
+        for (const std::uint32_t residue : residuesOf(molecule_, selected)) {
+            const std::uint32_t chain = byChain_ ? molecule_.residues[residue].chain : 0;
+            const auto [at, added] = ofChain.emplace(chain, strands.size());
+            if (added) strands.emplace_back();
+            strands[at->second].residues.push_back(residue);
+        }
+        for (Strand& strand : strands) strand.sequence = sequenceOf(molecule_, strand.residues);
+        return strands;
+    }
+
+    /// Computed once for each pair of different sequences.
+    const Likeness& likeness(std::size_t first, std::size_t second) {
+        const std::vector<Unit>&a = first_[first].sequence, &b = second_[second].sequence;
+        const auto [at, added] = known_.try_emplace({a, b});
+        if (!added) return at->second;
+        const Alignment alignment(a, b);
+        Likeness like{alignment.pairs(), alignment.score()};
+        for (const auto& [i, j] : like.pairs) like.same += a[i].name == b[j].name;
+        return at->second = std::move(like);
+    }
+
+    bool alike(std::size_t first, std::size_t second) {
+        const std::size_t shorter = std::min(first_[first].residues.size(), second_[second].residues.size());
+        const Likeness& like = likeness(first, second);
+        return like.pairs.size() >= 3 && 10 * like.same >= 3 * shorter;
+    }
+
+    void addAtoms(const StrandPair& pair, AtomPairs& atoms) {
+        const Strand &a = first_[pair.first], &b = second_[pair.second];
+        for (const auto& [i, j] : likeness(pair.first, pair.second).pairs) {
+            const Residue &residue = molecule_.residues[a.residues[i]], &other = molecule_.residues[b.residues[j]];
+            const std::vector<std::uint32_t> others = namedAtoms(molecule_, other, inSecond_);
+            for (const std::uint32_t atom : namedAtoms(molecule_, residue, inFirst_))
+                for (const std::uint32_t like : others) {
+                    if (molecule_.atoms[atom].name != molecule_.atoms[like].name) continue;
+                    atoms.first.push_back(atom);
+                    atoms.second.push_back(like);
+                }
+        }
+    }
+
+    AtomPairs atomsOf(const std::vector<StrandPair>& chosen) {
+        AtomPairs atoms;
+        for (const StrandPair& pair : chosen) {
+            addAtoms(pair, atoms);
+            const Strand &a = first_[pair.first], &b = second_[pair.second];
+            atoms.residues += std::min(a.residues.size(), b.residues.size());
+            atoms.sameResidues += likeness(pair.first, pair.second).same;
+            if (byChain_)
+                atoms.chains.emplace_back(molecule_.residues[a.residues.front()].chain,
+                                          molecule_.residues[b.residues.front()].chain);
+        }
+        return atoms;
+    }
+
+    Superposition superposed(const AtomPairs& atoms) const {
+        std::vector<glm::dvec3> from, to;
+        for (const std::uint32_t atom : atoms.first) from.emplace_back(molecule_.atoms[atom].position);
+        for (const std::uint32_t atom : atoms.second) to.emplace_back(molecule_.atoms[atom].position);
+        return to.empty() ? Superposition{} : superpose(to, from);
+    }
+
+    /// Of the first paired atom of each residue.
+    double rmsdOf(const StrandPair& pair, const Superposition& motion) {
+        double squares = 0;
+        std::size_t count = 0;
+        for (const auto& [i, j] : likeness(pair.first, pair.second).pairs) {
+            const std::optional<glm::dvec3> a = placeOf(first_[pair.first].residues[i], inFirst_);
+            const std::optional<glm::dvec3> b = placeOf(second_[pair.second].residues[j], inSecond_);
+            if (!a || !b) continue;
+            const glm::dvec3 d = motion(*a) - *b;
+            squares += glm::dot(d, d);
+            ++count;
+        }
+        return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : kAnyDistance;
+    }
+
+    /// The alpha carbon or the phosphorus, else the first selected atom.
+    std::optional<glm::dvec3> placeOf(std::uint32_t index, const std::vector<bool>& selected) const {
+        const Residue& residue = molecule_.residues[index];
+        std::optional<glm::dvec3> place;
+        for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
+            if (!selected[i]) continue;
+            const Name& name = molecule_.atoms[i].name;
+            if (name == Name("CA") || name == Name("P")) return glm::dvec3(molecule_.atoms[i].position);
+            if (!place) place = glm::dvec3(molecule_.atoms[i].position);
+        }
+        return place;
+    }
+
+    /// Adds the nearest pairs of like strands to those that are settled.
+    std::vector<StrandPair> nearest(std::vector<StrandPair> settled, const Superposition& motion, double most) {
+        std::vector<StrandPair> near;
+        for (std::size_t i = 0; i < first_.size(); ++i)
+            for (std::size_t j = 0; j < second_.size(); ++j) {
+                if (!alike(i, j)) continue;
+                StrandPair pair{i, j};
+                pair.rmsd = rmsdOf(pair, motion);
+                if (pair.rmsd <= most) near.push_back(pair);
+            }
+        std::stable_sort(near.begin(), near.end(),
+                         [](const StrandPair& l, const StrandPair& r) { return l.rmsd < r.rmsd; });
+        for (const StrandPair& pair : near) {
+            const bool taken = std::any_of(settled.begin(), settled.end(), [&](const StrandPair& other) {
+                return other.first == pair.first || other.second == pair.second;
+            });
+            if (!taken) settled.push_back(pair);
+        }
+        return settled;
+    }
+
+    /// Tries each best pair of strands as the first.
+    std::vector<StrandPair> bestStart() {
+        StrandPair top;
+        for (std::size_t i = 0; i < first_.size(); ++i)
+            for (std::size_t j = 0; j < second_.size(); ++j)
+                if (likeness(i, j).score > likeness(top.first, top.second).score) top = {i, j};
+        std::vector<StrandPair> best;
+        std::size_t most = 0;
+        double rmsd = kAnyDistance;
+        for (std::size_t j = 0; j < second_.size(); ++j) {
+            if (likeness(top.first, j).score < likeness(top.first, top.second).score) continue;
+            AtomPairs start;
+            addAtoms({top.first, j}, start);
+            const std::vector<StrandPair> found = nearest({{top.first, j}}, superposed(start), kNear);
+            const AtomPairs atoms = atomsOf(found);
+            const double rmsdOfAll = superposed(atoms).rmsd;
+            if (atoms.first.size() < most || (atoms.first.size() == most && rmsdOfAll >= rmsd)) continue;
+            best = found;
+            most = atoms.first.size();
+            rmsd = rmsdOfAll;
+        }
+        return best;
+    }
+
+    const Molecule& molecule_;
+    const std::vector<bool>&inFirst_, &inSecond_;
+    bool byChain_;
+    std::vector<Strand> first_, second_;
+    std::map<std::pair<std::vector<Unit>, std::vector<Unit>>, Likeness> known_;
+};
+
+bool anyPolymer(const ResidueFacts& facts, const std::vector<bool>& selected) {
+    for (std::uint32_t i = 0; i < selected.size(); ++i)
+        if (selected[i] && facts.isPolymer(facts.molecule().atoms[i].residue)) return true;
+    return false;
+}
+
 }  // namespace
 
-AtomPairs matchAtoms(const ResidueFacts& facts, const std::vector<bool>& first, const std::vector<bool>& second) {
+AtomPairs matchAtoms(const ResidueFacts& facts, const std::vector<bool>& first, const std::vector<bool>& second,
+                     Placing placing) {
     const Molecule& molecule = facts.molecule();
-    const std::vector<bool> inFirst = inDrawnConformer(facts, first), inSecond = inDrawnConformer(facts, second);
-    const std::vector<std::uint32_t> a = residuesOf(molecule, inFirst), b = residuesOf(molecule, inSecond);
-    AtomPairs pairs;
-    pairs.residues = std::min(a.size(), b.size());
-    const std::vector<Unit> one = sequenceOf(molecule, a), two = sequenceOf(molecule, b);
-    for (const auto& [i, j] : Alignment(one, two).pairs()) {
-        const Residue &residue = molecule.residues[a[i]], &other = molecule.residues[b[j]];
-        pairs.sameResidues += residue.name == other.name ? 1 : 0;
-        const std::vector<std::uint32_t> others = namedAtoms(molecule, other, inSecond);
-        for (const std::uint32_t atom : namedAtoms(molecule, residue, inFirst))
-            for (const std::uint32_t like : others) {
-                if (molecule.atoms[atom].name != molecule.atoms[like].name) continue;
-                pairs.first.push_back(atom);
-                pairs.second.push_back(like);
-            }
-    }
-    return pairs;
+    std::vector<bool> inFirst = inDrawnConformer(facts, first), inSecond = inDrawnConformer(facts, second);
+    const bool polymer = anyPolymer(facts, inFirst) && anyPolymer(facts, inSecond);
+    for (std::uint32_t i = 0; polymer && i < inFirst.size(); ++i)
+        if (!facts.isPolymer(molecule.atoms[i].residue)) inFirst[i] = inSecond[i] = false;
+    return StrandMatch(molecule, inFirst, inSecond, polymer).pairs(placing);
 }
 
 }  // namespace nacre

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "engine/molecule/residue_facts.h"
@@ -9,11 +10,21 @@ namespace nacre {
 
 /// Atoms of one selection and their counterparts in another, in pairs.
 struct AtomPairs {
-    std::vector<std::uint32_t> first, second;  ///< same length
-    std::size_t residues = 0;                  ///< of the selection with fewer
-    std::size_t sameResidues = 0;              ///< residue pairs with equal names
+    std::vector<std::uint32_t> first, second;                     ///< same length
+    std::size_t residues = 0;                                     ///< of the shorter side of each pair of chains
+    std::size_t sameResidues = 0;                                 ///< residue pairs with equal names
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> chains;  ///< pairs of chains; empty beside polymers
 };
 
+/// Whether the first selection will be moved onto the second, or stands there already.
+enum class Placing : std::uint8_t { free, settled };
+
+/// If both selections have atoms of proteins or nucleic acids, pairs those alone, chain by chain. The chains whose
+/// sequences score best are the first pair; of equal ones the pair whose superposition brings most residues together
+/// (with the lowest RMSD if that is equal, too). Other chains with at least 30 % equal residues are paired where that
+/// superposition brings them to within 8 Å RMSD, nearest first. Settled molecules stay as they are, and the nearest
+/// like chains are paired.
+///
 /// Pairs residues by global sequence alignment (O. Gotoh, J. Mol. Biol. 162 (1982) 705): amino acids score by BLOSUM62
 /// (S. Henikoff and J. G. Henikoff, PNAS 89 (1992) 10915), modified ones as their parents; other residues score 5 for
 /// equal names and -4 for different ones. The first residue of a gap costs 11, each further one 1, end gaps nothing.
@@ -21,6 +32,7 @@ struct AtomPairs {
 /// it. Ignores waters.
 /// @param first, second  one value per atom
 /// @throws Error if a selection has more than 20,000 residues
-AtomPairs matchAtoms(const ResidueFacts& facts, const std::vector<bool>& first, const std::vector<bool>& second);
+AtomPairs matchAtoms(const ResidueFacts& facts, const std::vector<bool>& first, const std::vector<bool>& second,
+                     Placing placing = Placing::free);
 
 }  // namespace nacre

@@ -91,4 +91,29 @@ Superposition superpose(std::span<const glm::dvec3> fixed, std::span<const glm::
     return s;
 }
 
+PrunedSuperposition superposePruned(std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving) {
+    constexpr int kMostRounds = 5;
+    constexpr double kOutlier = 2, kAlwaysKept = 0.1;  // times the RMSD; Å
+    PrunedSuperposition pruned;
+    pruned.motion = superpose(fixed, moving);
+    pruned.rmsdOfAll = pruned.motion.rmsd;
+    pruned.kept.assign(fixed.size(), 1);
+    pruned.count = fixed.size();
+    for (int round = 0; round < kMostRounds; ++round) {
+        std::vector<glm::dvec3> to, from;
+        const double most = std::max(kOutlier * pruned.motion.rmsd, kAlwaysKept);
+        for (std::size_t i = 0; i < fixed.size(); ++i) {
+            if (!pruned.kept[i]) continue;
+            pruned.kept[i] = glm::distance(pruned.motion(moving[i]), fixed[i]) <= most;
+            if (!pruned.kept[i]) continue;
+            to.push_back(fixed[i]);
+            from.push_back(moving[i]);
+        }
+        if (to.size() == pruned.count) break;
+        pruned.count = to.size();
+        pruned.motion = superpose(to, from);
+    }
+    return pruned;
+}
+
 }  // namespace nacre

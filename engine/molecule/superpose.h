@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <span>
+#include <vector>
 
 namespace nacre {
 
@@ -17,5 +19,18 @@ struct Superposition {
 /// By quaternion characteristic polynomial (Theobald 2005), gemmi's. Never mirrors.
 /// @param fixed, moving  same length, at least one
 Superposition superpose(std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving);
+
+/// A superposition of the pairs that fit, without the outliers.
+struct PrunedSuperposition {
+    Superposition motion;            ///< of the pairs that are kept
+    double rmsdOfAll = 0;            ///< of the superposition of all pairs
+    std::vector<std::uint8_t> kept;  ///< by pair: 1 if it is kept
+    std::size_t count = 0;           ///< pairs that are kept
+};
+
+/// Rejects outliers as PyMOL's `align` does: superposes, rejects the pairs farther apart than twice the RMSD (and
+/// than 0.1 Å), and repeats that up to five times, until none is rejected.
+/// @param fixed, moving  same length, at least one
+PrunedSuperposition superposePruned(std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving);
 
 }  // namespace nacre

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/molecule/residue_distances.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/build/chain_entities.h"
 #include "engine/scene/color/color_classes.h"
@@ -49,6 +50,7 @@ constexpr SchemeName kNames[] = {{"element", ColorScheme::element},
                                  {"plddt", ColorScheme::plddt},
                                  {"rainbow", ColorScheme::rainbow},
                                  {"occupancy", ColorScheme::occupancy},
+                                 {"rmsd", ColorScheme::rmsd},
                                  {"entity", ColorScheme::entity}};
 
 /// Two decimals at most, no more than are needed.
@@ -138,6 +140,37 @@ ColoredAtoms byBFactor(const Molecule& molecule, Atoms atoms, const Coloring& co
     const ColorRange range = coloring.range ? *coloring.range : usualRange(std::move(values));
     ColoredAtoms result = byNumber(atoms, rampOf(coloring, Palette::sunset), range, valueOf);
     if (range.first == range.last) result.warning = "nearly all B factors are " + shortNumber(range.first);
+    return result;
+}
+
+/// By the distance of each residue from its counterpart, from 0 to the 98th percentile. Grey without one.
+ColoredAtoms byFitDistance(const ResidueFacts& facts, Atoms atoms, const Coloring& coloring) {
+    const Molecule& molecule = facts.molecule();
+    const std::vector<double> distances = residueDistances(facts);
+    const auto valueOf = [&](std::uint32_t atom) { return distances[molecule.atoms[atom].residue]; };
+    std::vector<std::uint32_t> paired;
+    std::vector<double> values;
+    for (const std::uint32_t atom : atoms)
+        if (!std::isnan(valueOf(atom))) {
+            paired.push_back(atom);
+            values.push_back(valueOf(atom));
+        }
+    ColoredAtoms result;
+    if (paired.empty()) {
+        result.warning = "no residue has a counterpart in another INPUT";
+        result.colors.assign(atoms.size(), kOutside);
+        result.legend = {{"without a counterpart", kOutside}};
+        return result;
+    }
+    const ColorRange range = coloring.range.value_or(ColorRange{0, usualRange(std::move(values)).last});
+    result = byNumber(paired, rampOf(coloring, Palette::sunset), range, valueOf);
+    if (paired.size() == atoms.size()) return result;
+    std::vector<std::uint32_t> colors;
+    std::size_t next = 0;
+    for (const std::uint32_t atom : atoms)
+        colors.push_back(std::isnan(valueOf(atom)) ? kOutside : result.colors[next++]);
+    result.colors = std::move(colors);
+    result.legend.push_back({"without a counterpart", kOutside});
     return result;
 }
 
@@ -279,6 +312,7 @@ PaletteUse paletteUse(ColorScheme scheme) {
         case ColorScheme::bFactor:
         case ColorScheme::rainbow:
         case ColorScheme::occupancy:
+        case ColorScheme::rmsd:
         case ColorScheme::table:
             return PaletteUse::ramp;
         default:
@@ -286,7 +320,9 @@ PaletteUse paletteUse(ColorScheme scheme) {
     }
 }
 
-bool takesRange(ColorScheme scheme) { return scheme == ColorScheme::bFactor || scheme == ColorScheme::occupancy; }
+bool takesRange(ColorScheme scheme) {
+    return scheme == ColorScheme::bFactor || scheme == ColorScheme::occupancy || scheme == ColorScheme::rmsd;
+}
 
 std::string coloringText(const Coloring& coloring) {
     if (coloring.scheme == ColorScheme::table) return coloring.table ? coloring.table->title : coloring.source;
@@ -307,6 +343,8 @@ ColoredAtoms colorAtoms(const ResidueFacts& facts, Atoms atoms, const Coloring& 
         case ColorScheme::occupancy:
             return byNumber(atoms, rampOf(coloring, Palette::viridis), coloring.range.value_or(ColorRange{0, 1}),
                             [&](std::uint32_t atom) { return static_cast<double>(molecule.atoms[atom].occupancy); });
+        case ColorScheme::rmsd:
+            return byFitDistance(facts, atoms, coloring);
         case ColorScheme::rainbow:
             return byRainbow(facts, atoms, rampOf(coloring, Palette::rainbow));
         case ColorScheme::copy:
