@@ -140,6 +140,9 @@ std::vector<Option> colors() {
                           {"By confidence (AlphaFold)", "plddt",
                            "Colours show the confidence of the prediction for each residue.", "Confidence (pLDDT)"},
                           {"By occupancy", "occupancy", "Colours show the occupancy of each atom."},
+                          {"By distance after a fit", "rmsd",
+                           "Colours show how far each residue is from its counterpart in another input.",
+                           "Distance after the fit (Å)"},
                           {"Hydrophobic to polar", "hydrophobicity", "Colours run from hydrophobic to polar residues.",
                            "Hydropathy (Kyte–Doolittle)"}}}},
         {.key = "color-from",
@@ -283,6 +286,22 @@ std::string printRules(const P& d) {
     });
 }
 
+void parseAltlocs(T text, P& d) {
+    Altlocs& altlocs = d.drawn.altlocs;
+    if (text == "chosen" || text == "all")
+        altlocs = {text == "all" ? Altlocs::Mode::all : Altlocs::Mode::chosen, '\0'};
+    else if (text.size() == 1)
+        altlocs = {Altlocs::Mode::letter, text.front()};
+    else
+        refuse(text, "chosen, all, or a letter such as A", std::vector<std::string>{"chosen", "all"});
+}
+
+std::string printAltlocs(const P& d) {
+    const Altlocs& altlocs = d.drawn.altlocs;
+    if (altlocs.mode == Altlocs::Mode::letter) return std::string(1, altlocs.letter);
+    return altlocs.mode == Altlocs::Mode::all ? "all" : "chosen";
+}
+
 std::vector<Option> chosen() {
     const auto rule = [](T key, const char* syntax, const char* help, void (*parse)(T, P&)) {
         return Option{.key = key,
@@ -317,6 +336,18 @@ std::vector<Option> chosen() {
         shown("hydrogens", "show", "Hydrogen atoms", "Hydrogens",
               parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>,
               printSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>),
+        {.key = "altlocs",
+         .syntax = "chosen|all|LETTER",
+         .standard = "chosen",
+         .help =
+             "Alternate locations: of each residue the one with the highest occupancy, all, or a named one where a\n"
+             "residue has it. A cartoon follows the chosen ones",
+         .topic = Topic::atoms,
+         .facet = Facet::scene,
+         .parse = parseAltlocs,
+         .print = printAltlocs,
+         .save = differing,
+         .control = {.label = "Alternate locations", .choices = {{"chosen", "chosen"}, {"all", "all"}}}},
     };
 }
 

@@ -7,18 +7,37 @@
 
 namespace nacre {
 
+/// Which alternate locations are drawn.
+struct Altlocs {
+    enum class Mode : std::uint8_t {
+        chosen,  ///< the one with the highest mean occupancy, the first in the file if equal
+        all,
+        letter  ///< a named one; where a residue lacks it, the chosen one
+    };
+    Mode mode = Mode::chosen;
+    char letter = '\0';
+    friend bool operator==(const Altlocs&, const Altlocs&) = default;
+};
+
 struct DrawnAtomsOptions {
     bool water = false;
     bool hydrogens = true;
+    Altlocs altlocs = {};
     friend bool operator==(const DrawnAtomsOptions&, const DrawnAtomsOptions&) = default;
 };
 
 /// Whether a residue of this name is water: HOH WAT H2O DOD SOL TIP TIP3 TIP4 SPC.
 bool isWater(const Name& residueName);
 
-/// Indices of the drawn atoms, ascending. Waters and hydrogens by option; at each residue position (chain, number,
-/// insertion code) one conformer: atoms without alternate location, and those of the location with the highest mean
-/// occupancy (first in the file if equal).
+/// Whether an atom is a dummy, a mark without an element: X, Xx, Du, LP.
+bool isDummy(const Atom& atom);
+
+/// Indices of the drawn atoms, ascending, without dummies. Waters, hydrogens and alternate locations by option; atoms
+/// without alternate location are in every conformer. A conformer is of a residue position (chain, number, insertion
+/// code).
 std::vector<std::uint32_t> drawnAtoms(const Molecule& molecule, const DrawnAtomsOptions& options = {});
+
+/// The drawn conformer, and one for each letter of the alternate locations that it lacks: together they hold all atoms.
+std::vector<std::vector<std::uint32_t>> conformers(const Molecule& molecule, const DrawnAtomsOptions& options);
 
 }  // namespace nacre

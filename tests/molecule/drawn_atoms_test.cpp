@@ -59,6 +59,32 @@ TEST(DrawnAtoms, ChooseOneResidueWhereTheSequenceAlternates) {
     EXPECT_EQ(drawnAtoms(text.molecule), (Indices{1, 2}));
 }
 
+TEST(DrawnAtoms, ShowAllConformersOrANamedOne) {
+    MoleculeText text;
+    text.residue("SER", 1).atom("CA", "C", {});
+    text.atom("CB", "C", {}, 'A', 0.7f).atom("CB", "C", {}, 'B', 0.3f);
+    text.residue("VAL", 2).atom("CG1", "C", {}, 'A', 0.4f).atom("CG1", "C", {}, 'C', 0.6f);
+    using Mode = Altlocs::Mode;
+    EXPECT_EQ(drawnAtoms(text.molecule), (Indices{0, 1, 4}));
+    EXPECT_EQ(drawnAtoms(text.molecule, {.altlocs = {Mode::all, '\0'}}), (Indices{0, 1, 2, 3, 4}));
+    EXPECT_EQ(drawnAtoms(text.molecule, {.altlocs = {Mode::letter, 'A'}}), (Indices{0, 1, 3}));
+    EXPECT_EQ(drawnAtoms(text.molecule, {.altlocs = {Mode::letter, 'B'}}), (Indices{0, 2, 4}));  // C is the chosen one
+    EXPECT_EQ(conformers(text.molecule, {}), (std::vector<Indices>{{0, 1, 4}, {0, 1, 3}, {0, 2, 4}}));
+}
+
+TEST(DrawnAtoms, AllConformersAreAllAtomsOfTheFile) {
+    NACRE_NEEDS_DATA();
+    const Molecule molecule = formatRow(Format::pdb).read("1o1z.pdb", test::readText(test::dataFile("1o1z.pdb")), {});
+    EXPECT_EQ(drawnAtoms(molecule, {.water = true, .altlocs = {Altlocs::Mode::all, '\0'}}).size(), 2302u);
+    EXPECT_LT(drawnAtoms(molecule, {.water = true}).size(), 2302u);
+}
+
+TEST(DrawnAtoms, AreNoDummies) {
+    MoleculeText text;
+    text.residue("LIG").atom("FE", "Fe", {}).atom("X", "X", {}).atom("Du", "Du", {}).atom("BB", "", {});
+    EXPECT_EQ(drawnAtoms(text.molecule), (Indices{0, 3}));
+}
+
 TEST(DrawnAtoms, OfRealFiles) {
     NACRE_NEEDS_DATA();
     const auto drawn = [](const char* file) {

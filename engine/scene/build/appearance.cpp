@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
 #include "engine/scene/build/carbohydrates.h"
 #include "engine/scene/color/color_table.h"
@@ -49,12 +50,48 @@ struct AtomLook {
     }
 };
 
-std::string warningOfNothing(const Rule& rule, bool inMolecule) {
+/// Selected atoms that are not drawn, by reason.
+struct NotDrawn {
+    std::size_t waters = 0, hydrogens = 0, conformers = 0, dummies = 0;
+
+    NotDrawn(const Molecule& molecule, const std::vector<bool>& selected, std::span<const std::uint32_t> drawn) {
+        std::vector<bool> left = selected;
+        for (const std::uint32_t atom : drawn) left[atom] = false;
+        for (std::size_t i = 0; i < left.size(); ++i) {
+            if (!left[i]) continue;
+            const Atom& atom = molecule.atoms[i];
+            ++(isWater(molecule.residues[atom.residue].name) ? waters
+               : isDummy(atom)                               ? dummies
+               : atom.alternate != '\0'                      ? conformers
+                                                             : hydrogens);
+        }
+    }
+
+    std::string text() const {
+        std::string text;
+        const auto add = [&](std::size_t count, const char* what) {
+            if (count > 0) text += (text.empty() ? "" : ", ") + std::to_string(count) + what;
+        };
+        add(waters, " in hidden waters (--water show)");
+        add(hydrogens, " hidden hydrogens (--hydrogens show)");
+        add(conformers, " in other conformers (--altlocs all)");
+        add(dummies, " dummies");
+        return text;
+    }
+};
+
+std::string warningOfNothing(const Rule& rule, const NotDrawn& left) {
     const char* verb = rule.action == Rule::Action::show   ? "show"
                        : rule.action == Rule::Action::hide ? "hide"
                                                            : "color";
-    const char* why = inMolecule ? " (all that it matches are hidden waters or hydrogens, or other conformers)" : "";
-    return "'" + rule.selection.text + "' matches no atoms to " + verb + why;
+    const std::string why = left.text();
+    return "'" + rule.selection.text + "' matches no atoms to " + verb +
+           (why.empty() ? "" : ": those that it matches are not drawn, " + why);
+}
+
+bool namesConformers(const Selection& selection) {
+    return std::any_of(selection.steps.begin(), selection.steps.end(),
+                       [](const SelectionStep& step) { return step.test == SelectionTest::alternate; });
 }
 
 /// The atoms that a colouring by a table names; empty: it is another. A warning tells of rows that name none.
@@ -102,8 +139,12 @@ std::vector<AtomLook> settle(const ResidueFacts& facts, std::span<const std::uin
             if (rule.action == Rule::Action::hide) looks[i].hide();
             if (rule.action == Rule::Action::show) looks[i].show(number, rule.style);
         }
-        const bool inMolecule = any || std::find(selected.begin(), selected.end(), true) != selected.end();
-        if (!any) warnings.push_back(warningOfNothing(rule, inMolecule));
+        if (any && (rule.action == Rule::Action::hide || !namesConformers(rule.selection))) continue;
+        const NotDrawn left(facts.molecule(), selected, drawn);
+        if (!any)
+            warnings.push_back(warningOfNothing(rule, left));
+        else if (left.conformers > 0)
+            warnings.push_back("'" + rule.selection.text + "' also matches atoms that are not drawn: " + left.text());
     }
     return looks;
 }
