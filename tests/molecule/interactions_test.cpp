@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include "engine/molecule/bonds/bonds.h"
 #include "engine/molecule/chemistry/place_grid.h"
@@ -165,6 +166,26 @@ TEST(Interactions, OfRingsByDistanceAngleAndOffset) {
     EXPECT_TRUE(rings({0, 0, 4.5f}, 45).empty());    // neither parallel nor across
     EXPECT_EQ(rings({0, 0, 5.2f}, 90).size(), 1u);
     EXPECT_TRUE(rings({0, 0, 5.6f}, 90).empty());
+}
+
+TEST(Interactions, OfOnePairAreOne) {
+    NACRE_NEEDS_DATA();
+    for (const char* file : {"2src.pdb", "1hpv.pdb", "interactions/1vsn.pdb.gz"})
+        for (const InteractionRules rules : {InteractionRules::molstar, InteractionRules::plip}) {
+            using Ends = std::set<std::vector<std::uint32_t>>;
+            std::set<std::tuple<InteractionKind, Ends, std::vector<std::uint32_t>>> seen;
+            for (const Interaction& found : interactions(readMoleculeFile(test::dataFile(file)), rules)) {
+                std::vector<std::uint32_t> a = found.a.atoms, b = found.b.atoms;
+                if (found.kind == InteractionKind::hydrogenBond || found.kind == InteractionKind::waterBridge) {
+                    a.resize(1);  // without the hydrogen
+                    b.resize(1);
+                }
+                std::sort(a.begin(), a.end());
+                std::sort(b.begin(), b.end());
+                EXPECT_TRUE(seen.emplace(found.kind, Ends{a, b}, found.waters).second)
+                    << file << ": " << words({found});
+            }
+        }
 }
 
 TEST(Interactions, NeverJoinModelsThatLieOverEachOther) {

@@ -12,6 +12,7 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/build/representation.h"
+#include "engine/scene/color/colors.h"
 #include "engine/scene/view/uncover.h"
 #include "tests/support/test_data.h"
 
@@ -296,6 +297,29 @@ TEST(Contacts, HideNothingThatIsUncoveredAndGoWithTheirAtoms) {
             EXPECT_TRUE(atoms.contains(contact->interaction.a.atoms.front()));
             EXPECT_TRUE(atoms.contains(contact->interaction.b.atoms.front()));
         }
+}
+
+TEST(Contacts, DrawTheWatersOfBridges) {
+    NACRE_NEEDS_DATA();
+    const Molecule molecule = readMoleculeFile(test::dataFile("1hpv.pdb"));
+    RepresentationOptions options{Style::licorice, ColorScheme::element};
+    options.contacts.of = parseSelection("ligand");
+    const Representation scene = represent(molecule, drawnAtoms(molecule), options);  // water is hidden
+    std::set<std::uint32_t> bridging;
+    for (const DrawnContact& contact : scene.contacts)
+        bridging.insert(contact.interaction.waters.begin(), contact.interaction.waters.end());
+    ASSERT_FALSE(bridging.empty());
+    for (const std::uint32_t water : bridging) {
+        std::size_t balls = 0;
+        for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+            if (scene.sphereLooks[i].atom != water + 1) continue;
+            ++balls;
+            EXPECT_LT(glm::distance(glm::dvec3(scene.spheres[i].center), placeOf(molecule, scene, water)), 1e-4);
+            EXPECT_NEAR(scene.spheres[i].radius, 0.38f, 0.01f);  // of an oxygen's ball
+            EXPECT_EQ(scene.sphereLooks[i].color, elementColor(8));
+        }
+        EXPECT_EQ(balls, 1u) << water;
+    }
 }
 
 }  // namespace

@@ -225,6 +225,7 @@ void run(InteractionSearch& search) {
     plip ? refinePlip(search) : refineMolstar(search);
     findWaterBridges(search);
     std::vector<Interaction>& found = search.found;
+    if (!byHydrogens) keepOnePerPair(found);  // those rules name each hydrogen
     std::erase_if(found, [&](const Interaction& interaction) { return !search.wants(interaction.kind); });
     const auto key = [](const Interaction& i) { return std::tie(i.kind, i.a.atoms, i.b.atoms, i.waters); };
     std::stable_sort(found.begin(), found.end(),

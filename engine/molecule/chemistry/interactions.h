@@ -31,7 +31,7 @@ std::optional<InteractionKind> interactionKindFromName(std::string_view name);
 
 enum class InteractionRules : std::uint8_t {
     molstar,       ///< Mol*: no hydrogens needed
-    plip,          ///< Protein-Ligand Interaction Profiler 2.2
+    plip,          ///< Protein-Ligand Interaction Profiler 2.4
     bakerHubbard,  ///< hydrogen bonds of Baker and Hubbard (1984) by the hydrogens of the file; the rest as molstar
     wernetNilsson  ///< hydrogen bonds of Wernet, Nilsson et al. (2004), the rest likewise
 };

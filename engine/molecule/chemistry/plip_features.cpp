@@ -255,20 +255,12 @@ private:
         if (accepts(atom, lacking)) features_.acceptors.push_back(atom);
     }
 
-    /// Bonds of a ligand's atom within the ligand, those to its metal included.
-    std::size_t bondsInLigand(std::uint32_t atom) const {
-        const std::uint32_t unit = features_.unit[molecule_.atoms[atom].residue];
-        const auto around = heavyNeighbours(molecule_, chemistry_, atom);
-        const auto same = [&](std::uint32_t n) { return features_.unit[molecule_.atoms[n].residue] == unit; };
-        return static_cast<std::size_t>(std::count_if(around.begin(), around.end(), same)) + ownMetal_[atom];
-    }
-
-    /// Open Babel's IsHbondAcceptor(), which sees hydrogens on the receptor and none on ligands.
+    /// Open Babel's IsHbondAcceptor().
     bool accepts(std::uint32_t atom, std::uint8_t lacking) const {
         const Element e = element(atom);
         const std::size_t heavy = heavyNeighbours(molecule_, chemistry_, atom).size();
         if (e == kNitrogen) {
-            const std::size_t bonds = receptor(atom) ? chemistry_.of(atom).size() + lacking : bondsInLigand(atom);
+            const std::size_t bonds = chemistry_.of(atom).size() + lacking + ownMetal_[atom];
             return !((bonds == 4 && chemistry_.hybrid[atom] == 3) || (bonds == 3 && chemistry_.hybrid[atom] == 2));
         }
         if (e != kOxygen || chemistry_.aromaticAtom[atom]) return false;

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "engine/molecule/chemistry/interaction_search.h"
@@ -81,22 +82,25 @@ void keepOnePerDonor(const InteractionSearch& search, std::vector<std::uint8_t>&
     }
 }
 
-/// A ligand's ring that stacks with a histidine has no cation-pi contacts with the receptor.
+/// A ring that stacks with a histidine has no cation-pi contact with the charge of that histidine.
 void dropHistidineCations(const InteractionSearch& search, std::vector<std::uint8_t>& dropped) {
-    std::set<std::vector<std::uint32_t>> rings;
-    const auto histidine = [&](const InteractionEnd& end) {
-        return search.molecule.residues[search.residue(end.atoms[0])].name == Name("HIS");
+    std::set<std::pair<std::vector<std::uint32_t>, std::int32_t>> stacked;  // a ring, and the histidine's number
+    const auto residueOf = [&](const InteractionEnd& end) -> const Residue& {
+        return search.molecule.residues[search.residue(end.atoms[0])];
     };
+    const auto histidine = [&](const InteractionEnd& end) { return residueOf(end).name == Name("HIS"); };
     for (const Interaction& interaction : search.found) {
         if (interaction.kind != InteractionKind::piStacking) continue;
-        if (histidine(interaction.a)) rings.insert(interaction.b.atoms);
-        if (histidine(interaction.b)) rings.insert(interaction.a.atoms);
+        const InteractionEnd &a = interaction.a, &b = interaction.b;
+        if (histidine(a)) stacked.emplace(b.atoms, residueOf(a).number);
+        if (histidine(b)) stacked.emplace(a.atoms, residueOf(b).number);
     }
     for (std::size_t i = 0; i < search.found.size(); ++i) {
         const Interaction& interaction = search.found[i];
         if (interaction.kind != InteractionKind::cationPi) continue;
-        const bool aLigand = ligandIsA(search, interaction);
-        dropped[i] = dropped[i] || rings.contains((aLigand ? interaction.a : interaction.b).atoms);
+        const InteractionEnd& ring = interaction.a.ring ? interaction.a : interaction.b;
+        const InteractionEnd& charge = interaction.a.ring ? interaction.b : interaction.a;
+        dropped[i] = dropped[i] || (histidine(charge) && stacked.contains({ring.atoms, residueOf(charge).number}));
     }
 }
 
@@ -240,6 +244,34 @@ bool joined(const Interaction& interaction, const std::set<AtomPair>& stronger) 
 }
 
 }  // namespace
+
+void keepOnePerPair(std::vector<Interaction>& found) {
+    using Key =
+        std::tuple<InteractionKind, std::vector<std::uint32_t>, std::vector<std::uint32_t>, std::vector<std::uint32_t>>;
+    const auto atomsOf = [](const Interaction& interaction, const InteractionEnd& end) {
+        std::vector<std::uint32_t> atoms = end.atoms;
+        const bool hydrogens =
+            interaction.kind == InteractionKind::hydrogenBond || interaction.kind == InteractionKind::waterBridge;
+        if (hydrogens) atoms.resize(1);  // the hydrogen follows its atom
+        std::sort(atoms.begin(), atoms.end());
+        return atoms;
+    };
+    const auto angleOf = [](const Interaction& interaction) {
+        return interaction.angles.empty() ? 0 : interaction.angles.back().degrees;
+    };
+    std::map<Key, std::size_t> best;
+    std::vector<std::uint8_t> dropped(found.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        auto first = atomsOf(found[i], found[i].a), second = atomsOf(found[i], found[i].b);
+        if (second < first) std::swap(first, second);
+        const auto [at, added] = best.try_emplace(Key(found[i].kind, first, second, found[i].waters), i);
+        if (added) continue;
+        const bool better = angleOf(found[i]) > angleOf(found[at->second]);
+        dropped[better ? at->second : i] = 1;
+        if (better) at->second = i;
+    }
+    dropMarked(found, dropped);
+}
 
 void refineMolstar(const InteractionSearch& search) {
     std::vector<std::uint8_t> dropped = markImplied(search);

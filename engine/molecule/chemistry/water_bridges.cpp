@@ -160,8 +160,9 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> busyDonors(const InteractionSe
     return busy;
 }
 
-/// The bridges of one water and ligand that PLIP's program keeps: one for each acceptor, whose angle is farthest from
-/// 110 degrees, then two of them, in the order of the ligand's acceptors, then the receptor's.
+/// The bridges of one water and ligand that PLIP keeps: for each acceptor the one whose angle is nearest to 110
+/// degrees, and two of these. The program compares further ones with the second's angle where it means its deviation,
+/// so that of more than two their order decides: the ligand's acceptors, then the receptor's.
 std::vector<PlipBridge> keptByPlip(const InteractionSearch& search, std::vector<PlipBridge> bridges) {
     std::stable_sort(bridges.begin(), bridges.end(), [&](const PlipBridge& l, const PlipBridge& r) {
         const auto rank = [&](const PlipBridge& bridge) {
@@ -173,7 +174,7 @@ std::vector<PlipBridge> keptByPlip(const InteractionSearch& search, std::vector<
     for (const PlipBridge& bridge : bridges) {
         if (perAcceptor.empty() || perAcceptor.back().acceptor->atom != bridge.acceptor->atom)
             perAcceptor.push_back(bridge);
-        else if (perAcceptor.back().off() < bridge.off())
+        else if (perAcceptor.back().off() > bridge.off())
             perAcceptor.back() = bridge;
     }
     double second = 0;
@@ -183,7 +184,7 @@ std::vector<PlipBridge> keptByPlip(const InteractionSearch& search, std::vector<
             std::stable_sort(kept.begin(), kept.end(),
                              [](const PlipBridge& l, const PlipBridge& r) { return l.off() < r.off(); });
             second = kept.back().off();
-        } else if (second < bridge.off()) {
+        } else if (second > bridge.off()) {
             kept[1] = bridge;
             second = bridge.angle;
         }
@@ -201,9 +202,8 @@ void findPlipBridges(InteractionSearch& search, const PlaceGrid& grid) {
                 if (!search.apart(acceptor.atom, donor.atom) || !search.allowed(acceptor.atom, donor.atom)) continue;
                 const std::uint32_t unit = unitOf(search, acceptor.atom, donor.atom);
                 if (busy.contains({donor.atom, unit})) continue;
-                // The program measures the angle between acceptor-to-water and water-to-hydrogen.
                 const double angle =
-                    angleBetween(search.at(water) - search.at(acceptor.atom), donor.hydrogen - search.at(water));
+                    angleBetween(search.at(acceptor.atom) - search.at(water), donor.hydrogen - search.at(water));
                 if (angle > kLeastWaterAngle && angle < kMostWaterAngle)
                     byUnit[unit].push_back({&acceptor, &donor, water, angle});
             }

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/scene/build/representation.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre {
 namespace {
@@ -141,11 +143,18 @@ private:
         return molecule_.atoms[atom].element != kCarbon && !isHydrogen(atom);
     }
 
+    /// A bridging water is drawn even where water is hidden: as the ball of its oxygen.
     End waterEnd(std::uint32_t water, bool image) {
         const double radius = ballOf(water);
         if (radius > 0) return {at(water, image), radius};
-        mark(at(water, image));
-        return {at(water, image), kMarkWidths * radius_};
+        constexpr float kBall = 0.25f;  // of the van der Waals radius, as in ball-and-stick
+        const Element oxygen = molecule_.atoms[water].element;
+        const float ball = kBall * vanDerWaalsRadius(oxygen);
+        if (image || drawnWaters_.insert(water).second) {
+            scene_.spheres.push_back({glm::vec3(at(water, image)), ball});
+            scene_.sphereLooks.push_back({elementColor(oxygen), image ? line_.look.id : water + 1});
+        }
+        return {at(water, image), static_cast<double>(ball)};
     }
 
     void draw(const End& a, const End& b) {
@@ -163,6 +172,7 @@ private:
     const glm::dmat4x3* image_ = nullptr;  ///< of the contact that is drawn
     std::size_t buried_ = 0;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> slots_;
+    std::set<std::uint32_t> drawnWaters_;
 };
 
 Legend legendOf(const std::vector<DrawnContact>& contacts) {
