@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "engine/molecule/chain_summary.h"
+#include "engine/molecule/chemistry/chemistry.h"
 #include "engine/molecule/element.h"
 
 namespace nacre::app {
@@ -48,13 +49,15 @@ Json bondsByKind(const Molecule& molecule) {
     std::array<std::int64_t, 3> sources{};
     std::array<std::int64_t, 5> orders{};
     std::int64_t between = 0, disulfides = 0, metal = 0;
-    for (const Bond& bond : molecule.bonds) {
+    const std::vector<std::uint8_t> perceived = perceivedOrders(molecule);
+    for (std::size_t i = 0; i < molecule.bonds.size(); ++i) {
+        const Bond& bond = molecule.bonds[i];
         const Atom &a = molecule.atoms[bond.a], &b = molecule.atoms[bond.b];
         between += a.residue != b.residue;
         disulfides += a.residue != b.residue && a.element == kSulfur && b.element == kSulfur;
         metal += isMetal(a.element) || isMetal(b.element);
         ++sources[static_cast<std::size_t>(bond.source)];
-        ++orders[bond.order <= 4 ? bond.order : 0];
+        ++orders[perceived[i] <= 4 ? perceived[i] : 0];
     }
     return {{"total", molecule.bonds.size()},
             {"file", sources[0]},

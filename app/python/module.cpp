@@ -20,6 +20,7 @@
 #include "engine/error.h"
 #include "engine/milliseconds.h"
 #include "engine/molecule/bonds/bonds.h"
+#include "engine/molecule/chemistry/chemistry.h"
 #include "engine/molecule/element.h"
 #include "engine/srgb.h"
 
@@ -97,9 +98,11 @@ py::dict atomsOf(const Structure& structure) {
 }
 
 py::array_t<std::uint32_t> bondsOf(const Structure& structure) {
+    const std::vector<Bond>& bonds = structure.molecule->bonds;
+    const std::vector<std::uint8_t> orders = perceivedOrders(*structure.molecule);
     std::vector<std::uint32_t> rows;
-    for (const Bond& bond : structure.molecule->bonds) rows.insert(rows.end(), {bond.a, bond.b, bond.order});
-    const auto count = static_cast<py::ssize_t>(structure.molecule->bonds.size());
+    for (std::size_t i = 0; i < bonds.size(); ++i) rows.insert(rows.end(), {bonds[i].a, bonds[i].b, orders[i]});
+    const auto count = static_cast<py::ssize_t>(bonds.size());
     return arrayOf(rows, {count, 3});
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -14,6 +15,7 @@
 #include "engine/molecule/read.h"
 #include "tests/molecule/build_molecule.h"
 #include "tests/molecule/build_peptide.h"
+#include "tests/support/test_data.h"
 
 namespace nacre {
 namespace {
@@ -232,6 +234,120 @@ TEST(States, AcidsBasesAndWhatIsDelocalised) {
     EXPECT_EQ(chemistry.hydrogens, (std::vector<std::uint8_t>{3, 0, 0, 0, 3, 3}));
     EXPECT_EQ(chemistry.delocalised, (std::vector<std::uint8_t>{0, 1, 1, 0}));
     EXPECT_EQ(chemistry.hybrid, (std::vector<std::uint8_t>{3, 2, 2, 2, 3, 3}));
+}
+
+/// A molecule of stated orders and charges; the hydrogens that RDKit 2022.09 adds to each atom.
+struct StatedCase {
+    const char* name;
+    std::vector<std::pair<const char*, int>> atoms;  ///< element, charge
+    std::vector<std::array<int, 3>> bonds;           ///< from 0; order
+    std::vector<std::uint8_t> hydrogens;
+};
+
+TEST(States, HydrogensOfUnusualValencesAreRdkits) {
+    const StatedCase cases[] = {
+        {"sulfonium", {{"C", 0}, {"S", 1}, {"C", 0}, {"C", 0}}, {{0, 1, 1}, {1, 2, 1}, {1, 3, 1}}, {3, 0, 3, 3}},
+        {"sulfonium, uncharged",
+         {{"C", 0}, {"S", 0}, {"C", 0}, {"C", 0}},
+         {{0, 1, 1}, {1, 2, 1}, {1, 3, 1}},
+         {3, 0, 3, 3}},
+        {"phosphonium",
+         {{"C", 0}, {"P", 1}, {"C", 0}, {"C", 0}, {"C", 0}},
+         {{0, 1, 1}, {1, 2, 1}, {1, 3, 1}, {1, 4, 1}},
+         {3, 0, 3, 3, 3}},
+        {"perchlorate",
+         {{"O", -1}, {"Cl", 0}, {"O", 0}, {"O", 0}, {"O", 0}},
+         {{0, 1, 1}, {1, 2, 2}, {1, 3, 2}, {1, 4, 2}},
+         {0, 0, 0, 0, 0}},
+        {"perchlorate, charges apart",
+         {{"O", -1}, {"Cl", 3}, {"O", -1}, {"O", -1}, {"O", -1}},
+         {{0, 1, 1}, {1, 2, 1}, {1, 3, 1}, {1, 4, 1}},
+         {0, 0, 0, 0, 0}},
+        {"vanadate",
+         {{"O", -1}, {"V", 0}, {"O", 0}, {"O", -1}, {"O", -1}},
+         {{0, 1, 1}, {1, 2, 2}, {1, 3, 1}, {1, 4, 1}},
+         {0, 0, 0, 0, 0}},
+        {"ammonium", {{"N", 1}}, {}, {4}},
+        {"azide", {{"C", 0}, {"N", 0}, {"N", 1}, {"N", -1}}, {{0, 1, 1}, {1, 2, 2}, {2, 3, 2}}, {3, 0, 0, 0}},
+        {"azide, uncharged", {{"C", 0}, {"N", 0}, {"N", 0}, {"N", 0}}, {{0, 1, 1}, {1, 2, 2}, {2, 3, 2}}, {3, 0, 0, 0}},
+        {"diazo, uncharged", {{"C", 0}, {"C", 0}, {"N", 0}, {"N", 0}}, {{0, 1, 1}, {1, 2, 2}, {2, 3, 2}}, {3, 1, 0, 0}},
+        {"isocyanide", {{"C", 0}, {"N", 1}, {"C", -1}}, {{0, 1, 1}, {1, 2, 3}}, {3, 0, 0}},
+        {"carbon monoxide, uncharged", {{"C", 0}, {"O", 0}}, {{0, 1, 3}}, {0, 0}},
+        {"oxonium", {{"C", 0}, {"O", 1}, {"C", 0}, {"C", 0}}, {{0, 1, 1}, {1, 2, 1}, {1, 3, 1}}, {3, 0, 3, 3}},
+        {"diphenyliodonium's centre", {{"C", 0}, {"I", 1}, {"C", 0}}, {{0, 1, 1}, {1, 2, 1}}, {3, 0, 3}},
+        {"sulfone, charges apart",
+         {{"C", 0}, {"S", 2}, {"O", -1}, {"O", -1}, {"C", 0}},
+         {{0, 1, 1}, {1, 2, 1}, {1, 3, 1}, {1, 4, 1}},
+         {3, 0, 0, 0, 3}}};
+    for (const StatedCase& row : cases) {
+        MoleculeText text;
+        text.residue("LIG");
+        for (std::size_t i = 0; i < row.atoms.size(); ++i) {
+            text.atom(row.atoms[i].first, row.atoms[i].first,
+                      {1.5f * static_cast<float>(i), 0.1f * static_cast<float>(i * i), 0});
+            text.molecule.atoms.back().charge = static_cast<std::int8_t>(row.atoms[i].second);
+        }
+        text.molecule.file.format = "sdf-v2000";
+        for (const auto& [a, b, order] : row.bonds)
+            text.molecule.bonds.push_back({static_cast<std::uint32_t>(std::min(a, b)),
+                                           static_cast<std::uint32_t>(std::max(a, b)), static_cast<std::uint8_t>(order),
+                                           BondSource::file});
+        const Chemistry chemistry =
+            perceiveChemistry(text.molecule, drawnAtoms(text.molecule, {.water = true, .hydrogens = true}));
+        EXPECT_EQ(chemistry.hydrogens, row.hydrogens) << row.name;
+    }
+}
+
+TEST(BondOrders, AzidesAndDiazoGroupsByTheirShape) {
+    MoleculeText azide;  // methyl azide, by microwave spectroscopy: 1.24 and 1.13 Å
+    azide.residue("LIG").atom("C", "C", {-0.6f, 1.33f, 0}).atom("N1", "N", {0, 0, 0}).atom("N2", "N", {1.23f, 0, 0});
+    azide.atom("N3", "N", {2.36f, 0.1f, 0});
+    EXPECT_EQ(ordersOf(azide.molecule), "C-N1 N1=N2 N2=N3");
+    MoleculeText diazo;
+    diazo.residue("LIG").atom("C1", "C", {-0.75f, 1.3f, 0}).atom("C", "C", {0, 0, 0}).atom("N2", "N", {1.31f, 0, 0});
+    diazo.atom("N3", "N", {2.44f, 0.05f, 0});
+    EXPECT_EQ(ordersOf(diazo.molecule), "C1-C C=N2 N2=N3");
+}
+
+std::size_t drawnRings(const Chemistry& chemistry) {
+    return static_cast<std::size_t>(std::count_if(chemistry.rings.begin(), chemistry.rings.end(),
+                                                  [](const Ring& ring) { return ring.drawnAromatic; }));
+}
+
+TEST(Rings, AreDrawnAsTextbooksDrawThem) {
+    Molecule cage = sampleMolecule("buckyball");
+    EXPECT_EQ(drawnRings(chemistryOf(cage)), 0u);  // a Kekulé structure
+    MoleculeText fused;                            // naphthalene
+    fused.residue("LIG");
+    const float side = 1.40f, half = side / 2, high = side * 0.8660254f;
+    for (const glm::vec3 at :
+         {glm::vec3(0, half, 0), glm::vec3(0, -half, 0), glm::vec3(high, -side, 0), glm::vec3(2 * high, -half, 0),
+          glm::vec3(2 * high, half, 0), glm::vec3(high, side, 0), glm::vec3(-high, side, 0),
+          glm::vec3(-2 * high, half, 0), glm::vec3(-2 * high, -half, 0), glm::vec3(-high, -side, 0)})
+        fused.atom("C", "C", at);
+    EXPECT_EQ(drawnRings(chemistryOf(fused.molecule)), 2u);
+}
+
+TEST(Rings, OfFilesAreDrawnAsTextbooksDrawThem) {
+    NACRE_NEEDS_DATA();
+    const auto drawnIn = [](const char* file) {
+        Molecule molecule = readMoleculeFile(test::dataFile(file));
+        const Chemistry chemistry =
+            perceiveChemistry(molecule, drawnAtoms(molecule, {.water = false, .hydrogens = true}));
+        return std::pair(drawnRings(chemistry), chemistry.rings.size());
+    };
+    EXPECT_EQ(drawnIn("small/c60-buckminsterfullerene.sdf"), (std::pair<std::size_t, std::size_t>(0, 32)));
+    EXPECT_EQ(drawnIn("small/caffeine.pdb"), (std::pair<std::size_t, std::size_t>(0, 2)));
+    EXPECT_EQ(drawnIn("small/ferrocene.cml"), (std::pair<std::size_t, std::size_t>(2, 2)));
+    EXPECT_EQ(drawnIn("small/benzene.xyz"), (std::pair<std::size_t, std::size_t>(1, 1)));
+    EXPECT_EQ(drawnIn("small/hem-ccd.cif").first, 0u);
+    EXPECT_EQ(drawnIn("small/adrenalin.sdf").first, 1u);
+    const Molecule blood = readMoleculeFile(test::dataFile("4hhb.pdb"));
+    const Chemistry chemistry = perceiveChemistry(blood, drawnAtoms(blood));
+    for (const Ring& ring : chemistry.rings) {
+        const bool haem = blood.residues[blood.atoms[ring.atoms[0]].residue].name == Name("HEM");
+        EXPECT_FALSE(haem && ring.drawnAromatic);
+    }
 }
 
 TEST(Chemistry, AHeapOfAtomsAndALatticeEnd) {

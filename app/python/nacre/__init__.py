@@ -130,7 +130,8 @@ class Structure:
 
     @property
     def bonds(self):
-        """(n, 3): two atom indices, the smaller first, and the order: 1, 2, 3, or 4 for aromatic. Read-only."""
+        """(n, 3): two atom indices, the smaller first, and the order: 1, 2, 3, or 4 in an aromatic ring. Orders that the
+        file does not state are perceived, as in pictures. Read-only."""
         if self._bonds is None:
             self._bonds = self._core.bonds()
             self._bonds.flags.writeable = False

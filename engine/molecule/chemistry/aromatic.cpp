@@ -4,6 +4,7 @@
 #include <set>
 
 #include "engine/molecule/chemistry/steps.h"
+#include "engine/molecule/element.h"
 
 namespace nacre {
 namespace {
@@ -15,7 +16,12 @@ constexpr std::size_t kLargestAromatic = 7;
 /// @param inside  by atom of the molecule: it belongs to the rings
 class PiElectrons {
 public:
-    explicit PiElectrons(const ChemistryWork& work) : work_(work) {}
+    explicit PiElectrons(const ChemistryWork& work) : work_(work), atMetal_(work.molecule.atoms.size()) {
+        for (const Bond& bond : work.molecule.bonds) {
+            if (isMetal(work.element(bond.a))) atMetal_[bond.b] = 1;
+            if (isMetal(work.element(bond.b))) atMetal_[bond.a] = 1;
+        }
+    }
 
     int of(std::uint32_t atom, const std::set<std::uint32_t>& inside) const {
         const Chemistry& chemistry = work_.chemistry;
@@ -46,15 +52,29 @@ private:
                 return bonds == 2 ? 2 : kNoElectrons;
             case kBoron:
                 return bonds <= 3 ? 0 : kNoElectrons;
-            case kCarbon:
-                return work_.atom(atom).charge == -1 ? 2 : work_.atom(atom).charge == 1 ? 0 : kNoElectrons;
+            case kCarbon:  // a cyclopentadienide at a metal has a lone pair
+                if (work_.atom(atom).charge == -1 || (atMetal_[atom] && bonds <= 3)) return 2;
+                return work_.atom(atom).charge == 1 ? 0 : kNoElectrons;
             default:
                 return kNoElectrons;
         }
     }
 
     const ChemistryWork& work_;
+    std::vector<std::uint8_t> atMetal_;  // by atom
 };
+
+/// Whether the file states that all bonds of a ring are aromatic.
+bool statedAromatic(const ChemistryWork& work, const Ring& ring) {
+    for (std::size_t i = 0; i < ring.atoms.size(); ++i) {
+        const std::uint32_t next = ring.atoms[(i + 1) % ring.atoms.size()];
+        for (const Neighbour& n : work.chemistry.of(ring.atoms[i]))
+            if (n.atom == next &&
+                (work.molecule.bonds[n.bond].order != 4 || work.source[n.bond] == OrderSource::unknown))
+                return false;
+    }
+    return true;
+}
 
 bool obeysHueckel(const PiElectrons& electrons, const std::set<std::uint32_t>& atoms) {
     int sum = 0;
@@ -98,6 +118,9 @@ void findAromatic(ChemistryWork& work) {
     const PiElectrons electrons(work);
     const std::vector<std::uint32_t> able = candidates(work, electrons);
     std::vector<std::vector<std::uint32_t>> ringsOf(work.molecule.atoms.size());
+    for (Ring& ring : rings)
+        if (ring.atoms.size() >= 5 && ring.atoms.size() <= kLargestAromatic && statedAromatic(work, ring))
+            markRing(work, ring);
     for (const std::uint32_t r : able) {
         for (const std::uint32_t atom : rings[r].atoms) ringsOf[atom].push_back(r);
         if (obeysHueckel(electrons, {rings[r].atoms.begin(), rings[r].atoms.end()})) markRing(work, rings[r]);

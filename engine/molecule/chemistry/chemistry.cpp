@@ -84,12 +84,13 @@ Chemistry perceiveChemistry(const Molecule& molecule, std::span<const std::uint3
     chemistry.aromatic.assign(molecule.bonds.size(), 0);
     chemistry.delocalised.assign(molecule.bonds.size(), 0);
     chemistry.aromaticAtom.assign(molecule.atoms.size(), 0);
-    ChemistryWork work{molecule, chemistry, orderSources(molecule), {}, {}, {}};
+    ChemistryWork work{molecule, chemistry, orderSources(molecule), {}, {}, {}, {}};
     findRings(work);
     kekulise(work);
     perceiveOrders(work);
     findAromatic(work);
     findStates(work);
+    chooseDrawnRings(work);
     return chemistry;
 }
 

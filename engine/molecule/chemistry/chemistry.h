@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/molecule/molecule.h"
+#include "engine/molecule/residue_facts.h"
 
 namespace nacre {
 
@@ -16,6 +16,9 @@ struct Ring {
     std::vector<std::uint32_t> atoms;  ///< indices into Molecule::atoms
     bool aromatic = false;             ///< by Hückel's rule, alone or with the rings fused to it
     bool planar = false;               ///< by its torsions; as aromatic without 3D coordinates
+    /// Drawn as aromatic: it and all conjugated rings fused to it are aromatic, and no double bond leads out of them.
+    /// Others are drawn as their Kekulé structure: haem, fullerenes, caffeine.
+    bool drawnAromatic = false;
 };
 
 /// Largest ring considered: larger ones are macrocycles, neither flat nor aromatic as a whole.
@@ -57,5 +60,9 @@ struct Chemistry {
 /// templates for standard residues, else from geometry. Linear time except for the rings of large cages.
 /// @param atoms  of one conformer, ascending, such as drawnAtoms() with water and hydrogens
 Chemistry perceiveChemistry(const Molecule& molecule, std::span<const std::uint32_t> atoms);
+
+/// By bond its order, 1 to 3, or 4 in an aromatic ring: of ligands and small molecules as perceived, in every
+/// conformer; of polymers as the molecule has it.
+std::vector<std::uint8_t> perceivedOrders(const ResidueFacts& facts);
 
 }  // namespace nacre

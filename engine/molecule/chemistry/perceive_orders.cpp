@@ -1,33 +1,14 @@
-// Bond orders from geometry. Lengths say how much of a double bond each pair looks like, angles and flat rings say
-// which atoms are planar, and the best distribution of pi bonds over each system decides (pi_bonds.cpp).
+// Bond orders from geometry. Where carbons have hydrogens, these say which atoms have pi bonds; elsewhere lengths,
+// angles and rings do (order_features.h). The best distribution of pi bonds over each system decides (pi_bonds.cpp).
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 
+#include "engine/molecule/chemistry/order_features.h"
 #include "engine/molecule/chemistry/steps.h"
 
 namespace nacre {
 namespace {
-
-/// Lengths (Å) of a single bond between planar atoms, a double and a triple bond: Allen et al. (1987), J. Chem. Soc.
-/// Perkin Trans. 2, S1, means over the Cambridge Structural Database.
-struct BondLengths {
-    Element a, b;
-    float single, twofold, threefold;
-};
-constexpr BondLengths kBondLengths[] = {
-    {kCarbon, kCarbon, 1.48f, 1.34f, 1.19f},     {kCarbon, kNitrogen, 1.41f, 1.29f, 1.15f},
-    {kCarbon, kOxygen, 1.36f, 1.22f, 1.13f},     {kCarbon, kSulphur, 1.77f, 1.66f, 1.55f},
-    {kNitrogen, kNitrogen, 1.39f, 1.24f, 1.12f}, {kNitrogen, kOxygen, 1.39f, 1.22f, 1.13f},
-    {kOxygen, kOxygen, 1.46f, 1.21f, 1.1f},      {kCarbon, kSelenium, 1.90f, 1.79f, 1.7f},
-    {kCarbon, kPhosphorus, 1.80f, 1.67f, 1.55f}, {kNitrogen, kSulphur, 1.68f, 1.54f, 1.45f},
-    {kPhosphorus, kNitrogen, 1.68f, 1.57f, 1.5f}};
-
-const BondLengths* lengthsOf(Element a, Element b) {
-    for (const BondLengths& row : kBondLengths)
-        if ((row.a == a && row.b == b) || (row.a == b && row.b == a)) return &row;
-    return nullptr;
-}
 
 /// Weights of the distribution. A pi bond gains from +1 at the length of a double bond to -1 at that of a single one,
 /// bounded a little beyond; an atom that is surely planar costs more than any length can gain.
@@ -42,7 +23,7 @@ float gainOf(float length, float lower, float upper) {
 
 class OrderPerception {
 public:
-    explicit OrderPerception(ChemistryWork& work) : work_(work), open_(work.molecule.atoms.size()) {}
+    explicit OrderPerception(ChemistryWork& work) : work_(work), features_(work), open_(work.molecule.atoms.size()) {}
 
     void run() {
         for (std::uint32_t b = 0; b < work_.source.size(); ++b) {
@@ -109,30 +90,30 @@ private:
         if (e == kSulphur || e == kSelenium) doubles = degree == 4 ? 2 : degree == 3 ? 1 : 0;
         if (e == kPhosphorus || e == kArsenic) doubles = degree == 4 || degree == 3 ? 1 : 0;
         if (e == kChlorine || e == kBromine || e == kIodine) doubles = degree == 4 ? 3 : degree == 3 ? 2 : 0;
+        if (e == kNitrogen && degree == 2) return settleDiazo(atom);
         const std::vector<Neighbour> ends = endsOf(atom);
         if (e == kNitrogen && degree == 3 && ends.size() >= 2) doubles = 1;
-        if (e == kCarbon && degree == 3 && ends.size() == 2 && meanAngle(atom) > kLeastPlanarAngle) doubles = 1;
+        if (e == kCarbon && degree == 3 && ends.size() == 2 && features_.angle(atom) > kLeastPlanarAngle) doubles = 1;
         if (doubles == 0) return;
         for (std::size_t i = 0; i < ends.size() && i < doubles; ++i) settle(ends[i].bond, 2);
         for (const Neighbour& n : work_.chemistry.of(atom))
             if (unknown(n.bond)) settle(n.bond, 1);
     }
 
-    double meanAngle(std::uint32_t atom) const {
-        const auto around = work_.chemistry.of(atom);
-        double sum = 0;
-        int count = 0;
-        for (std::size_t i = 0; i < around.size(); ++i) {
-            for (std::size_t j = i + 1; j < around.size(); ++j) {
-                const glm::dvec3 u = glm::dvec3(work_.position(around[i].atom)) - glm::dvec3(work_.position(atom));
-                const glm::dvec3 v = glm::dvec3(work_.position(around[j].atom)) - glm::dvec3(work_.position(atom));
-                const double length = glm::length(u) * glm::length(v);
-                if (length < 1e-9) continue;
-                sum += std::acos(std::clamp(glm::dot(u, v) / length, -1.0, 1.0)) * 57.29577951308232;
-                ++count;
-            }
-        }
-        return count > 0 ? sum / count : 0;
+    /// Azides and diazo groups: X=[N+]=[N-], by their straight middle. A diazonium group keeps its triple bond.
+    void settleDiazo(std::uint32_t middle) {
+        constexpr float kLeastStraight = 150;  // degrees
+        const auto around = work_.chemistry.of(middle);
+        const auto isEnd = [&](const Neighbour& n) {
+            return work_.element(n.atom) == kNitrogen && work_.degree(n.atom) == 1;
+        };
+        if (features_.angle(middle) < kLeastStraight || isEnd(around[0]) == isEnd(around[1])) return;
+        const Neighbour& other = isEnd(around[0]) ? around[1] : around[0];
+        const Element e = work_.element(other.atom);
+        if ((e != kNitrogen && e != kCarbon) || (e == kCarbon && work_.flatRing[other.atom] > 0)) return;
+        if (!unknown(around[0].bond) || !unknown(around[1].bond) || settledPi(other.atom) > 0) return;
+        settle(around[0].bond, 2);
+        settle(around[1].bond, 2);
     }
 
     /// Pi bonds that are settled already: by the file, a template or a group.
@@ -146,57 +127,46 @@ private:
     PiSystem::Atom impossible() const { return {{0, 0, 0}, 0}; }
 
     PiSystem::Atom piAtom(std::uint32_t atom) const {
-        if (!open_[atom] || settledPi(atom) > 0) return impossible();
+        const std::uint8_t most = open_[atom] && settledPi(atom) == 0 ? mostPi(atom) : std::uint8_t{0};
+        if (most == 0) return impossible();
+        if (hydrogenated(atom)) return withHydrogens(atom);
+        PiSystem::Atom costs{{0, 0, 0}, most};
+        for (int count = 0; count <= most; ++count)
+            features_.atom(atom, count, [&](std::size_t feature, float value) {
+                costs.cost[count] += value * kOrderWeight[feature];
+            });
+        return costs;
+    }
+
+    std::uint8_t mostPi(std::uint32_t atom) const {
+        constexpr float kLeastLinear = 140;  // degrees
+        const std::size_t degree = work_.degree(atom);
         switch (work_.element(atom)) {
             case kCarbon:
-                return carbon(atom);
             case kNitrogen:
-                return nitrogen(atom);
+                if (degree == 2) return features_.angle(atom) > kLeastLinear ? 2 : 1;
+                return degree == 1 ? 2 : degree == 3 ? 1 : 0;
             case kOxygen:
             case kSulphur:
             case kSelenium:
-                return chalcogen(atom);
+                return degree == 1 ? 1 : 0;
             default:
-                return impossible();
+                return 0;
         }
     }
 
-    PiSystem::Atom carbon(std::uint32_t atom) const {
+    bool hydrogenated(std::uint32_t atom) const { return hydrogenated_[work_.atom(atom).residue] != 0; }
+
+    /// An atom among hydrogens: those that are absent are pi bonds.
+    PiSystem::Atom withHydrogens(std::uint32_t atom) const {
         const std::size_t degree = work_.degree(atom);
-        if (degree >= 4) return impossible();
-        if (hydrogenated_[work_.atom(atom).residue])
+        if (work_.element(atom) == kCarbon)
             return degree == 3 ? PiSystem::Atom{{kCertain, 0, 0}, 1} : PiSystem::Atom{{2 * kCertain, kLikely, 0}, 2};
-        if (degree == 1) return {{0, 0.3f, 0.3f}, 2};
-        const double angle = meanAngle(atom);
-        const bool flat = work_.flatRing[atom] > 0;
-        if (degree == 3) {
-            // From a pyramid of tetrahedral angles (109.5 degrees) to a plane (120).
-            if (angle < (flat ? kLeastPlanarAngle - 2 : kLeastPlanarAngle)) return impossible();
-            const auto cost = static_cast<float>(std::clamp((angle - kLeastPlanarAngle) / 5, 0.2, 1.0)) * kCertain;
-            return {{cost, 0, 0}, 1};
-        }
-        if (angle > 155) return {{2 * kCertain, kLikely, 0}, 2};
-        if (work_.flatRing[atom] == 6) return {{kLikely + 0.5f, 0, 0}, 1};
-        if (work_.flatRing[atom] == 5) return {{kMaybe + 0.2f, 0, 0}, 1};
-        return {{static_cast<float>(std::clamp((angle - 115) / 7, -0.5, 1.0)) * kMaybe, 0, 0}, 1};
-    }
-
-    PiSystem::Atom nitrogen(std::uint32_t atom) const {
-        const std::size_t degree = work_.degree(atom);
-        if (degree >= 4) return impossible();
-        const bool hydrogens = hydrogenated_[work_.atom(atom).residue] != 0;
-        if (degree == 3) return {{0, meanAngle(atom) > 116 ? 1.5f : kCertain, 0}, 1};
-        if (degree == 1) return {{hydrogens ? kCertain : 0, hydrogens ? kLikely : 0.3f, 0}, 2};
-        if (meanAngle(atom) > 155) return {{kLikely, kMaybe, 0}, 2};
-        if (hydrogens) return {{kCertain, 0, 0}, 1};
-        if (work_.flatRing[atom] == 6) return {{1.1f, 0, 0}, 1};
-        return {{0, 0, 0}, 1};
-    }
-
-    PiSystem::Atom chalcogen(std::uint32_t atom) const {
-        if (work_.degree(atom) != 1) return impossible();
-        const bool hydrogens = hydrogenated_[work_.atom(atom).residue] != 0;
-        return {{hydrogens ? kLikely : 0, 0, 0}, 1};
+        if (work_.element(atom) != kNitrogen) return {{kLikely, 0, 0}, 1};
+        if (degree == 3) return {{0, features_.angle(atom) > 116 ? 1.5f : kCertain, 0}, 1};
+        if (degree == 1) return {{kCertain, kLikely, 0}, 2};
+        return features_.angle(atom) > 155 ? PiSystem::Atom{{kLikely, kMaybe, 0}, 2}
+                                           : PiSystem::Atom{{kCertain, 0, 0}, 1};
     }
 
     /// An oxygen at a carbon that has a nitrogen or another oxygen: of an amide, lactam, urea, acid or ester, whatever
@@ -219,6 +189,21 @@ private:
         return leadsOut && !carbonyl ? -0.6f : 0;
     }
 
+    /// What 0, 1 and 2 pi bonds gain in a bond.
+    std::array<float, 3> gains(std::uint32_t index, const BondLengths& lengths) const {
+        const Bond& bond = work_.molecule.bonds[index];
+        if (hydrogenated(bond.a) || hydrogenated(bond.b)) {
+            const float length = work_.length(bond.a, bond.b);
+            const float one = gainOf(length, lengths.twofold, lengths.single) + ringBonus(index, bond.a, bond.b);
+            return {0, one, one + gainOf(length, lengths.threefold, lengths.twofold)};
+        }
+        float one = 0, second = 0;
+        features_.pi(index, lengths, [&](std::size_t feature, float value) { one += value * kOrderWeight[feature]; });
+        features_.secondPi(index, lengths,
+                           [&](std::size_t feature, float value) { second += value * kOrderWeight[feature]; });
+        return {0, one, one + second};
+    }
+
     void placePiBonds() {
         PiSystem system;
         std::vector<std::uint32_t> bonds, index(open_.size(), kNone);
@@ -230,15 +215,12 @@ private:
         for (std::uint32_t b = 0; b < work_.source.size(); ++b) {
             const Bond& bond = work_.molecule.bonds[b];
             if (!unknown(b) || !work_.chemistry.present[bond.a] || !work_.chemistry.present[bond.b]) continue;
-            const BondLengths* lengths = lengthsOf(work_.element(bond.a), work_.element(bond.b));
+            const BondLengths* lengths = bondLengths(work_.element(bond.a), work_.element(bond.b));
             if (!lengths) continue;
             const std::uint32_t i = place(bond.a), j = place(bond.b);
-            const std::uint8_t most = std::min(system.atoms[i].most, system.atoms[j].most);
-            if (most == 0) continue;
-            const float length = work_.length(bond.a, bond.b);
-            const float one = gainOf(length, lengths->twofold, lengths->single) + ringBonus(b, bond.a, bond.b);
-            const float two = one + gainOf(length, lengths->threefold, lengths->twofold);
-            system.bonds.push_back({i, j, {0, one, two}});
+            if (std::min(system.atoms[i].most, system.atoms[j].most) == 0) continue;
+            const std::array<float, 3> gain = gains(b, *lengths);
+            system.bonds.push_back({i, j, {gain[0], gain[1], gain[2]}});
             bonds.push_back(b);
         }
         const std::vector<std::uint8_t> pi = bestPiBonds(system);
@@ -248,6 +230,7 @@ private:
 
     static constexpr std::uint32_t kNone = 0xffffffffu;
     ChemistryWork& work_;
+    OrderFeatures features_;
     std::vector<std::uint8_t> open_;          // by atom: it has bonds of unknown order
     std::vector<std::uint8_t> hydrogenated_;  // by residue
 };

@@ -230,7 +230,9 @@ constexpr std::size_t kMostCycles = 1'000'000;  // that are held; atoms beyond a
 void addRing(ChemistryWork& work, std::vector<std::uint32_t> atoms) {
     Ring ring{std::move(atoms)};
     const auto size = static_cast<std::uint8_t>(ring.atoms.size());
-    if (size == 5 || size == 6) ring.planar = meanTorsion(work, ring.atoms) <= (size == 5 ? kFlatFive : kFlatSix);
+    const double torsion = meanTorsion(work, ring.atoms);
+    work.ringTorsion.push_back(static_cast<float>(torsion));
+    if (size == 5 || size == 6) ring.planar = torsion <= (size == 5 ? kFlatFive : kFlatSix);
     for (const std::uint32_t atom : ring.atoms) {
         std::uint8_t& smallest = work.ringAtom[atom];
         if (smallest == 0 || size < smallest) smallest = size;
@@ -241,11 +243,13 @@ void addRing(ChemistryWork& work, std::vector<std::uint32_t> atoms) {
 
 }  // namespace
 
+std::vector<std::uint8_t> cyclicBonds(const Chemistry& chemistry) { return CycleBonds(chemistry).find(); }
+
 void findRings(ChemistryWork& work) {
     Chemistry& chemistry = work.chemistry;
     work.ringAtom.assign(chemistry.present.size(), 0);
     work.flatRing.assign(chemistry.present.size(), 0);
-    work.inRing = CycleBonds(chemistry).find();
+    work.inRing = cyclicBonds(chemistry);
     std::vector<Cycle> cycles;
     ShortCycles shortest(chemistry, work.inRing);
     for (std::uint32_t i = 0; i < chemistry.present.size(); ++i) {

@@ -1,6 +1,7 @@
 // Charges, hydrogens and hybridisation at neutral pH, and bonds that are delocalised.
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/chemistry/steps.h"
@@ -20,6 +21,16 @@ public:
         for (std::uint32_t i = 0; i < count; ++i)
             if (chemistry_.present[i] && work.isHydrogenAt(i) && work.degree(i) > 0)
                 hasHydrogens_[work.atom(i).residue] = 1;
+        metals_.assign(count, 0);
+        ownMetals_.assign(count, 0);
+        for (const Bond& bond : work.molecule.bonds) {
+            if (!chemistry_.present[bond.a] || !chemistry_.present[bond.b]) continue;
+            for (const auto& [atom, other] : {std::pair(bond.a, bond.b), std::pair(bond.b, bond.a)}) {
+                if (!isMetal(work.element(other))) continue;
+                metals_[atom] = 1;
+                if (work.atom(atom).residue == work.atom(other).residue) ownMetals_[atom] = 1;
+            }
+        }
     }
 
     void run() {
@@ -62,27 +73,39 @@ private:
         return static_cast<std::uint8_t>(work_.degree(atom) - work_.heavyDegree(atom));
     }
 
-    static int valenceOf(Element e, int orders) {
+    /// Hydrogens that complete the smallest usual valence. A charge shifts it to that of a neighbouring group of the
+    /// periodic table: N+ binds as carbon does, S+ as phosphorus. Only the third period and below go beyond the octet.
+    static int lackingHydrogens(Element e, int charge, int orders) {
+        const int group = groupOf(e);
+        if (group == 0) return 0;
+        const int like = group - charge;  // 14: carbon
+        const bool octet = e <= kFluorine || like <= 14;
+        const int least = like <= 14 ? like - 10 : 18 - like;
+        for (int valence = least; valence <= (octet ? least : 8 - least); valence += 2)
+            if (valence >= orders) return valence - orders;
+        return 0;
+    }
+
+    static int groupOf(Element e) {
         switch (e) {
+            case kBoron:
+                return 13;
             case kCarbon:
             case kSilicon:
-                return 4;
+                return 14;
             case kNitrogen:
-            case kBoron:
-                return 3;
             case kPhosphorus:
             case kArsenic:
-                return orders <= 3 ? 3 : 5;
+                return 15;
             case kOxygen:
-                return 2;
             case kSulphur:
             case kSelenium:
-                return orders <= 2 ? 2 : orders <= 4 ? 4 : 6;
+                return 16;
             case kFluorine:
             case kChlorine:
             case kBromine:
             case kIodine:
-                return orders <= 1 ? 1 : 7;
+                return 17;
             default:
                 return 0;
         }
@@ -100,15 +123,23 @@ private:
             chemistry_.hydrogens[atom] = there;
             return;
         }
-        if (work_.degree(atom) == 0 && !isWaterLike(atom)) return;
-        int missing = valenceOf(e, sum) - sum;
-        if (e == kNitrogen || e == kOxygen || e == kPhosphorus || e == kSulphur) missing += charge;
-        if (e == kCarbon || e == kBoron) missing -= std::abs(charge);
-        if (backboneEnd(atom)) missing = 0;
-        chemistry_.hydrogens[atom] = static_cast<std::uint8_t>(there + std::clamp(missing, 0, 4));
+        if (work_.degree(atom) == 0 && !standsAlone(atom)) return;
+        const int missing = backboneEnd(atom) || bindsMetal(atom, e) ? 0 : lackingHydrogens(e, charge, sum);
+        chemistry_.hydrogens[atom] = static_cast<std::uint8_t>(there + missing);
     }
 
-    bool isWaterLike(std::uint32_t atom) const { return work_.element(atom) == kOxygen; }
+    /// A water, an ammonium or an ammine: not an oxide, an ion, or the only atom that is modelled of a residue.
+    bool standsAlone(std::uint32_t atom) const {
+        const Element e = work_.element(atom);
+        if (e == kOxygen) return ownMetals_[atom] == 0;
+        return e == kNitrogen && !residueTemplate(work_.molecule.residues[work_.atom(atom).residue].name);
+    }
+
+    /// A thiolate at a metal, or an alkoxide at a metal of its own residue.
+    bool bindsMetal(std::uint32_t atom, Element e) const {
+        if (work_.degree(atom) != 1 || chemistry_.orders(atom) != 1) return false;
+        return e == kSulphur || e == kSelenium ? metals_[atom] > 0 : e == kOxygen && ownMetals_[atom] > 0;
+    }
 
     /// Where a residue has hydrogens, what has none is without them by intent, be it an acid's oxygen.
     bool stateOfHydrogensKnown(std::uint32_t atom) const { return work_.degree(atom) > 0; }
@@ -122,21 +153,56 @@ private:
 
     int chargeOf(std::uint32_t atom, Element e, int sum) const {
         const bool known = hasHydrogens_[work_.atom(atom).residue] != 0;
-        if (e == kNitrogen) {
-            if (sum >= 4) return 1;
-            if (known) return 0;
-            return amine(atom) || amidinium(atom) ? 1 : 0;
+        const std::size_t degree = work_.degree(atom);
+        switch (e) {
+            case kNitrogen:
+                if (sum >= 4) return 1;
+                if (besideDiazo(atom, sum)) return -1;
+                if (degree == 0) return standsAlone(atom) && metals_[atom] == 0 ? 1 : 0;
+                if (known) return 0;
+                return amine(atom) || amidinium(atom) ? 1 : 0;
+            case kPhosphorus:
+            case kArsenic:
+                return sum == 4 && degree == 4 ? 1 : 0;
+            case kBoron:
+                return sum == 4 ? -1 : 0;
+            case kCarbon:
+                return sum == 3 && degree == 1 && endsOfMonoxide(atom) ? -1 : 0;
+            case kOxygen:
+            case kSulphur:
+            case kSelenium:
+                if (sum == 3) return 1;
+                if (sum != 1 || degree != 1) return 0;
+                return (e != kSelenium && acidEnd(atom, known)) || bindsMetal(atom, e) ? -1 : 0;
+            case kChlorine:
+            case kBromine:
+            case kIodine:
+                return sum == 2 && degree == 2 ? 1 : 0;
+            default:
+                return 0;
         }
-        if ((e == kOxygen || e == kSulphur) && sum == 1 && work_.degree(atom) == 1)
-            return acidEnd(atom, known) ? -1 : 0;
-        if (e == kSulphur && sum == 3 && work_.degree(atom) == 3) return 1;
-        if (e == kPhosphorus && sum == 4 && work_.degree(atom) == 4) return 1;
-        return 0;
+    }
+
+    /// The carbon of carbon monoxide, or of an isocyanide.
+    bool endsOfMonoxide(std::uint32_t carbon) const {
+        const std::uint32_t other = chemistry_.of(carbon).front().atom;
+        const Element e = work_.element(other);
+        return chemistry_.orders(other) == (e == kNitrogen ? 4 : 3) && (e == kNitrogen || e == kOxygen);
+    }
+
+    /// The end of an azide or diazo group, N=[N+]=[N-], or its nitrogen in N-[N+]#N.
+    bool besideDiazo(std::uint32_t atom, int sum) const {
+        if (sum != 2) return false;
+        for (const Neighbour& n : chemistry_.of(atom)) {
+            const bool middle = work_.element(n.atom) == kNitrogen && work_.degree(n.atom) == 2 && piOf(n.atom) == 2;
+            if (middle && (work_.degree(atom) == 1 || chemistry_.order[n.bond] == 1)) return true;
+        }
+        return false;
     }
 
     /// An amine that nothing withdraws electrons from: all its neighbours are tetrahedral carbons.
     bool amine(std::uint32_t atom) const {
-        if (chemistry_.hybrid[atom] != 3 || work_.degree(atom) == 0) return false;
+        if (chemistry_.hybrid[atom] != 3) return false;
         for (const Neighbour& n : chemistry_.of(atom)) {
             const bool carbon = work_.element(n.atom) == kCarbon && chemistry_.hybrid[n.atom] == 3;
             if (!carbon && !work_.isHydrogenAt(n.atom)) return false;
@@ -175,7 +241,8 @@ private:
         if (e == kNitrogen) return chemistry_.orders(n.atom) >= 4;
         for (const Neighbour& m : chemistry_.of(n.atom)) {
             if (m.atom == atom || chemistry_.order[m.bond] != 2 || work_.degree(m.atom) != 1) continue;
-            if (e == kCarbon || e == kSulphur || e == kChlorine) return work_.element(m.atom) == kOxygen;
+            const bool acid = e == kCarbon || e == kSulphur || e == kSelenium || groupOf(e) == 17;
+            if (acid) return work_.element(m.atom) == kOxygen;
         }
         return false;
     }
@@ -205,7 +272,8 @@ private:
 
     ChemistryWork& work_;
     Chemistry& chemistry_;
-    std::vector<std::uint8_t> hasHydrogens_;  // by residue
+    std::vector<std::uint8_t> hasHydrogens_;        // by residue
+    std::vector<std::uint8_t> metals_, ownMetals_;  // by atom: bonded to a metal, and to one of its residue
 };
 
 }  // namespace

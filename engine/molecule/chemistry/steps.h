@@ -36,6 +36,7 @@ struct ChemistryWork {
     std::vector<std::uint8_t> inRing;    ///< by bond
     std::vector<std::uint8_t> flatRing;  ///< by atom: size of its smallest flat ring of five or six, else 0
     std::vector<std::uint8_t> ringAtom;  ///< by atom: size of its smallest ring, else 0
+    std::vector<float> ringTorsion;      ///< by ring: mean torsion, degrees
 
     const Atom& atom(std::uint32_t i) const { return molecule.atoms[i]; }
     Element element(std::uint32_t i) const { return molecule.atoms[i].element; }
@@ -53,6 +54,9 @@ struct ChemistryWork {
 /// Fills Chemistry::rings, ::inRing and ::ringAtom, and marks flat rings.
 void findRings(ChemistryWork& work);
 
+/// By bond: whether it lies on any cycle. Reads present atoms, neighbours and the number of bonds.
+std::vector<std::uint8_t> cyclicBonds(const Chemistry& chemistry);
+
 /// Orders of the bonds with unknown source, from lengths and angles.
 void perceiveOrders(ChemistryWork& work);
 
@@ -64,6 +68,9 @@ void findAromatic(ChemistryWork& work);
 
 /// Charges, hydrogens, hybridisation and delocalised bonds. Needs aromatic rings.
 void findStates(ChemistryWork& work);
+
+/// Sets Ring::drawnAromatic. Needs hybridisation.
+void chooseDrawnRings(ChemistryWork& work);
 
 /// Atoms that may share pi bonds, to find the best distribution.
 struct PiSystem {
