@@ -42,19 +42,28 @@ void DrawnOrders::perceive(const ResidueFacts& facts, const std::vector<bool>& w
         if (wanted[a]) looked[b] = true;
         if (wanted[b]) looked[a] = true;
     }
-    std::vector<std::uint32_t> atoms = drawnAtoms(molecule, {.water = false, .hydrogens = true});
-    std::erase_if(atoms, [&](std::uint32_t atom) { return !looked[molecule.atoms[atom].residue]; });
-    const Chemistry chemistry = perceiveChemistry(molecule, atoms);
+    for (std::vector<std::uint32_t>& atoms : conformers(molecule, {.water = false, .hydrogens = true})) {
+        std::erase_if(atoms, [&](std::uint32_t atom) { return !looked[molecule.atoms[atom].residue]; });
+        take(molecule, perceiveChemistry(molecule, atoms), wanted);
+    }
+}
+
+void DrawnOrders::take(const Molecule& molecule, const Chemistry& chemistry, const std::vector<bool>& wanted) {
+    std::vector<bool> inner(molecule.bonds.size());  // in a ring that is drawn as aromatic
+    for (const Ring& ring : chemistry.rings)
+        for (std::size_t i = 0; ring.drawnAromatic && i < ring.atoms.size(); ++i)
+            for (const Neighbour& n : chemistry.of(ring.atoms[i]))
+                if (n.atom == ring.atoms[(i + 1) % ring.atoms.size()]) inner[n.bond] = true;
     for (std::size_t i = 0; i < orders_.size(); ++i) {
         const Bond& bond = molecule.bonds[i];
-        if (!chemistry.present[bond.a] || !chemistry.present[bond.b]) continue;
+        if (perceived_[i] || !chemistry.present[bond.a] || !chemistry.present[bond.b]) continue;
         if (!wanted[molecule.atoms[bond.a].residue] && !wanted[molecule.atoms[bond.b].residue]) continue;
         perceived_[i] = true;
-        orders_[i] = chemistry.aromatic[i] ? 4 : chemistry.delocalised[i] ? kDelocalised : chemistry.order[i];
+        orders_[i] = inner[i] ? 4 : chemistry.delocalised[i] ? kDelocalised : chemistry.order[i];
     }
     for (const Ring& ring : chemistry.rings) {
         const auto better = [&](const DrawnRing& known) {
-            return ring.aromatic != known.aromatic ? ring.aromatic : ring.atoms.size() < known.atoms.size();
+            return ring.drawnAromatic != known.aromatic ? ring.drawnAromatic : ring.atoms.size() < known.atoms.size();
         };
         for (std::size_t i = 0; i < ring.atoms.size(); ++i) {
             const std::pair<std::uint32_t, std::uint32_t> bond =
@@ -62,7 +71,7 @@ void DrawnOrders::perceive(const ResidueFacts& facts, const std::vector<bool>& w
             const auto [place, added] = ringOfBond_.emplace(bond, rings_.size());
             if (!added && better(rings_[place->second])) place->second = rings_.size();
         }
-        rings_.push_back({ring.atoms, ring.aromatic});
+        rings_.push_back({ring.atoms, ring.drawnAromatic});
     }
 }
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/molecule/residue_facts.h"
+#include "engine/molecule/chemistry/chemistry.h"
 #include "engine/scene/build/appearance.h"
 
 namespace nacre {
@@ -31,13 +31,15 @@ public:
     std::span<const std::uint32_t> ringOf(std::uint32_t a, std::uint32_t b) const;
     struct DrawnRing {
         std::vector<std::uint32_t> atoms;  ///< in ring order
-        bool aromatic = false;
+        bool aromatic = false;             ///< Ring::drawnAromatic
     };
     const std::vector<DrawnRing>& rings() const { return rings_; }
     AromaticForm form() const { return form_; }
 
 private:
     void perceive(const ResidueFacts& facts, const std::vector<bool>& wanted);
+    /// What one conformer says.
+    void take(const Molecule& molecule, const Chemistry& chemistry, const std::vector<bool>& wanted);
 
     BondOrders mode_;
     AromaticForm form_;
