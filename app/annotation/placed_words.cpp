@@ -100,6 +100,20 @@ struct DrawnAtoms {
             for (std::size_t i = run.first; i < run.first + run.count; ++i)
                 put(i, scene.copies.transforms[scene.copies.lists[run.list].front()]);
         addMeshAtoms(molecule, scene);
+        addLineAtoms(scene);
+    }
+
+    /// Positions of atoms that are drawn as lines.
+    void addLineAtoms(const Representation& scene) {
+        constexpr double kRadius = 0.1;  // Å
+        const auto put = [&](const glm::vec3& end, std::uint32_t number) {
+            if (number > 0 && number <= places.size() && places[number - 1].radius < 0)
+                places[number - 1] = {glm::dvec3(end), kRadius};
+        };
+        for (std::size_t i = 0; i < scene.wires.size(); ++i) {
+            put(scene.wires[i].a, scene.wireLooks[i].atomA);
+            put(scene.wires[i].b, scene.wireLooks[i].atomB);
+        }
     }
 
     /// Positions of atoms that cartoons and surfaces represent.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 
 #include "app/annotation/placed_words.h"
@@ -66,6 +68,23 @@ TEST(Words, TheFinestFieldSaysWhatALabelIsFor) {
     for (const Atom& atom : dna.molecule.atoms) middle += glm::dvec3(atom.position);
     middle = middle / static_cast<double>(dna.molecule.atoms.size()) - dna.scene.center;
     EXPECT_NEAR(glm::distance(dna.placed("all=DNA").labels[0].at, middle), 0, 1e-3);
+}
+
+TEST(Words, AtomsDrawnAsLinesAreLabelledAndMeasured) {
+    Molecule molecule = sampleMolecule("dna");
+    RepresentationOptions lines;
+    lines.style = Style::line;
+    const Representation scene = represent(molecule, drawnAtoms(molecule, {}), lines);
+    Words words;
+    words.labels.push_back(parseLabel("chain A and resi 2 and name P={atom}"));
+    words.measures.push_back(parseMeasure("chain A and resi 2 and name P, chain A and resi 3 and name P"));
+    const PlacedWords placed = placeWords(words, molecule, scene);
+    ASSERT_EQ(placed.labels.size(), 1u);
+    const std::vector<bool> phosphorus = selectAtoms(molecule, words.labels[0].selection);
+    const auto atom = std::find(phosphorus.begin(), phosphorus.end(), true) - phosphorus.begin();
+    const glm::dvec3 place(molecule.atoms[static_cast<std::size_t>(atom)].position);
+    EXPECT_LT(glm::distance(placed.labels[0].at + scene.center, place), 1e-4);
+    EXPECT_EQ(placed.measures.size(), 1u);
 }
 
 TEST(Words, WhatCannotBeSaidIsAnError) {

@@ -161,6 +161,20 @@ TEST(Orientation, KnowsTheAtomsOfAScene) {
     EXPECT_EQ(drawnBalls(scene).size(), scene.drawnAtoms);
 }
 
+TEST(Orientation, KnowsTheAtomsOfLines) {
+    const Molecule dna = sampleMolecule("dna");
+    RepresentationOptions look;
+    look.style = Style::line;
+    const Representation scene = represent(dna, drawnAtoms(dna, {}), look);
+    std::vector<bool> chosen(dna.atoms.size());
+    chosen[10] = true;
+    const Balls ends = chosenBalls(scene, chosen);
+    ASSERT_FALSE(ends.empty());  // one for each bond
+    for (const glm::dvec4& end : ends)
+        EXPECT_NEAR(glm::distance(glm::dvec3(end) + scene.center, glm::dvec3(dna.atoms[10].position)), 0, 1e-4);
+    EXPECT_EQ(drawnBalls(scene).size(), 2 * scene.wires.size());
+}
+
 TEST(Orientation, ShowsCartoonsAndSurfacesWhole) {
     const Molecule dna = sampleMolecule("dna");
     RepresentationOptions look;

@@ -189,6 +189,15 @@ void forEachVertex(const Representation& scene, std::size_t mostCopies, Add&& ad
     forEachCopy(scene.copies, scene.copies.triangles, scene.triangles.size(), mostCopies, addTriangle);
 }
 
+/// Ends of lines, with the number of their atom (0: none). Those of an assembly are in place.
+template <typename Visit>
+void eachLineEnd(const Representation& scene, const Visit& visit) {
+    for (std::size_t i = 0; i < scene.wires.size(); ++i) {
+        visit(glm::dvec4(scene.wires[i].a, 0.0), scene.wireLooks[i].atomA);
+        visit(glm::dvec4(scene.wires[i].b, 0.0), scene.wireLooks[i].atomB);
+    }
+}
+
 template <typename Visit>
 void eachDrawnBall(const Representation& scene, const Visit& visit) {
     const auto ofSphere = [&](std::size_t i, const glm::dmat4x3& place) {
@@ -200,13 +209,15 @@ void eachDrawnBall(const Representation& scene, const Visit& visit) {
     };
     forEachCopy(scene.copies, scene.copies.spheres, scene.spheres.size(), kEveryCopy, ofSphere);
     forEachVertex(scene, kEveryCopy, ofVertex);
+    eachLineEnd(scene, [&](const glm::dvec4& end, std::uint32_t) { visit(end); });
 }
 
-/// Number of spheres and triangle vertices in all copies.
+/// Number of spheres, triangle vertices and ends of lines in all copies.
 double drawnBallCount(const Representation& scene) {
     if (scene.copies.transforms.empty())
-        return static_cast<double>(scene.spheres.size()) + 3 * static_cast<double>(scene.triangles.size());
-    double count = 0;
+        return static_cast<double>(scene.spheres.size() + 2 * scene.wires.size()) +
+               3 * static_cast<double>(scene.triangles.size());
+    double count = 2 * static_cast<double>(scene.wires.size());
     for (const auto& [runs, each] : {std::pair(&scene.copies.spheres, 1.0), std::pair(&scene.copies.triangles, 3.0)})
         for (const PrimitiveRun& run : *runs)
             count += each * run.count * static_cast<double>(scene.copies.lists[run.list].size());
@@ -236,6 +247,13 @@ std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vect
     };
     forEachCopy(scene.copies, scene.copies.spheres, scene.spheres.size(), 1, addSphere);
     forEachVertex(scene, 1, addVertex);
+    std::vector<bool> known(scene.copies.transforms.empty() ? 0 : chosen.size());
+    eachLineEnd(scene, [&](const glm::dvec4& end, std::uint32_t number) {
+        if (number == 0 || number > chosen.size() || !chosen[number - 1]) return;
+        if (!known.empty() && known[number - 1]) return;  // of a further copy
+        if (!known.empty()) known[number - 1] = true;
+        balls.push_back(end);
+    });
     return balls;
 }
 

@@ -12,8 +12,8 @@
 
 namespace nacre {
 
-/// Centres and radii of all drawn spheres in all copies; Å, relative to Representation::center. Mesh vertices follow
-/// with radius 0: framing includes them, but they hide nothing in the search for a view.
+/// Centres and radii of all drawn spheres in all copies; Å, relative to Representation::center. Mesh vertices and ends
+/// of lines follow with radius 0: framing includes them, but they hide nothing in the search for a view.
 std::vector<glm::dvec4> drawnBalls(const Representation& scene);
 
 /// As above for chosen atoms, each in its first copy.
