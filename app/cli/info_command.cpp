@@ -1,7 +1,9 @@
 #include "app/cli/info_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <iomanip>
 #include <map>
 #include <ostream>
@@ -301,7 +303,10 @@ MapJson mapInfoJson(const DensityMap& map) {
     const glm::dvec3 &l = map.cell.lengths, &a = map.cell.angles;
     MapJson json;
     json["format"] = map.format;
+    glm::ivec3 sampling;  // intervals of the whole cell, whatever part of it the file holds
+    for (int i = 0; i < 3; ++i) sampling[i] = static_cast<int>(std::lround(l[i] / glm::length(map.step[i])));
     json["map"] = {{"grid", wholes(map.size)},
+                   {"sampling", wholes(sampling)},
                    {"cell", {rounded(l.x), rounded(l.y), rounded(l.z), rounded(a.x), rounded(a.y), rounded(a.z)}},
                    {"origin", {rounded(first.x), rounded(first.y), rounded(first.z)}},
                    {"axes", map.axes},

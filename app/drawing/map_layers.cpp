@@ -161,13 +161,15 @@ std::uint32_t contourColor(const DensityMap& map, const MapColors& colors) {
     return packRgb(colors.automatic ? usual : colors.high);
 }
 
-/// A map's contour, and the negative one of a difference map.
+/// A map's contour, and the negative one of a difference map: as far below the mean where the level is in sigma of a
+/// crystal, else at the negative level.
 void addContours(const DensityMap& map, const MapRegion& region, const MapContour& contour, const MapColors& colors,
-                 Representation& shown) {
+                 MapLevel::Unit unit, Representation& shown) {
     addContour(region, contour, shown);
     if (!map.difference) return;
     MapContour other = contour;
-    other.level = 2 * map.statistics.mean - contour.level;
+    const bool aboutMean = map.periodic && (unit == MapLevel::Unit::sigma || unit == MapLevel::Unit::automatic);
+    other.level = aboutMean ? 2 * map.statistics.mean - contour.level : -contour.level;
     other.above = !contour.above;
     other.color = packRgb(colors.automatic ? kNegativeRed : colors.low);
     addContour(region, other, shown);
@@ -226,7 +228,7 @@ MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& d, 
                             mapLimits(d.input));
         if (!valueMap.file.empty()) contour.values = &values.coloring;
         if (slice.axis < 0)
-            addContours(*map, *region, contour, colors, shown);
+            addContours(*map, *region, contour, colors, ofMap(d.maps.levels, i).unit, shown);
         else
             addSlice(*region, {slice.axis, slice.place, ofMap(d.maps.opacities, i).value_or(1)}, values.coloring,
                      shown);

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "app/drawing/map_layers.h"
 #include "app/input/map_input.h"
@@ -107,6 +109,25 @@ TEST_F(FocusTest, MapsAreDrawnAboutIt) {
         EXPECT_GT(farthest, reach - 1.5);
         EXPECT_EQ(maps.frame, 0) << "the camera does not go by them";
     }
+}
+
+TEST_F(FocusTest, OrbitalsHaveTheirNegativeContourAtTheNegativeLevel) {
+    constexpr int kNodes = 21;
+    std::vector<float> values;  // -0.5 to 1.5 along x: the mean is not 0
+    for (int i = 0; i < kNodes * kNodes * kNodes; ++i) values.push_back(0.1f * static_cast<float>(i % kNodes) - 0.5f);
+    DensityMap orbital = mapOfValues("orbital", glm::ivec3(kNodes), {glm::dvec3(kNodes), glm::dvec3(90)},
+                                     glm::dvec3(-10), false, std::move(values));
+    orbital.difference = true;
+    keepMap("orbital", std::make_shared<const DensityMap>(std::move(orbital)));
+    set("map", "orbital");
+    set("map-style", "mesh");
+    set("map-level", "0.3");
+    const MapLayers maps = mapLayersOf(molecule, picture, kCenter, {picture.camera, 12});
+    ASSERT_FALSE(maps.shown.wires.empty());
+    std::set<int> places;
+    for (const Cylinder& wire : maps.shown.wires)
+        places.insert(static_cast<int>(std::lround(10 * (static_cast<double>(wire.a.x) + kCenter.x))));
+    EXPECT_EQ(places, (std::set<int>{-80, -20}));  // 0.1 x = 0.3 + 0.5 - 1, and -0.3 + 0.5 - 1
 }
 
 }  // namespace

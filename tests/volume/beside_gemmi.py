@@ -66,9 +66,10 @@ for name in ("3nzd.ccp4.gz", "3nzd_diff.ccp4.gz", "3pqr.ccp4.gz", "5i55_tiny.ccp
     file = str(data / name)
     judge = gemmi.read_ccp4_map(file)
     axes = [judge.header_i32(i) for i in (17, 18, 19)]
+    sampling = [judge.header_i32(i) for i in (8, 9, 10)]  # MX, MY, MZ: of the cell, beside the box NX, NY, NZ
     judge.setup(float("nan"))
     grid = judge.grid
-    expect_values(file, np.array(grid, copy=False), grid=[grid.nu, grid.nv, grid.nw], axes=axes,
+    expect_values(file, np.array(grid, copy=False), grid=[grid.nu, grid.nv, grid.nw], sampling=sampling, axes=axes,
                   cell=grid.unit_cell.parameters, space_group=grid.spacegroup.number)
 
 # A box of another program's, in every mode and both byte orders.
