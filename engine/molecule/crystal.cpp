@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "engine/error.h"
+#include "engine/molecule/space_group.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -26,7 +27,7 @@ Crystal crystalOf(const Molecule& molecule) {
     const auto fail = [](const std::string& why) -> void { throw Error("cannot build symmetry", "", why); };
     const FileSummary& file = molecule.file;
     if (!file.cell) fail("the file states no unit cell");
-    const gemmi::SpaceGroup* group = gemmi::find_spacegroup_by_name(file.spaceGroup);
+    const gemmi::SpaceGroup* group = spaceGroupOf(file.spaceGroup);
     if (!group)
         fail(file.spaceGroup.empty() ? "the file states no space group"
                                      : "there is no space group '" + printable(file.spaceGroup) + "'");

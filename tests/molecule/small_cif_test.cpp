@@ -1,6 +1,7 @@
 // Small-molecule CIF.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <gemmi/cif.hpp>
 #include <gemmi/numb.hpp>
 #include <glm/geometric.hpp>
@@ -56,6 +57,48 @@ TEST(SmallCif, SymmetryMakesTheUnitCell) {
     const Molecule odd = readMolecule("a.cif", file("_symmetry_equiv_pos_as_xyz 'x,y,q'\n"));
     EXPECT_TRUE(odd.assemblies.empty());
     EXPECT_NE(odd.warnings.back().find("'x,y,q' is not a symmetry operation"), std::string::npos);
+}
+
+TEST(SmallCif, ANameOfASpaceGroupMakesTheUnitCell) {
+    const std::string general =
+        "loop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\nC1 0.05 0.13 0.21\n";
+    // Rock salt as gemmi 0.5.7 has its group: 192 operations.
+    for (const char* name : {"_symmetry_space_group_name_H-M 'F m -3 m'\n", "_space_group_name_H-M_alt 'F m 3 m'\n",
+                             "_symmetry_space_group_name_H-M Fm-3m\n"}) {
+        const Molecule m = readMolecule("a.cif", file(name, kCell, general));
+        ASSERT_EQ(m.assemblies.size(), 1u) << name;
+        EXPECT_EQ(m.assemblies[0].parts.at(0).transforms.size(), 192u) << name;
+        EXPECT_FALSE(m.file.spaceGroup.empty());
+    }
+    const Molecule none = readMolecule("a.cif", file("_symmetry_space_group_name_H-M 'Q 7'\n"));
+    EXPECT_TRUE(none.assemblies.empty());
+    EXPECT_NE(none.warnings.back().find("no space group 'Q 7'"), std::string::npos);
+}
+
+std::size_t atomsInCell(const Molecule& m) {
+    std::size_t count = 0;
+    for (const AssemblyPart& part : m.assemblies.at(0).parts)
+        for (const Residue& residue : m.residues)
+            if (std::find(part.subchains.begin(), part.subchains.end(), residue.subchain) != part.subchains.end())
+                count += residue.atomCount * part.transforms.size();
+    return count;
+}
+
+TEST(SmallCif, AtomsOnSpecialPositionsStandInTheCellOnce) {
+    // Low quartz, three formula units of SiO2: silicon lies on a twofold axis (Levien et al. 1980).
+    const std::string quartz =
+        "data_quartz\n_cell_length_a 4.916\n_cell_length_b 4.916\n_cell_length_c 5.4054\n_cell_angle_alpha 90\n"
+        "_cell_angle_beta 90\n_cell_angle_gamma 120\n_symmetry_space_group_name_H-M 'P 32 2 1'\n"
+        "loop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\n"
+        "Si 0.4697 0.0000 0.16667\nO 0.4135 0.2669 0.2858\n";
+    EXPECT_EQ(atomsInCell(readMolecule("a.cif", quartz)), 9u);
+    // Rock salt, four of NaCl, by its old name.
+    const std::string salt =
+        "data_salt\n_cell_length_a 5.64\n_cell_length_b 5.64\n_cell_length_c 5.64\n_cell_angle_alpha 90\n"
+        "_cell_angle_beta 90\n_cell_angle_gamma 90\n_symmetry_space_group_name_H-M 'F m 3 m'\n"
+        "loop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\n"
+        "Na 0 0 0\nCl 0.5 0.5 0.5\n";
+    EXPECT_EQ(atomsInCell(readMolecule("a.cif", salt)), 8u);
 }
 
 TEST(SmallCif, WhatIsWrong) {

@@ -95,6 +95,7 @@ bool MmcifModel::isKept(std::string_view category) {
                                                  "cell",
                                                  "symmetry",
                                                  "symmetry_equiv",
+                                                 "space_group",
                                                  "space_group_symop",
                                                  "chemical",
                                                  "exptl",
@@ -231,8 +232,8 @@ std::vector<Molecule> MmcifModel::finish(const std::string& format) {
         if (options_.model > 1) cannotRead(builder.name(), "a small-molecule CIF has only model 1");
         titleOf = "chemical";
         const bool old = tables_["symmetry_equiv"].rows() > 0;
-        addSmallMolecule(
-            builder, {tables_["atom_site"], tables_["cell"], tables_[old ? "symmetry_equiv" : "space_group_symop"]});
+        addSmallMolecule(builder, {tables_["atom_site"], tables_["cell"],
+                                   tables_[old ? "symmetry_equiv" : "space_group_symop"], spaceGroupName()});
         file.format = "cif-core";
     } else {
         cannotRead(builder.name(), "it has no _atom_site rows, so no atoms");
@@ -279,7 +280,7 @@ void MmcifModel::nameParts(Molecule& molecule) {
 void MmcifModel::summariseCrystal(FileSummary& file) {
     static constexpr const char* kColumns[6] = {"length_a",    "length_b",   "length_c",
                                                 "angle_alpha", "angle_beta", "angle_gamma"};
-    const MmcifTable &cell = tables_["cell"], &symmetry = tables_["symmetry"];
+    const MmcifTable& cell = tables_["cell"];
     if (cell.rows() == 0) return;
     std::array<double, 6> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -288,7 +289,17 @@ void MmcifModel::summariseCrystal(FileSummary& file) {
         values[i] = *value;
     }
     file.cell = values;
-    if (symmetry.rows() > 0) file.spaceGroup = symmetry.get(0, {"space_group_name_h-m"}).value_or("");
+    file.spaceGroup = spaceGroupName();
+}
+
+std::string MmcifModel::spaceGroupName() {
+    for (const char* category : {"symmetry", "space_group"}) {
+        const MmcifTable& table = tables_[category];
+        for (std::size_t row = 0; row < table.rows(); ++row)
+            if (const auto name = table.get(row, {"space_group_name_h-m", "name_h-m_alt", "name_h-m_full", "name_h-m"}))
+                return std::string(*name);
+    }
+    return "";
 }
 
 void MmcifModel::summarise(FileSummary& file, const char* titleOf) {

@@ -157,6 +157,7 @@ private:
     void finishModels(FileSummary& file);
     void summarise(FileSummary& file, const char* titleOf);
     void summariseCrystal(FileSummary& file);
+    std::string spaceGroupName();
     void nameParts(Molecule& molecule);
 
     std::deque<MoleculeBuilder> builders_;  ///< of the wanted models
@@ -192,6 +193,7 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
 /// The tables of a small-molecule CIF, whose coordinates are fractional.
 struct SmallMoleculeTables {
     const MmcifTable &atoms, &cell, &symmetry;
+    std::string spaceGroup = {};  ///< Hermann-Mauguin, for files that list no operations; empty: not stated
 };
 /// The file's atoms are the asymmetric unit; the content of the unit cell becomes the assembly "unit-cell".
 /// @throws Error if the cell is missing or impossible, or a coordinate is not a number

@@ -3,10 +3,13 @@
 #include <cmath>
 #include <gemmi/symmetry.hpp>
 #include <gemmi/unitcell.hpp>
+#include <map>
+#include <numeric>
 
 #include "engine/molecule/assemblies.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/mmcif_model.h"
+#include "engine/molecule/space_group.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -106,31 +109,98 @@ TransformRows transformOf(const gemmi::Op& operation, const gemmi::UnitCell& cel
     return rows;
 }
 
-Assembly unitCell(const MoleculeBuilder& builder, const MmcifTable& symmetry, const gemmi::UnitCell& cell,
-                  const gemmi::Fractional& centre) {
-    AssemblyLimits limits(builder.maxAtoms());
-    std::vector<glm::mat4x3> transforms;
+/// Operations that the file lists, else those of its space group.
+std::vector<gemmi::Op> operationsOf(const SmallMoleculeTables& tables) {
+    std::vector<gemmi::Op> operations;
+    const MmcifTable& symmetry = tables.symmetry;
     for (std::size_t row = 0; row < symmetry.rows(); ++row) {
         const auto text = symmetry.get(row, {"pos_as_xyz", "operation_xyz"});
         if (!text) throw AssemblyFault("a symmetry operation is missing");
-        limits.spend(1, 1);
         try {
-            transforms.push_back(toMatrix(transformOf(gemmi::parse_triplet(std::string(*text)), cell, centre)));
-        } catch (const AssemblyFault&) {
-            throw;
+            operations.push_back(gemmi::parse_triplet(std::string(*text)));
         } catch (const std::exception&) {  // thrown by gemmi's parser
             throw AssemblyFault("'" + printable(*text) + "' is not a symmetry operation");
         }
     }
-    Assembly assembly{"unit-cell", "content of the unit cell", {}};
-    addPart(assembly, transforms, {*builder.subchain("")});
-    return assembly;
+    if (!operations.empty() || tables.spaceGroup.empty()) return operations;
+    const gemmi::SpaceGroup* group = spaceGroupOf(tables.spaceGroup);
+    if (!group) throw AssemblyFault("there is no space group '" + printable(tables.spaceGroup) + "'");
+    for (const gemmi::Op operation : group->operations()) operations.push_back(operation);
+    return operations;
 }
+
+/// Indices of the operations that give an atom places of its own. On a special position others repeat them: on an axis,
+/// in a mirror plane or at a centre of symmetry.
+std::vector<std::uint32_t> distinctPlaces(const gemmi::Fractional& at, const std::vector<gemmi::Op>& operations,
+                                          const gemmi::UnitCell& cell) {
+    constexpr double kSamePlace = 0.3;             // Å: nearer images are one atom, written with few digits
+    constexpr std::size_t kMostOperations = 1000;  // no space group has more than 192
+    const auto imageOf = [&](std::size_t i) {
+        const std::array<double, 3> image = operations[i].apply_to_xyz({at.x, at.y, at.z});
+        return gemmi::Fractional(image[0], image[1], image[2]);
+    };
+    const auto same = [&](const gemmi::Fractional& a, const gemmi::Fractional& b) {
+        const gemmi::Fractional between(a - b);
+        return cell.orthogonalize_difference(gemmi::Fractional(between).wrap_to_zero()).length() < kSamePlace;
+    };
+    std::vector<std::uint32_t> kept(operations.size());
+    std::iota(kept.begin(), kept.end(), 0u);
+    if (operations.size() > kMostOperations) return kept;
+    // In a group an atom is repeated by all operations if it is by the first.
+    const auto repeats = [&](std::uint32_t i) { return i > 0 && same(imageOf(i), imageOf(0)); };
+    if (std::none_of(kept.begin(), kept.end(), repeats)) return kept;
+    kept.clear();
+    for (std::uint32_t i = 0; i < operations.size(); ++i)
+        if (std::none_of(kept.begin(), kept.end(),
+                         [&](std::uint32_t known) { return same(imageOf(i), imageOf(known)); }))
+            kept.push_back(i);
+    return kept;
+}
+
+/// Groups of atoms with the same places in the cell, each a subchain of its own.
+class Sites {
+public:
+    /// The name of the subchain of an atom. Empty: of the atoms that every operation places.
+    std::string nameOf(const std::vector<std::uint32_t>& kept, std::size_t operations) {
+        if (kept.size() >= operations) return "";
+        const auto [at, added] = groups_.try_emplace(kept, "site " + std::to_string(groups_.size() + 1));
+        return at->second;
+    }
+
+    Assembly unitCell(const MoleculeBuilder& builder, const std::vector<gemmi::Op>& operations,
+                      const gemmi::UnitCell& cell, const gemmi::Fractional& centre) const {
+        AssemblyLimits limits(builder.maxAtoms());
+        std::vector<glm::mat4x3> transforms;
+        for (const gemmi::Op& operation : operations) {
+            limits.spend(1, 1);
+            transforms.push_back(toMatrix(transformOf(operation, cell, centre)));
+        }
+        Assembly assembly{"unit-cell", "content of the unit cell", {}};
+        if (const auto general = builder.subchain("")) addPart(assembly, transforms, {*general});
+        for (const auto& [kept, name] : groups_) {
+            std::vector<glm::mat4x3> some;
+            for (const std::uint32_t i : kept) some.push_back(transforms[i]);
+            if (const auto site = builder.subchain(name)) addPart(assembly, some, {*site});
+        }
+        return assembly;
+    }
+
+private:
+    std::map<std::vector<std::uint32_t>, std::string> groups_;
+};
 
 }  // namespace
 
 void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& tables) {
     const gemmi::UnitCell cell = readCell(builder.name(), tables.cell);
+    std::vector<gemmi::Op> operations;
+    std::string fault;
+    try {
+        operations = operationsOf(tables);
+    } catch (const AssemblyFault& without) {
+        fault = without.what();
+    }
+    Sites sites;
     gemmi::Vec3 sum(0, 0, 0);
     std::size_t unplaced = 0, placed = 0;
     for (std::size_t row = 0; row < tables.atoms.rows(); ++row) {
@@ -147,19 +217,21 @@ void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& table
                            "the position in row " + std::to_string(row + 1) + " of _atom_site is too far away");
             atom.position[axis] = static_cast<float>(position.at(axis));
         }
-        builder.addAtom(atom, "", 1, '\0', "");
+        const std::string site = sites.nameOf(distinctPlaces(*fractional, operations, cell), operations.size());
+        builder.addAtom(atom, "", 1, '\0', "", site);
         sum += *fractional;
         ++placed;
     }
     if (unplaced > 0) builder.warn("atoms without coordinates, left out: " + std::to_string(unplaced));
     builder.molecule().file.models = 1;
     builder.molecule().file.totalAtomsAllModels = static_cast<std::int64_t>(placed);
-    if (placed == 0 || tables.symmetry.rows() == 0) return;
+    if (!fault.empty()) builder.warn("the unit cell is left out: " + fault);
+    if (placed == 0 || operations.empty()) return;
     try {
         const gemmi::Fractional centre(sum / static_cast<double>(placed));
-        builder.molecule().assemblies.push_back(unitCell(builder, tables.symmetry, cell, centre));
-    } catch (const AssemblyFault& fault) {
-        builder.warn(std::string("the unit cell is left out: ") + fault.what());
+        builder.molecule().assemblies.push_back(sites.unitCell(builder, operations, cell, centre));
+    } catch (const AssemblyFault& without) {
+        builder.warn(std::string("the unit cell is left out: ") + without.what());
     }
 }
 

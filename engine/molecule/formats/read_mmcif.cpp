@@ -105,8 +105,10 @@ private:
 
     /// Tags of small-molecule CIF have no dot: _atom_site_fract_x is mmCIF's _atom_site.fract_x.
     static std::pair<std::string, std::string> splitCore(const std::string& tag) {
-        static constexpr std::string_view kCategories[] = {"atom_site_aniso", "atom_site",         "cell",
-                                                           "symmetry_equiv",  "space_group_symop", "chemical"};
+        // Longer ones first.
+        static constexpr std::string_view kCategories[] = {"atom_site_aniso",   "atom_site",  "cell",
+                                                           "symmetry_equiv",    "symmetry",   "chemical",
+                                                           "space_group_symop", "space_group"};
         for (const std::string_view category : kCategories)
             if (startsWith(tag, category) && tag.size() > category.size() && tag[category.size()] == '_')
                 return {std::string(category), tag.substr(category.size() + 1)};

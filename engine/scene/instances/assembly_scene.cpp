@@ -148,8 +148,12 @@ void AssemblyScene::sortByCopies(std::vector<Bond>& bonds) {
     std::vector<std::uint32_t> lists;
     std::size_t kept = 0;
     for (const Bond& bond : bonds) {
-        const std::uint32_t list = commonListOf(bond.a, bond.b);
+        std::uint32_t list = commonListOf(bond.a, bond.b);
         if (list == Placement::kNowhere) continue;
+        // An atom on a special position of a crystal stands in fewer copies than its bonds.
+        if (molecule_.file.format == "cif-core")
+            for (const std::uint32_t atom : {bond.a, bond.b})
+                if (placement_.lists[listOf(atom)].size() > placement_.lists[list].size()) list = listOf(atom);
         lists.push_back(list);
         bondsOfCopies_ += placement_.lists[list].size();
         bonds[kept++] = bond;

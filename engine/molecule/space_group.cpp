@@ -1,0 +1,24 @@
+#include "engine/molecule/space_group.h"
+
+#include <algorithm>
+#include <cctype>
+#include <gemmi/symmetry.hpp>
+#include <string_view>
+
+namespace nacre {
+
+const gemmi::SpaceGroup* spaceGroupOf(const std::string& name) {
+    if (const gemmi::SpaceGroup* group = gemmi::find_spacegroup_by_name(name)) return group;
+    std::string plain = name;
+    if (const std::size_t origin = plain.find(':'); origin != std::string::npos) plain.erase(origin);
+    std::erase_if(plain, [](unsigned char c) { return std::isspace(c) || c == '_'; });
+    if (const gemmi::SpaceGroup* group = gemmi::find_spacegroup_by_name(plain)) return group;
+    // A mirror or glide plane, then a threefold axis: since 1995 its inversion is written.
+    constexpr std::string_view kPlanes = "mnadc";
+    if (plain.size() < 3 || plain[2] != '3' ||
+        kPlanes.find(static_cast<char>(std::tolower(static_cast<unsigned char>(plain[1])))) == std::string_view::npos)
+        return nullptr;
+    return gemmi::find_spacegroup_by_name(plain.insert(2, "-"));
+}
+
+}  // namespace nacre
