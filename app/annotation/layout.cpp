@@ -176,7 +176,9 @@ void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vect
     }
     std::size_t rank = 0;
     for (const std::size_t i : choosingOrder(anchors, held)) {
-        if (!anchors[i].inPicture || !held[i].shown) {
+        const bool clipped = -anchors[i].z < clip.near || -anchors[i].z > clip.far;
+        // Labels in space are clipped as what stands there is; those of atoms stay.
+        if (!anchors[i].inPicture || !held[i].shown || (labels[i].size > 0 && clipped)) {
             held[i].placed = false;
             continue;
         }

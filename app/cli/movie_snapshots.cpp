@@ -22,11 +22,13 @@ SnapshotTimeline::SnapshotTimeline(std::vector<SnapshotTimes> times, bool loop) 
 }
 
 SnapshotPlace SnapshotTimeline::at(double time) const {
+    constexpr double kRounding = 1e-7;  // s: a frame at the end of a snapshot's time is the next one's
+    time += kRounding;
     for (std::size_t i = 0; i < times_.size(); ++i) {
         const SnapshotTimes& each = times_[i];
         if (time < each.linger) return {i, 0};
         time -= each.linger;
-        if (time < each.transition) return {i, time / each.transition};
+        if (time < each.transition) return {i, std::max(time - kRounding, 0.0) / each.transition};
         time -= each.transition;
     }
     return {times_.size() - 1, 0};
@@ -52,11 +54,13 @@ MovieSnapshots::MovieSnapshots(const MovieOptions& options, Progress& progress)
     if (frames > static_cast<double>(kMostMovieFrames))
         throw Error("movie too long", path, "more than " + std::to_string(kMostMovieFrames) + " frames");
     frames_ = static_cast<std::uint64_t>(frames);
+    // Another duration stretches all times.
+    secondsPerFrame_ = timeline_.seconds() / seconds / options.framesPerSecond;
     loadMaps(options.picture, downloadProgress(progress_));
 }
 
 SnapshotPlace MovieSnapshots::placeOf(std::uint64_t frame) const {
-    return timeline_.at(static_cast<double>(frame) / static_cast<double>(frames_) * timeline_.seconds());
+    return timeline_.at(static_cast<double>(frame) * secondsPerFrame_);
 }
 
 std::optional<int> MovieSnapshots::modelOf(std::uint64_t frame) const {

@@ -61,6 +61,7 @@ private:
     SnapshotTimeline timeline_;
     std::vector<std::unique_ptr<Shot>> shots_;  ///< null: not needed now
     std::uint64_t frames_ = 1;
+    double secondsPerFrame_ = 0;  ///< of the snapshots' times
 };
 
 /// Whether a movie shows the snapshots of a scene: nothing else moves, and no snapshot is named.

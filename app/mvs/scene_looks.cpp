@@ -87,6 +87,12 @@ void paint(const std::vector<bool>& atoms, std::uint32_t color, SceneLayer& laye
         if (atoms[layer.atoms[i]]) layer.colors[i] = color;
 }
 
+/// As a colour node without a colour has them.
+void paintElements(const std::vector<bool>& atoms, const Structure& structure, SceneLayer& layer) {
+    for (std::size_t i = 0; i < layer.atoms.size(); ++i)
+        if (atoms[layer.atoms[i]]) layer.colors[i] = elementColor(structure.molecule->atoms[layer.atoms[i]].element);
+}
+
 void paintRows(const Node& node, const Structure& structure, SceneFiles& files, SceneLayer& layer,
                SceneWarnings& warnings) {
     for (const AnnotationRow& row : rowsOf(node, "color", structure, files)) {
@@ -123,8 +129,11 @@ void paintChildren(const Node& node, const Structure& structure, SceneFiles& fil
     for (const Node& child : node.children) {
         tellUnknown(child, node, warnings);
         if (child.kind == "color") {
-            const auto color = colorOf(child.param("color"));
-            if (color)
+            const Json* value = child.param("color");
+            const auto color = colorOf(value);
+            if (!value || value->is_null())
+                paintElements(selected(child, child.param("selector"), structure, warnings), structure, layer);
+            else if (color)
                 paint(selected(child, child.param("selector"), structure, warnings), *color, layer);
             else
                 warnings.add(child, "it names no colour");

@@ -95,6 +95,23 @@ TEST(WordLayout, LabelsStandOnTheirAnchorsWhileThereIsRoomAndNeverOverlap) {
     EXPECT_GT(layOut(words, square(400), 14, {}, kWhite, widthOf).crowded, 50u);
 }
 
+TEST(WordLayout, LabelsInSpaceAreClipped) {
+    PlacedWords words;
+    words.labels = {{{-3, 0, 4}, "near", false, 0}, {{3, 0, -4}, "far", false, 0}, {{0, 3, -4}, "atom", true, 0.3}};
+    words.labels[0].size = words.labels[1].size = 1;
+    const auto shown = [&](const Clip& clip) {
+        std::string texts;
+        for (const TextMark& text : layOut(words, square(400), 14, {}, kWhite, widthOf, clip).texts)
+            texts += text.text + " ";
+        return texts;
+    };
+    EXPECT_EQ(shown({}).size(), std::string("near far atom ").size());
+    EXPECT_EQ(shown({-5, 0}).find("far"), std::string::npos);
+    EXPECT_NE(shown({-5, 0}).find("near"), std::string::npos);
+    EXPECT_EQ(shown({0, 5}).find("near"), std::string::npos);
+    EXPECT_NE(shown({0, 1}).find("atom"), std::string::npos);
+}
+
 TEST(WordLayout, LabelsOfGroupsStandBesideTheirAtoms) {
     PlacedWords words;
     PlacedLabel label{{0, 0, 0}, "ligand", false, 1};

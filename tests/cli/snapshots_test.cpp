@@ -97,6 +97,13 @@ TEST(Snapshots, TimesThatNobodyStatesAreTwoSecondsEach) {
     EXPECT_EQ(silent.at(3.9).share, 0);
     EXPECT_EQ(silent.at(4.5).share, 0.5);
     EXPECT_EQ(silent.at(7).from, 2u);
+    // Frames at the limits of times that no binary number is: each belongs to what begins there.
+    const app::SnapshotTimeline tenths({{0.3, 0.4}, {0.4, 0}, {0.1, 0}}, false);
+    for (int frame = 0; frame < 12; ++frame) {
+        const app::SnapshotPlace place = tenths.at(frame * 0.1);
+        EXPECT_EQ(place.from, frame < 7 ? 0u : frame < 11 ? 1u : 2u) << frame;
+        EXPECT_EQ(place.share > 0, frame > 3 && frame < 7) << frame;
+    }
     const app::SnapshotTimeline loop({{1, 0}, {1, 2}}, true);
     EXPECT_EQ(loop.seconds(), 4);
     EXPECT_EQ(loop.at(3).from, 1u);

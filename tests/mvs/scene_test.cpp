@@ -16,6 +16,7 @@
 #include "engine/error.h"
 #include "engine/scene/build/scene_guide.h"
 #include "engine/scene/build/scene_layers.h"
+#include "engine/scene/color/colors.h"
 #include "tests/mvs/small_scene.h"
 #include "tests/support/temporary_folder.h"
 
@@ -60,6 +61,16 @@ TEST(SceneColors, LaterNodesOverrideEarlierOnes) {
     const SceneLayer& layer = molecule.guide->layers.at(0);
     EXPECT_EQ(layer.colors[0], 0xff008000u);
     EXPECT_EQ(layer.colors[5], 0xffff8866u);
+}
+
+TEST(SceneColors, WithoutAColourANodeKeepsThoseOfElements) {
+    const Molecule molecule =
+        built(scene(component(R"("polymer")", balls(R"({"kind": "color", "params": {"color": "green"}},
+                                 {"kind": "color", "params": {"selector": {"label_seq_id": 2}}})"))));
+    const SceneLayer& layer = molecule.guide->layers.at(0);
+    EXPECT_EQ(layer.colors[0], 0xff008000u);
+    EXPECT_EQ(layer.colors[4], elementColor(7));
+    EXPECT_EQ(layer.colors[5], elementColor(6));
 }
 
 TEST(SceneColors, WithoutANodeTheyAreWhiteAndAnnotationsMayBeRowsOrColumns) {
