@@ -87,6 +87,15 @@ def test_from_arrays(dna):
     assert len(nacre.from_arrays([[0, 0, 0], [1.2, 0, 0]], ["C", "O"], []).bonds) == 0
 
 
+def test_bonds_have_the_orders_that_pictures_draw():
+    angles = np.arange(6) * np.pi / 3
+    ring = 1.39 * np.stack([np.cos(angles), np.sin(angles), 0 * angles], axis=1)
+    benzene = nacre.from_arrays(ring, ["C"] * 6)
+    assert benzene.bonds[:, 2].tolist() == [4] * 6
+    bonds = benzene.info()["bonds_known"]
+    assert (bonds["aromatic"], bonds["single"]) == (6, 0)
+
+
 def test_open_takes_bytes_in_any_format():
     import gzip
     for source, more in ((PDB, {}), (gzip.compress(PDB), {"name": "a.pdb.gz"}), (bytearray(PDB), {"format": "pdb"})):
