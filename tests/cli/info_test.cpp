@@ -29,7 +29,7 @@ Molecule twoAtoms() {
     molecule.atoms[1].position = {1, 4, 2.5f};
     molecule.atoms[1].residue = 1;
     molecule.atoms[1].hetero = true;
-    molecule.bonds = {{0, 1, 2, BondSource::distance}};
+    molecule.bonds = {{0, 1, 1, BondSource::distance}};
     molecule.file.format = "pdb";
     molecule.file.models = 3;
     molecule.file.title = "A title \x1b[31m\xff";
@@ -76,7 +76,7 @@ TEST(Info, CountsWhatTheMoleculeHolds) {
     EXPECT_EQ(json["insertion_code_atoms"], 1);
     EXPECT_EQ(json["negative_resnum_atoms"], 1);
     EXPECT_EQ(json["bonds_known"]["distance"], 1);
-    EXPECT_EQ(json["bonds_known"]["double"], 1);
+    EXPECT_EQ(json["bonds_known"]["single"], 1);
     EXPECT_FALSE(json.contains("chains_auth"));
     EXPECT_EQ(json["bbox"].dump(), "[[1.0,-1.0,2.0],[7.075,4.0,2.5]]");  // as written, not as a float widens
 }
@@ -86,7 +86,7 @@ TEST(Info, TextIsSafeForATerminal) {
     EXPECT_EQ(text.find('\x1b'), std::string::npos);
     EXPECT_NE(text.find("A title"), std::string::npos);
     EXPECT_NE(text.find("something was odd"), std::string::npos);
-    EXPECT_NE(text.find("double 1"), std::string::npos);
+    EXPECT_NE(text.find("single 1"), std::string::npos);
 }
 
 TEST(Info, ChainsResolutionAndKindsOfBonds) {

@@ -64,7 +64,7 @@ TEST(Appearance, RulesChooseAmongTheDrawnAtoms) {
         appearanceOf(molecule, drawn, {Style::spacefill, {}, {show("water", Style::licorice), hide("resn QQQ")}});
     EXPECT_EQ(a.atoms, drawn);
     ASSERT_EQ(a.warnings.size(), 2u);
-    EXPECT_NE(a.warnings[0].find("'water' matches no atoms to show (all that it matches are hidden"),
+    EXPECT_NE(a.warnings[0].find("'water' matches no atoms to show: those that it matches are not drawn"),
               std::string::npos);
     EXPECT_NE(a.warnings[1].find("'resn QQQ' matches no atoms to hide"), std::string::npos);
 }
