@@ -122,7 +122,7 @@ TEST_F(FocusTest, OrbitalsHaveTheirNegativeContourAtTheNegativeLevel) {
     set("map", "orbital");
     set("map-style", "mesh");
     set("map-level", "0.3");
-    const MapLayers maps = mapLayersOf(molecule, picture, kCenter, {picture.camera, 12});
+    const MapLayers maps = buildMapLayers(molecule, picture, kCenter, {picture.camera, 12});
     ASSERT_FALSE(maps.shown.wires.empty());
     std::set<int> places;
     for (const Cylinder& wire : maps.shown.wires)

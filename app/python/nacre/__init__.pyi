@@ -56,6 +56,7 @@ class Options(TypedDict, total=False):
     color_by: str | Sequence[str]
     water: str
     hydrogens: str
+    altlocs: str
     map: str | Sequence[str]
     map_level: str | Sequence[str]
     map_style: str | Sequence[str]
