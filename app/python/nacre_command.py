@@ -12,4 +12,7 @@ def program():
 
 
 def main():
-    os.execv(program(), sys.argv)
+    path = program()
+    if path is None:
+        sys.exit("nacre: error: the package nacre has no program")
+    os.execv(path, [path, *sys.argv[1:]])  # by its own name, beside which it finds its driver

@@ -226,7 +226,7 @@ def test_notebooks_see_a_picture(dna):
     (lambda s: nacre.open("-"), nacre.UsageError, "does not read standard input"),
     (lambda s: nacre.open(["sample:dna", "-"]), nacre.UsageError, "does not read standard input"),
     (lambda s: nacre.open([]), nacre.UsageError, "needs an input"),
-    (lambda s: nacre.open(5), nacre.UsageError, "a path, a list of paths or a file's bytes, not int"),
+    (lambda s: nacre.open(5), nacre.UsageError, "another package's structure, not int"),
     (lambda s: nacre.open(None), nacre.UsageError, "not NoneType"),
     (lambda s: nacre.open(["sample:dna", 5]), nacre.UsageError, "a list of paths, not of int"),
     (lambda s: nacre.from_gemmi("a.pdb"), nacre.UsageError, "a Structure, a Model or a Chain of gemmi, not str"),

@@ -3,9 +3,14 @@ import os
 import shutil
 import sys
 
-_program = os.path.join(os.path.dirname(__file__), "nacre")
-if not os.access(_program, os.X_OK):
-    _program = shutil.which("nacre")
-if not _program:
-    sys.exit("nacre: error: no program: not in the package nacre, not along PATH")
-os.execv(_program, ["nacre", *sys.argv[1:]])
+
+def _main() -> None:
+    inside = os.path.join(os.path.dirname(__file__), "nacre")
+    program = inside if os.access(inside, os.X_OK) else shutil.which("nacre")
+    if program is None:
+        sys.exit("nacre: error: no program: not in the package nacre, not along PATH")
+    os.execv(program, [program, *sys.argv[1:]])
+
+
+if __name__ == "__main__":
+    _main()

@@ -131,7 +131,7 @@ def from_mdtraj(trajectory):
 
 def from_rdkit(molecule):
     """An RDKit Mol with conformers, which are its frames. (its mol block, or Columns if its atoms are of residues)"""
-    from rdkit import Chem
+    from rdkit import Chem  # type: ignore
 
     if not molecule.GetNumConformers():
         raise UsageError("open(): the Mol has no conformer: AllChem.EmbedMolecule(mol) makes one")
@@ -155,7 +155,7 @@ def from_rdkit(molecule):
 
 def from_gemmi(structure):
     """(name, mmCIF) of a gemmi Structure, Model or Chain."""
-    import gemmi
+    import gemmi  # type: ignore
 
     whole = structure
     if isinstance(whole, gemmi.Chain):
@@ -171,8 +171,8 @@ def from_gemmi(structure):
 
 def from_biopython(entity):
     """(name, mmCIF) of a Bio.PDB Structure, Model or Chain."""
-    from Bio.PDB.Entity import Entity
-    from Bio.PDB.mmcifio import MMCIFIO
+    from Bio.PDB.Entity import Entity  # type: ignore
+    from Bio.PDB.mmcifio import MMCIFIO  # type: ignore
 
     if not isinstance(entity, Entity):
         raise UsageError(f"from_biopython() takes a Structure, a Model or a Chain of Bio.PDB, not {kind(entity)}")

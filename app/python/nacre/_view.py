@@ -193,12 +193,11 @@ def _cell(view, picture, kernel):
 def _widget(view, picture):
     """By Jupyter's widget protocol, for VS Code, whose outputs have no other way to the kernel; None without anywidget."""
     try:
-        import anywidget
+        import anywidget  # type: ignore
     except ImportError:
         return None
 
-    class Cell(anywidget.AnyWidget):
-        _esm = _read("cell.js") + f"""
+    script = _read("cell.js") + f"""
 export default {{ render({{model, el}}) {{
   el.innerHTML = {json.dumps(_frame(view, picture, "nacre"))};
   const asker = new Asker(receive => {{
@@ -209,7 +208,7 @@ export default {{ render({{model, el}}) {{
 }} }};
 """
 
-    widget = Cell()
+    widget = type("Cell", (anywidget.AnyWidget,), {"_esm": script})()
     widget.on_msg(lambda _, data, __: _channel.receive(data, widget.send))
     view._held = widget
     bundle = widget._repr_mimebundle_()
