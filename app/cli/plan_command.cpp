@@ -49,9 +49,9 @@ std::optional<Representation> sceneOfInput(const PlanOptions& options) {
     return drawing.joinedScene();
 }
 
-RenderSettings settingsOf(const PlanOptions& options, double radius) {
+RenderSettings planSettings(const PlanOptions& options, double radius) {
     const PictureDescription& picture = options.picture;
-    RenderSettings settings = app::settingsOf(picture, picture.camera, picture.size, radius);
+    RenderSettings settings = makeSettings(picture, picture.camera, picture.size, radius);
     settings.supersample = options.edges ? RenderSettings::kEdges : 1;
     return settings;
 }
@@ -175,7 +175,7 @@ PlanReport planReport(const PlanOptions& options) {
 
     std::optional<Representation> scene = sceneOfInput(options);
     constexpr double kSomeRadius = 10;  // Å
-    const RenderSettings settings = settingsOf(options, scene ? scene->radius : kSomeRadius);
+    const RenderSettings settings = planSettings(options, scene ? scene->radius : kSomeRadius);
     SceneFacts facts;
     SceneCounts counts;
     const bool given = scene.has_value();
