@@ -27,7 +27,7 @@ bool isBanded(const Renderer& renderer, const RenderSettings& settings) {
                                                  std::uint64_t{view.width} * view.height * n * n > kWholeSamples);
 }
 
-/// Pixels a side of a part, which is drawn with a rim on either side.
+/// Side of a part in pixels, without the rim that is drawn around it.
 std::uint32_t BandedPicture::partSide() const {
     const std::uint32_t most = std::min(limits_.partSamples, renderer_.maxSize()) / samplesAcross(settings_);
     return steps(most - std::min(most, 2 * PictureRect::kStep));

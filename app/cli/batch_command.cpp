@@ -129,7 +129,7 @@ public:
         progress_->begin("no job done");
     }
 
-    /// @returns whether all jobs are done @throws Error if they are stopped
+    /// @returns whether all jobs succeeded @throws Error if stopped
     bool run() {
         std::vector<std::thread> threads(static_cast<std::size_t>(options_.parallel - 1));
         for (std::thread& thread : threads)

@@ -51,7 +51,7 @@ BakedOcclusion bakedOcclusion(const ExportCommandOptions& options, Representatio
     return renderer.bakedOcclusion(settings);
 }
 
-/// The picture in MolViewSpec's words; notes say what those leave out.
+/// The picture as MolViewSpec; notes tell what that cannot express.
 void writeMolViewSpec(const Molecule& molecule, const ExportCommandOptions& options, OutputFile& file) {
     PictureDescription picture = options.picture;
     Drawing drawing;

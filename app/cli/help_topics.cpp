@@ -68,7 +68,7 @@ constexpr HelpTopic kTopics[] = {
      Topic::device | Topic::path | Topic::frame | Topic::validation},
 };
 
-/// An option as it stands in --help, wrapped by hand already.
+/// An option as in --help, already wrapped.
 std::string described(const OptionSpec& option) {
     std::string text = "  " + option.names + (option.type.empty() ? "" : " " + option.type);
     if (!option.fallback.empty()) text += " [" + option.fallback + "]";
@@ -98,7 +98,7 @@ std::string optionsNamed(const std::string& name, std::span<const CommandSpec> c
     return all;
 }
 
-/// Text that man(7) shows as it stands; dashes are minus signs, to be searched for and copied.
+/// Escapes text for man(7). Dashes become minus signs, which readers can search for and copy.
 std::string roff(const std::string& text) {
     std::string out;
     bool lineStart = true;

@@ -1,5 +1,5 @@
 #pragma once
-// The snapshots of a MolViewSpec scene as a movie: each rests as long as it says, and goes over into the next: the
+// The snapshots of a MolViewSpec scene as a movie: each lingers for its own time, then turns into the next: the
 // camera moves, and the pictures cross-fade.
 
 #include <memory>

@@ -61,7 +61,7 @@ void PictureJob::prepare(OpenScene* scene) {
     progress_.begin("building the scene");
     drawing_.prepare(molecule, options_);
     drawing_.run.loadMs = loadMs;
-    // What no direction sees is counted over all sides.
+    // Statistics and captures cover texels that the view does not show.
     drawing_.settings.occlusion.once = !statsFile_ && !captureFile_;
     drawing_.settings.occlusion.onProgress = [&](double share) { progress_.advance(share); };
 }

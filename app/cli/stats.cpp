@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Row by row, as it is written on paper; GLM stores columns.
+/// Row by row; GLM stores columns.
 Json rowsOf(const glm::dmat3& matrix) {
     Json rows = Json::array();
     for (int row = 0; row < 3; ++row) rows.push_back({matrix[0][row], matrix[1][row], matrix[2][row]});

@@ -194,7 +194,7 @@ void Drawing::applySceneFile() {
 /// movies, which rotate around it.
 void Drawing::uncoverTarget(std::optional<double> plane) {
     const Aim& aim = description_.aim;
-    const std::optional<Selection>& target = uncoveredBy(aim);
+    const std::optional<Selection>& target = by_ == CameraBy::hand ? aim.uncover : uncoveredBy(aim);
     if (!target) return;
     double& near = settings.effects.clip.near;
     if (plane && (aim.turns || !scene_->copies.transforms.empty())) near = std::max(near, *plane);

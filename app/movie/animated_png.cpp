@@ -1,5 +1,5 @@
 // Animated PNG (APNG 1.0, the third edition of the PNG specification): libpng packs each frame, and its data goes into
-// the chunks of an animation. Debian's libpng knows nothing of those, but steps over them in reading.
+// the chunks of an animation. Debian's libpng does not write these chunks, and skips them when it reads.
 
 #include <png.h>
 #include <zlib.h>
@@ -61,7 +61,7 @@ struct Rows {
     bool alpha;
 };
 
-/// libpng leaves by longjmp where it fails: no object of this function has a destructor.
+/// libpng fails by longjmp: no object of this function may have a destructor.
 bool writeRows(png_structp png, png_infop info, const Rows& rows) {
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_IHDR(png, info, rows.width, rows.height, 8, rows.alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB,
@@ -82,7 +82,7 @@ Bytes packed(const Rows& rows) {
     if (info) png_set_write_fn(png, &bytes, appendPng, flushPng);
     const bool whole = info && writeRows(png, info, rows);
     png_destroy_write_struct(&png, &info);
-    if (!whole) throw std::bad_alloc();  // nothing else makes it fail
+    if (!whole) throw std::bad_alloc();  // its only cause of failure
     return bytes;
 }
 
@@ -148,7 +148,7 @@ private:
     static Bytes control(std::uint32_t frames) {
         Bytes data;
         append32(data, frames);
-        append32(data, 0);  // again and again
+        append32(data, 0);  // plays: endless
         return data;
     }
 

@@ -161,7 +161,7 @@ View viewThrough(const Lens& lens, View like, const glm::dvec3& center) {
     like.pixelsPerAngstrom = lens.scale;
     like.eyeDistance = 0;
     if (lens.projection == Projection::perspective) {
-        // The eye stands where it is; the plane to which scale refers is now that of another centre.
+        // The eye stays; the scale now refers to the plane of another centre.
         like.eyeDistance = std::max(lens.distance + focus.z, like.radius * 1.02);
         like.pixelsPerAngstrom = lens.scale * lens.distance / like.eyeDistance;
     }

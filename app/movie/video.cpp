@@ -1,4 +1,4 @@
-// H.264 in MP4 and VP9 in WebM, by the program ffmpeg, which is fed raw frames.
+// H.264 in MP4 and VP9 in WebM: feeds raw frames to the program ffmpeg.
 
 #include <fcntl.h>
 #include <spawn.h>

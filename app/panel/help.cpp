@@ -84,7 +84,7 @@ void drawList(PanelFrame& f) {
 void drawHelp(PanelFrame& f) {
     if (beginCard(f, "Help", "Help", kHelpPoints)) f.s.help = false;
     if (f.ui.typable()) f.ui.field("Search the help", "a key, or what it does", f.s.helpSearch);
-    // As high as its contents in the last frame, limited by the window.
+    // Height of its contents in the last frame, limited by the window.
     float& content = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("##content"), 0);
     const float most = f.s.window.height() - ImGui::GetCursorPosY() - f.ui.px(40);
     const float height = std::clamp(content, f.ui.px(kLowestListPoints), std::max(most, f.ui.px(kLowestListPoints)));

@@ -21,7 +21,7 @@ bool shows(Style style, const RepresentationOptions& look) {
            });
 }
 
-/// It counts when it is let go: each value is a scene of its own.
+/// Takes effect on release: each value builds a scene.
 void slideOpacity(Widgets& ui, std::string_view key, double& opacity) {
     const Option::Control& control = option(key).control;
     float& held = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(control.label), -1);

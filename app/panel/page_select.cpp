@@ -61,10 +61,10 @@ void drawSelectPage(PanelFrame& f) {
         changed = true;
     };
     if (f.ui.typable()) {
-        // Who clicks into it after clicking on the molecule means to write something else.
+        // A click into the field after a click on the molecule starts a new text.
         f.ui.field("Selection", "chain A and resi 10-20", s.selection, -1, ImGuiInputTextFlags_AutoSelectAll);
         changed = f.ui.edited();
-        // How it may go on.
+        // Completions.
         if (document && !s.selection.empty())
             for (const std::string& text : completions(s.selection, *document->molecule, 4)) {
                 const std::size_t end = text.find_last_not_of(' ');

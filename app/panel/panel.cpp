@@ -15,7 +15,7 @@ namespace {
 constexpr float kSideBySidePoints = 640;  // of width: under it the panel is a sheet
 constexpr float kPanelPoints = 316, kFingerPanelPoints = 360, kSheetPoints = 420, kMarginPoints = 10;
 
-/// Where the panel stands, and so where the molecule does.
+/// Places the panel; the molecule gets the rest.
 void placePanel(PanelState& s) {
     const Widgets& ui = s.ui;
     const float margin = ui.px(kMarginPoints), width = s.window.width(), height = s.window.height();

@@ -41,7 +41,7 @@ int indexOf(char32_t letter) { return 256 + static_cast<int>(letter & 0x7f); }
 
 PanelInput::PanelInput(ImGuiContext* context, PanelState& state) : context_(context), s_(state) {
 #if IMGUI_VERSION_NUM < 18700
-    // Under which index Dear ImGui finds each key.
+    // Index of each key for Dear ImGui.
     ImGuiIO& io = ImGui::GetIO();
     for (const auto& [theirs, ours] : kKeys) io.KeyMap[theirs] = indexOf(ours);
     for (const auto& [theirs, ours] : kLetters) io.KeyMap[theirs] = indexOf(ours);
@@ -123,10 +123,10 @@ void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
     ImGuiIO& io = ImGui::GetIO();
     const bool popup = popupOpen();
     const bool held = down ? !held_.insert(key).second : held_.erase(key) != 0;
-    if (!down && !held) return;  // it went down elsewhere
+    if (!down && !held) return;  // pressed elsewhere
     await(key == SpecialKey::tab || key == SpecialKey::enter || key == SpecialKey::escape);
     if (key == SpecialKey::tab && !popup) {
-        // Into the panel, and on to its next control. A card keeps to itself.
+        // Focuses the panel, then its next control. A card keeps the focus.
         const char* card = s_.browser.open ? "Browse"
                            : s_.help       ? "Help"
                            : s_.saving     ? "Save"
@@ -147,7 +147,7 @@ void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
         return;
     }
 #if IMGUI_VERSION_NUM < 18700
-    // There Enter goes into fields and sliders alone, and Space presses.
+    // Before Dear ImGui 1.87, Enter activates fields and sliders only, and Space presses.
     if (key == SpecialKey::enter && !io.WantTextInput) {
         const auto focus =
             std::find_if(s_.ui.controls.begin(), s_.ui.controls.end(), [](const Control& c) { return c.focused; });
@@ -160,7 +160,7 @@ void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
     io.KeyShift = with.shift;
     io.KeyCtrl = with.control;
 #endif
-    // One that repeats goes up in between.
+    // A repeated key is released in between.
     if (down && held) again_ = key;
     hold(key, down && !held);
 }
@@ -206,8 +206,8 @@ bool PanelInput::touch(const TouchEvent& event) {
     return true;
 }
 
-/// A click that came and went between two frames is still a click. A tap is pressed in one frame and let go in the
-/// next, where it was: one that comes meanwhile waits for its turn.
+/// A press and release between two frames still count as a click. A tap is pressed in one frame and released in the
+/// next, at the same place; a further tap waits.
 void PanelInput::pressButtons() {
     ImGuiIO& io = ImGui::GetIO();
     for (std::size_t i = 0; i < std::size(down_); ++i) {

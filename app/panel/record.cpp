@@ -23,7 +23,7 @@ std::string timeText(double seconds) {
     return std::to_string(std::lround(std::ceil(few ? seconds : seconds / 60))) + (few ? " s left" : " min left");
 }
 
-/// H.264 wants even numbers.
+/// H.264 needs even sides.
 PixelSize even(PixelSize size) { return {std::max(size.width & ~1u, 2u), std::max(size.height & ~1u, 2u)}; }
 
 void drawKeyViews(PanelFrame& f) {
