@@ -201,3 +201,53 @@ def test_models_are_frames(tmp_path):
     several.frame(2).save(tmp_path / "b.png", size=(32, 32), zoom=1)
     assert data == (tmp_path / "b.png").read_bytes()
     assert json.loads(view._answer("info?input=x")[2])["frames"] == 3
+
+
+def test_vs_code_is_answered_by_widget_messages(dna, monkeypatch, tmp_path):
+    """By the package anywidget, which Debian does not have: this stands for it."""
+    import shutil
+    import subprocess
+    import sys
+    import types
+
+    sent = []
+
+    class AnyWidget:
+        def on_msg(self, callback):
+            self.callback = callback
+
+        def send(self, content, buffers=None):
+            sent.append((content, buffers))
+
+        def _repr_mimebundle_(self, **_):
+            return {"application/vnd.jupyter.widget-view+json": {"model_id": "x"}}, {}
+
+    monkeypatch.setitem(sys.modules, "anywidget", types.SimpleNamespace(AnyWidget=AnyWidget))
+    monkeypatch.setenv("VSCODE_PID", "1")
+    view = dna.view(size=(48, 32))
+    bundle = view._repr_mimebundle_()
+    assert list(bundle) == ["text/plain", "image/png", "application/vnd.jupyter.widget-view+json"]
+    widget = view._held
+    widget.callback(widget, {"n": 7, "view": view._token, "path": "picture?size=48x32&zoom=1&format=jpg"}, [])
+    wait_until(lambda: sent)
+    (content, buffers), = sent
+    assert content == {"n": 7, "status": 200, "type": "image/jpeg"} and buffers[0].startswith(b"\xff\xd8")
+    if not shutil.which("node"):
+        pytest.skip("node is not installed")
+    # Its front end's module renders into an element and asks by the model.
+    (tmp_path / "cell.mjs").write_text(widget._esm)
+    (tmp_path / "run.mjs").write_text("""
+import cell from "./cell.mjs";
+const asked = [];
+globalThis.IntersectionObserver = class { constructor(see) { this.see = see; }
+  observe() { this.see([{isIntersecting: true}], {disconnect() {}}); } };
+globalThis.document = {createElement: () => ({style: {}})};
+const root = {querySelector: () => ({alt: "x"}), append() {}};
+const el = {set innerHTML(html) { this.html = html; }, get firstElementChild() { return root; }};
+cell.render({model: {on() {}, send: data => asked.push(data)}, el});
+await new Promise(done => setTimeout(done, 50));
+console.log(JSON.stringify({asked, picture: el.html.includes("data:image/png;base64,")}));
+""")
+    run = subprocess.run(["node", tmp_path / "run.mjs"], capture_output=True, text=True)
+    told = json.loads(run.stdout)
+    assert told == {"asked": [{"n": 1, "view": view._token, "path": ""}], "picture": True}, run.stderr
