@@ -114,7 +114,7 @@ TEST(SeveralInputs, AreLaidOntoEachOther) {
     std::ofstream(folder / "b.pdb") << turned(1.2, 0);
     const Outcome same = nacreIn(folder, "render a.pdb b.pdb --fit /b /a --color white" + kBeside);
     ASSERT_EQ(same.code, 0) << same.err;
-    EXPECT_EQ(same.err, "nacre: fit of /b onto /a: 8 pairs of atoms, RMSD 0.000 Å\n");
+    EXPECT_EQ(same.err, "nacre: fit of /b onto /a (chain A on A): 8 pairs of atoms, RMSD 0.000 Å\n");
     const std::string together = contentOf(folder / "a.png");
     ASSERT_EQ(nacreIn(folder, "render a.pdb --color white" + kBeside).code, 0);
     // Both are where the first is; they differ by what a PDB file rounds.
