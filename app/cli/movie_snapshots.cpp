@@ -23,12 +23,11 @@ SnapshotTimeline::SnapshotTimeline(std::vector<SnapshotTimes> times, bool loop) 
 
 SnapshotPlace SnapshotTimeline::at(double time) const {
     constexpr double kRounding = 1e-7;  // s: a frame at the end of a snapshot's time is the next one's
-    time += kRounding;
     for (std::size_t i = 0; i < times_.size(); ++i) {
         const SnapshotTimes& each = times_[i];
-        if (time < each.linger) return {i, 0};
+        if (time < each.linger - kRounding) return {i, 0};
         time -= each.linger;
-        if (time < each.transition) return {i, std::max(time - kRounding, 0.0) / each.transition};
+        if (time < each.transition - kRounding) return {i, time > kRounding ? time / each.transition : 0};
         time -= each.transition;
     }
     return {times_.size() - 1, 0};
