@@ -29,7 +29,7 @@ ClientStream::~ClientStream() { ::close(socket_); }
 ClientStream::Head ClientStream::readHead() {
     constexpr std::string_view kEnd = "\r\n\r\n";
     for (;;) {
-        const std::size_t end = buffer_.find(kEnd, searched_);
+        const std::size_t end = buffer_.find(kEnd, std::max(searched_, first_));
         if (end != std::string::npos || buffer_.size() - first_ > kMostHeadBytes) {
             dropRanges(buffer_.data() + first_, std::min(end, buffer_.size()) - first_);
             return Head::whole;
