@@ -1,6 +1,7 @@
 // libFuzzer target for density maps: any bytes are a map whose isosurface can be made, or an Error, and nothing else.
 // The first byte chooses the name, since old files have no mark. tools/fuzz runs it.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
