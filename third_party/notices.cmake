@@ -20,7 +20,6 @@ set(NACRE_PARTS
     "FreeType|FTL|libfreetype-dev|freetype|https://freetype.org"
     "HarfBuzz|MIT|libharfbuzz-dev|harfbuzz|https://harfbuzz.github.io"
     "libjpeg-turbo|IJG and BSD-3-Clause|libjpeg62-turbo-dev|libjpeg-turbo|https://libjpeg-turbo.org"
-    "libtiff|libtiff|libtiff-dev|tiff|https://libtiff.gitlab.io/libtiff"
     "OpenEXR and Imath|BSD-3-Clause|libopenexr-dev|openexr|https://openexr.com"
     "libwebp|BSD-3-Clause|libwebp-dev|libwebp|https://chromium.googlesource.com/webm/libwebp"
     "libpng|libpng-2.0|libpng-dev|libpng|http://www.libpng.org"
@@ -32,7 +31,7 @@ if(pybind11_FOUND)
     list(APPEND NACRE_PARTS "pybind11|BSD-3-Clause|pybind11-dev|pybind11|https://github.com/pybind/pybind11")
 endif()
 if(IOS)
-    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(libjpeg-turbo|libtiff|OpenEXR|libwebp|libpng|libdeflate|GIFLIB|libcurl|CLI11)")
+    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(libjpeg-turbo|OpenEXR|libwebp|libpng|libdeflate|GIFLIB|libcurl|CLI11)")
 endif()
 if(APPLE)
     list(APPEND NACRE_PARTS

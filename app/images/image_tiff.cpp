@@ -1,9 +1,11 @@
-#include <tiffio.h>
+// TIFF 6.0 with deflated strips, and BigTIFF: written here, since libtiff brings libraries that nothing needs, one of
+// them under the GPL.
+
+#include <zlib.h>
 
 #include <algorithm>
-#include <cstdarg>
-#include <cstdio>
-#include <memory>
+#include <bit>
+#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -14,88 +16,141 @@
 namespace nacre::app {
 namespace {
 
-CheckedFile& fileOf(thandle_t handle) { return *static_cast<CheckedFile*>(handle); }
+static_assert(std::endian::native == std::endian::little, "samples are written as they are in memory");
 
-toff_t seekTo(thandle_t handle, toff_t offset, int from) {
-    CheckedFile& file = fileOf(handle);
-    file.seek(from == SEEK_CUR ? file.place() + offset : from == SEEK_END ? file.size() + offset : offset);
-    return file.place();
-}
+enum class FieldType : std::uint16_t { ascii = 2, words = 3, longs = 4, rational = 5, bytes = 7, longs8 = 16 };
 
-int keepReason(TIFF*, void* reason, const char*, const char* format, va_list arguments) {
-    std::vector<char> text(1000);
-    std::vsnprintf(text.data(), text.size(), format, arguments);
-    *static_cast<std::string*>(reason) = text.data();
-    return 1;  // no other handler is called
-}
-
-struct Close {
-    void operator()(TIFF* tiff) const { TIFFClose(tiff); }
+struct Field {
+    std::uint16_t tag;
+    FieldType type;
+    std::uint64_t count;
+    std::vector<std::uint8_t> value;
 };
 
-std::unique_ptr<TIFF, Close> openTiff(const char* mode, CheckedFile& file, const char* path, std::string& why) {
-    const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(),
-                                                                                   &TIFFOpenOptionsFree);
-    TIFFOpenOptionsSetErrorHandlerExtR(options.get(), keepReason, &why);
-    TIFF* const tiff = TIFFClientOpenExt(
-        path, mode, &file,
-        [](thandle_t h, void* bytes, tmsize_t size) {
-            return static_cast<tmsize_t>(fileOf(h).read(bytes, static_cast<std::size_t>(size)));
-        },
-        [](thandle_t h, void* bytes, tmsize_t size) {
-            return fileOf(h).write(bytes, static_cast<std::size_t>(size)) ? size : tmsize_t{-1};
-        },
-        seekTo, [](thandle_t) { return 0; }, [](thandle_t h) { return toff_t{fileOf(h).size()}; },
-        [](thandle_t, void**, toff_t*) { return 0; }, [](thandle_t, void*, toff_t) {}, options.get());
-    if (!tiff) throw std::runtime_error(why);
-    return std::unique_ptr<TIFF, Close>(tiff);
+void put(std::vector<std::uint8_t>& out, std::uint64_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::uint8_t>(value >> 8 * i));
 }
 
-void describe(TIFF* tiff, const ImageRequest& request) {
-    TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, request.width);
-    TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, request.height);
-    TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, request.samples == Samples::words ? 16 : 8);
-    TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, static_cast<int>(request.channels));
-    TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_RGB);
-    TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
-    TIFFSetField(tiff, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
-    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, kRowsAtOnce);
-    TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
-    TIFFSetField(tiff, TIFFTAG_PREDICTOR, PREDICTOR_HORIZONTAL);
-    TIFFSetField(tiff, TIFFTAG_SOFTWARE, "nacre");
-    if (request.channels == 4) {
-        const std::uint16_t straight = EXTRASAMPLE_UNASSALPHA;
-        TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &straight);
+Field field(std::uint16_t tag, FieldType type, const std::vector<std::uint64_t>& values) {
+    Field f{tag, type, values.size(), {}};
+    const int bytes = type == FieldType::words ? 2 : type == FieldType::longs8 ? 8 : 4;
+    for (const std::uint64_t value : values) put(f.value, value, bytes);
+    if (type == FieldType::rational) f.count /= 2;
+    return f;
+}
+
+Field fieldOfBytes(std::uint16_t tag, FieldType type, std::vector<std::uint8_t> bytes) {
+    const std::uint64_t count = bytes.size();
+    return {tag, type, count, std::move(bytes)};
+}
+
+/// What compresses better: each sample less the one to its left.
+template <typename Sample>
+void takeDifferences(Sample* samples, std::size_t rows, std::size_t width, std::size_t channels) {
+    for (std::size_t y = 0; y < rows; ++y) {
+        Sample* const row = samples + y * width * channels;
+        for (std::size_t i = width * channels; i-- > channels;)
+            row[i] = static_cast<Sample>(row[i] - row[i - channels]);
     }
-    const std::vector<std::uint8_t> profile = srgbProfile();
-    TIFFSetField(tiff, TIFFTAG_ICCPROFILE, static_cast<std::uint32_t>(profile.size()), profile.data());
-    if (request.dotsPerInch > 0) {
-        TIFFSetField(tiff, TIFFTAG_RESOLUTIONUNIT, RESUNIT_INCH);
-        TIFFSetField(tiff, TIFFTAG_XRESOLUTION, static_cast<double>(request.dotsPerInch));
-        TIFFSetField(tiff, TIFFTAG_YRESOLUTION, static_cast<double>(request.dotsPerInch));
+}
+
+std::vector<std::uint8_t> deflated(const std::vector<std::uint8_t>& bytes) {
+    uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+    std::vector<std::uint8_t> out(size);
+    if (compress2(out.data(), &size, bytes.data(), static_cast<uLong>(bytes.size()), Z_DEFAULT_COMPRESSION) != Z_OK)
+        throw std::runtime_error("zlib fails");
+    out.resize(size);
+    return out;
+}
+
+/// Writes the fields at the end of the file. @param big  offsets of 8 bytes @returns where they begin
+std::uint64_t writeFields(const std::vector<Field>& fields, bool big, CheckedFile& file) {
+    const int wide = big ? 8 : 4;
+    std::vector<std::uint8_t> list;
+    put(list, fields.size(), big ? 8 : 2);
+    for (const Field& f : fields) {
+        put(list, f.tag, 2);
+        put(list, static_cast<std::uint64_t>(f.type), 2);
+        put(list, f.count, wide);
+        std::vector<std::uint8_t> value = f.value;
+        if (value.size() > static_cast<std::size_t>(wide)) {
+            if (file.place() % 2) file.write("", 1);  // values begin at even places
+            const std::uint64_t place = file.place();
+            file.write(f.value.data(), f.value.size());
+            value.clear();
+            put(value, place, wide);
+        }
+        value.resize(static_cast<std::size_t>(wide));
+        list.insert(list.end(), value.begin(), value.end());
     }
+    put(list, 0, wide);  // no further picture
+    if (file.place() % 2) file.write("", 1);
+    const std::uint64_t place = file.place();
+    file.write(list.data(), list.size());
+    return place;
+}
+
+std::vector<std::uint8_t> headerOf(bool big, std::uint64_t fields) {
+    std::vector<std::uint8_t> header = {'I', 'I', static_cast<std::uint8_t>(big ? 43 : 42), 0};
+    if (big) put(header, 8, 4);
+    put(header, fields, big ? 8 : 4);
+    return header;
 }
 
 }  // namespace
 
 void writeTiff(const ImageRequest& request, CheckedFile& file) {
-    const std::uint64_t row =
-        std::uint64_t{request.width} * request.channels * (request.samples == Samples::words ? 2u : 1u);
-    constexpr std::uint64_t kMostOfTiff = std::uint64_t{4'000'000'000};
-    std::string why;
-    const auto tiff = openTiff(row * request.height > kMostOfTiff ? "w8" : "w", file, request.path, why);
-    const auto check = [&](bool good) {
-        if (!good) throw std::runtime_error(why);
-    };
-    describe(tiff.get(), request);
+    const std::size_t sample = request.samples == Samples::words ? 2 : 1, channels = request.channels;
+    const std::size_t row = std::size_t{request.width} * channels * sample;
+    constexpr std::uint64_t kMostOfTiff = 4'000'000'000;
+    const bool big = std::uint64_t{row} * request.height > kMostOfTiff;
+    const std::vector<std::uint8_t> placeholder = headerOf(big, 0);
+    file.write(placeholder.data(), placeholder.size());
+    std::vector<std::uint64_t> places, sizes;
     for (std::uint32_t first = 0; first < request.height; first += kRowsAtOnce) {
         const std::uint32_t count = std::min(kRowsAtOnce, request.height - first);
-        const void* const pixels = request.rows(request.context, first, count);
-        // It makes a copy to take differences in.
-        check(TIFFWriteEncodedStrip(tiff.get(), first / kRowsAtOnce, const_cast<void*>(pixels),
-                                    static_cast<tmsize_t>(row * count)) >= 0);
+        std::vector<std::uint8_t> strip(row * count);
+        std::memcpy(strip.data(), request.rows(request.context, first, count), strip.size());
+        if (sample == 2)
+            takeDifferences(reinterpret_cast<std::uint16_t*>(strip.data()), count, request.width, channels);
+        else
+            takeDifferences(strip.data(), count, request.width, channels);
+        strip = deflated(strip);
+        places.push_back(file.place());
+        sizes.push_back(strip.size());
+        if (!file.write(strip.data(), strip.size())) return;
     }
-    check(TIFFFlush(tiff.get()) != 0);
+    using enum FieldType;
+    constexpr std::uint64_t kDeflate = 8, kRgb = 2, kTopLeft = 1, kTogether = 1, kInch = 2, kDifferences = 2,
+                            kStraight = 2;
+    const FieldType offsets = big ? longs8 : longs;
+    std::vector<Field> fields = {field(256, longs, {request.width}),
+                                 field(257, longs, {request.height}),
+                                 field(258, words, std::vector<std::uint64_t>(channels, 8 * sample)),
+                                 field(259, words, {kDeflate}),
+                                 field(262, words, {kRgb}),
+                                 field(273, offsets, places),
+                                 field(274, words, {kTopLeft}),
+                                 field(277, words, {channels}),
+                                 field(278, longs, {kRowsAtOnce}),
+                                 field(279, offsets, sizes)};
+    if (request.dotsPerInch > 0) {
+        constexpr double kParts = 1000;
+        const auto parts = static_cast<std::uint64_t>(request.dotsPerInch * kParts + 0.5);
+        for (const std::uint16_t tag : {std::uint16_t{282}, std::uint16_t{283}})
+            fields.push_back(field(tag, rational, {parts, static_cast<std::uint64_t>(kParts)}));
+    }
+    fields.push_back(field(284, words, {kTogether}));
+    if (request.dotsPerInch > 0) fields.push_back(field(296, words, {kInch}));
+    static constexpr char kSoftware[] = "nacre";  // with its zero
+    fields.push_back(fieldOfBytes(305, ascii, std::vector<std::uint8_t>(kSoftware, kSoftware + sizeof kSoftware)));
+    fields.push_back(field(317, words, {kDifferences}));
+    if (channels == 4) fields.push_back(field(338, words, {kStraight}));
+    fields.push_back(fieldOfBytes(34675, bytes, srgbProfile()));
+    const std::uint64_t at = writeFields(fields, big, file);
+    const std::vector<std::uint8_t> header = headerOf(big, at);
+    file.seek(0);
+    file.write(header.data(), header.size());
 }
 
 }  // namespace nacre::app

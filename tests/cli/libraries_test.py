@@ -10,7 +10,7 @@ import tempfile
 import unittest
 
 PROGRAM = sys.argv.pop()
-LATE = ("libcurl", "libOpenEXR", "libtiff", "libjpeg", "libwebp", "librenderdoc", "libdbus-1", "libLLVM")
+LATE = ("libcurl", "libOpenEXR", "libjpeg", "libwebp", "librenderdoc", "libdbus-1", "libLLVM")
 
 
 def loaded(*words):

@@ -135,7 +135,7 @@ const std::vector<Arrows> kLibraries = {
     {"CLI/", {"app/cli/command_parser.cpp"}},
     {"OpenImageIO/", {}},
     {"jpeglib.h", {"app/images/image_jpeg.cpp"}},
-    {"tiffio.h", {"app/images/image_tiff.cpp"}},
+    {"tiffio.h", {}},
     {"OpenEXR/", {"app/images/image_exr.cpp"}},
     {"webp/", {"app/images/image_webp.cpp"}},
     {"png.h", {"app/movie/animated_png.cpp", "app/images/image_png.cpp"}},
