@@ -197,7 +197,6 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
         const auto driver = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
                                 .get<vk::PhysicalDeviceDriverProperties>();
         caps.driverName = std::string(driver.driverName.data()) + " " + driver.driverInfo.data();
-        caps.cacheMixesRenderPasses = driver.driverID == vk::DriverId::eGoogleSwiftshader;
     }
     caps.snapPixels = std::ldexp(1.0f, -static_cast<int>(properties.limits.subPixelPrecisionBits));
     caps.blendsFloats = blends(device, vk::Format::eR32G32B32A32Sfloat);
@@ -224,8 +223,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.plan.transient = identity.lazyMemory;
     // MoltenVK offers it but stores anyway.
     caps.plan.storeNone = hasExtension(device, VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME) && !identity.portable;
-    caps.dispatchesApart = graph::has(graph::Quirk::dispatchesApart, identity);
-    caps.heapPerTile = graph::has(graph::Quirk::heapPerTile, identity);
+    caps.quirks = graph::quirksOf(identity);
     caps.plan.maxColorAttachments = std::min(properties.limits.maxColorAttachments, 8u);
     caps.plan.maxInputAttachments = std::min(properties.limits.maxPerStageDescriptorInputAttachments, 8u);
     caps.plan.placesSamples = properties.limits.standardSampleLocations;

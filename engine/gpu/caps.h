@@ -21,17 +21,14 @@ struct Caps : graph::FrameCaps {
     float snapPixels = 1.0f / 16;  ///< maximum distance by which the rasteriser moves a vertex
     std::uint32_t maxImageSize = 4096;
     bool localRead = false;           ///< render passes with input attachments use dynamic rendering
-    bool dispatchesApart = false;     ///< quirk: no dispatch after a draw in one command buffer
-    bool heapPerTile = false;         ///< quirk: the driver allocates heap memory per tile
     bool mergeFeedback = false;       ///< the driver reports how it merges subpasses
     std::uint32_t timestampBits = 0;  ///< of the queue's timestamps; 0: no timestamps
     double nanosecondsPerTick = 1;    ///< per timestamp tick
     std::uint64_t maxStorageBufferBytes = 1u << 27;
     std::uint64_t maxBufferBytes = UINT64_MAX;  ///< per buffer, where the device reports it (VK_KHR_maintenance4)
     graph::EncodedFormat encodedMaps;           ///< for maps of a bake, which blends
-    /// Quirk: do not use a pipeline cache. SwiftShader keys shaders by the address of the render pass, and confuses a
-    /// destroyed render pass with a new one at the same address.
-    bool cacheMixesRenderPasses = false;
+    std::uint32_t quirks = 0;                   ///< of the driver, a bit each
+    bool has(graph::Quirk quirk) const { return (quirks >> static_cast<unsigned>(quirk) & 1) != 0; }
     bool fastPowers = true;  ///< powers take a few instructions
     /// Submissions return at once, and timestamps cost nothing: bakes are cut into short, timed submissions.
     bool asynchronous = true;

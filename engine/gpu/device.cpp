@@ -57,7 +57,7 @@ Device::Device(const DeviceOptions& options) {
     DeviceOptions wanted = options;
     wanted.capture = capture_.loaded();
     caps_ = capsOf(physical_, wanted);
-    if (caps_.heapPerTile) tuneHeap();
+    if (caps_.has(graph::Quirk::heapPerTile)) tuneHeap();
 }
 
 void Device::nameOwn() const {

@@ -104,6 +104,10 @@ constexpr KnownQuirk kQuirks[] = {
      Quirk::dispatchesApart,
      {"a dispatch behind dynamic viewport or scissor state of the same command buffer crashes",
       "github.com/godotengine/godot pull request 91514"}},
+    {by(VK_DRIVER_ID_GOOGLE_SWIFTSHADER),
+     Quirk::cacheMixesRenderPasses,
+     {"SwiftShader keys shaders by the address of the render pass",
+      "wrong shaders with a pipeline cache, by SwiftShader of Debian's Chromium"}},
     {by(VK_DRIVER_ID_MESA_LLVMPIPE),
      Quirk::heapPerTile,
      {"lavapipe calls malloc() and free() for each tile: a tenth of a frame with glibc's defaults",
@@ -139,9 +143,15 @@ bool fits(const DriverPattern& of, const DriverIdentity& identity) {
 std::span<const KnownDriver> knownDrivers() { return kRows; }
 std::span<const KnownQuirk> knownQuirks() { return kQuirks; }
 
+std::uint32_t quirksOf(const DriverIdentity& identity) {
+    std::uint32_t quirks = 0;
+    for (const KnownQuirk& row : kQuirks)
+        if (fits(row.of, identity)) quirks |= 1u << static_cast<unsigned>(row.quirk);
+    return quirks;
+}
+
 bool has(Quirk quirk, const DriverIdentity& identity) {
-    return std::ranges::any_of(kQuirks,
-                               [&](const KnownQuirk& row) { return row.quirk == quirk && fits(row.of, identity); });
+    return (quirksOf(identity) >> static_cast<unsigned>(quirk) & 1) != 0;
 }
 
 DeviceClass classOf(const DriverIdentity& identity) {

@@ -54,6 +54,9 @@ enum class Quirk : std::uint8_t {
     noLocalRead,      ///< no dynamic rendering with local reads
     dispatchesApart,  ///< dispatches after draws in one command buffer crash
     heapPerTile,      ///< allocates and frees heap memory for each tile of a frame
+    /// Keys shaders of a pipeline cache by the address of the render pass, and confuses a destroyed render pass with a
+    /// new one at the same address: no cache is used.
+    cacheMixesRenderPasses,
 };
 struct KnownQuirk {
     DriverPattern of;
@@ -63,5 +66,7 @@ struct KnownQuirk {
 std::span<const KnownQuirk> knownQuirks();
 /// Whether any matching row lists the quirk.
 bool has(Quirk quirk, const DriverIdentity& identity);
+/// All quirks of matching rows, a bit each.
+std::uint32_t quirksOf(const DriverIdentity& identity);
 
 }  // namespace nacre::graph

@@ -123,8 +123,12 @@ TEST(KnownDrivers, AVersionIsPartOfAnIdentity) {
     EXPECT_TRUE(told(kNoLocalRead, 0x1AE0, VK_DRIVER_ID_GOOGLE_SWIFTSHADER, "SwiftShader Device", 5, 0));
     EXPECT_FALSE(told(kNoLocalRead, 0x10DE, VK_DRIVER_ID_NVIDIA_PROPRIETARY, "NVIDIA H200", 550, 0));
     EXPECT_FALSE(told(kNoLocalRead, 0x10005, VK_DRIVER_ID_MESA_LLVMPIPE, "llvmpipe", 25, 0));
-    EXPECT_TRUE(told(Quirk::heapPerTile, 0x10005, VK_DRIVER_ID_MESA_LLVMPIPE, "llvmpipe (LLVM 15.0.6, 256 bits)", 0, 0));
+    EXPECT_TRUE(
+        told(Quirk::heapPerTile, 0x10005, VK_DRIVER_ID_MESA_LLVMPIPE, "llvmpipe (LLVM 15.0.6, 256 bits)", 0, 0));
     EXPECT_FALSE(told(Quirk::heapPerTile, 0x1AE0, VK_DRIVER_ID_GOOGLE_SWIFTSHADER, "SwiftShader Device", 5, 0));
+    EXPECT_TRUE(
+        told(Quirk::cacheMixesRenderPasses, 0x1AE0, VK_DRIVER_ID_GOOGLE_SWIFTSHADER, "SwiftShader Device", 5, 0));
+    EXPECT_FALSE(told(Quirk::cacheMixesRenderPasses, 0x10005, VK_DRIVER_ID_MESA_LLVMPIPE, "llvmpipe", 25, 0));
     for (const KnownQuirk& row : knownQuirks()) EXPECT_GT(std::string(row.fact.source).size(), 10u) << row.fact.what;
 }
 
