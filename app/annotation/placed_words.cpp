@@ -124,7 +124,7 @@ struct DrawnAtoms {
                 if (places[atom].radius >= 0) continue;
                 const glm::dvec3 center = glm::dvec3(molecule.atoms[atom].position) - scene.center;
                 places[atom] = {transform * glm::dvec4(center, 1.0),
-                                static_cast<double>(vanDerWaalsRadius(molecule.atoms[atom].element))};
+                                static_cast<double>(vanDerWaalsRadius(molecule.atoms[atom]))};
             }
         };
         if (scene.copies.transforms.empty())

@@ -18,6 +18,14 @@ set(formats
     "GROMACS structure|org.gromacs.gro|public.plain-text|gro:gro"
     "PDBQT structure|edu.scripps.pdbqt|public.plain-text|pdbqt:pdbqt"
     "Chemical Markup Language|org.xml-cml.cml|public.xml|cml:cml"
+    "Simulation topology|org.charmm.psf|public.plain-text|:psf :prmtop,parm7"
+    "AMBER coordinates|org.ambermd.inpcrd|public.plain-text|:inpcrd,rst7,restrt"
+    "LAMMPS simulation|org.lammps.data|public.plain-text|:lmp,data :lammpstrj,dump"
+    "HOOMD simulation|org.glotzerlab.gsd|public.data|:gsd"
+    "VASP structure|at.vasp.poscar|public.plain-text|:poscar,vasp"
+    "XCrySDen structure|org.xcrysden.xsf|public.plain-text|:xsf,axsf"
+    "Tinker coordinates|edu.wustl.tinker|public.plain-text|:txyz,arc"
+    "Maestro structure|com.schrodinger.mae|public.plain-text|:mae,maegz"
     "Density map|org.ccp4.map|public.data|:ccp4,mrc,map :dsn6,brix"
     "Values on a grid|org.opendx.dx|public.plain-text|:dx gaussian-cube:cube")
 # What a file of a MIME type begins with, where that tells more than its ending.

@@ -9,6 +9,7 @@
 #include <ostream>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "app/cli/commands.h"
 #include "app/cli/info_interactions.h"
@@ -121,6 +122,14 @@ std::string plainNumber(double value) {
     return out.str();
 }
 
+/// "guessed 12 bonds: from distances"
+std::string readingLine(const Json& entry) {
+    std::string text = entry["action"].get<std::string>() + " " + entry["count"].dump() + " " +
+                       entry["what"].get<std::string>();
+    if (entry.contains("line")) text += ", from line " + entry["line"].dump() + " on";
+    return entry.contains("why") ? text + ": " + entry["why"].get<std::string>() : text;
+}
+
 /// "A, B: HIV-1 protease; C: DNA": those of one name together.
 std::string namesOf(const Json& json, const char* key) {
     std::map<std::string, std::string> byName;
@@ -187,6 +196,11 @@ std::string infoText(const std::string& name, const Json& json) {
     if (json.contains("box_vectors")) line(out, "cell", json["box_vectors"].dump() + " Å");
     if (json.contains("partial_charge"))
         line(out, "charge", plainNumber(json["partial_charge"].get<double>()) + " e, the sum of partial charges");
+    const char* label = "reading";
+    for (const Json& entry : json["reading"]) {
+        if (entry["action"] == "read") continue;  // is above
+        line(out, std::exchange(label, ""), readingLine(entry));
+    }
     for (const Json& warning : json["warnings"]) line(out, "warning", warning.get<std::string>());
     return out.str();
 }
@@ -257,7 +271,7 @@ InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
 /// Several INPUTs that make one scene.
 void infoTogether(const InfoOptions& options, std::ostream& out) {
     InputOptions input = options.picture.input;
-    input.alone = true;
+    input.alone = input.describedOnly = true;
     std::string names;
     for (const std::string& path : options.paths) {
         addInput(input, path);
@@ -281,7 +295,7 @@ void infoCommand(const InfoOptions& options, std::ostream& out) {
     std::optional<Error> failure;  // the last one; earlier ones are printed at once
     for (const std::string& path : options.paths) try {
             InputOptions input = options.picture.input;
-            input.alone = true;
+            input.alone = input.describedOnly = true;
             input.path = path;
             Json json = several ? Json{{"file", path}} : Json::object();
             InfoOfInput info = infoOf(input, options);
@@ -317,6 +331,11 @@ MapJson mapInfoJson(const DensityMap& map) {
                    {"max", rounded(map.statistics.max)},
                    {"mean", rounded(map.statistics.mean)},
                    {"rms", rounded(map.statistics.rms)}};
+    const std::size_t nodes = map.values.size(), known = map.statistics.known;
+    json["reading"] = MapJson::array({{{"action", "read"}, {"what", "values"}, {"count", known}}});
+    if (known < nodes)
+        json["reading"].push_back(
+            {{"action", "left out"}, {"what", "values"}, {"count", nodes - known}, {"why", "not known at these nodes"}});
     json["warnings"] = map.warnings;
     return json;
 }

@@ -32,7 +32,7 @@ Representation emptyScene(const ResidueFacts& facts, std::span<const std::uint32
     const Molecule& molecule = facts.molecule();
     std::vector<glm::dvec4> balls;
     for (const std::uint32_t atom : drawn)
-        balls.emplace_back(glm::dvec3(molecule.atoms[atom].position), vanDerWaalsRadius(molecule.atoms[atom].element));
+        balls.emplace_back(glm::dvec3(molecule.atoms[atom].position), vanDerWaalsRadius(molecule.atoms[atom]));
     const Bounds bounds = frame ? *frame : balls.empty() ? Bounds{} : boundsOf(balls);
     Representation scene;
     scene.atomGroups = atomGroups(facts);

@@ -74,7 +74,7 @@ Json bondsByKind(const Molecule& molecule) {
 }
 
 bool hasResidues(const std::string& format) {
-    for (const char* without : {"sdf-v2000", "sdf-v3000", "xyz", "cml", "cif-core"})
+    for (const char* without : {"sdf-v2000", "sdf-v3000", "xyz", "cml", "cif-core", "poscar", "xsf", "tinker", "inpcrd", "gsd"})
         if (format == without) return false;
     return true;
 }
@@ -117,6 +117,18 @@ void putChains(Json& json, const Molecule& molecule) {
     json["ligands"] = total(chains, &ChainSummary::ligands);
     json["ions"] = total(chains, &ChainSummary::ions);
     json["waters"] = waters;
+}
+
+/// Rows of one shape, in a stable order: what was read, guessed and left out.
+Json readingList(const Molecule& molecule) {
+    Json list = Json::array();
+    for (const ReadNote& note : readingOf(molecule)) {
+        Json entry{{"action", readActionName(note.action)}, {"what", note.what}, {"count", note.count}};
+        if (!note.why.empty()) entry["why"] = note.why;
+        if (note.line > 0) entry["line"] = note.line;
+        list.push_back(entry);
+    }
+    return list;
 }
 
 /// Atoms of each subchain.
@@ -183,6 +195,7 @@ Json infoJson(const Molecule& molecule) {
     if (!molecule.partialCharges.empty())
         json["partial_charge"] = std::accumulate(molecule.partialCharges.begin(), molecule.partialCharges.end(), 0.0);
     json["bonds_known"] = bondsByKind(molecule);
+    json["reading"] = readingList(molecule);
     json["warnings"] = molecule.warnings;
     return json;
 }

@@ -9,6 +9,7 @@
 #include "app/picture/option_text.h"
 #include "app/picture/option_values.h"
 #include "app/picture/words.h"
+#include "engine/molecule/crystal.h"
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
 #include "engine/molecule/selection/selection.h"
@@ -130,7 +131,8 @@ std::vector<double> flatNumbers(const PrimitiveJson& list) {
 
 class Reader {
 public:
-    Reader(const PlaceOf& placeOf, Primitives& all) : placeOf_(placeOf), all_(all) {}
+    Reader(const PlaceOf& placeOf, const std::optional<std::array<glm::dvec3, 3>>& cell, Primitives& all)
+        : placeOf_(placeOf), cell_(cell), all_(all) {}
 
     void add(const PrimitiveJson& object) {
         if (!object.is_object()) throw std::invalid_argument("expected an object");
@@ -140,7 +142,8 @@ public:
         constexpr std::pair<const char*, Add> kKinds[] = {
             {"line", &Reader::line},   {"tube", &Reader::tube},           {"arrow", &Reader::arrow},
             {"sphere", &Reader::ball}, {"ellipsoid", &Reader::ellipsoid}, {"ellipse", &Reader::ellipse},
-            {"box", &Reader::box},     {"mesh", &Reader::mesh},           {"label", &Reader::label}};
+            {"box", &Reader::box},     {"mesh", &Reader::mesh},           {"label", &Reader::label},
+            {"cell", &Reader::cell}};
         std::vector<std::string> names;
         for (const auto& [name, read] : kKinds) {
             names.emplace_back(name);
@@ -247,6 +250,21 @@ private:
         box.edgeWidth = keys.number("edge_width", 1.5, 0.5, 10);
         all_.boxes.push_back(box);
     }
+    /// Edges of the cell whose corner is the origin.
+    void cell(Keys& keys) {
+        if (!cell_) throw std::invalid_argument("the structure states no unit cell and no periodic box");
+        Primitives::Box box;
+        for (std::size_t i = 0; i < 3; ++i) {
+            box.axes[i] = (*cell_)[i] / 2.0;
+            box.center += box.axes[i];
+        }
+        box.faces.reset();
+        box.edges = look(keys);
+        box.edges->opacity = 1;
+        box.edgeRadius = keys.number("edge_radius", 0, 0, kThickest);
+        box.edgeWidth = keys.number("edge_width", 1.5, 0.5, 10);
+        all_.boxes.push_back(box);
+    }
     /// A part that may be hidden or have its own colour. @returns whether it is drawn
     static bool part(Keys& keys, const char* key, bool otherwise, std::optional<PrimitiveLook>& look) {
         bool drawn = otherwise;
@@ -310,12 +328,14 @@ private:
     }
 
     const PlaceOf& placeOf_;
+    const std::optional<std::array<glm::dvec3, 3>>& cell_;
     Primitives& all_;
 };
 
 }  // namespace
 
-Primitives readPrimitives(const std::string& text, const std::string& name, const PlaceOf& placeOf) {
+Primitives readPrimitives(const std::string& text, const std::string& name, const PlaceOf& placeOf,
+                          const std::optional<std::array<glm::dvec3, 3>>& cell) {
     const PrimitiveJson json = parseJsonText<PrimitiveJson>(text, "cannot read primitives", name);
     const PrimitiveJson* list = &json;
     if (json.is_object() && json.contains("primitives")) {
@@ -323,7 +343,7 @@ Primitives readPrimitives(const std::string& text, const std::string& name, cons
         list = &json["primitives"];
     }
     Primitives all;
-    Reader reader(placeOf, all);
+    Reader reader(placeOf, cell, all);
     const auto add = [&](const PrimitiveJson& one, std::size_t number) {
         try {
             reader.add(one);
@@ -354,15 +374,16 @@ Primitives primitivesOf(const std::vector<PrimitiveSource>& sources, const Molec
         if (count == 0) throw std::invalid_argument("'" + text + "' matches no atoms");
         return sum / count;
     };
+    const auto cell = cellEdges(molecule.file);
     Primitives all;
     for (const PrimitiveSource& source : sources) {
         if (source.made)
             all.append(*source.made);
         else if (isJsonText(source.text))
-            all.append(readPrimitives(source.text, "--primitives", placeOf));
+            all.append(readPrimitives(source.text, "--primitives", placeOf, cell));
         else
             all.append(readPrimitives(readTextFile("cannot read primitives", source.text, kMostFileBytes), source.text,
-                                      placeOf));
+                                      placeOf, cell));
     }
     return all;
 }

@@ -130,6 +130,9 @@ std::uint64_t memoryShare(unsigned parts) {
 }
 
 Molecule completed(const InputOptions& input, Molecule molecule) {
+    if (molecule.lacksPositions && input.trajectory.path.empty() && !input.describedOnly)
+        throw Error("cannot draw molecule", input.path,
+                    "it is a topology without positions: name a file that has them with --trajectory");
     if (!input.addHydrogens) return molecule;
     if (!input.trajectory.path.empty())
         throw Error("cannot add hydrogens", input.path,

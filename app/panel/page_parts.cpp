@@ -134,6 +134,8 @@ void drawPartsPage(PanelFrame& f) {
         f.s.parts = partsOf(*f.s.facts, several ? inputNames(inputOf(document->view)) : std::vector<std::string>());
         f.s.sequence.part.clear();
         f.s.sequence.colors.clear();
+        f.s.reading.clear();
+        for (const ReadNote& note : readingOf(*f.s.molecule)) f.s.reading.push_back(sentenceOf(note));
     }
     const FileSummary file = document->molecule->modelsAreInputs ? FileSummary() : document->molecule->file;
     if (!file.title.empty()) f.ui.paragraph(file.title);
@@ -161,6 +163,8 @@ void drawPartsPage(PanelFrame& f) {
     }
     if (f.s.parts.size() >= kMostParts) f.ui.caption("Only the first 200 parts are listed.");
     toggleOption(f, "hydrogens");
+    f.ui.heading("How the file was read");
+    for (const std::string& sentence : f.s.reading) f.ui.caption(sentence);
 }
 
 }  // namespace nacre::app

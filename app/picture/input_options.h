@@ -54,6 +54,7 @@ struct InputOptions {
     int model = 1;                     ///< 1-based, or kAllModels
     bool addHydrogens = false;         ///< those that the file lacks
     bool alone = false;                ///< without the places of the file's other models
+    bool describedOnly = false;        ///< not drawn: a topology may lack positions
     std::optional<std::string> cache;  ///< folder, or "off"; empty: the usual one (cache_folder.h)
     bool offline = false;              ///< downloads from the cache alone
     std::string namedBy;         ///< a saved view's file that names `path`; empty: the user does. See load_molecule.h

@@ -119,7 +119,7 @@ void parts(Archive& archive, Parts& all) {
 template <typename Archive, typename M>
 void all(Archive& archive, M& molecule) {
     auto& [atoms, residues, chains, subchains, bonds, assemblies, entities, statesSecondaryStructure, partialCharges,
-           radii, serials, warnings, modelsAreInputs, inputs, others, othersMissing, file, guide] = molecule;
+           radii, masses, types, serials, warnings, notes, lacksPositions, modelsAreInputs, inputs, others, othersMissing, file, guide] = molecule;
     const auto texts = [&](auto& list) { archive.list(list, [&](auto& text) { archive.text(text); }); };
     archive.plains(atoms);
     archive.plains(residues);
@@ -140,8 +140,18 @@ void all(Archive& archive, M& molecule) {
     archive.plain(statesSecondaryStructure);
     archive.plains(partialCharges);
     archive.plains(radii);
+    archive.plains(masses);
+    archive.plains(types);
     archive.plains(serials);
     texts(warnings);
+    archive.list(notes, [&](auto& note) {
+        archive.plain(note.action);
+        archive.text(note.what);
+        archive.text(note.why);
+        archive.plain(note.count);
+        archive.plain(note.line);
+    });
+    archive.plain(lacksPositions);
     archive.plain(modelsAreInputs);
     texts(inputs);
     archive.text(othersMissing);

@@ -134,6 +134,8 @@ std::shared_ptr<Molecule> Player::freeMolecule() {
     copy->statesSecondaryStructure = m.statesSecondaryStructure;
     copy->partialCharges = m.partialCharges;
     copy->radii = m.radii;
+    copy->masses = m.masses;
+    copy->types = m.types;
     copy->file = m.file;
     return shared(std::move(copy));
 }

@@ -70,7 +70,10 @@ std::vector<Guided> guidedResidues(const ResidueFacts& facts) {
         const Atom& atom = molecule.atoms[index];
         const ResidueKind kind = kinds[atom.residue];
         if ((kind != ResidueKind::protein && kind != ResidueKind::nucleic) || !isFinite(atom.position)) continue;
-        const int name = guideNameOf(atom.name);
+        // Of coarse grains, the backbone's or a residue's only one takes the alpha carbon's part.
+        const bool grain = kind == ResidueKind::protein && atom.radius > 0 &&
+                           (atom.name.view() == "BB" || molecule.residues[atom.residue].atomCount == 1);
+        const int name = grain ? static_cast<int>(kGuideCa) : guideNameOf(atom.name);
         if (name == kGuideNames) continue;
         Guided& residue = guided[first[atom.residue]];
         residue.nucleic = kind == ResidueKind::nucleic;
@@ -111,6 +114,19 @@ private:
     const Molecule& molecule_;
 };
 
+/// Turns runs around that the file has from their ends to their beginnings.
+std::vector<Guided> inChainOrder(std::vector<Guided> guided, const ChainLinks& links) {
+    const auto backward = [&](std::size_t i) {
+        return i + 1 < guided.size() && links.joined(guided[i + 1], guided[i]) && !links.joined(guided[i], guided[i + 1]);
+    };
+    for (std::size_t first = 0, last = 0; first < guided.size(); first = ++last) {
+        while (backward(last)) ++last;
+        std::reverse(guided.begin() + static_cast<std::ptrdiff_t>(first),
+                     guided.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    }
+    return guided;
+}
+
 /// From C to O; 0 if one is missing.
 glm::dvec3 carbonylOf(const Molecule& molecule, const Guided& residue) {
     const std::uint32_t c = residue.atoms[kGuideC], o = residue.atoms[kGuideO];
@@ -147,8 +163,8 @@ std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std:
     const Molecule& molecule = facts.molecule();
     std::vector<bool> chosen(molecule.atoms.size());
     for (const std::uint32_t atom : atoms) chosen[atom] = true;
-    const std::vector<Guided> guided = guidedResidues(facts);
     const ChainLinks links(molecule);
+    const std::vector<Guided> guided = inChainOrder(guidedResidues(facts), links);
     std::vector<Trace> traces;
     for (std::size_t i = 0; i < guided.size(); ++i) {
         const Guided& residue = guided[i];
@@ -175,8 +191,8 @@ std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std:
 }
 
 std::vector<std::vector<std::uint32_t>> guideTraces(const ResidueFacts& facts) {
-    const std::vector<Guided> guided = guidedResidues(facts);
     const ChainLinks links(facts.molecule());
+    const std::vector<Guided> guided = inChainOrder(guidedResidues(facts), links);
     std::vector<std::vector<std::uint32_t>> traces;
     for (std::size_t i = 0; i < guided.size(); ++i) {
         if (i == 0 || !links.joined(guided[i - 1], guided[i])) traces.emplace_back();

@@ -83,7 +83,7 @@ std::vector<SurfaceBall> ballsOf(const Molecule& molecule, std::span<const std::
         const Atom& atom = molecule.atoms[index];
         const glm::dvec3 place = glm::dvec3(atom.position) - middle;
         if (std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z))
-            balls.push_back({place, options.scale * static_cast<double>(options.radius(atom.element)) + margin, index});
+            balls.push_back({place, options.scale * static_cast<double>(atom.radius > 0 ? atom.radius : options.radius(atom.element)) + margin, index});
     }
     return balls;
 }

@@ -12,6 +12,7 @@
 #include "engine/error.h"
 #include "engine/molecule/space_group.h"
 #include "engine/molecule/text.h"
+#include "engine/molecule/trajectory/trajectory.h"
 
 namespace nacre {
 namespace {
@@ -26,14 +27,25 @@ struct Crystal {
 Crystal crystalOf(const Molecule& molecule) {
     const auto fail = [](const std::string& why) -> void { throw Error("cannot build symmetry", "", why); };
     const FileSummary& file = molecule.file;
-    if (!file.cell) fail("the file states no unit cell");
-    const gemmi::SpaceGroup* group = spaceGroupOf(file.spaceGroup);
+    if (!file.cell && !file.box) fail("the file states no unit cell");
+    const bool boxed = file.box && !file.cell;  // a periodic box has translations alone
+    const gemmi::SpaceGroup* group = spaceGroupOf(boxed ? "P 1" : file.spaceGroup);
     if (!group)
         fail(file.spaceGroup.empty() ? "the file states no space group"
                                      : "there is no space group '" + printable(file.spaceGroup) + "'");
     Crystal crystal;
-    const std::array<double, 6>& c = *file.cell;
-    crystal.cell.set(c[0], c[1], c[2], c[3], c[4], c[5]);
+    if (boxed) {
+        gemmi::Transform edges;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                edges.mat[j][i] = static_cast<double>((*file.box)[static_cast<std::size_t>(i)][j]);
+        crystal.cell.orth = edges;
+        crystal.cell.frac = edges.inverse();
+        crystal.cell.volume = std::abs(edges.mat.determinant());
+    } else {
+        const std::array<double, 6>& c = *file.cell;
+        crystal.cell.set(c[0], c[1], c[2], c[3], c[4], c[5]);
+    }
     if (!(crystal.cell.volume > 1e-6 && std::isfinite(crystal.cell.volume))) fail("the unit cell has no volume");
     for (const gemmi::Op operation : group->operations()) crystal.operations.push_back(operation);
     for (const Atom& atom : molecule.atoms)
@@ -105,6 +117,15 @@ private:
 };
 
 }  // namespace
+
+std::optional<std::array<glm::dvec3, 3>> cellEdges(const FileSummary& file) {
+    if (file.box) return std::array{glm::dvec3((*file.box)[0]), glm::dvec3((*file.box)[1]), glm::dvec3((*file.box)[2])};
+    if (!file.cell) return std::nullopt;
+    const std::array<double, 6>& c = *file.cell;
+    const auto box = boxOf({c[0], c[1], c[2]}, {c[3], c[4], c[5]});
+    if (!box) return std::nullopt;
+    return std::array{glm::dvec3((*box)[0]), glm::dvec3((*box)[1]), glm::dvec3((*box)[2])};
+}
 
 std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::array<int, 3>& low,
                                         const std::array<int, 3>& high) {

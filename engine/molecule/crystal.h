@@ -3,6 +3,8 @@
 
 #include <array>
 #include <glm/mat4x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "engine/molecule/molecule.h"
@@ -10,6 +12,9 @@
 namespace nacre {
 
 constexpr std::size_t kMostSymmetryCopies = 20'000;
+
+/// Edges of the periodic box or the unit cell, Å; none if the file states neither.
+std::optional<std::array<glm::dvec3, 3>> cellEdges(const FileSummary& file);
 
 /// The copies in a range of cells, the molecule itself first. Cells are counted from the one that the molecule's middle
 /// is in, and a copy belongs to the cell that its middle is in.

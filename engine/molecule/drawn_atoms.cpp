@@ -81,7 +81,7 @@ std::vector<std::uint32_t> drawnAtoms(const Molecule& molecule, const DrawnAtoms
     const ChosenAlternates alternates(molecule, options.altlocs);
     std::vector<bool> water(molecule.residues.size());
     if (!options.water)
-        for (std::size_t i = 0; i < water.size(); ++i) water[i] = isWater(molecule.residues[i].name);
+        for (std::size_t i = 0; i < water.size(); ++i) water[i] = isWater(molecule.residues[i]);
     std::vector<std::uint32_t> drawn;
     drawn.reserve(molecule.atoms.size());
     for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i) {

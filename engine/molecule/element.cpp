@@ -1,5 +1,6 @@
 #include "engine/molecule/element.h"
 
+#include <cmath>
 #include <gemmi/elem.hpp>
 
 #include "engine/molecule/text.h"
@@ -33,5 +34,17 @@ float covalentRadius(Element element) { return gemmi::covalent_radius(known(elem
 bool isHydrogen(Element element) { return gemmi::is_hydrogen(known(element)); }
 
 bool isMetal(Element element) { return gemmi::is_metal(known(element)); }
+
+Element elementFromMass(double mass) {
+    constexpr double kNear = 0.2, kHeaviestHydrogen = 4.1;  // hydrogens of up to 4 u allow longer time steps
+    if (mass > 0.9 && mass < kHeaviestHydrogen && std::abs(mass - gemmi::molecular_weight(gemmi::El::He)) > 0.01) return 1;
+    Element best = 0;
+    double nearest = kNear;
+    for (int number = 2; number <= 118; ++number) {
+        const double apart = std::abs(gemmi::molecular_weight(static_cast<gemmi::El>(number)) - mass);
+        if (apart < nearest) nearest = apart, best = static_cast<Element>(number);
+    }
+    return best;
+}
 
 }  // namespace nacre

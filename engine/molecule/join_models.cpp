@@ -49,6 +49,10 @@ public:
         }
         addValues(whole_.partialCharges, model.partialCharges, atoms);
         addValues(whole_.radii, model.radii, atoms);
+        addValues(whole_.masses, model.masses, atoms);
+        addValues(whole_.types, model.types, atoms);
+        for (const ReadNote& note : model.notes)
+            addNote(whole_.notes, note.action, note.what, note.why, note.count, note.line);
         for (const std::string& warning : model.warnings)
             if (std::find(whole_.warnings.begin(), whole_.warnings.end(), warning) == whole_.warnings.end())
                 whole_.warnings.push_back(warning);
@@ -73,7 +77,8 @@ private:
     }
 
     /// One value per atom, in both or in neither.
-    void addValues(std::vector<float>& values, const std::vector<float>& more, std::size_t atoms) {
+    template <typename Value>
+    void addValues(std::vector<Value>& values, const std::vector<Value>& more, std::size_t atoms) {
         if (values.size() == atoms && values.size() + more.size() == whole_.atoms.size())
             values.insert(values.end(), more.begin(), more.end());
         else

@@ -299,17 +299,19 @@ std::vector<SecondaryStructure> kabschSander(const ResidueFacts& facts) {
 
 std::vector<SecondaryStructure> secondaryStructure(const ResidueFacts& facts) {
     const Molecule& molecule = facts.molecule();
-    if (!molecule.statesSecondaryStructure) {
-        std::vector<SecondaryStructure> kinds = kabschSander(facts);
-        const std::vector<SecondaryStructure> ofCarbons = zhangSkolnik(facts);  // other chains'
-        for (std::size_t i = 0; i < kinds.size(); ++i)
-            if (ofCarbons[i] != SecondaryStructure::none) kinds[i] = ofCarbons[i];
-        return kinds;
+    std::vector<SecondaryStructure> kinds(molecule.residues.size());
+    std::vector<bool> stated(molecule.chains.size());
+    for (std::size_t i = 0; i < kinds.size() && molecule.statesSecondaryStructure; ++i) {
+        kinds[i] = molecule.residues[i].secondary;
+        if (kinds[i] != SecondaryStructure::none) stated[molecule.residues[i].chain] = true;
     }
-    std::vector<SecondaryStructure> stated;
-    stated.reserve(molecule.residues.size());
-    for (const Residue& residue : molecule.residues) stated.push_back(residue.secondary);
-    return stated;
+    if (std::find(stated.begin(), stated.end(), false) == stated.end()) return kinds;
+    const std::vector<SecondaryStructure> ofBonds = kabschSander(facts);
+    const std::vector<SecondaryStructure> ofCarbons = zhangSkolnik(facts);  // other chains'
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        if (!stated[molecule.residues[i].chain])
+            kinds[i] = ofCarbons[i] != SecondaryStructure::none ? ofCarbons[i] : ofBonds[i];
+    return kinds;
 }
 
 }  // namespace nacre

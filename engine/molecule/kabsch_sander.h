@@ -7,8 +7,8 @@
 
 namespace nacre {
 
-/// Secondary structure per residue: from the file, or if the file states none, by kabschSander(), and by zhangSkolnik()
-/// for chains of alpha carbons.
+/// Secondary structure per residue: from the file; in chains that it states none of by kabschSander(), or by
+/// zhangSkolnik() where there are alpha carbons alone.
 std::vector<SecondaryStructure> secondaryStructure(const ResidueFacts& facts);
 
 /// Helices and strands from hydrogen bonds between peptide groups, per residue; ignores the file's own. `helix` is any

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "engine/molecule/other_models.h"
+#include "engine/molecule/read_notes.h"
 
 namespace nacre {
 
@@ -46,6 +47,7 @@ struct Atom {
     char alternate = '\0';   ///< alternate location; '\0' = none
     bool hetero = false;     ///< HETATM
     std::int8_t charge = 0;  ///< formal charge, elementary charges
+    float radius = 0;        ///< of a coarse grain, Å; 0: the element's
 };
 
 /// Secondary structure from the file; `none` also if the file does not state it.
@@ -64,6 +66,7 @@ struct Residue {
     /// one number: that.
     std::int32_t labelNumber = 0;
     char insertionCode = '\0';    ///< '\0' = none
+    Name segment;                 ///< of simulation programs, "PROA"; empty: none
     std::uint32_t chain = 0;      ///< index into Molecule::chains
     std::uint32_t subchain = 0;   ///< index into Molecule::subchains
     std::uint32_t firstAtom = 0;  ///< index into Molecule::atoms
@@ -109,7 +112,7 @@ struct Bond {
 /// Contents of the file as a whole, as `nacre info` reports them. Keys that a format lacks are empty.
 struct FileSummary {
     std::string format;  ///< "pdb", "mmcif", "mmjson", "bcif", "cif-core", "mmtf", "sdf-v2000", "sdf-v3000", "xyz",
-                         ///< "mol2", "pqr", "gro", "pdbqt", "cml", "sample"
+                         ///< "mol2", "pqr", "gro", "pdbqt", "cml", "sample", or the other names of Format
     std::string title;
     std::optional<std::int64_t> models;   ///< models or frames
     std::optional<std::int64_t> records;  ///< molecules of a multi-record file
@@ -152,8 +155,12 @@ struct Molecule {
     bool statesSecondaryStructure = false;  ///< the file states helices or strands of residues that exist
     std::vector<float> partialCharges;      ///< by atom, elementary charges; empty if the format has none
     std::vector<float> radii;               ///< by atom, Å, as PQR states them; empty otherwise
+    std::vector<float> masses;              ///< by atom, u; empty if the format has none
+    std::vector<Name> types;                ///< by atom, of its force field; empty if the format has none
     std::vector<std::int32_t> serials;      ///< by atom, its number in mmCIF (_atom_site.id); empty: 1, 2, 3, ...
     std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number
+    ReadNotes notes;                        ///< what the reader guessed and left out; readingOf() has the whole list
+    bool lacksPositions = false;            ///< a topology alone: a trajectory has to place its atoms
     bool modelsAreInputs = false;           ///< what chains call models are several molecules that stand together
     std::vector<std::string> inputs;        ///< names of those, in the order of their models; empty: there is one
     OtherModels others;         ///< if they were asked for: the file's other models, for a camera that all share

@@ -12,7 +12,30 @@
 
 namespace nacre {
 
-enum class Format { pdb, mmcif, mmjson, bcif, mmtf, sdf, xyz, mol2, pqr, gro, pdbqt, cml };
+enum class Format {
+    pdb,
+    mmcif,
+    mmjson,
+    bcif,
+    mmtf,
+    sdf,
+    xyz,
+    mol2,
+    pqr,
+    gro,
+    pdbqt,
+    cml,
+    psf,
+    prmtop,
+    inpcrd,
+    lammps,
+    lammpstrj,
+    gsd,
+    poscar,
+    xsf,
+    tinker,
+    mae
+};
 
 /// Larger molecules are always refused: an atom may take only six bytes of text.
 constexpr std::size_t kMaxAtoms = 50'000'000;

@@ -63,7 +63,7 @@ void applySecondaryStructure(Molecule& molecule, const std::vector<SecondaryRang
     for (std::uint32_t i = 0; i < molecule.chains.size(); ++i) chains.emplace(molecule.chains[i].name, i);
 
     Steps helices(order.size() + 1), strands(order.size() + 1);
-    std::size_t missing = 0;
+    std::int64_t missing = 0;
     for (const SecondaryRange& range : ranges) {
         const auto chain = chains.find(range.chain);
         std::int64_t first = kNowhere, last = kNowhere;
@@ -87,9 +87,7 @@ void applySecondaryStructure(Molecule& molecule, const std::vector<SecondaryRang
         else if (inStrand > 0)
             molecule.residues[order[i]].secondary = SecondaryStructure::strand;
     }
-    if (missing > 0)
-        molecule.warnings.push_back("helices and strands from or to residues that are not there: " +
-                                    std::to_string(missing));
+    addNote(molecule.notes, ReadAction::leftOut, "helix or strand records", "of residues that are not there", missing);
 }
 
 }  // namespace nacre

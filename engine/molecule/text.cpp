@@ -73,6 +73,22 @@ std::optional<double> parseNumber(std::string_view text) {
     return parseWhole<double>(fortran);
 }
 
+std::string numbersApart(std::string_view line) {
+    std::string apart;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const bool sign = line[i] == '-' || line[i] == '+';
+        if (sign && i > 0 && (isDigit(line[i - 1]) || line[i - 1] == '.')) {
+            // Three digits without a point are an exponent.
+            std::size_t digits = i + 1;
+            while (digits < line.size() && isDigit(line[digits])) ++digits;
+            const bool pointed = digits < line.size() && line[digits] == '.';
+            if (pointed || digits != i + 4) apart += ' ';
+        }
+        apart += line[i];
+    }
+    return apart;
+}
+
 void cannotRead(const std::string& name, const std::string& why, std::uint64_t line) {
     throw Error("cannot read molecule", name, why, line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);
 }
@@ -112,16 +128,33 @@ std::string printable(std::string_view text, std::size_t limit) {
     return safe;
 }
 
+namespace {
+
+/// Cuts the first word off; empty at the end of the line.
+std::string_view cutWord(std::string_view& line) {
+    while (!line.empty() && isBlank(line.front())) line.remove_prefix(1);
+    std::size_t length = 0;
+    while (length < line.size() && !isBlank(line[length])) ++length;
+    const std::string_view word = line.substr(0, length);
+    line.remove_prefix(length);
+    return word;
+}
+
+}  // namespace
+
 Words splitWords(std::string_view line) {
     Words words;
     while (words.count < words.word.size()) {
-        while (!line.empty() && isBlank(line.front())) line.remove_prefix(1);
-        if (line.empty()) break;
-        std::size_t length = 0;
-        while (length < line.size() && !isBlank(line[length])) ++length;
-        words.word[words.count++] = line.substr(0, length);
-        line.remove_prefix(length);
+        const std::string_view word = cutWord(line);
+        if (word.empty()) break;
+        words.word[words.count++] = word;
     }
+    return words;
+}
+
+std::vector<std::string_view> wordsOf(std::string_view line) {
+    std::vector<std::string_view> words;
+    for (std::string_view word = cutWord(line); !word.empty(); word = cutWord(line)) words.push_back(word);
     return words;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/error.h"
 
@@ -28,6 +29,10 @@ bool startsWith(std::string_view text, std::string_view start);
 /// exponents ("1.0D+02") and C's "nan" and "inf", which callers must check.
 std::optional<std::int64_t> parseInteger(std::string_view text);
 std::optional<double> parseNumber(std::string_view text);
+
+/// A line with blanks between numbers that touch, as Fortran writes them where they fill their columns: before a sign
+/// that follows a digit ("-5.1E-018-5.1E-018"). An exponent may lack its letter: "1.5-100" is one number.
+std::string numbersApart(std::string_view line);
 
 /// Throws a reader's error. @param name  of the file @param line  1-based; 0: none
 [[noreturn]] void cannotRead(const std::string& name, const std::string& why, std::uint64_t line = 0);
@@ -53,6 +58,8 @@ struct Words {
     std::string_view operator[](std::size_t i) const { return i < count ? word[i] : std::string_view(); }
 };
 Words splitWords(std::string_view line);
+/// All words of a line.
+std::vector<std::string_view> wordsOf(std::string_view line);
 
 /// Iterates over lines that end in '\n'.
 class LineReader {

@@ -209,7 +209,17 @@ DensityMap mapOfValues(const std::string& name, const glm::ivec3& size, const Un
     return map;
 }
 
-// A number takes a digit and a blank at least.
+namespace {
+
+std::string_view cutNumber(std::string_view& words) {
+    const std::string_view word = words.substr(0, words.find(' '));
+    words.remove_prefix(std::min(word.size() + 1, words.size()));
+    return word;
+}
+
+}  // namespace
+
+// A number takes a digit, and a blank or a sign, at least.
 GridValues::GridValues(const std::string& name, const glm::ivec3& size, const MapLimits& limits, std::string_view text,
                        std::size_t perNode)
     : name_(name),
@@ -220,11 +230,18 @@ GridValues::GridValues(const std::string& name, const glm::ivec3& size, const Ma
 
 void GridValues::read(std::uint64_t line) {
     const char *at = text_.data(), *end = at + text_.size();
+    std::string apart;  // numbers of a word that touch
+    std::string_view numbers;
     const auto next = [&]() -> std::string_view {
+        if (!numbers.empty()) return cutNumber(numbers);
         while (at != end && isBlank(*at)) line += *at++ == '\n';
         const char* first = at;
         while (at != end && !isBlank(*at)) ++at;
-        return {first, static_cast<std::size_t>(at - first)};
+        const std::string_view word(first, static_cast<std::size_t>(at - first));
+        if (word.find_first_of("+-", 1) == std::string_view::npos || parseNumber(word)) return word;
+        apart = numbersApart(word);
+        numbers = apart;
+        return cutNumber(numbers);
     };
     std::size_t count = 0;
     for (int x = 0; x < size_.x; ++x)

@@ -1,4 +1,5 @@
 // Gaussian cube files: densities, potentials and orbitals. gaussian.com/cubegen has the format.
+#include <algorithm>
 #include <cmath>
 
 #include "engine/volume/map_grid.h"
@@ -38,8 +39,11 @@ public:
         GridValues values(name_, size, limits_, lines_.rest(), static_cast<std::size_t>(perNode));
         values.read(lines_.number() + 1);
         DensityMap map = completed(name_, "cube", size, origin * unit, step * unit, values.done());
-        // Orbitals and potentials have positive and negative values.
-        map.difference = map.difference || atoms < 0;
+        // Orbitals and potentials have positive and negative values. Some programs do not mark orbitals.
+        constexpr double kSecondSign = 0.1;  // of the larger extreme; densities fall below zero by less
+        const double least = map.statistics.min, most = map.statistics.max;
+        map.difference = map.difference || atoms < 0 ||
+                         std::min(-least, most) > kSecondSign * std::max(-least, most);
         if (perNode > 1)
             map.warnings.push_back("the map has " + std::to_string(perNode) +
                                    " values at each node: the first is drawn");

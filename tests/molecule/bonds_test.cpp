@@ -37,8 +37,10 @@ std::string pairAt(std::string_view first, std::string_view second, float distan
 TEST(DistanceBonds, LieBetweenTheTwoLimits) {
     EXPECT_EQ(pairAt("C", "C", 1.90f), "0-1");  // 2 * 0.73 + 0.45 = 1.91
     EXPECT_EQ(pairAt("C", "C", 1.92f), "");
-    EXPECT_EQ(pairAt("C", "C", 0.41f), "0-1");
-    EXPECT_EQ(pairAt("C", "C", 0.39f), "");
+    EXPECT_EQ(pairAt("C", "C", 1.04f), "0-1");  // 0.7 * 2 * 0.73 = 1.02
+    EXPECT_EQ(pairAt("C", "C", 1.00f), "");
+    EXPECT_EQ(pairAt("O", "H", 0.60f), "0-1");  // 0.6 * (0.66 + 0.31) = 0.58
+    EXPECT_EQ(pairAt("O", "H", 0.56f), "");
     EXPECT_EQ(pairAt("S", "S", 2.54f), "0-1");  // 2 * 1.05 + 0.45 = 2.55
     EXPECT_EQ(pairAt("S", "S", 2.56f), "");
 }

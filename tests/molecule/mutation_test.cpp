@@ -92,6 +92,14 @@ TEST_P(Mutation, IsAMoleculeOrAnError) {
     }
 }
 
+TEST(MutatedSeeds, AreMoleculesOrErrors) {
+    for (const char* seed : {"water.psf", "water.prmtop", "water.inpcrd", "water.data", "beads.lammpstrj", "salt.poscar",
+                             "water.xsf", "water.txyz", "water.mae"}) {
+        SCOPED_TRACE(seed);
+        expectMoleculeOrError(seed, beginningOf(std::string(NACRE_SOURCE_DIR "/tests/fuzz/seeds/") + seed), 1500);
+    }
+}
+
 constexpr std::size_t kWhole = 1 << 20;
 
 INSTANTIATE_TEST_SUITE_P(
@@ -113,6 +121,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Mutated{"obabel/glucose.gro", {{"1crn.gro", kWhole, 1500}}},
                     Mutated{"obabel/glucose.pqr", {{"3pqr.pqr", 30000, 1000}}},
                     Mutated{"obabel/buckyball.pdbqt", {{"small/dxc.pdbqt", kWhole, 1000}}},
+                    Mutated{"obabel/glucose.txyz", {}}, Mutated{"obabel/glucose.mae", {}},
+                    Mutated{"obabel/glucose.lmp", {}},
                     Mutated{"rdkit/glucose.xyz", {{"small/multi-frame.xyz", kWhole, 3000}}}),
     [](const auto& test) {
         std::string name = test.param.written;

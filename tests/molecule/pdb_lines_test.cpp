@@ -179,7 +179,7 @@ TEST(PdbLines, ConectThatLeadsNowhereIsOneWarning) {
     for (int i = 0; i < 1000; ++i) text += "CONECT    1  999\nCONECT   xx    1\n";
     const Molecule m = readText(text);
     ASSERT_EQ(m.warnings.size(), 2u);
-    EXPECT_EQ(m.warnings[0], "ignored 1000 CONECT bonds to atoms that are not there, the first on line 3");
+    EXPECT_EQ(m.warnings[0], "left out 1000 bonds, the first on line 3: CONECT of atoms that are not there");
     EXPECT_EQ(readText(kCarbon + kCarbon + kOxygen + "CONECT    1    2\n").bonds.size(), 0u);  // which atom 1?
     // Serial numbers far apart: hybrid-36, whose zzzzz is 87440031.
     const auto numbered = [](std::string line, const std::string& serial) { return line.replace(6, 5, serial); };

@@ -49,8 +49,8 @@ TEST(SecondaryStructure, RangesMarkResiduesInOrderOfTheFile) {
                                             {SecondaryStructure::helix, "A", 6, 99, '\0', '\0'}});
     EXPECT_EQ(fold(text.molecule), "EEHHH-");
     EXPECT_TRUE(text.molecule.statesSecondaryStructure);
-    ASSERT_EQ(text.molecule.warnings.size(), 1u);
-    EXPECT_NE(text.molecule.warnings[0].find(": 2"), std::string::npos);
+    ASSERT_EQ(text.molecule.notes.size(), 1u);
+    EXPECT_EQ(sentenceOf(text.molecule.notes[0]), "left out 2 helix or strand records: of residues that are not there");
 }
 
 TEST(SecondaryStructure, ManyOverlappingRangesTakeLinearTime) {

@@ -46,6 +46,9 @@ const std::map<std::string, Says> kKinds = {
     {"_v3000.sdf", {"sdf-v3000", kOrders, 0.00006f}},
     {".xyz", {"xyz", 0, 0.00006f}},
     {"_core.cif", {"cif-core", 0, 0.0012f}},
+    {".txyz", {"tinker", 0, 0.00006f}},
+    {".mae", {"mae", 0, 0.00006f}},
+    {".lmp", {"lammps", 0, 0.00006f}},
 };
 
 void expectWordsOf(const Molecule& sample, const Molecule& read, std::size_t atom, unsigned words) {

@@ -48,7 +48,7 @@ void expectSame(const std::string& file, const std::string& name, double toleran
 }
 
 TEST(Trajectory, ReadsTimes) {
-    for (const char* name : {"t.xtc", "t.trr", "t.nc"}) {
+    for (const char* name : {"t.xtc", "t.trr", "t.nc", "t.h5", "t.h5md"}) {
         const std::unique_ptr<Trajectory> t = openTrajectory(written() / name);
         for (std::size_t frame = 0; frame < 5; ++frame)
             EXPECT_NEAR(t->read(frame).time.value_or(-1), 10 + 2.5 * static_cast<double>(frame), 1e-5) << name;
@@ -71,6 +71,8 @@ TEST(Trajectory, ReadsWhatMdtrajReads) {
     expectSame("t.trr", "trr", 1e-4);
     expectSame("t.dcd", "dcd", 1e-4);
     expectSame("t.nc", "nc", 1e-4);
+    expectSame("t.h5", "h5", 1e-4);
+    expectSame("t.h5md", "h5", 1e-4);
     expectSame("few.xtc", "few", 1e-4);
     expectSame("water.xtc", "water", 1e-3);
 }

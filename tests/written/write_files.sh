@@ -19,6 +19,8 @@ for name in dna glucose buckyball; do
     quietly obabel own/$name.sdf -O obabel/$name.sdf
     quietly obabel own/$name.sdf -O obabel/${name}_v3000.sdf -x3
     quietly obabel own/$name.xyz -O obabel/$name.xyz
+    for format in txyz mae; do quietly obabel own/$name.sdf -O obabel/$name.$format; done
+    quietly obabel own/$name.sdf -olmpdat -O obabel/$name.lmp
     quietly gemmi convert own/$name.pdb gemmi/$name.cif
     quietly gemmi convert --to=mmjson own/$name.pdb gemmi/$name.json
     quietly gemmi convert gemmi/$name.cif gemmi/$name.pdb

@@ -6,6 +6,7 @@ X.bin holds float32 little-endian: per frame the box (9 numbers) and the positio
 """
 import sys
 
+import h5py
 import mdtraj
 import numpy
 
@@ -43,6 +44,16 @@ def dump(name, t):
 for name in ("xtc", "trr", "dcd", "nc"):
     trajectory.save("%s/t.%s" % (folder, name))
     dump(name, mdtraj.load("%s/t.%s" % (folder, name), top=topology))
+# HDF5: MDTraj's own, and H5MD with its units and box.
+trajectory.save(folder + "/t.h5")
+dump("h5", mdtraj.load(folder + "/t.h5"))
+with h5py.File(folder + "/t.h5md", "w") as h5:
+    group = h5.create_group("particles/all")
+    positions = group.create_dataset("position/value", data=whole, chunks=(2, 30, 3), compression="gzip")
+    positions.attrs["unit"] = "nm"
+    group["position/time"] = trajectory.time
+    edges = group.create_dataset("box/edges/value", data=trajectory.unitcell_vectors)
+    edges.attrs["unit"] = "nm"
 # Few atoms, which XTC does not compress; and many, as waters are, which it compresses well.
 few = trajectory.atom_slice(range(7))
 few.save(folder + "/few.xtc")

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "engine/molecule/bonds/bond_steps.h"
+#include "engine/molecule/bonds/coarse_grains.h"
+#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
 
 namespace nacre {
@@ -24,11 +27,29 @@ std::vector<PositionGroup> findGroups(const Molecule& molecule) {
 
 /// A residue counts as settled if the file bonds nine in ten of its atoms with each other: then the file means to
 /// state them all, and distances would only add contacts. Links alone (SSBOND, struct_conn) settle nothing.
+/// The same holds for all atoms with a bond, if nine in ten of the file's atoms beside waters and ions have one, and some
+/// of these bonds join residues.
 void markSettled(BondWork& work) {
     const Molecule& molecule = work.molecule;
-    std::vector<std::uint8_t> stated(molecule.atoms.size());
-    for (const Bond& bond : molecule.bonds)
+    std::vector<std::uint8_t> stated(molecule.atoms.size()), linked(molecule.atoms.size());
+    bool links = false;
+    for (const Bond& bond : molecule.bonds) {
+        linked[bond.a] = linked[bond.b] = 1;
+        links = links || work.groupOf[bond.a] != work.groupOf[bond.b];
         if (work.groupOf[bond.a] == work.groupOf[bond.b]) stated[bond.a] = stated[bond.b] = 1;
+    }
+    std::size_t joinable = 0, joined = 0;
+    for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
+        const Atom& atom = molecule.atoms[i];
+        const bool alone = work.groups[work.groupOf[i]].atomCount == 1 && !linked[i];
+        if (alone || isHydrogen(atom.element) || isWater(molecule.residues[atom.residue].name)) continue;
+        ++joinable;
+        joined += linked[i];
+    }
+    if (links && joined * 10 >= joinable * 9) {
+        work.settled = std::move(linked);
+        return;
+    }
     for (const PositionGroup& group : work.groups) {
         std::size_t heavy = 0;
         std::size_t bonded = 0;
@@ -75,8 +96,9 @@ void mergeBonds(std::vector<Bond>& bonds, std::size_t atoms) {
 
 void perceiveBonds(Molecule& molecule) {
     mergeBonds(molecule.bonds, molecule.atoms.size());
+    findCoarseGrains(molecule);
     // A bond table (SDF, chemical component) is the whole truth; its coordinates may even be a flat drawing.
-    if (molecule.file.bonds.value_or(0) > 0) return;
+    if (molecule.file.bonds.value_or(0) > 0 || molecule.lacksPositions) return;
 
     BondWork work{molecule, findGroups(molecule), {}, {}, {}};
     work.groupOf.resize(molecule.atoms.size());

@@ -50,13 +50,13 @@ std::uint64_t keyOf(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
 bool isHalogen(Element e) { return e == 9 || e == 17 || e == 35 || e == 53 || e == 85; }
 bool isNobleGas(Element e) { return e == 2 || e == 10 || e == 18; }
 
-/// Atoms that are never bonded by distance: noble gases, isolated ions (coordination is not a bond), isolated water
+/// Atoms that are never bonded by distance: coarse grains, noble gases, isolated ions (coordination is not a bond), isolated water
 /// oxygens, and hydrogens that already have a bond.
 bool neverBonds(const BondWork& work, std::uint32_t i, bool hasBond, bool water) {
     const Atom& atom = work.molecule.atoms[i];
     const bool alone = work.groups[work.groupOf[i]].atomCount == 1;
     if (alone && (water || isMetal(atom.element) || isHalogen(atom.element))) return true;
-    if (isNobleGas(atom.element) || (hasBond && isHydrogen(atom.element))) return true;
+    if (atom.radius > 0 || isNobleGas(atom.element) || (hasBond && isHydrogen(atom.element))) return true;
     const glm::vec3 p = atom.position;
     return !(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
 }
@@ -142,7 +142,10 @@ public:
         const glm::vec3 line = a.position - b.position;
         const float squared = glm::dot(line, line);
         const float longest = a.radius + b.radius + kBondTolerance;
-        if (squared >= longest * longest || squared <= kShortestBond * kShortestBond) return;
+        if (squared >= longest * longest) return;
+        const bool light = ((a.flags | b.flags) & (kHydrogen | kMetal)) != 0;
+        const float shortest = (light ? kShortestLightShare : kShortestShare) * (a.radius + b.radius);
+        if (squared <= shortest * shortest) return;
         if (!admitted(a, b)) return;
         const bool full = bondCount_[a.atom] >= kMostBondsPerAtom || bondCount_[b.atom] >= kMostBondsPerAtom;
         if (full) {

@@ -193,6 +193,8 @@ Molecule withHydrogens(const Molecule& molecule, const Chemistry& chemistry) {
     result.bonds.clear();
     result.partialCharges.clear();
     result.radii.clear();
+    result.masses.clear();
+    result.types.clear();
     std::vector<std::uint32_t> moved(molecule.atoms.size());
     for (Residue& residue : result.residues) {
         HydrogenNames names(molecule, residue);

@@ -97,8 +97,8 @@ private:
         for (std::size_t i = 1; i + 1 < words.count && static_cast<std::int64_t>(i) <= 2 * count; i += 2) {
             const auto atom = parseInteger(words[i]), charge = parseInteger(words[i + 1]);
             if (!atom || *atom < 1 || *atom > static_cast<std::int64_t>(atoms.size()))
-                fail("charge of an atom that is not there: '" + printable(words[i]) + "'");
-            if (charge && *charge >= -20 && *charge <= 20)
+                builder_.leaveOut("charges", "of atoms that are not there", lines_.number());
+            else if (charge && *charge >= -20 && *charge <= 20)
                 atoms[static_cast<std::size_t>(*atom - 1)].charge = static_cast<std::int8_t>(*charge);
         }
     }

@@ -102,8 +102,7 @@ private:
         if (!type || !a || !b) fail("no bond line: '" + printable(line_) + "'");
         std::uint32_t first = 0, second = 0;
         if (index.find(*a, first) != IdIndex::Found::one || index.find(*b, second) != IdIndex::Found::one)
-            fail("bond between atoms " + std::to_string(*a) + " and " + std::to_string(*b) +
-                 ", of which one is not there, or more than once");
+            return builder_.leaveOut("bonds", "of atoms that are not there", lines_.number());
         if (const int order = bondOrderOfCtab(*type)) builder_.addBond(first, second, order, lines_.number());
     }
 

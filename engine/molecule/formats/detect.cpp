@@ -40,6 +40,8 @@ Guess guessBinary(std::string_view head) {
     if (!compressionOf(head).empty()) return isNot("compressed twice; unpack it first");
     for (const Signature& signature : kSignatures)
         if (startsWith(head, signature.bytes)) return isNot(signature.words);
+    constexpr std::string_view kGsd = "\xDF\x65\xDF\x65\xDF\x65\xDF\x65";
+    if (startsWith(head, kGsd)) return is(Format::gsd);
     if (const auto format = detectBinaryFormat(head)) return is(*format);
     return {};
 }
@@ -49,9 +51,44 @@ bool isInteger(std::string_view text) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+bool areNumbers(const Words& words, std::size_t first, std::size_t count) {
+    for (std::size_t i = first; i < first + count; ++i)
+        if (!parseNumber(words[i])) return false;
+    return true;
+}
+
+/// A count with or without a title; then, perhaps after a box, number, name, position and type.
+bool isTinker(std::string_view counts, std::string_view atom) {
+    const Words words = splitWords(atom);
+    return isInteger(splitWords(counts)[0]) && words.count >= 6 && isInteger(words[0]) && !parseNumber(words[1]) &&
+           areNumbers(words, 2, 3) && isInteger(words[5]);
+}
+
+/// A scale and three vectors after the title.
+bool isPoscar(const std::array<std::string_view, 6>& line) {
+    const Words scale = splitWords(line[1]);
+    if ((scale.count != 1 && scale.count != 3) || !parseNumber(scale[0])) return false;
+    for (std::size_t i = 2; i < 5; ++i)
+        if (!areNumbers(splitWords(line[i]), 0, 3)) return false;
+    return splitWords(line[5]).count > 0 && splitWords(line[2]).count == 3;
+}
+
+/// A count, perhaps with a time, and numbers of twelve columns.
+bool isInpcrd(std::string_view counts, std::string_view numbers) {
+    const Words words = splitWords(counts);
+    if (words.count < 1 || words.count > 2 || !isInteger(words[0])) return false;
+    if (words.count == 2 && !parseNumber(words[1])) return false;
+    constexpr std::size_t kColumns = 12, kPoint = 4;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::string_view field = columns(numbers, i * kColumns, kColumns);
+        if (field.size() != kColumns || field[kPoint] != '.' || !parseNumber(field)) return false;
+    }
+    return true;
+}
+
 /// The first lines, where several formats have a mark at a fixed position.
 Guess guessByFirstLines(std::string_view text) {
-    std::array<std::string_view, 4> line{};
+    std::array<std::string_view, 6> line{};
     LineReader lines(text);
     for (std::string_view& next : line)
         if (lines.next()) next = lines.line();
@@ -66,6 +103,13 @@ Guess guessByFirstLines(std::string_view text) {
     const bool groAtom = parseInteger(columns(line[2], 0, 5)) && parseInteger(columns(line[2], 15, 5)) &&
                          parseNumber(columns(line[2], 20, 8)) && parseNumber(columns(line[2], 28, 8));
     if (isInteger(line[1]) && groAtom) return is(Format::gro);
+    if (splitWords(line[0])[0] == "PSF") return is(Format::psf);
+    if (startsWith(line[0], "%VERSION") || startsWith(line[0], "%FLAG")) return is(Format::prmtop);
+    if (startsWith(line[0], "ITEM: ")) return is(Format::lammpstrj);
+    if (startsWith(line[0], "LAMMPS")) return is(Format::lammps);
+    if (isTinker(line[0], line[1]) || isTinker(line[0], line[2])) return is(Format::tinker);
+    if (isPoscar(line)) return is(Format::poscar);
+    if (isInpcrd(line[1], line[2])) return is(Format::inpcrd);
     if (isInteger(line[0]) && (numbers(1, 3) || contains(line[1], "Properties="))) return is(Format::xyz);
     return {};
 }
@@ -103,6 +147,11 @@ Guess guessByLines(std::string_view head) {
     while (lines.next()) {
         const std::string_view line = trim(lines.line());
         if (startsWith(line, "@<TRIPOS>")) return is(Format::mol2);
+        if (startsWith(line, "f_m_ct")) return is(Format::mae);
+        const std::string_view keyword = line.substr(0, line.find(' '));
+        for (const std::string_view xsf : {"CRYSTAL", "SLAB", "POLYMER", "PRIMVEC", "ANIMSTEPS", "PRIMCOORD", "ATOMS"})
+            if (keyword == xsf) return is(Format::xsf);
+        if (keyword == "Atoms" || line == "Masses") return is(Format::lammps);
         if (pdb && (startsWith(line, "ROOT") || startsWith(line, "TORSDOF"))) return is(Format::pdbqt);
         const bool atom = startsWith(lines.line(), "ATOM  ") || startsWith(lines.line(), "HETATM");
         if (atom) return guessPdbFamily(lines.line());
@@ -118,7 +167,7 @@ Guess guessByContent(std::string_view text) {
     const std::string_view head = text.substr(0, kHead);
     if (const Guess guess = guessBinary(head)) return guess;
     const std::string_view start = trim(head);
-    if (startsWith(start, "{")) return is(Format::mmjson);
+    if (startsWith(start, "{")) return is(contains(start, "s_m_m2io_version") ? Format::mae : Format::mmjson);
     if (startsWith(start, "<")) {
         const std::string lower = lowerCase(start);
         if (contains(lower, "<html") || startsWith(lower, "<!doctype html")) return isNot("a web page, not a molecule");
@@ -151,7 +200,7 @@ Guess guessByName(const std::string& name) {
     const std::string_view ending = lower.substr(dot + 1);
     for (const FormatRow& row : formatRows())
         if (hasWord(row.endings, ending)) return is(row.format);
-    for (const std::string_view other : {"pdbml", "dcd", "xtc", "trr", "cube", "mae", "prmtop", "psf"})
+    for (const std::string_view other : {"pdbml", "dcd", "xtc", "trr", "cube", "tpr"})
         if (ending == other) return isNot(other);
     return {};
 }

@@ -21,6 +21,16 @@ Molecule readPqr(const std::string& name, std::string_view text, const ReadOptio
 Molecule readGro(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readPdbqt(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readCml(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readPsf(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readPrmtop(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readInpcrd(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readLammps(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readLammpstrj(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readGsd(const std::string& name, std::string_view bytes, const ReadOptions&);
+Molecule readPoscar(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readXsf(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readTinker(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readMae(const std::string& name, std::string_view text, const ReadOptions&);
 
 namespace {
 
@@ -37,6 +47,16 @@ constexpr FormatRow kFormats[] = {
     {Format::gro, "gro", "GRO", "gro", false, readGro, nullptr, groSpans},
     {Format::pdbqt, "pdbqt", "PDBQT", "pdbqt", false, readPdbqt, nullptr, pdbSpans},
     {Format::cml, "cml", "CML", "cml", false, readCml},
+    {Format::psf, "psf", "PSF", "psf", false, readPsf},
+    {Format::prmtop, "prmtop", "PRMTOP", "prmtop parm7", false, readPrmtop},
+    {Format::inpcrd, "inpcrd", "INPCRD", "inpcrd rst7 restrt", false, readInpcrd},
+    {Format::lammps, "lammps", "LAMMPS data", "lmp data", false, readLammps},
+    {Format::lammpstrj, "lammpstrj", "LAMMPS dump", "lammpstrj dump", false, readLammpstrj, nullptr, dumpSpans},
+    {Format::gsd, "gsd", "GSD", "gsd", true, readGsd},
+    {Format::poscar, "poscar", "POSCAR", "poscar vasp", false, readPoscar},
+    {Format::xsf, "xsf", "XSF", "xsf axsf", false, readXsf},
+    {Format::tinker, "tinker", "Tinker XYZ", "txyz arc", false, readTinker},
+    {Format::mae, "mae", "MAE", "mae maegz", false, readMae, nullptr, maeSpans},
 };
 
 std::string listed(std::string_view FormatRow::*column) {

@@ -43,15 +43,18 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
     std::vector<Assembly> found;
     std::map<std::string, std::size_t, std::less<>> byId;
     std::map<std::string, std::string, std::less<>> faults;
-    for (std::size_t row = 0; row < assemblies.rows(); ++row) {
-        const std::string id(assemblies.get(row, {"id"}).value_or(""));
+    // Files of packed cells list how assemblies are made, and not the assemblies.
+    const bool listed = assemblies.rows() > 0;
+    const MmcifTable& ids = listed ? assemblies : generators;
+    for (std::size_t row = 0; row < ids.rows(); ++row) {
+        const std::string id(ids.get(row, {listed ? "id" : "assembly_id"}).value_or(""));
         if (found.size() == AssemblyLimits::kMaxAssemblies) {
             builder.warn("more than " + std::to_string(AssemblyLimits::kMaxAssemblies) +
                          " assemblies; the rest is left out");
             break;
         }
         if (!byId.emplace(id, found.size()).second) continue;
-        found.push_back({id, std::string(assemblies.get(row, {"details"}).value_or("")), {}});
+        found.push_back({id, listed ? std::string(ids.get(row, {"details"}).value_or("")) : std::string(), {}});
     }
 
     const TransformsById transforms = readOperators(operators);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/mmcif_model.h"
@@ -54,26 +55,57 @@ const std::array<const char*, MmcifAtoms::columnCount> MmcifAtoms::kNames = {"ca
                                                                              "pdbx_formal_charge",
                                                                              "pdbx_pdb_model_num",
                                                                              "label_entity_id",
-                                                                             "id"};
+                                                                             "id",
+                                                                             "ihm_model_id",
+                                                                             "object_radius",
+                                                                             "covariance_matrix[1][1]",
+                                                                             "covariance_matrix[2][2]",
+                                                                             "covariance_matrix[3][3]"};
 
 bool MmcifAtoms::isKept(std::string_view column) {
     return std::any_of(kNames.begin(), kNames.end(), [&](const char* name) { return column == name; });
 }
 
-MmcifAtoms::MmcifAtoms(std::deque<MoleculeBuilder>& builders, const std::vector<std::string>& columns,
-                       const ReadOptions& options, int lastModel)
+MmcifAtoms::MmcifAtoms(std::deque<MoleculeBuilder>& builders, const ReadOptions& options, int lastModel)
     : builders_(builders),
       wantedFrom_(options.model),
       wantedTo_(std::max(options.model, lastModel)),
-      maxAtoms_(options.maxAtoms) {
+      maxAtoms_(options.maxAtoms) {}
+
+void MmcifAtoms::begin(const std::string& category, std::vector<std::string> columns) {
+    // IHM's names of what _atom_site has as well.
+    static constexpr std::pair<std::string_view, const char*> kOfObjects[] = {
+        {"mean_cartn_x", "cartn_x"},   {"mean_cartn_y", "cartn_y"},        {"mean_cartn_z", "cartn_z"},
+        {"asym_id", "label_asym_id"},  {"seq_id_begin", "label_seq_id"},   {"seq_id", "label_seq_id"},
+        {"entity_id", "label_entity_id"}, {"model_id", "pdbx_pdb_model_num"}, {"id", "object_id"}};
+    if (category != "atom_site")
+        for (std::string& column : columns)
+            for (const auto& [theirs, ours] : kOfObjects)
+                if (column == theirs) {
+                    column = ours;
+                    break;
+                }
     for (int which = 0; which < columnCount; ++which) {
         column_[which] = -1;
         for (std::size_t i = columns.size(); i-- > 0;)
             if (columns[i] == kNames[static_cast<std::size_t>(which)]) column_[which] = static_cast<int>(i);
     }
+    if (column_[model] < 0) column_[model] = column_[ihmModel];
     for (int axis = 0; axis < 3; ++axis)
         if (column_[axis] < 0)
-            cannotRead(name(), std::string("the column _atom_site.Cartn_") + "xyz"[axis] + " is missing");
+            cannotRead(name(), "the column _" + category + ".Cartn_" + "xyz"[axis] + " is missing");
+}
+
+/// Of a sphere, or of the one with a Gaussian's variance; 0: of an atom.
+float MmcifAtoms::radiusOf(const MmcifCell* cells) const {
+    constexpr double kLargest = 1e6;  // Å
+    double radius = cell(cells, sphereRadius).number().value_or(0);
+    if (column_[varianceX] >= 0) {
+        double variance = 0;
+        for (const Column axis : {varianceX, varianceY, varianceZ}) variance += cell(cells, axis).number().value_or(0);
+        radius = std::sqrt(std::max(variance, 0.0) * 5 / 3);  // a ball's variance along each axis is a fifth of its r²
+    }
+    return radius > 0 && radius <= kLargest ? static_cast<float>(radius) : 0.0f;
 }
 
 void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
@@ -85,11 +117,21 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
         throw tooManyAtoms(name() + (wantedFrom_ < wantedTo_ ? ", several models" : ""), maxAtoms_);
     MoleculeBuilder& builder = builderOf(index);
     Atom atom;
-    atom.position = {coordinate(cells, 0, line), coordinate(cells, 1, line), coordinate(cells, 2, line)};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto value = coordinate(cells, axis, line, builder);
+        if (!value) return;
+        atom.position[axis] = *value;
+    }
     const std::string_view name = text(cells, authAtom, labelAtom), residue = text(cells, authComp, labelComp);
     const std::string_view type = text(cells, symbol);
     atom.name = Name(name);
-    atom.element = builder.element(cell(cells, symbol).missing() ? elementOfName(name, residue) : type, line);
+    atom.radius = radiusOf(cells);
+    const bool stated = !cell(cells, symbol).missing() || atom.radius > 0;
+    if (atom.radius > 0)
+        atom.name = Name("BEAD");
+    else
+        atom.element = builder.element(stated ? type : elementOfName(name, residue), line);
+    if (!stated) builder.guess("elements", "from atom names");
     atom.alternate = firstCharacter(text(cells, alternate));
     atom.hetero = text(cells, group) == "HETATM";
     atom.charge = formalCharge(cell(cells, charge));
@@ -144,7 +186,8 @@ int MmcifAtoms::modelIndex(std::string_view number) {
     return lastIndex_;
 }
 
-float MmcifAtoms::coordinate(const MmcifCell* cells, int axis, std::uint64_t line) const {
+std::optional<float> MmcifAtoms::coordinate(const MmcifCell* cells, int axis, std::uint64_t line,
+                                            MoleculeBuilder& builder) const {
     const MmcifCell& given = cells[column_[axis]];
     if (const auto value = given.number(); value && std::abs(*value) <= kFarthestCoordinate)
         return static_cast<float>(*value);
@@ -152,7 +195,8 @@ float MmcifAtoms::coordinate(const MmcifCell* cells, int axis, std::uint64_t lin
     const std::string why = std::string("Cartn_") + "xyz"[axis] + " of row " + std::to_string(rows_) +
                             " of _atom_site is not a finite number within 1e9: '" +
                             (given.missing() ? "?" : printable(given.text(buffer))) + "'";
-    cannotRead(name(), why, line);
+    builder.leaveOutAtom(why, line);
+    return std::nullopt;
 }
 
 float MmcifAtoms::property(const MmcifCell& given, float otherwise, MoleculeBuilder& builder) {

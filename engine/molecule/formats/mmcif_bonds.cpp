@@ -24,6 +24,23 @@ public:
         }
     }
 
+    /// To find residues by labelKey() from now on.
+    void addLabels() {
+        for (std::uint32_t i = 0; i < molecule_.residues.size() && !labels_; ++i) {
+            const Residue& residue = molecule_.residues[i];
+            const bool numbered = residue.labelNumber != kNoLabelNumber;
+            residues_.emplace(labelKey(molecule_.subchains[residue.subchain],
+                                       numbered ? std::to_string(residue.labelNumber) : std::string(), residue.name),
+                              i);
+        }
+        labels_ = true;
+    }
+
+    /// By mmCIF's own identifiers, which are not an author's. @param number  empty beside polymers
+    static std::string labelKey(std::string_view chain, std::string_view number, const Name& component) {
+        return "\t" + key(chain, number, "", component);
+    }
+
     static std::string key(std::string_view chain, std::string_view number, std::string_view insertion,
                            const Name& component) {
         std::string key(chain);
@@ -70,6 +87,7 @@ private:
     const Molecule& molecule_;
     std::multimap<std::string, std::uint32_t> residues_;       // no hash that a file could aim at
     std::map<std::string, std::vector<std::uint32_t>> atoms_;  ///< of residues that were asked for
+    bool labels_ = false;
 };
 
 /// The column names of one partner of a connection.
@@ -82,15 +100,29 @@ constexpr Partner kPartners[2] = {
     {"ptnr2_auth_asym_id", "ptnr2_label_asym_id", "ptnr2_auth_seq_id", "ptnr2_label_seq_id", "pdbx_ptnr2_pdb_ins_code",
      "ptnr2_label_comp_id", "ptnr2_auth_comp_id", "ptnr2_label_atom_id", "pdbx_ptnr2_label_alt_id"}};
 
+/// By the author's identifiers if the row has them, else by the labels.
 std::vector<std::uint32_t> findAtoms(AtomIndex& index, const MmcifTable& table, std::size_t row,
                                      const Partner& partner) {
     const auto text = [&](const char* first, const char* second) {
         return table.get(row, {first, second}).value_or("");
     };
-    const std::string_view alternate = text(partner.alternate, partner.alternate);
-    return index.find(AtomIndex::key(text(partner.authAsym, partner.labelAsym), text(partner.authSeq, partner.labelSeq),
-                                     text(partner.insertion, partner.insertion), text(partner.authComp, partner.comp)),
-                      text(partner.atom, partner.atom), alternate.empty() ? '\0' : alternate[0]);
+    const std::string_view alternate = text(partner.alternate, partner.alternate), atom = text(partner.atom, "");
+    const auto find = [&](const std::string& residue) {
+        return index.find(residue, atom, alternate.empty() ? '\0' : alternate[0]);
+    };
+    std::vector<std::uint32_t> found;
+    if (table.get(row, {partner.authSeq}))
+        found = find(AtomIndex::key(text(partner.authAsym, partner.labelAsym), text(partner.authSeq, ""),
+                                    text(partner.insertion, ""), text(partner.authComp, partner.comp)));
+    if (found.empty()) index.addLabels();
+    if (found.empty())
+        found = find(AtomIndex::labelKey(text(partner.labelAsym, partner.authAsym), text(partner.labelSeq, ""),
+                                         text(partner.comp, partner.authComp)));
+    // Some programs write the author's numbers into the columns of labels.
+    if (found.empty())
+        found = find(AtomIndex::key(text(partner.authAsym, partner.labelAsym), text(partner.authSeq, partner.labelSeq),
+                                    text(partner.insertion, ""), text(partner.authComp, partner.comp)));
+    return found;
 }
 
 /// Bonds between atoms of the model itself: covalent ones and a metal's coordination, but no hydrogen bonds.
@@ -113,13 +145,12 @@ int mmcifBondOrder(std::optional<std::string_view> text) {
 void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections) {
     const Molecule& molecule = builder.molecule();
     std::optional<AtomIndex> index;
-    std::size_t missing = 0;
     for (std::size_t row = 0; row < connections.rows(); ++row) {
         if (!isBond(connections, row)) continue;
         if (!index) index.emplace(molecule);
         const auto first = findAtoms(*index, connections, row, kPartners[0]);
         const auto second = findAtoms(*index, connections, row, kPartners[1]);
-        if (first.empty() || second.empty()) ++missing;
+        if (first.empty() || second.empty()) builder.leaveOut("connections", "_struct_conn names absent atoms");
         const int order = mmcifBondOrder(connections.get(row, {"pdbx_value_order"}));
         for (const std::uint32_t a : first)
             for (const std::uint32_t b : second) {
@@ -127,8 +158,6 @@ void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections)
                 if (a != b && (p == q || p == '\0' || q == '\0')) builder.addBond(a, b, order, 0);
             }
     }
-    if (missing > 0)
-        builder.warn("connections of _struct_conn to atoms that are not there: " + std::to_string(missing));
 }
 
 void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const MmcifTable& bonds) {
@@ -166,9 +195,10 @@ void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const Mmcif
     for (std::size_t row = 0; row < bonds.rows(); ++row) {
         const auto a = position.find(bonds.get(row, {"atom_id_1"}).value_or(""));
         const auto b = position.find(bonds.get(row, {"atom_id_2"}).value_or(""));
-        if (a == position.end() || b == position.end() || a == b)
-            cannotRead(builder.name(),
-                       "row " + std::to_string(row + 1) + " of _chem_comp_bond names atoms that are not there");
+        if (a == position.end() || b == position.end() || a == b) {
+            builder.leaveOut("bonds", "_chem_comp_bond names absent atoms");
+            continue;
+        }
         builder.addBond(a->second, b->second, mmcifBondOrder(bonds.get(row, {"value_order", "type"})), 0);
     }
     builder.molecule().file.models = 1;

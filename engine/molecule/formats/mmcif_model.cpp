@@ -77,6 +77,8 @@ MmcifModel::MmcifModel(const std::string& name, std::string_view document, const
 
 bool MmcifModel::isKept(std::string_view category) {
     static constexpr std::string_view kKept[] = {"atom_site",
+                                                 "ihm_sphere_obj_site",
+                                                 "ihm_gaussian_obj_site",
                                                  "struct",
                                                  "struct_conn",
                                                  "entity",
@@ -126,11 +128,17 @@ void MmcifModel::beginBlock() {
 
 bool MmcifModel::beginCategory(const std::string& category, const std::vector<std::string>& columns,
                                std::uint64_t line) {
-    if (done_) return false;
+    if (done_) {
+        if (category == "atom_site") builders_.front().leaveOut("data blocks", "only the first with atoms is read", line);
+        return false;
+    }
     const bool fractional = hasColumn(columns, "fract_") && !hasColumn(columns, "cartn_");
-    if (category == "atom_site" && !fractional) {
-        if (atoms_) cannotRead(builders_.front().name(), "_atom_site occurs twice", line);
-        atoms_ = std::make_unique<MmcifAtoms>(builders_, columns, options_, lastModel_);
+    const bool grains = category == "ihm_sphere_obj_site" || category == "ihm_gaussian_obj_site";
+    if (grains || (category == "atom_site" && !fractional)) {
+        if (!grains && sawAtomSite_) cannotRead(builders_.front().name(), "_atom_site occurs twice", line);
+        sawAtomSite_ = sawAtomSite_ || !grains;
+        if (!atoms_) atoms_ = std::make_unique<MmcifAtoms>(builders_, options_, lastModel_);
+        atoms_->begin(category, columns);
         table_ = nullptr;
         return true;
     }
@@ -232,8 +240,9 @@ std::vector<Molecule> MmcifModel::finish(const std::string& format) {
         if (options_.model > 1) cannotRead(builder.name(), "a small-molecule CIF has only model 1");
         titleOf = "chemical";
         const bool old = tables_["symmetry_equiv"].rows() > 0;
-        addSmallMolecule(builder, {tables_["atom_site"], tables_["cell"],
-                                   tables_[old ? "symmetry_equiv" : "space_group_symop"], spaceGroupName()});
+        addSmallMolecule(builder,
+                         {tables_["atom_site"], tables_["cell"], tables_[old ? "symmetry_equiv" : "space_group_symop"],
+                          tables_["chemical"], spaceGroupName()});
         file.format = "cif-core";
     } else {
         cannotRead(builder.name(), "it has no _atom_site rows, so no atoms");

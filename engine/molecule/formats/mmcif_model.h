@@ -54,9 +54,10 @@ public:
 class MmcifAtoms {
 public:
     /// @param builders  one; more are added as models begin, if several are wanted
+    MmcifAtoms(std::deque<MoleculeBuilder>& builders, const ReadOptions& options, int lastModel);
+    /// Begins rows with such columns: of _atom_site, or of IHM's spheres and Gaussian objects, which become grains.
     /// @throws Error naming the missing coordinate column
-    MmcifAtoms(std::deque<MoleculeBuilder>& builders, const std::vector<std::string>& columns,
-               const ReadOptions& options, int lastModel);
+    void begin(const std::string& category, std::vector<std::string> columns);
     /// Whether a column (lower case) is needed.
     static bool isKept(std::string_view column);
     /// @param line 0 if unknown
@@ -88,6 +89,11 @@ private:
         model,
         entity,
         serial,
+        ihmModel,
+        sphereRadius,
+        varianceX,
+        varianceY,
+        varianceZ,
         columnCount
     };
     static const std::array<const char*, columnCount> kNames;
@@ -104,8 +110,10 @@ private:
     const std::string& name() const { return builders_.front().name(); }
     MoleculeBuilder& builderOf(int index);
     int modelIndex(std::string_view number);
-    float coordinate(const MmcifCell* cells, int axis, std::uint64_t line) const;
+    std::optional<float> coordinate(const MmcifCell* cells, int axis, std::uint64_t line,
+                                    MoleculeBuilder& builder) const;
     float property(const MmcifCell& cell, float otherwise, MoleculeBuilder& builder);
+    float radiusOf(const MmcifCell* cells) const;
     static void noteSerial(const MmcifCell& given, Molecule& molecule);
     void countChains(const MmcifCell* cells);
     std::uint32_t entityIndex(const MmcifCell& given);
@@ -138,7 +146,7 @@ public:
     static bool isKept(std::string_view category);
     static bool isKept(std::string_view category, std::string_view column);
 
-    /// Begins a data block. The first block with atoms is the one that is read.
+    /// Begins a data block. The first block with atoms is the one that is read, and later ones are told as left out.
     void beginBlock();
     /// Begins the rows of a category. False if it is not needed: skip its rows.
     /// @param category lower case, without '_' and '.'; columns likewise
@@ -170,7 +178,7 @@ private:
     std::map<std::string, MmcifTable> tables_;  ///< the small categories kept
     MmcifTable* table_ = nullptr;               ///< receives the rows; null: the atoms
     std::size_t cells_ = 0, cellBytes_ = 0;
-    bool done_ = false;
+    bool done_ = false, sawAtomSite_ = false;
 };
 
 /// Bonds of _struct_conn between atoms that exist: covalent bonds and disulphides; no metal coordination, hydrogen
@@ -192,10 +200,11 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
 
 /// The tables of a small-molecule CIF, whose coordinates are fractional.
 struct SmallMoleculeTables {
-    const MmcifTable &atoms, &cell, &symmetry;
+    const MmcifTable &atoms, &cell, &symmetry, &chemical;
     std::string spaceGroup = {};  ///< Hermann-Mauguin, for files that list no operations; empty: not stated
 };
-/// The file's atoms are the asymmetric unit; the content of the unit cell becomes the assembly "unit-cell".
+/// The file's atoms are the asymmetric unit; the content of the unit cell becomes the assembly "unit-cell", where an atom
+/// on a special position occurs once per site. Elements that share a site become alternate locations.
 /// @throws Error if the cell is missing or impossible, or a coordinate is not a number
 void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& tables);
 

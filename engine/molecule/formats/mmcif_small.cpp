@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gemmi/symmetry.hpp>
 #include <gemmi/unitcell.hpp>
+#include <glm/geometric.hpp>
 #include <map>
 #include <numeric>
 
@@ -40,13 +41,31 @@ gemmi::UnitCell readCell(const std::string& name, const MmcifTable& table) {
     return cell;
 }
 
-/// "C27" is carbon, "Cu1" and "CL2" are copper and chlorine; the symbol precedes the label's digits.
-std::string_view elementOfLabel(std::string_view label) {
+/// Symbols of a sum formula: "C12 H8 Cu" has C, H and Cu.
+std::vector<Element> elementsOfFormula(std::string_view formula) {
+    std::vector<Element> elements;
+    const Words words = splitWords(formula);
+    for (std::size_t i = 0; i < words.count; ++i) {
+        const std::string_view symbol = words[i].substr(0, std::min(words[i].find_first_of("0123456789."), std::size_t{2}));
+        if (const Element element = elementFromSymbol(symbol)) elements.push_back(element);
+    }
+    return elements;
+}
+
+/// By a site's label: "C27" is carbon, "Cu1" and "CL2" are copper and chlorine; the symbol precedes the label's digits.
+/// Minerals have "Wat1", "OW3" and "O-H1" for the oxygen of waters and hydroxyls, and "T1" or "M2" for sites that
+/// several elements share. @param formula  its elements come first
+Element elementOfLabel(std::string_view label, const std::vector<Element>& formula) {
     std::size_t letters = 0;
-    while (letters < label.size() && std::isalpha(static_cast<unsigned char>(label[letters]))) ++letters;
-    for (std::size_t length = std::min<std::size_t>(letters, 2); length > 0; --length)
-        if (elementFromSymbol(label.substr(0, length)) != 0) return label.substr(0, length);
-    return label;
+    while (letters < label.size() && isLetter(label[letters])) ++letters;
+    const std::string start = lowerCase(label.substr(0, letters));
+    if (start == "wat" || start == "wa" || start == "ow" || start == "oh") return elementFromSymbol("O");
+    const auto known = [&](std::size_t length) {
+        return letters < length ? Element{0} : elementFromSymbol(label.substr(0, length));
+    };
+    for (const Element element : {known(2), known(1)})
+        if (element != 0 && std::find(formula.begin(), formula.end(), element) != formula.end()) return element;
+    return known(2) != 0 ? known(2) : known(1);
 }
 
 /// Disorder groups 1, 2, ... become alternate locations A, B, ...; -1 marks disorder about a special position.
@@ -56,12 +75,19 @@ char alternateOf(const MmcifTable& atoms, std::size_t row) {
     return static_cast<char>('A' + static_cast<int>(std::abs(*group)) - 1);
 }
 
-Atom readAtom(MoleculeBuilder& builder, const MmcifTable& atoms, std::size_t row) {
+Atom readAtom(MoleculeBuilder& builder, const MmcifTable& atoms, std::size_t row,
+              const std::vector<Element>& formula) {
     Atom atom;
     const auto label = atoms.get(row, {"label"}).value_or("");
     const auto type = atoms.get(row, {"type_symbol"});
     atom.name = Name(label);
-    atom.element = builder.element(type ? *type : elementOfLabel(label), 0);
+    if (type) {
+        atom.element = builder.element(*type, 0);
+    } else {
+        atom.element = elementOfLabel(label, formula);
+        if (atom.element == 0) builder.element(label, 0);  // is told
+        builder.guess("elements", "from site labels");
+    }
     atom.alternate = alternateOf(atoms, row);
     atom.hetero = true;
     const auto inRange = [](std::optional<double> value) { return value && std::abs(*value) <= 1e9; };
@@ -75,18 +101,24 @@ Atom readAtom(MoleculeBuilder& builder, const MmcifTable& atoms, std::size_t row
     return atom;
 }
 
-/// Fractional coordinates; empty if one of them is '?' or '.', as of hydrogens that were not located.
-std::optional<gemmi::Fractional> readPosition(const std::string& name, const MmcifTable& atoms, std::size_t row) {
+/// Fractional coordinates; empty, and told, if one of them is no number, or '?' as of hydrogens that were not located.
+std::optional<gemmi::Fractional> readPosition(MoleculeBuilder& builder, const MmcifTable& atoms, std::size_t row) {
     static constexpr const char* kColumns[3] = {"fract_x", "fract_y", "fract_z"};
     std::array<double, 3> value{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto text = atoms.get(row, {kColumns[axis]});
-        if (!text) return std::nullopt;
-        const auto given = MmcifCell(*text).number();
-        if (!given || !(std::abs(*given) <= 1e6))
-            cannotRead(name, std::string(kColumns[axis]) + " of row " + std::to_string(row + 1) +
-                                 " of _atom_site is not a finite number: '" + printable(*text) + "'");
-        value[axis] = *given;
+        const auto given = text ? MmcifCell(*text).number() : std::nullopt;
+        if (given && std::abs(*given) <= 1e6) {
+            value[axis] = *given;
+            continue;
+        }
+        if (text)
+            builder.leaveOutAtom(std::string(kColumns[axis]) + " of row " + std::to_string(row + 1) +
+                                     " of _atom_site is not a finite number: '" + printable(*text) + "'",
+                                 0);
+        else
+            builder.leaveOut("atoms", "no usable coordinates");
+        return std::nullopt;
     }
     return gemmi::Fractional(value[0], value[1], value[2]);
 }
@@ -189,6 +221,57 @@ private:
     std::map<std::vector<std::uint32_t>, std::string> groups_;
 };
 
+/// Atoms of different elements on one site, whose occupancies make up at most one atom, become alternate locations: the
+/// most frequent first. So do disordered atoms that programs mark by "?" after the label of the other.
+void separateSharedSites(MoleculeBuilder& builder) {
+    std::vector<Atom>& atoms = builder.molecule().atoms;
+    constexpr float kSameSite = 0.1f, kFull = 1.01f;
+    std::vector<std::uint32_t> order(atoms.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return atoms[a].position.x < atoms[b].position.x; });
+    const auto share = [&](std::vector<std::uint32_t>& site, float whole) {
+        const bool labelled = std::any_of(site.begin(), site.end(), [&](std::uint32_t i) { return atoms[i].alternate; });
+        if (site.size() < 2 || site.size() > 26 || labelled || whole > kFull) return;
+        std::stable_sort(site.begin(), site.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return atoms[a].occupancy != atoms[b].occupancy ? atoms[a].occupancy > atoms[b].occupancy : a < b;
+        });
+        for (std::size_t k = 0; k < site.size(); ++k) atoms[site[k]].alternate = static_cast<char>('A' + k);
+        builder.guess("alternate locations", "elements that share a site: the most frequent is drawn",
+                      static_cast<std::int64_t>(site.size()));
+    };
+    std::size_t sites = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Atom& first = atoms[order[i]];
+        if (first.alternate || first.occupancy >= 1) continue;
+        std::vector<std::uint32_t> site{order[i]};
+        float whole = first.occupancy;
+        for (std::size_t j = i + 1; j < order.size() && site.size() < 27; ++j) {
+            const Atom& other = atoms[order[j]];
+            if (other.position.x - first.position.x > kSameSite) break;
+            if (glm::distance(other.position, first.position) > kSameSite || other.occupancy >= 1) continue;
+            site.push_back(order[j]);
+            whole += other.occupancy;
+        }
+        share(site, whole);
+        sites += first.alternate != '\0';
+    }
+    if (sites > 0)
+        builder.warn("sites that several elements share: " + std::to_string(sites) +
+                     "; the element of the highest occupancy is drawn, the others are alternate locations");
+    std::map<std::string, std::uint32_t, std::less<>> byLabel;
+    for (std::uint32_t i = 0; i < atoms.size(); ++i) byLabel.emplace(atoms[i].name.view(), i);
+    for (Atom& atom : atoms) {
+        const std::string_view label = atom.name.view();
+        if (atom.alternate || label.size() < 2 || label.back() != '?') continue;
+        const auto other = byLabel.find(label.substr(0, label.size() - 1));
+        if (other == byLabel.end() || atoms[other->second].alternate > 'A') continue;
+        atoms[other->second].alternate = 'A';
+        atom.alternate = 'B';
+        builder.guess("alternate locations", "from question marks in labels");
+    }
+}
+
 }  // namespace
 
 void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& tables) {
@@ -200,29 +283,32 @@ void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& table
     } catch (const AssemblyFault& without) {
         fault = without.what();
     }
+    const bool formulated = tables.chemical.rows() > 0;
+    const std::vector<Element> formula =
+        elementsOfFormula(formulated ? tables.chemical.get(0, {"formula_sum"}).value_or("") : std::string_view());
     Sites sites;
     gemmi::Vec3 sum(0, 0, 0);
-    std::size_t unplaced = 0, placed = 0;
+    std::size_t placed = 0;
     for (std::size_t row = 0; row < tables.atoms.rows(); ++row) {
-        const auto fractional = readPosition(builder.name(), tables.atoms, row);
-        if (!fractional) {
-            ++unplaced;
-            continue;
-        }
-        Atom atom = readAtom(builder, tables.atoms, row);
+        const auto fractional = readPosition(builder, tables.atoms, row);
+        if (!fractional) continue;
+        Atom atom = readAtom(builder, tables.atoms, row, formula);
         const gemmi::Position position = cell.orthogonalize(*fractional);
+        bool near = true;
         for (int axis = 0; axis < 3; ++axis) {
-            if (!(std::abs(position.at(axis)) <= kFarthestCoordinate))
-                cannotRead(builder.name(),
-                           "the position in row " + std::to_string(row + 1) + " of _atom_site is too far away");
+            near = near && std::abs(position.at(axis)) <= kFarthestCoordinate;
             atom.position[axis] = static_cast<float>(position.at(axis));
+        }
+        if (!near) {
+            builder.leaveOutAtom("the position in row " + std::to_string(row + 1) + " of _atom_site is too far away", 0);
+            continue;
         }
         const std::string site = sites.nameOf(distinctPlaces(*fractional, operations, cell), operations.size());
         builder.addAtom(atom, "", 1, '\0', "", site);
         sum += *fractional;
         ++placed;
     }
-    if (unplaced > 0) builder.warn("atoms without coordinates, left out: " + std::to_string(unplaced));
+    separateSharedSites(builder);
     builder.molecule().file.models = 1;
     builder.molecule().file.totalAtomsAllModels = static_cast<std::int64_t>(placed);
     if (!fault.empty()) builder.warn("the unit cell is left out: " + fault);

@@ -18,6 +18,8 @@ constexpr std::uint64_t kMostBytesOfPasses = std::uint64_t{1} << 32;  // that mo
 
 /// A reader's molecule, fit for the rest of the program. @param model  its number
 Molecule cleaned(Molecule molecule, int model) {
+    for (const ReadNote& note : molecule.notes)
+        if (note.action == ReadAction::leftOut) molecule.warnings.push_back(sentenceOf(note));
     if (molecule.warnings.size() > kMaxWarnings) molecule.warnings.resize(kMaxWarnings);
     for (std::string& warning : molecule.warnings) warning = printable(warning, kMaxMessage);
     molecule.file.title = printable(molecule.file.title, kMaxMessage);

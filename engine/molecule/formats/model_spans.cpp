@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 
 #include "engine/molecule/formats/text_cutter.h"
 #include "engine/molecule/text.h"
@@ -39,10 +40,13 @@ ModelSpans framesOfPdb(const TextSource& text) {
     return spans;
 }
 
-/// Models between MODEL and ENDMDL in order. Text around them belongs to every model.
+/// Models between MODEL and ENDMDL in order. Text around them belongs to every model, except for bonds where the models
+/// have different atoms: the reader of the whole text knows whose they are.
 ModelSpans modelsOfPdb(const TextSource& text) {
     ModelSpans spans;
     TextCutter cut(text);
+    std::size_t identity = 0, identityOfFirst = 0;
+    bool differ = false;
     for (; !cut.atEnd() && !isModel(cut.line()); cut.pass())
         if (isAtom(cut.line())) return {};
     spans.before = cut.since(0);
@@ -52,16 +56,22 @@ ModelSpans modelsOfPdb(const TextSource& text) {
         bool atoms = false;
         for (cut.pass(); !cut.atEnd() && !startsWith(cut.line(), "ENDMDL"); cut.pass()) {
             if (isModel(cut.line())) return {};
-            atoms = atoms || isAtom(cut.line());
+            if (!isAtom(cut.line())) continue;
+            atoms = true;
+            constexpr std::size_t kSerial = 6, kIdentity = 21;  // number, name and residue
+            identity = identity * 31 + std::hash<std::string_view>()(columns(cut.line(), kSerial, kIdentity));
         }
         cut.pass();
         if (atoms) spans.models.push_back(cut.since(begin));
+        if (spans.models.size() == 1) identityOfFirst = identity;
+        differ = differ || identity != identityOfFirst;
+        identity = 0;
         end = cut.place();
         while (!cut.atEnd() && trim(cut.line()).empty()) cut.pass();
     }
     spans.after = {end, text.size};
     for (; !cut.atEnd(); cut.pass())
-        if (isAtom(cut.line()) || isModel(cut.line())) return {};
+        if (isAtom(cut.line()) || isModel(cut.line()) || (differ && startsWith(cut.line(), "CONECT"))) return {};
     return spans;
 }
 
@@ -98,6 +108,21 @@ ModelSpans countedFrames(const TextSource& text, const ToCount& toCount, std::in
         if (!cut.pass(before + *count)) break;
         cut.pass(after);
         spans.complete = true;
+        spans.models.push_back(cut.since(begin));
+    }
+    return spans;
+}
+
+/// Records that begin with a line of their own. What precedes the first is none's.
+template <typename Begins>
+ModelSpans spansByFirstLine(const TextSource& text, const Begins& begins) {
+    ModelSpans spans;
+    TextCutter cut(text);
+    while (!cut.atEnd() && !begins(cut.line())) cut.pass();
+    while (!cut.atEnd()) {
+        const std::uint64_t begin = cut.place();
+        do cut.pass();
+        while (!cut.atEnd() && !begins(cut.line()));
         spans.models.push_back(cut.since(begin));
     }
     return spans;
@@ -175,20 +200,18 @@ ModelSpans sdfSpans(const TextSource& text) {
 }
 
 ModelSpans mol2Spans(const TextSource& text) {
-    const auto begins = [](std::string_view line) {
+    return spansByFirstLine(text, [](std::string_view line) {
         constexpr std::string_view kMark = "@<TRIPOS>";
         return startsWith(line, kMark) && trim(line.substr(kMark.size())) == "MOLECULE";
-    };
-    ModelSpans spans;
-    TextCutter cut(text);
-    while (!cut.atEnd() && !begins(cut.line())) cut.pass();
-    while (!cut.atEnd()) {
-        const std::uint64_t begin = cut.place();
-        do cut.pass();
-        while (!cut.atEnd() && !begins(cut.line()));
-        spans.models.push_back(cut.since(begin));
-    }
-    return spans;
+    });
+}
+
+ModelSpans dumpSpans(const TextSource& text) {
+    return spansByFirstLine(text, [](std::string_view line) { return startsWith(line, "ITEM: TIMESTEP"); });
+}
+
+ModelSpans maeSpans(const TextSource& text) {
+    return spansByFirstLine(text, [](std::string_view line) { return startsWith(line, "f_m_ct"); });
 }
 
 /// Rows of the one _atom_site, a line each, by the number of their model.

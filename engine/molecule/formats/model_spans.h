@@ -22,12 +22,14 @@ struct ModelSpans {
 ModelSpans modelSpans(Format format, const TextSource& text);
 
 /// By format: MODEL and ENDMDL, or END between whole frames (PDB, PDBQT, PQR); rows of _atom_site by their
-/// pdbx_PDB_model_num, one per line (mmCIF); records (SDF, MOL2); frames (XYZ, GRO).
+/// pdbx_PDB_model_num, one per line (mmCIF); records (SDF, MOL2, MAE); frames (XYZ, GRO, LAMMPS dump).
 ModelSpans pdbSpans(const TextSource& text);
 ModelSpans mmcifSpans(const TextSource& text);
 ModelSpans sdfSpans(const TextSource& text);
 ModelSpans mol2Spans(const TextSource& text);
 ModelSpans xyzSpans(const TextSource& text);
 ModelSpans groSpans(const TextSource& text);
+ModelSpans dumpSpans(const TextSource& text);
+ModelSpans maeSpans(const TextSource& text);
 
 }  // namespace nacre

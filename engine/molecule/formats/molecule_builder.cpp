@@ -1,16 +1,35 @@
 #include "engine/molecule/formats/molecule_builder.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <tuple>
 #include <utility>
 
+#include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
 
 namespace {
+
+/// A crystal's cell and those around it.
+Assembly neighbourCells(const Molecule& molecule) {
+    AssemblyPart part;
+    for (std::uint32_t i = 0; i < molecule.subchains.size(); ++i) part.subchains.push_back(i);
+    const auto& edges = *molecule.file.box;
+    for (const int a : {0, -1, 1})
+        for (const int b : {0, -1, 1})
+            for (const int c : {0, -1, 1}) {
+                glm::mat4x3 shift(1.0f);
+                shift[3] = static_cast<float>(a) * edges[0] + static_cast<float>(b) * edges[1] +
+                           static_cast<float>(c) * edges[2];
+                part.transforms.push_back(shift);
+            }
+    return {"3x3x3", "the cell and its neighbours", {part}};
+}
 
 constexpr std::size_t kMaxWarningsOfReader = 20;
 // A file may state a name once and refer to it from every atom, and each of them compares it with the name before.
@@ -67,12 +86,8 @@ std::optional<std::uint32_t> MoleculeBuilder::subchain(std::string_view name) co
 
 void MoleculeBuilder::addBond(std::int64_t a, std::int64_t b, int order, std::uint64_t line) {
     const auto count = static_cast<std::int64_t>(molecule_.atoms.size());
-    if (a < 0 || b < 0 || a >= count || b >= count)
-        cannotRead(name_,
-                   "bond between atoms " + std::to_string(a + 1) + " and " + std::to_string(b + 1) + " of " +
-                       std::to_string(count),
-                   line);
-    if (a == b) cannotRead(name_, "bond of atom " + std::to_string(a + 1) + " to itself", line);
+    if (a < 0 || b < 0 || a >= count || b >= count) return leaveOut("bonds", "of atoms that are not there", line);
+    if (a == b) return leaveOut("bonds", "of an atom to itself", line);
     if (molecule_.bonds.size() >= mostBonds()) cannotRead(name_, "it has more bonds than its atoms could form", line);
     Bond bond;
     bond.a = static_cast<std::uint32_t>(std::min(a, b));
@@ -107,8 +122,30 @@ void MoleculeBuilder::warn(const std::string& sentence) {
         ++warningsLeftOut_;
 }
 
+std::optional<float> MoleculeBuilder::coordinate(std::string_view text, char axis, std::uint64_t line, double scale) {
+    try {
+        return parseCoordinate(text, axis, name_, line, scale);
+    } catch (const Error&) {
+        leaveOutAtom(std::string(1, axis) + " is not a usable coordinate: '" + printable(trim(text)) + "'", line);
+        return std::nullopt;
+    }
+}
+
+void MoleculeBuilder::takeBox(const std::array<glm::vec3, 3>& box) {
+    constexpr double kLeastVolume = 1e-6;  // Å^3
+    const glm::dvec3 a(box[0]), b(box[1]), c(box[2]);
+    if (std::abs(glm::dot(a, glm::cross(b, c))) > kLeastVolume) molecule_.file.box = box;
+}
+
+void MoleculeBuilder::leaveOutAtom(const std::string& why, std::uint64_t line) {
+    if (unplaced_++ == 0) firstUnplaced_ = why, lineOfUnplaced_ = line;
+    leaveOut("atoms", "no usable coordinates", line);
+}
+
 Molecule MoleculeBuilder::finish() {
+    if (unplaced_ > molecule_.atoms.size()) cannotRead(name_, firstUnplaced_, lineOfUnplaced_);
     if (molecule_.atoms.empty()) cannotRead(name_, "it has no atoms");
+    if (repeats_ && molecule_.file.box) molecule_.assemblies.push_back(neighbourCells(molecule_));
     if (unknownElements_ > 0)
         warn("atoms of unknown element: " + std::to_string(unknownElements_) + ", the first " + firstUnknown_);
     auto& bonds = molecule_.bonds;
@@ -122,6 +159,11 @@ Molecule MoleculeBuilder::finish() {
         cannotRead(name_, "it has more bonds than its atoms could form");
     if (warningsLeftOut_ > 0) molecule_.warnings.push_back("and " + std::to_string(warningsLeftOut_) + " more");
     return std::move(molecule_);
+}
+
+void requireOnlyModel(const std::string& name, const ReadOptions& options) {
+    if (options.model > 1)
+        cannotRead(name, "there is no model " + std::to_string(options.model) + "; the file has 1");
 }
 
 }  // namespace nacre

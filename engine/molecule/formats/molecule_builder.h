@@ -1,6 +1,7 @@
 #pragma once
 // Builds a Molecule while a reader parses its file. Must also compile as C++17.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,6 +11,7 @@
 #include <string_view>
 
 #include "engine/molecule/molecule.h"
+#include "engine/molecule/read.h"
 
 namespace nacre {
 
@@ -27,9 +29,8 @@ public:
     /// Index of a subchain by name, if it has atoms.
     std::optional<std::uint32_t> subchain(std::string_view name) const;
 
-    /// Adds a bond from the file; ignores repeated pairs.
-    /// @throws Error, with the line, if an index is out of range, both are equal, or there are more bonds than maxAtoms
-    /// could form
+    /// Adds a bond from the file; ignores repeated pairs, and leaves out those of atoms that are not there.
+    /// @throws Error, with the line, if there are more bonds than maxAtoms could form
     /// @param a, b 0-based
     /// @param line  0: none
     void addBond(std::int64_t a, std::int64_t b, int order, std::uint64_t line);
@@ -38,7 +39,29 @@ public:
     /// @param line 0: none
     Element element(std::string_view symbol, std::uint64_t line);
 
+    /// Adds an atom of a format without residues.
+    void addAtom(const Atom& atom) { addAtom(atom, "", 1, '\0', ""); }
+
     void warn(const std::string& sentence);
+
+    /// Counts items that are left out, or guessed. @param what  plural @param why  no text of the file
+    void leaveOut(std::string_view what, std::string_view why, std::uint64_t line = 0) {
+        addNote(molecule_.notes, ReadAction::leftOut, what, why, 1, line);
+    }
+    void guess(std::string_view what, std::string_view how, std::int64_t count = 1) {
+        addNote(molecule_.notes, ReadAction::guessed, what, how, count);
+    }
+    /// A coordinate in Å; empty if it is not usable: then the atom is left out. @param axis, scale  as parseCoordinate()
+    std::optional<float> coordinate(std::string_view text, char axis, std::uint64_t line, double scale = 1);
+    /// Vectors of a periodic box, unless they have no volume.
+    void takeBox(const std::array<glm::vec3, 3>& box);
+    /// The same of a crystal, whose cells are shown by the assembly "3x3x3".
+    void takeCell(const std::array<glm::vec3, 3>& cell) {
+        takeBox(cell);
+        repeats_ = true;
+    }
+    /// Leaves out an atom without usable coordinates. @param why  for an error if most atoms are like it
+    void leaveOutAtom(const std::string& why, std::uint64_t line);
 
     /// Maximum of bonds that a reader may keep until it knows all atoms.
     std::size_t mostBonds() const { return kMostBondsPerAtom * maxAtoms_; }
@@ -61,9 +84,14 @@ private:
     std::size_t maxAtoms_;
     Molecule molecule_;
     Indices chains_, subchains_;
-    std::size_t unknownElements_ = 0;
-    std::string firstUnknown_;
+    std::size_t unknownElements_ = 0, unplaced_ = 0;
+    std::string firstUnknown_, firstUnplaced_;
+    std::uint64_t lineOfUnplaced_ = 0;
+    bool repeats_ = false;
     std::size_t warningsLeftOut_ = 0;
 };
+
+/// For formats of one model. @throws Error if the options want another
+void requireOnlyModel(const std::string& name, const ReadOptions& options);
 
 }  // namespace nacre

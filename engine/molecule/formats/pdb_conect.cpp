@@ -19,10 +19,8 @@ struct Ignored {
     void note(std::uint64_t line) {
         if (count++ == 0) firstLine = line;
     }
-    void report(Molecule& molecule, const std::string& what) const {
-        if (count == 0) return;
-        molecule.warnings.push_back("ignored " + std::to_string(count) + " CONECT " + what + ", the first on line " +
-                                    std::to_string(firstLine));
+    void report(Molecule& molecule, const char* why) const {
+        addNote(molecule.notes, ReadAction::leftOut, "bonds", why, static_cast<std::int64_t>(count), firstLine);
     }
 };
 
@@ -90,10 +88,10 @@ void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& mo
     }
     molecule.file.conectUniquePairs = static_cast<std::int64_t>(bonds.size());
     molecule.bonds.insert(molecule.bonds.end(), bonds.begin(), bonds.end());
-    dangling.report(molecule, "bonds to atoms that are not there");
-    ambiguous.report(molecule, "bonds to serial numbers that several atoms bear");
-    Ignored{tooMany_, firstTooMany_}.report(molecule, "bonds beyond what its atoms could form");
-    Ignored{unreadable_, firstUnreadable_}.report(molecule, "fields that are not serial numbers");
+    dangling.report(molecule, "CONECT of atoms that are not there");
+    ambiguous.report(molecule, "CONECT of serial numbers that several atoms have");
+    Ignored{tooMany_, firstTooMany_}.report(molecule, "CONECT beyond what its atoms could form");
+    Ignored{unreadable_, firstUnreadable_}.report(molecule, "CONECT of no serial numbers");
 }
 
 }  // namespace nacre::pdb

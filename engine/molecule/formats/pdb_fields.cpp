@@ -84,22 +84,39 @@ bool isPlainSymbol(std::string_view name) {
     return false;
 }
 
-/// Element of a single-atom residue; CHARMM has its own names for ions.
+/// Element of an ion's name in capitals, without sign and numbers; programs have names of their own for some.
 Element ionOf(std::string_view name) {
     struct Ion {
         std::string_view name, symbol;
     };
-    static constexpr Ion kIons[] = {{"SOD", "NA"}, {"POT", "K"},  {"CLA", "CL"}, {"CAL", "CA"},
-                                    {"CES", "CS"}, {"LIT", "LI"}, {"RUB", "RB"}, {"BAR", "BA"}};
+    static constexpr Ion kIons[] = {{"SOD", "NA"}, {"POT", "K"},  {"CLA", "CL"}, {"CAL", "CA"}, {"CES", "CS"},
+                                    {"LIT", "LI"}, {"RUB", "RB"}, {"BAR", "BA"}, {"CIP", "NA"},
+                                    {"CIM", "CL"}, {"IP", "NA"},  {"IM", "CL"},  {"IOD", "I"}};
     for (const Ion& ion : kIons)
         if (name == ion.name) return elementFromSymbol(ion.symbol);
     return elementFromSymbol(name);
 }
 
+/// In capitals, without signs and numbers at both ends: "Mg+2" and "MG2" are "MG".
+std::string bareName(std::string_view name) {
+    constexpr std::string_view kBeside = "0123456789+-";
+    const std::size_t first = std::min(name.find_first_not_of(kBeside), name.size());
+    return upperCase(name.substr(first, name.find_last_not_of(kBeside) + 1 - first));
+}
+
+/// By a sign, or by the residue that has the same name or is called ION.
+bool isNamedAsIon(std::string_view name, const std::string& bare, const Name& residueName) {
+    return name.find_first_of("+-") != std::string_view::npos || bare == bareName(residueName.view()) ||
+           startsWith(residueName.view(), "ION");
+}
+
 /// Columns 13-14 hold the symbol, right-justified; names of four characters have no room for that, so that theirs may
 /// be one letter as well.
 Element byNameColumns(std::string_view field) {
-    if (isPlainSymbol(trim(field))) return elementFromSymbol(trim(field));
+    const std::string_view name = trim(field);
+    if (isPlainSymbol(name)) return elementFromSymbol(name);
+    const bool mixedCase = name.size() > 1 && name[0] >= 'A' && name[0] <= 'Z' && name[1] >= 'a' && name[1] <= 'z';
+    if (const Element two = mixedCase ? elementFromSymbol(name.substr(0, 2)) : Element{0}) return two;
     const char first = column(field, 1);
     const char second = column(field, 2);
     if (isSpaceOrNul(first) || isDigit(first)) return oneLetter(second);
@@ -144,12 +161,45 @@ std::optional<std::int64_t> serial(std::string_view line) {
     return integer(columns(line, first, wide ? 12 : 11), 5);
 }
 
-Element element(std::string_view line, const Name& residueName) {
+Coordinates coordinates(std::string_view line) {
+    // As the format has it: three decimals, and nothing runs in from the left.
+    const Coordinates columned{{columns(line, 31, 38), columns(line, 39, 46), columns(line, 47, 54)}, 0};
+    if (column(line, 35) == '.' && column(line, 43) == '.' && column(line, 51) == '.' && column(line, 30) == ' ')
+        return columned;
+    constexpr std::size_t kUsualDecimals = 3, kUsualEnd = 54;
+    Coordinates found;
+    std::size_t at = 26;  // after the residue's number, which may be too long as well
+    const auto skipDigits = [&] {
+        while (at < line.size() && isDigit(line[at])) ++at;
+    };
+    if (isDigit(column(line, 26))) skipDigits();
+    if (at < line.size() && isLetter(line[at])) ++at;  // an insertion code
+    for (std::string_view& field : found.fields) {
+        while (at < line.size() && isSpaceOrNul(line[at])) ++at;
+        const std::size_t begin = at;
+        if (at < line.size() && (line[at] == '-' || line[at] == '+')) ++at;
+        skipDigits();
+        if (at >= line.size() || line[at] != '.') return columned;
+        const std::size_t point = at++;
+        skipDigits();
+        // The digits of two numbers run into each other.
+        if (at < line.size() && line[at] == '.') at = std::min(point + 1 + kUsualDecimals, at);
+        field = line.substr(begin, at - begin);
+    }
+    found.shift = at > kUsualEnd ? at - kUsualEnd : 0;
+    return found;
+}
+
+std::string_view segment(std::string_view line) {
+    const std::string_view number = trim(columns(line, 77, 80));
+    const bool numbered = !number.empty() && number.find_first_not_of("0123456789") == std::string_view::npos;
+    return numbered ? std::string_view() : trim(columns(line, 73, 76));
+}
+
+Element statedElement(std::string_view line) {
     // Old files have the entry's code and a line number in columns 73-80; digits there are no symbol.
     const std::string_view symbol = trim(columns(line, 77, 78));
-    if (!symbol.empty())
-        if (const Element stated = elementFromSymbol(symbol)) return stated;
-    return elementByName(columns(line, 13, 16), residueName);
+    return symbol.empty() ? Element{0} : elementFromSymbol(symbol);
 }
 
 Element elementByName(std::string_view field, const Name& residueName) {
@@ -159,13 +209,23 @@ Element elementByName(std::string_view field, const Name& residueName) {
 
 Element elementByLooseName(std::string_view name, const Name& residueName) {
     if (residueTemplate(residueName)) return inStandardResidue(name);
-    const bool sign = !name.empty() && (name.back() == '+' || name.back() == '-');
+    const std::string bare = bareName(name);
+    if (isNamedAsIon(name, bare, residueName))
+        if (const Element ion = ionOf(bare)) return ion;
     const std::string_view letters = name.substr(0, name.find_last_not_of("0123456789+-") + 1);
-    const std::string_view residue = residueName.view();
-    if (sign || letters == residue.substr(0, residue.find_last_not_of("0123456789+-") + 1))
-        if (const Element ion = ionOf(letters)) return ion;
     if (isPlainSymbol(letters)) return elementFromSymbol(letters);
     return byNameColumns(name.size() < 4 ? " " + std::string(name) : std::string(name));
+}
+
+Element elementOfIon(const Name& name, const Name& residueName, Element stated) {
+    const std::string_view written = name.view();
+    if (written.empty() || residueTemplate(residueName)) return 0;
+    const std::string bare = bareName(written);
+    if (bare.empty()) return 0;
+    const bool ofPrograms = bare.size() == 3;  // such symbols are in no other table
+    const Element ion = ofPrograms || isNamedAsIon(written, bare, residueName) ? ionOf(bare) : Element{0};
+    const bool unknown = stated == 0 || stated == oneLetter(bare.front());
+    return unknown ? ion : stated;
 }
 
 Element elementByAutoDockType(std::string_view type) {
@@ -180,7 +240,13 @@ Element elementByAutoDockType(std::string_view type) {
     type = trim(type);
     for (const Type& known : kTypes)
         if (type == known.type) return elementFromSymbol(known.symbol);
+    if (type.size() == 3 && startsWith(type, "CG") && isDigit(type[2])) type = "C";  // Meeko: where a ring is broken
     return elementFromSymbol(type);
+}
+
+bool isAutoDockGlue(std::string_view type) {
+    type = trim(type);
+    return type.size() == 2 && type[0] == 'G' && isDigit(type[1]);
 }
 
 std::int8_t charge(std::string_view line) {

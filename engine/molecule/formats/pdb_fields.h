@@ -1,6 +1,7 @@
 #pragma once
 // Fields of a PDB line (wwPDB format 3.3, and common deviations).
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -25,6 +26,15 @@ std::string_view trim(std::string_view field);
 /// A finite decimal number that fills the field except for blanks.
 std::optional<double> number(std::string_view field);
 
+/// The coordinates of an atom line, and by how many columns they push all that follows to the right.
+struct Coordinates {
+    std::array<std::string_view, 3> fields;
+    std::size_t shift = 0;
+};
+
+/// By columns 31 to 54, or by the decimal points where numbers are wider than their columns, or stand beside them.
+Coordinates coordinates(std::string_view line);
+
 /// An integer, or a hybrid-36 number of exactly `width` characters (R. W. Grosse-Kunstleve: digits first, then A000..
 /// in base 36, then a000..). Empty for anything else.
 std::optional<std::int64_t> integer(std::string_view field, std::size_t width);
@@ -32,17 +42,28 @@ std::optional<std::int64_t> integer(std::string_view field, std::size_t width);
 /// Serial number of an atom line, also with six or more digits that overflow into the blanks beside the columns.
 std::optional<std::int64_t> serial(std::string_view line);
 
-/// Element from columns 77-78, or else from the atom's name in columns 13-16; 0 if neither states it.
-Element element(std::string_view line, const Name& residueName);
+/// Element from columns 77-78; 0 if they state none.
+Element statedElement(std::string_view line);
 
-/// Element by the four columns of an atom's name (13-16) alone, symbol right-justified in the first two.
+/// Element by the four columns of an atom's name (13-16) alone, symbol right-justified in the first two, or by its
+/// small letter in any columns ("Cl1").
 Element elementByName(std::string_view field, const Name& residueName);
 
 /// Element from a name without columns (GRO, PQR), so that "CA" is carbon unless its residue is calcium.
 Element elementByLooseName(std::string_view name, const Name& residueName);
 
+/// Element of the only atom of a residue, if names tell an ion, by CHARMM's, AMBER's and GROMACS's names as well
+/// ("SOD", "Na+", "CD2"); 0 if they do not. @param stated  by the line; programs that do not know the ion state the
+/// first letter of its name
+Element elementOfIon(const Name& name, const Name& residueName, Element stated);
+
 /// Element of an AutoDock 4 atom type ("A", "HD", "OA", "Cl"), or 0. "NA" accepts a hydrogen bond; sodium is "Na".
 Element elementByAutoDockType(std::string_view type);
+/// Whether it is the type of a point that only holds a broken ring together (Meeko's G0 to G3).
+bool isAutoDockGlue(std::string_view type);
+
+/// Segment in columns 73-76; empty in old files, which number their lines there.
+std::string_view segment(std::string_view line);
 
 /// Formal charge in columns 79-80 ("2+", "1-", "+2"); 0 if there is none.
 std::int8_t charge(std::string_view line);

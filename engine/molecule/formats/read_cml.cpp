@@ -3,6 +3,8 @@
 // proportional to the atoms; entities are refused, so that text cannot multiply itself.
 #include <expat.h>
 
+#include <algorithm>
+#include <array>
 #include <exception>
 #include <functional>
 #include <map>
@@ -13,6 +15,7 @@
 #include "engine/molecule/formats/molecule_builder.h"
 #include "engine/molecule/read.h"
 #include "engine/molecule/text.h"
+#include "engine/molecule/trajectory/trajectory.h"
 
 namespace nacre {
 
@@ -47,6 +50,7 @@ std::string_view nextWord(std::string_view& text) {
 
 struct CmlAtom {
     std::string_view id, element, x, y, z, charge;
+    bool fractional = false;
 };
 
 struct CmlBond {
@@ -133,6 +137,7 @@ private:
         if (++depth_ > kDeepestElement)
             fail("its elements are nested more than " + std::to_string(kDeepestElement) + " deep");
         inName_ = name == "name" && moleculeDepth_ > 0 && nameText_.empty();
+        cellScalar_ = name == "scalar" ? cellScalarOf(attributes) : kNoScalar;
         if (name == "molecule") {
             ++molecules_;
             if (++moleculeDepth_ == 1) ++outermost_;
@@ -140,9 +145,12 @@ private:
         } else if (moleculeDepth_ == 0) {
             if (name == "cml") title_ = attributes["title"].substr(0, kLongestTitle);
         } else if (name == "atom") {
-            addAtom({attributes["id"], attributes["elementType"], coordinate(attributes, "x3", "x2"),
-                     coordinate(attributes, "y3", "y2"), coordinate(attributes, "z3", ""), attributes["formalCharge"]},
-                    !attributes["xFract"].empty());
+            const bool fractional = attributes["x3"].empty() && !attributes["xFract"].empty();
+            const auto at = [&](const char* solid, const char* flat, const char* fraction) {
+                return fractional ? attributes[fraction] : coordinate(attributes, solid, flat);
+            };
+            addAtom({attributes["id"], attributes["elementType"], at("x3", "x2", "xFract"), at("y3", "y2", "yFract"),
+                     at("z3", "", "zFract"), attributes["formalCharge"], fractional});
         } else if (name == "atomArray" && !attributes["atomID"].empty()) {
             addAtomArray(attributes);
         } else if (name == "bond") {
@@ -154,11 +162,38 @@ private:
 
     void end(std::string_view qualified) {
         --depth_;
+        cellScalar_ = kNoScalar;
         inName_ = false;
         if (withoutPrefix(qualified) == "molecule" && --moleculeDepth_ == 0) finishMolecule();
     }
 
+    /// Which number of the cell a scalar of <crystal> is; in "cml:a" or "iucr:_cell_angle_alpha" the end tells.
+    static std::size_t cellScalarOf(const Attributes& attributes) {
+        static constexpr std::string_view kScalars[] = {"a", "b", "c", "alpha", "beta", "gamma"};
+        std::string_view name = attributes["title"].empty() ? attributes["dictRef"] : attributes["title"];
+        name = name.substr(name.find_last_of(":_") + 1);
+        return static_cast<std::size_t>(std::find(std::begin(kScalars), std::end(kScalars), name) -
+                                        std::begin(kScalars));
+    }
+
+    /// Positions in parts of the cell, which may stand behind the atoms.
+    void placeFractional() {
+        if (fractional_.empty()) return;
+        std::array<double, 6> cell{};
+        for (std::size_t i = 0; i < cell.size(); ++i) cell[i] = parseNumber(cell_[i]).value_or(0);
+        const auto box = boxOf({cell[0], cell[1], cell[2]}, {cell[3], cell[4], cell[5]});
+        if (!box) fail("it has fractional coordinates and no unit cell");
+        for (const std::uint32_t i : fractional_) {
+            glm::vec3& p = builder_.molecule().atoms[i].position;
+            p = (*box)[0] * p.x + (*box)[1] * p.y + (*box)[2] * p.z;
+        }
+        fractional_.clear();
+        builder_.takeCell(*box);
+    }
+
     void text(std::string_view piece) {
+        if (cellScalar_ != kNoScalar && cell_[cellScalar_].size() < kLongestScalar)
+            cell_[cellScalar_] += piece.substr(0, kLongestScalar);
         if (inName_ && title_.size() < kLongestTitle) nameText_ += piece.substr(0, kLongestTitle);
         if (nameText_.size() > kLongestTitle) inName_ = false;
     }
@@ -169,10 +204,10 @@ private:
         return isSolid ? attributes[solid] : flat.empty() ? std::string_view() : attributes[flat];
     }
 
-    void addAtom(const CmlAtom& given, bool fractional) {
+    void addAtom(const CmlAtom& given) {
         if (given.x.empty()) {
-            const std::string who = "atom '" + printable(given.id) + "' has ";
-            fail(fractional ? who + "fractional coordinates, which are not supported in CML" : who + "no coordinates");
+            idIndex(given.id);  // its bonds are left out with it
+            return builder_.leaveOutAtom("atom '" + printable(given.id) + "' has no coordinates", line());
         }
         const bool flat = given.z.empty();
         flat_ += flat;
@@ -190,6 +225,7 @@ private:
         }
         const auto index = static_cast<std::uint32_t>(builder_.molecule().atoms.size());
         builder_.addAtom(atom, "", outermost_, '\0', "");
+        if (given.fractional) fractional_.push_back(index);
         if (given.id.empty()) return;
         std::uint32_t& known = atomOfId_[idIndex(given.id)];
         if (known != kNoAtom) fail("two atoms are called '" + printable(given.id) + "'");
@@ -198,14 +234,15 @@ private:
 
     /// Atoms as lists of words in the array's own attributes.
     void addAtomArray(const Attributes& attributes) {
-        const bool solid = !attributes["x3"].empty();
+        const bool solid = !attributes["x3"].empty(), fractional = !solid && !attributes["xFract"].empty();
         std::string_view ids = attributes["atomID"], elements = attributes["elementType"];
-        std::string_view xs = attributes[solid ? "x3" : "x2"], ys = attributes[solid ? "y3" : "y2"];
-        std::string_view zs = solid ? attributes["z3"] : std::string_view(), charges = attributes["formalCharge"];
+        std::string_view xs = attributes[solid ? "x3" : fractional ? "xFract" : "x2"],
+                         ys = attributes[solid ? "y3" : fractional ? "yFract" : "y2"];
+        std::string_view zs = attributes[solid ? "z3" : "zFract"], charges = attributes["formalCharge"];
         while (!trim(ids).empty()) {
             const std::string_view id = nextWord(ids), element = nextWord(elements);
             const std::string_view x = nextWord(xs), y = nextWord(ys);
-            addAtom({id, element, x, y, nextWord(zs), nextWord(charges)}, !attributes["xFract"].empty());
+            addAtom({id, element, x, y, nextWord(zs), nextWord(charges), fractional});
         }
     }
 
@@ -253,12 +290,6 @@ private:
         return indexOfId_.emplace(id, static_cast<std::uint32_t>(indexOfId_.size())).first->second;
     }
 
-    std::string_view nameOf(std::uint32_t index) const {
-        for (const auto& [name, place] : indexOfId_)
-            if (place == index) return name;
-        return {};
-    }
-
     int orderOf(std::string_view order) {
         if (order.empty() || order == "1" || order == "S") return 1;
         if (order == "2" || order == "D") return 2;
@@ -270,14 +301,13 @@ private:
 
     /// Bonds may precede their atoms, so they wait for the molecule's end.
     void finishMolecule() {
+        placeFractional();
         for (const CmlBond& bond : pending_) {
             const std::uint32_t a = atomOfId_[bond.a], b = atomOfId_[bond.b];
             if (a == kNoAtom || b == kNoAtom)
-                cannotRead(
-                    name_,
-                    "bond to atom '" + printable(nameOf(a == kNoAtom ? bond.a : bond.b)) + "', which is not there",
-                    bond.line);
-            builder_.addBond(a, b, bond.order, bond.line);
+                builder_.leaveOut("bonds", "of atoms that are not there", bond.line);
+            else
+                builder_.addBond(a, b, bond.order, bond.line);
         }
         pending_.clear();
         indexOfId_.clear();
@@ -300,6 +330,10 @@ private:
     std::map<std::string, std::uint32_t, std::less<>> indexOfId_;  // no hash that a file could aim at
     std::vector<std::uint32_t> atomOfId_;                          ///< kNoAtom until the atom comes
     std::vector<CmlBond> pending_;
+    static constexpr std::size_t kNoScalar = 6, kLongestScalar = 40;
+    std::size_t cellScalar_ = kNoScalar;  ///< that is being read
+    std::array<std::string, 6> cell_;     ///< three lengths, Å, and three angles, degrees
+    std::vector<std::uint32_t> fractional_;
     std::size_t flat_ = 0, oddOrders_ = 0;
 };
 

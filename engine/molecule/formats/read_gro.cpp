@@ -43,15 +43,17 @@ private:
     void readAtom(std::string_view line) override {
         if (builder_.molecule().atoms.empty()) width_ = widthOfCoordinates(line);
         Atom atom;
-        for (int axis = 0; axis < 3; ++axis)
-            atom.position[axis] =
-                parseCoordinate(columns(line, kFirstPosition + static_cast<std::size_t>(axis) * width_, width_),
-                                "xyz"[axis], name_, lines_.number(), kAngstrom);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto value =
+                builder_.coordinate(columns(line, kFirstPosition + static_cast<std::size_t>(axis) * width_, width_),
+                                    "xyz"[axis], lines_.number(), kAngstrom);
+            if (!value) return;
+            atom.position[axis] = *value;
+        }
         const std::string_view residue = trim(columns(line, 5, 5));
         const std::string_view name = trim(columns(line, 10, 5));
         atom.name = Name(name);
         atom.element = pdb::elementByLooseName(name, Name(residue));
-        unknownElements_ += atom.element == 0;
         builder_.addAtom(atom, "", unwrapped(parseInteger(columns(line, 0, 5)).value_or(0)), '\0', residue);
     }
 
@@ -68,8 +70,7 @@ private:
         const bool there = lines_.next();
         if (!wanted) return;
         const Words words = there ? splitWords(lines_.line()) : Words();
-        if (unknownElements_ > 0)
-            builder_.warn("atoms of unknown element, such as virtual sites: " + std::to_string(unknownElements_));
+        builder_.guess("elements", "from atom names", static_cast<std::int64_t>(builder_.molecule().atoms.size()));
         constexpr std::size_t kPlace[9][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 1}};
         std::array<glm::vec3, 3> box{};
         const std::size_t count = words.count >= 9 ? 9 : 3;
@@ -81,13 +82,11 @@ private:
             }
             box[kPlace[i][0]][static_cast<int>(kPlace[i][1])] = static_cast<float>(*value * kAngstrom);
         }
-        constexpr std::array<glm::vec3, 3> kNone{};  // is written as zeros
-        if (box != kNone) builder_.molecule().file.box = box;
+        builder_.takeBox(box);  // none is written as zeros
     }
 
     std::size_t width_ = 8;
     std::int32_t lastNumber_ = 0, wraps_ = 0;
-    std::size_t unknownElements_ = 0;
 };
 
 }  // namespace

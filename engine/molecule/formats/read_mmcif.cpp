@@ -1,6 +1,8 @@
 // gemmi's CIF grammar with actions of our own: gemmi's document would keep every value as a string, which for a
 // capsid of a million atoms is over a gigabyte.
+#include <algorithm>
 #include <gemmi/cif.hpp>
+#include <iterator>
 
 #include "engine/molecule/formats/cif_fault.h"
 #include "engine/molecule/formats/mmcif_model.h"
@@ -156,12 +158,51 @@ NACRE_CIF_ACTION(loop, endLoop())
 NACRE_CIF_ACTION(field_sep, textDelimiter(in.iterator().line))
 #undef NACRE_CIF_ACTION
 
+/// A data block of a file.
+struct CifBlock {
+    enum class Content : std::uint8_t { other, component, structure };
+    std::string_view name, text;
+    std::uint64_t line = 1;
+    Content content = Content::other;
+};
+
+/// The blocks with atoms: structures, or else chemical components.
+std::vector<CifBlock> blocksOf(std::string_view text) {
+    std::vector<CifBlock> blocks{{{}, text}};
+    bool quoted = false;
+    for (LineReader lines(text); lines.next();) {
+        const std::string_view line = lines.line();
+        if (line.empty()) continue;
+        quoted = quoted != (line[0] == ';');
+        if (quoted || (line[0] != '_' && line[0] != 'd' && line[0] != 'D')) continue;
+        CifBlock& block = blocks.back();
+        const std::string start = lowerCase(line.substr(0, 20));
+        if (startsWith(start, "data_")) {
+            const auto at = static_cast<std::size_t>(line.data() - block.text.data());
+            const std::string_view rest = block.text.substr(at);
+            block.text = block.text.substr(0, at);
+            blocks.push_back({trim(line.substr(5)), rest, lines.number()});
+        } else if (startsWith(start, "_atom_site.") || startsWith(start, "_atom_site_fract_") ||
+                   startsWith(start, "_ihm_sphere_obj") || startsWith(start, "_ihm_gaussian_obj")) {
+            block.content = CifBlock::Content::structure;
+        } else if (startsWith(start, "_chem_comp_atom.")) {
+            block.content = std::max(block.content, CifBlock::Content::component);
+        }
+    }
+    CifBlock::Content best = CifBlock::Content::component;
+    for (const CifBlock& block : blocks) best = std::max(best, block.content);
+    blocks.erase(std::remove_if(blocks.begin(), blocks.end(), [&](const CifBlock& b) { return b.content != best; }),
+                 blocks.end());
+    return blocks;
+}
+
 /// @throws pegtl::parse_error if the text is not CIF
-std::vector<Molecule> parseCif(const std::string& name, std::string_view text, const ReadOptions& options,
+std::vector<Molecule> parseCif(const std::string& name, const CifBlock& block, const ReadOptions& options,
                                int lastModel) {
-    MmcifModel model(name, text, options, lastModel);
+    MmcifModel model(name, block.text, options, lastModel);
     Walker walker(name, model);
-    pegtl::memory_input<> input(text.data(), text.size(), "");
+    const std::string_view text = block.text;
+    pegtl::memory_input<> input(text.data(), text.data() + text.size(), "", 0, static_cast<std::size_t>(block.line), 1);
     try {
         pegtl::parse<rules::file, Action, gemmi::cif::Errors>(input, walker);
     } catch (const pegtl::parse_error&) {
@@ -172,12 +213,70 @@ std::vector<Molecule> parseCif(const std::string& name, std::string_view text, c
     return model.finish("mmcif");
 }
 
+constexpr std::size_t kMostBlocksNamed = 5;
+
+std::string sentenceOf(const std::vector<CifBlock>& blocks) {
+    std::string names;
+    for (std::size_t i = 0; i < blocks.size() && i < kMostBlocksNamed; ++i)
+        names += (i > 0 ? ", " : "") + printable(blocks[i].name);
+    return "it has " + std::to_string(blocks.size()) + " data blocks with atoms, which are read as models: " + names +
+           (blocks.size() > kMostBlocksNamed ? ", ..." : "");
+}
+
+/// Blocks one after the other, as models. One that cannot be read is left out.
+std::vector<Molecule> parseBlocks(const std::string& name, const std::vector<CifBlock>& blocks,
+                                  const ReadOptions& options, int lastModel) {
+    std::vector<Molecule> models;
+    std::optional<Error> fault;
+    int before = 0;  // models of the blocks before
+    std::int64_t atoms = 0;
+    for (const CifBlock& block : blocks) {
+        ReadOptions own = options;
+        own.model = 1;
+        std::vector<Molecule> part;
+        try {
+            part = parseCif(name, block, own, 1);
+        } catch (const Error& error) {
+            fault = error;
+            continue;
+        }
+        const FileSummary& file = part.front().file;
+        const int count = static_cast<int>(file.models.value_or(1));
+        atoms += file.totalAtomsAllModels.value_or(static_cast<std::int64_t>(part.front().atoms.size()));
+        const int first = std::max(options.model - before, 1), last = std::min(lastModel - before, count);
+        if (first <= last && (first > 1 || last > 1)) {
+            own.model = first;
+            part = parseCif(name, block, own, last);
+        }
+        if (first <= last) std::move(part.begin(), part.end(), std::back_inserter(models));
+        before += count;
+    }
+    if (before == 0 && fault) throw *fault;
+    if (models.empty())
+        cannotRead(name,
+                   "there is no model " + std::to_string(options.model) + "; the file has " + std::to_string(before));
+    for (Molecule& model : models) {
+        model.file.models = before;
+        model.file.totalAtomsAllModels = atoms;
+        model.warnings.push_back(sentenceOf(blocks));
+        if (fault) model.warnings.push_back(std::string("a data block is left out: ") + fault->what());
+    }
+    return models;
+}
+
+std::vector<Molecule> parseFile(const std::string& name, std::string_view text, const ReadOptions& options,
+                                int lastModel) {
+    const std::vector<CifBlock> blocks = blocksOf(text);
+    return blocks.size() > 1 ? parseBlocks(name, blocks, options, lastModel)
+                             : parseCif(name, {{}, text}, options, lastModel);
+}
+
 }  // namespace
 
 std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, const ReadOptions& options,
                                 int lastModel) {
     try {
-        return parseCif(name, text, options, lastModel);
+        return parseFile(name, text, options, lastModel);
     } catch (const pegtl::parse_error&) {
     }
     // Words of old files may hold letters in some author's encoding, or zeros; the grammar takes them in quotes only.
@@ -190,7 +289,7 @@ std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, 
         ++foreign;
     }
     try {
-        std::vector<Molecule> models = parseCif(name, replaced, options, lastModel);
+        std::vector<Molecule> models = parseFile(name, replaced, options, lastModel);
         models.front().warnings.push_back("bytes that CIF does not allow, read as '?': " + std::to_string(foreign));
         return models;
     } catch (const pegtl::parse_error& fault) {

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/molecule/formats/id_index.h"
 #include "engine/molecule/formats/pdb_assemblies.h"
 #include "engine/molecule/formats/pdb_conect.h"
 #include "engine/molecule/formats/pdb_fields.h"
@@ -59,9 +62,13 @@ public:
 private:
     void record(std::string_view line) {
         if (startsWith(line, "ATOM ") || startsWith(line, "HETATM")) {
-            if (modelInProgress() == wanted_) atom(line);
+            if (modelInProgress() == wanted_)
+                atom(line);
+            else if (modelInProgress() == 1 && sawModelRecord_ && firstModel_.size() < maxAtoms_)
+                firstModel_.emplace_back(pdb::serial(line).value_or(-1), identityOf(line));
             ++atomsInModel_;
         } else if (startsWith(line, "CONECT")) {
+            conectInModel_ = conectInModel_ || conectBefore_ || !sawModelRecord_;
             conect_.add(line, lines_.number());
         } else if (startsWith(line, "MODEL ") || line == "MODEL") {
             sawModelRecord_ = true;
@@ -123,15 +130,18 @@ private:
         text += asciiOnly(part);
     }
 
-    float coordinate(std::string_view line, std::size_t first, char axis) {
-        const std::string_view field = pdb::columns(line, first, first + 7);
+    /// Empty, and told, if it is no coordinate.
+    std::optional<float> coordinate(std::string_view field, char axis) {
         const auto value = pdb::number(field);
         if (value && std::abs(*value) <= kFarthestCoordinate) return static_cast<float>(*value);
+        addNote(molecule_.notes, ReadAction::leftOut, "atoms", "no usable coordinates", 1, lines_.number());
+        if (leftOut_++ > 0) return std::nullopt;
+        lineOfFault_ = lines_.number();
         const std::string shown = asciiOnly(pdb::trim(field));
-        std::string why = shown.empty() ? "has no " + std::string(1, axis) + " coordinate"
-                                        : "\"" + shown + "\" is no " + std::string(1, axis) + " coordinate";
-        if (value) why += " within 1e9 Å";
-        cannotRead(name_, why, lines_.number());
+        fault_ = shown.empty() ? "has no " + std::string(1, axis) + " coordinate"
+                               : "\"" + shown + "\" is no " + std::string(1, axis) + " coordinate";
+        if (value) fault_ += " within 1e9 Å";
+        return std::nullopt;
     }
 
     /// An optional number; unreadable ones count as missing, with a warning.
@@ -144,45 +154,74 @@ private:
     }
 
     void atom(std::string_view line) {
+        const pdb::Coordinates where = pdb::coordinates(line);
         Atom atom;
-        atom.position.x = coordinate(line, 31, 'x');
-        atom.position.y = coordinate(line, 39, 'y');
-        atom.position.z = coordinate(line, 47, 'z');
-        atom.occupancy = optionalNumber(line, 55, 1);
-        atom.temperatureFactor = optionalNumber(line, 61, 0);
-        atom.name = pdb::trim(pdb::columns(line, 13, 16));
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto value = coordinate(where.fields[static_cast<std::size_t>(axis)], "xyz"[axis]);
+            if (!value) return;
+            atom.position[axis] = *value;
+        }
+        const std::string_view after = line.substr(where.shift);  // columns from 55 on
+        if (flavour_ == Flavour::pdbqt && pdb::isAutoDockGlue(pdb::columns(after, 78, 80)))
+            return addNote(molecule_.notes, ReadAction::leftOut, "atoms", "points that hold broken rings together", 1,
+                           lines_.number());
+        // A serial number of six digits pushes all fields if the residue's number ends in column 27.
+        const bool wideSerial = isDigit(pdb::column(line, 7)) && isDigit(pdb::column(line, 12));
+        const bool pushed = where.shift > 0 && wideSerial && isDigit(pdb::column(line, 27)) &&
+                            (where.shift > 1 || !isDigit(pdb::column(line, 23)));
+        const std::string_view before = pushed ? line.substr(1) : line;  // columns 13 to 27
+        atom.occupancy = optionalNumber(after, 55, 1);
+        atom.temperatureFactor = optionalNumber(after, 61, 0);
+        atom.name = pdb::trim(pdb::columns(before, 13, 16));
         atom.hetero = line[0] == 'H';
-        const char alternate = pdb::column(line, 17);
+        const char alternate = pdb::column(before, 17);
         atom.alternate = alternate == ' ' ? '\0' : alternate;
-        atom.residue = residueOf(line);
-        elementAndCharge(line, atom);
+        // PDBQT has charges in those columns.
+        atom.residue = residueOf(before, flavour_ == Flavour::pdb ? pdb::segment(after) : std::string_view());
+        elementAndCharge(before, after, atom);
         ++molecule_.residues.back().atomCount;
         if (molecule_.atoms.size() >= maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
         molecule_.atoms.push_back(atom);
         serials_.push_back(pdb::serial(line).value_or(-1));
+        if (!firstModel_.empty()) identities_.push_back(identityOf(line));
     }
 
-    void elementAndCharge(std::string_view line, Atom& atom) {
+    void elementAndCharge(std::string_view before, std::string_view after, Atom& atom) {
         const Name& residue = molecule_.residues.back().name;
         if (flavour_ == Flavour::pdb) {
-            atom.element = pdb::element(line, residue);
-            atom.charge = pdb::charge(line);
-            return;
+            atom.element = stated_ = pdb::statedElement(after);
+            atom.charge = pdb::charge(after);
+        } else {
+            atom.element = stated_ = pdb::elementByAutoDockType(pdb::columns(after, 78, 80));
+            molecule_.partialCharges.push_back(optionalNumber(after, 71, 0));
         }
-        atom.element = pdb::elementByAutoDockType(pdb::columns(line, 78, 80));
-        if (atom.element == 0) atom.element = pdb::elementByName(pdb::columns(line, 13, 16), residue);
-        molecule_.partialCharges.push_back(optionalNumber(line, 71, 0));
+        if (stated_ != 0) return;
+        atom.element = pdb::elementByName(pdb::columns(before, 13, 16), residue);
+        ++guessedElements_;
+    }
+
+    /// Ions are residues of one atom, so they are known when the residue is complete.
+    void endResidue() {
+        if (molecule_.residues.empty() || molecule_.residues.back().atomCount != 1) return;
+        Atom& atom = molecule_.atoms.back();
+        const Element ion = pdb::elementOfIon(atom.name, molecule_.residues.back().name, stated_);
+        if (ion == 0 || ion == atom.element) return;
+        guessedElements_ += stated_ != 0;
+        atom.element = ion;
     }
 
     /// Index of the residue that the line belongs to: the latest, or a new one.
-    std::uint32_t residueOf(std::string_view line) {
+    std::uint32_t residueOf(std::string_view line, std::string_view segment) {
         // Column 21 is blank by the format; simulation programs put the fourth letter of "TIP3" there.
         const std::string_view columns18to27 = pdb::columns(line, 18, 27);
-        if (molecule_.residues.empty() || columns18to27 != latestResidue_) startResidue(line, columns18to27);
+        if (molecule_.residues.empty() || columns18to27 != latestResidue_ ||
+            molecule_.residues.back().segment != Name(segment))
+            startResidue(line, columns18to27, segment);
         return static_cast<std::uint32_t>(molecule_.residues.size() - 1);
     }
 
-    void startResidue(std::string_view line, std::string_view columns18to27) {
+    void startResidue(std::string_view line, std::string_view columns18to27, std::string_view segment) {
+        endResidue();
         latestResidue_ = columns18to27;
         Residue residue;
         residue.name = pdb::trim(pdb::columns(line, 18, 21));
@@ -192,16 +231,22 @@ private:
         const auto number = pdb::integer(pdb::columns(line, 23, wide ? 27 : 26), 4);
         residue.number = static_cast<std::int32_t>(number.value_or(0));
         residue.insertionCode = wide || code == ' ' ? '\0' : code;
-        residue.chain = residue.subchain = chainOf(pdb::column(line, 22));
+        residue.segment = segment;
+        residue.chain = residue.subchain = chainOf(pdb::column(line, 22), segment);
         residue.firstAtom = static_cast<std::uint32_t>(molecule_.atoms.size());
         molecule_.residues.push_back(residue);
     }
 
-    std::uint32_t chainOf(char letter) {
-        int& index = chainIndex_[static_cast<unsigned char>(letter)];
+    /// Without a letter, a segment is a chain.
+    std::uint32_t chainOf(char letter, std::string_view segment) {
+        const bool bySegment = letter == ' ' && !segment.empty();
+        int& index = bySegment ? chainOfSegment_.try_emplace(std::string(segment), -1).first->second
+                               : chainIndex_[static_cast<unsigned char>(letter)];
         if (index < 0) {
             index = static_cast<int>(molecule_.chains.size());
-            molecule_.chains.push_back({letter == ' ' ? std::string() : asciiOnly({&letter, 1})});
+            molecule_.chains.push_back({bySegment       ? asciiOnly(segment)
+                                        : letter == ' ' ? std::string()
+                                                        : asciiOnly({&letter, 1})});
             molecule_.subchains.push_back(molecule_.chains.back().name);
         }
         return static_cast<std::uint32_t>(index);
@@ -225,21 +270,40 @@ private:
                 models_ == 1 ? "there is 1 model" : "there are " + std::to_string(models_) + " models";
             cannotRead(name_, "no model " + std::to_string(wanted_) + ": " + have);
         }
+        if (leftOut_ > molecule_.atoms.size()) cannotRead(name_, fault_, lineOfFault_);
+        endResidue();
+        addNote(molecule_.notes, ReadAction::guessed, "elements", "from atom names", guessedElements_);
+        forgetOtherAtoms();
         FileSummary& file = molecule_.file;
         file.models = models_;
         file.totalAtomsAllModels = totalAtoms_;
         file.chains = static_cast<std::int64_t>(molecule_.chains.size());
         if (remark350_.operators() > 0) file.biomtOperators = remark350_.operators();
-        if (unreadableNumbers_ > 0)
-            molecule_.warnings.push_back("ignored " + std::to_string(unreadableNumbers_) +
-                                         " occupancies, temperature factors or charges that are not numbers, the first "
-                                         "on line " +
-                                         std::to_string(firstUnreadableNumber_));
+        addNote(molecule_.notes, ReadAction::leftOut, "numbers", "occupancies, B factors or charges that are not numbers",
+                unreadableNumbers_, firstUnreadableNumber_);
         conect_.resolve(serials_, molecule_);
         applySecondaryStructure(molecule_, secondary_);
         remark350_.resolve(molecule_);
         header_.resolve(file);
         return std::move(molecule_);
+    }
+
+    /// CONECT records behind all models name atoms of the first. A model whose atom of that number is another one has
+    /// none of its bonds.
+    void forgetOtherAtoms() {
+        if (firstModel_.empty() || conectInModel_) return;
+        std::vector<std::int64_t> numbers;
+        for (const auto& [number, identity] : firstModel_) numbers.push_back(number);
+        const IdIndex index(numbers);
+        for (std::size_t i = 0; i < serials_.size(); ++i) {
+            std::uint32_t first = 0;
+            if (index.find(serials_[i], first) != IdIndex::Found::one || firstModel_[first].second != identities_[i])
+                serials_[i] = -1;
+        }
+    }
+
+    static std::size_t identityOf(std::string_view line) {
+        return std::hash<std::string_view>()(pdb::columns(line, 13, 27));
     }
 
     const std::string& name_;
@@ -253,8 +317,17 @@ private:
     pdb::Remark350 remark350_;
     pdb::Header header_;
     std::vector<std::int64_t> serials_;
+    std::vector<std::pair<std::int64_t, std::size_t>> firstModel_;  ///< numbers and identities, if another is wanted
+    std::vector<std::size_t> identities_;                           ///< of the atoms, beside those
+    bool conectInModel_ = false;
     std::vector<SecondaryRange> secondary_;
     std::array<int, 256> chainIndex_{};
+    std::map<std::string, int> chainOfSegment_;
+    Element stated_ = 0;  ///< of the latest atom, by its line; 0: none
+    std::int64_t guessedElements_ = 0;
+    std::size_t leftOut_ = 0;  ///< atoms; the first has this fault
+    std::string fault_;
+    std::uint64_t lineOfFault_ = 0;
     std::string_view latestResidue_;
     bool sawModelRecord_ = false;
     std::optional<std::size_t> conectBefore_;  ///< of conect_, where the model that is open began
@@ -262,7 +335,7 @@ private:
     int models_ = 0;
     std::int64_t atomsInModel_ = 0;
     std::int64_t totalAtoms_ = 0;
-    std::size_t unreadableNumbers_ = 0;
+    std::int64_t unreadableNumbers_ = 0;
     std::uint64_t firstUnreadableNumber_ = 0;
 };
 

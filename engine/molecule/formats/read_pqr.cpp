@@ -35,8 +35,7 @@ public:
         if (model_ > models_)
             cannotRead(name_,
                        "there is no model " + std::to_string(model_) + "; the file has " + std::to_string(models_));
-        if (unknownElements_ > 0)
-            builder_.warn("atoms whose name tells no element: " + std::to_string(unknownElements_));
+        builder_.guess("elements", "from atom names", static_cast<std::int64_t>(builder_.molecule().atoms.size()));
         Molecule& molecule = builder_.molecule();
         molecule.file.format = "pqr";
         molecule.file.models = models_;
@@ -77,6 +76,8 @@ private:
         const std::size_t numbers = words.count - 5;
         for (std::size_t i = numbers; i < words.count; ++i)
             if (!parseNumber(words[i])) return std::nullopt;
+        // A name of four letters runs into the chain, or into the next name: columns tell them apart.
+        if (words.count == 9 && words[2].size() > 4) return std::nullopt;
         PqrFields fields;
         fields.serial = words[0];
         fields.name = words[1];
@@ -102,11 +103,12 @@ private:
         PqrFields fields;
         fields.serial = columns(line, 7, 11);
         fields.name = pdb::trim(columns(line, 13, 16));
-        fields.residue = pdb::trim(columns(line, 18, 20));
+        fields.residue = pdb::trim(columns(line, 18, 21));
         fields.chain = pdb::trim(columns(line, 22, 22));
         fields.number = pdb::trim(columns(line, 23, 27));
-        fields.position = {columns(line, 31, 38), columns(line, 39, 46), columns(line, 47, 54)};
-        const Words last = splitWords(columns(line, 55, line.size()));
+        const pdb::Coordinates where = pdb::coordinates(line);
+        fields.position = where.fields;
+        const Words last = splitWords(columns(line, 55 + where.shift, line.size()));
         fields.charge = last[0];
         fields.radius = last[1];
         return fields;
@@ -115,19 +117,21 @@ private:
     void addAtom(std::string_view line) {
         const PqrFields fields = fieldsByWords(line).value_or(fieldsByColumns(line));
         Atom atom;
-        for (int axis = 0; axis < 3; ++axis)
-            atom.position[axis] =
-                parseCoordinate(fields.position[static_cast<std::size_t>(axis)], "xyz"[axis], name_, lines_.number());
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto value =
+                builder_.coordinate(fields.position[static_cast<std::size_t>(axis)], "xyz"[axis], lines_.number());
+            if (!value) return;
+            atom.position[axis] = *value;
+        }
         atom.name = Name(fields.name);
         atom.hetero = line[0] == 'H';
         const std::string_view field = pdb::columns(line, 13, 16);
         const Name residue(fields.residue);
         atom.element = pdb::trim(field) == fields.name ? pdb::elementByName(field, residue)
                                                        : pdb::elementByLooseName(fields.name, residue);
-        unknownElements_ += atom.element == 0;
         Molecule& molecule = builder_.molecule();
-        molecule.partialCharges.push_back(property(fields.charge, "charge", -1000));
-        molecule.radii.push_back(property(fields.radius, "radius", 0));
+        molecule.partialCharges.push_back(property(fields.charge, "charges", -1000));
+        molecule.radii.push_back(property(fields.radius, "radii", 0));
         std::string_view number = fields.number;
         char insertionCode = '\0';
         if (!number.empty() && (number.back() < '0' || number.back() > '9')) {
@@ -139,11 +143,11 @@ private:
         serials_.push_back(pdb::integer(fields.serial, 5).value_or(-1));
     }
 
-    float property(std::string_view text, const char* what, double least) const {
+    float property(std::string_view text, const char* what, double least) {
         const auto value = parseNumber(text);
         if (value && *value >= least && *value <= 1000) return static_cast<float>(*value);
-        cannotRead(name_, std::string("the ") + what + " is not usable: '" + printable(trim(text)) + "'",
-                   lines_.number());
+        builder_.leaveOut(what, "not usable numbers, read as 0", lines_.number());
+        return 0;
     }
 
     const std::string& name_;
@@ -154,7 +158,6 @@ private:
     std::vector<std::int64_t> serials_;
     std::optional<std::size_t> conectBefore_;  ///< of conect_, where the model that is open began
     std::int64_t models_ = 0, atomsInModel_ = 0, totalAtoms_ = 0;
-    std::size_t unknownElements_ = 0;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // XYZ: a count, a comment and one line per atom, frame after frame. Extended XYZ names its columns in the comment
 // (Properties=species:S:1:pos:R:3:...).
 #include <algorithm>
+#include <cmath>
 
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/frames.h"
@@ -44,17 +45,52 @@ private:
     void beginAtoms() override {
         builder_.molecule().file.title = printable(trim(comment_), 200);
         layout_ = layoutOf(comment_);
+        takeLattice();
+    }
+
+    /// The value of a key in the comment, without quotes; empty if it is missing.
+    std::string_view valueOf(std::string_view key) const {
+        const std::string lower = lowerCase(comment_);
+        const std::size_t at = lower.find(std::string(key) + "=");
+        if (at == std::string::npos || (at > 0 && !isBlank(lower[at - 1]))) return {};
+        std::string_view value = comment_.substr(at + key.size() + 1);
+        const bool quoted = !value.empty() && (value[0] == '"' || value[0] == '{' || value[0] == '[');
+        if (!quoted) return value.substr(0, value.find_first_of(" \t"));
+        value.remove_prefix(1);
+        return value.substr(0, value.find_first_of("\"}]"));
+    }
+
+    /// Lattice="ax ay az bx by bz cx cy cz", unless pbc="F F F" says that nothing repeats.
+    void takeLattice() {
+        const Words numbers = splitWords(valueOf("lattice"));
+        const std::string periodic = lowerCase(valueOf("pbc"));
+        if (numbers.count != 9 || (!periodic.empty() && periodic.find_first_of("t1") == std::string::npos)) return;
+        std::array<glm::vec3, 3> box{};
+        for (std::size_t i = 0; i < 9; ++i) {
+            const auto value = parseNumber(numbers[i]);
+            if (!value || !(std::abs(*value) <= kFarthestCoordinate))
+                return builder_.leaveOut("periodic boxes", "the Lattice is not nine numbers", lines_.number());
+            box[i / 3][static_cast<int>(i % 3)] = static_cast<float>(*value);
+        }
+        builder_.takeCell(box);
     }
 
     void readAtom(std::string_view text) override {
-        const Words words = splitWords(text);
+        Words words = splitWords(text);
         const std::uint64_t line = lines_.number();
-        if (words.count < std::max(layout_.species + 1, layout_.position + 3))
-            cannotRead(name_, "an atom line needs an element and three coordinates: '" + printable(text) + "'", line);
+        const std::size_t least = std::max(layout_.species + 1, layout_.position + 3);
+        const std::string apart = words.count < least ? numbersApart(text) : std::string();
+        if (!apart.empty()) words = splitWords(apart);
+        if (words.count < least)
+            return builder_.leaveOutAtom(
+                "an atom line needs an element and three coordinates: '" + printable(text) + "'", line);
         Atom atom;
-        for (int axis = 0; axis < 3; ++axis)
-            atom.position[axis] =
-                parseCoordinate(words[layout_.position + static_cast<std::size_t>(axis)], "xyz"[axis], name_, line);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto value =
+                builder_.coordinate(words[layout_.position + static_cast<std::size_t>(axis)], "xyz"[axis], line);
+            if (!value) return;
+            atom.position[axis] = *value;
+        }
         const std::string_view species = words[layout_.species];
         atom.element = builder_.element(species, line);
         atom.name = Name(atom.element != 0 ? elementSymbol(atom.element) : species);

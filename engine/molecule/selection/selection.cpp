@@ -112,6 +112,7 @@ private:
             case SelectionTest::sidechain:
                 return ofPolymer(step.test == SelectionTest::backbone);
             case SelectionTest::chain:
+            case SelectionTest::segment:
             case SelectionTest::residueName:
             case SelectionTest::residueNumber:
                 return ofResidues(step);
@@ -169,6 +170,7 @@ private:
         }
         return whereResidue([&](std::size_t i) {
             const Residue& residue = molecule_.residues[i];
+            if (step.test == SelectionTest::segment) return anyMatches(step.words, residue.segment.view());
             return step.test == SelectionTest::residueName
                        ? anyMatches(step.words, residue.name.view())
                        : anyHolds(step.numbers, residue.number, residue.insertionCode);

@@ -5,7 +5,7 @@
 //   alternatives  several `or` several ...  (also |)
 //   several       term `and` term ...       (also &)
 //   term          not T (also !), byres T, within N of T, around N of T, ( selection ), or a test
-//   test          chain A+B   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1
+//   test          chain A+B   segi PROA   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1
 //                 ss helix+strand+loop   sequence GLN?A   b > 50   occupancy < 1   (also <= >= = !=)
 //                 id 78+92-95   (1-based positions among the atom records of the file's drawn model)
 //                 all none protein nucleic polymer ligand water ion backbone sidechain hydrogens hetatm helix strand
@@ -43,6 +43,7 @@ enum class SelectionTest : std::uint8_t {
     hydrogen,
     hetatm,
     chain,
+    segment,
     residueName,
     residueNumber,
     atomName,
@@ -81,7 +82,7 @@ enum class Comparison : std::uint8_t {
 
 struct SelectionStep {
     SelectionTest test = SelectionTest::all;
-    /// Values of chain, residueName, atomName, element, alternate, sequence; for secondary "HELIX", "STRAND", "LOOP".
+    /// Values of chain, segment, residueName, atomName, element, alternate, sequence; for secondary "HELIX", "STRAND", "LOOP".
     std::vector<std::string> words;
     std::vector<NumberRange> numbers;           ///< for residueNumber, model and atomNumber
     double distance = 0;                        ///< for within and around, Å

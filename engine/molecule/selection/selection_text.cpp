@@ -31,6 +31,7 @@ constexpr Keywords kKeywords[] = {
     {hydrogen, "hydrogen hydrogens hydro h."},
     {hetatm, "hetatm het"},
     {chain, "chain c."},
+    {segment, "segi segid segname segment s."},
     {residueName, "resn resname r."},
     {residueNumber, "resi resid i."},
     {atomName, "name n."},

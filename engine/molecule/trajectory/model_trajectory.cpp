@@ -4,7 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "engine/molecule/trajectory/trajectory.h"
+#include "engine/error.h"
+#include "engine/molecule/formats/model_reader.h"
+#include "engine/molecule/read.h"
+#include "engine/molecule/trajectory/trajectory_file.h"
 
 namespace nacre {
 namespace {
@@ -23,6 +26,8 @@ private:
         if (frame == own_)
             std::transform(molecule_->atoms.begin(), molecule_->atoms.end(), result.positions.begin(),
                            [](const Atom& atom) { return atom.position; });
+        if (frame == own_)
+            result.box = molecule_->file.box;
         else
             takeOther(molecule_->others[frame < own_ ? frame : frame - 1], result.positions);
     }
@@ -79,6 +84,18 @@ std::unique_ptr<Trajectory> trajectoryOfModels(std::shared_ptr<const Molecule> m
         static_cast<std::size_t>(model) > molecule->others.size() + 1 || !places)
         return nullptr;
     return std::make_unique<ModelTrajectory>(std::move(molecule), static_cast<std::size_t>(model - 1));
+}
+
+std::unique_ptr<Trajectory> openModels(const std::string& path) {
+    ReadOptions options;
+    options.others = true;
+    auto molecule = std::make_shared<const Molecule>(readMoleculeFile(path, options));
+    const auto fail = [&](const std::string& why) { throw Error("cannot read trajectory", path, why); };
+    if (molecule->lacksPositions) fail("it is a topology without positions");
+    if (modelsOf(molecule->file) == 1) return std::make_unique<ModelTrajectory>(std::move(molecule), 0);
+    auto models = trajectoryOfModels(molecule, 1, true);
+    if (!models) fail(molecule->othersMissing.empty() ? differenceOfModels(*molecule) : molecule->othersMissing);
+    return models;
 }
 
 }  // namespace nacre

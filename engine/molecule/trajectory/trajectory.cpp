@@ -70,11 +70,11 @@ std::unique_ptr<Trajectory> openTrajectory(const std::string& path) {
     if (big == kTrr) return openTrr(std::move(file));
     const std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
     if (text.starts_with("CDF")) return openNetcdf(std::move(file));
-    if (text.starts_with("\x89HDF")) file->fail("it is NetCDF 4 (HDF5); classic NetCDF is read, as AMBER writes it");
+    if (text.starts_with("\x89HDF")) return openH5md(std::move(file));
     if (text.substr(4) == "CORD")
         for (const bool swapped : {false, true})
             if (numberAt<std::uint32_t>(start.data(), swapped) == kDcdHeader) return openDcd(std::move(file), swapped);
-    file->fail("it is not DCD, XTC, TRR or AMBER NetCDF");
+    return openModels(path);
 }
 
 std::optional<PeriodicBox> boxOf(const glm::dvec3& lengths, const glm::dvec3& angles) {

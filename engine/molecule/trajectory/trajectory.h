@@ -29,7 +29,7 @@ public:
     virtual ~Trajectory() = default;
     std::size_t atoms() const { return atoms_; }    ///< per frame, at least one
     std::size_t frames() const { return frames_; }  ///< complete ones, at least one
-    const char* format() const { return format_; }  ///< "dcd", "xtc", "trr", "netcdf", "models"
+    const char* format() const { return format_; }  ///< "dcd", "xtc", "trr", "netcdf", "h5md", "models"
     bool cutOff() const { return cutOff_; }         ///< the file ends within a frame, which is ignored
 
     /// @param frame  from 0 @throws Error if there is no such frame, or it is damaged
@@ -44,8 +44,8 @@ protected:
     bool cutOff_ = false;
 };
 
-/// Opens a DCD, XTC, TRR or AMBER NetCDF file, detected by content. Scans it for the positions of its frames, and holds
-/// only those. @throws Error
+/// Opens a DCD, XTC, TRR, AMBER NetCDF or H5MD file, detected by content: scans it for the positions of its frames, and holds
+/// only those. Any other file is read as a structure whose models are the frames. @throws Error
 std::unique_ptr<Trajectory> openTrajectory(const std::string& path);
 
 /// The models of a molecule's file in order, if each has the molecule's own atoms (Molecule::others); else null.

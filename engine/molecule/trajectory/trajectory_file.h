@@ -98,5 +98,8 @@ std::unique_ptr<Trajectory> openDcd(OwnedFile file, bool swapped);
 std::unique_ptr<Trajectory> openXtc(OwnedFile file);
 std::unique_ptr<Trajectory> openTrr(OwnedFile file);
 std::unique_ptr<Trajectory> openNetcdf(OwnedFile file);
+std::unique_ptr<Trajectory> openH5md(OwnedFile file);
+/// The models of a structure file. @throws Error if their atoms differ, or it has no positions
+std::unique_ptr<Trajectory> openModels(const std::string& path);
 
 }  // namespace nacre

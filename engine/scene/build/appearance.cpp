@@ -336,7 +336,7 @@ SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance) {
     const auto add = [&](std::uint32_t index, Style style) {
         const Atom& atom = molecule.atoms[index];
         seen.atoms.push_back(index);
-        seen.balls.emplace_back(atom.position, drawnRadius(atom.element, style));
+        seen.balls.emplace_back(atom.position, drawnRadius(atom, style));
     };
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) add(appearance.atoms[i], appearance.styles[i]);
     for (const std::uint32_t atom : appearance.cartoon.atoms) add(atom, Style::cartoon);
@@ -346,10 +346,10 @@ SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance) {
     return seen;
 }
 
-float drawnRadius(Element element, Style style) {
+float drawnRadius(const Atom& atom, Style style) {
     switch (style) {
         case Style::ballAndStick:
-            return kBallShare * vanDerWaalsRadius(element);
+            return kBallShare * vanDerWaalsRadius(atom);
         case Style::licorice:
             return kLicoriceRadius;
         case Style::cartoon:
@@ -363,7 +363,7 @@ float drawnRadius(Element element, Style style) {
         case Style::surface:
             break;
     }
-    return vanDerWaalsRadius(element);
+    return vanDerWaalsRadius(atom);
 }
 
 Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn, Style usual) {

@@ -122,7 +122,7 @@ constexpr float kLicoriceRadius = 0.25f;  ///< of atoms and bonds, Å
 constexpr float kBackboneRadius = 0.3f;   ///< Å
 constexpr float kCartoonReach = 2.5f;     ///< largest distance of a cartoon from an atom, Å
 /// Radius of an atom's sphere, Å; for cartoons kCartoonReach.
-float drawnRadius(Element element, Style style);
+float drawnRadius(const Atom& atom, Style style);
 
 /// The default style: ball-and-stick for fewer than 100 drawn atoms with bonds, else spacefill, or another one.
 Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn, Style usual = Style::spacefill);

@@ -28,7 +28,7 @@ void appendAtoms(const Molecule& molecule, const Appearance& appearance, Represe
         const std::uint32_t index = appearance.atoms[i];
         const Atom& atom = molecule.atoms[index];
         const glm::dvec3 position = glm::dvec3(atom.position) - result.center;
-        const float radius = drawnRadius(atom.element, appearance.styles[i]);
+        const float radius = drawnRadius(atom, appearance.styles[i]);
         result.spheres.push_back({glm::vec3(position), radius});
         result.sphereLooks.push_back({appearance.colors[i], index + 1});
     }

@@ -137,9 +137,10 @@ Appearance appearanceOfLayer(const ResidueFacts& facts, const SceneLayer& layer)
     return appearance;
 }
 
-float ballRadius(const SceneLayer& layer, Element element) {
+float ballRadius(const SceneLayer& layer, const Atom& atom) {
     if (layer.ballRadius > 0) return layer.ballRadius;
-    return layer.style == Style::spacefill ? layer.radius(element) : drawnRadius(element, layer.style);
+    const bool own = layer.style != Style::spacefill || atom.radius > 0;
+    return own ? drawnRadius(atom, layer.style) : layer.radius(atom.element);
 }
 
 Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, const RepresentationOptions& options,
@@ -151,7 +152,7 @@ Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, con
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
         const std::uint32_t index = appearance.atoms[i];
         const Atom& atom = molecule.atoms[index];
-        const float own = ballRadius(layer, atom.element);
+        const float own = ballRadius(layer, atom);
         part.spheres.push_back({glm::vec3(glm::dvec3(atom.position) - center), own * layer.atomScale});
         part.sphereLooks.push_back({appearance.colors[i], index + 1});
     }
@@ -332,7 +333,7 @@ void eachLayerBall(const Molecule& molecule, std::span<const SceneLayer> layers,
         for (const std::uint32_t index : layer.atoms) {
             const Atom& atom = molecule.atoms[index];
             const glm::dvec3 center(atom.position);
-            const double radius = static_cast<double>(ballRadius(layer, atom.element) * layer.atomScale);
+            const double radius = static_cast<double>(ballRadius(layer, atom) * layer.atomScale);
             if (guide.transforms.empty()) {
                 visit(center, radius);
                 continue;

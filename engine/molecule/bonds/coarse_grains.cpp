@@ -1,0 +1,198 @@
+#include "engine/molecule/bonds/coarse_grains.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <string_view>
+
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/residue_kind.h"
+
+namespace nacre {
+namespace {
+
+// Half of the distance at which Martini's beads repel each other: 0.47, 0.43 and 0.34 nm.
+constexpr float kRegularBead = 2.35f, kSmallBead = 2.15f, kTinyBead = 1.7f;
+constexpr float kLongestBackboneBond = 5, kLongestChainBond = 6, kLongestRingBond = 3.6f;  // Å
+constexpr std::uint32_t kLargestGrainResidue = 64, kMostBeads = 8;  // of a residue; of an amino acid
+constexpr std::size_t kFewResidues = 3;
+
+bool isOneOfNames(const Name& name, std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), name.view()) != names.end();
+}
+
+/// Number of a name such as "SC1"; 0: it is no such name.
+int numberAfter(std::string_view name, std::string_view start) {
+    const bool fits = name.size() == start.size() + 1 && name.substr(0, start.size()) == start;
+    return fits && name.back() >= '1' && name.back() <= '9' ? name.back() - '0' : 0;
+}
+
+/// "C3A" and "D2B" are the third and second bead of a lipid's tails A and B. '\0': of none.
+struct TailBead {
+    int number = 0;
+    char tail = '\0';
+};
+TailBead tailOf(std::string_view name) {
+    const bool fits = name.size() == 3 && (name[0] == 'C' || name[0] == 'D' || name[0] == 'T') && name[1] >= '1' &&
+                      name[1] <= '9' && name[2] >= 'A' && name[2] <= 'D';
+    return fits ? TailBead{name[1] - '0', name[2]} : TailBead{};
+}
+
+enum class GrainKind : std::uint8_t { none, protein, lipid, sterol, water, single };
+
+class GrainFinder {
+public:
+    explicit GrainFinder(Molecule& molecule) : molecule_(molecule) {}
+
+    void run() {
+        std::vector<GrainKind> kinds;
+        std::size_t singles = 0, grains = 0;
+        for (const Residue& residue : molecule_.residues) {
+            kinds.push_back(kindOf(residue));
+            grains += kinds.back() != GrainKind::none && kinds.back() != GrainKind::water;
+            singles += isSingle(residue);
+        }
+        std::size_t aminoAcids = 0;
+        for (std::size_t i = 0; i < molecule_.residues.size() && singles > kFewResidues; ++i)
+            aminoAcids += aminoAcidLetter(molecule_.residues[i].name) != '\0';
+        const bool onePerResidue = singles > kFewResidues && singles * 10 >= aminoAcids * 9;
+        std::int64_t count = 0;
+        for (std::size_t r = 0; r < kinds.size(); ++r) {
+            Residue& residue = molecule_.residues[r];
+            if (kinds[r] == GrainKind::none && onePerResidue && isSingle(residue))
+                kinds[r] = GrainKind::single;
+            // A lone atom W may be tungsten, unless there are other grains or many of them.
+            if (kinds[r] == GrainKind::water && grains == 0 && !hasManyWaters()) kinds[r] = GrainKind::none;
+            if (kinds[r] == GrainKind::none) continue;
+            if (kinds[r] == GrainKind::water) residue.entityKind = EntityKind::water;
+            for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
+                Atom& atom = molecule_.atoms[i];
+                atom.element = 0;
+                atom.radius = radiusOf(residue, kinds[r], atom.name);
+                ++count;
+            }
+            if (!molecule_.lacksPositions && molecule_.file.bonds.value_or(0) == 0) bond(r, kinds);
+        }
+        addNote(molecule_.notes, ReadAction::guessed, "coarse grains", "from the names of atoms and residues", count);
+    }
+
+private:
+    std::optional<std::uint32_t> find(const Residue& residue, std::string_view name) const {
+        for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i)
+            if (molecule_.atoms[i].name.view() == name) return i;
+        return std::nullopt;
+    }
+
+    GrainKind kindOf(const Residue& residue) const {
+        if (residue.atomCount == 0 || residue.atomCount > kLargestGrainResidue) return GrainKind::none;
+        const Name& first = molecule_.atoms[residue.firstAtom].name;
+        if (isOneOfNames(residue.name, {"W", "WF", "PW", "WN", "SW", "TW"}) && isOneOfNames(first, {"W", "WF", "SW", "TW"}))
+            return GrainKind::water;
+        if (residue.atomCount <= kMostBeads && find(residue, "BB") && !find(residue, "CA")) return GrainKind::protein;
+        if (find(residue, "GL1") || find(residue, "AM1") || (find(residue, "PO4") && find(residue, "C1A")))
+            return GrainKind::lipid;
+        if (find(residue, "ROH") && find(residue, "R1") && find(residue, "R2")) return GrainKind::sterol;
+        return GrainKind::none;
+    }
+
+    /// One atom of an amino acid, which is neither an alpha carbon nor of a name that all atoms could have.
+    bool isSingle(const Residue& residue) const {
+        if (residue.atomCount != 1) return false;
+        const Name& name = molecule_.atoms[residue.firstAtom].name;
+        return !isOneOfNames(name, {"CA", "N", "C", "O", "P"}) && aminoAcidLetter(residue.name) != '\0';
+    }
+
+    bool hasManyWaters() const {
+        std::size_t waters = 0;
+        for (const Residue& residue : molecule_.residues) waters += residue.name.view() == "W";
+        return waters > 20;
+    }
+
+    /// Rings have small beads. A single grain has about the volume of its amino acid.
+    static float radiusOf(const Residue& residue, GrainKind kind, const Name& atom) {
+        if (kind == GrainKind::single) return residue.name.view() == "GLY" ? 2.4f : 3.0f;
+        const bool ring = isOneOfNames(residue.name, {"HIS", "HSD", "HSE", "HID", "HIE", "PHE", "TYR", "TRP"});
+        if (kind == GrainKind::protein && ring && numberAfter(atom.view(), "SC") > 0) return kSmallBead;
+        if (kind == GrainKind::sterol) return kSmallBead;
+        return residue.name.view() == "TW" ? kTinyBead : kRegularBead;
+    }
+
+    void join(std::uint32_t a, std::uint32_t b, float longest) {
+        const float length = glm::distance(molecule_.atoms[a].position, molecule_.atoms[b].position);
+        if (a != b && length > 0 && length < longest)
+            molecule_.bonds.push_back({std::min(a, b), std::max(a, b), 1, BondSource::residueTemplate});
+    }
+    void join(const Residue& residue, std::string_view a, std::string_view b) {
+        const auto first = find(residue, a), second = find(residue, b);
+        if (first && second) join(*first, *second, kLongestChainBond);
+    }
+
+    void bond(std::size_t r, const std::vector<GrainKind>& kinds) {
+        const Residue& residue = molecule_.residues[r];
+        const bool follows = r > 0 && kinds[r - 1] == kinds[r] && molecule_.residues[r - 1].chain == residue.chain;
+        switch (kinds[r]) {
+            case GrainKind::protein:
+                if (const auto before = follows ? find(molecule_.residues[r - 1], "BB") : std::nullopt)
+                    join(*before, *find(residue, "BB"), kLongestBackboneBond);
+                join(residue, "BB", "SC1");
+                bondBeads(residue, "SC");
+                break;
+            case GrainKind::single:
+                if (follows) join(molecule_.residues[r - 1].firstAtom, residue.firstAtom, kLongestBackboneBond);
+                break;
+            case GrainKind::sterol:
+                for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i)
+                    for (std::uint32_t k = i + 1; k < residue.firstAtom + residue.atomCount; ++k)
+                        join(i, k, kLongestRingBond);
+                join(residue, "R5", "C1");
+                join(residue, "C1", "C2");
+                break;
+            case GrainKind::lipid:
+                bondLipid(residue);
+                break;
+            case GrainKind::none:
+            case GrainKind::water:
+                break;
+        }
+    }
+
+    /// SC1, SC2, ...: each with the next, and within rings with others as well.
+    void bondBeads(const Residue& residue, std::string_view start) {
+        for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i)
+            for (std::uint32_t k = i + 1; k < residue.firstAtom + residue.atomCount; ++k) {
+                const int a = numberAfter(molecule_.atoms[i].name.view(), start),
+                          b = numberAfter(molecule_.atoms[k].name.view(), start);
+                if (a > 0 && b > 0) join(i, k, std::abs(a - b) == 1 ? kLongestBackboneBond : kLongestRingBond);
+            }
+    }
+
+    void bondLipid(const Residue& residue) {
+        for (const char* head : {"NC3", "NH3", "CNO", "GL0", "C3", "P1"}) join(residue, head, "PO4");
+        for (const auto& [first, second] : {std::pair("GL1", "GL2"), std::pair("AM1", "AM2")}) {
+            join(residue, "PO4", first);
+            join(residue, first, second);
+        }
+        for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
+            const TailBead bead = tailOf(molecule_.atoms[i].name.view());
+            if (bead.number == 0) continue;
+            if (bead.number == 1) {
+                const bool isFirst = bead.tail == 'A';
+                for (const std::string_view link : {isFirst ? "GL1" : "GL2", isFirst ? "AM1" : "AM2"})
+                    if (const auto other = find(residue, link)) join(*other, i, kLongestChainBond);
+            }
+            for (std::uint32_t k = residue.firstAtom; k < residue.firstAtom + residue.atomCount; ++k) {
+                const TailBead next = tailOf(molecule_.atoms[k].name.view());
+                if (next.tail == bead.tail && next.number == bead.number + 1) join(i, k, kLongestChainBond);
+            }
+        }
+    }
+
+    Molecule& molecule_;
+};
+
+}  // namespace
+
+void findCoarseGrains(Molecule& molecule) { GrainFinder(molecule).run(); }
+
+}  // namespace nacre

@@ -1,0 +1,32 @@
+#pragma once
+// Elements of numbered or lettered types (LAMMPS, HOOMD), or grains where they are none.
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "engine/molecule/formats/molecule_builder.h"
+
+namespace nacre {
+
+class LammpsTypes {
+public:
+    /// @param label  an element's symbol, or another name, or empty
+    void add(std::string_view type, double mass, std::string_view label);
+
+    /// Names and elements of atoms by their types. If the types are no elements, all atoms are grains, of a size that
+    /// fits their distances.
+    void apply(MoleculeBuilder& builder) const;
+
+private:
+    struct Kind {
+        double mass = 0;
+        std::string label;
+    };
+    std::map<std::string, Kind, std::less<>> kinds_;
+};
+
+/// Makes grains of all atoms without element: half of the usual distance between neighbours is their radius.
+void makeGrains(Molecule& molecule);
+
+}  // namespace nacre

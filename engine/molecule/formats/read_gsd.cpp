@@ -1,0 +1,172 @@
+// GSD (HOOMD-blue): a header, an index of chunks by frame and name, a list of names, and chunks of numbers. A frame that
+// lacks a chunk has that of the first. Units are the simulation's own.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <vector>
+
+#include "engine/molecule/formats/lammps_types.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+constexpr std::uint64_t kGsdMagic = 0x65DF65DF65DF65DF;
+constexpr std::size_t kGsdHeader = 256, kIndexEntry = 32, kNameEntry = 64;
+
+struct GsdChunk {
+    std::uint64_t rows = 0, columns = 0, place = 0;
+    std::uint8_t type = 0;
+};
+
+class GsdReader {
+public:
+    GsdReader(const std::string& name, std::string_view bytes, const ReadOptions& options)
+        : name_(name), bytes_(bytes), frame_(static_cast<std::uint64_t>(options.model - 1)), builder_(name, options.maxAtoms) {
+        static_assert(std::endian::native == std::endian::little, "GSD files are little-endian");
+        if (bytes.size() < kGsdHeader || at<std::uint64_t>(0) != kGsdMagic) cannotRead(name, "it is not a GSD file");
+        readNames(at<std::uint64_t>(24), at<std::uint64_t>(32), at<std::uint32_t>(44) >= 0x20000);
+        readIndex(at<std::uint64_t>(8), at<std::uint64_t>(16));
+        if (frame_ >= frames_)
+            cannotRead(name, "there is no model " + std::to_string(options.model) + "; the file has " +
+                                 std::to_string(frames_));
+    }
+
+    Molecule run() {
+        const std::vector<float> positions = numbers<float>("particles/position", 3);
+        const std::size_t count = positions.size() / 3;
+        const std::vector<std::uint32_t> kinds = numbers<std::uint32_t>("particles/typeid", 1);
+        const std::vector<float> masses = numbers<float>("particles/mass", 1), charges = numbers<float>("particles/charge", 1),
+                                 diameters = numbers<float>("particles/diameter", 1);
+        const std::vector<std::string> types = typeNames();
+        Molecule& molecule = builder_.molecule();
+        LammpsTypes elements;
+        for (std::size_t i = 0; i < count; ++i) {
+            Atom atom;
+            bool usable = true;
+            for (int axis = 0; axis < 3; ++axis) {
+                atom.position[axis] = positions[3 * i + static_cast<std::size_t>(axis)];
+                usable = usable && std::abs(static_cast<double>(atom.position[axis])) <= kFarthestCoordinate;
+            }
+            if (!usable) cannotRead(name_, "particle " + std::to_string(i + 1) + " has no usable position");
+            const std::size_t kind = i < kinds.size() ? kinds[i] : 0;
+            const std::string& type = kind < types.size() ? types[kind] : unknown_;
+            if (i < diameters.size() && diameters[i] > 0 && diameters[i] < 1e6f) atom.radius = diameters[i] / 2;
+            builder_.addAtom(atom);
+            molecule.types.emplace_back(type);
+            if (masses.size() == count) elements.add(Name(type).view(), static_cast<double>(masses[i]), type);
+            if (charges.size() == count) molecule.partialCharges.push_back(charges[i]);
+        }
+        const std::vector<std::uint32_t> bonds = numbers<std::uint32_t>("bonds/group", 2);
+        for (std::size_t i = 0; i + 1 < bonds.size(); i += 2) builder_.addBond(bonds[i], bonds[i + 1], 1, 0);
+        elements.apply(builder_);
+        for (std::size_t i = 0; i < molecule.atoms.size(); ++i)
+            if (molecule.atoms[i].element == 0) molecule.atoms[i].name = molecule.types[i];
+        takeBox();
+        FileSummary& file = molecule.file;
+        file.format = "gsd";
+        file.models = static_cast<std::int64_t>(frames_);
+        file.totalAtomsAllModels = static_cast<std::int64_t>(frames_ * count);
+        if (!bonds.empty()) file.bonds = static_cast<std::int64_t>(bonds.size() / 2);
+        return builder_.finish();
+    }
+
+private:
+    template <typename Number>
+    Number at(std::uint64_t place) const {
+        if (place > bytes_.size() || bytes_.size() - place < sizeof(Number)) cannotRead(name_, "it is cut short");
+        Number value;
+        std::memcpy(&value, bytes_.data() + place, sizeof value);
+        return value;
+    }
+    void require(std::uint64_t place, std::uint64_t count, std::uint64_t each) const {
+        if (place > bytes_.size() || count > (bytes_.size() - place) / each)
+            cannotRead(name_, "it lists more than it holds");
+    }
+
+    /// In fields of 64 bytes, or from version 2 on one after the other.
+    void readNames(std::uint64_t place, std::uint64_t entries, bool packed) {
+        require(place, entries, kNameEntry);
+        std::string_view list = bytes_.substr(place, entries * kNameEntry);
+        while (!list.empty()) {
+            const std::string_view name = list.substr(0, std::min(list.find('\0'), list.size()));
+            if (name.empty()) break;
+            names_.emplace(name, static_cast<std::uint16_t>(names_.size()));
+            list.remove_prefix(std::min(packed ? name.size() + 1 : kNameEntry, list.size()));
+        }
+    }
+
+    /// Entries are sorted by frame; unused ones have no place.
+    void readIndex(std::uint64_t place, std::uint64_t entries) {
+        require(place, entries, kIndexEntry);
+        for (std::uint64_t i = 0; i < entries; ++i) {
+            const std::uint64_t entry = place + i * kIndexEntry, frame = at<std::uint64_t>(entry);
+            const GsdChunk chunk{at<std::uint64_t>(entry + 8), at<std::uint32_t>(entry + 24),
+                                 at<std::uint64_t>(entry + 16), at<std::uint8_t>(entry + 30)};
+            if (chunk.place == 0 || frame > bytes_.size()) break;
+            frames_ = std::max(frames_, frame + 1);
+            if (frame == 0 || frame == frame_) chunks_[at<std::uint16_t>(entry + 28)] = chunk;
+        }
+    }
+
+    const GsdChunk* chunk(std::string_view name) const {
+        const auto id = names_.find(name);
+        if (id == names_.end()) return nullptr;
+        const auto found = chunks_.find(id->second);
+        return found == chunks_.end() ? nullptr : &found->second;
+    }
+
+    /// Numbers of a chunk with as many columns, of four bytes each; none if there is no such chunk.
+    template <typename Number>
+    std::vector<Number> numbers(std::string_view name, std::uint64_t columns) const {
+        constexpr std::uint8_t kUnsigned = 3, kReal = 9;
+        const GsdChunk* found = chunk(name);
+        const std::uint8_t type = std::is_floating_point_v<Number> ? kReal : kUnsigned;
+        if (!found || found->columns != columns || found->type != type) return {};
+        require(found->place, found->rows, columns * sizeof(Number));
+        if (found->rows > builder_.mostBonds()) throw tooManyAtoms(name_, builder_.maxAtoms());
+        std::vector<Number> values(found->rows * columns);
+        std::memcpy(values.data(), bytes_.data() + found->place, values.size() * sizeof(Number));
+        return values;
+    }
+
+    /// Rows of characters, with zeros at the end.
+    std::vector<std::string> typeNames() const {
+        std::vector<std::string> types;
+        const GsdChunk* found = chunk("particles/types");
+        if (!found || found->columns == 0) return {"A"};
+        require(found->place, found->rows, found->columns);
+        for (std::uint64_t i = 0; i < found->rows; ++i) {
+            const std::string_view row = bytes_.substr(found->place + i * found->columns, found->columns);
+            types.emplace_back(row.substr(0, row.find('\0')));
+        }
+        return types;
+    }
+
+    /// Lengths, and tilts as shares of them.
+    void takeBox() {
+        const std::vector<float> b = numbers<float>("configuration/box", 1);
+        if (b.size() != 6) return;
+        builder_.takeBox({glm::vec3(b[0], 0, 0), glm::vec3(b[3] * b[1], b[1], 0),
+                          glm::vec3(b[4] * b[2], b[5] * b[2], b[2])});
+    }
+
+    const std::string& name_;
+    std::string_view bytes_;
+    std::uint64_t frame_, frames_ = 0;
+    MoleculeBuilder builder_;
+    std::map<std::string, std::uint16_t, std::less<>> names_;
+    std::map<std::uint16_t, GsdChunk> chunks_;
+    const std::string unknown_ = "?";
+};
+
+}  // namespace
+
+Molecule readGsd(const std::string& name, std::string_view bytes, const ReadOptions& options) {
+    return GsdReader(name, bytes, options).run();
+}
+
+}  // namespace nacre

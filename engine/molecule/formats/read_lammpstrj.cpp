@@ -1,0 +1,148 @@
+// LAMMPS dump files: frames of ITEM sections; the line "ITEM: ATOMS" names the columns. Atoms of a frame come in any
+// order and are sorted by id.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/molecule/element.h"
+#include "engine/molecule/formats/frames.h"
+#include "engine/molecule/formats/lammps_types.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+class DumpReader : public FrameReader {
+public:
+    using FrameReader::FrameReader;
+
+private:
+    static constexpr std::size_t kNone = ~std::size_t{0};
+
+    std::optional<std::int64_t> begin(std::int64_t frame) override {
+        std::optional<std::int64_t> count;
+        low_ = high_ = tilt_ = glm::dvec3(0);
+        while (lines_.next()) {
+            const std::string_view line = trim(lines_.line());
+            if (startsWith(line, "ITEM: NUMBER OF ATOMS")) {
+                lines_.next();
+                count = parseInteger(lines_.line());
+                if (!count || *count < 1 || *count > static_cast<std::int64_t>(lines_.rest().size()))
+                    refuseCount(trim(lines_.line()), lines_.number());
+            } else if (startsWith(line, "ITEM: BOX BOUNDS")) {
+                readBounds();
+            } else if (startsWith(line, "ITEM: ATOMS")) {
+                if (!count) cannotRead(name_, "a frame does not state its number of atoms", lines_.number());
+                if (frame == model_) nameColumns(wordsOf(line));
+                return count;
+            }
+        }
+        return std::nullopt;
+    }
+
+    void readBounds() {
+        for (int axis = 0; axis < 3; ++axis) {
+            lines_.next();
+            const Words words = splitWords(lines_.line());
+            low_[axis] = parseNumber(words[0]).value_or(0);
+            high_[axis] = parseNumber(words[1]).value_or(0);
+            tilt_[axis] = parseNumber(words[2]).value_or(0);
+        }
+        // With tilts (xy, xz, yz) the bounds are those of the box's corners.
+        const double xy = tilt_.x, xz = tilt_.y, yz = tilt_.z;
+        low_.x -= std::min({0.0, xy, xz, xy + xz});
+        high_.x -= std::max({0.0, xy, xz, xy + xz});
+        low_.y -= std::min(0.0, yz);
+        high_.y -= std::max(0.0, yz);
+    }
+
+    void nameColumns(const std::vector<std::string_view>& words) {
+        const auto find = [&](std::initializer_list<std::string_view> names) {
+            for (const std::string_view name : names)
+                for (std::size_t i = 2; i < words.size(); ++i)
+                    if (words[i] == name) return i - 2;
+            return kNone;
+        };
+        id_ = find({"id"});
+        type_ = find({"type"});
+        element_ = find({"element"});
+        molecule_ = find({"mol"});
+        mass_ = find({"mass"});
+        charge_ = find({"q"});
+        radius_ = find({"radius"});
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::string letter(1, "xyz"[axis]);
+            at_[axis] = find({letter, letter + "s", letter + "u", letter + "su"});
+            if (at_[axis] == kNone) cannotRead(name_, "its atoms have no positions", lines_.number());
+            scaled_ = words[at_[axis] + 2].find('s') != std::string_view::npos;
+        }
+    }
+
+    void readAtom(std::string_view line) override {
+        const std::vector<std::string_view> words = wordsOf(line);
+        const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : std::string_view(); };
+        DumpAtom row;
+        row.id = parseInteger(word(id_)).value_or(static_cast<std::int64_t>(rows_.size()));
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto value = builder_.coordinate(word(at_[static_cast<std::size_t>(axis)]), "xyz"[axis], lines_.number());
+            if (!value) return;
+            row.atom.position[axis] = *value;
+        }
+        if (rows_.size() >= builder_.maxAtoms()) throw tooManyAtoms(name_, builder_.maxAtoms());
+        row.type = Name(word(type_ == kNone ? element_ : type_));
+        if (element_ != kNone) row.atom.element = builder_.element(word(element_), lines_.number());
+        row.molecule = static_cast<std::int32_t>(parseInteger(word(molecule_)).value_or(1));
+        const auto number = [&](std::size_t column) {
+            const double value = parseNumber(word(column)).value_or(0);
+            return std::abs(value) <= 1e6 ? static_cast<float>(value) : 0.0f;
+        };
+        row.charge = number(charge_);
+        row.mass = number(mass_);
+        if (element_ == kNone) row.atom.radius = std::max(number(radius_), 0.0f);
+        rows_.push_back(row);
+    }
+
+    void end(bool wanted) override {
+        if (!wanted) return;
+        std::stable_sort(rows_.begin(), rows_.end(), [](const DumpAtom& a, const DumpAtom& b) { return a.id < b.id; });
+        const glm::dvec3 edge = high_ - low_;
+        const std::array<glm::vec3, 3> box{glm::vec3(edge.x, 0, 0), glm::vec3(tilt_.x, edge.y, 0),
+                                           glm::vec3(tilt_.y, tilt_.z, edge.z)};
+        LammpsTypes types;
+        Molecule& molecule = builder_.molecule();
+        for (DumpAtom& row : rows_) {
+            glm::vec3& p = row.atom.position;
+            if (scaled_) p = glm::vec3(low_) + box[0] * p.x + box[1] * p.y + box[2] * p.z;
+            row.atom.name = row.atom.element ? Name(elementSymbol(row.atom.element)) : row.type;
+            builder_.addAtom(row.atom, "", row.molecule, '\0', "");
+            molecule.types.push_back(row.type);
+            if (charge_ != kNone) molecule.partialCharges.push_back(row.charge);
+            if (mass_ != kNone) types.add(row.type.view(), static_cast<double>(row.mass), "");
+        }
+        rows_.clear();
+        if (element_ == kNone && !molecule.atoms.empty()) types.apply(builder_);
+        builder_.takeBox(box);
+    }
+
+    struct DumpAtom {
+        std::int64_t id;
+        Atom atom;
+        Name type;
+        std::int32_t molecule;
+        float charge, mass;
+    };
+    std::size_t id_ = kNone, type_ = kNone, element_ = kNone, molecule_ = kNone, mass_ = kNone, charge_ = kNone,
+                radius_ = kNone;
+    std::array<std::size_t, 3> at_{};
+    bool scaled_ = false;
+    glm::dvec3 low_{}, high_{}, tilt_{};
+    std::vector<DumpAtom> rows_;
+};
+
+}  // namespace
+
+Molecule readLammpstrj(const std::string& name, std::string_view text, const ReadOptions& options) {
+    return DumpReader(name, text, options).run("lammpstrj");
+}
+
+}  // namespace nacre

@@ -1,0 +1,81 @@
+#include "engine/molecule/read_notes.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+void addNote(ReadNotes& notes, ReadAction action, std::string_view what, std::string_view why, std::int64_t count,
+             std::uint64_t line) {
+    if (count == 0) return;
+    const auto known = std::find_if(notes.begin(), notes.end(), [&](const ReadNote& note) {
+        return note.action == action && note.what == what && note.why == why;
+    });
+    if (known == notes.end())
+        notes.push_back({action, std::string(what), std::string(why), count, line});
+    else
+        known->count += count;
+}
+
+std::string_view readActionName(ReadAction action) {
+    return action == ReadAction::read ? "read" : action == ReadAction::guessed ? "guessed" : "left out";
+}
+
+std::string sentenceOf(const ReadNote& note) {
+    std::string text(readActionName(note.action));
+    text += " " + std::to_string(note.count) + " " + note.what;
+    if (note.count == 1 && text.back() == 's') text.pop_back();
+    if (note.line > 0) text += (note.count > 1 ? ", the first on line " : ", line ") + std::to_string(note.line);
+    return note.why.empty() ? text : text + ": " + note.why;
+}
+
+ReadNotes readingOf(const Molecule& molecule) {
+    ReadNotes notes;
+    const auto read = [&](std::string_view what, std::size_t count) {
+        addNote(notes, ReadAction::read, what, "", static_cast<std::int64_t>(count));
+    };
+    std::array<std::size_t, 3> bonds{};
+    for (const Bond& bond : molecule.bonds) ++bonds[static_cast<std::size_t>(bond.source)];
+    std::set<std::string_view> segments;
+    std::size_t folded = 0, charged = 0, alternates = 0, beads = 0, unknown = 0;
+    for (const Residue& residue : molecule.residues) {
+        folded += residue.secondary != SecondaryStructure::none;
+        if (const std::string_view segment = residue.segment.view(); !segment.empty()) segments.insert(segment);
+    }
+    for (const Atom& atom : molecule.atoms) {
+        charged += atom.charge != 0;
+        alternates += atom.alternate != '\0';
+        beads += atom.radius > 0;
+        unknown += atom.element == 0 && atom.radius == 0;
+    }
+    read("atoms", molecule.atoms.size());
+    read("residues", molecule.residues.size());
+    read("chains", molecule.chains.size());
+    read("segments", segments.size());
+    read("models", static_cast<std::size_t>(molecule.file.models.value_or(0)));
+    read("records", static_cast<std::size_t>(molecule.file.records.value_or(0)));
+    read("bonds", bonds[0]);
+    read("residues in helices and strands", molecule.statesSecondaryStructure ? folded : 0);
+    read("atoms in alternate locations", alternates);
+    read("formal charges", charged);
+    read("partial charges", molecule.partialCharges.size());
+    read("radii", std::max(molecule.radii.size(), beads));
+    read("masses", molecule.masses.size());
+    read("atom types", molecule.types.size());
+    read("unit cells", molecule.file.cell ? 1 : 0);
+    read("periodic boxes", molecule.file.box ? 1 : 0);
+    read("assemblies", molecule.assemblies.size());
+    addNote(notes, ReadAction::guessed, "bonds", "from residue templates", static_cast<std::int64_t>(bonds[1]));
+    addNote(notes, ReadAction::guessed, "bonds", "from distances", static_cast<std::int64_t>(bonds[2]));
+    for (const ReadNote& note : molecule.notes)
+        addNote(notes, note.action, note.what, note.why, note.count, note.line);
+    addNote(notes, ReadAction::leftOut, "elements", "not known", static_cast<std::int64_t>(unknown));
+    std::stable_sort(notes.begin(), notes.end(),
+                     [](const ReadNote& a, const ReadNote& b) { return a.action < b.action; });
+    return notes;
+}
+
+}  // namespace nacre

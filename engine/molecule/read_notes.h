@@ -1,0 +1,38 @@
+#pragma once
+// What a reader did with the items of a file: how many it read, guessed, or left out, and why. Must also compile as
+// C++17.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace nacre {
+
+enum class ReadAction : std::uint8_t { read, guessed, leftOut };
+
+/// One kind of item that one thing happened to.
+struct ReadNote {
+    ReadAction action = ReadAction::read;
+    std::string what;  ///< plural: "atoms"
+    std::string why;   ///< "no coordinates", "from atom names"; empty: the file states them
+    std::int64_t count = 0;
+    std::uint64_t line = 0;  ///< of the first; 0: not known
+};
+using ReadNotes = std::vector<ReadNote>;
+
+/// Counts items, together with earlier ones of the same action, kind and reason.
+void addNote(ReadNotes& notes, ReadAction action, std::string_view what, std::string_view why, std::int64_t count = 1,
+             std::uint64_t line = 0);
+
+/// "left out 2 atoms, the first on line 17: no coordinates"
+std::string sentenceOf(const ReadNote& note);
+
+/// "read", "guessed" or "left out"
+std::string_view readActionName(ReadAction action);
+
+struct Molecule;
+/// The whole list: what was read, guessed and left out, in this order; the reader's notes and counts of the molecule.
+ReadNotes readingOf(const Molecule& molecule);
+
+}  // namespace nacre
