@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "engine/error.h"
@@ -37,6 +38,12 @@ inline void expectError(const std::string& name, const std::string& bytes, std::
     const std::string message = messageOf(name, bytes, options);
     for (const char* part : parts)
         EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+}
+
+/// Reading leaves something out, and says so in just this sentence.
+inline void expectLeftOut(const std::string& name, const std::string& bytes, const std::string& sentence) {
+    const Molecule molecule = readMolecule(name, bytes);
+    EXPECT_EQ(std::count(molecule.warnings.begin(), molecule.warnings.end(), sentence), 1) << sentence << ": " << bytes;
 }
 
 }  // namespace nacre::test

@@ -105,7 +105,7 @@ TEST(PdbLines, OldColumnsAreNoElements) {
 TEST(PdbLines, CoordinatesThatAreNoneAreErrorsWithTheirLine) {
     const std::string head = "cannot read molecule: x.pdb (line 2): ";
     const auto withX = [](const std::string& x) {
-        return kCarbon + "HETATM    2  O1  LIG A   1    " + x + "   2.000   3.000\n";
+        return "REMARK\nHETATM    2  O1  LIG A   1    " + x + "   2.000   3.000\n";
     };
     EXPECT_EQ(errorOfLines(withX("     nan")), head + "\"nan\" is no x coordinate");
     EXPECT_EQ(errorOfLines(withX("    -inf")), head + "\"-inf\" is no x coordinate");
@@ -113,7 +113,7 @@ TEST(PdbLines, CoordinatesThatAreNoneAreErrorsWithTheirLine) {
     EXPECT_EQ(errorOfLines(withX("  1.0 2 ")), head + "\"1.0 2\" is no x coordinate");
     EXPECT_EQ(errorOfLines(withX("   1e999")), head + "\"1e999\" is no x coordinate");
     EXPECT_EQ(errorOfLines(withX("        ")), head + "has no x coordinate");
-    EXPECT_EQ(errorOfLines(kCarbon + "HETATM    2  O1  LIG A   1       1.000   2.000\n"), head + "has no z coordinate");
+    EXPECT_EQ(errorOfLines("REMARK\nHETATM    2  O1  LIG A   1       1.000   2.000\n"), head + "has no z coordinate");
     EXPECT_EQ(errorOfLines(withX("   1.5e1")), "no error");
 }
 
@@ -178,8 +178,8 @@ TEST(PdbLines, ConectThatLeadsNowhereIsOneWarning) {
     std::string text = kCarbon + kOxygen;
     for (int i = 0; i < 1000; ++i) text += "CONECT    1  999\nCONECT   xx    1\n";
     const Molecule m = readText(text);
-    ASSERT_EQ(m.warnings.size(), 2u);
-    EXPECT_EQ(m.warnings[0], "left out 1000 bonds, the first on line 3: CONECT of atoms that are not there");
+    ASSERT_EQ(m.notes.size(), 2u);
+    EXPECT_EQ(sentenceOf(m.notes[0]), "left out 1000 bonds, the first on line 3: CONECT of atoms that are not there");
     EXPECT_EQ(readText(kCarbon + kCarbon + kOxygen + "CONECT    1    2\n").bonds.size(), 0u);  // which atom 1?
     // Serial numbers far apart: hybrid-36, whose zzzzz is 87440031.
     const auto numbered = [](std::string line, const std::string& serial) { return line.replace(6, 5, serial); };

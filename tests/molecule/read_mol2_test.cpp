@@ -79,8 +79,8 @@ TEST(ReadMol2, CommentsBlankLinesAndContinuations) {
 }
 
 TEST(ReadMol2, Faults) {
-    test::expectError("a", mol2("2 1", kTwo, "1 1 3 1\n"), {"(line 11)", "bond between atoms 1 and 3 of 2"});
-    test::expectError("a", mol2("2 1", kTwo, "1 1 1 1\n"), {"(line 11)", "to itself"});
+    test::expectLeftOut("a", mol2("2 1", kTwo, "1 1 3 1\n"), "left out 1 bond, line 11: of atoms that are not there");
+    test::expectLeftOut("a", mol2("2 1", kTwo, "1 1 1 1\n"), "left out 1 bond, line 11: of an atom to itself");
     test::expectError("a", mol2("2 1", kTwo, "1 1 2\n"), {"(line 11)", "a bond line needs"});
     test::expectError("a", mol2("3 1", kTwo, "1 1 2 1\n"), {"(line 3)", "states 3 atoms and has 2"});
     test::expectError("a", mol2("x", kTwo, "1 1 2 1\n"), {"(line 3)", "a number of atoms"});

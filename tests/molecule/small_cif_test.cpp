@@ -56,7 +56,7 @@ TEST(SmallCif, SymmetryMakesTheUnitCell) {
     EXPECT_EQ(named.assemblies.at(0).parts.at(0).transforms.size(), 1u);
     const Molecule odd = readMolecule("a.cif", file("_symmetry_equiv_pos_as_xyz 'x,y,q'\n"));
     EXPECT_TRUE(odd.assemblies.empty());
-    EXPECT_NE(odd.warnings.back().find("'x,y,q' is not a symmetry operation"), std::string::npos);
+    EXPECT_NE(odd.warnings.front().find("'x,y,q' is not a symmetry operation"), std::string::npos);
 }
 
 TEST(SmallCif, ANameOfASpaceGroupMakesTheUnitCell) {
@@ -116,7 +116,7 @@ TEST(SmallCif, WhatIsWrong) {
                       {"no volume"});
     std::string atoms = kAtoms;
     atoms.replace(atoms.find("0.25"), 4, "1e99");
-    test::expectError("a.cif", file("", kCell, atoms), {"fract_y of row 1 of _atom_site is not a finite number"});
+    test::expectLeftOut("a.cif", file("", kCell, atoms), "left out 2 atoms: no usable coordinates");
     ReadOptions options;
     options.model = 2;
     test::expectError("a.cif", file(""), {"only model 1"}, options);

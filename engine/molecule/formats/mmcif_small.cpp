@@ -63,8 +63,9 @@ Element elementOfLabel(std::string_view label, const std::vector<Element>& formu
     const auto known = [&](std::size_t length) {
         return letters < length ? Element{0} : elementFromSymbol(label.substr(0, length));
     };
+    const bool usable = formula.size() > 1;
     for (const Element element : {known(2), known(1)})
-        if (element != 0 && std::find(formula.begin(), formula.end(), element) != formula.end()) return element;
+        if (usable && element != 0 && std::find(formula.begin(), formula.end(), element) != formula.end()) return element;
     return known(2) != 0 ? known(2) : known(1);
 }
 

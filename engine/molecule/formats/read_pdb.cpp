@@ -271,6 +271,7 @@ private:
             cannotRead(name_, "no model " + std::to_string(wanted_) + ": " + have);
         }
         if (leftOut_ > molecule_.atoms.size()) cannotRead(name_, fault_, lineOfFault_);
+        if (molecule_.atoms.empty()) cannotRead(name_, "it has no atoms");
         endResidue();
         addNote(molecule_.notes, ReadAction::guessed, "elements", "from atom names", guessedElements_);
         forgetOtherAtoms();
