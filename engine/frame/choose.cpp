@@ -338,8 +338,6 @@ HostWork Chooser::hostWorkOf(Visibility path) const {
 HostWork Chooser::hostWorkOfTiles() const {
     constexpr double kSmallPixels = 2.5;  // a radius below which lists and tiles take longer
     constexpr std::uint64_t kManySpheres = 100'000;
-    constexpr std::uint64_t kMostShapes = 1'000'000;  // memory of 200 bytes each
-    constexpr std::uint64_t kMostNumbers = 1u << 30;  // two bits of a number are flags
     const Effects& effects = settings_.effects;
     // The host finds what the centres of pixels show, without planes and rims.
     const bool plain = settings_.view.projection == Projection::orthographic && !effects.clip.on() &&
@@ -349,10 +347,6 @@ HostWork Chooser::hostWorkOfTiles() const {
     const bool small = settings_.tuning.cull && scene_.radiusPixels <= kSmallPixels && scene_.spheres >= kManySpheres;
     if ((small || many) && meshless && plain && scene_.boxed && !choice_.drawsEdges()) return HostWork::frontSpheres;
     if (many) return HostWork::hiddenSpheres;
-    if (choice_.shadedByCompute() && !choice_.drawsEdges() && !request_.masked && scene_.hasCylinders &&
-        !scene_.hasWires && meshless && plain && scene_.spheres + scene_.cylinders <= kMostShapes &&
-        scene_.numbers < kMostNumbers)
-        return HostWork::frontShapes;
     return HostWork::none;
 }
 

@@ -64,7 +64,6 @@ struct SceneFacts {
     // Of what the view submits, in all copies:
     std::uint64_t spheres = 0, cylinders = 0, triangles = 0;
     std::uint64_t translucent = 0;  ///< triangles of translucent layers, not counted in `triangles`
-    std::uint64_t numbers = 0;      ///< numbers of primitives: those of all copies, hidden or not
     double radiusPixels = 0;        ///< mean radius of the spheres in the picture
     double smallestPixels = 1e9;    ///< half the width of the narrowest primitive or line in the picture
     bool boxed = false;             ///< the scene's spheres have finite bounding boxes
@@ -138,7 +137,6 @@ enum class HostWork : std::uint8_t {
     none,
     hiddenSpheres,  ///< spheres behind others, which are left out
     frontSpheres,   ///< the nearest sphere of each pixel, from bounding boxes
-    frontShapes,    ///< the nearest sphere or cylinder of each pixel
 };
 
 /// How colour is stored and coded.

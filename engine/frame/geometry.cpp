@@ -88,9 +88,6 @@ SceneCounts countsOf(Representation r, const RenderSettings& settings, SceneFact
     facts.cylinders = counts.cylinders;
     facts.triangles = counts.triangles;
     facts.translucent = counts.translucent;
-    facts.numbers =
-        placed.rows.size() / 3 *
-        (r.spheres.size() + r.cylinders.size() + r.wires.size() + r.triangles.size() + r.coarseTriangles.size());
     facts.radiusPixels = counts.radiusPixels;
     facts.smallestPixels = smallestPixels(sizes, !r.wires.empty(), settings, view);
     return counts;

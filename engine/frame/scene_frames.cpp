@@ -29,7 +29,6 @@ void SceneFrames::addViewFacts(SceneFacts& facts, const passes::SceneView& view)
     facts.cylinders = view.copies.cylinderCount();
     facts.triangles = view.copies.triangleCount();
     facts.translucent = view.translucent ? view.translucent->copies.triangleCount() : 0;
-    facts.numbers = view.copies.rows.size() / 3 * view.constants.primitives;
     facts.radiusPixels = view.radiusPixels;
     facts.smallestPixels = view.smallestPixels;
 }
@@ -60,7 +59,6 @@ std::shared_ptr<const passes::TileFrame> SceneFrames::listTiles(const passes::Sc
     // The device finds edges by whole bins.
     if (!work.edges || choice.edgePixels != EdgePixels::found) work.mask = inputs.mask;
     if (choice.host == HostWork::frontSpheres) work.boxes = &shown_->chunks.sphereBoxes;
-    work.drawn = choice.host == HostWork::frontShapes;
     work.triangleChunks = shown_->chunks.triangles;
     if (choice.edgePixels != EdgePixels::found) work.places = inputs.places;
     return tiles_.prepare(shown_->representation, view, inputs.view, imageExtent(inputs.view), work);

@@ -28,10 +28,6 @@ bool FrontBand::isHidden(const FrontRectangle& r) const {
     return true;
 }
 
-void ShapeBand::meet(std::size_t at, std::uint32_t shape, float from) const {
-    meetings->push_back({static_cast<std::uint32_t>(at), shape, from});
-}
-
 namespace front_lanes {
 
 #define NACRE_LANES_CODE "engine/software/front_lanes.inc"
@@ -42,9 +38,9 @@ namespace front_lanes {
 std::span<const FrontLanes> frontLanes() {
     using namespace front_lanes;
     static constexpr FrontLanes kLanesOf[] = {
-        {4, lanes4::drawGroup, lanes4::findRectangles, lanes4::drawShapes, lanes4::tellRow},
+        {4, lanes4::drawGroup, lanes4::findRectangles},
 #if defined(__x86_64__)
-        {8, lanes8::drawGroup, lanes8::findRectangles, lanes8::drawShapes, lanes8::tellRow},
+        {8, lanes8::drawGroup, lanes8::findRectangles},
 #endif
     };
     return usableLanes<FrontLanes>(kLanesOf);

@@ -12,7 +12,6 @@
 #include "engine/lists/tile_view.h"
 #include "engine/scene/build/representation.h"
 #include "engine/scene/build/sphere_boxes.h"
-#include "engine/software/shape_band.h"
 
 namespace nacre {
 
@@ -72,8 +71,6 @@ struct FrontLanes {
     std::uint32_t lanes = 0;
     DrawFrontGroup draw = nullptr;
     FindFrontRectangles rectangles = nullptr;
-    DrawShapes shapes = nullptr;
-    TellShapes tell = nullptr;
 };
 
 /// Those that this processor can use, the fewest first: 4, then 8.

@@ -65,13 +65,6 @@ std::uint32_t groupsOfTiles(const TileLists& lists, bool shaded, std::uint32_t w
     return (tiles + ofGroup - 1) / ofGroup;
 }
 
-/// Where the host drew all shapes, a workgroup shades some of their pixels.
-std::uint32_t groupsOfShapes(const FrontShapes& shapes) {
-    constexpr std::size_t kOfGroup = 1024, kGroups = 64;
-    return static_cast<std::uint32_t>(
-        std::max((shapes.balls() + shapes.sticks() + shapes.doubts()) / kOfGroup, kGroups));
-}
-
 /// Maximum of workgroups that draw edges. Each fills its lanes repeatedly: on a software device an empty workgroup
 /// costs as much as a full one. No loop may exceed lavapipe's limit.
 std::uint32_t groupsOfEdges(const TileLists& lists, const gpu::TileCaps& caps) {
@@ -119,9 +112,9 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     listCalls(seen, seen.copies.spheres, 0, spheres_);
     listCalls(seen, seen.copies.cylinders, seen.constants.spheres, cylinders_);
     listCalls(seen, seen.copies.triangles, firstTriangle, triangles_);
-    const TileScenery scenery{r.spheres,   spheres_,       r.cylinders,        cylinders_,        r.wires,
-                              r.triangles, r.meshVertices, triangles_,         r.coarseTriangles, r.meshes,
-                              work.boxes,  work.drawn,     work.triangleChunks};
+    const TileScenery scenery{r.spheres,         spheres_,    r.cylinders,    cylinders_,
+                              r.wires,           r.triangles, r.meshVertices, triangles_,
+                              r.coarseTriangles, r.meshes,    work.boxes,     work.triangleChunks};
     TileView asked = tileView(seen, view, image, !work.edges && !work.subsamples);
     asked.layers = work.kept;
     asked.edges = work.edges;
@@ -130,8 +123,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     frame.lists.build(asked, scenery);
     if (frame.lists.longest() > work.longestList) return free;
     const std::uint32_t walks = seen.rims.any() ? 2 : 1;
-    frame.groups = work.drawn ? groupsOfShapes(*frame.lists.shapes())
-                              : groupsOfTiles(frame.lists, work.shaded, walks, device_.caps().tiles.longestList);
+    frame.groups = groupsOfTiles(frame.lists, work.shaded, walks, device_.caps().tiles.longestList);
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;
@@ -147,7 +139,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
 }
 
 void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::BufferUsageFlags usage, vk::Format format,
-             const char* name, vk::Format pairs) {
+             const char* name) {
     if (*b.buffer.handle && b.buffer.size >= bytes) return;
     const std::size_t room =
         *b.buffer.handle ? bytes + bytes / 2 : bytes;  // a rotating scene may need more in its next frame
@@ -155,7 +147,6 @@ void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::Bu
     b.buffer = gpu::makeBuffer(device, room, usage, gpu::Access::upload, name);
     if (!device.caps().tiles.texels) return;
     if (format != vk::Format::eUndefined) b.texels = gpu::makeTexelView(device, b.buffer, format, name);
-    if (pairs != vk::Format::eUndefined) b.pairs = gpu::makeTexelView(device, b.buffer, pairs, name);
 }
 
 /// Tiles are drawn where something may show. Elsewhere the words of the frame before go.
@@ -221,20 +212,14 @@ void TileFrames::writeSeeds(TileFrame& f) {
 void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const {
     TileLists& lists = f.lists;
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
-    const FrontShapes* shapes = lists.shapes();
-    const std::size_t words = shapes ? shapes->words() : lists.words();
-    reserve(device_, f.words, 4 * words, kReadByTiles, vk::Format::eR32Uint, "lists of tiles", vk::Format::eR32G32Uint);
+    reserve(device_, f.words, 4 * lists.words(), kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
     reserve(device_, f.rows, rowBytes, kReadByTiles, vk::Format::eR32G32B32A32Sfloat, "copies");
     prepareWords(f.numbers, lists, image, kept, f.cleared && !lists.seeded(), "primitive numbers");
     if (lists.seeded()) writeSeeds(f);
     reserve(device_, f.spans, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
             vk::Format::eUndefined, "rows of tiles");
 
-    auto* listed = reinterpret_cast<std::uint32_t*>(f.words.buffer.mapped);
-    if (shapes)
-        shapes->write(listed);
-    else
-        lists.write(listed);
+    lists.write(reinterpret_cast<std::uint32_t*>(f.words.buffer.mapped));
     std::memcpy(f.rows.buffer.mapped, copies.rows.data(), rowBytes);
     auto* spans = reinterpret_cast<TileSpanVertex*>(f.spans.buffer.mapped);
     const glm::vec2 ndc = 2.0f * TileLists::kBinPixels / glm::vec2(image.width, image.height);

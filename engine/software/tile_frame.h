@@ -17,7 +17,6 @@ namespace nacre::passes {
 struct TileBuffer {
     gpu::Buffer buffer;
     vk::raii::BufferView texels{nullptr};
-    vk::raii::BufferView pairs{nullptr};  ///< as texels of two words, where it is read so
 };
 
 /// One or more words per pixel, row by row of all bins; 0: no primitive.
@@ -29,9 +28,8 @@ struct PixelWords : TileBuffer {
 };
 
 /// Enlarges a buffer if needed, with room to grow. @param format  of texels; undefined: no texel view
-/// @param pairs  of texels as well; undefined: none
 void reserve(const gpu::Device& device, TileBuffer& buffer, std::size_t bytes, vk::BufferUsageFlags usage,
-             vk::Format format, const char* name, vk::Format pairs = vk::Format::eUndefined);
+             vk::Format format, const char* name);
 
 /// Data for drawing a frame's edges.
 struct TileEdges {
@@ -62,7 +60,6 @@ struct TileWork {
     std::uint32_t kept = 1;              ///< numbers of a pixel
     const TileMask* mask = nullptr;      ///< as TileView has it
     const SphereBoxes* boxes = nullptr;  ///< as TileScenery has it
-    bool drawn = false;                  ///< likewise, if compute shades
     std::span<const Chunk> triangleChunks = {};  ///< likewise
     const EdgePlaces* places = nullptr;          ///< of edges, if compute shades
 };
@@ -74,7 +71,7 @@ struct TileFrame {
     bool copies = false;       ///< primitives have the transforms of copies
     bool shaded = false;       ///< `numbers` are colours
     bool cleared = false;      ///< of what is shaded, covered pixels alone are written
-    TileBuffer words;          ///< TileLists::write(), or FrontShapes::write()
+    TileBuffer words;          ///< TileLists::write()
     TileBuffer rows;           ///< PlacedCopies::rows
     PixelWords numbers;        ///< of the nearest primitives, counted from 1; sights, where edges are drawn
     TileBuffer spans;          ///< TileLists::spans() as vertices

@@ -307,24 +307,13 @@ void TileLists::listTiles() {
                 }
 }
 
-void TileLists::drawShapes(const TileView& view, const TileScenery& s) {
-    shapes_.draw(view, s.spheres, s.sphereCalls, s.cylinders, s.cylinderCalls);
-    keptSpheres_ = longest_ = 0;
-    seeded_ = false;
-    offsets_.clear();
-    smallBins_.clear();
-    listTiles();
-}
-
 void TileLists::build(const TileView& view, const TileScenery& s) {
     across_ = (view.width + kBinPixels - 1) / kBinPixels;
     down_ = (view.height + kBinPixels - 1) / kBinPixels;
     kept_.clear();
     small_.clear();
     mask(view);
-    drawn_ = s.drawn;
     drawsSpheres_ = s.boxes != nullptr;
-    if (drawn_) return drawShapes(view, s);
     if (drawsSpheres_) frontSpheres_.draw(view, s.spheres, *s.boxes, s.sphereCalls);
     for (const TileCall& call : drawsSpheres_ ? frontSpheres_.doubts() : s.sphereCalls)
         addSpheres(view, s.spheres, call);

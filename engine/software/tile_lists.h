@@ -11,7 +11,6 @@
 
 #include "engine/lists/tile_view.h"
 #include "engine/scene/build/representation.h"
-#include "engine/software/front_shapes.h"
 #include "engine/software/front_spheres.h"
 #include "engine/software/front_triangles.h"
 
@@ -32,9 +31,6 @@ struct TileScenery {
     /// Boxes of the spheres, if the host draws them, so that few enter lists: for views that FrontSpheres supports,
     /// without triangles. Null: all spheres enter lists.
     const SphereBoxes* boxes = nullptr;
-    /// Whether the host draws spheres and cylinders, so that none enters lists: for views that FrontShapes supports,
-    /// without triangles and wires.
-    bool drawn = false;
     std::span<const Chunk> triangleChunks = {};  ///< optional
 
     /// The triangles of a call.
@@ -88,7 +84,6 @@ public:
     std::span<const Span> spans() const { return spans_; }
     /// Whether anything may be visible in a bin, counted row by row.
     bool holds(std::size_t bin) const {
-        if (drawn_) return shapes_.isSeen(bin);
         return drawsBin(bin) && (offsets_[bin] != offsets_[bin + 1] || (seeded_ && seeds_[bin]));
     }
     /// Whether a tile is drawn if its bin holds anything.
@@ -98,8 +93,6 @@ public:
     bool showsSmall(std::size_t x, std::size_t y) const {
         return !smallBins_.empty() && smallBins_[y * across_ + x] != 0;
     }
-    /// The shapes that the host drew; null: lists tell them.
-    const FrontShapes* shapes() const { return drawn_ ? &shapes_ : nullptr; }
     /// Whether pixels begin with a primitive from writeSeeds().
     bool seeded() const { return seeded_; }
     /// Numbers of the nearest triangles or spheres of some pixels of a row, 0: none that is certain.
@@ -138,7 +131,6 @@ private:
     };
 
     void findSeeds();
-    void drawShapes(const TileView& view, const TileScenery& scenery);
     void add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near,
              std::vector<Kept>& kept) const;
     void addRound(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near, float reach);
@@ -173,13 +165,12 @@ private:
     std::vector<Tile> tiles_, bins_;
     std::vector<Span> spans_;
     std::vector<glm::vec4> corners_;  // pixel and Z of each vertex, transformed for a call
-    bool seeded_ = false, drawsSpheres_ = false, drawn_ = false;
+    bool seeded_ = false, drawsSpheres_ = false;
     std::vector<std::uint8_t> seeds_;  // per bin: some pixel has a seed
     std::vector<FrontTriangles::Run> runs_;
     TriangleLanes lanes_;
     FrontTriangles front_;
     FrontSpheres frontSpheres_;
-    FrontShapes shapes_;
 };
 
 }  // namespace nacre

@@ -57,17 +57,12 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
     const TileFrame& f = *view.tiles;
     const SceneBuffers& scene = *view.buffers;
     const gpu::TileCaps& caps = context.device.caps().tiles;
-    gpu::ComputePipeline d{
-        context.pass,
-        f.lists.shapes() ? shaders::tilePixels : nearestShader(caps.texels, tileScene(scene), shades, view.rims.any()),
-        {},
-        *nearestLayout(context, shades).pipeline};
+    gpu::ComputePipeline d{context.pass,
+                           nearestShader(caps.texels, tileScene(scene), shades, view.rims.any()),
+                           {},
+                           *nearestLayout(context, shades).pipeline};
     setTileView(d.constants, view, view.rims.widest());
     if (shades) setShadingConstants(d.constants, view);
-    if (f.lists.shapes()) {
-        d.constants.set(layout::kLanesId, caps.lanes);
-        return d;
-    }
     if (tileScene(scene) != TileScene::spheres) {
         d.constants.set(layout::kSpheresId, scene.sphereCount > 0);
         d.constants.set(layout::kCylindersId, scene.cylinderCount > 0);
@@ -126,7 +121,7 @@ void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles
     const auto write = [&](TileBindings& to) {
         to.read(scene.shapes, scene.shapeTexels);
         to.read(f.rows);
-        to.read(f.words.buffer, f.lists.shapes() ? f.words.pairs : f.words.texels);
+        to.read(f.words);
         to.store(f.edges.alone ? f.edges.numbers.buffer : f.numbers.buffer);
         if (!shades) return;
         to.read(scene.looks, scene.lookTexels);

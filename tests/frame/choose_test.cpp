@@ -207,13 +207,6 @@ TEST(Choose, HasTheHostFindWhatIsInFrontWhereThatCostsLess) {
     EXPECT_EQ(host(), HostWork::hiddenSpheres);
     settings.tuning.cull = false;
     EXPECT_EQ(host(), HostWork::none);
-    facts = {};
-    facts.hasCylinders = true;
-    facts.spheres = facts.cylinders = 1000;
-    settings.supersample = 1;
-    EXPECT_EQ(host(), HostWork::frontShapes);
-    settings.effects.clip.near = 0;
-    EXPECT_EQ(host(), HostWork::none);
     // Where depth is tested late, a processor finds hidden spheres in less time than it shades them.
     settings = {};
     FrameCaps late = caps;
