@@ -8,7 +8,7 @@
 #include "engine/frame/effects/lens/lens.h"
 #include "engine/frame/picture_frames.h"
 #include "engine/passes/read_back.h"
-#include "engine/software/tile_lists.h"
+#include "engine/software/software.h"
 
 namespace nacre {
 namespace {
@@ -32,7 +32,7 @@ void addUp(std::vector<Row>& sum, const std::vector<Row>& more, Number Row::*num
 /// @param more  of passes over the whole picture
 std::uint32_t rimOf(const RenderSettings& settings, double more = 0) {
     constexpr std::uint32_t kRim = PictureRect::kStep;
-    static_assert(kRim == TileLists::kBinPixels);  // its bins are those of the whole
+    static_assert(kRim == TileBins::kPixels);  // its bins are those of the whole
     const double reach = std::max(settings.effects.contours.width, settings.effects.halos.width) + more;
     return kRim * std::max(static_cast<std::uint32_t>(std::ceil(reach / kRim)), 1u);
 }

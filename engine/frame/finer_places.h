@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "engine/graph/graph.h"
-#include "engine/lists/tile_view.h"
+#include "engine/passes/tile_mask.h"
 #include "engine/results.h"
-#include "engine/software/tile_frame.h"
+#include "engine/software/software.h"
 
 namespace nacre {
 

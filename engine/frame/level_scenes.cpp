@@ -7,10 +7,10 @@
 namespace nacre {
 namespace {
 
-TileView tileViewOf(const View& view, const RenderSettings& settings) {
+ScreenView screenViewOf(const View& view, const RenderSettings& settings) {
     const graph::Extent image = imageExtent(view);
     const layout::ViewConstants c = passes::viewConstants(view, image.width / 2.0, image.height / 2.0);
-    TileView v;
+    ScreenView v;
     v.width = image.width;
     v.height = image.height;
     v.perspective = view.projection == Projection::perspective;
@@ -22,8 +22,8 @@ TileView tileViewOf(const View& view, const RenderSettings& settings) {
     v.range = 1.0f / c.perRange;
     const Clip& clip = settings.effects.clip;
     if (clip.on()) {
-        v.clipNear = std::max(v.origin + static_cast<float>(clip.near), -TileView::kNoPlane);
-        v.clipFar = std::min(v.origin + static_cast<float>(clip.far), TileView::kNoPlane);
+        v.clipNear = std::max(v.origin + static_cast<float>(clip.near), -ScreenView::kNoPlane);
+        v.clipFar = std::min(v.origin + static_cast<float>(clip.far), ScreenView::kNoPlane);
     }
     return v;
 }
@@ -46,7 +46,7 @@ bool LevelScenes::draws(const Representation& r, const RenderSettings& settings)
 
 Representation LevelScenes::shownBy(const Representation& whole, const RenderSettings& settings, const View& view,
                                     bool edges) {
-    const TileView seen = tileViewOf(view, settings);
+    const ScreenView seen = screenViewOf(view, settings);
     const float samples = edges ? RenderSettings::kBlockSamples : 1;
     copies_.draw(seen, {levels_, whole.copies, view.rotation}, static_cast<float>(settings.levelError) / samples,
                  edges ? gridOf(seen.width, seen.height) : 1, edges);

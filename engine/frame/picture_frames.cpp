@@ -101,7 +101,7 @@ PictureFrames::Drawn PictureFrames::run(PreparedFrame prepared, const RenderSett
     stats_.frameMilliseconds = millisecondsSince(start);
     executor_.reset();
     for (const gpu::Buffer& pixels : drawn.pixels) pixels.invalidate();
-    if (drawn.colors) drawn.colors->numbers.buffer.invalidate();
+    if (drawn.colors) drawn.colors->pixels().invalidate();
     if (fragments) stats_.passes = fragments->counts();
     if (settings.tuning.timePasses) stats_.passTimes = timer_.times();
     if (last_ != declared) planText_.clear();
@@ -147,7 +147,7 @@ void PictureFrames::checkSize(const View& view) const {
 /// @param view  at the device's resolution divided by n
 std::pair<const std::byte*, std::uint32_t> PictureFrames::rowsOf(const Drawn& drawn, const View& view,
                                                                  std::uint32_t n) {
-    if (drawn.colors) return {drawn.colors->numbers.buffer.mapped, drawn.colors->rowPixels()};
+    if (drawn.colors) return {drawn.colors->pixels().mapped, drawn.colors->rowPixels()};
     return {drawn.pixels[0].mapped, imageExtent(view).width * n};
 }
 

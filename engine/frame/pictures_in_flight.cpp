@@ -58,9 +58,9 @@ CodedPicture PictureFrames::finish() {
     if (first.picture) return std::move(*first.picture);
     first.submission->wait();
     const passes::TileFrame& colors = *first.prepared.colors();
-    colors.numbers.buffer.invalidate();
+    colors.pixels().invalidate();
     CodedPicture picture =
-        codePixels(reinterpret_cast<const std::uint32_t*>(colors.numbers.buffer.mapped),
+        codePixels(reinterpret_cast<const std::uint32_t*>(colors.pixels().mapped),
                    {colors.rowPixels(), 1, first.wanted.inner}, first.background, first.alpha, stats_.coveredPixels);
     spare_.push_back(std::move(first.submission));
     return picture;

@@ -92,7 +92,7 @@ SceneFacts factsOf(const Representation& r, const Chunks& chunks, const Transluc
     facts.hasWires = !r.wires.empty();
     facts.hasTranslucent = !translucent.empty();
     facts.meshTriangles = r.triangles.size();
-    facts.boxed = std::isfinite(chunks.sphereBoxes.reach);
+    facts.boxed = chunks.finiteSpheres();
     return facts;
 }
 

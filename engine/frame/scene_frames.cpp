@@ -14,8 +14,9 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
     : device_(device),
       scene_(scene),
       white_(passes::makeWhiteTexture(device, executor)),
-      tiles_(device),
-      layerTiles_(device),
+      tiles_(passes::makeTileFrames(device)),
+      layerTiles_(passes::makeTileFrames(device)),
+      hidden_(passes::makeHiddenSpheres()),
       effectBuffers_(device, vk::BufferUsageFlagBits::eUniformBuffer, "effects"),
       copyRows_(device, vk::BufferUsageFlagBits::eStorageBuffer, "copies"),
       covers_(device, vk::BufferUsageFlagBits::eVertexBuffer, "covers") {}
@@ -43,8 +44,8 @@ std::shared_ptr<const gpu::Buffer> SceneFrames::uploadEffects(const RenderSettin
 
 void SceneFrames::dropHidden(passes::SceneView& view, const FrameChoice& choice, const FrameInputs& inputs) {
     const bool centers = !choice.drawsEdges() && choice.attachmentSamples() == 1;
-    hidden_.drop(view.copies, shown_->representation, shown_->chunks,
-                 passes::tileView(view, inputs.view, imageExtent(inputs.view), centers), view.radiusPixels);
+    if (hidden_)
+        hidden_->drop(view, shown_->representation, shown_->chunks, inputs.view, imageExtent(inputs.view), centers);
 }
 
 std::shared_ptr<const passes::TileFrame> SceneFrames::listTiles(const passes::SceneView& view,
@@ -58,10 +59,10 @@ std::shared_ptr<const passes::TileFrame> SceneFrames::listTiles(const passes::Sc
     work.subsamples = view.rims.any() && request.part == Part::block;
     // The device finds edges by whole bins.
     if (!work.edges || choice.edgePixels != EdgePixels::found) work.mask = inputs.mask;
-    if (choice.host == HostWork::frontSpheres) work.boxes = &shown_->chunks.sphereBoxes;
+    work.frontSpheres = choice.host == HostWork::frontSpheres;
     work.triangleChunks = shown_->chunks.triangles;
     if (choice.edgePixels != EdgePixels::found) work.places = inputs.places;
-    return tiles_.prepare(shown_->representation, view, inputs.view, imageExtent(inputs.view), work);
+    return tiles_->prepare(shown_->representation, view, inputs.view, imageExtent(inputs.view), work);
 }
 
 /// The tiles' lists, where the path takes them. The choice becomes what holds for lists of that length.
@@ -71,7 +72,7 @@ void SceneFrames::addLists(PreparedFrame& prepared, const FrameRequest& request,
     if (choice.host == HostWork::hiddenSpheres) dropHidden(view, choice, inputs);
     if (!choice.drawnByTiles()) return;
     const std::shared_ptr<const passes::TileFrame> tiles = listTiles(view, choice, request, inputs);
-    choice = choice.within(tiles->lists.longest());
+    choice = choice.within(tiles->longestList());
     if (!choice.drawnByTiles()) {
         if (choice.host == HostWork::hiddenSpheres) dropHidden(view, choice, inputs);
         return;
@@ -83,8 +84,8 @@ void SceneFrames::addLists(PreparedFrame& prepared, const FrameRequest& request,
     work.mask = inputs.mask;
     work.longestList = choice.overflow.longestListOfLayers;
     const std::shared_ptr<const passes::TileFrame> layers =
-        layerTiles_.prepare(shown_->representation, *view.translucent, inputs.view, imageExtent(inputs.view), work);
-    choice = choice.within(tiles->lists.longest(), layers->lists.longest());
+        layerTiles_->prepare(shown_->representation, *view.translucent, inputs.view, imageExtent(inputs.view), work);
+    choice = choice.within(tiles->longestList(), layers->longestList());
     if (choice.has(Effect::Kind::tileTranslucency)) view.translucent->tiles = layers;
 }
 
@@ -105,13 +106,13 @@ void SceneFrames::count(PreparedFrame& prepared) {
     const passes::SceneView& view = *prepared.view;
     SceneCounts& counts = prepared.counts;
     const std::uint64_t spheres = view.copies.sphereCount();
-    counts.spheres = view.tiles ? view.tiles->lists.shownSpheres().value_or(spheres) : spheres;
+    counts.spheres = view.tiles ? view.tiles->shownSpheres().value_or(spheres) : spheres;
     counts.cylinders = view.copies.cylinderCount();
     counts.triangles = view.copies.triangleCount();
     counts.radiusPixels = view.radiusPixels;
     counts.flat = view.flat();
     counts.translucent = view.translucent ? view.translucent->copies.triangleCount() : 0;
-    if (view.tiles) counts.lists = passes::countsOf(view.tiles->lists);
+    if (view.tiles) counts.lists = view.tiles->counts();
 }
 
 void SceneFrames::letGo() {
@@ -190,11 +191,11 @@ void SceneFrames::bind(DeclaredFrame& declared, const PreparedFrame& prepared) {
     gpu::Imports& imports = declared.imports;
     imports.clear();
     imports.bind(frame.atlas, *prepared.atlas);
-    if (view.tiles) imports.bind(frame.numbers, view.tiles->numbers.buffer);
-    if (frame.layerNumbers) imports.bind(*frame.layerNumbers, view.translucent->tiles->numbers.buffer);
+    if (view.tiles) imports.bind(frame.numbers, view.tiles->pixels());
+    if (frame.layerNumbers) imports.bind(*frame.layerNumbers, view.translucent->tiles->pixels());
     if (frame.edges) {
-        imports.bind(*frame.edges, view.tiles->edgeBuffer().buffer);
-        imports.bind(frame.edgePixels, view.tiles->edges.pixels.buffer);
+        imports.bind(*frame.edges, view.tiles->edges());
+        imports.bind(frame.edgePixels, view.tiles->edgePixels());
     }
 }
 

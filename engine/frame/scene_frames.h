@@ -9,8 +9,7 @@
 #include "engine/gpu/execute.h"
 #include "engine/gpu/frame_buffers.h"
 #include "engine/results.h"
-#include "engine/software/hidden_spheres.h"
-#include "engine/software/tile_frame.h"
+#include "engine/software/software.h"
 
 namespace nacre {
 
@@ -77,8 +76,8 @@ private:
     gpu::Image white_;                           // the atlas for scenes without occlusion
     // Frame memory, reused when frames in flight are done. Carries nothing from one frame to the next.
     SceneViews views_;
-    passes::TileFrames tiles_, layerTiles_;
-    passes::HiddenSpheres hidden_;
+    std::unique_ptr<passes::TileFrames> tiles_, layerTiles_;  // null in builds without them
+    std::unique_ptr<passes::HiddenSpheres> hidden_;           // likewise
     LevelScenes levelScenes_;
     layout::EffectConstants lastEffects_{};
     std::shared_ptr<const gpu::Buffer> effects_;  // for the effects

@@ -100,6 +100,10 @@ TileCaps tileCapsOf(const vk::raii::PhysicalDevice& device) {
     // Inputs: shapes, rows of copies, looks, lists, numbers, tiles of bins. One output.
     caps.drawsEdges = caps.texels || limits.maxPerStageDescriptorStorageBuffers >= 7;
     constexpr auto kNeeded = Can::eBasic | Can::eVote | Can::eBallot | Can::eShuffle;
+#ifndef NACRE_SOFTWARE
+    caps.lacks = "this build has no tile path";
+    return caps;
+#endif
     if ((subgroups.supportedOperations & kNeeded) != kNeeded ||
         !(subgroups.supportedStages & vk::ShaderStageFlagBits::eCompute))
         caps.lacks = "its subgroups do not hand values round";

@@ -7,13 +7,13 @@
 #include <span>
 #include <vector>
 
-#include "engine/lists/tile_view.h"
+#include "engine/lists/screen_view.h"
 
 namespace nacre {
 
 /// @param near  Z
 template <std::uint32_t kDepths>
-std::uint32_t depthStep(const TileView& view, float near) {
+std::uint32_t depthStep(const ScreenView& view, float near) {
     const float share = (near - view.nearest) / view.range;
     return static_cast<std::uint32_t>(std::min(std::max(share * kDepths, 0.0f), kDepths - 1.0f));
 }
@@ -21,7 +21,7 @@ std::uint32_t depthStep(const TileView& view, float near) {
 /// Indices of things from near to far, bucketed into this many depths. Equal depths keep their order.
 /// @tparam T  has `near`, Z
 template <std::uint32_t kDepths, typename T>
-void orderNearFirst(const TileView& view, const std::vector<T>& things, std::vector<std::uint32_t>& order) {
+void orderNearFirst(const ScreenView& view, const std::vector<T>& things, std::vector<std::uint32_t>& order) {
     const auto depthOf = [&](const T& thing) { return depthStep<kDepths>(view, thing.near); };
     std::array<std::uint32_t, kDepths + 1> at{};
     for (const T& thing : things) ++at[depthOf(thing) + 1];
@@ -32,7 +32,7 @@ void orderNearFirst(const TileView& view, const std::vector<T>& things, std::vec
 
 /// The things themselves in this order, of several lists: for more than caches hold.
 template <std::uint32_t kDepths, typename T>
-void sortNearFirst(const TileView& view, std::span<std::vector<T>> lists, std::vector<T>& sorted) {
+void sortNearFirst(const ScreenView& view, std::span<std::vector<T>> lists, std::vector<T>& sorted) {
     const auto depthOf = [&](const T& thing) { return depthStep<kDepths>(view, thing.near); };
     std::array<std::uint32_t, kDepths + 1> at{};
     for (const std::vector<T>& things : lists)

@@ -15,7 +15,7 @@ namespace {
 constexpr float kNoDepth = std::numeric_limits<float>::max();
 
 /// The same view with more places per pixel.
-TileView finer(TileView view, std::uint32_t grid) {
+ScreenView finer(ScreenView view, std::uint32_t grid) {
     const auto times = static_cast<float>(grid);
     view.width *= grid;
     view.height *= grid;
@@ -36,7 +36,7 @@ glm::vec3 seen(const glm::dmat3& rotation, const glm::dmat4x3& transform, const 
 }
 
 /// What pixelOf() takes to a place.
-glm::vec2 planePointOf(const TileView& view, const glm::vec2& place) {
+glm::vec2 planePointOf(const ScreenView& view, const glm::vec2& place) {
     const glm::vec2 p = (place - view.axis) / view.pixels;
     switch (view.quarterTurns & 3) {
         case 1:
@@ -51,7 +51,7 @@ glm::vec2 planePointOf(const TileView& view, const glm::vec2& place) {
 }
 
 /// Where the ray through a place meets a sphere in perspective. @returns Z; kNoDepth: nowhere
-float hitFromEye(const TileView& view, const glm::vec3& center, float radius, const glm::vec2& place) {
+float hitFromEye(const ScreenView& view, const glm::vec3& center, float radius, const glm::vec2& place) {
     const glm::vec3 way(planePointOf(view, place), -view.origin), from(center.x, center.y, center.z - view.origin);
     const float squared = glm::dot(way, way), along = glm::dot(way, from) / squared;
     const glm::vec3 aside = from - way * along;
@@ -68,7 +68,7 @@ std::size_t levelOf(const LeveledPart& part, float error) {
 }  // namespace
 
 /// Lists what is not beside the picture, from near to far.
-void SeenCopies::placeAll(const TileView& view, const Scenery& s) {
+void SeenCopies::placeAll(const ScreenView& view, const Scenery& s) {
     constexpr std::size_t kSlice = 16384;
     struct Slice {
         std::uint32_t part;
@@ -126,7 +126,7 @@ bool SeenCopies::isHidden(const Band& band, float near, float left, float top, f
     return true;
 }
 
-void SeenCopies::drawSphere(const TileView& view, const glm::vec3& center, float radius, const Found& what,
+void SeenCopies::drawSphere(const ScreenView& view, const glm::vec3& center, float radius, const Found& what,
                             Band& band) {
     const float Z = view.origin - center.z, nearest = Z - radius;
     const Disc disc = discOf(view, center, radius);
@@ -167,7 +167,7 @@ void SeenCopies::drawSphere(const TileView& view, const glm::vec3& center, float
     }
 }
 
-void SeenCopies::drawPlaced(const TileView& view, const Scenery& s, const Placed& placed, float error, Band& band) {
+void SeenCopies::drawPlaced(const ScreenView& view, const Scenery& s, const Placed& placed, float error, Band& band) {
     constexpr std::uint32_t kSpheres = SphereLevels::kSpheres;
     const float before = view.perspective ? std::max(view.clipNear, 0.0f) : view.clipNear;
     const float left = placed.x - placed.reach, right = placed.x + placed.reach;
@@ -230,9 +230,9 @@ void SeenCopies::write(const Scenery& s, Band& band) {
         levelCounts_[step].copies += band.copiesOfStep[step];
 }
 
-void SeenCopies::draw(const TileView& asked, const Scenery& s, float error, std::uint32_t grid, bool between) {
+void SeenCopies::draw(const ScreenView& asked, const Scenery& s, float error, std::uint32_t grid, bool between) {
     constexpr std::size_t kWorth = 4096;  // places that are worth another thread
-    const TileView view = finer(asked, grid);
+    const ScreenView view = finer(asked, grid);
     between_ = between;
     width_ = view.width;
     height_ = view.height;

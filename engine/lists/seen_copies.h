@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/lists/near_first.h"
-#include "engine/lists/tile_view.h"
+#include "engine/lists/screen_view.h"
 #include "engine/scene/instances/copies.h"
 #include "engine/scene/instances/sphere_levels.h"
 
@@ -34,7 +34,7 @@ public:
     /// @param error  of outlines, pixels of the view
     /// @param grid   places per pixel and side
     /// @param between  whether pixels are sampled between the places, too
-    void draw(const TileView& view, const Scenery& scenery, float error, std::uint32_t grid, bool between);
+    void draw(const ScreenView& view, const Scenery& scenery, float error, std::uint32_t grid, bool between);
 
     /// Without those that are hidden, relative to the representation's centre.
     std::span<const Sphere> spheres() const { return spheres_; }
@@ -69,10 +69,10 @@ private:
         std::vector<std::uint8_t> seen;
     };
 
-    void placeAll(const TileView& view, const Scenery& s);
+    void placeAll(const ScreenView& view, const Scenery& s);
     bool isHidden(const Band& band, float near, float left, float top, float right, float bottom) const;
-    void drawPlaced(const TileView& view, const Scenery& s, const Placed& placed, float error, Band& band);
-    void drawSphere(const TileView& view, const glm::vec3& center, float radius, const Found& what, Band& band);
+    void drawPlaced(const ScreenView& view, const Scenery& s, const Placed& placed, float error, Band& band);
+    void drawSphere(const ScreenView& view, const glm::vec3& center, float radius, const Found& what, Band& band);
     void write(const Scenery& s, Band& band);
 
     bool between_ = false;

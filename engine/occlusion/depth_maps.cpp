@@ -137,8 +137,8 @@ DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scen
     for (const Sphere& s : representation.spheres) sum += s.radius;
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
     if (path == OcclusionMaps::tiles && budgetBytes > 0)
-        tiles_ = std::make_unique<TileMaps>(device, scene, representation, pixels(), radius_, mapsAcross(perBatch()),
-                                            std::move(occluders));
+        tiles_ = makeTileMaps(device, scene, representation, pixels(), radius_, mapsAcross(perBatch()),
+                              std::move(occluders));
 }
 
 View DepthMaps::view(const glm::dmat3& frame) const {

@@ -14,7 +14,7 @@
 #include "engine/passes/scene_view.h"
 #include "engine/scene/build/translucency.h"
 #include "engine/scene/view/camera.h"
-#include "engine/software/tile_maps.h"
+#include "engine/software/software.h"
 
 namespace nacre::occlusion {
 

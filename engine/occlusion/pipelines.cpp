@@ -3,7 +3,7 @@
 #include <span>
 
 #include "engine/passes/bindings.h"
-#include "engine/software/tile_lists.h"
+#include "engine/software/software.h"
 #include "shaders.h"
 #include "shaders/common/layout.h"
 
@@ -18,8 +18,6 @@ constexpr std::array kAccumulate{kStorage, Type::eUniformBuffer, kStorage, kStor
 constexpr std::array kAccumulateStorage{kStorage, Type::eUniformBuffer, kStorage, kStorage, kStorage};
 constexpr std::array kAccumulateTexels{kStorage, kTexel, kStorage, kStorage, kTexel};
 // Shapes, rows of copies, lists, heights for reading and for writing.
-constexpr std::array kTileMapsTexels{kTexel, kTexel, kTexel, kTexel, kStorage};
-constexpr auto kTileMapsStorage = passes::asStorage(kTileMapsTexels);
 constexpr std::array kThreeBuffers{kStorage, kStorage, kStorage};
 
 }  // namespace
@@ -38,20 +36,9 @@ const gpu::Layout& finishLayout(gpu::PipelineContext& context) {
     return context.pipelines.layout({"occlusion finish layout", kThreeBuffers, kCompute, sizeof(std::uint32_t)});
 }
 
-const gpu::Layout& tileMapsLayout(gpu::PipelineContext& context) {
-    const bool texels = context.device.caps().tiles.texels;
-    return context.pipelines.layout({"depth maps by tiles layout", texels ? kTileMapsTexels : kTileMapsStorage,
-                                     kCompute, sizeof(layout::MapConstants)});
-}
-
-/// Source of the depth tests: an image, or heights as texels or in a storage buffer.
-#define NACRE_ACCUMULATION(of)                                                       \
-    (!heights                             ? shaders::occlusionAccumulate##of         \
-     : context.device.caps().tiles.texels ? shaders::occlusionAccumulate##of##Texels \
-                                          : shaders::occlusionAccumulate##of##Storage)
-/// The same with narrow directions. Directions come in pairs except for cylinders, where pairs would need more
+/// Stages that ask maps of depth; narrow directions come in pairs except for cylinders, where pairs would need more
 /// registers than Mali has.
-#define NACRE_ACCUMULATION_OR_NARROW(of) (narrow ? shaders::occlusionAccumulate##of##Narrow : NACRE_ACCUMULATION(of))
+#define NACRE_ACCUMULATION(of) (narrow ? shaders::occlusionAccumulate##of##Narrow : shaders::occlusionAccumulate##of)
 
 bool asksByPairs(const Accumulation& accumulation) {
     return accumulation.narrow && accumulation.texels != Texels::cylinders;
@@ -60,19 +47,20 @@ bool asksByPairs(const Accumulation& accumulation) {
 gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const Accumulation& accumulation) {
     const bool heights = accumulation.heights, narrow = accumulation.narrow;
     gpu::ComputePipeline d{"occlusion accumulation, spheres",
-                           NACRE_ACCUMULATION_OR_NARROW(Sphere),
+                           NACRE_ACCUMULATION(Sphere),
                            {},
                            *accumulationLayout(context, heights).pipeline};
     if (accumulation.texels == Texels::wholeSpheres) {
         d.name = "occlusion accumulation, whole spheres";
-        d.code = NACRE_ACCUMULATION_OR_NARROW(Whole);
+        d.code = NACRE_ACCUMULATION(Whole);
     } else if (accumulation.texels == Texels::cylinders) {
         d.name = "occlusion accumulation, cylinders";
-        d.code = NACRE_ACCUMULATION_OR_NARROW(Cylinder);
+        d.code = NACRE_ACCUMULATION(Cylinder);
     } else if (accumulation.texels == Texels::vertices) {
         d.name = "occlusion accumulation, vertices";
-        d.code = NACRE_ACCUMULATION_OR_NARROW(Vertex);
+        d.code = NACRE_ACCUMULATION(Vertex);
     }
+    if (heights) d.code = questionsToTileMaps(accumulation.texels, context.device.caps().tiles.texels);
     const graph::EncodedFormat& encoded = context.device.caps().encodedMaps;
     d.constants.set(layout::kBatchId, accumulation.batch);
     d.constants.set(layout::kDepthChannelsId, accumulation.encoded ? encoded.channels : 1);
@@ -89,17 +77,6 @@ gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const A
 
 gpu::ComputePipeline finishPipeline(gpu::PipelineContext& context) {
     return {"occlusion finish", shaders::occlusionFinish, {}, *finishLayout(context).pipeline};
-}
-
-gpu::ComputePipeline tileMapsPipeline(gpu::PipelineContext& context, bool cylinders) {
-    const bool texels = context.device.caps().tiles.texels;
-    const auto code = texels ? (cylinders ? shaders::tileDepthTexelsCylinders : shaders::tileDepthTexelsSpheres)
-                             : (cylinders ? shaders::tileDepthStorageCylinders : shaders::tileDepthStorageSpheres);
-    gpu::ComputePipeline d{"depth maps by tiles", code, {}, *tileMapsLayout(context).pipeline};
-    d.constants.set(layout::kCopiesId, true);
-    d.constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
-    d.constants.set(layout::kLanesId, context.device.caps().tiles.lanes);
-    return d;
 }
 
 }  // namespace nacre::occlusion

@@ -34,10 +34,6 @@ gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const A
 /// Storage buffers: sums, words, bytes.
 const gpu::Layout& finishLayout(gpu::PipelineContext& context);
 gpu::ComputePipeline finishPipeline(gpu::PipelineContext& context);
-/// Shapes, rows of copies, lists and maps as texel buffers, and the maps again for writing.
-const gpu::Layout& tileMapsLayout(gpu::PipelineContext& context);
-gpu::ComputePipeline tileMapsPipeline(gpu::PipelineContext& context, bool cylinders);
-
 /// Maps per row of a batch's image.
 constexpr std::uint32_t mapsAcross(std::uint32_t batch) { return batch > 4 ? 4 : batch > 1 ? 2 : 1; }
 

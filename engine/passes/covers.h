@@ -4,7 +4,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "engine/lists/tile_view.h"
+#include "engine/passes/tile_mask.h"
 #include "engine/passes/primitives.h"
 
 namespace nacre::passes {

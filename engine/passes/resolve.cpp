@@ -1,6 +1,6 @@
 #include "engine/passes/resolve.h"
 
-#include "engine/software/tile_bindings.h"
+#include "engine/passes/bindings.h"
 #include "shaders.h"
 
 namespace nacre::passes {
@@ -39,15 +39,17 @@ void resolve(gpu::PassContext& context, const Resolving& how, const ResolvePlace
     const auto at = [](std::uint32_t pixels) { return static_cast<std::int32_t>(pixels); };
     bindFullScreen(context, passOf(how, words), layout);
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
-    TileBindings to(context, set);
-    const auto sample = [&](vk::ImageView image) {
-        to.sample({context.pipelines.sampler(vk::Filter::eNearest), image, vk::ImageLayout::eShaderReadOnlyOptimal});
+    const vk::BufferView texels = words ? what.tiles->pixelTexels() : vk::BufferView();
+    const auto sampled = [&](vk::ImageView image) {
+        return vk::DescriptorImageInfo(context.pipelines.sampler(vk::Filter::eNearest), image,
+                                       vk::ImageLayout::eShaderReadOnlyOptimal);
     };
-    if (words)
-        to.read(what.tiles->numbers);
-    else
-        sample(what.image);
-    if (how.masked) sample(*what.mask);
+    const vk::DescriptorImageInfo image = sampled(what.image), mask = sampled(what.mask.value_or(vk::ImageView()));
+    const vk::WriteDescriptorSet writes[] = {
+        words ? vk::WriteDescriptorSet(set, 0, 0, 1, kTexel, nullptr, nullptr, &texels)
+              : vk::WriteDescriptorSet(set, 0, 0, 1, kSampled, &image),
+        {set, 1, 0, 1, kSampled, &mask}};
+    context.device->updateDescriptorSets(vk::ArrayProxy<const vk::WriteDescriptorSet>(how.masked ? 2 : 1, writes), {});
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
     const Push push{at(place.rect.x), at(place.rect.y), place.x, place.y, words ? at(what.tiles->rowPixels()) : 0,
                     at(how.samples)};

@@ -26,7 +26,7 @@ struct Atlas {
     std::shared_ptr<const void> owner = {};  ///< keeps the image and the cells alive
 };
 
-struct TileFrame;
+class TileFrame;
 
 /// Widths, Å at z = 0; 0: none.
 struct Rims {

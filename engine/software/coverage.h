@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/lists/near_first.h"
+#include "engine/software/tile_view.h"
 
 namespace nacre {
 

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/lists/tile_view.h"
 #include "engine/scene/build/representation.h"
-#include "engine/scene/build/sphere_boxes.h"
+#include "engine/software/sphere_boxes.h"
+#include "engine/software/tile_view.h"
 
 namespace nacre {
 

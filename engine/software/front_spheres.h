@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "engine/lists/near_first.h"
-#include "engine/lists/tile_view.h"
-#include "engine/scene/build/sphere_boxes.h"
 #include "engine/software/front_band.h"
+#include "engine/software/sphere_boxes.h"
+#include "engine/software/tile_view.h"
 
 namespace nacre {
 

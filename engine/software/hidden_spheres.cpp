@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/software/tile_frame.h"
 #include "engine/threads.h"
 
 namespace nacre::passes {
@@ -21,7 +22,7 @@ std::size_t threadsFor(std::size_t chunks) {
 
 }  // namespace
 
-void HiddenSpheres::list(const PlacedCopies& copies, const Chunks& chunks, const TileView& view) {
+void NearFirstSpheres::list(const PlacedCopies& copies, const Chunks& chunks, const TileView& view) {
     const std::vector<PlacedCopies::Call>& calls = copies.spheres;
     const auto chunkOf = [](std::uint32_t sphere) { return sphere / Chunk::kPrimitives; };
     begins_.assign(1, 0);
@@ -57,7 +58,7 @@ void HiddenSpheres::list(const PlacedCopies& copies, const Chunks& chunks, const
     });
 }
 
-bool HiddenSpheres::hides(const Some& some, RowBand part) {
+bool NearFirstSpheres::hides(const Some& some, RowBand part) {
     // An invalid ball covers the whole picture and is never hidden.
     if (!std::isfinite(some.x + some.y + some.reach)) return false;
     const float row = some.y / coverage_.side(), rows = some.reach / coverage_.side() + 1;
@@ -66,8 +67,8 @@ bool HiddenSpheres::hides(const Some& some, RowBand part) {
 }
 
 /// @returns those of some spheres that may show in a part, a bit each @param asked  of these
-std::uint32_t HiddenSpheres::shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, RowBand part,
-                                     bool covers) {
+std::uint32_t NearFirstSpheres::shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, RowBand part,
+                                        bool covers) {
     std::uint32_t shown = 0;
     const glm::vec4* rows = rowsOf(scenery.copies, some.copy);
     for (std::uint32_t i = 0; i < some.count; ++i) {
@@ -84,7 +85,7 @@ std::uint32_t HiddenSpheres::shownOf(const Some& some, std::uint32_t asked, cons
     return shown;
 }
 
-void HiddenSpheres::look(const Scenery& scenery, std::size_t of) {
+void NearFirstSpheres::look(const Scenery& scenery, std::size_t of) {
     const RowBand part = parts_[of];
     std::vector<Shown>& shown = shown_[of];
     shown.clear();
@@ -100,9 +101,13 @@ void HiddenSpheres::look(const Scenery& scenery, std::size_t of) {
     for (Shown& s : shown) s.spheres = shownOf(all_[s.some], s.spheres, scenery, part, false);
 }
 
-void HiddenSpheres::drop(PlacedCopies& copies, const Representation& r, const Chunks& chunks, const TileView& view,
-                         double radiusPixels) {
-    coverage_.begin(view, radiusPixels);
+std::unique_ptr<HiddenSpheres> makeHiddenSpheres() { return std::make_unique<NearFirstSpheres>(); }
+
+void NearFirstSpheres::drop(SceneView& seen, const Representation& r, const Chunks& chunks, const View& of,
+                            graph::Extent image, bool centers) {
+    PlacedCopies& copies = seen.copies;
+    const TileView view = tileView(seen, of, image, centers);
+    coverage_.begin(view, seen.radiusPixels);
     list(copies, chunks, view);
     orderNearFirst<1024>(view, all_, order_);
     const std::uint32_t rows = coverage_.rows();

@@ -6,17 +6,18 @@
 
 #include "engine/passes/placed_copies.h"
 #include "engine/software/coverage.h"
+#include "engine/software/software.h"
+#include "engine/software/tile_view.h"
 
 namespace nacre::passes {
 
 /// Visits spheres from near to far, by chunks. A sphere that earlier ones certainly cover is dropped: pictures stay
 /// identical to the bit. Several threads take one band of rows each. Keeps its memory between frames, so that later
 /// frames allocate only the threads.
-class HiddenSpheres {
+class NearFirstSpheres final : public HiddenSpheres {
 public:
-    /// Drops hidden spheres; splits the calls into many. @param radiusPixels  mean radius of the spheres in the picture
-    void drop(PlacedCopies& placed, const Representation& representation, const Chunks& chunks, const TileView& view,
-              double radiusPixels);
+    void drop(SceneView& seen, const Representation& representation, const Chunks& chunks, const View& view,
+              graph::Extent image, bool centers) override;
 
 private:
     /// Spheres of one chunk in one copy.

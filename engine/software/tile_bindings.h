@@ -87,7 +87,7 @@ void bindTiles(gpu::PassContext& context, const gpu::Layout& layout, const gpu::
 /// @param rim  of GeometryPass
 inline void setTileView(gpu::Specialization& constants, const SceneView& view, float rim = 0) {
     setGeometryConstants(constants, view, rim);
-    constants.set(layout::kCopiesId, view.tiles->copies);
+    constants.set(layout::kCopiesId, listsOf(view).copies);
     constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
 }
 
@@ -99,8 +99,8 @@ inline void dispatchTiles(gpu::PassContext& context, std::size_t count) {
 }
 
 /// Binds the rows of bins, and draws them.
-inline void drawSpans(gpu::PassContext& context, const TileFrame& frame) {
-    context.commands.bindVertexBuffers(0, {*frame.spans.buffer.handle}, {0});
+inline void drawSpans(gpu::PassContext& context, const ListedFrame& frame) {
+    context.commands.bindVertexBuffers(0, {*frame.spanVertices.buffer.handle}, {0});
     context.commands.draw(4, static_cast<std::uint32_t>(frame.lists.spans().size()), 0, 0);
 }
 

@@ -32,8 +32,8 @@ gpu::ComputePipeline findPipeline(gpu::PipelineContext& context, const SceneView
                            *findLayout(context).pipeline};
     d.constants.set(layout::kLanesId, caps.lanes);
     setTileView(d.constants, view);
-    d.constants.set(layout::kEverywhereId, view.tiles->edges.everywhere);
-    d.constants.set(layout::kRowsId, view.tiles->shaded);
+    d.constants.set(layout::kEverywhereId, listsOf(view).edgeData.everywhere);
+    d.constants.set(layout::kRowsId, listsOf(view).shaded);
     return d;
 }
 
@@ -51,12 +51,12 @@ gpu::ComputePipeline samplePipeline(gpu::PipelineContext& context, const SceneVi
     setTileView(d.constants, view);
     setShadingConstants(d.constants, view);
     d.constants.set(layout::kLanesId, caps.lanes);
-    d.constants.set(layout::kListedId, view.tiles->edges.listed);
+    d.constants.set(layout::kListedId, listsOf(view).edgeData.listed);
     if (tileScene(*view.buffers) == TileScene::triangles) {
         d.constants.set(layout::kSpheresId, view.buffers->sphereCount > 0);
         d.constants.set(layout::kCylindersId, view.buffers->cylinderCount > 0);
     }
-    d.constants.set(layout::kRowsId, view.tiles->shaded);
+    d.constants.set(layout::kRowsId, listsOf(view).shaded);
     return d;
 }
 
@@ -64,24 +64,24 @@ gpu::ComputePipeline samplePipeline(gpu::PipelineContext& context, const SceneVi
 
 void wantEdgesByTiles(gpu::PipelineContext& context, const SceneView& view) {
     context.pipelines.want(samplePipeline(context, view));  // which takes a driver longer
-    if (!view.tiles->edges.placed) context.pipelines.want(findPipeline(context, view));
+    if (!listsOf(view).edgeData.placed) context.pipelines.want(findPipeline(context, view));
 }
 
 void findEdgesByTiles(gpu::PassContext& context, const SceneView& view) {
-    const TileFrame& f = *view.tiles;
+    const ListedFrame& f = listsOf(view);
     if (f.lists.tiles().empty()) return;
     bindTiles(context, findLayout(context), findPipeline(context, view), f.constants, [&](TileBindings& to) {
         to.read(f.words);
         to.read(f.sights().buffer, f.sights().quads);
         to.read(f.numbers.buffer, f.numbers.quads);
-        to.store(f.edges.pixels.buffer);
-        to.store(f.shaded ? f.edges.pixels.buffer : f.edges.colors.buffer);  // unused if shaded
+        to.store(f.edgeData.pixels.buffer);
+        to.store(f.shaded ? f.edgeData.pixels.buffer : f.edgeData.colors.buffer);  // unused if shaded
     });
     dispatchTiles(context, f.lists.tiles().size() / (TileLists::kTilesInBin * TileLists::kTilesInBin));
 }
 
 void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas) {
-    const TileFrame& f = *view.tiles;
+    const ListedFrame& f = listsOf(view);
     const SceneBuffers& scene = *view.buffers;
     if (f.lists.tiles().empty()) return;
     const gpu::Layout& layout = sampleLayout(context, view);
@@ -93,18 +93,18 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
         to.read(scene.looks, scene.lookTexels);
         to.read(f.words);
         to.read(f.sights());
-        to.read(f.edges.pixels);
-        to.store(f.shaded ? f.numbers.buffer : f.edges.colors.buffer);
+        to.read(f.edgeData.pixels);
+        to.store(f.shaded ? f.numbers.buffer : f.edgeData.colors.buffer);
         to.sample(shadowOf(context, view, atlas));
         // Always written, even if the shader reads none: lavapipe accesses it.
         if (context.device.caps().tiles.texels) to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
     });
     bindCounter(context, view, layout, vk::PipelineBindPoint::eCompute);
-    context.commands.dispatch(f.edges.groups, 1, 1);
+    context.commands.dispatch(f.edgeData.groups, 1, 1);
 }
 
 void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const graph::Clear& clear) {
-    const TileFrame& f = *view.tiles;
+    const ListedFrame& f = listsOf(view);
     const bool texels = context.device.caps().tiles.texels;
     if (f.lists.spans().empty()) return;
     const gpu::Layout& layout = context.pipelines.layout(
@@ -119,7 +119,7 @@ void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const grap
     d.streams = spanStreams();
     d.layout = *layout.pipeline;
     d.colorsWritten = 1;
-    bindTiles(context, layout, d, f.constants, [&](TileBindings& to) { to.read(f.edges.colors); });
+    bindTiles(context, layout, d, f.constants, [&](TileBindings& to) { to.read(f.edgeData.colors); });
     drawSpans(context, f);
 }
 

@@ -100,21 +100,28 @@ TileView tileView(const SceneView& seen, const View& view, graph::Extent image, 
     return v;
 }
 
-TileCounts countsOf(const TileLists& lists) {
-    return {lists.tiles().size(), lists.kept(), lists.keptSpheres(), lists.entries(), lists.longest()};
+std::unique_ptr<TileFrames> makeTileFrames(const gpu::Device& device) { return std::make_unique<ListedFrames>(device); }
+
+/// Made when a scene's spheres are first drawn so. A scene that is coloured anew keeps its shapes.
+const SphereBoxes& ListedFrames::boxesOf(const Representation& r, const SceneView& seen) {
+    if (!seen.owner || boxed_.lock() != seen.owner) {
+        boxes_ = sphereBoxesOf(r);
+        boxed_ = seen.owner;
+    }
+    return boxes_;
 }
 
-std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, const SceneView& seen, const View& view,
-                                                     graph::Extent image, TileWork work) {
-    const std::shared_ptr<TileFrame>& free = frames_.free();
-    TileFrame& frame = *free;
+std::shared_ptr<const TileFrame> ListedFrames::prepare(const Representation& r, const SceneView& seen, const View& view,
+                                                       graph::Extent image, TileWork work) {
+    const std::shared_ptr<ListedFrame>& free = frames_.free();
+    ListedFrame& frame = *free;
     const std::uint32_t firstTriangle = seen.constants.spheres + seen.constants.cylinders;
     listCalls(seen, seen.copies.spheres, 0, spheres_);
     listCalls(seen, seen.copies.cylinders, seen.constants.spheres, cylinders_);
     listCalls(seen, seen.copies.triangles, firstTriangle, triangles_);
-    const TileScenery scenery{r.spheres,         spheres_,    r.cylinders,    cylinders_,
-                              r.wires,           r.triangles, r.meshVertices, triangles_,
-                              r.coarseTriangles, r.meshes,    work.boxes,     work.triangleChunks};
+    const SphereBoxes* boxes = work.frontSpheres ? &boxesOf(r, seen) : nullptr;
+    const TileScenery scenery{r.spheres,      spheres_,   r.cylinders,       cylinders_, r.wires, r.triangles,
+                              r.meshVertices, triangles_, r.coarseTriangles, r.meshes,   boxes,   work.triangleChunks};
     TileView asked = tileView(seen, view, image, !work.edges && !work.subsamples);
     asked.layers = work.kept;
     asked.edges = work.edges;
@@ -129,12 +136,13 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     frame.shaded = work.shaded;
     frame.cleared = work.shaded && (!r.cylinders.empty() || !r.wires.empty() || !r.triangles.empty());
     upload(frame, seen.copies, image, work.kept);
-    frame.edges.drawn = work.edges;
-    frame.edges.everywhere = seen.smallestPixels < kSmallPixels;
+    frame.edgeData.drawn = work.edges;
+    frame.edgeData.everywhere = seen.smallestPixels < kSmallPixels;
     // A surface at grazing angles has triangles that no pixel centre hits, and an outline may be narrower than a pixel.
-    frame.edges.listed = seen.smallestPixels < kLargePixels || !r.triangles.empty() || seen.constants.contourWidth > 0;
-    if (frame.edges.drawn) uploadEdges(frame, image, work.shaded ? work.places : nullptr);
-    frame.edges.alone = work.edgesAlone;
+    frame.edgeData.listed =
+        seen.smallestPixels < kLargePixels || !r.triangles.empty() || seen.constants.contourWidth > 0;
+    if (frame.edgeData.drawn) uploadEdges(frame, image, work.shaded ? work.places : nullptr);
+    frame.edgeData.alone = work.edgesAlone;
     return free;
 }
 
@@ -150,10 +158,10 @@ void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::Bu
 }
 
 /// Tiles are drawn where something may show. Elsewhere the words of the frame before go.
-void TileFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept,
-                              bool all, const char* name) const {
+void ListedFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept,
+                                bool all, const char* name) const {
     constexpr std::size_t kBin = TileLists::kBinPixels;
-    const std::size_t bytes = 4 * kept * TileLists::pixelsOfBins(image.width, image.height);
+    const std::size_t bytes = 4 * kept * TileBins::pixels(image.width, image.height);
     const bool grows = words.buffer.size < bytes;
     if (grows) words.quads = nullptr;
     reserve(device_, words, bytes, kReadByTiles | Usage::eTransferSrc, vk::Format::eR32Uint, name);
@@ -194,7 +202,7 @@ void TileFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::
 }
 
 /// Writes seeds where the device reads which triangle a pixel begins with; the device replaces them by its results.
-void TileFrames::writeSeeds(TileFrame& f) {
+void ListedFrames::writeSeeds(ListedFrame& f) {
     constexpr std::uint32_t kBin = TileLists::kBinPixels;
     auto* words = reinterpret_cast<std::uint32_t*>(f.numbers.buffer.mapped);
     const std::size_t pitch = std::size_t{f.lists.across()} * kBin;
@@ -209,19 +217,19 @@ void TileFrames::writeSeeds(TileFrame& f) {
     });
 }
 
-void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const {
+void ListedFrames::upload(ListedFrame& f, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const {
     TileLists& lists = f.lists;
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
     reserve(device_, f.words, 4 * lists.words(), kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
     reserve(device_, f.rows, rowBytes, kReadByTiles, vk::Format::eR32G32B32A32Sfloat, "copies");
     prepareWords(f.numbers, lists, image, kept, f.cleared && !lists.seeded(), "primitive numbers");
     if (lists.seeded()) writeSeeds(f);
-    reserve(device_, f.spans, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
+    reserve(device_, f.spanVertices, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
             vk::Format::eUndefined, "rows of tiles");
 
     lists.write(reinterpret_cast<std::uint32_t*>(f.words.buffer.mapped));
     std::memcpy(f.rows.buffer.mapped, copies.rows.data(), rowBytes);
-    auto* spans = reinterpret_cast<TileSpanVertex*>(f.spans.buffer.mapped);
+    auto* spans = reinterpret_cast<TileSpanVertex*>(f.spanVertices.buffer.mapped);
     const glm::vec2 ndc = 2.0f * TileLists::kBinPixels / glm::vec2(image.width, image.height);
     for (const TileLists::Span& s : lists.spans())
         *spans++ = {glm::vec4(glm::vec2(s.x, s.y) * ndc, glm::vec2(s.endX, s.endY) * ndc) - 1.0f};
@@ -246,19 +254,19 @@ std::uint32_t listPlaces(const TileLists& lists, const EdgePlaces& places, std::
 
 }  // namespace
 
-void TileFrames::uploadEdges(TileFrame& f, graph::Extent image, const EdgePlaces* places) const {
-    const std::size_t pixels = TileLists::pixelsOfBins(image.width, image.height);
-    reserve(device_, f.edges.pixels, 4 * (layout::kEdgeHeader + pixels), kReadByTiles, vk::Format::eR32Uint,
+void ListedFrames::uploadEdges(ListedFrame& f, graph::Extent image, const EdgePlaces* places) const {
+    const std::size_t pixels = TileBins::pixels(image.width, image.height);
+    reserve(device_, f.edgeData.pixels, 4 * (layout::kEdgeHeader + pixels), kReadByTiles, vk::Format::eR32Uint,
             "edge pixels");
     if (f.shaded)
-        prepareWords(f.edges.numbers, f.lists, image, 1, f.cleared, "primitive numbers");
+        prepareWords(f.edgeData.numbers, f.lists, image, 1, f.cleared, "primitive numbers");
     else
-        reserve(device_, f.edges.colors, 8 * pixels, kReadByTiles, vk::Format::eR32G32Uint, "edge colours");
-    auto* words = reinterpret_cast<std::uint32_t*>(f.edges.pixels.buffer.mapped);
-    f.edges.placed = places != nullptr;
+        reserve(device_, f.edgeData.colors, 8 * pixels, kReadByTiles, vk::Format::eR32G32Uint, "edge colours");
+    auto* words = reinterpret_cast<std::uint32_t*>(f.edgeData.pixels.buffer.mapped);
+    f.edgeData.placed = places != nullptr;
     words[0] = places ? listPlaces(f.lists, *places, device_.caps().tiles.lanes, words + layout::kEdgeHeader) : 0;
     words[1] = f.lists.down() * TileLists::kBinPixels;
-    f.edges.groups = groupsOfEdges(f.lists, device_.caps().tiles);
+    f.edgeData.groups = groupsOfEdges(f.lists, device_.caps().tiles);
 }
 
 }  // namespace nacre::passes

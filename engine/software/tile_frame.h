@@ -1,5 +1,5 @@
 #pragma once
-// Data of one frame of the `tiles` path: the host's lists, on the device.
+// Data of one frame of the `tiles` path: lists and buffers.
 
 #include <memory>
 #include <vector>
@@ -44,27 +44,23 @@ struct TileEdges {
     TileBuffer colors;         ///< else: as the numbers, linear, premultiplied halves; kNoEdge elsewhere
 };
 
-/// Pixels of a frame that the host wants drawn as edges, in place of those that the device finds.
-struct EdgePlaces {
-    std::uint32_t across = 0;
-    std::vector<std::uint8_t> pixels;  ///< row by row: not 0 where wanted
-};
+/// A frame's lists and buffers.
+class ListedFrame final : public TileFrame {
+public:
+    std::uint32_t longestList() const override { return lists.longest(); }
+    TileCounts counts() const override {
+        return {lists.tiles().size(), lists.kept(), lists.keptSpheres(), lists.entries(), lists.longest()};
+    }
+    std::optional<std::uint64_t> shownSpheres() const override { return lists.shownSpheres(); }
+    std::span<const TileBins::Span> spans() const override { return lists.spans(); }
+    float nearest() const override { return constants.depthStart; }
+    float farthest() const override { return constants.depthStart + 1 / constants.perRange; }
+    std::uint32_t rowPixels() const override { return lists.across() * TileLists::kBinPixels; }
+    const gpu::Buffer& pixels() const override { return numbers.buffer; }
+    vk::BufferView pixelTexels() const override { return *numbers.texels; }
+    const gpu::Buffer& edges() const override { return (shaded ? edgeData.numbers : edgeData.colors).buffer; }
+    const gpu::Buffer& edgePixels() const override { return edgeData.pixels.buffer; }
 
-/// Options of a frame.
-struct TileWork {
-    bool shaded = false;                 ///< compute shades, too
-    bool edges = false;                  ///< edges are drawn
-    bool edgesAlone = false;             ///< only they are shaded, from the numbers of primitives
-    std::uint32_t longestList = 0;       ///< a frame with a longer list is not uploaded
-    bool subsamples = false;             ///< pixels are samples of a picture's, and need not be asked at their centres
-    std::uint32_t kept = 1;              ///< numbers of a pixel
-    const TileMask* mask = nullptr;      ///< as TileView has it
-    const SphereBoxes* boxes = nullptr;  ///< as TileScenery has it
-    std::span<const Chunk> triangleChunks = {};  ///< likewise
-    const EdgePlaces* places = nullptr;          ///< of edges, if compute shades
-};
-
-struct TileFrame {
     TileLists lists;
     layout::TileConstants constants{};
     std::uint32_t groups = 0;  ///< of the workgroups that draw its tiles
@@ -74,47 +70,44 @@ struct TileFrame {
     TileBuffer words;          ///< TileLists::write()
     TileBuffer rows;           ///< PlacedCopies::rows
     PixelWords numbers;        ///< of the nearest primitives, counted from 1; sights, where edges are drawn
-    TileBuffer spans;          ///< TileLists::spans() as vertices
-    TileEdges edges;
+    TileBuffer spanVertices;   ///< TileLists::spans() as vertices
+    TileEdges edgeData;
 
-    std::uint32_t rowPixels() const { return lists.across() * TileLists::kBinPixels; }
-    /// The buffer made for edges.
-    const TileBuffer& edgeBuffer() const { return shaded ? edges.numbers : edges.colors; }
-    const PixelWords& sights() const { return shaded ? edges.numbers : numbers; }
+    const PixelWords& sights() const { return shaded ? edgeData.numbers : numbers; }
 };
 
 /// The view for the host's lists. @param centers  only pixel centres are sampled
 TileView tileView(const SceneView& seen, const View& view, graph::Extent image, bool centers);
 
-/// Sizes of the lists, for statistics.
-TileCounts countsOf(const TileLists& lists);
+/// What a view by tiles holds.
+inline const ListedFrame& listsOf(const SceneView& view) { return static_cast<const ListedFrame&>(*view.tiles); }
 
 /// Rows of bins as shaders/tile_span.vert reads them.
 struct TileSpanVertex {
     glm::vec4 ndc;  ///< left, top, right, bottom
 };
 
-/// Frames in flight: each has its own buffers, which are reused when nobody holds them.
-class TileFrames {
+class ListedFrames final : public TileFrames {
 public:
-    explicit TileFrames(const gpu::Device& device) : device_(device) {}
-
-    /// Lists the primitives in view and uploads the lists, if none is too long.
+    explicit ListedFrames(const gpu::Device& device) : device_(device) {}
     std::shared_ptr<const TileFrame> prepare(const Representation& representation, const SceneView& seen,
-                                             const View& view, graph::Extent image, TileWork work);
+                                             const View& view, graph::Extent image, TileWork work) override;
 
 private:
+    const SphereBoxes& boxesOf(const Representation& representation, const SceneView& seen);
     /// Reserves the words of an image's pixels, and clears leftovers of earlier frames where none will be written.
     /// @param kept  words per pixel @param all  clears the others as well: the device writes those of covered pixels
     void prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept, bool all,
                       const char* name) const;
-    static void writeSeeds(TileFrame& frame);
-    void upload(TileFrame& frame, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const;
-    void uploadEdges(TileFrame& frame, graph::Extent image, const EdgePlaces* places) const;
+    static void writeSeeds(ListedFrame& frame);
+    void upload(ListedFrame& frame, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const;
+    void uploadEdges(ListedFrame& frame, graph::Extent image, const EdgePlaces* places) const;
 
     const gpu::Device& device_;
-    gpu::Pool<TileFrame> frames_;
+    gpu::Pool<ListedFrame> frames_;
     std::vector<TileCall> spheres_, cylinders_, triangles_;  // scratch of one frame
+    std::weak_ptr<const void> boxed_;                        // the scene whose spheres have these boxes
+    SphereBoxes boxes_;
 };
 
 }  // namespace nacre::passes

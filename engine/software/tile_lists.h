@@ -9,10 +9,11 @@
 #include <span>
 #include <vector>
 
-#include "engine/lists/tile_view.h"
 #include "engine/scene/build/representation.h"
 #include "engine/software/front_spheres.h"
 #include "engine/software/front_triangles.h"
+#include "engine/software/software.h"
+#include "engine/software/tile_view.h"
 
 namespace nacre {
 
@@ -56,19 +57,11 @@ public:
 
     static constexpr std::uint32_t kTilePixels = 8;
     static constexpr std::uint32_t kTilesInBin = 2;
-    static constexpr std::uint32_t kBinPixels = kTilePixels * kTilesInBin;
+    static constexpr std::uint32_t kBinPixels = TileBins::kPixels;
+    static_assert(kBinPixels == kTilePixels * kTilesInBin);
     static constexpr std::uint32_t kDepthSteps = 2048;  ///< resolution of the order in a list (layout::kListSteps)
 
-    /// Total pixels of a picture's bins, empty or not.
-    static constexpr std::uint64_t pixelsOfBins(std::uint32_t width, std::uint32_t height) {
-        const auto bins = [](std::uint32_t pixels) { return (std::uint64_t{pixels} + kBinPixels - 1) / kBinPixels; };
-        return bins(width) * bins(height) * kBinPixels * kBinPixels;
-    }
-
-    /// Consecutive non-empty bins of a row; end exclusive.
-    struct Span {
-        std::uint16_t x, y, endX, endY;
-    };
+    using Span = TileBins::Span;
     struct Tile {
         std::uint16_t x, y;
     };

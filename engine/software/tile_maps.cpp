@@ -8,6 +8,7 @@
 #include "engine/passes/view_constants.h"
 #include "engine/software/tile_bindings.h"
 #include "engine/threads.h"
+#include "shaders.h"
 
 namespace nacre::occlusion {
 namespace {
@@ -18,16 +19,54 @@ constexpr graph::State kHeightState{
     VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
 constexpr float kNoHeight = -1e30f;  // height where a map shows nothing, as in shaders/tile_depth.comp
 
-/// Pixels from a map to the next: bins are of one alone.
-std::uint32_t apartFor(std::uint32_t pixels) {
-    constexpr std::uint32_t kBin = TileLists::kBinPixels;
-    return (pixels + kBin - 1) / kBin * kBin;
+// Shapes, rows of copies, lists, heights as they are read, and as they are written.
+constexpr std::array kTileMapsTexels{passes::kTexel, passes::kTexel, passes::kTexel, passes::kTexel, passes::kStorage};
+constexpr auto kTileMapsStorage = passes::asStorage(kTileMapsTexels);
+
+const gpu::Layout& tileMapsLayout(gpu::PipelineContext& context) {
+    const bool texels = context.device.caps().tiles.texels;
+    return context.pipelines.layout({"depth maps by tiles layout", texels ? kTileMapsTexels : kTileMapsStorage,
+                                     kCompute, sizeof(layout::MapConstants)});
+}
+
+gpu::ComputePipeline tileMapsPipeline(gpu::PipelineContext& context, bool cylinders) {
+    const bool texels = context.device.caps().tiles.texels;
+    const auto code = texels ? (cylinders ? shaders::tileDepthTexelsCylinders : shaders::tileDepthTexelsSpheres)
+                             : (cylinders ? shaders::tileDepthStorageCylinders : shaders::tileDepthStorageSpheres);
+    gpu::ComputePipeline d{"depth maps by tiles", code, {}, *tileMapsLayout(context).pipeline};
+    d.constants.set(layout::kCopiesId, true);
+    d.constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
+    d.constants.set(layout::kLanesId, context.device.caps().tiles.lanes);
+    return d;
 }
 
 }  // namespace
 
-TileMaps::TileMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
-                   std::uint32_t pixels, double radius, std::uint32_t across, OccluderMeshes occluders)
+std::unique_ptr<TileMaps> makeTileMaps(const gpu::Device& device, const passes::SceneBuffers& scene,
+                                       const Representation& representation, std::uint32_t pixels, double radius,
+                                       std::uint32_t across, OccluderMeshes occluders) {
+    return std::make_unique<ListedMaps>(device, scene, representation, pixels, radius, across, std::move(occluders));
+}
+
+#define NACRE_QUESTIONS(of) \
+    (asTexels ? shaders::occlusionAccumulate##of##Texels : shaders::occlusionAccumulate##of##Storage)
+gpu::ShaderWords questionsToTileMaps(Texels texels, bool asTexels) {
+    switch (texels) {
+        case Texels::spheres:
+            return NACRE_QUESTIONS(Sphere);
+        case Texels::wholeSpheres:
+            return NACRE_QUESTIONS(Whole);
+        case Texels::cylinders:
+            return NACRE_QUESTIONS(Cylinder);
+        case Texels::vertices:
+            break;
+    }
+    return NACRE_QUESTIONS(Vertex);
+}
+
+ListedMaps::ListedMaps(const gpu::Device& device, const passes::SceneBuffers& scene,
+                       const Representation& representation, std::uint32_t pixels, double radius, std::uint32_t across,
+                       OccluderMeshes occluders)
     : device_(device),
       scene_(scene),
       representation_(representation),
@@ -42,12 +81,7 @@ TileMaps::TileMaps(const gpu::Device& device, const passes::SceneBuffers& scene,
         heightTexels_ = gpu::makeTexelView(device, heights_, vk::Format::eR32Sfloat, "depth maps");
 }
 
-std::uint64_t TileMaps::bytesFor(std::uint32_t pixels, std::uint32_t across) {
-    const std::uint64_t side = std::uint64_t{apartFor(pixels)} * across;
-    return sizeof(float) * side * side;
-}
-
-void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
+void ListedMaps::begin(std::span<const passes::PlacedCopies> maps) {
     rows_.clear();
     calls_.clear();
     for (const passes::PlacedCopies& map : maps) rows_.insert(rows_.end(), map.rows.begin(), map.rows.end());
@@ -85,12 +119,12 @@ void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
     std::fill_n(reinterpret_cast<float*>(heights_.mapped), rowsOfMaps * apart_ * pitch(), kNoHeight);
 }
 
-void TileMaps::wantPipelines(gpu::PipelineContext& context) const {
+void ListedMaps::wantPipelines(gpu::PipelineContext& context) const {
     if (scene_.sphereCount + scene_.cylinderCount > 0)
         context.pipelines.want(tileMapsPipeline(context, scene_.cylinderCount > 0));
 }
 
-TileView TileMaps::view() const {
+TileView ListedMaps::view() const {
     TileView v;
     v.width = v.height = pitch();
     v.pixels = static_cast<float>(pixels_ / (2 * radius_));
@@ -102,7 +136,7 @@ TileView TileMaps::view() const {
 }
 
 /// The parts of calls between two primitives of the batch.
-void TileMaps::take(std::uint64_t first, std::uint64_t end) {
+void ListedMaps::take(std::uint64_t first, std::uint64_t end) {
     spheres_.clear();
     cylinders_.clear();
     triangles_.clear();
@@ -127,7 +161,7 @@ void TileMaps::take(std::uint64_t first, std::uint64_t end) {
 }
 
 /// Maps share no pixel, so each may be drawn by a thread of its own.
-void TileMaps::drawTriangles() {
+void ListedMaps::drawTriangles() {
     meshes_.resize(std::max(meshes_.size(), triangles_.size()));
     inParallel(triangles_.size(), [&](std::size_t map) {
         const auto across = static_cast<std::size_t>(across_);
@@ -140,7 +174,7 @@ void TileMaps::drawTriangles() {
 }
 
 /// Lists as many primitives as fit the length of lists, and uploads the lists.
-void TileMaps::list(Part& part, std::uint64_t first, std::uint64_t& end) {
+void ListedMaps::list(Part& part, std::uint64_t first, std::uint64_t& end) {
     for (;; end = first + (end - first) / 2) {
         take(first, end);
         part.lists.build(view(), {representation_.spheres, spheres_, representation_.cylinders, cylinders_});
@@ -150,13 +184,13 @@ void TileMaps::list(Part& part, std::uint64_t first, std::uint64_t& end) {
     part.lists.write(reinterpret_cast<std::uint32_t*>(part.words.buffer.mapped));
 }
 
-graph::Buffer TileMaps::import(graph::Graph& g, gpu::Imports& imports) const {
+graph::Buffer ListedMaps::import(graph::Graph& g, gpu::Imports& imports) const {
     const graph::Buffer maps = g.importBuffer("depth maps", heights_.size, kHeightState);
     imports.bind(maps, heights_);
     return maps;
 }
 
-graph::Buffer TileMaps::declare(graph::Graph& g, gpu::Imports& imports, std::uint64_t first, std::uint64_t end) {
+graph::Buffer ListedMaps::declare(graph::Graph& g, gpu::Imports& imports, std::uint64_t first, std::uint64_t end) {
     const graph::Buffer maps = import(g, imports);
     take(first, end);
     drawTriangles();
@@ -171,7 +205,7 @@ graph::Buffer TileMaps::declare(graph::Graph& g, gpu::Imports& imports, std::uin
     return maps;
 }
 
-void TileMaps::record(gpu::PassContext& context, const Part& part) const {
+void ListedMaps::record(gpu::PassContext& context, const Part& part) const {
     const TileLists& lists = part.lists;
     if (lists.tiles().empty()) return;
     const TileView v = view();

@@ -11,39 +11,25 @@
 #include "engine/occlusion/mesh_heights.h"
 #include "engine/passes/placed_copies.h"
 #include "engine/passes/primitives.h"
+#include "engine/software/software.h"
 #include "engine/software/tile_frame.h"
 #include "engine/software/tile_lists.h"
 
 namespace nacre::occlusion {
 
-class TileMaps {
+class ListedMaps final : public TileMaps {
 public:
-    /// @param pixels  width of a map @param radius  of the scene's bounding sphere, Å @param across  maps per row of a
-    /// batch @param occluders  those made ahead
-    TileMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
-             std::uint32_t pixels, double radius, std::uint32_t across, OccluderMeshes occluders);
+    ListedMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
+               std::uint32_t pixels, double radius, std::uint32_t across, OccluderMeshes occluders);
 
-    /// Device memory, bytes. Lists differ between parts: the estimate per primitive is that of large molecules.
-    static std::uint64_t bytesFor(std::uint32_t pixels, std::uint32_t across);
-    static constexpr std::uint64_t kBytesPerPrimitive = 9;
-
-    /// Begins a batch with empty maps. @param maps  contents of each, at most across x across
-    void begin(std::span<const passes::PlacedCopies> maps);
-    /// Declares the passes that draw these primitives of the batch, counted from map to map. Earlier declared passes
-    /// must have run.
-    graph::Buffer declare(graph::Graph& g, gpu::Imports& imports, std::uint64_t first, std::uint64_t end);
-    /// Requests the pipelines of these passes.
-    void wantPipelines(gpu::PipelineContext& context) const;
-    /// The maps, for passes that draw or read them.
-    graph::Buffer import(graph::Graph& g, gpu::Imports& imports) const;
-
-    const gpu::Buffer& buffer() const { return heights_; }
-    /// The maps as texels, where the device reads streams so; else null.
-    vk::BufferView texels() const { return *heightTexels_; }
-    /// Pixels per row of the batch.
-    std::uint32_t pitch() const { return apart_ * across_; }
-    /// Pixels from one map to the next.
-    std::uint32_t apart() const { return apart_; }
+    void begin(std::span<const passes::PlacedCopies> maps) override;
+    graph::Buffer declare(graph::Graph& g, gpu::Imports& imports, std::uint64_t first, std::uint64_t end) override;
+    void wantPipelines(gpu::PipelineContext& context) const override;
+    graph::Buffer import(graph::Graph& g, gpu::Imports& imports) const override;
+    const gpu::Buffer& buffer() const override { return heights_; }
+    vk::BufferView texels() const override { return *heightTexels_; }
+    std::uint32_t pitch() const override { return apart_ * across_; }
+    std::uint32_t apart() const override { return apart_; }
 
 private:
     struct Call {

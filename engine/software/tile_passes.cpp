@@ -1,6 +1,5 @@
-#include "engine/software/tile_passes.h"
-
 #include "engine/passes/primitives.h"
+#include "engine/software/software.h"
 #include "engine/software/tile_bindings.h"
 #include "engine/software/tile_edges.h"
 #include "shaders.h"
@@ -54,7 +53,7 @@ const gpu::Layout& nearestLayout(gpu::PipelineContext& context, bool shades) {
 }
 
 gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneView& view, bool shades) {
-    const TileFrame& f = *view.tiles;
+    const ListedFrame& f = listsOf(view);
     const SceneBuffers& scene = *view.buffers;
     const gpu::TileCaps& caps = context.device.caps().tiles;
     gpu::ComputePipeline d{context.pass,
@@ -68,7 +67,7 @@ gpu::ComputePipeline nearestPipeline(gpu::PipelineContext& context, const SceneV
         d.constants.set(layout::kCylindersId, scene.cylinderCount > 0);
         d.constants.set(layout::kTrianglesId, scene.triangleCount > 0);
     }
-    d.constants.set(layout::kNumberedId, f.edges.drawn && !f.edges.alone);
+    d.constants.set(layout::kNumberedId, f.edgeData.drawn && !f.edgeData.alone);
     d.constants.set(layout::kSeededId, f.lists.seeded());
     d.constants.set(layout::kLanesId, caps.lanes);
     return d;
@@ -107,29 +106,29 @@ gpu::GraphicsPipeline spanPipeline(gpu::PipelineContext& context, const SceneVie
 gpu::VertexStreams spanStreams() { return {kSpanBindings, kSpanAttributes}; }
 
 void want(gpu::PipelineContext& context, const SceneView& view, const NearestByTiles& pass) {
-    if (view.tiles->lists.tiles().empty()) return;
-    if (view.tiles->edges.drawn) wantEdgesByTiles(context, view);
+    if (listsOf(view).lists.tiles().empty()) return;
+    if (listsOf(view).edgeData.drawn) wantEdgesByTiles(context, view);
     context.pipelines.want(nearestPipeline(context, view, pass.atlas.has_value()));
 }
 
 void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles& pass) {
-    const TileFrame& f = *view.tiles;
+    const ListedFrame& f = listsOf(view);
     const SceneBuffers& scene = *view.buffers;
     if (f.lists.tiles().empty()) return;
     const bool shades = pass.atlas.has_value();
-    if (f.edges.drawn && context.pipelines.makesAhead()) wantEdgesByTiles(context, view);
+    if (f.edgeData.drawn && context.pipelines.makesAhead()) wantEdgesByTiles(context, view);
     const auto write = [&](TileBindings& to) {
         to.read(scene.shapes, scene.shapeTexels);
         to.read(f.rows);
         to.read(f.words);
-        to.store(f.edges.alone ? f.edges.numbers.buffer : f.numbers.buffer);
+        to.store(f.edgeData.alone ? f.edgeData.numbers.buffer : f.numbers.buffer);
         if (!shades) return;
         to.read(scene.looks, scene.lookTexels);
         to.sample(*pass.atlas);
         to.uniform(*view.effectConstants);
         // Always written, even if the shader reads none: lavapipe accesses it.
         to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
-        to.store(f.edges.drawn ? f.edges.numbers.buffer : f.numbers.buffer);
+        to.store(f.edgeData.drawn ? f.edgeData.numbers.buffer : f.numbers.buffer);
         to.sample(shadowOf(context, view, *pass.atlas));
     };
     bindTiles(context, nearestLayout(context, shades), nearestPipeline(context, view, shades), f.constants, write);
@@ -137,11 +136,11 @@ void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles
 }
 
 void want(gpu::PipelineContext& context, const SceneView& view, const TileShading& pass) {
-    if (!view.tiles->lists.spans().empty()) context.pipelines.want(spanPipeline(context, view, pass));
+    if (!listsOf(view).lists.spans().empty()) context.pipelines.want(spanPipeline(context, view, pass));
 }
 
 void draw(gpu::PassContext& context, const SceneView& view, const TileShading& pass) {
-    const TileFrame& f = *view.tiles;
+    const ListedFrame& f = listsOf(view);
     const SceneBuffers& scene = *view.buffers;
     if (f.lists.spans().empty()) return;
     const gpu::Layout& layout = spanLayout(context, view);
@@ -159,7 +158,7 @@ void draw(gpu::PassContext& context, const SceneView& view, const TileShading& p
 }
 
 void findLayersByTiles(gpu::PassContext& context, const SceneView& view) {
-    const TileFrame& f = *view.tiles;
+    const ListedFrame& f = listsOf(view);
     const gpu::TileCaps& caps = context.device.caps().tiles;
     if (f.lists.tiles().empty()) return;
     const gpu::Layout& layout = nearestLayout(context, false);

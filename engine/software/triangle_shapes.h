@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/lists/tile_view.h"
 #include "engine/scene/build/mesh_streams.h"
+#include "engine/software/tile_view.h"
 
 namespace nacre {
 

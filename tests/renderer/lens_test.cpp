@@ -172,11 +172,11 @@ TEST(LensPlaces, LieInNarrowBands) {
 }
 
 TEST(LensPlaces, AreBlurredAroundWhatIsShown) {
-    constexpr std::uint32_t kBin = TileLists::kBinPixels;
+    constexpr std::uint32_t kBin = TileBins::kPixels;
     passes::Lens lens;
     lens.most = 8;
     lens.rim = 2;
-    const TileLists::Span spans[] = {{3, 2, 6, 3}, {2, 6, 4, 7}};
+    const TileBins::Span spans[] = {{3, 2, 6, 3}, {2, 6, 4, 7}};
     const auto at = [](const std::vector<PictureRect>& parts, std::uint32_t y) {
         const auto found =
             std::ranges::find_if(parts, [&](const PictureRect& p) { return p.y <= y && y < p.y + p.height; });

@@ -25,8 +25,8 @@ SphereLevels levelsOf(const std::vector<std::vector<Sphere>>& parts, Representat
 }
 
 /// 200 x 200 pixels, the eye at 100 Å.
-TileView eyeView() {
-    TileView view;
+ScreenView eyeView() {
+    ScreenView view;
     view.width = view.height = 200;
     view.perspective = true;
     view.axis = {100, 100};
@@ -35,7 +35,7 @@ TileView eyeView() {
     return view;
 }
 
-std::vector<std::uint32_t> seenBy(const TileView& view, const SphereLevels& levels, const Representation& r) {
+std::vector<std::uint32_t> seenBy(const ScreenView& view, const SphereLevels& levels, const Representation& r) {
     SeenCopies seen;
     seen.draw(view, {levels, r.copies}, 0.5f, 1, false);
     std::vector<std::uint32_t> atoms;
@@ -52,7 +52,7 @@ TEST(SeenCopies, ShowWhatIsBeforeTheEyeOfAPartAboutIt) {
 // Far beside the axis a sphere's picture is an ellipse, a third narrower than it is long.
 TEST(SeenCopies, ShowWhatIsBesideAnEllipse) {
     for (int turns = 0; turns < 4; ++turns) {
-        TileView view = eyeView();
+        ScreenView view = eyeView();
         view.quarterTurns = turns;
         const glm::vec3 way = glm::normalize(glm::vec3(1, -1, 0));
         const glm::vec3 large(80, 80, 0), beside = (large * 1.02f + way * 12.5f) * 1.5f + glm::vec3(0, 0, -50);

@@ -1,8 +1,6 @@
 #include "engine/frame/paths/paths.h"
 #include "engine/frame/record.h"
-#include "engine/software/tile_edges.h"
-#include "engine/software/tile_lists.h"
-#include "engine/software/tile_passes.h"
+#include "engine/software/software.h"
 
 namespace nacre {
 namespace {
@@ -13,7 +11,7 @@ constexpr std::uint64_t kWord = sizeof(std::uint32_t);
 
 /// A buffer of pixels, which goes by the tiles of bins.
 graph::Buffer addPixels(Frame& f, const FrameShape& shape, const char* name, std::uint64_t bytes) {
-    return f.graph.importBuffer(name, bytes * TileLists::pixelsOfBins(shape.extent.width, shape.extent.height));
+    return f.graph.importBuffer(name, bytes * TileBins::pixels(shape.extent.width, shape.extent.height));
 }
 
 graph::Work nearestByTiles(const Frame& f) {

@@ -92,79 +92,6 @@ std::vector<std::uint32_t> mortonOrder(const std::vector<Primitive>& stream, con
     return order;
 }
 
-/// Where runs of either kind begin, and the end of the last.
-std::vector<std::uint32_t> startsOf(const std::vector<PrimitiveRun>& copies, const std::vector<ModelRun>& models,
-                                    std::size_t count) {
-    std::vector<std::uint32_t> starts{0, static_cast<std::uint32_t>(count)};
-    for (const PrimitiveRun& run : copies) starts.push_back(run.first);
-    for (const ModelRun& run : models) starts.push_back(run.first);
-    std::sort(starts.begin(), starts.end());
-    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
-    return starts;
-}
-
-struct Place {
-    glm::vec3 at{};
-    std::uint32_t number = 0;
-};
-
-/// Halves some places across their longest side, until each box has its own: smaller boxes than those of Morton order.
-/// @param first, end  in the stream: the cut is where most halvings of the stream meet, so that boxes of a group are
-/// neighbours, too
-void halve(Place* places, std::uint32_t first, std::uint32_t end) {
-    std::uint32_t cut = first, size = SphereBoxes::kSpheres;
-    while (size < end && (end - 1) / size * size > first) {
-        cut = (end - 1) / size * size;
-        size *= 2;
-    }
-    if (cut == first) {
-        std::sort(places, places + (end - first), [](const Place& a, const Place& b) { return a.number < b.number; });
-        return;
-    }
-    glm::vec3 low(kLargestFloat), high(-kLargestFloat);
-    for (const Place* p = places; p < places + (end - first); ++p) {
-        low = glm::min(low, p->at);
-        high = glm::max(high, p->at);
-    }
-    const glm::vec3 extent = high - low;
-    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-    std::nth_element(places, places + (cut - first), places + (end - first), [axis](const Place& a, const Place& b) {
-        return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.number < b.number;
-    });
-    halve(places, first, cut);
-    halve(places + (cut - first), cut, end);
-}
-
-/// Numbers of spheres in an order of small boxes: where the runs begin, they stay apart.
-std::vector<std::uint32_t> orderInBoxes(const std::vector<Sphere>& stream, const std::vector<std::uint32_t>& starts) {
-    std::vector<Place> places(stream.size());
-    for (std::uint32_t i = 0; i < stream.size(); ++i) {
-        const glm::vec3 at = stream[i].center;
-        const bool number = std::isfinite(at.x + at.y + at.z);
-        places[i] = {number ? at : glm::vec3(0), i};
-    }
-    for (std::size_t run = 0; run + 1 < starts.size(); ++run)
-        if (starts[run] < starts[run + 1]) halve(places.data() + starts[run], starts[run], starts[run + 1]);
-    std::vector<std::uint32_t> order(stream.size());
-    std::transform(places.begin(), places.end(), order.begin(), [](const Place& p) { return p.number; });
-    return order;
-}
-
-/// Copies are drawn often, and their spheres are few: they are worth an order of their own. It is not the stream's,
-/// since that decides which of two spheres shows where both are equally near.
-SphereBoxes boxesOf(const Representation& r) {
-    if (r.copies.transforms.empty()) return sphereBoxesOf(r.spheres);
-    std::vector<std::uint32_t> starts = startsOf(r.copies.spheres, r.sphereModels, r.spheres.size());
-    std::vector<std::uint32_t> numbers = orderInBoxes(r.spheres, starts);
-    std::vector<Sphere> spheres(numbers.size());
-    for (std::size_t i = 0; i < numbers.size(); ++i) spheres[i] = r.spheres[numbers[i]];
-    SphereBoxes boxes = sphereBoxesOf(spheres);
-    boxes.spheres = std::move(spheres);
-    boxes.numbers = std::move(numbers);
-    boxes.starts = std::move(starts);
-    return boxes;
-}
-
 template <typename T>
 void reorder(std::vector<T>& stream, const std::vector<std::uint32_t>& order) {
     std::vector<T> sorted(stream.size());
@@ -173,6 +100,10 @@ void reorder(std::vector<T>& stream, const std::vector<std::uint32_t>& order) {
 }
 
 }  // namespace
+
+bool Chunks::finiteSpheres() const {
+    return std::ranges::all_of(spheres, [](const Chunk& c) { return c.radius < kLargestFloat; });
+}
 
 Chunks chunksOf(const Representation& r) {
     const BallOfTriangle ballOfTriangle(r);
@@ -184,13 +115,22 @@ Chunks chunksOf(const Representation& r) {
                        }),
         chunksOfStream(r.triangles.size() + r.coarseTriangles.size(),
                        [&](std::size_t i) { return ballOfTriangle(drawnTriangle(r, i)); }),
-        boxesOf(r),
     };
 }
 
+std::vector<std::uint32_t> runStarts(const std::vector<PrimitiveRun>& copies, const std::vector<ModelRun>& models,
+                                     std::size_t count) {
+    std::vector<std::uint32_t> starts{0, static_cast<std::uint32_t>(count)};
+    for (const PrimitiveRun& run : copies) starts.push_back(run.first);
+    for (const ModelRun& run : models) starts.push_back(run.first);
+    std::sort(starts.begin(), starts.end());
+    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+    return starts;
+}
+
 StreamOrder orderInSpace(Representation& r) {
-    StreamOrder order{mortonOrder(r.spheres, startsOf(r.copies.spheres, r.sphereModels, r.spheres.size())),
-                      mortonOrder(r.cylinders, startsOf(r.copies.cylinders, r.cylinderModels, r.cylinders.size()))};
+    StreamOrder order{mortonOrder(r.spheres, runStarts(r.copies.spheres, r.sphereModels, r.spheres.size())),
+                      mortonOrder(r.cylinders, runStarts(r.copies.cylinders, r.cylinderModels, r.cylinders.size()))};
     putInOrder(r, order);
     return order;
 }

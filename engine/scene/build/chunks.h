@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "engine/scene/build/representation.h"
-#include "engine/scene/build/sphere_boxes.h"
 
 namespace nacre {
 
@@ -20,10 +19,15 @@ struct Chunk {
 struct Chunks {
     std::vector<Chunk> spheres, cylinders;  ///< wires after the cylinders
     std::vector<Chunk> triangles;           ///< numbering continues with the coarse ones
-    SphereBoxes sphereBoxes;
+    /// Whether all positions and radii of spheres are numbers.
+    bool finiteSpheres() const;
 };
 
 Chunks chunksOf(const Representation& representation);
+
+/// Numbers at which runs of copies or models begin in a stream, and the end of the last.
+std::vector<std::uint32_t> runStarts(const std::vector<PrimitiveRun>& copies, const std::vector<ModelRun>& models,
+                                     std::size_t count);
 
 /// For each primitive of a stream its previous number.
 struct StreamOrder {

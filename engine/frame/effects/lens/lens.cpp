@@ -107,24 +107,22 @@ passes::Lens lensOf(const PictureImage& picture) {
     constexpr float kRounding = 0.01f;
     passes::Lens lens = picture.lens;
     if (!picture.tiles) return lens;
-    const layout::TileConstants& view = picture.tiles->constants;
-    const float largest =
-        std::max(radiusAt(lens, view.depthStart), radiusAt(lens, view.depthStart + 1 / view.perRange));
+    const float largest = std::max(radiusAt(lens, picture.tiles->nearest()), radiusAt(lens, picture.tiles->farthest()));
     lens.most = std::min(lens.most, largest + kRounding);  // else it is larger, or no number
     return lens;
 }
 
 }  // namespace
 
-std::vector<PictureRect> blurredBy(const passes::Lens& lens, std::span<const TileLists::Span> spans,
+std::vector<PictureRect> blurredBy(const passes::Lens& lens, std::span<const TileBins::Span> spans,
                                    graph::Extent extent) {
-    constexpr std::uint32_t kBin = TileLists::kBinPixels, kBand = 2 * kBin;
+    constexpr std::uint32_t kBin = TileBins::kPixels, kBand = 2 * kBin;
     const auto room = static_cast<std::uint32_t>(1.25f * lens.most + lens.rim + 4);  // samples stand for some around
     std::vector<PictureRect> bands;
     for (std::uint32_t top = 0; top < extent.height; top += kBand) {
         const std::uint32_t bottom = std::min(top + kBand, extent.height);
         std::uint32_t left = extent.width, right = 0;
-        for (const TileLists::Span& s : spans) {
+        for (const TileBins::Span& s : spans) {
             if (s.y * kBin >= bottom + room || (s.y + 1) * kBin + room <= top) continue;
             left = std::min(left, s.x * kBin), right = std::max(right, s.endX * kBin);
         }
@@ -154,7 +152,7 @@ void declareLens(Frame& f, graph::Extent extent, VkFormat format, const PictureI
                           const passes::Lens lens = lensOf(*from);
                           std::vector<PictureRect> parts{{0, 0, c.extent.width, c.extent.height}};
                           if (from->tiles && step != LensStep::reach && step != LensStep::spread)
-                              parts = blurredBy(lens, from->tiles->lists.spans(), extent);
+                              parts = blurredBy(lens, from->tiles->spans(), extent);
                           passes::drawLens(c, {step, coded}, lens, views, parts);
                       },
                       [=](gpu::PipelineContext& c) {

@@ -9,7 +9,7 @@
 #include "engine/frame/effects/lens/lens_pass.h"
 #include "engine/frame/frame.h"
 #include "engine/settings.h"
-#include "engine/software/tile_lists.h"
+#include "engine/software/software.h"
 
 namespace nacre {
 
@@ -40,7 +40,7 @@ double largestCircle(const RenderSettings& settings);
 View throughLens(const RenderSettings& settings, View view, glm::dvec2 point);
 
 /// The parts of a picture that a lens may change: around what it shows. @param spans  of bins that show anything
-std::vector<PictureRect> blurredBy(const passes::Lens& lens, std::span<const TileLists::Span> spans,
+std::vector<PictureRect> blurredBy(const passes::Lens& lens, std::span<const TileBins::Span> spans,
                                    graph::Extent extent);
 
 /// Declares the passes that blur a picture, Frame::picture. The first target becomes the result.

@@ -3,8 +3,7 @@
 #include "engine/frame/record.h"
 #include "engine/passes/deferred_shading.h"
 #include "engine/passes/select_triangles.h"
-#include "engine/software/tile_lists.h"
-#include "engine/software/tile_passes.h"
+#include "engine/software/software.h"
 #include "shaders.h"
 
 namespace nacre {
@@ -24,7 +23,7 @@ passes::GeometryPass layerPass(const std::optional<passes::Reads>& before) {
 }
 
 void declareLayersByTiles(Frame& f, const FrameShape& shape) {
-    const std::uint64_t pixels = TileLists::pixelsOfBins(shape.extent.width, shape.extent.height);
+    const std::uint64_t pixels = TileBins::pixels(shape.extent.width, shape.extent.height);
     static_assert(kTranslucentLayers == 2);  // as shaders/tile_layers.comp
     f.layerNumbers = f.graph.importBuffer("translucent layers", 2 * sizeof(std::uint32_t) * pixels);
     f.graph.compute("translucent layers")

@@ -1,0 +1,33 @@
+#pragma once
+// The camera for lists of tiles.
+
+#include <cstdint>
+#include <glm/vec4.hpp>
+
+#include "engine/lists/screen_view.h"
+#include "engine/passes/tile_mask.h"
+
+namespace nacre {
+
+struct TileView : ScreenView {
+    /// Pixels are sampled at their centres only: triangles between centres are dropped and, with one layer, those
+    /// hidden at every centre; pixels begin with the nearest.
+    bool centers = false;
+    /// Pixels are sampled at their centres first, and then between them: those begin with the nearest triangle, too,
+    /// and triangles behind all around them are dropped.
+    bool edges = false;
+    float small = 0;                 ///< primitives of a lesser half width may lie between centres, pixels
+    bool frontsOnly = false;         ///< triangles are invisible from behind
+    float wireScale = 1;             ///< pixels per pixel of the picture, for the width of wires
+    const TileMask* mask = nullptr;  ///< null: all tiles are drawn
+    std::uint32_t layers = 1;        ///< number of nearest primitives per pixel
+};
+
+/// Primitives of a stream with one transform.
+struct TileCall {
+    const glm::vec4* rows = nullptr;  ///< three: into view space
+    std::uint32_t first = 0, count = 0;
+    std::uint32_t number = 0;  ///< of the stream's first primitive there
+};
+
+}  // namespace nacre
