@@ -72,7 +72,7 @@ TEST(SmallCif, ANameOfASpaceGroupMakesTheUnitCell) {
     }
     const Molecule none = readMolecule("a.cif", file("_symmetry_space_group_name_H-M 'Q 7'\n"));
     EXPECT_TRUE(none.assemblies.empty());
-    EXPECT_NE(none.warnings.back().find("no space group 'Q 7'"), std::string::npos);
+    EXPECT_NE(none.warnings.front().find("no space group 'Q 7'"), std::string::npos);
 }
 
 std::size_t atomsInCell(const Molecule& m) {
