@@ -47,7 +47,8 @@ std::thread startThread(Run&& run) {
     return thread;
 }
 
-/// Calls work(0) to work(count - 1) in any order, on at most threadsPerTask() threads; on those that the system has left.
+/// Calls work(0) to work(count - 1) in any order, on at most threadsPerTask() threads; on those that the system has
+/// left.
 /// @throws the exception of the first call that failed
 template <typename Work>
 void inParallel(std::size_t count, const Work& work) {

@@ -15,7 +15,7 @@ namespace nacre::app {
 
 struct BatchLine {
     std::uint64_t number;  ///< 1-based
-    std::string text;    ///< its beginning, if it is too long
+    std::string text;      ///< its beginning, if it is too long
     bool tooLong = false;
 };
 

@@ -14,23 +14,23 @@ namespace nacre::app {
 namespace {
 
 /// Of PDB, EMDB, AlphaFold DB, UniProt and PubChem, with the hosts below them.
-constexpr std::string_view kDatabases[] = {"rcsb.org",   "wwpdb.org",       "ebi.ac.uk",        "pdbj.org",
-                                           "pdbe.org",   "uniprot.org",     "ncbi.nlm.nih.gov", "emdataresource.org",
-                                           "pdb-redo.eu"};
+constexpr std::string_view kDatabases[] = {"rcsb.org",         "wwpdb.org",          "ebi.ac.uk",
+                                           "pdbj.org",         "pdbe.org",           "uniprot.org",
+                                           "ncbi.nlm.nih.gov", "emdataresource.org", "pdb-redo.eu"};
 
 struct Range4 {
     std::uint32_t first;
     int bits;
 };
 /// IANA's registry of special-purpose addresses, multicast and class E.
-constexpr Range4 kSpecial4[] = {{0x00000000, 8},  {0x0a000000, 8},  {0x64400000, 10}, {0x7f000000, 8},  {0xa9fe0000, 16},
-                                {0xac100000, 12}, {0xc0000000, 24}, {0xc0000200, 24}, {0xc0586300, 24}, {0xc0a80000, 16},
-                                {0xc6120000, 15}, {0xc6336400, 24}, {0xcb007100, 24}, {0xe0000000, 3}};
+constexpr Range4 kSpecial4[] = {{0x00000000, 8},  {0x0a000000, 8},  {0x64400000, 10}, {0x7f000000, 8},
+                                {0xa9fe0000, 16}, {0xac100000, 12}, {0xc0000000, 24}, {0xc0000200, 24},
+                                {0xc0586300, 24}, {0xc0a80000, 16}, {0xc6120000, 15}, {0xc6336400, 24},
+                                {0xcb007100, 24}, {0xe0000000, 3}};
 
 bool isPublic4(std::uint32_t address) {
-    return std::ranges::none_of(kSpecial4, [&](const Range4& range) {
-        return (address ^ range.first) >> (32 - range.bits) == 0;
-    });
+    return std::ranges::none_of(kSpecial4,
+                                [&](const Range4& range) { return (address ^ range.first) >> (32 - range.bits) == 0; });
 }
 
 std::uint32_t wordAt(const std::uint8_t* bytes) {
@@ -41,7 +41,8 @@ std::uint32_t wordAt(const std::uint8_t* bytes) {
 /// address that it holds.
 bool isPublic6(const std::uint8_t* bytes) {
     const std::uint32_t first = wordAt(bytes);
-    constexpr std::array<std::uint8_t, 12> kNat64{0x00, 0x64, 0xff, 0x9b}, kMapped{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff};
+    constexpr std::array<std::uint8_t, 12> kNat64{0x00, 0x64, 0xff, 0x9b},
+        kMapped{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff};
     if (std::equal(kNat64.begin(), kNat64.end(), bytes) || std::equal(kMapped.begin(), kMapped.end(), bytes))
         return isPublic4(wordAt(bytes + 12));
     const bool teredo = first >> 16 == 0x2001 && (first & 0xffff) < 0x200, sixToFour = first >> 16 == 0x2002,
@@ -67,7 +68,8 @@ HostRule hostRule(const std::string& url, const std::vector<std::string>& named)
     const bool secure = url.starts_with("https://");
     if (!secure && !url.starts_with("http://")) return HostRule::refused;
     const std::size_t first = secure ? 8 : 7;
-    const std::string place = lowerCase(url.substr(first, std::min(url.find_first_of("/?#", first), url.size()) - first));
+    const std::string place =
+        lowerCase(url.substr(first, std::min(url.find_first_of("/?#", first), url.size()) - first));
     // One reading alone: no user, no brackets, nothing that a library might decode.
     if (place.empty() || place.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789.-:") != std::string::npos)
         return HostRule::refused;

@@ -15,8 +15,8 @@ struct HttpLimits {
     std::chrono::seconds patience{30};      ///< to connect, and for transfers slower than slowestBytesPerSecond
     long slowestBytesPerSecond = 100;       ///< on average over `patience`
     long redirects = 5;                     ///< maximum in sequence; https stays https, http stays http
-    bool publicAlone = false;               ///< no loopback and no private address, unless a proxy of the environment decides
-    std::string certificates;               ///< file of trusted certificates (PEM) instead of the system's
+    bool publicAlone = false;  ///< no loopback and no private address, unless a proxy of the environment decides
+    std::string certificates;  ///< file of trusted certificates (PEM) instead of the system's
 };
 
 /// Receives a body, and holds the bytes of an earlier, interrupted transfer.

@@ -166,7 +166,8 @@ private:
 /// Adds what a node and those below it name.
 void collectNames(const mvs::Node& node, std::set<std::string>& names) {
     for (const char* key : {"url", "uri"})
-        if (const mvs::Json* value = node.param(key); value && value->is_string()) names.insert(value->get<std::string>());
+        if (const mvs::Json* value = node.param(key); value && value->is_string())
+            names.insert(value->get<std::string>());
     for (const mvs::Node& child : node.children) collectNames(child, names);
 }
 

@@ -19,7 +19,8 @@ struct SceneFile;
 }
 
 /// The molecule of a scene, with its guide. Files at addresses in the scene are downloaded only if that is allowed;
-/// files must stand in its folder. @param bytes  of the scene's file @param onStep  as in mvs::SceneSources @throws Error
+/// files must stand in its folder. @param bytes  of the scene's file @param onStep  as in mvs::SceneSources @throws
+/// Error
 Molecule loadScene(const InputOptions& input, std::string bytes, const ReadOptions& reading,
                    const std::function<void(double)>& onDownload = {}, const std::function<void()>& onStep = {});
 

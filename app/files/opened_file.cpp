@@ -40,7 +40,8 @@ std::shared_ptr<const OpenedFile> OpenFolder::open(const std::string& name) cons
         const int next = openat(folder->folder_, step->c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC | flags);
         if (next < 0) return nullptr;
         if (!last) {
-            folder = std::shared_ptr<const OpenFolder>(new OpenFolder((fs::path(folder->path_) / *step).string(), next));
+            folder =
+                std::shared_ptr<const OpenFolder>(new OpenFolder((fs::path(folder->path_) / *step).string(), next));
             continue;
         }
         struct stat status {};

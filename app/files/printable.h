@@ -11,14 +11,13 @@ namespace nacre::app {
 /// "\u202e".
 std::string printable(std::string_view text);
 
-/// A message that may quote anything: what is too long loses its middle.
-std::string shortened(const std::string& text);
-
-
 /// As above, keeping line ends.
 std::string printableLines(std::string_view text);
 
 /// JSON, with C1 controls, DEL and bidirectional marks escaped; valid UTF-8 before and after.
 std::string printableJson(std::string_view json);
+
+/// A message that may quote anything: what is too long loses its middle.
+std::string shortened(const std::string& text);
 
 }  // namespace nacre::app

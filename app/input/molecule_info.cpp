@@ -74,7 +74,8 @@ Json bondsByKind(const Molecule& molecule) {
 }
 
 bool hasResidues(const std::string& format) {
-    for (const char* without : {"sdf-v2000", "sdf-v3000", "xyz", "cml", "cif-core", "poscar", "xsf", "tinker", "inpcrd", "gsd"})
+    for (const char* without :
+         {"sdf-v2000", "sdf-v3000", "xyz", "cml", "cif-core", "poscar", "xsf", "tinker", "inpcrd", "gsd"})
         if (format == without) return false;
     return true;
 }

@@ -17,9 +17,9 @@
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/decompress.h"
 #include "engine/molecule/text.h"
-#include "engine/volume/read_map.h"
 #include "engine/scene/instances/copies.h"
 #include "engine/scene/view/scene_camera.h"
+#include "engine/volume/read_map.h"
 
 namespace nacre::app::mvs {
 namespace {

@@ -15,9 +15,9 @@
 #include "app/mvs/build_scene.h"
 #include "app/mvs/expressions.h"
 #include "app/mvs/node_table.h"
-#include "engine/volume/density_map.h"
 #include "engine/scene/build/primitives.h"
 #include "engine/scene/build/scene_guide.h"
+#include "engine/volume/density_map.h"
 
 namespace nacre::app::mvs {
 

@@ -26,9 +26,9 @@ struct TrajectoryOptions {
 
 /// Another molecule in the same picture.
 struct FurtherInput {
-    std::string name;  ///< for selections; empty: by its path
-    std::string path;  ///< as in InputOptions
-    std::string hash;  ///< as in InputOptions
+    std::string name;                               ///< for selections; empty: by its path
+    std::string path;                               ///< as in InputOptions
+    std::string hash;                               ///< as in InputOptions
     std::shared_ptr<const OpenedFile> opened = {};  ///< as in InputOptions
     friend bool operator==(const FurtherInput&, const FurtherInput&) = default;
 };
@@ -64,7 +64,7 @@ struct InputOptions {
     std::vector<SceneMap> sceneMaps;  ///< for scenes
     /// Of strangers: beside the databases, the hosts that their scenes may download from. Empty: any.
     std::optional<std::vector<std::string>> sceneHosts;
-    bool sceneFiles = true;           ///< a scene may name files of its folder
+    bool sceneFiles = true;                    ///< a scene may name files of its folder
     std::shared_ptr<const OpenedFile> opened;  ///< what is read as the file `path`; null: the file of that name
     TrajectoryOptions trajectory;
     std::string name;                             ///< for selections, with further inputs; empty: by its path

@@ -357,9 +357,7 @@ void addDrawing(py::module_& m) {
     m.def("movie", [](const Structure& s, const std::string& path,
                       const std::vector<std::pair<std::string, std::string>>& motion, bool models,
                       const std::string& options, const Colors& colors) {
-        return freely([&] {
-            return movie(s, path, {motion, models}, options, colors, checkInterrupt);
-        });
+        return freely([&] { return movie(s, path, {motion, models}, options, colors, checkInterrupt); });
     });
     m.def("option_names", &optionNames);
     m.def("option_schema", &schemaOfOptions);

@@ -119,7 +119,8 @@ void parts(Archive& archive, Parts& all) {
 template <typename Archive, typename M>
 void all(Archive& archive, M& molecule) {
     auto& [atoms, residues, chains, subchains, bonds, assemblies, entities, statesSecondaryStructure, partialCharges,
-           radii, masses, types, serials, warnings, notes, lacksPositions, modelsAreInputs, inputs, others, othersMissing, file, guide] = molecule;
+           radii, masses, types, serials, warnings, notes, lacksPositions, modelsAreInputs, inputs, others,
+           othersMissing, file, guide] = molecule;
     const auto texts = [&](auto& list) { archive.list(list, [&](auto& text) { archive.text(text); }); };
     archive.plains(atoms);
     archive.plains(residues);

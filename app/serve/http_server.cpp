@@ -136,9 +136,8 @@ bool HttpServer::isForGate(std::string_view head) const {
     if (head.find("\r\n\r\n") + 4 != head.size()) return false;
     for (const std::string_view method : {"GET ", "HEAD "})
         if (head.starts_with(method))
-            return std::ranges::any_of(atGate_, [&](const std::string& path) {
-                return head.substr(method.size()).starts_with(path + " ");
-            });
+            return std::ranges::any_of(
+                atGate_, [&](const std::string& path) { return head.substr(method.size()).starts_with(path + " "); });
     return false;
 }
 

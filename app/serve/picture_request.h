@@ -34,7 +34,8 @@ bool isServed(const Option& option);
 PictureRequest pictureRequest(const Query& query, const UnnamedFile* body, const ServeOptions& options,
                               const Uploads& uploads);
 
-/// Key of the molecule of a complete description, by the names and contents of all that is read for it, as they are now.
+/// Key of the molecule of a complete description, by the names and contents of all that is read for it, as they are
+/// now.
 std::string moleculeKey(const PictureDescription& description);
 
 /// "4hhb_assembly-1_front-512x512.webp": PDB identifier or sample, then any number of assembly-N, model-N, front, side

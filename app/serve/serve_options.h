@@ -11,14 +11,14 @@ namespace nacre::app {
 /// `nacre serve`.
 struct ServeOptions {
     std::string address = "127.0.0.1";
-    int port = 8080;              ///< 0: any free port
-    std::string root;             ///< folder of input files; empty: none
-    int workers = 1;              ///< pictures drawn at the same time
-    int queue = 64;               ///< maximum of requests waiting for a worker
-    double seconds = 60;          ///< maximum time of a request
-    std::int64_t cacheMiB = 256;  ///< size of the picture cache on disk
+    int port = 8080;                      ///< 0: any free port
+    std::string root;                     ///< folder of input files; empty: none
+    int workers = 1;                      ///< pictures drawn at the same time
+    int queue = 64;                       ///< maximum of requests waiting for a worker
+    double seconds = 60;                  ///< maximum time of a request
+    std::int64_t cacheMiB = 256;          ///< size of the picture cache on disk
     std::vector<std::string> sceneHosts;  ///< that scenes may download from, beside the databases
-    PictureDescription picture;   ///< device, cache folder, memory, offline and allow-download for all requests
+    PictureDescription picture;           ///< device, cache folder, memory, offline and allow-download for all requests
 };
 
 }  // namespace nacre::app

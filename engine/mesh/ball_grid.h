@@ -14,8 +14,8 @@ namespace nacre {
 class BallGrid {
 public:
     /// @param margin  Å, added to every radius
-    /// @throws Error if there are more pairs of neighbours than 32 million, and 256 per ball: a protein's atoms have some
-    /// eighty each, and a crowd at one place the square of its number
+    /// @throws Error if there are more pairs of neighbours than 32 million, and 256 per ball: a protein's atoms have
+    /// some eighty each, and a crowd at one place the square of its number
     BallGrid(const std::vector<SurfaceBall>& balls, double margin);
 
     /// Balls that overlap this one, nearest first.

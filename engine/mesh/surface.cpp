@@ -83,7 +83,11 @@ std::vector<SurfaceBall> ballsOf(const Molecule& molecule, std::span<const std::
         const Atom& atom = molecule.atoms[index];
         const glm::dvec3 place = glm::dvec3(atom.position) - middle;
         if (std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z))
-            balls.push_back({place, options.scale * static_cast<double>(atom.radius > 0 ? atom.radius : options.radius(atom.element)) + margin, index});
+            balls.push_back(
+                {place,
+                 options.scale * static_cast<double>(atom.radius > 0 ? atom.radius : options.radius(atom.element)) +
+                     margin,
+                 index});
     }
     return balls;
 }
@@ -99,8 +103,8 @@ glm::dvec3 middleOf(const Molecule& molecule, std::span<const std::uint32_t> ato
     return low.x <= high.x ? (low + high) / 2.0 : glm::dvec3();
 }
 
-/// Refuses a surface that would be too large, or whose atoms are a crowd at one place, before it is made: estimated from
-/// its atoms.
+/// Refuses a surface that would be too large, or whose atoms are a crowd at one place, before it is made: estimated
+/// from its atoms.
 void checkSurfaceSize(const std::vector<SurfaceBall>& balls, double step) {
     constexpr double kMostLayers = 10'000;  // as of any scene: engine/scene/build/crowd.h
     double farthest = 0, apart = 0, reach = 0;

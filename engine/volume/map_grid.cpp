@@ -127,14 +127,15 @@ void checkCell(const std::string& name, const MapBox& box, const MapLimits& limi
     if (!box.crystal) return;
     // Beside the cell: the values of the box, and a bit for each node.
     const double nodes = static_cast<double>(box.intervals.x) * box.intervals.y * box.intervals.z;
-    const std::uint64_t beside = sizeof(float) * checkedNodes(name, box.size, limits) +
-                                 static_cast<std::uint64_t>(std::min(nodes / 8, 1e18));
+    const std::uint64_t beside =
+        sizeof(float) * checkedNodes(name, box.size, limits) + static_cast<std::uint64_t>(std::min(nodes / 8, 1e18));
     checkedNodes(name, box.intervals, limits, beside);
     // What the file holds, at all 192 places of the largest groups, and four times as much that stays unknown.
     constexpr double kAnyCell = 1 << 24, kMostTimes = 4 * 192;
     const double filled = kMostTimes * static_cast<double>(box.size.x) * box.size.y * box.size.z;
     if (nodes > std::max(kAnyCell, filled))
-        cannotReadMap(name, "its cell of " + std::to_string(std::llround(nodes)) + " nodes cannot be filled: the file holds " +
+        cannotReadMap(name, "its cell of " + std::to_string(std::llround(nodes)) +
+                                " nodes cannot be filled: the file holds " +
                                 std::to_string(checkedNodes(name, box.size, limits)));
 }
 

@@ -9,7 +9,8 @@
 #include <cstdlib>
 #include <cstring>
 
-extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*), void* argument) {
+extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*run)(void*),
+                              void* argument) {
     using Create = decltype(&pthread_create);
     static const auto create = reinterpret_cast<Create>(dlsym(RTLD_NEXT, "pthread_create"));
     static const char* const most = std::getenv("NACRE_TEST_THREADS");

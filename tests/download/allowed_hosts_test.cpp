@@ -23,24 +23,51 @@ bool publicText(const char* text) {
 }
 
 TEST(AllowedHosts, OnlyPublicAddressesArePublic) {
-    for (const char* text : {"8.8.8.8", "128.6.159.248", "172.15.255.255", "172.32.0.0", "192.167.255.255", "223.255.255.255", "2606:4700::1111",
-                             "2001:4860:4860::8888", "::ffff:8.8.8.8", "64:ff9b::808:808"})
+    for (const char* text :
+         {"8.8.8.8", "128.6.159.248", "172.15.255.255", "172.32.0.0", "192.167.255.255", "223.255.255.255",
+          "2606:4700::1111", "2001:4860:4860::8888", "::ffff:8.8.8.8", "64:ff9b::808:808"})
         EXPECT_TRUE(publicText(text)) << text;
-    for (const char* text : {"0.0.0.0", "127.0.0.1", "127.255.255.254", "10.1.2.3", "172.16.0.1", "172.31.255.255", "192.168.0.1", "169.254.169.254",
-                             "100.64.0.1", "192.0.2.1", "198.18.0.1", "224.0.0.1", "240.0.0.1", "255.255.255.255", "::", "::1", "fe80::1", "fc00::1",
-                             "fd12::1", "ff02::1", "::ffff:127.0.0.1", "::ffff:10.0.0.1", "64:ff9b::7f00:1", "2002:7f00:1::", "2001:db8::1",
-                             "2001::1", "::127.0.0.1"})
+    for (const char* text : {"0.0.0.0",
+                             "127.0.0.1",
+                             "127.255.255.254",
+                             "10.1.2.3",
+                             "172.16.0.1",
+                             "172.31.255.255",
+                             "192.168.0.1",
+                             "169.254.169.254",
+                             "100.64.0.1",
+                             "192.0.2.1",
+                             "198.18.0.1",
+                             "224.0.0.1",
+                             "240.0.0.1",
+                             "255.255.255.255",
+                             "::",
+                             "::1",
+                             "fe80::1",
+                             "fc00::1",
+                             "fd12::1",
+                             "ff02::1",
+                             "::ffff:127.0.0.1",
+                             "::ffff:10.0.0.1",
+                             "64:ff9b::7f00:1",
+                             "2002:7f00:1::",
+                             "2001:db8::1",
+                             "2001::1",
+                             "::127.0.0.1"})
         EXPECT_FALSE(publicText(text)) << text;
 }
 
 TEST(AllowedHosts, DatabasesAndNamedHosts) {
-    for (const char* url : {"https://files.rcsb.org/download/1bna.cif", "http://files.rcsb.org/a", "https://RCSB.org", "https://www.ebi.ac.uk:443/pdbe",
-                            "https://ftp.ebi.ac.uk/pub?x#y", "https://files.wwpdb.org/a"})
+    for (const char* url :
+         {"https://files.rcsb.org/download/1bna.cif", "http://files.rcsb.org/a", "https://RCSB.org",
+          "https://www.ebi.ac.uk:443/pdbe", "https://ftp.ebi.ac.uk/pub?x#y", "https://files.wwpdb.org/a"})
         EXPECT_EQ(hostRule(url, {}), HostRule::database) << url;
-    for (const char* url : {"https://evil.org/files.rcsb.org", "https://files.rcsb.org.evil.org/", "https://evilrcsb.org/", "https://files.rcsb.org:8080/",
-                            "http://files.rcsb.org:443/", "https://files.rcsb.org@evil.org/", "https://evil.org#@files.rcsb.org",
-                            "https://evil.org\\@files.rcsb.org/", "ftp://files.rcsb.org/", "file:///etc/passwd", "https:///a", "https://", "http://[::1]/",
-                            "http://127.0.0.1/", "http://rcsb.org%00.evil.org/", "http://rcsb.org.\n/"})
+    for (const char* url :
+         {"https://evil.org/files.rcsb.org", "https://files.rcsb.org.evil.org/", "https://evilrcsb.org/",
+          "https://files.rcsb.org:8080/", "http://files.rcsb.org:443/", "https://files.rcsb.org@evil.org/",
+          "https://evil.org#@files.rcsb.org", "https://evil.org\\@files.rcsb.org/", "ftp://files.rcsb.org/",
+          "file:///etc/passwd", "https:///a", "https://", "http://[::1]/", "http://127.0.0.1/",
+          "http://rcsb.org%00.evil.org/", "http://rcsb.org.\n/"})
         EXPECT_EQ(hostRule(url, {}), HostRule::refused) << url;
     EXPECT_EQ(hostRule("http://mirror.lan:8080/a", {"mirror.lan"}), HostRule::named);
     EXPECT_EQ(hostRule("http://Mirror.lan:8080/a", {"mirror.lan:8080"}), HostRule::named);

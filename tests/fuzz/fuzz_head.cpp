@@ -40,7 +40,8 @@ public:
                 Query query = queryOf(request);
                 const std::string session = taken(query, "session");
                 for (const auto& [key, value] : query)
-                    require(key.find('\0') == std::string::npos && value.find('\0') == std::string::npos, "holds a NUL");
+                    require(key.find('\0') == std::string::npos && value.find('\0') == std::string::npos,
+                            "holds a NUL");
                 response.set_content(session, "text/plain");
             } catch (const Problem& problem) {
                 response.status = problem.status;

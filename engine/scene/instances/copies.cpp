@@ -26,7 +26,8 @@ constexpr std::size_t kMostListedCopies = std::size_t{1} << 23;
 const Assembly& assemblyOf(const Molecule& molecule, const std::string& id) {
     for (const Assembly& assembly : molecule.assemblies)
         if (assembly.id == id) return assembly;
-    if (const std::string why = leftOutWarningOf(molecule, id); !why.empty()) throw Error("cannot draw assembly", id, why);
+    if (const std::string why = leftOutWarningOf(molecule, id); !why.empty())
+        throw Error("cannot draw assembly", id, why);
     if (molecule.assemblies.empty()) throw Error("cannot draw assembly", id, "the file states no assemblies");
     std::string names;
     for (std::size_t i = 0; i < std::min(molecule.assemblies.size(), kMostNamed); ++i)
