@@ -26,7 +26,7 @@ constexpr auto kTileMapsStorage = passes::asStorage(kTileMapsTexels);
 const gpu::Layout& tileMapsLayout(gpu::PipelineContext& context) {
     const bool texels = context.device.caps().tiles.texels;
     return context.pipelines.layout({"depth maps by tiles layout", texels ? kTileMapsTexels : kTileMapsStorage,
-                                     kCompute, sizeof(layout::MapConstants)});
+                                     passes::kCompute, sizeof(layout::MapConstants)});
 }
 
 gpu::ComputePipeline tileMapsPipeline(gpu::PipelineContext& context, bool cylinders) {
