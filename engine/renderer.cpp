@@ -164,7 +164,7 @@ bool Renderer::setScene(Representation representation) {
             impl_->occlusion.setScene(toBake(scene));
             impl_->scene = impl_->own = std::move(scene);
         }
-        impl_->frames.letGo();
+        impl_->frames.releaseScene();
         return kept;
     });
     impl_->stats.copies = std::max<std::uint64_t>(impl_->scene->representation.copies.transforms.size(), 1);
@@ -177,7 +177,7 @@ void Renderer::moveScene(Representation representation) {
         auto scene = std::make_shared<Scene>(makeMovedScene(impl_->device, std::move(representation), *impl_->scene));
         impl_->occlusion.moveScene(toBake(scene));
         impl_->scene = impl_->own = std::move(scene);
-        impl_->frames.letGo();
+        impl_->frames.releaseScene();
     });
 }
 
@@ -277,7 +277,7 @@ void Renderer::expectScene(Representation like, const RenderSettings& settings, 
         std::swap(scene, impl_->scene);
         const auto back = [&] {
             std::swap(scene, impl_->scene);
-            impl_->frames.letGo();
+            impl_->frames.releaseScene();
         };
         try {
             impl_->shownIn().prepareScene(settings, frame);

@@ -15,7 +15,7 @@
 
 namespace nacre {
 
-// What is asked for.
+// Input of choose():
 
 /// What a frame draws.
 enum class Part : std::uint8_t {
@@ -32,7 +32,7 @@ enum class Part : std::uint8_t {
     sample,     ///< one sample of each pixel of a window at rest
 };
 
-/// What becomes of the frame.
+/// The destination of a frame.
 enum class Ending : std::uint8_t {
     left,            ///< stays on the device
     readBack,        ///< read by the host
@@ -69,7 +69,7 @@ struct SceneFacts {
     bool boxed = false;             ///< the scene's spheres have finite bounding boxes
 };
 
-// What is chosen.
+// Output of choose():
 
 struct Samples {
     enum class Where : std::uint8_t {
@@ -132,7 +132,7 @@ enum class Geometry : std::uint8_t {
     hostLists,  ///< the host lists the primitives of each tile
 };
 
-/// What the host finds before the device draws.
+/// Work of the host before the device draws.
 enum class HostWork : std::uint8_t {
     none,
     hiddenSpheres,  ///< spheres behind others, which are left out

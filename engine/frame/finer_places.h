@@ -25,7 +25,7 @@ public:
     void grow();
 
     static constexpr std::uint32_t kTogether = 4;
-    /// Leaves out what is not sharp. @param sharp  a byte for each kTogether x kTogether pixels, row by row: not 0
+    /// Drops pixels that are blurred. @param sharp  a byte for each kTogether x kTogether pixels, row by row: not 0
     /// where they are
     void keep(const std::vector<std::uint8_t>& sharp);
     /// Whether there is any.

@@ -69,7 +69,7 @@ bool operator==(const FrameShape& a, const FrameShape& b) {
            });
 }
 
-graph::Image Frame::add(const ScreenTarget& target, const FrameShape& shape) {
+graph::Image& Frame::add(const ScreenTarget& target, const FrameShape& shape) {
     const graph::ImageDesc desc{target.format, shape.extent};
     targets.push_back(target.window              ? graph.importImage(target.image, desc, kWindowState, true)
                       : shape.drawsIntoPicture() ? graph.importImage("picture", desc, passes::kTextureState, true)
@@ -78,7 +78,7 @@ graph::Image Frame::add(const ScreenTarget& target, const FrameShape& shape) {
 }
 
 graph::PassBuilder& Frame::draw(graph::PassBuilder& pass, const ScreenTarget& target, const FrameShape& shape) {
-    const graph::Image image = add(target, shape);
+    graph::Image& image = add(target, shape);
     const std::uint32_t count = shape.choice.attachmentSamples();
     if (count == 1) return pass.color(image, target.clear);
     samples = graph.image(std::string(target.image) + " samples", {target.format, shape.extent, count});
@@ -118,9 +118,9 @@ Frame declareFrame(const FrameShape& shape, std::shared_ptr<const ShownScene> sh
 
 graph::Graph paperFrame(graph::Extent extent) {
     graph::Graph g("paper");
-    const auto depth = g.image("depth", {VK_FORMAT_D16_UNORM, extent});
-    const auto texture = g.image("depth texture", {VK_FORMAT_R8G8B8A8_UNORM, extent});
-    const auto color = g.image("colour", {VK_FORMAT_R8G8B8A8_UNORM, extent});
+    auto depth = g.image("depth", {VK_FORMAT_D16_UNORM, extent});
+    auto texture = g.image("depth texture", {VK_FORMAT_R8G8B8A8_UNORM, extent});
+    auto color = g.image("colour", {VK_FORMAT_R8G8B8A8_UNORM, extent});
     g.graphics("opaque prepass").depth(depth, Clear{1.0f});
     g.graphics("depth texture").depthTest(depth).color(texture, Clear{1.0f});
     g.graphics("picture").depthTest(depth).samples(texture).color(color, Clear{1.0f});

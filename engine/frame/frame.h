@@ -34,7 +34,7 @@ std::span<const ScreenTarget> targetsOf(const FrameChoice& choice);
 /// State of a window's image before and after a frame.
 constexpr graph::State kWindowState{VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, 0, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
 
-/// The image that a picture's frames end in, and how one of them does.
+/// How a frame ends in the image of its picture.
 struct PictureEnd {
     graph::ImageDesc image{};
     bool first = true;          ///< nothing is in it yet
@@ -97,7 +97,7 @@ struct Frame {
     /// The image of a target, which a pass clears and draws to, with the choice's samples per pixel. @returns the pass
     graph::PassBuilder& draw(graph::PassBuilder& pass, const ScreenTarget& target, const FrameShape& shape);
     /// The image of a target.
-    graph::Image add(const ScreenTarget& target, const FrameShape& shape);
+    graph::Image& add(const ScreenTarget& target, const FrameShape& shape);
 };
 
 /// Declares the passes of a shape's scene. The caller declares what becomes of the targets.

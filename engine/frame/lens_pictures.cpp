@@ -21,7 +21,7 @@ RenderSettings distances(RenderSettings settings) {
 /// Drops the places that the lens blurs so much that one sample is enough. @returns whether that took a frame
 bool PictureFrames::leaveBlurred(const RenderSettings& settings, const View& view, FinerPlaces& places) {
     if (!places.any()) return false;
-    // Pixels go together from the top left, in parts of pictures, too.
+    // Groups of pixels start at the top left, also in parts of pictures.
     constexpr std::uint32_t n = FinerPlaces::kTogether;
     const auto wholes = [](std::uint32_t pixels) { return (pixels + n - 1) / n * n; };
     const View few = scaled(partOf(view, 0, 0, wholes(view.width), wholes(view.height)), 1.0 / n);

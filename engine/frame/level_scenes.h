@@ -1,5 +1,5 @@
 #pragma once
-// Scenes of very many copies: what a view shows of them becomes a scene of its own, which all paths can draw.
+// Scenes of millions of copies: each view gets a scene of the spheres that it shows, which all paths can draw.
 
 #include "engine/frame/scene.h"
 #include "engine/lists/seen_copies.h"
@@ -16,7 +16,7 @@ public:
     /// Places per pixel and side where pixels have several samples: fewer in a large picture, whose places take memory.
     static std::uint32_t gridOf(std::uint32_t width, std::uint32_t height);
 
-    /// What a view shows of such a scene, without copies. One sample per pixel.
+    /// The spheres that a view shows of such a scene, without copies. One sample per pixel.
     Representation show(const Representation& whole, const RenderSettings& settings, const View& view);
     /// As above, on the device. The levels are kept while the scene stays. @param edges  have several samples: so
     /// the levels are finer, and what lies between pixels' centres is found

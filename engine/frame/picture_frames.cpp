@@ -143,7 +143,7 @@ void PictureFrames::checkSize(const View& view) const {
                     "this device draws at most " + std::to_string(most) + " pixels per side, supersampling included");
 }
 
-/// Where the host reads a frame's pixels, and how many of them a row has.
+/// A frame's pixels in host memory, and the number of pixels per row.
 /// @param view  at the device's resolution divided by n
 std::pair<const std::byte*, std::uint32_t> PictureFrames::rowsOf(const Drawn& drawn, const View& view,
                                                                  std::uint32_t n) {

@@ -54,7 +54,7 @@ public:
     std::vector<Decision> decisions() const;
 
 private:
-    /// The view that a picture shows, and the pixels of it that are wanted.
+    /// The view of a picture, and the wanted pixels of it.
     struct Wanted {
         View view;
         PictureRect inner;
@@ -101,7 +101,7 @@ private:
     };
     bool submit(const RenderSettings& settings, const passes::Atlas& atlas, bool alpha);
 
-    /// What the last picture was asked for, to explain it.
+    /// Request and choice of the last picture, to explain it.
     struct Asked {
         RenderSettings settings;
         Part part{};

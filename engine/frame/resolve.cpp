@@ -26,7 +26,7 @@ void declareResolve(Frame& f, const FrameShape& shape, const PictureImage& to) {
         return f.graph.output(*f.picture);
     }
     const PictureEnd& end = shape.picture;
-    const graph::Image picture = f.graph.importImage("picture", end.image, passes::kTextureState, end.first);
+    graph::Image picture = f.graph.importImage("picture", end.image, passes::kTextureState, end.first);
     f.picture = picture;
     std::optional<graph::Image> drawn;
     if (!shape.choice.shadedByCompute()) drawn = f.targets[0];

@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-/// The image, and what a frame that uses it is told when it is recorded.
+/// The picture's image, and parameters of the next frame that uses it.
 struct PictureImage {
     gpu::Image image;
     gpu::Image finer;  ///< of its size: not 0 where a pixel takes more samples than one

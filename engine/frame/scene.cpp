@@ -169,7 +169,7 @@ bool recolor(Scene& scene, Representation& r) {
     const auto asBefore = [](const TranslucentRun& a, const TranslucentRun& b) {
         return a.first == b.first && a.count == b.count && a.kind == b.kind;
     };
-    // What is translucent hides no light.
+    // Translucent triangles do not occlude: with other ones the bake is outdated.
     if (!std::equal(translucent.begin(), translucent.end(), scene.translucent.begin(), scene.translucent.end(),
                     asBefore))
         return false;
@@ -233,7 +233,7 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
     passes::placeCopies(seen->copies, scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
                         cullingMargin(settings, view, wires), meshErrorOf(settings, view), true);
     seen->perspective = view.projection == Projection::perspective;
-    // Where a surface folds, its inner side may look out. Nothing else of it does.
+    // The inner side of a closed surface is visible only through a cut, an outline or from inside.
     seen->frontsOnly = scene.solid && !settings.effects.clip.on() && settings.effects.contours.width <= 0 &&
                        !seen->rims.any() && (!seen->perspective || view.eyeDistance > view.radius);
     seen->quarterTurns = view.quarterTurns;

@@ -1,5 +1,5 @@
 #pragma once
-// The renderer's scene, and the part of it that a view sees.
+// The renderer's scene, and its primitives in a view.
 
 #include <memory>
 
@@ -30,7 +30,7 @@ struct Scene {
     bool solid = false;           ///< from outside, backs of triangles are behind fronts
 };
 
-/// A scene as it is, without a better order. @throws Error
+/// A scene in the representation's own order. @throws Error
 Scene makeOrderedScene(const gpu::Device& device, Representation representation);
 
 /// Uploads the streams. @throws Error

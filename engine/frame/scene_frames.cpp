@@ -115,14 +115,14 @@ void SceneFrames::count(PreparedFrame& prepared) {
     if (view.tiles) counts.lists = view.tiles->counts();
 }
 
-void SceneFrames::letGo() {
+void SceneFrames::releaseScene() {
     shown_ = nullptr;
     for (int held = 0; held < 2; ++held)  // a view holds the light's view, and the translucent one
         views_.eachFree([](passes::SceneView& view) { view.clear(); });
 }
 
 PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInputs& inputs) {
-    letGo();
+    releaseScene();
     const gpu::Caps& caps = device_.caps();
     RenderSettings settings = drawnSettings(request);
     PreparedFrame prepared;

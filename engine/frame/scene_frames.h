@@ -53,7 +53,7 @@ public:
     /// Makes a frame of that shape show it. Binds all imports except those of the frame's ending.
     static void bind(DeclaredFrame& declared, const PreparedFrame& prepared);
     /// Releases the scene; only frames in flight still hold it.
-    void letGo();
+    void releaseScene();
 
     /// Facts of the scene, without those of a view.
     SceneFacts facts() const { return sceneFacts(*scene_); }

@@ -91,8 +91,7 @@ bool WindowFrames::resize(graph::Extent wanted) {
 
 /// The pass that brings a picture onto the window.
 graph::Image WindowFrames::addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples) const {
-    const graph::Image window =
-        frame.importImage("window", {swapchain_.format(), swapchain_.extent()}, kWindowState, true);
+    graph::Image window = frame.importImage("window", {swapchain_.format(), swapchain_.extent()}, kWindowState, true);
     const auto how = [=, this] { return passes::Resampling{samples, coded(), share_, false}; };
     frame.graphics("resample")
         .samples(picture)
@@ -104,7 +103,7 @@ graph::Image WindowFrames::addPicture(graph::Graph& frame, graph::Image picture,
 
 /// The pass that adds a sample of each pixel to those that there are. @returns the sum, to be bound
 graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, bool first) const {
-    const graph::Image sum =
+    graph::Image sum =
         frame.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState, first);
     std::optional<graph::Clear> clear;
     if (first) clear = graph::Clear{0.0f};
@@ -118,7 +117,7 @@ graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, bool
 }
 
 /// @param samples  of the window that are resolved to it behind the overlay, if there are any
-void WindowFrames::addOverlay(graph::Graph& frame, graph::Image window, std::optional<graph::Image> samples) const {
+void WindowFrames::addOverlay(graph::Graph& frame, graph::Image& window, std::optional<graph::Image>& samples) const {
     const auto draw = [this](gpu::PassContext& c) {
         overlay_.draw(c, *slot_, *overlaid_, swapchain_.upright(), swapchain_.quarterTurns(), coded());
     };
@@ -161,8 +160,8 @@ void WindowFrames::declareEnding(Frame& frame, const FrameShape& shape) {
     if (ending == Ending::copiedToWindow || ending == Ending::scaledToWindow)
         frame.targets.push_back(addPicture(g, frame.targets[0], ending == Ending::copiedToWindow ? 1 : 0));
     if (frame.sum) frame.targets.push_back(addPicture(g, *frame.sum, 1));
-    const bool direct = ending == Ending::window;
-    if (shape.overlay) addOverlay(g, frame.targets.back(), direct ? frame.samples : std::nullopt);
+    std::optional<graph::Image> none;
+    if (shape.overlay) addOverlay(g, frame.targets.back(), ending == Ending::window ? frame.samples : none);
 }
 
 /// The image that sums samples, of the window's size.

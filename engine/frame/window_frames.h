@@ -48,7 +48,7 @@ private:
     void prepareRest(const RenderSettings& settings, const passes::Atlas& atlas);
     graph::Image addSum(graph::Graph& frame, graph::Image sample, bool first) const;
     graph::Image addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples) const;
-    void addOverlay(graph::Graph& frame, graph::Image window, std::optional<graph::Image> samples) const;
+    void addOverlay(graph::Graph& frame, graph::Image& window, std::optional<graph::Image>& samples) const;
     bool coded() const;
     VkFormat pictureFormat() const;
 

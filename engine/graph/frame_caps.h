@@ -1,5 +1,5 @@
 #pragma once
-// What a device can do, as far as the choice of how to draw a frame depends on it: of a real device or a named set.
+// Capabilities that decide how a frame is drawn: of a real device or a named set.
 
 #include <cstdint>
 #include <string>
@@ -46,7 +46,7 @@ struct FrameCaps {
     TileCaps tiles{};
     bool blendsFloats = false;  ///< can blend colour attachments with 32 bits per channel
     std::string lacksRasterOrder = "it does not read its own attachments in order";  ///< the reason, if it does not
-    // What the user asks for, and what a test has shown:
+    // The user's options, and the result of a self-test:
     Visibility visibility = Visibility::automatic;
     Multisampling multisampling = Multisampling::automatic;
     TestedPath tested{};

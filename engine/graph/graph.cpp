@@ -1,8 +1,17 @@
 #include "engine/graph/graph.h"
 
 #include <atomic>
+#include <string_view>
 
 namespace nacre::graph {
+
+std::string SourceLine::text() const {
+    std::string_view path = file;
+    // From the tree's root, wherever it was built.
+    for (const char* top : {"/engine/", "/tests/", "/app/"})
+        if (const std::size_t at = path.rfind(top); at != std::string_view::npos) path.remove_prefix(at + 1);
+    return line == 0 ? "" : " (declared at " + std::string(path) + ":" + std::to_string(line) + ")";
+}
 
 Graph::Graph(std::string name) : name_(std::move(name)) {
     static std::atomic<std::uint32_t> next{1};
@@ -16,13 +25,32 @@ void Graph::check(std::uint32_t graph, std::uint32_t index, std::size_t count, c
                      " (made by another graph, or never made)");
 }
 
+/// The last pass that wrote an image.
+std::uint32_t Graph::writer(std::uint32_t image) const {
+    for (std::size_t p = passes_.size(); p-- > 0;)
+        for (const Use& use : passes_[p].uses)
+            if (use.isImage && use.resource == image && isWrite(use.verb)) return static_cast<std::uint32_t>(p);
+    return 0;
+}
+
+void Graph::check(Image image, const std::string& user) const {
+    check(image.graph, image.index, images_.size(), "image", user);
+    if (image.version == versions_[image.index]) return;
+    const PassDecl& pass = passes_[writer(image.index)];
+    throw GraphError("graph '" + name_ + "', " + user + ", image '" + images_[image.index].name +
+                     "': a stale handle, of the image as it was before pass '" + pass.name + "' wrote it" +
+                     pass.line.text());
+}
+
 Image Graph::image(std::string name, const ImageDesc& desc) {
     images_.push_back({std::move(name), desc, std::nullopt, false, false});
+    versions_.push_back(0);
     return {static_cast<std::uint32_t>(images_.size() - 1), id_};
 }
 
 Image Graph::importImage(std::string name, const ImageDesc& desc, const State& state, bool undefined) {
     images_.push_back({std::move(name), desc, state, undefined, false});
+    versions_.push_back(0);
     return {static_cast<std::uint32_t>(images_.size() - 1), id_};
 }
 
@@ -32,7 +60,7 @@ Buffer Graph::importBuffer(std::string name, VkDeviceSize size, const State& sta
 }
 
 void Graph::output(Image image) {
-    check(image.graph, image.index, images_.size(), "image", "output");
+    check(image, "output");
     images_[image.index].output = true;
 }
 
@@ -41,15 +69,21 @@ void Graph::output(Buffer buffer) {
     buffers_[buffer.index].output = true;
 }
 
-PassBuilder Graph::pass(std::string name, PassKind kind) {
-    passes_.push_back({std::move(name), kind, {}, {}, false});
+PassBuilder Graph::pass(std::string name, PassKind kind, SourceLine line) {
+    passes_.push_back({std::move(name), kind, line, {}, {}, false});
     return PassBuilder(*this, static_cast<std::uint32_t>(passes_.size() - 1));
 }
 
 PassBuilder& PassBuilder::use(Verb verb, Image image, std::optional<Clear> clear) {
     PassDecl& pass = graph_.passes_[pass_];
-    graph_.check(image.graph, image.index, graph_.images_.size(), "image", "pass '" + pass.name + "'");
+    graph_.check(image, "pass '" + pass.name + "'" + pass.line.text());
     pass.uses.push_back({verb, true, image.index, clear});
+    return *this;
+}
+
+PassBuilder& PassBuilder::write(Verb verb, Image& image, std::optional<Clear> clear) {
+    use(verb, image, clear);
+    image.version = ++graph_.versions_[image.index];
     return *this;
 }
 

@@ -47,8 +47,10 @@ struct ImageDesc {
 };
 
 /// Handles are valid for the graph that made them. Use in another graph is an error that names pass and resource.
+/// A pass that writes an image updates the handle that it is given: copies made before are of an older version, and
+/// their use is an error. So no pass reads an image as it was before another wrote it.
 struct Image {
-    std::uint32_t index = 0, graph = 0;
+    std::uint32_t index = 0, graph = 0, version = 0;
 };
 struct Buffer {
     std::uint32_t index = 0, graph = 0;
@@ -100,9 +102,22 @@ struct Use {
     friend bool operator==(const Use&, const Use&) = default;
 };
 
+/// Where something was declared; errors state it.
+struct SourceLine {
+    const char* file = "";
+    int line = 0;
+    /// The line of the caller. (Clang 14 has no std::source_location.)
+    static constexpr SourceLine here(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+        return {file, line};
+    }
+    /// " (declared at engine/frame/frame.cpp:12)"
+    std::string text() const;
+};
+
 struct PassDecl {
     std::string name;
     PassKind kind{};
+    SourceLine line{};
     std::vector<Use> uses;
     Work work;
     bool sideEffect = false;  ///< kept even if nothing reads its results
@@ -134,15 +149,15 @@ class Graph;
 /// Declares one pass. Every method returns the pass, so that calls chain.
 class PassBuilder {
 public:
-    PassBuilder& depth(Image image, std::optional<Clear> clear = {}) { return use(Verb::depth, image, clear); }
+    PassBuilder& depth(Image& image, std::optional<Clear> clear = {}) { return write(Verb::depth, image, clear); }
     PassBuilder& depthTest(Image image) { return use(Verb::depthTest, image); }
-    PassBuilder& color(Image image, std::optional<Clear> clear = {}) { return use(Verb::color, image, clear); }
-    PassBuilder& ordered(Image image, std::optional<Clear> clear = {}) { return use(Verb::ordered, image, clear); }
-    PassBuilder& resolve(Image image) { return use(Verb::resolve, image); }
+    PassBuilder& color(Image& image, std::optional<Clear> clear = {}) { return write(Verb::color, image, clear); }
+    PassBuilder& ordered(Image& image, std::optional<Clear> clear = {}) { return write(Verb::ordered, image, clear); }
+    PassBuilder& resolve(Image& image) { return write(Verb::resolve, image); }
     PassBuilder& input(Image image) { return use(Verb::input, image); }
     PassBuilder& samples(Image image) { return use(Verb::samples, image); }
     PassBuilder& copiesFrom(Image image) { return use(Verb::copiesFrom, image); }
-    PassBuilder& copiesTo(Image image) { return use(Verb::copiesTo, image); }
+    PassBuilder& copiesTo(Image& image) { return write(Verb::copiesTo, image); }
     PassBuilder& copiesFrom(Buffer buffer) { return use(Verb::copiesFrom, buffer); }
     PassBuilder& copiesTo(Buffer buffer) { return use(Verb::copiesTo, buffer); }
     PassBuilder& reads(Buffer buffer) { return use(Verb::reads, buffer); }
@@ -156,6 +171,7 @@ private:
     friend class Graph;
     PassBuilder(Graph& graph, std::uint32_t pass) : graph_(graph), pass_(pass) {}
     PassBuilder& use(Verb verb, Image image, std::optional<Clear> clear = {});
+    PassBuilder& write(Verb verb, Image& image, std::optional<Clear> clear = {});
     PassBuilder& use(Verb verb, Buffer buffer);
     Graph& graph_;
     std::uint32_t pass_;
@@ -172,9 +188,15 @@ public:
     /// A buffer; all buffers are imported.
     Buffer importBuffer(std::string name, VkDeviceSize size, const State& state = {});
 
-    PassBuilder graphics(std::string name) { return pass(std::move(name), PassKind::graphics); }
-    PassBuilder compute(std::string name) { return pass(std::move(name), PassKind::compute); }
-    PassBuilder transfer(std::string name) { return pass(std::move(name), PassKind::transfer); }
+    PassBuilder graphics(std::string name, SourceLine line = SourceLine::here()) {
+        return pass(std::move(name), PassKind::graphics, line);
+    }
+    PassBuilder compute(std::string name, SourceLine line = SourceLine::here()) {
+        return pass(std::move(name), PassKind::compute, line);
+    }
+    PassBuilder transfer(std::string name, SourceLine line = SourceLine::here()) {
+        return pass(std::move(name), PassKind::transfer, line);
+    }
 
     /// Marks contents that are read after the graph has executed.
     void output(Image image);
@@ -187,14 +209,17 @@ public:
 
 private:
     friend class PassBuilder;
-    PassBuilder pass(std::string name, PassKind kind);
+    PassBuilder pass(std::string name, PassKind kind, SourceLine line);
     void check(std::uint32_t graph, std::uint32_t index, std::size_t count, const char* kind,
                const std::string& user) const;
+    void check(Image image, const std::string& user) const;
+    std::uint32_t writer(std::uint32_t image) const;
 
     std::string name_;
     std::uint32_t id_;
     std::vector<PassDecl> passes_;
     std::vector<ImageDecl> images_;
+    std::vector<std::uint32_t> versions_;  ///< of the images
     std::vector<BufferDecl> buffers_;
 };
 

@@ -15,27 +15,25 @@ bool fits(Verb verb, PassKind kind) {
     return false;
 }
 
-void checkReads(const Graph& graph) {
-    std::vector<bool> imageWritten;
-    for (const ImageDecl& image : graph.images()) imageWritten.push_back(image.imported && !image.undefined);
-    auto writtenLater = [&](std::size_t from, const Use& read) {
-        for (std::size_t p = from; p < graph.passes().size(); ++p)
-            for (const Use& use : graph.passes()[p].uses)
-                if (use.isImage && use.resource == read.resource && isWrite(use.verb)) return graph.passes()[p].name;
+/// @param written  images that have contents before the pass; those that it writes are added
+void checkReads(const Graph& graph, std::size_t p, std::vector<bool>& written) {
+    const PassDecl& pass = graph.passes()[p];
+    const auto writtenLater = [&](const Use& read) {
+        for (std::size_t later = p; later < graph.passes().size(); ++later)
+            for (const Use& use : graph.passes()[later].uses)
+                if (use.isImage && use.resource == read.resource && isWrite(use.verb))
+                    return graph.passes()[later].name;
         return std::string();
     };
-    for (std::size_t p = 0; p < graph.passes().size(); ++p) {
-        const PassDecl& pass = graph.passes()[p];
-        for (const Use& use : pass.uses) {
-            if (!use.isImage || isWrite(use.verb) || imageWritten[use.resource]) continue;
-            const std::string writer = writtenLater(p, use);
-            const std::string what = naming(graph, pass, use) + ": " + verbName(use.verb);
-            throw GraphError(what + (writer.empty() ? " of contents that no pass writes"
-                                                    : " before pass '" + writer + "', which writes it, is declared"));
-        }
-        for (const Use& use : pass.uses)
-            if (use.isImage && isWrite(use.verb)) imageWritten[use.resource] = true;
+    for (const Use& use : pass.uses) {
+        if (!use.isImage || isWrite(use.verb) || written[use.resource]) continue;
+        const std::string writer = writtenLater(use);
+        const std::string what = naming(graph, pass, use) + ": " + verbName(use.verb);
+        throw GraphError(what + (writer.empty() ? " of contents that no pass writes"
+                                                : " before pass '" + writer + "', which writes it, is declared"));
     }
+    for (const Use& use : pass.uses)
+        if (use.isImage && isWrite(use.verb)) written[use.resource] = true;
 }
 
 /// "100x50", plus every count above one.
@@ -115,21 +113,36 @@ void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& 
 
 }  // namespace
 
+namespace {
+
+void checkUses(const Graph& graph, const PassDecl& pass) {
+    for (std::size_t i = 0; i < pass.uses.size(); ++i) {
+        const Use& use = pass.uses[i];
+        if (!fits(use.verb, pass.kind) || (!use.isImage && isAttachment(use.verb)))
+            throw GraphError(naming(graph, pass, use) + ": '" + verbName(use.verb) +
+                             "' does not go with this kind of pass");
+        for (std::size_t j = 0; j < i; ++j)
+            if (pass.uses[j].isImage == use.isImage && pass.uses[j].resource == use.resource)
+                throw GraphError(naming(graph, pass, use) + ": used twice by one pass");
+    }
+}
+
+}  // namespace
+
 void validate(const Graph& graph, const PlanCaps& caps) {
     checkImages(graph);
-    for (const PassDecl& pass : graph.passes()) {
-        for (std::size_t i = 0; i < pass.uses.size(); ++i) {
-            const Use& use = pass.uses[i];
-            if (!fits(use.verb, pass.kind) || (!use.isImage && isAttachment(use.verb)))
-                throw GraphError(naming(graph, pass, use) + ": '" + verbName(use.verb) +
-                                 "' does not go with this kind of pass");
-            for (std::size_t j = 0; j < i; ++j)
-                if (pass.uses[j].isImage == use.isImage && pass.uses[j].resource == use.resource)
-                    throw GraphError(naming(graph, pass, use) + ": used twice by one pass");
+    std::vector<bool> written;
+    for (const ImageDecl& image : graph.images()) written.push_back(image.imported && !image.undefined);
+    for (std::size_t p = 0; p < graph.passes().size(); ++p) {
+        const PassDecl& pass = graph.passes()[p];
+        try {
+            checkUses(graph, pass);
+            checkAttachments(graph, pass, caps);
+            checkReads(graph, p, written);
+        } catch (const GraphError& error) {
+            throw GraphError(error.what() + pass.line.text());
         }
-        checkAttachments(graph, pass, caps);
     }
-    checkReads(graph);
 }
 
 }  // namespace nacre::graph

@@ -189,7 +189,7 @@ void Bake::writeDirections(std::span<const glm::dmat3> frames, int first) {
 void Bake::declareFinish(graph::Graph& g, gpu::Imports& imports) {
     const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
     const auto bytes = g.importBuffer("occlusion bytes", bytes_.size, kComputeBuffer);
-    const auto atlas = g.importImage("occlusion atlas", atlas_.desc, passes::kTextureState, !atlasDefined_);
+    auto atlas = g.importImage("occlusion atlas", atlas_.desc, passes::kTextureState, !atlasDefined_);
     g.compute("occlusion finish").reads(sums).writes(bytes).record([this](gpu::PassContext& c) {
         const vk::DescriptorSet set = c.descriptors.allocate(finishLayout(c).set, "occlusion finish");
         bind(device_, set, 0, Type::eStorageBuffer, *sums_.handle);

@@ -213,9 +213,9 @@ void DepthMaps::beginTiles(std::span<const glm::dmat3> frames, std::uint32_t mod
     tiles_->begin(maps);
 }
 
-void DepthMaps::declareDrawn(graph::Graph& g, const Images& images, std::span<const glm::dmat3> frames,
+void DepthMaps::declareDrawn(graph::Graph& g, Images& images, std::span<const glm::dmat3> frames,
                              std::uint32_t across, std::uint32_t model, MapPart part) const {
-    const auto& [depth, maps] = images;
+    auto& [depth, maps] = images;
     std::optional<graph::Clear> clear, clearMaps;
     const graph::EncodedFormat& encoded = device_.caps().encodedMaps;
     if (part.first == 0) clear = graph::Clear{1.0f}, clearMaps = graph::Clear{encoded.farthest};
@@ -254,7 +254,7 @@ void DepthMaps::wantPipelines(gpu::Executor& executor, bool parts) const {
     // Render passes are compatible if the preceding and following passes agree.
     const auto prepare = [&](std::uint32_t model, MapPart part, const auto& add) {
         graph::Graph g("occlusion ahead");
-        const Images images = add(g);
+        Images images = add(g);
         declareDrawn(g, images, {&frame, 1}, 1, model, part);
         const auto state = graph::stateOf(graph::Verb::writes, graph::PassKind::compute);
         const auto sums = g.importBuffer("occlusion sums", sizeof(glm::vec2), state);
@@ -277,7 +277,7 @@ DrawnMaps DepthMaps::declare(graph::Graph& g, gpu::Imports& imports, std::span<c
         beginTiles(frames, model);
         return {{}, tiles_->declare(g, imports, 0, frames.size() * instances(model))};
     }
-    const Images images = addImages(g, across);
+    Images images = addImages(g, across);
     declareDrawn(g, images, frames, across, model, {});
     return {images.maps.value_or(images.depth), {}};
 }
@@ -305,7 +305,7 @@ void DepthMaps::declarePart(graph::Graph& g, gpu::Imports& imports, std::span<co
     }
     makePartImages();
     const MapPart part{first, end};
-    const Images images = addPartImages(g, first == 0);
+    Images images = addPartImages(g, first == 0);
     imports.bind(images.maps.value_or(images.depth), partMap_);
     if (images.maps) imports.bind(images.depth, partDepth_);
     declareDrawn(g, images, frame, 1, model, part);

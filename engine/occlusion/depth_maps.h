@@ -109,7 +109,7 @@ private:
     graph::Work eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model, MapPart part,
                         const passes::GeometryPass& pass) const;
     void beginTiles(std::span<const glm::dmat3> frames, std::uint32_t model);
-    void declareDrawn(graph::Graph& g, const Images& images, std::span<const glm::dmat3> frames, std::uint32_t across,
+    void declareDrawn(graph::Graph& g, Images& images, std::span<const glm::dmat3> frames, std::uint32_t across,
                       std::uint32_t model, MapPart part) const;
     void makePartImages();
 

@@ -24,7 +24,7 @@ gpu::Image makeTexture(const gpu::Device& device, gpu::Executor& executor, const
         device, desc, vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false, name);
     const gpu::Buffer staging = gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferSrc, name + " bytes");
     graph::Graph g(name);
-    const auto target = g.importImage(name, desc, kTextureState, true);
+    auto target = g.importImage(name, desc, kTextureState, true);
     const auto source = g.importBuffer(name + " bytes", staging.size);
     g.transfer("upload").copiesFrom(source).copiesTo(target).record([=](gpu::PassContext& c) {
         c.commands.copyBufferToImage(c.buffer(source), c.image(target), vk::ImageLayout::eTransferDstOptimal,

@@ -17,7 +17,7 @@ namespace {
 constexpr auto kUsage = vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eStorageBuffer |
                         vk::BufferUsageFlagBits::eUniformTexelBuffer;
 
-/// Writes streams one behind another.
+/// Writes streams back to back.
 template <typename... Streams>
 void put(const gpu::Buffer& buffer, const Streams&... streams) {
     std::byte* at = buffer.mapped;
@@ -29,7 +29,7 @@ void put(const gpu::Buffer& buffer, const Streams&... streams) {
     (one(streams), ...);
 }
 
-/// A buffer of streams one behind another.
+/// A buffer of streams, back to back.
 template <typename... Streams>
 gpu::Buffer joined(const gpu::Device& device, const std::string& name, const Streams&... streams) {
     const auto bytesOf = [](const auto& stream) { return stream.size() * sizeof(stream[0]); };

@@ -9,7 +9,7 @@ namespace {
 struct TwoPasses : Rules {
     Image depth = g.image("depth", kDepth);
     void declare(const ImageDesc& first = kColor, const ImageDesc& second = kColor) {
-        const Image a = g.image("a", first), b = g.image("b", second);
+        Image a = g.image("a", first), b = g.image("b", second);
         g.graphics("one").depth(depth, Clear{1.0f}).color(a, Clear{0.0f});
         g.graphics("two").depthTest(depth).color(b, Clear{0.0f});
         g.output(a);
@@ -40,7 +40,7 @@ TEST_F(TwoPasses, ShareNoSubpassThatLeavesTheTile) {
 }
 
 TEST_F(Rules, APassWithoutAnythingInCommonStaysApart) {
-    const Image a = g.image("a", kColor), b = g.image("b", kColor);
+    Image a = g.image("a", kColor), b = g.image("b", kColor);
     g.graphics("one").color(a, Clear{0.0f});
     g.graphics("two").color(b, Clear{0.0f});
     g.output(a);
@@ -49,7 +49,7 @@ TEST_F(Rules, APassWithoutAnythingInCommonStaysApart) {
 }
 
 TEST_F(Rules, AnotherDepthImageStaysApart) {
-    const Image a = g.image("a", kColor), d = g.image("d", kDepth), e = g.image("e", kDepth);
+    Image a = g.image("a", kColor), d = g.image("d", kDepth), e = g.image("e", kDepth);
     g.graphics("one").depth(d, Clear{1.0f}).color(a, Clear{0.0f});
     g.graphics("two").depth(e, Clear{1.0f}).color(a);
     g.output(a);
@@ -57,7 +57,7 @@ TEST_F(Rules, AnotherDepthImageStaysApart) {
 }
 
 TEST_F(Rules, SamePassesShareASubpassWhenTheyUseEverythingAlike) {
-    const Image a = g.image("a", kColor), d = g.image("d", kDepth);
+    Image a = g.image("a", kColor), d = g.image("d", kDepth);
     g.graphics("one").depth(d, Clear{1.0f}).color(a, Clear{0.0f});
     g.graphics("two").depth(d).color(a);
     g.output(a);
@@ -66,7 +66,7 @@ TEST_F(Rules, SamePassesShareASubpassWhenTheyUseEverythingAlike) {
 }
 
 TEST_F(Rules, TestedThenWrittenDepthStartsASubpass) {
-    const Image a = g.image("a", kColor), d = g.image("d", kDepth);
+    Image a = g.image("a", kColor), d = g.image("d", kDepth);
     g.graphics("zero").depth(d, Clear{1.0f});
     g.graphics("one").depthTest(d).color(a, Clear{0.0f});
     g.graphics("two").depth(d).color(a);
@@ -79,7 +79,7 @@ TEST_F(Rules, TestedThenWrittenDepthStartsASubpass) {
 }
 
 TEST_F(Rules, ColoursInAnotherOrderStartASubpass) {
-    const Image a = g.image("a", kColor), b = g.image("b", kColor);
+    Image a = g.image("a", kColor), b = g.image("b", kColor);
     g.graphics("one").color(a, Clear{0.0f}).color(b, Clear{0.0f});
     g.graphics("two").color(b).color(a);
     g.output(a);
@@ -87,7 +87,7 @@ TEST_F(Rules, ColoursInAnotherOrderStartASubpass) {
 }
 
 TEST_F(Rules, AClearInTheMiddleStartsARenderPass) {
-    const Image a = g.image("a", kColor), d = g.image("d", kDepth);
+    Image a = g.image("a", kColor), d = g.image("d", kDepth);
     g.graphics("one").depth(d, Clear{1.0f}).color(a, Clear{0.0f});
     g.graphics("two").depth(d, Clear{1.0f}).color(a);
     g.output(a);
@@ -129,8 +129,8 @@ TEST_F(InputRead, BecomesATextureReadAfterAnotherKindOfPass) {
 }
 TEST_F(InputRead, OfSeveralSamplesCannotBecomeATextureRead) {
     caps.tileBytesPerPixel = 32;
-    const Image many = g.image("many", {VK_FORMAT_R8G8B8A8_UNORM, kExtent, 4});
-    const Image result = g.image("result", {VK_FORMAT_R8G8B8A8_UNORM, kExtent, 4});
+    Image many = g.image("many", {VK_FORMAT_R8G8B8A8_UNORM, kExtent, 4});
+    Image result = g.image("result", {VK_FORMAT_R8G8B8A8_UNORM, kExtent, 4});
     g.graphics("draw").color(many, Clear{0.0f});
     g.graphics("read").input(many).color(result, Clear{0.0f});
     g.output(result);
@@ -169,7 +169,7 @@ TEST_F(Resolve, HappensInTheRenderPassAndStoresThePictureAlone) {
 }
 TEST_F(Resolve, IsSeenByLaterPasses) {
     draw();
-    const Image copy = g.image("copy", kColor);
+    Image copy = g.image("copy", kColor);
     g.graphics("read").samples(picture).color(copy, Clear{0.0f});
     g.output(copy);
     EXPECT_EQ(steps(), 2u);
@@ -177,7 +177,7 @@ TEST_F(Resolve, IsSeenByLaterPasses) {
 }
 TEST_F(Resolve, OfOnePassIsNotThatOfAnother) {
     draw();
-    const Image other = g.image("other", kColor);
+    Image other = g.image("other", kColor);
     g.graphics("over").color(samples).resolve(other);
     g.output(picture);
     g.output(other);
@@ -194,21 +194,21 @@ TEST_F(Resolve, CountsAllSamplesOnTheTile) {
     EXPECT_EQ(refusal(), "pass 'draw': 16 bytes of colour per pixel exceed the tile budget of 'mali-old' (15)");
 }
 TEST_F(Resolve, TakesWhatItsColourIsMadeOf) {
-    const Image wide = g.image("wide", kWide);
+    Image wide = g.image("wide", kWide);
     g.graphics("draw").color(samples, Clear{0.0f}).resolve(wide);
     g.output(wide);
     EXPECT_EQ(refusal(),
               "pass 'draw', image 'wide': RGBA16F of 100x50 cannot take the mean of RGBA8 of 100x50, 4 samples");
 }
 TEST_F(Rules, NothingIsResolvedThatHasOneSample) {
-    const Image a = g.image("a", kColor), b = g.image("b", kColor);
+    Image a = g.image("a", kColor), b = g.image("b", kColor);
     g.graphics("draw").color(a, Clear{0.0f}).resolve(b);
     g.output(b);
     EXPECT_EQ(refusal(), "pass 'draw', image 'b': nothing of several samples stands before it");
 }
 
 TEST_F(Rules, ATextureReadCrossesPixels) {
-    const Image a = g.image("a", kColor), d = g.image("d", kDepth), b = g.image("b", kColor);
+    Image a = g.image("a", kColor), d = g.image("d", kDepth), b = g.image("b", kColor);
     g.graphics("write").depth(d, Clear{1.0f}).color(a, Clear{0.0f});
     g.graphics("read").depthTest(d).samples(a).color(b, Clear{0.0f});
     g.output(b);
@@ -216,7 +216,7 @@ TEST_F(Rules, ATextureReadCrossesPixels) {
 }
 
 TEST_F(Rules, AnImageIsNotTestedAndSampledInOneRenderPass) {
-    const Image a = g.image("a", kColor), d = g.image("d", kDepth);
+    Image a = g.image("a", kColor), d = g.image("d", kDepth);
     g.graphics("depth").depth(d, Clear{1.0f});
     g.transfer("apart").copiesFrom(g.importBuffer("from", 4)).copiesTo(g.importBuffer("to", 4));
     g.graphics("test").depthTest(d).color(a, Clear{0.0f});
@@ -226,7 +226,7 @@ TEST_F(Rules, AnImageIsNotTestedAndSampledInOneRenderPass) {
 }
 
 TEST_F(Rules, WhatReachesNoOutputIsCulled) {
-    const Image a = g.image("a", kColor), b = g.image("b", kColor);
+    Image a = g.image("a", kColor), b = g.image("b", kColor);
     g.graphics("unseen").color(b, Clear{0.0f});
     g.graphics("overwritten").color(a, Clear{0.0f});
     g.graphics("kept for its effect").color(b, Clear{0.5f}).sideEffect();
@@ -236,7 +236,7 @@ TEST_F(Rules, WhatReachesNoOutputIsCulled) {
 }
 
 TEST_F(Rules, OnlyWhatIsReadLaterIsStored) {
-    const Image a = g.image("a", kColor), d = g.image("d", kDepth);
+    Image a = g.image("a", kColor), d = g.image("d", kDepth);
     g.graphics("one").depth(d, Clear{1.0f}).color(a, Clear{0.0f});
     g.output(a);
     const Plan p = plan();
@@ -253,7 +253,7 @@ TEST_F(Rules, OnlyWhatIsReadLaterIsStored) {
 }
 
 TEST_F(Rules, ATestedDepthBufferIsStoredAgainOnlyWithoutStoreNone) {
-    const Image a = g.image("a", kColor), d = g.image("d", kDepth);
+    Image a = g.image("a", kColor), d = g.image("d", kDepth);
     g.graphics("one").depth(d, Clear{1.0f});
     g.graphics("two").depthTest(d).color(a, Clear{0.0f});
     g.graphics("three").depthTest(d).color(a);
@@ -266,7 +266,7 @@ TEST_F(Rules, ATestedDepthBufferIsStoredAgainOnlyWithoutStoreNone) {
 }
 
 TEST_F(Rules, AnImportedImageIsLoadedUnlessItIsUndefined) {
-    const Image full = g.importImage("full", kColor, kTexture), empty = g.importImage("empty", kColor, kTexture, true);
+    Image full = g.importImage("full", kColor, kTexture), empty = g.importImage("empty", kColor, kTexture, true);
     g.graphics("one").color(full);
     g.graphics("two").color(empty);
     EXPECT_EQ(plan().steps[0].renderPass.attachments[0].load, Load::load);
@@ -275,7 +275,7 @@ TEST_F(Rules, AnImportedImageIsLoadedUnlessItIsUndefined) {
 }
 
 TEST_F(Rules, ADependencyFromOutsideGoesToTheFirstSubpassThatUsesAnAttachment) {
-    const Image a = g.image("a", kColor), d = g.image("d", kDepth);
+    Image a = g.image("a", kColor), d = g.image("d", kDepth);
     g.graphics("depth").depth(d, Clear{1.0f});
     g.graphics("colour").depthTest(d).color(a, Clear{0.0f});
     g.output(a);
@@ -289,7 +289,7 @@ TEST_F(Rules, ADependencyFromOutsideGoesToTheFirstSubpassThatUsesAnAttachment) {
 TEST_F(Rules, ABufferCountsAsTrafficWhereOnePassHandsItToOthers) {
     const Buffer handed = g.importBuffer("handed", 1000), given = g.importBuffer("given", 70);
     const Buffer made = g.importBuffer("made", 5);
-    const Image a = g.image("a", kColor), b = g.image("b", kColor);
+    Image a = g.image("a", kColor), b = g.image("b", kColor);
     g.compute("one").reads(given).writes(handed);
     g.graphics("two").reads(handed).color(a);
     g.graphics("three").reads(handed).color(b);

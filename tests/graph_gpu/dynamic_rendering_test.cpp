@@ -62,8 +62,8 @@ TEST(NewerDriver, RendersDynamicallyOnlyWhereAPassReadsAnother) {
     ASSERT_TRUE(device.caps().localRead);
     const auto takes = [&](bool reads) {
         graph::Graph g("frame");
-        const auto first = g.image("first", {VK_FORMAT_R8G8B8A8_UNORM, {8, 8}});
-        const auto second = g.image("second", {VK_FORMAT_R8G8B8A8_UNORM, {8, 8}});
+        auto first = g.image("first", {VK_FORMAT_R8G8B8A8_UNORM, {8, 8}});
+        auto second = g.image("second", {VK_FORMAT_R8G8B8A8_UNORM, {8, 8}});
         g.graphics("first").color(first, graph::Clear{0.0f});
         if (reads) g.graphics("second").input(first).color(second, graph::Clear{0.0f});
         g.output(reads ? second : first);

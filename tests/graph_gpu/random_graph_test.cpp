@@ -61,8 +61,8 @@ public:
         noDepth_ = gpu::makeImage(device, {VK_FORMAT_R32_SFLOAT, {1, 1}}, kUsage, false, "no depth");
         noBuffer_ = buffer("no buffer");
         graph::Graph g("nothing to read");
-        const auto color = g.importImage("no colour", noColor_.desc, kImportedState, true);
-        const auto depth = g.importImage("no depth", noDepth_.desc, kImportedState, true);
+        auto color = g.importImage("no colour", noColor_.desc, kImportedState, true);
+        auto depth = g.importImage("no depth", noDepth_.desc, kImportedState, true);
         g.graphics("clear").color(color, graph::Clear{0.0f}).color(depth, graph::Clear{0.0f});
         gpu::Imports imports;
         imports.bind(color, noColor_);
@@ -101,7 +101,7 @@ public:
             const auto host = d.graph.importBuffer("output " + std::to_string(i), kBufferWords * 4);
             imports.bind(host, memory.back());
             d.graph.output(host);
-            const graph::Image image = d.images[i];
+            graph::Image image = d.images[i];
             const graph::ImageDesc desc = random.images[i];
             d.graph.transfer("read back " + std::to_string(i))
                 .copiesFrom(image)

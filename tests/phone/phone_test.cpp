@@ -272,9 +272,9 @@ TEST(Phone, AnEncoderOfMoltenVkTakesWhatIsTransientWithIt) {
     EXPECT_EQ(gpu::hasExtension(device.physical(), VK_KHR_DYNAMIC_RENDERING_LOCAL_READ_EXTENSION_NAME), onMoltenVk());
     EXPECT_FALSE(device.caps().plan.storeNone);  // MoltenVK has it, and stores
     graph::Graph g("two subpasses");
-    const auto depth = g.image("depth", {VK_FORMAT_D32_SFLOAT, {16, 16}});
-    const auto first = g.image("first", {VK_FORMAT_R8G8B8A8_UNORM, {16, 16}});
-    const auto second = g.image("second", {VK_FORMAT_R8G8B8A8_UNORM, {16, 16}});
+    auto depth = g.image("depth", {VK_FORMAT_D32_SFLOAT, {16, 16}});
+    auto first = g.image("first", {VK_FORMAT_R8G8B8A8_UNORM, {16, 16}});
+    auto second = g.image("second", {VK_FORMAT_R8G8B8A8_UNORM, {16, 16}});
     g.graphics("first").depth(depth, graph::Clear{1.0f}).color(first, graph::Clear{0.0f});
     g.graphics("second").depthTest(depth).input(first).color(second, graph::Clear{0.0f});
     g.output(second);

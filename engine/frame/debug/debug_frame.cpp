@@ -44,7 +44,7 @@ struct Shown {
 
 /// The prepass once more, for itself: on some paths the frame's own depth goes on to hold the impostors.
 graph::Image addPlates(Frame& f, graph::Extent extent) {
-    const graph::Image plates = f.graph.image("plates", {VK_FORMAT_D32_SFLOAT, extent});
+    graph::Image plates = f.graph.image("plates", {VK_FORMAT_D32_SFLOAT, extent});
     declarePrepass(f, plates);
     return plates;
 }
@@ -57,7 +57,7 @@ passes::GeometryPass overdraw() {
 }
 
 graph::Image addOverdraw(Frame& f, graph::Extent extent) {
-    const graph::Image counts = f.graph.image("overdraw", {VK_FORMAT_R8_UNORM, extent});
+    graph::Image counts = f.graph.image("overdraw", {VK_FORMAT_R8_UNORM, extent});
     f.graph.graphics("overdraw")
         .depthTest(f.depth)
         .color(counts, Clear{0.0f})
@@ -67,7 +67,7 @@ graph::Image addOverdraw(Frame& f, graph::Extent extent) {
 
 graph::Image addTileMeans(Frame& f, graph::Extent extent, graph::Image counts) {
     const auto tilesAcross = [](std::uint32_t pixels) { return (pixels + kDebugTile - 1) / kDebugTile; };
-    const graph::Image tiles =
+    graph::Image tiles =
         f.graph.image("tiles", {VK_FORMAT_R32_SFLOAT, {tilesAcross(extent.width), tilesAcross(extent.height)}});
     f.graph.graphics("tile mean")
         .samples(counts)
@@ -116,7 +116,7 @@ void declareDebugView(Frame& f, const FrameShape& shape) {
     declarePath(f, drawn);
     const Shown shown = addShown(view, f, shape.extent);
     f.targets.clear();
-    const graph::Image picture = f.add(target, shape);
+    graph::Image& picture = f.add(target, shape);
     graph::PassBuilder pass = f.graph.graphics("debug view");
     pass.samples(shown.source);
     if (shown.under) pass.samples(*shown.under);

@@ -52,7 +52,7 @@ void declareEncoded(Frame& f, const FrameShape& shape) {
 
     const bool settles = format.settles();
     for (const ScreenTarget& target : shape.targets) {
-        const graph::Image image = f.add(target, shape);
+        graph::Image& image = f.add(target, shape);
         graph::PassBuilder shading = f.graph.graphics(target.pass);
         settles ? shading.depth(f.depth) : shading.depthTest(f.depth);
         f.lit(shading.input(f.nearest)).color(image, target.clear);

@@ -4,7 +4,7 @@
 
 namespace nacre {
 
-void declarePrepass(Frame& f, graph::Image depth) {
+void declarePrepass(Frame& f, graph::Image& depth) {
     f.graph.graphics("opaque prepass")
         .depth(depth, graph::Clear{1.0f})
         .record(drawsFirst(f, [](const auto&, const passes::SceneView& scene) {

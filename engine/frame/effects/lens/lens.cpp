@@ -74,7 +74,7 @@ std::vector<std::uint8_t> sharpPlaces(const float* distances, graph::Extent exte
         const float Z = *distances++;
         radius = Z < kNoDistance ? radiusAt(lens, Z) : kNothing;
     }
-    // What differs from a neighbour, and rims beside it.
+    // The smallest circle of the pixels around: sharp shapes keep samples at their edges and outlines.
     for (auto left = static_cast<std::size_t>(1 + std::ceil(rim)); left > 0; --left) {
         for (std::size_t y = 0; y < extent.height; ++y) takeLeast(radii.data() + y * extent.width, extent.width, 1);
         takeLeast(radii.data(), radii.size(), extent.width);
@@ -135,7 +135,7 @@ std::vector<PictureRect> blurredBy(const passes::Lens& lens, std::span<const Til
 
 void declareLens(Frame& f, graph::Extent extent, VkFormat format, const PictureImage* from) {
     graph::Graph& g = f.graph;
-    const graph::Image picture = g.importImage("picture", {format, extent}, passes::kTextureState);
+    graph::Image picture = g.importImage("picture", {format, extent}, passes::kTextureState);
     f.picture = picture;
     const bool coded = format == VK_FORMAT_R8G8B8A8_UNORM;
     const auto draw = [&](const char* name, LensStep step, graph::Image to, std::vector<graph::Image> images) {

@@ -24,7 +24,7 @@ constexpr ScreenTarget kLensTargets[] = {
 /// The passes begin with this one.
 constexpr const char* kLensPass = "depth of field";
 
-/// The lens of a view's pictures. @param view  of the settings, or a part of it
+/// The lens of a view's pictures. @param view  the settings' view, or a part of it
 passes::Lens lensOf(const RenderSettings& settings, const View& view);
 
 /// Where a picture through the lens shows single pixels, as a byte for each of a frame of less resolution: 0 where all

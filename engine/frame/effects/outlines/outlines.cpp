@@ -25,7 +25,7 @@ passes::GeometryPass rims(const passes::SceneView& view, const passes::Reads& re
 }  // namespace
 
 graph::Image declareRims(Frame& f, const FrameShape& shape) {
-    const graph::Image drawn = f.graph.image(kRimPass, {VK_FORMAT_R8G8B8A8_UNORM, shape.extent});
+    graph::Image drawn = f.graph.image(kRimPass, {VK_FORMAT_R8G8B8A8_UNORM, shape.extent});
     f.graph.graphics(kRimPass)
         .depthTest(f.depth)
         .input(f.nearest)

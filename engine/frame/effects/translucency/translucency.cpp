@@ -39,7 +39,7 @@ void declareTranslucentLayers(Frame& f, const FrameShape& shape) {
     std::optional<graph::Image> before;
     for (std::uint32_t i = 0; i < shape.choice.layers(); ++i) {
         const std::string name = kTranslucentLayer + std::to_string(i + 1);
-        const graph::Image depth = f.graph.image(name + " depth", {VK_FORMAT_D32_SFLOAT, shape.extent});
+        graph::Image depth = f.graph.image(name + " depth", {VK_FORMAT_D32_SFLOAT, shape.extent});
         f.layers.push_back(f.graph.image(name, {VK_FORMAT_R32_UINT, shape.extent}));
         graph::PassBuilder pass = f.graph.graphics(name);
         if (before) pass.samples(*before);
