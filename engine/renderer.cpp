@@ -107,7 +107,7 @@ struct Renderer::Impl {
         checkView(settings.view);
         return guarded([&] {
             pictures.settle();
-            occlusion.finish(settings.occlusion, onlookerOf(settings));
+            occlusion.finish(settings.occlusion, onlyViewDirection(settings));
             auto drawn = draw(occlusion.atlas());
             notePicture();
             return drawn;
@@ -197,7 +197,7 @@ void Renderer::startCoded(const RenderSettings& settings, bool alpha) {
     impl_->dropOnError([&] {
         checkView(settings.view);
         impl_->waitUnlessBaked(settings.occlusion);
-        impl_->occlusion.finish(settings.occlusion, onlookerOf(settings));
+        impl_->occlusion.finish(settings.occlusion, onlyViewDirection(settings));
         impl_->pictures.start(settings, impl_->occlusion.atlas(), alpha);
         impl_->notePicture();
     });

@@ -102,12 +102,12 @@ BakePreparation prepareBake(const gpu::Caps& caps, const Representation& represe
     if (stop.stop_requested()) return result;
     if (options.path == OcclusionMaps::tiles)
         result.occluders = OccluderMeshes(representation, DepthMapSizes::kMeshError * pixel, static_cast<float>(pixel));
-    if (options.onlooker && representation.copies.transforms.empty()) {
+    if (options.viewDirection && representation.copies.transforms.empty()) {
         HiddenTriangles hidden;
         if (options.path == OcclusionMaps::tiles && !representation.triangles.empty() &&
             translucentRuns(representation).empty())
-            hidden = {result.occluders, options.onlooker->towards, representation.radius, maps.pixels};
-        keepSeen(result.open, result.layout, representation, *options.onlooker, hidden);
+            hidden = {result.occluders, options.viewDirection->towards, representation.radius, maps.pixels};
+        keepSeen(result.open, result.layout, representation, *options.viewDirection, hidden);
     }
     result.copies = occlusionCopies(representation, result.layout, result.open.texels);
     return result;

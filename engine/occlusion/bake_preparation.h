@@ -18,8 +18,8 @@ struct BakeOptions {
     int directions = 128;
     std::uint64_t budgetBytes = 64ull << 20;  ///< device memory of the whole bake
     OcclusionMaps path = OcclusionMaps::encoded;
-    std::uint32_t detail = 32;              ///< maximum width of a sphere's patch, texels
-    std::optional<Onlooker> onlooker = {};  ///< who alone sees it
+    std::uint32_t detail = 32;                        ///< maximum width of a sphere's patch, texels
+    std::optional<ViewDirection> viewDirection = {};  ///< of the only view that shows the bake
 };
 
 /// The prepared data.

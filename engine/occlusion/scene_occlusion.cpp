@@ -79,18 +79,18 @@ void SceneOcclusion::moveScene(SceneToBake scene) {
     moved_ = true;
 }
 
-void SceneOcclusion::begin(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker) {
+void SceneOcclusion::begin(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection) {
     orDrop([&] {
         if (isOutdated()) drop();
-        prepare(settings, onlooker);
+        prepare(settings, viewDirection);
         if (is<Preparing>())
             make(device_.caps().asynchronous ? allowed(kWaitedMilliseconds) : Allowance(), Allowance());
         if (const auto bake = there(); bake && !bake->shows()) finishFlight(), bake->finish(executor_);
     });
 }
 
-void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker) {
-    const Wanted wanted{settings.directions, settings.bytes, settings.maps, settings.detail, onlooker};
+void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection) {
+    const Wanted wanted{settings.directions, settings.bytes, settings.maps, settings.detail, viewDirection};
     if (settings.directions == 0 || (!is<Idle>() && wanted_ == wanted)) return;
     if (scene_.buffers == nullptr || !hasPatches(*scene_.representation)) return;
     std::shared_ptr<Bake> shown = wanted_ == wanted ? std::move(before_) : nullptr;
@@ -99,7 +99,7 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings, const std::optio
     of_ = scene_;
     wanted_ = wanted;
     options_ = {settings.directions, budgetOf(settings.bytes, of_.representation->meshVertices.size()), settings.maps,
-                settings.detail, onlooker};
+                settings.detail, viewDirection};
     const bool tiles = device_.caps().plan.tiles;
     if (options_.path == OcclusionMaps::automatic || (options_.path == OcclusionMaps::tiles && !tiles))
         options_.path = automaticMaps_;
@@ -279,8 +279,8 @@ void SceneOcclusion::advance(double milliseconds) {
     });
 }
 
-void SceneOcclusion::finish(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker) {
-    begin(settings, onlooker);
+void SceneOcclusion::finish(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection) {
+    begin(settings, viewDirection);
     if (settings.directions == 0) return;
     orDrop([&] {
         finishFlight();

@@ -42,12 +42,12 @@ public:
     bool readsScene() const { return is<Preparing>(); }
 
     /// Starts the requested bake unless it exists or there is nothing to bake. A bake from the cache is done at once.
-    /// @param onlooker  who alone sees it, if anyone
-    void begin(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker = {});
+    /// @param viewDirection  of the only view that shows the bake, if there is one
+    void begin(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection = {});
     /// Works on the current bake for about `milliseconds`, at least one direction.
     void advance(double milliseconds);
     /// Starts and completes the bake.
-    void finish(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker = {});
+    void finish(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection = {});
     /// As above, always with a new bake. @returns its results
     BakedOcclusion baked(const OcclusionSettings& settings);
     /// Renderer::advanceOcclusion beside frames. @returns the share that is shown
@@ -112,9 +112,9 @@ private:
     /// The bake, if there is one.
     std::shared_ptr<Bake> there() const;
 
-    using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t, std::optional<Onlooker>>;
+    using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t, std::optional<ViewDirection>>;
     /// Starts preparing the requested bake unless it exists, is being prepared, or there is nothing to bake.
-    void prepare(const OcclusionSettings& settings, const std::optional<Onlooker>& onlooker = {});
+    void prepare(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection = {});
     /// The same beside frames, for a moving scene: a running bake continues, and the last finished one stays visible.
     /// @param hurry  drop a running bake of earlier positions
     void prepareBeside(const OcclusionSettings& settings, bool hurry);

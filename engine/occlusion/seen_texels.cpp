@@ -41,7 +41,7 @@ std::vector<bool> seenOfSphere(std::uint32_t edge, const glm::dvec3& towards) {
 
 /// Marks a vertex texel, outer or inner, if a triangle shows that side. A triangle seen edge-on, or too thin for a
 /// pixel's rounding, may show either.
-std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representation& r, const Onlooker& from,
+std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representation& r, const ViewDirection& from,
                                  const occlusion::HiddenTriangles& hidden) {
     constexpr float kFlat = 0.1f;
     constexpr double kThinPixels = 0.1;
@@ -75,20 +75,20 @@ std::vector<std::uint8_t> wordsOf(const std::vector<bool>& texels) {
 
 }  // namespace
 
-std::optional<Onlooker> onlookerOf(const RenderSettings& settings) {
+std::optional<ViewDirection> onlyViewDirection(const RenderSettings& settings) {
     const View& view = settings.view;
     // A stored bake serves other views. Clipping planes expose surfaces, and perspective turns them.
     if (!settings.occlusion.once || !settings.occlusion.cache.empty() || settings.effects.clip.on() ||
         settings.debug != DebugView::none || view.projection == Projection::perspective)
         return {};
-    return Onlooker{glm::transpose(view.rotation) * glm::dvec3(0, 0, 1), view.pixelsPerAngstrom};
+    return ViewDirection{glm::transpose(view.rotation) * glm::dvec3(0, 0, 1), view.pixelsPerAngstrom};
 }
 
-void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representation& r, const Onlooker& onlooker,
-              const occlusion::HiddenTriangles& hidden) {
+void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representation& r,
+              const ViewDirection& viewDirection, const occlusion::HiddenTriangles& hidden) {
     if (layout.sphereEdge == 1) return;
-    const std::vector<std::uint8_t> ofSphere = wordsOf(seenOfSphere(layout.sphereEdge, onlooker.towards));
-    const std::vector<std::uint8_t> ofVertices = wordsOf(seenOfVertices(layout, r, onlooker, hidden));
+    const std::vector<std::uint8_t> ofSphere = wordsOf(seenOfSphere(layout.sphereEdge, viewDirection.towards));
+    const std::vector<std::uint8_t> ofVertices = wordsOf(seenOfVertices(layout, r, viewDirection, hidden));
     const std::uint32_t perRow = layout.width / 4, perPatch = layout.sphereEdge / 4;
     const std::uint64_t vertexRow = std::uint64_t{layout.sphereRows} + layout.cylinderRows;
     const auto seenOf = [&](std::uint32_t word) -> std::uint32_t {

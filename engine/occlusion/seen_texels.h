@@ -11,22 +11,22 @@
 namespace nacre {
 
 /// Viewer at infinity.
-struct Onlooker {
+struct ViewDirection {
     glm::dvec3 towards{};          ///< unit vector to the viewer, in the scene's frame
     double pixelsPerAngstrom = 1;  ///< of the picture
-    bool operator==(const Onlooker& other) const {
+    bool operator==(const ViewDirection& other) const {
         return towards == other.towards && pixelsPerAngstrom == other.pixelsPerAngstrom;
     }
 };
 
 /// View direction of these settings, if the bake serves this picture alone and every visible surface faces one way.
-std::optional<Onlooker> onlookerOf(const RenderSettings& settings);
+std::optional<ViewDirection> onlyViewDirection(const RenderSettings& settings);
 
 /// Drops sphere and mesh texels that face away from the viewer, texels of hidden triangles, and texels that no other
 /// takes its value from. Cylinder texels stay. Values of the remaining texels do not change.
 /// @param representation  without copies
 /// @param hidden  for that viewer
 void keepSeen(OpenTexels& open, const OcclusionLayout& layout, const Representation& representation,
-              const Onlooker& onlooker, const occlusion::HiddenTriangles& hidden = {});
+              const ViewDirection& viewDirection, const occlusion::HiddenTriangles& hidden = {});
 
 }  // namespace nacre

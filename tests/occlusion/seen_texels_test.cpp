@@ -55,18 +55,18 @@ INSTANTIATE_TEST_SUITE_P(Styles, Once,
                          [](const auto& test) { return std::string(test.param.name); });
 
 // Where a picture may show any side, or the bake is kept for others.
-TEST(Onlooker, IsNobodyWhereOtherSidesMayShow) {
+TEST(OnlyViewDirection, IsNoneWhereOtherSidesMayShow) {
     RenderSettings s;
-    EXPECT_FALSE(onlookerOf(s));
+    EXPECT_FALSE(onlyViewDirection(s));
     s.occlusion.once = true;
-    ASSERT_TRUE(onlookerOf(s));
-    EXPECT_EQ(onlookerOf(s)->towards, glm::dvec3(0, 0, 1));
+    ASSERT_TRUE(onlyViewDirection(s));
+    EXPECT_EQ(onlyViewDirection(s)->towards, glm::dvec3(0, 0, 1));
     RenderSettings cut = s, kept = s, near = s, debug = s;
     cut.effects.clip.near = -3;
     kept.occlusion.cache = "/somewhere";
     near.view.projection = Projection::perspective;
     debug.debug = DebugView::depth;
-    for (const RenderSettings& other : {cut, kept, near, debug}) EXPECT_FALSE(onlookerOf(other));
+    for (const RenderSettings& other : {cut, kept, near, debug}) EXPECT_FALSE(onlyViewDirection(other));
 }
 
 }  // namespace
