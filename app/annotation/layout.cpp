@@ -163,6 +163,16 @@ void putInSpace(Room& room, const PlacedLabel& label, const Room::Seen& seen) {
     room.put(label.text, seen.at + glm::dvec2(-wide / 2, (kRise - kDrop) / 2 * em), em);
 }
 
+/// A label stands where its rule has it, with a leader line if that is not at its anchor.
+void putAt(Room& room, const PlacedLabel& label, const glm::dvec2& anchor) {
+    const glm::dvec2 middle = anchor + glm::dvec2(label.offset->x, -label.offset->y) * room.size;
+    const glm::dvec2 half(room.widthOfRuns(label.text, room.size) / 2, (kRise + kDrop) / 2 * room.size);
+    const Area area{middle - half, middle + half};
+    const glm::dvec2 end = area.nearest(anchor);
+    if (glm::distance(end, anchor) > 0.6 * room.size) room.lead(anchor, end);
+    room.put(label.text, {area.low.x, area.low.y + kRise * room.size}, room.size);
+}
+
 /// @param held  positions in the previous and in this picture
 void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vector<Held>& held) {
     const std::vector<PlacedLabel>& labels = words.labels;
@@ -185,6 +195,10 @@ void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vect
         room.ink = labels[i].color;
         if (labels[i].size > 0) {
             putInSpace(room, labels[i], anchors[i]);
+            continue;
+        }
+        if (labels[i].offset) {
+            putAt(room, labels[i], anchors[i].at);
             continue;
         }
         std::vector<glm::dvec2> wishes{{0, 0}};

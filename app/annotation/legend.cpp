@@ -19,6 +19,7 @@ struct LegendRow {
 };
 
 std::string headingOf(const Legend& legend) {
+    if (!legend.title.empty()) return legend.title;
     const std::string scheme = legend.scheme.substr(0, legend.scheme.find(':'));
     std::string heading;
     for (const Option::Control::Choice& choice : option("color").control.choices)
@@ -46,7 +47,8 @@ std::vector<LegendRow> rowsOf(const std::vector<Legend>& legends) {
     std::vector<LegendRow> rows;
     for (const Legend& legend : legends) {
         const std::string heading = headingOf(legend);
-        if (!heading.empty()) rows.push_back({escaped(heading), 0, !rows.empty()});
+        const bool titled = !legend.title.empty();  // with markup of its own
+        if (!heading.empty()) rows.push_back({titled ? heading : escaped(heading), 0, !rows.empty()});
         // A single colour is labelled with the atoms that have it.
         const bool named = legend.entries.size() == 1 && heading.empty() && legend.selection != "all";
         for (std::size_t i = 0; i < legend.entries.size(); ++i) {
@@ -54,8 +56,9 @@ std::vector<LegendRow> rowsOf(const std::vector<Legend>& legends) {
             const bool ramp = i < legend.stops;
             const LegendEntry& entry = legend.entries[ramp ? legend.stops - 1 - i : i];
             const bool first = !rows.empty() && i == 0 && heading.empty();
-            rows.push_back(
-                {escaped(named ? legend.selection : entry.label), entry.color, first, ramp ? &legend : nullptr, i});
+            const bool inside = ramp && i > 0 && i + 1 < legend.stops;  // only the ends are named
+            rows.push_back({inside ? "" : escaped(named ? legend.selection : entry.label), entry.color, first,
+                            ramp ? &legend : nullptr, i});
         }
     }
     return rows;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,6 +12,7 @@
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/residue_facts.h"
+#include "engine/scene/color/palettes.h"
 #include "engine/scene/instances/sphere_levels.h"
 
 namespace nacre::app {
@@ -164,8 +166,38 @@ std::vector<std::uint32_t> numbersOfResidues(const Molecule& molecule, const std
     return numbers;
 }
 
-void placeLabel(const Label& label, const ResidueFacts& facts, const DrawnAtoms& drawn, WordsOfHidden hidden,
-                PlacedWords& placed) {
+/// The rules on how labels of some atoms look.
+class LabelRules {
+public:
+    LabelRules(const Words& words, const ResidueFacts& facts) {
+        for (const LabelColor& rule : words.labelColors)
+            colors_.emplace_back(selectAtoms(facts, rule.selection), packedInk(rule.color));
+        for (const LabelOffset& rule : words.labelOffsets)
+            offsets_.emplace_back(selectAtoms(facts, rule.selection), glm::dvec2(rule.right, rule.up));
+    }
+    /// The last rule wins that selects all atoms of a label.
+    void apply(const std::vector<std::uint32_t>& atoms, PlacedLabel& label) const {
+        for (const auto& [chosen, color] : colors_)
+            if (holdsAll(chosen, atoms)) label.color = color;
+        for (const auto& [chosen, offset] : offsets_)
+            if (holdsAll(chosen, atoms)) label.offset = offset;
+    }
+
+private:
+    static std::uint32_t packedInk(const std::array<float, 3>& color) {
+        std::uint32_t rgb = 0;
+        for (const float v : color) rgb = rgb << 8 | static_cast<std::uint32_t>(std::lround(v * 255));
+        return packedColor(rgb);
+    }
+    static bool holdsAll(const std::vector<bool>& chosen, const std::vector<std::uint32_t>& atoms) {
+        return std::ranges::all_of(atoms, [&](std::uint32_t atom) { return chosen[atom]; });
+    }
+    std::vector<std::pair<std::vector<bool>, std::uint32_t>> colors_;
+    std::vector<std::pair<std::vector<bool>, glm::dvec2>> offsets_;
+};
+
+void placeLabel(const Label& label, const ResidueFacts& facts, const DrawnAtoms& drawn, const LabelRules& rules,
+                WordsOfHidden hidden, PlacedWords& placed) {
     const Molecule& molecule = facts.molecule();
     const LabelScope scope = scopeOf(label.text);
     // Groups of atoms per label, in file order of their first atom.
@@ -191,6 +223,7 @@ void placeLabel(const Label& label, const ResidueFacts& facts, const DrawnAtoms&
         one.ofAtom = group.size() == 1;
         one.radius = drawn.places[group.front()].radius;
         one.text = filledIn(label.text, molecule, group.front());
+        rules.apply(group, one);
         if (placed.sight) one.named.atoms = numbersOfResidues(molecule, group);
         const std::size_t step = (group.size() + kMostAsked - 1) / kMostAsked;
         for (std::size_t i = 0; i < group.size(); i += step) {
@@ -258,7 +291,8 @@ PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Repr
     const DrawnAtoms drawn(facts.molecule(), scene);
     if (words.seenOnly && !words.labels.empty() && spheresInCopies(scene) <= kMostInSight)
         placed.sight = std::make_shared<const LabelSight>(scene);
-    for (const Label& label : words.labels) placeLabel(label, facts, drawn, hidden, placed);
+    const LabelRules rules(words, facts);
+    for (const Label& label : words.labels) placeLabel(label, facts, drawn, rules, hidden, placed);
     for (const Measure& measure : words.measures) placeMeasure(measure, facts, drawn, hidden, placed);
     return placed;
 }

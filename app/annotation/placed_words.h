@@ -1,8 +1,10 @@
 #pragma once
 // Words of a molecule and its scene. layout.h places them in a picture.
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,7 @@ struct PlacedLabel {
     LabelSight::Named named{};  ///< its atoms; those that do not hide it where labels may be hidden
     double size = 0;            ///< Å per em: has a size in space and covers what is there; 0: as all labels
     std::uint32_t color = 0;    ///< packed; 0: as all labels
+    std::optional<glm::dvec2> offset{};  ///< of its middle from its anchor, em, to the right and up; empty: where it fits
 };
 struct PlacedMeasure {
     std::vector<glm::dvec3> points;

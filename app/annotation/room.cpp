@@ -128,13 +128,15 @@ bool Room::place(const std::string& text, const glm::dvec2& anchor, const std::v
     held.placed = least < std::numeric_limits<double>::infinity();
     held.offset = chosen;
     if (!held.placed) return false;
-    if (glm::distance(to, anchor) > 0.5 * size) {
-        marks.lines.push_back({{anchor, to}, std::max(1.0, 0.07 * size)});
-        marks.discs.push_back({anchor, std::max(1.5, 0.13 * size), 0});
-        leaders.emplace_back(anchor, to);
-    }
+    if (glm::distance(to, anchor) > 0.5 * size) lead(anchor, to);
     put(text, {best.low.x, best.low.y + kRise * size}, size);
     return true;
+}
+
+void Room::lead(const glm::dvec2& anchor, const glm::dvec2& to) {
+    marks.lines.push_back({{anchor, to}, std::max(1.0, 0.07 * size)});
+    marks.discs.push_back({anchor, std::max(1.5, 0.13 * size), 0});
+    leaders.emplace_back(anchor, to);
 }
 
 void Room::dashed(const std::vector<glm::dvec2>& points) {

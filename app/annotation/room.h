@@ -54,6 +54,8 @@ struct Room {
     bool place(const std::string& text, const glm::dvec2& anchor, const std::vector<glm::dvec2>& wishes,
                const std::vector<glm::dvec2>& avoided, Held& held);
     double driftCost(const Area& area, const glm::dvec2& anchor, bool beside) const;
+    /// Draws a leader line to a text.
+    void lead(const glm::dvec2& anchor, const glm::dvec2& to);
     void dashed(const std::vector<glm::dvec2>& points);
 
     const View& view;

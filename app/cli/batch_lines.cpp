@@ -116,7 +116,7 @@ BatchFiles::BatchFiles(const std::string& jobs) {
 
 void BatchFiles::claim(const PictureDescription& job) {
     const std::pair<const char*, const std::string&> outputs[] = {
-        {"output", job.output}, {"layers", job.layers}, {"stats", job.stats}};
+        {"output", job.output}, {"layers", job.layers}, {"stats", job.stats}, {"save_view", job.saveView}};
     if (isOther(job.stats)) throw UsageError("\"stats\": the existing file is not a stats file: " + job.stats);
     const std::lock_guard lock(turn_);
     for (const auto& [name, path] : outputs) {

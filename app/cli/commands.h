@@ -11,6 +11,7 @@ void renderCommand(const PictureDescription& options);
 void movieCommand(const MovieOptions& options);
 /// Reports to `out`, line by line. @returns whether all jobs are done
 bool batchCommand(const BatchOptions& options, std::ostream& out);
+void figureCommand(const FigureOptions& options);
 void looksCommand(const LooksOptions& options, std::ostream& out);
 void exportCommand(const ExportCommandOptions& options);
 void benchCommand(const BenchOptions& options, std::ostream& out);

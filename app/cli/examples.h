@@ -53,6 +53,14 @@ inline constexpr const char* kRenderExamples =
     "  ligand, water, ion, backbone, sidechain, hydrogens, hetatm, all, none; and, or, not, ( );\n"
     "  within 5 of (SEL): at most 5 Å away, SEL included; byres (SEL): its whole residues";
 
+inline constexpr const char* kFigureExamples =
+    "A panel is a line like {\"input\": \"1hpv.pdb\", \"style\": \"surface\"}: the options of `nacre render` without\n"
+    "dashes. Options on the command line apply to all. The first panel's camera is that of all, unless a panel aims\n"
+    "itself; the scale always is. A scale bar stands in the last panel only.\n"
+    "Examples:\n"
+    "  nacre figure panels.jsonl -o figure.png --width 85mm --scale-bar nm\n"
+    "  nacre figure panels.jsonl -o figure.tif --columns 3 --letters A --gap 4 --size 800x800";
+
 inline constexpr const char* kBatchExamples =
     "A job is a line like {\"input\": \"1crn.pdb\", \"output\": \"1crn.png\", \"color\": \"chain\", \"show\": "
     "[\"ligand=licorice\"]}:\n"

@@ -55,6 +55,9 @@ void run(const CommandLine& line, std::ostream& out) {
 #endif
             serveCommand(line.serve);
             break;
+        case Command::figure:
+            figureCommand(line.figure);
+            break;
         case Command::looks:
             looksCommand(line.looks, out);
             break;

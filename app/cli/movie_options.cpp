@@ -24,6 +24,25 @@ std::vector<std::string> parseViews(const std::string& text) {
     return names;
 }
 
+/// "101-500:10", "101-", "-500:10", ":10".
+FrameRange parseFrames(const std::string& text) {
+    constexpr std::int64_t kMost = 1'000'000'000;
+    const auto refuse = [&]() -> FrameRange {
+        throw std::invalid_argument("expected frames such as 101-500 or 101-500:10, not '" + text + "'");
+    };
+    const std::size_t colon = text.find(':');
+    const std::string span = text.substr(0, colon);
+    const std::size_t dash = span.find('-');
+    FrameRange range;
+    if (colon != std::string::npos) range.step = parseInteger(text.substr(colon + 1), 1, kMost);
+    if (span.empty()) return colon == std::string::npos ? refuse() : range;
+    if (dash == std::string::npos) return refuse();
+    if (dash > 0) range.first = parseInteger(span.substr(0, dash), 1, kMost);
+    if (dash + 1 < span.size()) range.last = parseInteger(span.substr(dash + 1), 1, kMost);
+    if (range.last != 0 && range.last < range.first) throw std::invalid_argument("the range ends before it begins");
+    return range;
+}
+
 /// Whether the last frame leads on to the first.
 bool goesRound(const MovieOptions& options) {
     if (!options.views.empty()) return options.loop;
@@ -47,6 +66,9 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
            "Contour level of the first map from FROM to TO, as --map-level has them; with --spin or --rock also back");
     command.flag("--models", options.models,
                  "Show the models or records of INPUT in sequence, or the frames of --trajectory");
+    command.value("--frames", "FIRST-LAST[:STEP]", "all",
+                  "Of --models: these models or frames, counted from 1, every STEP-th; 101- is to the end",
+                  [&](const std::string& text) { options.range = parseFrames(text); });
     command.value("--views", "A.json,B.json,...", "none",
                   "Move along saved views: the camera moves, other differences cross-fade; options override each view",
                   [&](const std::string& text) { options.views = parseViews(text); });
@@ -82,6 +104,9 @@ void checkMotion(const MovieOptions& options) {
     const bool trajectory = !options.picture.input.trajectory.path.empty();
     if (options.models && !trajectory && isGiven(options, "model"))
         throw UsageError("--models shows one model after the other: leave out --model");
+    const FrameRange& range = options.range;
+    if (!options.models && (range.first != 1 || range.last != 0 || range.step != 1))
+        throw UsageError("--frames is for --models");
     if (options.models && isGiven(options, "frame"))
         throw UsageError("--models shows one frame after the other: leave out --frame");
     if (options.models && !options.views.empty() && options.picture.look.ownFrame)

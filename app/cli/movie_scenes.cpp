@@ -108,6 +108,7 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
             models_ = motion_->frames();
         }
     }
+    if (options.models) takeRange(input.path);
     loadMaps(options.picture, downloadProgress(progress_));
     frames_ = framesOf(options, models_);
     if (frames_ > kMostMovieFrames)
@@ -126,6 +127,17 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
 }
 
 MovieScenes::~MovieScenes() = default;
+
+/// Of the models or frames those that are shown.
+void MovieScenes::takeRange(const std::string& path) {
+    const auto all = static_cast<std::int64_t>(models_);
+    const FrameRange& range = options_.range;
+    const std::int64_t last = range.last == 0 ? all : range.last;
+    if (range.first > all || last > all)
+        throw Error("cannot show frames", path,
+                    "there is no frame " + std::to_string(std::max(range.first, last)) + "; it has " + std::to_string(all));
+    models_ = static_cast<std::uint64_t>((last - range.first) / range.step + 1);
+}
 
 /// Models as the frames of a trajectory, to be fitted and smoothed.
 void MovieScenes::layModels(const InputOptions& input) {
@@ -195,7 +207,8 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     if (options_.models) look.drawing.settings.occlusion.cache.clear();
     if (motion_ && !look.options.look.ownFrame) look.drawing.startMoving(molecule_);
     if (!look.canvas) look.canvas = std::make_unique<Canvas>(look.options.device);
-    options_.sweep ? look.drawing.show(*look.canvas) : look.drawing.handOver(*look.canvas);
+    look.cut = look.drawing.hasCaps();
+    options_.sweep || look.cut ? look.drawing.show(*look.canvas) : look.drawing.handOver(*look.canvas);
     return look;
 }
 
@@ -215,8 +228,9 @@ void MovieScenes::moveTo(Look& look, int frame) {
     movePositions(molecule_, motion_->positions(static_cast<std::size_t>(frame - 1)));
     if (!saidTorn_) saidTorn_ = sayTorn(*motion_, look.options.input.trajectory.path);
     look.model = frame;
+    look.drawing.moment = {frame, motion_->time()};
     look.drawing.moveTo(molecule_);
-    look.drawing.handOver(*look.canvas);
+    if (!look.cut) look.drawing.handOver(*look.canvas);
 }
 
 /// Parts of the scene that stay are not made again.
@@ -269,6 +283,7 @@ Picture MovieScenes::drawKeys(double place, int model) {
                 viewThrough(path_->at(static_cast<double>(from) + share), settings.view, look.drawing.run.center);
             moveClip(clip, a.clip, b.clip, share, settings.view.radius);
         }
+        if (look.cut) look.drawing.showCut(*look.canvas, settings);
         return look.drawing.drawAs(settings, look.canvas->renderer, look.wordMemory.get());
     };
     if (a.look == b.look || share == 0) return draw(a.look);
@@ -277,7 +292,8 @@ Picture MovieScenes::drawKeys(double place, int model) {
 }
 
 int MovieScenes::modelAt(std::uint64_t frame) const {
-    return options_.models ? static_cast<int>(frame * models_ / frames_) + 1 : molecules_;
+    if (!options_.models) return molecules_;
+    return static_cast<int>(options_.range.first + static_cast<std::int64_t>(frame * models_ / frames_) * options_.range.step);
 }
 
 std::optional<int> MovieScenes::modelOf(std::uint64_t frame) const {
@@ -306,6 +322,7 @@ Picture MovieScenes::draw(std::uint64_t frame) {
         settings.effects.clip = firstClip_;
     }
     view = viewAt(options_, view, time);
+    if (look.cut) look.drawing.showCut(*look.canvas, settings);
     return look.drawing.drawAs(settings, look.canvas->renderer, look.wordMemory.get());
 }
 

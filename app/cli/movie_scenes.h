@@ -55,6 +55,7 @@ private:
         int model = 0;                                  ///< prepared for this model; 0: none yet
         std::map<Style, std::optional<Bounds>> frames;  ///< shared camera of the models
         bool framed = false;                            ///< the current model has a shared camera
+        bool cut = false;                               ///< a plane cuts its meshes: their caps are for one view
         std::shared_ptr<WordMemory> wordMemory = std::make_shared<WordMemory>();
     };
     struct Key {
@@ -85,7 +86,9 @@ private:
     std::vector<Key> keys_;
     std::optional<CameraPath> path_;
     bool saidTorn_ = false;
-    std::uint64_t frames_ = 1, models_ = 1;
+    void takeRange(const std::string& path);
+
+    std::uint64_t frames_ = 1, models_ = 1;  // models_: those that are shown
     std::uint64_t next_ = 0;   ///< the frame for which words can continue
     std::size_t stretch_ = 0;  ///< part of the path, for words
     Clip firstClip_;

@@ -150,6 +150,8 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     addMovie(movie, line.movie);
     CommandSpec batch{"batch", "Draw many pictures, one per line of a job file", kBatchExamples};
     addBatch(batch, line.batch);
+    CommandSpec figure{"figure", "Draw several pictures by one camera as the panels of a figure", kFigureExamples};
+    addFigure(figure, line.figure);
     CommandSpec serve{"serve", "Serve pictures over HTTP, and a page to rotate molecules", kServeExamples};
     addServe(serve, line.serve);
     CommandSpec looks{"looks", "List the looks, or draw a molecule in each",
@@ -192,7 +194,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
               }})
         .required = true;
     CommandSpec man{"man", "Print the manual page", "Examples:\n  nacre man | man -l -"};
-    std::vector<CommandSpec> commands{render, movie, batch, serve,   looks,      exported,
+    std::vector<CommandSpec> commands{render, movie, batch, figure, serve,      looks, exported,
                                       info,   bench, plan,  devices, completion, man};
 #ifdef NACRE_DESKTOP
     CommandSpec view{"view", "Show a molecule in a window", kViewExamples};
@@ -216,6 +218,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
 Command commandOf(const std::string& name) {
     constexpr std::pair<const char*, Command> kCommands[] = {
         {"render", Command::render}, {"movie", Command::movie},     {"batch", Command::batch},
+        {"figure", Command::figure},
         {"serve", Command::serve},   {"looks", Command::looks},     {"export", Command::exporting},
         {"view", Command::view},     {"info", Command::info},       {"bench", Command::bench},
         {"plan", Command::plan},     {"devices", Command::devices}, {"completion", Command::help},
@@ -223,7 +226,8 @@ Command commandOf(const std::string& name) {
     for (const auto& [word, command] : kCommands)
         if (name == word) return command;
     throw UsageError(
-        "a command is needed: render, movie, batch, serve, looks, export, view, info, bench, plan or devices, for "
+        "a command is needed: render, movie, batch, figure, serve, looks, export, view, info, bench, plan or devices, "
+        "for "
         "example: nacre render sample:dna -o dna.png");
 }
 

@@ -16,9 +16,16 @@
 namespace nacre::app {
 
 /// Motion, duration and frame rate.
+/// Every so many frames from one to another, counted from 1.
+struct FrameRange {
+    std::int64_t first = 1, last = 0;  ///< last 0: to the end
+    std::int64_t step = 1;
+};
+
 struct MovieOptions : CameraMotion {
     PictureDescription picture;
     bool models = false;  ///< shown in sequence
+    FrameRange range;     ///< of these models or frames
     std::vector<std::string> views;
     std::vector<OptionValue> given;  ///< options of `picture` that were given: they override each view's
     bool loop = false;               ///< the last view returns to the first
@@ -77,6 +84,17 @@ struct PlanOptions {
     bool json = false;
 };
 
+enum class PanelLetters { small, capital, off };
+
+/// `nacre figure`.
+struct FigureOptions {
+    BatchOptions batch;  ///< the panels as jobs without outputs, and the options of all
+    std::string output;
+    int columns = 2;
+    double gapPoints = 6;  ///< between panels, 72 per inch
+    PanelLetters letters = PanelLetters::small;
+};
+
 enum class Command {
     help,
     version,
@@ -84,6 +102,7 @@ enum class Command {
     render,
     movie,
     batch,
+    figure,
     serve,
     looks,
     exporting,
@@ -100,6 +119,7 @@ struct CommandLine {
     PictureDescription render;
     MovieOptions movie;
     BatchOptions batch;
+    FigureOptions figure;
     ServeOptions serve;
     ViewOptions view;
     InfoOptions info;

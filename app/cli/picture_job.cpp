@@ -9,6 +9,8 @@
 #include "app/cli/banded_picture.h"
 #include "app/files/capture_file.h"
 #include "app/files/messages.h"
+#include "app/input/input_files.h"
+#include "app/picture/saved_view.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -51,6 +53,7 @@ void checkValidation(const Renderer& renderer) {
 PictureJob::PictureJob(const PictureDescription& options, Progress& progress)
     : options_(options), progress_(progress), pictureFile_(options.output, ".png") {
     if (!options.layers.empty()) layersFile_.emplace(options.layers, ".exr");
+    if (!options.saveView.empty()) viewFile_.emplace(options.saveView, ".json");
     if (!options.stats.empty()) statsFile_.emplace(options.stats, ".json");
     if (!options.capture.empty()) captureFile_.emplace(options.capture, ".rdc");
 }
@@ -149,6 +152,7 @@ void PictureJob::write() {
         for (const std::string& warning : drawing_.addWords(drawing_.settings, picture_)) sayWarning(warning);
         writePicture(pictureFile_, picture_, formatOf(options_));
     }
+    if (viewFile_) writeText(*viewFile_, savedViewJson(withPathsIn(options_.saveView, drawing_.placed())));
     if (!statsFile_) return;
     drawing_.run.totalMs = millisecondsSince(start_);
     writeText(*statsFile_, statsJson(drawing_.run, drawing_.settings.view, frame_));

@@ -42,7 +42,7 @@ private:
     Progress& progress_;
     Clock::time_point start_ = Clock::now();
     OutputFile pictureFile_;
-    std::optional<OutputFile> layersFile_, statsFile_, captureFile_;
+    std::optional<OutputFile> layersFile_, statsFile_, captureFile_, viewFile_;
     Drawing drawing_;
     Picture picture_;
     std::optional<CodedPicture> codes_;  ///< instead of picture_

@@ -151,6 +151,46 @@ PictureDescription jobOf(const std::string& json, const BatchOptions& batch) {
     return job;
 }
 
+void addFigure(CommandSpec& command, FigureOptions& options) {
+    BatchOptions& batch = options.batch;
+    command
+        .value("PANELS", "", "", "A file of panels, one JSON object per line; - for standard input",
+               [&](const std::string& text) { batch.path = fileName(text); })
+        .required = true;
+    command
+        .value("-o,--output", "FILE", "", option("output").help,
+               [&](const std::string& text) {
+                   option("output").parse(text, batch.tried);
+                   options.output = text;
+               })
+        .required = true;
+    command.value("--columns", "N", "2", "Panels per row, 1 to 26",
+                  [&](const std::string& text) { options.columns = static_cast<int>(parseInteger(text, 1, 26)); });
+    command.value("--letters", "a|A|off", "a", "Letters of the panels", [&](const std::string& text) {
+        options.letters = static_cast<PanelLetters>(parseChoice(text, {"a", "A", "off"}));
+    });
+    command.value("--gap", "POINTS", "6", "Space between panels, 0 to 144 points at --dpi, which is 300",
+                  [&](const std::string& text) { options.gapPoints = parseNumber(text, 0, 144); });
+    addPicture(command, batch.tried, kEveryTopic & ~kOfTheDevice & ~kOfOneJob, &batch.common);
+    addPicture(command, batch.tried, kOfTheDevice);
+}
+
+PictureDescription panelOf(const std::string& json, const FigureOptions& options) {
+    std::vector<OptionValue> values = options.batch.common;
+    for (OptionValue& value : optionValuesOf(json, "a panel")) {
+        const Option& option = nacre::app::option(value.key);
+        if (has(kOfTheDevice, option.topic) || has(Topics{} | Topic::files, option.topic))
+            throw UsageError("\"" + value.key + "\" is the figure's, on the command line");
+        values.push_back(std::move(value));
+    }
+    PictureDescription panel;
+    setOptions(values, panel);
+    panel.output = options.output;
+    panel.device = options.batch.tried.device;
+    completePicture(panel);
+    return panel;
+}
+
 void addServe(CommandSpec& command, ServeOptions& options) {
     options.workers = static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u, 64u));
     options.picture.input.memoryMegabytes = 2048;
@@ -213,6 +253,7 @@ void checkMovie(MovieOptions& options) {
     }
     if (!takeInput(picture)) throw UsageError("INPUT is required: a file, pdb:1BNA, or sample:dna");
     if (!picture.input.further.empty() && options.models) throw UsageError("--models is for one INPUT");
+    takeMap(picture);
     checkFrames(picture, options.models);
     takeSeveral(picture);
     if (isStandardOutput(picture.output) && isStandardOutput(options.report))
@@ -228,6 +269,7 @@ void checkMovie(MovieOptions& options) {
 bool checkWindow(PictureDescription& first) {
     checkDebug(first);
     const bool named = takeInput(first);
+    takeMap(first);
     takeSeveral(first);
     if (!first.input.further.empty() && !first.input.trajectory.path.empty())
         throw UsageError("a window moves one INPUT: leave out --trajectory, or the others");

@@ -39,6 +39,7 @@ void renderSnapshots(PictureDescription options) {
         options.layers = numberedName(all.layers, number);
         options.stats = numberedName(all.stats, number);
         options.capture = numberedName(all.capture, number);
+        options.saveView = numberedName(all.saveView, number);
         Progress progress;
         PictureJob job(options, progress);
         job.prepare(&scene);

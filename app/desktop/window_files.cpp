@@ -124,19 +124,7 @@ void WindowSession::saveView() {
     try {
         const std::string path = freeName(viewer().document()->view.input.path, ".view.json");
         OutputFile file(path);
-        PictureDescription view = viewer().picking().savedView();
-        view.input.hash = fileHash(view.input.path);
-        view.input.trajectory.hash = trajectoryHash(view.input.trajectory.path);
-        for (FurtherInput& further : view.input.further) further.hash = fileHash(further.path);
-        view.input.path = pathInView(path, view.input.path);
-        view.input.trajectory.path = pathInView(path, view.input.trajectory.path);
-        changeMapFiles(view.maps, [&](const std::string& map) { return pathInView(path, map); });
-        for (PrimitiveSource& source : view.primitives)
-            if (!source.made && !isJsonText(source.text)) source.text = pathInView(path, source.text);
-        for (Coloring& table : view.look.colorFrom)
-            if (!table.table && !isTableText(table.source)) table.source = pathInView(path, table.source);
-        for (FurtherInput& further : view.input.further) further.path = pathInView(path, further.path);
-        writeText(file, savedViewJson(view));
+        writeText(file, savedViewJson(withPathsIn(path, viewer().picking().savedView())));
         viewer().noteSaved();
         viewer().messages().say("saved " + path, now());
     } catch (const Error& error) {

@@ -124,6 +124,7 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
     structure.alone = input.alone || !input.trajectory.path.empty() || !input.further.empty();
     Molecule molecule = loadStructure(structure, onDownload, onModel, onStep);
     moveToFrame(input.trajectory, molecule);
+    if (input.further.empty()) fitModels(input, molecule);
     if (input.further.empty() && !input.fits.empty())
         throw Error("cannot fit", input.path, "--fit superposes one INPUT on another: name two");
     if (input.further.empty()) return molecule;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/trigonometric.hpp>
 #include <limits>
 
 #include "engine/error.h"
@@ -19,14 +20,30 @@ std::vector<glm::dvec4> selectedBalls(const Selection& selection, const char* wh
     throw Error(what, selection.text, any ? "none of its atoms is drawn" : "the molecule has no such atoms");
 }
 
-/// A plane in front of the zoom target, if a tenth of it or more is hidden.
-std::optional<double> clipBefore(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
-                                 const glm::dmat3& rotation) {
-    constexpr double kHidden = 0.1, kRoom = 0.3;  // Å
-    if (hiddenShare(target, all, rotation) < kHidden) return std::nullopt;
+// About the vertical axis: what pointed to the viewer points to the right.
+const glm::dquat kQuarterTurn = glm::angleAxis(glm::radians(90.0), glm::dvec3(0, 1, 0));
+const glm::dquat kHalfTurn = glm::angleAxis(glm::radians(180.0), glm::dvec3(0, 1, 0));
+
+/// Whether the middle of a part is on the right of the middle of another.
+bool isRight(const std::vector<glm::dvec4>& part, const std::vector<glm::dvec4>& other, const glm::dquat& orientation) {
+    const glm::dvec3 way = boundsOf(part).center - boundsOf(other).center;
+    return (orientation * way).x > 0;
+}
+
+/// A plane in front of some balls, Å from the centre away from the viewer.
+double planeBefore(const std::vector<glm::dvec4>& target, const glm::dmat3& rotation) {
+    constexpr double kRoom = 0.3;  // Å
     double front = -std::numeric_limits<double>::infinity();
     for (const glm::dvec4& ball : target) front = std::max(front, (rotation * glm::dvec3(ball)).z + ball.w);
     return std::round(-(front + kRoom) * 100) / 100;  // as people write it
+}
+
+/// A plane in front of the zoom target, if a tenth of it or more is hidden.
+std::optional<double> clipBefore(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
+                                 const glm::dmat3& rotation) {
+    constexpr double kHidden = 0.1;
+    if (hiddenShare(target, all, rotation) < kHidden) return std::nullopt;
+    return planeBefore(target, rotation);
 }
 
 }  // namespace
@@ -36,26 +53,35 @@ const std::optional<Selection>& uncoveredBy(const Aim& aim) {
     return aim.uncover ? aim.uncover : aim.uncovers ? aim.zoomTo : kNothing;
 }
 
-Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, const Representation& scene,
-            const Size& size) {
-    Aimed result{camera, std::nullopt};
+Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, const AimScene& shown, const Size& size) {
+    const Representation& scene = shown.scene;
+    Aimed result;
+    result.camera = camera;
     if (!aim.any() && !aim.fits) return result;
     const std::vector<glm::dvec4> all = aim.any() ? drawnBalls(scene) : std::vector<glm::dvec4>();
-    if (aim.principal) result.camera.orientation = principalOrientation(all, size.width >= size.height);
+    if (aim.principal) {
+        const auto axesOf = aim.axesOf ? selectedBalls(*aim.axesOf, "cannot orient", facts, scene) : all;
+        result.camera.orientation = principalOrientation(axesOf, !aim.fromSide && size.width >= size.height);
+        if (aim.fromSide) result.camera.orientation = kQuarterTurn * result.camera.orientation;
+        if (aim.left && isRight(selectedBalls(*aim.left, "cannot orient", facts, scene), axesOf, result.camera.orientation))
+            result.camera.orientation = kHalfTurn * result.camera.orientation;
+    }
     if (aim.lookAt)
         result.camera.orientation = facingOrientation(selectedBalls(*aim.lookAt, "cannot look at", facts, scene), all,
                                                       glm::mat3_cast(result.camera.orientation));
     if ((aim.fits || (aim.principal && !aim.lookAt)) && !aim.zoomTo)
-        result.camera = fitted(result.camera, scene, scene.radius, size.width, size.height, kLargestZoom);
+        result.camera = fitted(result.camera, scene, shown.beside, shown.radius, size.width, size.height, kLargestZoom);
     if (aim.zoomTo) {
         const std::vector<glm::dvec4> target = selectedBalls(*aim.zoomTo, "cannot zoom to", facts, scene);
-        result.camera = closeUp(result.camera, target, scene.radius, kZoomMargin, kLargestZoom);
+        result.camera = closeUp(result.camera, target, shown.radius, kZoomMargin, kLargestZoom);
     }
-    const std::optional<Selection>& shown = uncoveredBy(aim);
-    if (!shown) return result;
     const glm::dmat3 rotation =
         rotationMatrix(result.camera.rotationDegrees) * glm::mat3_cast(result.camera.orientation);
-    result.clipNear = clipBefore(selectedBalls(*shown, "cannot uncover", facts, scene), all, rotation);
+    if (aim.zoomTo) result.depth = -(rotation * boundsOf(selectedBalls(*aim.zoomTo, "cannot zoom to", facts, scene)).center).z;
+    if (aim.clip) result.clipBefore = planeBefore(selectedBalls(*aim.clip, "cannot clip in front of", facts, scene), rotation);
+    const std::optional<Selection>& target = uncoveredBy(aim);
+    if (!target) return result;
+    result.clipNear = clipBefore(selectedBalls(*target, "cannot uncover", facts, scene), all, rotation);
     return result;
 }
 

@@ -14,16 +14,24 @@ namespace nacre::app {
 struct Aimed {
     Camera camera;
     /// Å from the centre away from the viewer: a clipping plane that removes most of what hides the target.
-    std::optional<double> clipNear;
+    std::optional<double> clipNear{};
+    std::optional<double> clipBefore{};  ///< likewise, in front of Aim::clip
+    double depth = 0;                  ///< of the zoom target's middle: that clipping planes count from
 };
 
 /// The selection to uncover, if any.
 const std::optional<Selection>& uncoveredBy(const Aim& aim);
 
+/// What an aim may show.
+struct AimScene {
+    const Representation& scene;
+    double radius = 0;                       ///< that the camera goes by, Å
+    const Representation* beside = nullptr;  ///< maps and primitives, about the same centre: only fitted
+};
+
 /// The camera after aiming. Applies its rotation (degrees) last; its zoom is relative to the zoom target.
 /// @throws Error if a selection has no drawn atom
-Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, const Representation& scene,
-            const Size& size);
+Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, const AimScene& shown, const Size& size);
 
 /// Margin around a zoom target, Å: a ligand with its contacts.
 constexpr double kZoomMargin = 3;

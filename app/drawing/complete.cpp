@@ -11,6 +11,7 @@
 #include "app/picture/options.h"
 #include "app/picture/usage_error.h"
 #include "engine/scene/color/color_schemes.h"
+#include "engine/volume/read_map.h"
 
 namespace nacre::app {
 namespace {
@@ -35,6 +36,23 @@ bool takesPalette(const Representation& scene, Palette palette) {
     });
 }
 
+/// Widths on paper as radii in Å. @param perPoint  pixels
+void takeThicknesses(PictureDescription& picture, double perPoint) {
+    const bool any = picture.stickPoints || picture.bondPoints || picture.tubePoints;
+    if (!any) return;
+    if (!picture.camera.scale) throw UsageError("a stick's width in points depends on the scale: add --scale");
+    const double shorter = std::min(picture.size.width, picture.size.height);
+    const ViewScale& scale = *picture.camera.scale;
+    const double perAngstrom =
+        (scale.unit == ViewScale::Unit::pixelsPerAngstrom ? scale.value : shorter / scale.value) * picture.camera.zoom;
+    const auto take = [&](const std::optional<double>& points, double& radius) {
+        if (points) radius = *points * perPoint / perAngstrom / 2;
+    };
+    take(picture.stickPoints, picture.look.sizes.stick);
+    take(picture.bondPoints, picture.look.sizes.bond);
+    take(picture.tubePoints, picture.look.sizes.tube);
+}
+
 }  // namespace
 
 bool takeInput(PictureDescription& picture) {
@@ -42,6 +60,16 @@ bool takeInput(PictureDescription& picture) {
     input.alone = picture.look.ownFrame;
     if (!input.trajectory.namedBy.empty()) input.trajectory.path = trajectoryPathOf(input);
     return !input.path.empty();
+}
+
+void takeMap(PictureDescription& picture) {
+    const std::string path = filePathOf(picture.input);
+    std::vector<std::string>& files = picture.maps.files;
+    std::error_code error;
+    if (picture.input.format || !std::filesystem::is_regular_file(path, error) || !isMapFile(path)) return;
+    if (std::ranges::find(files, path) != files.end()) return;
+    files.insert(files.begin(), path);
+    picture.mapsChanged();
 }
 
 void takeSeveral(PictureDescription& picture) {
@@ -68,9 +96,8 @@ void checkFrames(const PictureDescription& picture, bool throughModels) {
     const TrajectoryOptions& frames = picture.input.trajectory;
     if (frames.path.empty() && (frames.frame != 1 || frames.whole))
         throw UsageError("--frame and --whole are for the frames of --trajectory");
-    if (frames.path.empty() && !throughModels && (frames.fit || frames.smooth != 1))
-        throw UsageError(
-            "--fit-frames and --smooth are for the frames of --trajectory, or of a movie through --models");
+    if (frames.path.empty() && !throughModels && frames.smooth != 1)
+        throw UsageError("--smooth is for the frames of --trajectory, or of a movie through --models");
 }
 
 void checkDebug(const PictureDescription& picture) {
@@ -94,7 +121,8 @@ void checkSize(const PictureDescription& picture, std::uint64_t most) {
 void checkFiles(const PictureDescription& picture, std::vector<NamedFile> further) {
     std::vector<NamedFile> files{{"INPUT", filePathOf(picture.input)}, {"--view", picture.view},
                                  {"--output", picture.output, true},   {"--layers", picture.layers, true},
-                                 {"--stats", picture.stats, true},     {"--capture", picture.capture, true}};
+                                 {"--stats", picture.stats, true},     {"--capture", picture.capture, true},
+                                 {"--save-view", picture.saveView, true}};
     files.push_back({"--trajectory", picture.input.trajectory.path});
     for (const FurtherInput& input : picture.input.further) files.push_back({"INPUT", input.path});
     std::move(further.begin(), further.end(), std::back_inserter(files));
@@ -120,6 +148,8 @@ void takePaper(PictureDescription& picture) {
     constexpr double kPointsPerInch = 72;
     if (picture.contourPoints) picture.effects.contours.width = *picture.contourPoints * dpi / kPointsPerInch;
     if (picture.haloPoints) picture.effects.halos.width = *picture.haloPoints * dpi / kPointsPerInch;
+    if (picture.linePoints) picture.look.lineWidth = std::min(*picture.linePoints * dpi / kPointsPerInch, kWidestWire);
+    takeThicknesses(picture, dpi / kPointsPerInch);
     if (picture.textPoints) picture.words.size = *picture.textPoints * dpi / kPointsPerInch;
 }
 
@@ -134,6 +164,7 @@ void checkFormat(const PictureDescription& picture) {
 
 void completePicture(PictureDescription& picture) {
     if (!takeInput(picture)) throw UsageError("INPUT is required: a file, pdb:1BNA, or sample:dna");
+    takeMap(picture);
     checkFrames(picture);
     takeSeveral(picture);
     checkDebug(picture);

@@ -1,5 +1,6 @@
 #include "app/drawing/drawing.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include "app/annotation/painter.h"
@@ -16,7 +17,10 @@
 #include "app/picture/options.h"
 #include "engine/error.h"
 #include "engine/milliseconds.h"
+#include "engine/scene/build/map_scene.h"
+#include "engine/scene/view/cut_scene.h"
 #include "engine/scene/view/orientation.h"
+#include "engine/scene/view/visible_depths.h"
 
 namespace nacre::app {
 namespace {
@@ -51,13 +55,53 @@ std::uint64_t nextNumber() {
     return ++last;
 }
 
+/// Clipping planes count from what is zoomed to.
+void placeClip(const Aimed& aim, Clip& clip) {
+    clip.near += aim.depth;
+    clip.far += aim.depth;
+    if (aim.clipBefore) clip.near = *aim.clipBefore;
+}
+
+/// Fog that a reader sees: over the depths that are visible, where these end before the centre.
+void placeFog(const Representation& scene, RenderSettings& settings) {
+    constexpr std::size_t kMany = 5'000'000;  // atoms
+    Fog& fog = settings.effects.fog;
+    if (fog.range != Fog::Range::automatic || settings.effects.clip.on() || scene.drawnAtoms > kMany) return;
+    const auto range = frontRange(visibleDepths(drawnBalls(scene), settings.view), scene.radius);
+    if (!range) return;
+    fog.range = Fog::Range::given;
+    fog.start = range->near;
+    fog.end = range->far;
+}
+
+/// Whether a surface is drawn that a plane cuts with a cap.
+bool hasSolidSurface(const Representation& scene) {
+    Clip cut;
+    cut.near = 0;
+    return needsCaps(scene, cut) &&
+           std::ranges::any_of(scene.meshes, [](const MeshRun& mesh) { return mesh.surface && mesh.closed; });
+}
+
+/// The frame or model of a still picture.
+Moment momentOf(const Molecule& molecule, const PictureDescription& picture) {
+    const TrajectoryOptions& frames = picture.input.trajectory;
+    Moment moment{frames.path.empty() ? std::max(picture.input.model, 1) : frames.frame, {}};
+    if (frames.path.empty() || !titleMoves(picture.words.title)) return moment;
+    const HeardMessages again;  // everything was reported when the molecule was read
+    const std::unique_ptr<Motion> motion = openMotion(frames, molecule);
+    motion->positions(static_cast<std::size_t>(frames.frame - 1));
+    moment.picoseconds = motion->time();
+    return moment;
+}
+
 }  // namespace
 
 Rebuild rebuildFor(const PictureDescription& before, const PictureDescription& after, CameraBy by) {
     const Facets parts = difference(before, after);
     const bool uncovers = by == CameraBy::hand
                               ? before.aim.uncover != after.aim.uncover
-                              : parts && (uncoveredBy(before.aim) || uncoveredBy(after.aim));  // depends on the view
+                              : parts && (uncoveredBy(before.aim) || uncoveredBy(after.aim) || before.aim.spares ||
+                                           after.aim.spares);  // depends on the view
     Rebuild rebuild;
     rebuild.molecule = has(parts, Facet::input) || has(parts, Facet::frame);
     // Maps and primitives decide whether all atoms may be hidden.
@@ -106,13 +150,27 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
         !scene_ || rebuild.molecule || rebuild.scene || first.atoms.empty() || (cutsScene_ && has(parts, Facet::view));
     description_ = description;
     if (another) rebuildScene(frame, now);
-    Aimed aim{description_.camera, {}};
-    if (by_ == CameraBy::description)
-        aim = aimed(description_.camera, sharedAim(first, description_, frame), *facts_, *scene_, description_.size);
-    if (another || rebuild.maps) {
+    Aimed aim;
+    aim.camera = description_.camera;
+    if (description_.aim.center) aim.camera.center = scene_->center;
+    const bool follow = description_.maps.aroundFocus && !description_.maps.files.empty();
+    const auto drawMaps = [&] {
+        if (!another && !rebuild.maps) return;
         maps_ = buildMapLayers(first, description_, scene_->center, {aim.camera, radius_});
         number_ = nextNumber();
+    };
+    // What the camera is to fit; maps about its focus follow it.
+    if (!follow) drawMaps();
+    if (by_ == CameraBy::description) {
+        const double framed = std::max(radius_, follow ? 0 : maps_.frame);
+        aim = aimed(aim.camera, sharedAim(first, description_, frame), *facts_,
+                    {*scene_, framed, follow ? nullptr : &maps_.shown}, description_.size);
+        if (description_.given.contains("scale")) {  // also of a close-up
+            aim.camera.scale = description_.camera.scale;
+            aim.camera.zoom = description_.camera.zoom;
+        }
     }
+    if (follow) drawMaps();
     run = {};
     run.zoom = aim.camera.zoom;
     setView(description_, aim.camera);
@@ -121,6 +179,7 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
         if (description_.capture.empty()) settings.occlusion.cache = cacheFolder(description_.input.cache, "occlusion");
         applySceneFile();
     }
+    placeClip(aim, settings.effects.clip);
     uncoverTarget(aim.clipNear);
     return true;
 }
@@ -128,8 +187,10 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
 /// @param now  the positions of moving atoms; null: they do not move
 void Drawing::rebuildScene(const std::optional<Bounds>& frame, const Molecule* now) {
     moving_.reset();
+    PictureDescription picture = description_;
+    if (kept_) picture.camera.center = kept_->center;
     if (now) {
-        moving_ = std::make_shared<MovingPicture>(facts_->molecule(), description_,
+        moving_ = std::make_shared<MovingPicture>(facts_->molecule(), picture,
                                                   recolor);  // with its own facts: it may go to another thread
         scene_ = moving_->moved(*now);
         radius_ = moving_->radius();
@@ -138,14 +199,16 @@ void Drawing::rebuildScene(const std::optional<Bounds>& frame, const Molecule* n
         Molecule first = facts_->molecule();
         const HeardMessages again;  // everything was reported when the molecule was read
         movePositions(first, openMotion(description_.input.trajectory, first)->positions(0));
-        MovingScene moving = buildMovingScene(first, description_);
+        MovingScene moving = buildMovingScene(first, picture);
         radius_ = moving.scene().radius;
         moving.move(facts_->molecule());
         scene_ = moving.scene();
     } else {
-        scene_ = buildScene(*facts_, description_, frame);
+        scene_ = buildScene(*facts_, picture, frame);
         radius_ = scene_->radius;
     }
+    reframed_ = kept_ && kept_->radius != radius_;
+    if (kept_) radius_ = kept_->radius;
     if (!now) {
         if (recolor) recolor(*scene_);
         colorByMap(description_, *scene_);
@@ -164,6 +227,13 @@ void Drawing::setView(const PictureDescription& picture, const Camera& camera) {
     settings = settingsFor(picture, camera, picture.size);
     depthShift_ =
         depthOrigin(settings.view) - depthOrigin(viewOf(camera, radius(), picture.size.width, picture.size.height));
+}
+
+void Drawing::takeCamera(Camera& camera) {
+    double radius = this->radius();
+    const bool eye = camera.eyeDistance.has_value();
+    camera = relativeCamera(camera, radius);
+    if (eye) radius_ = radius;
 }
 
 /// Takes what a scene file says and no option: its background, and its camera with clipping planes.
@@ -190,15 +260,16 @@ void Drawing::applySceneFile() {
     dropOutside(maps_.shown, seen);
 }
 
-/// Removes what hides the target. Uses a clipping plane instead for assemblies, whose copies share primitives, and for
-/// movies, which rotate around it.
+/// Removes what hides the target. Uses a clipping plane instead for assemblies, whose copies share primitives, for
+/// movies, which rotate around it, and for surfaces, which would be hollow.
 void Drawing::uncoverTarget(std::optional<double> plane) {
     const Aim& aim = description_.aim;
     const std::optional<Selection>& target = by_ == CameraBy::hand ? aim.uncover : uncoveredBy(aim);
     if (!target) return;
     double& near = settings.effects.clip.near;
-    if (plane && (aim.turns || !scene_->copies.transforms.empty())) near = std::max(near, *plane);
-    if (aim.turns) return;
+    const bool solid = by_ == CameraBy::description && hasSolidSurface(*scene_);
+    if (plane && (aim.turns || solid || !scene_->copies.transforms.empty())) near = std::max(near, *plane);
+    if (aim.turns || solid) return;
     run.uncovers = target->text;
     run.uncovered = uncover(*scene_, selectAtoms(*facts_, *target), settings.view, near);
 }
@@ -208,6 +279,8 @@ void Drawing::finish(const PictureDescription& picture) {
     const Molecule& molecule = facts_->molecule();
     focusLens(molecule, picture, scene_->center, settings);
     run.clip = clipText(settings.effects.clip);
+    if (by_ == CameraBy::description) placeFog(*scene_, settings);
+    moment = momentOf(molecule, picture);
     warnings = molecule.guide ? molecule.guide->warnings : std::vector<std::string>();
     append(warnings, scene_->warnings);
     append(warnings, maps_.warnings);
@@ -215,6 +288,10 @@ void Drawing::finish(const PictureDescription& picture) {
     for (std::string& idle : idleOptions(picture, *scene_, settings.effects, scene_->radius))
         warnings.push_back(std::move(idle));
     makeRoom(picture);
+    if (by_ == CameraBy::description) {
+        if (picture.aim.spares) spare(*picture.aim.spares);
+        cap(settings);
+    }
     setStats();
 }
 
@@ -222,6 +299,10 @@ PlacedWords Drawing::placeWords(const Words& asked, WordsOfHidden hidden) const 
     PlacedWords placed = app::placeWords(asked, *facts_, *scene_, hidden);
     addLabels(maps_.labels, scene_->center, placed);
     if (asked.legend) append(placed.legends, maps_.shown.legends);
+    placed.title = filledTitle(placed.title, moment);
+    if (placed.legends.empty() || asked.legendTitle.empty()) return placed;
+    const auto scale = std::ranges::find_if(placed.legends, [](const Legend& legend) { return legend.stops > 0; });
+    (scale == placed.legends.end() ? placed.legends.front() : *scale).title = asked.legendTitle;
     return placed;
 }
 
@@ -242,12 +323,14 @@ void Drawing::placePictureWords(const PictureDescription& picture) {
 
 /// Moves the molecule clear of the words beside it, unless the view shows a part of it.
 void Drawing::makeRoom(const PictureDescription& picture) {
-    if (!words.any() || seenByScene_ || picture.aim.placed || picture.aim.zoomTo) return;
+    const Camera& camera = picture.camera;
+    const bool placed = picture.aim.placed || picture.aim.center || camera.center || camera.scale;
+    if (!words.any() || seenByScene_ || placed || picture.aim.zoomTo) return;
     constexpr std::size_t kMany = 200000;  // spheres and vertices; beyond, their bounding sphere is nearly as good
     View& view = settings.view;
     std::vector<glm::dvec4> balls{{0, 0, 0, view.radius}};
     if (!picture.aim.turns && scene_->drawnAtoms + scene_->meshVertices.size() < kMany) balls = drawnBalls(*scene_);
-    const View beside = WordPainter().besideWords(view, words, picture.words.size, balls, picture.camera.zoom);
+    const View beside = WordPainter().besideWords(view, words, picture.words.size, balls, camera.zoom);
     run.zoom *= beside.pixelsPerAngstrom / view.pixelsPerAngstrom;
     view = beside;
 }
@@ -292,7 +375,50 @@ Drawing Drawing::copy() const {
     return other;
 }
 
-Representation Drawing::joinedScene() const { return withMaps(*scene_, maps_); }
+Representation Drawing::joinedScene() const { return joined(*scene_); }
+
+Representation Drawing::joined(Representation scene) const {
+    joinPart(scene, caps_);
+    return withMaps(std::move(scene), maps_);
+}
+
+// --- clipping planes
+
+/// Makes the caps for a view, if they are for another.
+void Drawing::cap(const RenderSettings& drawn) {
+    const Clip& clip = drawn.effects.clip;
+    const bool none = caps_.triangles.empty();
+    if (!needsCaps(*scene_, clip)) {
+        if (!none) number_ = nextNumber();
+        caps_ = {};
+        capsOf_ = 0;
+        return;
+    }
+    if (capsOf_ == number_ && capsClip_ == clip && capsView_.rotation == drawn.view.rotation) return;
+    caps_ = meshCaps(*scene_, drawn.view, clip);
+    capsClip_ = clip;
+    capsView_ = drawn.view;
+    if (!none || !caps_.triangles.empty()) number_ = nextNumber();
+    capsOf_ = number_;
+}
+
+/// Cuts the scene itself, and leaves the renderer nothing to clip.
+void Drawing::spare(const Selection& spared) {
+    Clip& clip = settings.effects.clip;
+    spareClip_ = clip;
+    if (!cutScene(*scene_, settings.view, clip, selectAtoms(*facts_, spared))) {
+        warnings.push_back("--clip-spare changes nothing: the copies of an assembly are cut alike");
+        return;
+    }
+    clip.near = -Clip::kNone;
+    clip.far = Clip::kNone;
+    number_ = nextNumber();
+}
+
+void Drawing::showCut(Canvas& canvas, const RenderSettings& drawn) {
+    cap(drawn);
+    show(canvas);
+}
 
 // --- on a canvas
 
@@ -307,7 +433,7 @@ void Drawing::show(Canvas& canvas) {
 
 void Drawing::handOver(Canvas& canvas) {
     canvas.scene = 0;
-    canvas.renderer.setScene(withMaps(std::move(*scene_), maps_));
+    canvas.renderer.setScene(joined(std::move(*scene_)));
     canvas.scene = number_;
     scene_.reset();
     ++counts_.uploads;
@@ -343,6 +469,16 @@ Picture Drawing::drawAs(const RenderSettings& drawn, Renderer& renderer, WordMem
     Picture picture = renderer.render(drawn);
     addWords(drawn, picture, memory);
     return picture;
+}
+
+PictureDescription Drawing::placed() const {
+    PictureDescription placed = description_;
+    placed.camera = absoluteCamera(settings.view, description_.camera.fovDegrees, run.center);
+    placed.effects.clip = description_.aim.spares ? spareClip_ : settings.effects.clip;
+    placed.aim = {};
+    placed.aim.spares = description_.aim.spares;
+    if (!run.uncovers.empty()) placed.aim.uncover = uncoveredBy(description_.aim);
+    return placed;
 }
 
 std::vector<std::string> Drawing::addWords(const RenderSettings& drawn, Picture& picture, WordMemory* memory) const {

@@ -16,6 +16,7 @@
 #include "app/picture/description.h"
 #include "engine/molecule/residue_facts.h"
 #include "engine/renderer.h"
+#include "engine/scene/build/mesh_caps.h"
 
 namespace nacre::app {
 
@@ -89,6 +90,10 @@ public:
 
     /// Puts the scene on a canvas, if it is not there. Keeps the scene's bake.
     void show(Canvas& canvas);
+    /// As above with the caps of a plane that cuts its meshes, for another view than that of `settings`.
+    void showCut(Canvas& canvas, const RenderSettings& settings);
+    /// Whether there are such caps.
+    bool hasCaps() const { return needsCaps(*scene_, settings.effects.clip); }
     /// As above for the last time: moves the scene to the canvas.
     void handOver(Canvas& canvas);
     /// A picture in full size, with its words. @param said  gets warnings of these, if given
@@ -109,6 +114,15 @@ public:
                                       WordMemory* memory = nullptr) const;
 
     // --- Parts, for windows
+
+    /// Call before build(): the scene keeps this centre and radius, so that hiding and restyling keep the camera.
+    void keepFrame(const Bounds& frame) { kept_ = frame; }
+    /// Centre and radius of the scene without maps.
+    Bounds frame() const { return {scene_->center, radius_}; }
+    /// Whether they are those of a scene before.
+    bool reframed() const { return reframed_; }
+    /// Makes a camera relative to the scene, which goes by its distance of the eye from then on.
+    void takeCamera(Camera& camera);
 
     /// Settings of a picture of the scene from a camera. There may be no scene yet.
     RenderSettings settingsFor(const PictureDescription& picture, const Camera& camera, const Size& size) const;
@@ -131,9 +145,13 @@ public:
     /// Colours each scene that is built, before its legend is laid out. Call forget() after a change.
     MovingPicture::Recolor recolor;
     const PictureDescription& description() const { return description_; }
+    /// The description with the camera of `settings`, for a saved view: aims are carried out, and nothing that is
+    /// drawn moves it.
+    PictureDescription placed() const;
     RenderSettings settings;
     PlacedWords words;
     RunStats run;                       ///< as far as known
+    Moment moment;                      ///< that the title tells of
     std::vector<std::string> warnings;  ///< of the scene: differences from the request
 
     /// Counts of expensive steps.
@@ -153,6 +171,9 @@ private:
     void finish(const PictureDescription& picture);
     void placePictureWords(const PictureDescription& picture);
     void makeRoom(const PictureDescription& picture);
+    Representation joined(Representation scene) const;
+    void cap(const RenderSettings& settings);
+    void spare(const Selection& spared);
     void setStats();
 
     CameraBy by_;
@@ -160,6 +181,12 @@ private:
     std::optional<ResidueFacts> facts_;  ///< of the molecule
     std::optional<Representation> scene_;
     MapLayers maps_;
+    std::optional<Bounds> kept_;  ///< centre and radius of a scene before
+    bool reframed_ = false;
+    Representation caps_;       ///< of meshes that the near plane cuts
+    View capsView_;             ///< that they are for
+    Clip capsClip_, spareClip_; ///< likewise; by which spare() has cut the scene
+    std::uint64_t capsOf_ = 0;  ///< number_ with them
     std::shared_ptr<MovingPicture> moving_;
     std::uint64_t sceneNumber_ = 0;  ///< of scene_
     std::uint64_t number_ = 0;       ///< of scene_ with maps_

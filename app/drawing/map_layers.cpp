@@ -101,6 +101,7 @@ Around findSurroundings(const Molecule& molecule, const PictureDescription& d, c
     const MapOptions& maps = d.maps;
     if (focus) return {{*focus}, maps.reach.value_or(maps.usualReach())};
     if (!maps.around) {
+        if (molecule.atoms.empty()) return {{}, kBoxOfFile};
         if (!map.periodic) return {};
         return {finitePositions(molecule, drawnAtoms(molecule, d.drawn)), kMapReachOfAll};
     }
@@ -199,9 +200,18 @@ Representation withMaps(Representation scene, const MapLayers& maps) {
     return scene;
 }
 
-std::optional<Bounds> primitiveBounds(const Molecule& molecule, const PictureDescription& d) {
-    if (!molecule.atoms.empty() || d.primitives.empty()) return std::nullopt;
-    return boundsOf(primitivesOf(d.primitives, molecule));
+std::optional<Bounds> frameWithoutAtoms(const Molecule& molecule, const PictureDescription& d) {
+    if (!molecule.atoms.empty() || molecule.guide) return std::nullopt;
+    if (!d.primitives.empty()) return boundsOf(primitivesOf(d.primitives, molecule));
+    if (d.maps.files.empty()) return std::nullopt;
+    const std::shared_ptr<const DensityMap> map = mapOf(d.maps.files.front());
+    const glm::dvec3 first(map->firstNode()), size(map->boxSize - 1);
+    Bounds bounds{map->place(first + size / 2.0), 0};
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 at = first + size * glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2);
+        bounds.radius = std::max(bounds.radius, glm::distance(map->place(at), bounds.center));
+    }
+    return bounds;
 }
 
 MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& d, const glm::dvec3& center,

@@ -36,8 +36,9 @@ struct MapLayers {
 /// A scene together with its maps and primitives.
 Representation withMaps(Representation scene, const MapLayers& maps);
 
-/// Bounds of the primitives, if the molecule has no atoms. @throws Error
-std::optional<Bounds> primitiveBounds(const Molecule& molecule, const PictureDescription& description);
+/// The view of a molecule without atoms, which has a centre by its primitives or its first map; else nothing.
+/// @throws Error
+std::optional<Bounds> frameWithoutAtoms(const Molecule& molecule, const PictureDescription& description);
 
 /// @param seen  the camera: maps may be drawn about what it looks at @throws Error
 MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& description, const glm::dvec3& center,

@@ -1,5 +1,6 @@
 #include "app/drawing/scenes.h"
 
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/drawing/map_layers.h"
@@ -28,12 +29,14 @@ std::vector<std::uint32_t> someDrawnAtoms(const Molecule& molecule, const std::s
 
 /// A scene without atoms, where they would be.
 Representation emptyScene(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
-                          const std::optional<Bounds>& frame) {
+                          const std::optional<Bounds>& frame, const std::optional<glm::dvec3>& center) {
     const Molecule& molecule = facts.molecule();
     std::vector<glm::dvec4> balls;
     for (const std::uint32_t atom : drawn)
         balls.emplace_back(glm::dvec3(molecule.atoms[atom].position), vanDerWaalsRadius(molecule.atoms[atom]));
-    const Bounds bounds = frame ? *frame : balls.empty() ? Bounds{} : boundsOf(balls);
+    const Bounds bounds = frame           ? movedTo(center, *frame)
+                          : balls.empty() ? Bounds{center.value_or(glm::dvec3(0)), 0}
+                                          : boundsOf(balls, center);
     Representation scene;
     scene.atomGroups = atomGroups(facts);
     scene.center = bounds.center;
@@ -48,28 +51,43 @@ Representation guidedScene(const ResidueFacts& facts, std::span<const std::uint3
     const Bounds frame = guide.camera            ? Bounds{guide.camera->target, guide.camera->radius}
                          : layers.layers.empty() ? guideBounds(guide)
                                                  : boundsOf(facts.molecule(), layers.layers);
-    return representLayers(facts, layers, look, frame);
+    return representLayers(facts, layers, look, movedTo(look.center, frame));
 }
 
 }  // namespace
 
+RepresentationOptions placedLook(const ResidueFacts& facts, const PictureDescription& picture) {
+    RepresentationOptions look = picture.look;
+    look.center = picture.camera.center;
+    if (look.center || !picture.aim.center) return look;
+    const Selection& selection = *picture.aim.center;
+    const std::vector<bool> chosen = selectAtoms(facts, selection);
+    Box box;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i]) box.add(glm::dvec3(facts.molecule().atoms[i].position));
+    look.center = box.center();
+    if (!std::isfinite(look.center->x)) throw Error("cannot centre", selection.text, "the molecule has no such atoms");
+    return look;
+}
+
 MovingScene buildMovingScene(const ResidueFacts& facts, const PictureDescription& picture) {
-    const RepresentationOptions& look = picture.look;
+    const RepresentationOptions look = placedLook(facts, picture);
     return {facts, someDrawnAtoms(facts.molecule(), picture.input.path, picture.drawn), withTables(look),
             sharedFrame(facts, picture.drawn, look)};
 }
 
 Representation buildScene(const ResidueFacts& facts, const PictureDescription& picture,
                           const std::optional<Bounds>& shared) {
-    const RepresentationOptions look = withTables(picture.look);
+    const RepresentationOptions look = withTables(placedLook(facts, picture));
     const Molecule& molecule = facts.molecule();
     const bool orNothing = picture.drawsBeside();
-    const std::optional<Bounds> frame = shared ? shared : primitiveBounds(molecule, picture);
-    if (molecule.guide && molecule.atoms.empty()) return emptyScene(facts, {}, guideBounds(*molecule.guide));
-    if (orNothing && molecule.atoms.empty()) return emptyScene(facts, {}, frame);
+    const std::optional<Bounds> frame = shared ? shared : frameWithoutAtoms(molecule, picture);
+    if (molecule.guide && molecule.atoms.empty())
+        return emptyScene(facts, {}, guideBounds(*molecule.guide), look.center);
+    if (orNothing && molecule.atoms.empty()) return emptyScene(facts, {}, frame, look.center);
     const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, picture.input.path, picture.drawn);
     if (molecule.guide) return guidedScene(facts, drawn, look);
-    if (orNothing && appearanceOf(facts, drawn, look).seen == 0) return emptyScene(facts, drawn, frame);
+    if (orNothing && appearanceOf(facts, drawn, look).seen == 0) return emptyScene(facts, drawn, frame, look.center);
     Representation scene = represent(facts, drawn, look, frame ? frame : sharedFrame(facts, picture.drawn, look));
     if (!look.ownFrame && !molecule.othersMissing.empty())
         scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);

@@ -23,6 +23,10 @@ Representation buildScene(const ResidueFacts& facts, const PictureDescription& p
 /// As above for moving atoms; framed with all models of its file, if it has others. @throws Error
 MovingScene buildMovingScene(const ResidueFacts& facts, const PictureDescription& picture);
 
+/// The representation that a picture asks for, about the centre that it names. @throws Error if the centre's selection
+/// matches no atom
+RepresentationOptions placedLook(const ResidueFacts& facts, const PictureDescription& picture);
+
 /// Enlarges a view's depth range for atoms that moved beyond it; the camera stays.
 /// @param radius  that holds them, Å
 inline void reachTo(View& view, double radius) {

@@ -90,6 +90,26 @@ std::string fileHash(const std::string& path) { return hashOfFile(path, 0); }
 
 std::string trajectoryHash(const std::string& path) { return hashOfFile(path, std::uint64_t{16} << 20); }
 
+PictureDescription withPathsIn(const std::string& view, PictureDescription picture) {
+    const auto move = [&](std::string& file) { file = pathInView(view, file); };
+    InputOptions& input = picture.input;
+    input.path = filePathOf(input);
+    input.hash = fileHash(input.path);
+    input.trajectory.hash = trajectoryHash(input.trajectory.path);
+    move(input.path);
+    move(input.trajectory.path);
+    for (FurtherInput& further : input.further) {
+        further.hash = fileHash(further.path);
+        move(further.path);
+    }
+    changeMapFiles(picture.maps, [&](const std::string& map) { return pathInView(view, map); });
+    for (PrimitiveSource& source : picture.primitives)
+        if (!source.made && !isJsonText(source.text)) move(source.text);
+    for (Coloring& table : picture.look.colorFrom)
+        if (!table.table && !isTableText(table.source)) move(table.source);
+    return picture;
+}
+
 std::string filePathOf(const InputOptions& input) {
     if (input.namedBy.empty() || !isFile(input.path)) return input.path;
     const fs::path folder = fs::path(input.namedBy).parent_path(),

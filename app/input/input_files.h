@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/picture/input_options.h"
+#include "app/picture/description.h"
 
 namespace nacre::app {
 
@@ -25,6 +25,9 @@ std::string fileHash(const std::string& path);
 
 /// As above for a trajectory, from its first and last 16 MiB only.
 std::string trajectoryHash(const std::string& path);
+
+/// A picture for a view that is saved at a path: with the paths and hashes of its files that the view holds.
+PictureDescription withPathsIn(const std::string& view, PictureDescription picture);
 
 /// The trajectory of INPUT, found as in filePathOf(); without a hash a file of the same name beside the view will do.
 std::string trajectoryPathOf(const InputOptions& input);

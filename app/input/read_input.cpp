@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <glm/geometric.hpp>
+#include <map>
+#include <set>
 #include <span>
 #include <string_view>
 
@@ -165,7 +167,7 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
         return completed(input, input.opened ? readOpened(input, options) : readMoleculeFile(input.path, options));
     } catch (const Error&) {
         if (input.format || !isMapFile(openPathOf(input))) throw;
-        throw Error("cannot read molecule", input.path, "it is a density map: name a molecule, and this with --map");
+        return {};  // a map alone: takeMap() has it drawn
     }
 }
 
@@ -202,6 +204,59 @@ std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molec
         sayWarning(options.path + " ends within a frame: the " + std::to_string(opened->frames()) +
                    " whole ones are read");
     return opened;
+}
+
+namespace {
+
+/// The chosen atoms of one model, as numbers of atoms. @param model  as Chain::model
+std::vector<std::uint32_t> chosenOf(const Molecule& molecule, const std::vector<bool>& chosen, int model) {
+    std::vector<std::uint32_t> atoms;
+    for (std::uint32_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i] && molecule.chains[molecule.residues[molecule.atoms[i].residue].chain].model == model)
+            atoms.push_back(i);
+    return atoms;
+}
+
+}  // namespace
+
+void fitModels(const InputOptions& input, Molecule& molecule) {
+    const TrajectoryOptions& frames = input.trajectory;
+    if (!frames.path.empty() || !frames.fit) return;
+    const std::vector<bool> chosen = selectAtoms(molecule, *frames.fit);
+    const auto refuse = [&](const std::string& why) { throw Error("cannot fit models", input.path, why); };
+    if (input.model != kAllModels) {
+        if (input.model == 1) return;
+        if (molecule.others.empty() || molecule.others[0].whole) refuse("its models have different atoms");
+        std::vector<glm::dvec3> fixed, moving;
+        for (std::uint32_t i = 0; i < chosen.size(); ++i) {
+            if (!chosen[i]) continue;
+            fixed.emplace_back(molecule.others[0].positions[i]);
+            moving.emplace_back(molecule.atoms[i].position);
+        }
+        if (fixed.size() < 3) refuse("--fit-frames selects fewer than three atoms");
+        const Superposition onto = superpose(fixed, moving);
+        for (Atom& atom : molecule.atoms) atom.position = glm::vec3(onto(glm::dvec3(atom.position)));
+        return;
+    }
+    std::set<int> models;
+    for (const Chain& chain : molecule.chains) models.insert(chain.model);
+    const std::vector<std::uint32_t> first = chosenOf(molecule, chosen, *models.begin());
+    if (first.size() < 3) refuse("--fit-frames selects fewer than three atoms");
+    const auto placesOf = [&](const std::vector<std::uint32_t>& atoms) {
+        std::vector<glm::dvec3> places;
+        for (const std::uint32_t atom : atoms) places.emplace_back(molecule.atoms[atom].position);
+        return places;
+    };
+    const std::vector<glm::dvec3> fixed = placesOf(first);
+    std::map<int, Superposition> onto;
+    for (const int model : models) {
+        const std::vector<std::uint32_t> atoms = chosenOf(molecule, chosen, model);
+        if (atoms.size() != first.size()) refuse("model " + std::to_string(model) + " has other atoms to fit by");
+        onto[model] = superpose(fixed, placesOf(atoms));
+    }
+    for (Atom& atom : molecule.atoms)
+        atom.position =
+            glm::vec3(onto.at(molecule.chains[molecule.residues[atom.residue].chain].model)(glm::dvec3(atom.position)));
 }
 
 void moveToFrame(const TrajectoryOptions& options, Molecule& molecule) {

@@ -120,13 +120,34 @@ std::vector<std::string> palettesOf(bool ramps) {
     return names;
 }
 
+/// A ramp of colours in front of a text, "white:red:10..60"; the text is what follows. @returns nothing if it does not
+/// begin with two colours
+std::optional<Palette> takeRamp(std::string_view& text) {
+    std::vector<std::uint32_t> colors;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const std::string_view part = rest.substr(0, rest.find(':'));
+        if (!isColor(part)) break;
+        const std::uint32_t packed = parseAtomColor(part);
+        colors.push_back((packed & 0xff) << 16 | (packed & 0xff00) | (packed >> 16 & 0xff));
+        rest = part.size() == rest.size() ? std::string_view() : rest.substr(part.size() + 1);
+    }
+    if (colors.size() < 2) return std::nullopt;
+    if (colors.size() > kMostRampColors)
+        throw std::invalid_argument("a ramp has at most " + std::to_string(kMostRampColors) + " colours");
+    const auto ramp = addRamp(colors);
+    if (!ramp) throw std::invalid_argument("there are " + std::to_string(kMostRamps) + " ramps of colours already");
+    text = rest;
+    return ramp;
+}
+
 /// The part after a scheme's name: its range, its palette, or the colour of its carbons.
 void parseColoringPart(std::string_view text, Coloring& coloring) {
     const std::string name(colorSchemeName(coloring.scheme));
     const PaletteUse use = paletteUse(coloring.scheme);
     if (const auto range = parseColorRange(text)) {
         if (!takesRange(coloring.scheme))
-            throw std::invalid_argument("'" + name + "' takes no range; b-factor, occupancy and rmsd do");
+            throw std::invalid_argument("'" + name + "' takes no range; b-factor, occupancy, rmsd and distance do");
         coloring.range = range;
     } else if (const auto palette = paletteFromName(lowerCase(text))) {
         if (use != (isRamp(*palette) ? PaletteUse::ramp : PaletteUse::kinds))
@@ -202,9 +223,14 @@ std::string schemeNames() { return listOf(allSchemes()); }
 
 Palette parsePalette(std::string_view text) {
     if (const auto palette = paletteFromName(lowerCase(text))) return *palette;
+    std::string_view rest = text;
+    if (const auto ramp = takeRamp(rest); ramp && rest.empty()) return *ramp;
     std::vector<std::string> words;
     for (const Palette palette : allPalettes()) words.emplace_back(paletteName(palette));
-    refuse(text, "one of " + paletteNames(false) + " for categories, or " + paletteNames(true) + " for numbers", words);
+    refuse(text,
+           "one of " + paletteNames(false) + " for categories, or " + paletteNames(true) +
+               " or colours such as white:red for numbers",
+           words);
 }
 
 Coloring parseColoring(std::string_view text) {
@@ -217,7 +243,13 @@ Coloring parseColoring(std::string_view text) {
     };
     if (const auto scheme = colorSchemeFromName(ours(part(), kColorSynonyms)); scheme && !text.ends_with(':')) {
         Coloring coloring(*scheme);
-        while (!rest.empty()) parseColoringPart(part(), coloring);
+        while (!rest.empty()) {
+            const auto ramp = paletteUse(*scheme) == PaletteUse::ramp ? takeRamp(rest) : std::nullopt;
+            if (ramp)
+                coloring.palette = *ramp;
+            else
+                parseColoringPart(part(), coloring);
+        }
         return coloring;
     }
     if (isColor(text)) return Coloring::uniform(parseAtomColor(text));
@@ -237,6 +269,17 @@ Coloring parseColorSource(std::string_view text) {
         return coloring;
     }
     constexpr std::string_view kColumn = "value=";
+    // Colours at the end, or before a range, form a ramp.
+    for (std::size_t at = text.find(':'); at != std::string_view::npos; at = text.find(':', at + 1)) {
+        std::string_view rest = text.substr(at + 1);
+        const auto ramp = takeRamp(rest);
+        if (!ramp) continue;
+        coloring.palette = *ramp;
+        const std::string kept = std::string(text.substr(0, at)) + (rest.empty() ? "" : ":" + std::string(rest));
+        Coloring others = parseColorSource(kept);
+        others.palette = *ramp;
+        return others;
+    }
     for (std::size_t colon; (colon = text.rfind(':')) != std::string_view::npos;) {
         const std::string_view part = text.substr(colon + 1);
         const auto palette = paletteFromName(lowerCase(part));

@@ -59,6 +59,8 @@ struct PictureDescription {
     std::optional<Length> width, height;  ///< override `size`; with one of them, `size` gives the shape
     std::optional<double> dpi;            ///< dots per inch
     std::optional<double> contourPoints, haloPoints, textPoints;  ///< 72 per inch; override pixels
+    /// Likewise of lines; and widths of sticks, bonds and tubes, which override radii.
+    std::optional<double> linePoints, stickPoints, bondPoints, tubePoints;
     int bits = 8;                                                 ///< per channel of the file
     std::uint32_t supersample = RenderSettings::kEdges;
     double meshError = 0.25;  ///< as RenderSettings::meshError
@@ -67,6 +69,7 @@ struct PictureDescription {
     DebugView debug = DebugView::none;
     DeviceOptions device;
     std::string output, layers, stats, capture;  ///< paths, or empty
+    std::string saveView;                        ///< path of the saved view to write, or empty
     std::string view;                            ///< path of the saved view that it began with, or empty
     std::set<std::string> given;                 ///< keys of options given explicitly, not by a look or view
 };

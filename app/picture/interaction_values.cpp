@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "app/picture/color_values.h"
 #include "app/picture/option_values.h"
 #include "engine/error.h"
+#include "engine/scene/color/palettes.h"
 
 namespace nacre::app {
 namespace {
@@ -80,6 +82,27 @@ std::string interactionKindNames() {
         names += (names.empty() ? "" : ", ") + interactionKindsText(all);
     }
     return names;
+}
+
+void parseInteractionColor(std::string_view text, ContactOptions& contacts) {
+    if (text.empty()) return contacts.colors.fill(0);
+    const std::size_t sign = text.rfind('=');
+    const auto color = parseColor(sign == std::string_view::npos ? text : text.substr(sign + 1));
+    if (color[3] < 1.0f) throw std::invalid_argument("interactions cannot be transparent: '" + std::string(text) + "'");
+    std::array<bool, kInteractionKinds> kinds{};
+    kinds.fill(true);
+    if (sign != std::string_view::npos) kinds = parseInteractionKinds(text.substr(0, sign));
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        if (kinds[i]) contacts.colors[i] = opaqueColor(color);
+}
+
+std::string interactionColorsText(const ContactOptions& contacts) {
+    std::string text;
+    for (std::size_t i = 0; i < kInteractionKinds; ++i)
+        if (contacts.colors[i] != 0)
+            text += (text.empty() ? "" : "\n") + std::string(interactionKindName(static_cast<InteractionKind>(i))) + "=" +
+                    colorText(contacts.colors[i]);
+    return text;
 }
 
 }  // namespace nacre::app

@@ -21,5 +21,9 @@ std::array<bool, kInteractionKinds> parseInteractionKinds(std::string_view text)
 std::string interactionKindsText(const std::array<bool, kInteractionKinds>& kinds);
 /// Their names, separated by commas.
 std::string interactionKindNames();
+/// "KIND=COLOR", or "COLOR" for all kinds; "" clears all. @throws std::invalid_argument
+void parseInteractionColor(std::string_view text, ContactOptions& contacts);
+/// One line per kind that has a colour of its own.
+std::string interactionColorsText(const ContactOptions& contacts);
 
 }  // namespace nacre::app

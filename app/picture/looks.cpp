@@ -1,5 +1,7 @@
 #include "app/picture/looks.h"
 
+#include <algorithm>
+#include <cctype>
 #include <stdexcept>
 
 #include "app/files/json_text.h"
@@ -136,6 +138,37 @@ void applyPocket(std::string_view text, PictureDescription& d) {
     d.aim.lookAt = ligand;
     d.aim.zoomTo = ligand;
     d.aim.uncovers = false;  // residues in front of the ligand may bind it
+}
+
+void applyInterface(std::string_view sides, PictureDescription& d) {
+    const std::size_t comma = sides.find(',');
+    if (comma == std::string_view::npos || sides.find(',', comma + 1) != std::string_view::npos)
+        throw std::invalid_argument("expected two chains or selections, A,B");
+    const auto side = [](std::string_view text) {
+        const bool chains = !text.empty() && std::ranges::all_of(text, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '+'; });
+        const std::string selection = chains ? "chain " + std::string(text) : std::string(text);
+        parseSelection(selection);
+        return "(" + selection + ")";
+    };
+    const std::string a = side(sides.substr(0, comma)), b = side(sides.substr(comma + 1));
+    const std::string reach = numberText(kPocketReach);
+    const auto near = [&](const std::string& one, const std::string& other) {
+        return "byres (" + one + " and within " + reach + " of " + other + ")";
+    };
+    const std::string both = "(" + near(a, b) + " or " + near(b, a) + ")";
+    d.look.style = Style::cartoon;
+    d.look.cartoonOpacity = 0.4;
+    const Rule rules[] = {parseHide("not (" + a + " or " + b + ")"), parseShow(both + "=licorice"),
+                          parseColorBy(a + "=#5fa8a0"), parseColorBy(b + "=#d99a5b"),
+                          parseColorBy(a + " and " + both + "=element:#5fa8a0"),
+                          parseColorBy(b + " and " + both + "=element:#d99a5b")};
+    d.look.rules.insert(d.look.rules.begin(), std::begin(rules), std::end(rules));
+    d.look.contacts.of = parseSelection(a);
+    d.look.contacts.with = parseSelection(b);
+    d.aim.principal = d.aim.fromSide = true;
+    d.aim.axesOf = d.aim.zoomTo = parseSelection(both);
+    d.aim.left = parseSelection(a);
+    d.aim.uncovers = false;
 }
 
 }  // namespace nacre::app

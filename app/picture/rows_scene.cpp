@@ -19,6 +19,8 @@ inline constexpr std::array<const char*, 2> kAromaticForms{"dashes", "ring"};
 inline constexpr std::array<const char*, 3> kHelixForms{"ribbon", "tube", "cylinder"};
 inline constexpr std::array<const char*, 3> kCarbohydrates{"off", "on", "icon"};
 inline constexpr std::array<const char*, 3> kBaseForms{"plates", "ladder", "none"};
+inline constexpr Words2 kDashedOff = {"dashed", "off"};
+inline constexpr std::array<const char*, 3> kSurfaceForms{"solid", "mesh", "dots"};
 inline constexpr std::array<const char*, 3> kSurfaceKinds{"excluded", "accessible", "gaussian"};
 
 void parseAssembly(T text, P& d) {
@@ -106,7 +108,8 @@ std::vector<Option> colors() {
          .syntax = "SCHEME|COLOR",
          .standard = "element; chain-carbons for cartoons",
          .help = schemeNames() + ";\nor a colour as for --background; element:COLOR colours only the carbons;\n"
-                                 "b-factor:10..60:viridis gives the range and the palette, chain:muted a palette",
+                                 "b-factor:10..60:viridis gives the range and the palette, chain:muted a palette,\n"
+                                 "b-factor:white:red a ramp of one's own",
          .parse = [](T text, P& d) { d.look.color = parseColoring(text); },
          .print = [](const P& d) { return coloringText(d.look.color); },
          .save = always,
@@ -143,6 +146,8 @@ std::vector<Option> colors() {
                           {"By distance after a fit", "rmsd",
                            "Colours show how far each residue is from its counterpart in another input.",
                            "Distance after the fit (Å)"},
+                          {"By distance from the centre", "distance",
+                           "Colours show the distance of each atom from the centre.", "Distance from the centre (Å)"},
                           {"Hydrophobic to polar", "hydrophobicity", "Colours run from hydrophobic to polar residues.",
                            "Hydropathy (Kyte–Doolittle)"}}}},
         {.key = "color-from",
@@ -166,6 +171,18 @@ std::vector<Option> colors() {
          .save = differing},
     };
     return under(Topic::color, Facet::scene, std::move(rows));
+}
+
+void parseLineWidth(T text, P& d) {
+    d.linePoints = pointsOf(text);
+    if (!d.linePoints) d.look.lineWidth = parseNumber(text, 0.5, kWidestWire);
+}
+
+/// A radius in Å; or the width in points, which the scale of the picture turns into one.
+template <auto size, auto points>
+void parseThickness(T text, P& d) {
+    d.*points = pointsOf(text);
+    if (!(d.*points)) d.look.sizes.*size = parseNumber(text, 0.01, 5);
 }
 
 void parseResolution(T text, P& d) {
@@ -201,10 +218,26 @@ std::vector<Option> meshes() {
             "Sugars beside a cartoon as symbols (SNFG): on, small within licorice, or off",
             parseNamed<kCarbohydrates, &P::look, &R::carbohydrates>,
             printNamed<kCarbohydrates, &P::look, &R::carbohydrates>),
-        row(
-            "line-width", "PIXELS", "Width of --style line in pixels, 0.5 to 10",
-            [](T text, P& d) { d.look.lineWidth = parseNumber(text, 0.5, kWidestWire); },
+        row("line-width", "PIXELS|POINTSpt", "Width of lines, 0.5 to 10 pixels, or as 1pt at --dpi", parseLineWidth,
             printNumber<&P::look, &R::lineWidth>),
+        row("stick-radius", "A|POINTSpt", "Radius of licorice sticks; or their width on paper, with --scale",
+            parseThickness<&Sizes::stick, &P::stickPoints>, printNumber<&P::look, &R::sizes, &Sizes::stick>),
+        row("bond-radius", "A|POINTSpt", "Radius of bonds in ball-and-stick, likewise",
+            parseThickness<&Sizes::bond, &P::bondPoints>, printNumber<&P::look, &R::sizes, &Sizes::bond>),
+        row("tube-radius", "A|POINTSpt", "Radius of the tubes of --style backbone, likewise",
+            parseThickness<&Sizes::tube, &P::tubePoints>, printNumber<&P::look, &R::sizes, &Sizes::tube>),
+        row(
+            "ball-scale", "F", "Size of balls in ball-and-stick, of the van der Waals radius, 0.05 to 1",
+            [](T text, P& d) { d.look.sizes.ball = parseNumber(text, 0.05, 1); },
+            printNumber<&P::look, &R::sizes, &Sizes::ball>),
+        row(
+            "cartoon-scale", "F", "Factor of all widths and thicknesses of cartoons, 0.1 to 5",
+            [](T text, P& d) { d.look.cartoon.scale = parseNumber(text, 0.1, 5); },
+            printNumber<&P::look, &R::cartoon, &C::scale>),
+        row("gaps", "dashed|off", "Where a chain of a cartoon or backbone misses residues: dashes, or nothing",
+            parseSwitch<kDashedOff, &P::look, &R::gaps>, printSwitch<kDashedOff, &P::look, &R::gaps>),
+        row("surface-form", "FORM", "Surfaces as solid, mesh (lines of --line-width) or dots",
+            parseNamed<kSurfaceForms, &P::look, &R::surfaceForm>, printNamed<kSurfaceForms, &P::look, &R::surfaceForm>),
         row("disulfides", "show|hide", "Disulfide bonds as sticks in cartoons",
             parseSwitch<kShowHide, &P::look, &R::cartoon, &C::disulfides>,
             printSwitch<kShowHide, &P::look, &R::cartoon, &C::disulfides>),
@@ -260,6 +293,14 @@ std::vector<Option> interactions() {
          .help = "Definitions of interactions: molstar, plip, baker-hubbard or wernet-nilsson (docs/interactions.md)",
          .parse = [](T text, P& d) { d.look.contacts.rules = parseInteractionRules(text); },
          .print = [](const P& d) { return std::string(interactionRulesName(d.look.contacts.rules)); },
+         .needs = "interactions"},
+        {.key = "interaction-color",
+         .syntax = "[KINDS=]COLOR",
+         .help = "Colour of the dashes, of all interactions or of some kinds; repeatable",
+         .parse = [](T text, P& d) { parseInteractionColor(text, d.look.contacts); },
+         .print = [](const P& d) { return interactionColorsText(d.look.contacts); },
+         .kind = list,
+         .save = differing,
          .needs = "interactions"},
         {.key = "interaction-width",
          .syntax = "WIDTH",

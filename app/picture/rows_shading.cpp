@@ -248,9 +248,14 @@ std::vector<Option> lightEffectRows() {
 void parseClip(T text, P& d) {
     Clip& clip = d.effects.clip;
     d.aim.uncovers = false;
+    d.aim.clip.reset();
     clip.near = -Clip::kNone;
     clip.far = Clip::kNone;
     if (text == "off") return;
+    if (text.find_first_not_of("0123456789.,+-eE ") != T::npos) {
+        d.aim.clip = parseSelection(text);
+        return;
+    }
     if (text.starts_with(',')) {
         clip.far = parseNumber(text.substr(1), -kFarthest, kFarthest);
         return;
@@ -268,10 +273,12 @@ void parseSlab(T text, P& d) {
 }
 
 std::vector<Option> clipRows() {
-    Option clip = effect("clip", "NEAR[,FAR]|off",
+    Option clip = effect("clip", "NEAR[,FAR]|SEL|off",
                          "Clipping planes: remove everything nearer than NEAR and farther than FAR, in Å from the\n"
-                         "centre, away from the viewer; 0 removes the front half; ,FAR: back plane only",
-                         parseClip, [](const P& d) { return clipText(d.effects.clip); });
+                         "centre, or from the middle of what --zoom-to names, away from the viewer; 0 removes the\n"
+                         "front half; ,FAR: back plane only; SEL: a plane in front of a selection",
+                         parseClip,
+                         [](const P& d) { return d.aim.clip ? d.aim.clip->text : clipText(d.effects.clip); });
     clip.look = false;
     return {clip,
             effect("cap", "plain|dark|hatched", "Style of atoms and sticks where the front plane cuts them",
@@ -281,6 +288,22 @@ std::vector<Option> clipRows() {
                     .choices = {{"Cap style: plain", "plain"},
                                 {"Cap style: dark", "dark"},
                                 {"Cap style: hatched", "hatched"}}}),
+            effect(
+                "cap-color", "COLOR", "Colour where the front plane cuts, an opaque colour as for --background",
+                [](T text, P& d) { d.effects.clip.capColor = parseOpaque(text); },
+                [](const P& d) { return d.effects.clip.capColor ? opaqueText(*d.effects.clip.capColor) : std::string(); },
+                "clip"),
+            {.key = "clip-spare",
+             .syntax = "SEL",
+             .standard = "none",
+             .help = "Atoms that clipping planes leave whole. Others are then left out by their centres, and only\n"
+                     "sticks and meshes are cut",
+             .topic = Topic::effects,
+             .facet = Facet::scene,
+             .parse = parseSelected<&P::aim, &Aim::spares>,
+             .print = printSelected<&P::aim, &Aim::spares>,
+             .save = differing,
+             .needs = "clip"},
             {.key = "slab",
              .syntax = "A",
              .standard = "none",

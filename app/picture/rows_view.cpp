@@ -56,6 +56,42 @@ std::string printPan(const P& d) { return exactText(d.camera.pan.x) + "," + exac
 void parseZoom(T text, P& d) {
     d.aim.fits = text == "fit";
     d.camera.zoom = d.aim.fits ? 1 : parseNumber(text, kSmallestZoom, kLargestZoom);
+    if (!d.aim.fits) return;
+    d.camera.scale.reset();
+    d.camera.pan = {};
+}
+
+/// "60A", or pixels per Å.
+void parseScale(T text, P& d) {
+    constexpr double kFinest = 1e6, kWidest = 1e7;
+    const bool across = text.ends_with('A');
+    d.aim.fits = false;
+    d.camera.scale = across ? ViewScale{ViewScale::Unit::angstromAcross,
+                                        parseNumber(text.substr(0, text.size() - 1), 1 / kFinest, kWidest)}
+                            : ViewScale{ViewScale::Unit::pixelsPerAngstrom, parseNumber(text, 1 / kWidest, kFinest)};
+}
+std::string printScale(const P& d) {
+    if (!d.camera.scale) return "";
+    const bool across = d.camera.scale->unit == ViewScale::Unit::angstromAcross;
+    return exactText(d.camera.scale->value) + (across ? "A" : "");
+}
+
+/// Three numbers, or a selection.
+void parseCenter(T text, P& d) {
+    d.aim.center.reset();
+    d.camera.center.reset();
+    d.camera.pan = {};
+    if (text.find_first_not_of("0123456789.,+-eE ") != T::npos) {
+        d.aim.center = parseSelection(text);
+        return;
+    }
+    const auto place = parseNumbers<3>(text);
+    d.camera.center = {place[0], place[1], place[2]};
+}
+std::string printCenter(const P& d) {
+    if (!d.camera.center) return d.aim.center ? d.aim.center->text : "";
+    const glm::dvec3& c = *d.camera.center;
+    return exactText(c.x) + "," + exactText(c.y) + "," + exactText(c.z);
 }
 /// A camera that was moved has an explicit scale.
 std::string printZoom(const P& d) {
@@ -95,6 +131,30 @@ std::vector<Option> cameraRows() {
          .print = printZoom,
          .save = always,
          .number = Option::Number::real},
+        {.key = "scale",
+         .syntax = "F|LENGTH",
+         .standard = "none: --zoom",
+         .help = "Pixels per Å; or Å across the picture's shorter side, 60A. Unlike a zoom it does not depend on what\n"
+                 "is drawn; --zoom F multiplies it",
+         .parse = parseScale,
+         .print = printScale,
+         .save = differing},
+        {.key = "center",
+         .syntax = "SEL|X,Y,Z",
+         .standard = "of what is drawn",
+         .help = "Point in the middle of the picture, about which it is rotated: the middle of a selection, or Å in\n"
+                 "the file's frame",
+         .facet = Facet::scene,
+         .parse = parseCenter,
+         .print = printCenter,
+         .kind = numbers,
+         .save = differing},
+        {.key = "eye-distance",
+         .facet = Facet::view,
+         .parse = [](T text, P& d) { d.camera.eyeDistance = parseNumber(text, 1e-3, 1e9); },
+         .print = [](const P& d) { return d.camera.eyeDistance ? exactText(*d.camera.eyeDistance) : ""; },
+         .save = differing,
+         .number = Option::Number::real},
         {.key = "orientation",
          .syntax = "W,X,Y,Z",
          .standard = "=",
@@ -122,8 +182,15 @@ std::vector<Option> cameraRows() {
 }
 
 void parseOrient(T text, P& d) {
-    d.aim.principal = parseChoice(text, {"principal", "file"}) == 0;
+    d.aim.fromSide = false;
+    d.aim.axesOf.reset();
+    d.aim.principal = text != "file";
     if (!d.aim.principal) d.camera.orientation = glm::dquat(1, 0, 0, 0);
+    if (d.aim.principal && text != "principal") d.aim.axesOf = parseSelection(text);
+}
+std::string printOrient(const P& d) {
+    if (!d.aim.principal) return "file";
+    return d.aim.axesOf ? d.aim.axesOf->text : "principal";
 }
 
 void parseUncover(T text, P& d) {
@@ -136,12 +203,13 @@ std::string printUncover(const P& d) { return d.aim.uncover ? d.aim.uncover->tex
 std::vector<Option> aimRows() {
     std::vector<Option> rows{
         {.key = "orient",
-         .syntax = "principal|file",
+         .syntax = "principal|file|SEL",
          .standard = "file, or the saved view's",
          .help = "principal: longest axis across the longer side, shortest towards the viewer, as large as fits;\n"
-                 "file: axes as in the file. --rotate turns it further",
+                 "SEL: the principal axes of a selection; file: axes as in the file. --rotate turns it further",
          .parse = parseOrient,
-         .print = [](const P& d) { return std::string(d.aim.principal ? "principal" : "file"); }},
+         .print = printOrient,
+         .choices = {"principal", "file"}},
         {.key = "look-at",
          .syntax = "SEL",
          .standard = "none",

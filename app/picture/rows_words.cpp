@@ -37,6 +37,33 @@ std::vector<Option> wordRows() {
          .kind = list,
          .save = differing,
          .savedAs = "labels"},
+        {.key = "label-color",
+         .syntax = "SEL=COLOR",
+         .help = "Colour of the labels whose atoms a selection holds; the last one wins; repeatable",
+         .parse = [](T text, P& d) { addTo(d.words.labelColors, text, kMostWordOptions, parseLabelColor); },
+         .print =
+             [](const P& d) {
+                 return lines(d.words.labelColors, [](const LabelColor& rule) {
+                     return rule.selection.text + "=" + backgroundText({rule.color[0], rule.color[1], rule.color[2], 1});
+                 });
+             },
+         .kind = list,
+         .save = differing,
+         .needs = "label"},
+        {.key = "label-offset",
+         .syntax = "SEL=X,Y",
+         .help = "Where the labels stand whose atoms a selection holds: from the middle of these atoms, in ems to the\n"
+                 "right and up, instead of where there is room; repeatable",
+         .parse = [](T text, P& d) { addTo(d.words.labelOffsets, text, kMostWordOptions, parseLabelOffset); },
+         .print =
+             [](const P& d) {
+                 return lines(d.words.labelOffsets, [](const LabelOffset& rule) {
+                     return rule.selection.text + "=" + exactText(rule.right) + "," + exactText(rule.up);
+                 });
+             },
+         .kind = list,
+         .save = differing,
+         .needs = "label"},
         {.key = "measure",
          .syntax = "A,B[,C[,D]]",
          .help = "Distance, angle or torsion of atoms, each a selection or an atom's number; repeatable",
@@ -48,7 +75,8 @@ std::vector<Option> wordRows() {
         {.key = "title",
          .syntax = "TEXT",
          .standard = "none",
-         .help = "Above the molecule, with the markup of labels",
+         .help = "Above the molecule, with the markup of labels; {frame} is the number of the frame or model, {time} its\n"
+                 "time in the trajectory",
          .parse = [](T text, P& d) { d.words.title = parseTitle(text); },
          .print = printText<&P::words, &Words::title>,
          .save = differing,
@@ -71,6 +99,14 @@ std::vector<Option> wordRows() {
          .save = differing,
          .bare = "on",
          .control = {.label = "Colour legend", .choices = {{"off", "off"}, {"on", "on"}}}},
+        {.key = "legend-title",
+         .syntax = "TEXT",
+         .standard = "by the scheme",
+         .help = "Heading of the legend's first scale, else of its first part, with the markup of labels",
+         .parse = [](T text, P& d) { d.words.legendTitle = parseTitle(text); },
+         .print = printText<&P::words, &Words::legendTitle>,
+         .save = differing,
+         .needs = "legend"},
         {.key = "interaction-labels",
          .syntax = "distance|off",
          .standard = "=",

@@ -1,8 +1,10 @@
 #include "app/picture/saved_view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "app/files/json_text.h"
@@ -121,7 +123,7 @@ void readOption(const Option& option, const Json& value, PictureDescription& vie
         case Kind::pair:
             return readList(option, value, view);
         case Kind::numbers:
-            return option.parse(value.is_array() ? joined(value) : std::string(), view);
+            return option.parse(value.is_array() ? joined(value) : value.is_string() ? textOf(value) : "", view);
         case Kind::value:
         case Kind::flag:
             return option.parse(textOf(value), view);
@@ -151,6 +153,8 @@ OrderedJson jsonOf(const Option& option, const PictureDescription& view) {
     if (option.kind == Kind::inputs) return inputsJson(view.input.further);
     const std::string text = option.print(view);
     if (option.kind == Kind::value || option.kind == Kind::flag) return numberJson(text, option.number);
+    const auto isNumber = [](const std::string& one) { return !numberJson(one, Option::Number::real).is_string(); };
+    if (option.kind == Kind::numbers && !std::ranges::all_of(divided(text, ','), isNumber)) return text;
     OrderedJson list = OrderedJson::array();
     for (const std::string& one : divided(text, option.kind == Kind::numbers ? ',' : '\n'))
         list.push_back(option.kind == Kind::numbers ? numberJson(one, Option::Number::real)
@@ -197,6 +201,43 @@ void readKeys(const Json& object, const std::string& name, PictureDescription& v
     nameInputs(view);
 }
 
+/// What --stats writes: a view's camera and clipping planes stand in it.
+bool isStatistics(const Json& object) {
+    const auto view = object.find("view");
+    return view != object.end() && view->is_object() && view->contains("pixels_per_angstrom");
+}
+
+void readStatistics(const Json& view, const std::string& name, PictureDescription& d) {
+    const auto numbers = [&](const char* key, std::size_t count) {
+        std::vector<double> values;
+        const Json value = view.value(key, Json());
+        for (const Json& each : value.is_array() ? value : Json::array({value}))
+            if (each.is_number() && std::isfinite(each.get<double>())) values.push_back(each.get<double>());
+        if (values.size() != count)
+            throw Error("cannot read view", name, std::string("\"") + key + "\": expected " + std::to_string(count) +
+                                                      (count == 1 ? " number" : " numbers"));
+        return values;
+    };
+    const std::vector<double> center = numbers("center", 3), q = numbers("orientation", 4), pan = numbers("pan", 2);
+    const double across = std::min(numbers("width", 1)[0], numbers("height", 1)[0]) / numbers("pixels_per_angstrom", 1)[0];
+    const std::string projection = view.value("projection", "ortho"), clip = view.value("clip", "off");
+    Camera& camera = d.camera;
+    camera = {};
+    camera.fovDegrees = PictureDescription{}.camera.fovDegrees;
+    camera.center = {center[0], center[1], center[2]};
+    camera.pan = {pan[0], pan[1]};
+    try {
+        option("projection").parse(projection, d);
+        option("orientation").parse(exactText(q[0]) + "," + exactText(q[1]) + "," + exactText(q[2]) + "," + exactText(q[3]), d);
+        option("scale").parse(exactText(across) + "A", d);
+        option("clip").parse(clip, d);
+        if (camera.projection == Projection::perspective)
+            option("eye-distance").parse(exactText(numbers("eye_distance", 1)[0]), d);
+    } catch (const std::invalid_argument& error) {
+        throw Error("cannot read view", name, error.what());
+    }
+}
+
 void readView(const std::string& json, const std::string& name, PictureDescription& view) {
     std::string twice;
     Json object;
@@ -208,7 +249,10 @@ void readView(const std::string& json, const std::string& name, PictureDescripti
     if (!object.is_object()) throw Error("cannot read view", name, "it is not a JSON object");
     if (!twice.empty()) throw Error("cannot read view", name, "\"" + twice + "\": it occurs twice");
     view.aim.fits = false;  // it keeps its scale, also where it does not state it
-    readKeys(object, name, view);
+    if (isStatistics(object))
+        readStatistics(object["view"], name, view);
+    else
+        readKeys(object, name, view);
     view.aim.uncovers = true;  // a plane that was saved asks for nothing
 }
 
@@ -290,7 +334,7 @@ void applySavedView(const std::string& path, PictureDescription& description) {
     appendMaps(view.maps, description.maps);
     view.mapsChanged();
     view.view = path;
-    view.aim.placed = view.camera.zoom != 1 || view.camera.pan != glm::dvec2(0);
+    view.aim.placed = view.camera.isPlaced();
     if (description.input.path.empty()) {
         view.input.namedBy = view.input.path.empty() ? "" : path;
         view.input.trajectory.namedBy = view.input.trajectory.path.empty() ? "" : path;

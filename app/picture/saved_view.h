@@ -5,7 +5,8 @@
 //    "rules": [{"show": "ligand=ball-and-stick"}, {"hide": "chain B"}, {"color-by": "chain A=#ff8000", "off": true}],
 //    "orientation": [w, x, y, z], "pan": [x, y], "zoom": 1.5, "labels": ["ligand={residue}"],
 //    "further-inputs": [{"name": "drug", "input": "b.sdf"}], "fits": [["/drug", "/receptor and resn STI"]], ...}
-// `orientation` is a unit quaternion (v = Q (p - C)), `pan` is in Å. Every key is optional.
+// `orientation` is a unit quaternion (v = Q (p - C)), `pan` is in Å. `center` is C, `scale` the Å across the shorter side:
+// with both the camera is the same whatever is drawn. Every key is optional.
 
 #include <cstddef>
 #include <string>
@@ -14,7 +15,7 @@
 
 namespace nacre::app {
 
-/// @param name of the file, for messages. @throws Error that names the key
+/// Of a saved view, or of what --stats writes. @param name of the file, for messages. @throws Error that names the key
 PictureDescription parseSavedView(const std::string& json, const std::string& name);
 constexpr std::size_t kMostViewBytes = std::size_t{1} << 20;
 /// The file's text. @throws Error if it is missing, empty, or larger than kMostViewBytes

@@ -1,15 +1,20 @@
 #include "app/picture/words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "app/picture/appearance_values.h"
 #include "app/picture/label_fields.h"
+#include "app/picture/option_text.h"
 #include "app/picture/option_values.h"
 #include "engine/error.h"
 
 namespace nacre::app {
 namespace {
+
+constexpr std::string_view kFrameField = "{frame}", kTimeField = "{time}";
 
 /// The text without its fields, to check its markup.
 void checkMarkup(std::string_view text) {
@@ -41,6 +46,32 @@ Label parseLabel(std::string_view text) {
 }
 
 std::string labelText(const Label& label) { return label.selection.text + "=" + label.text; }
+
+namespace {
+
+/// What stands before and after the last '='.
+std::pair<std::string_view, std::string_view> ruleParts(std::string_view text, const char* wanted) {
+    const std::size_t sign = text.rfind('=');
+    if (sign == std::string_view::npos)
+        throw std::invalid_argument(std::string("expected ") + wanted + ", not '" + std::string(text) + "'");
+    return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
+}  // namespace
+
+LabelColor parseLabelColor(std::string_view text) {
+    const auto [selection, color] = ruleParts(text, "SELECTION=COLOR");
+    return {parseSelection(selection), parseInk(color)};
+}
+
+LabelOffset parseLabelOffset(std::string_view text) {
+    constexpr double kFarthest = 200;  // em
+    const auto [selection, offset] = ruleParts(text, "SELECTION=X,Y");
+    const std::size_t comma = offset.find(',');
+    if (comma == std::string_view::npos) throw std::invalid_argument("expected SELECTION=X,Y, not '" + std::string(text) + "'");
+    return {parseSelection(selection), parseNumber(offset.substr(0, comma), -kFarthest, kFarthest),
+            parseNumber(offset.substr(comma + 1), -kFarthest, kFarthest)};
+}
 
 Measure parseMeasure(std::string_view text) {
     Measure measure;
@@ -85,8 +116,26 @@ const char* scaleBarText(ScaleBar bar) {
 }
 
 std::string parseTitle(std::string_view text) {
-    runsOf(text);
+    runsOf(filledTitle(std::string(text), {}));
     return std::string(text);
+}
+
+std::string filledTitle(const std::string& title, const Moment& moment) {
+    std::string time = "?";
+    if (moment.picoseconds) {
+        constexpr double kNanosecond = 1000;  // ps
+        const bool nano = std::abs(*moment.picoseconds) >= kNanosecond;
+        time = numberText(std::round(*moment.picoseconds / (nano ? kNanosecond : 1) * 1000) / 1000) + (nano ? " ns" : " ps");
+    }
+    std::string filled = title;
+    for (const auto& [field, value] : {std::pair(kFrameField, std::to_string(moment.frame)), {kTimeField, time}})
+        for (std::size_t at = 0; (at = filled.find(field, at)) != std::string::npos; at += value.size())
+            filled.replace(at, field.size(), value);
+    return filled;
+}
+
+bool titleMoves(const std::string& title) {
+    return title.find(kFrameField) != std::string::npos || title.find(kTimeField) != std::string::npos;
 }
 
 std::array<float, 3> parseInk(std::string_view text) {

@@ -3,6 +3,7 @@
 // places and paints them.
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,20 @@ struct Label {
     friend bool operator==(const Label&, const Label&) = default;
 };
 
+/// Colour of the labels of a selection's atoms; the last rule wins.
+struct LabelColor {
+    Selection selection;
+    std::array<float, 3> color{};  ///< sRGB-coded
+    friend bool operator==(const LabelColor&, const LabelColor&) = default;
+};
+
+/// Where the labels of a selection's atoms stand: from their usual anchor, in em, to the right and up.
+struct LabelOffset {
+    Selection selection;
+    double right = 0, up = 0;
+    friend bool operator==(const LabelOffset&, const LabelOffset&) = default;
+};
+
 /// Distance, angle or torsion of two to four selections of one atom each.
 struct Measure {
     std::vector<Selection> points;
@@ -31,10 +46,13 @@ enum class ScaleBar { off, angstrom, nanometre };
 
 struct Words {
     std::vector<Label> labels;
+    std::vector<LabelColor> labelColors;
+    std::vector<LabelOffset> labelOffsets;
     std::vector<Measure> measures;
     std::string title;
     ScaleBar scaleBar = ScaleBar::off;
     bool legend = false;
+    std::string legendTitle;                    ///< of the first scale, else of the first legend
     bool distances = false;                     ///< of drawn interactions
     bool seenOnly = false;                      ///< hide labels behind other atoms
     double size = 0;                            ///< em size, pixels; 0: 1/42 of the shorter side
@@ -50,6 +68,9 @@ struct Words {
 /// "SELECTION=TEXT", split at the first '=' after a valid selection.
 /// @throws std::invalid_argument for an unknown field, unclosed markup or empty text; Error for the selection
 Label parseLabel(std::string_view text);
+/// "SELECTION=COLOR" and "SELECTION=X,Y", split at the last '='. @throws std::invalid_argument, Error for the selection
+LabelColor parseLabelColor(std::string_view text);
+LabelOffset parseLabelOffset(std::string_view text);
 /// Two to four selections separated by commas; lists inside use '+'. A number alone is an atom's.
 Measure parseMeasure(std::string_view text);
 /// "off", "angstrom" or "A" or "Å", "nm".
@@ -57,6 +78,15 @@ ScaleBar parseScaleBar(std::string_view text);
 const char* scaleBarText(ScaleBar bar);
 /// Checks the markup of a title. @throws std::invalid_argument
 std::string parseTitle(std::string_view text);
+/// What a title may tell of a frame or model.
+struct Moment {
+    std::int64_t frame = 1;               ///< counted from 1
+    std::optional<double> picoseconds{};  ///< empty: the file states no time
+};
+/// A title with its fields {frame} and {time} filled in: "12", "3.5 ns".
+std::string filledTitle(const std::string& title, const Moment& moment);
+/// Whether it has such a field.
+bool titleMoves(const std::string& title);
 /// An opaque colour as for parseColor(). @throws std::invalid_argument
 std::array<float, 3> parseInk(std::string_view text);
 /// "SELECTION=TEXT" for parseLabel().

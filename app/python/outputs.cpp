@@ -48,11 +48,11 @@ public:
 
     std::uint64_t count() const { return motion_->frames(); }
     const Molecule& molecule() const { return now_; }
-    /// Puts one of them on the canvas, with its words. @throws Error
-    void show(std::uint64_t model, app::Drawing& drawing, app::Canvas& canvas) {
+    /// Moves the drawing to one of them. @throws Error
+    void move(std::uint64_t model, app::Drawing& drawing) {
         app::movePositions(now_, motion_->positions(model));
+        drawing.moment = {static_cast<std::int64_t>(model + 1), motion_->time()};
         drawing.moveTo(now_);
-        drawing.handOver(canvas);
     }
 
 private:
@@ -100,14 +100,15 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
                 at.maps.levels.front() = app::levelAt(motion, static_cast<double>(frame) / static_cast<double>(whole));
                 drawing.prepare(*structure.molecule, at);
             }
-            if (models)
-                models->show(frame * modelCount / frames, drawing, canvas);
-            else
-                drawing.show(canvas);
+            if (models) models->move(frame * modelCount / frames, drawing);
             RenderSettings settings = drawing.settings;
             // A rotation returns to its start at 1, which the last frame does not reach.
             settings.view =
                 app::viewAt(motion, settings.view, static_cast<double>(frame) / static_cast<double>(frames));
+            if (drawing.hasCaps())
+                drawing.showCut(canvas, settings);
+            else
+                models ? drawing.handOver(canvas) : drawing.show(canvas);
             Picture drawn = drawing.drawAs(settings, canvas.renderer, &memory);
             between();
             return drawn;

@@ -6,6 +6,7 @@
 #include "app/drawing/aim.h"
 #include "app/picture/input_names.h"
 #include "engine/error.h"
+#include "engine/scene/view/orientation.h"
 
 namespace nacre::app {
 namespace {
@@ -112,7 +113,14 @@ void CameraControl::arrived(bool fly, double now) {
 }
 
 void CameraControl::fit(double now) {
-    stage_.motion.fit(now);
+    const Drawing& drawing = stage_.document.drawing;
+    if (stage_.shown() && drawing.reframed()) {
+        Camera from = stage_.motion.camera();
+        from.zoom = 1;
+        stage_.motion.fly(closeUp(from, drawnBalls(drawing.scene()), drawing.radius(), 0, kLargestZoom), now);
+    } else {
+        stage_.motion.fit(now);
+    }
     unclip();
 }
 
@@ -126,14 +134,15 @@ void CameraControl::unclip() {
 void CameraControl::take(Aim aim, bool fly, double now) {
     const Document& document = stage_.document;
     aim.fits = false;  // it is to fit from all sides
-    for (std::optional<Selection>* selection : {&aim.lookAt, &aim.zoomTo, &aim.uncover})
+    for (std::optional<Selection>* selection : {&aim.lookAt, &aim.zoomTo, &aim.uncover, &aim.axesOf, &aim.left})
         if (*selection && !document.view.input.further.empty())
             nameInputs(inputNames(inputOf(document.view)), **selection);
     try {
         const PixelSize size = frames_.freeSize();
         Camera from = stage_.motion.camera();
         if (aim.zoomTo || aim.principal) from.zoom = 1;
-        const Aimed to = aimed(from, aim, *document.placed, document.drawing.scene(), {size.width, size.height});
+        const Aimed to = aimed(from, aim, *document.placed, {document.drawing.scene(), document.drawing.radius()},
+                               {size.width, size.height});
         stage_.remember();
         if (fly)
             stage_.motion.fly(to.camera, now);

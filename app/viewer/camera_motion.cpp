@@ -103,6 +103,7 @@ void CameraMotion::reset(double now) {
     Camera to;
     to.projection = camera_.projection;
     to.fovDegrees = camera_.fovDegrees;
+    to.center = camera_.center;
     fly(to, now);
 }
 

@@ -44,6 +44,7 @@ void Loader::build(const PictureDescription& view, const Document& shown) {
     Job job{view, shown.molecule, false, shown.placed, shown.moves()};
     const Rebuild rebuild = rebuildFor(shown.drawing.description(), view, CameraBy::hand);
     if (!job.moves && !rebuild.molecule && !rebuild.scene && rebuild.maps) job.shown = shown.drawing.copy();
+    if (shown.view.look.assembly == view.look.assembly) job.frame = shown.drawing.frame();
     start(std::move(job));
 }
 
@@ -62,10 +63,12 @@ Document Loader::load(Job& job) const {
     // Copies of an assembly do not move.
     const bool moves = (job.moves || document.motion) && document.view.look.assembly.empty();
     if (!moves) document.placed = document.molecule;
+    if (job.frame) document.drawing.keepFrame(*job.frame);
     if (moves)
         document.drawing.buildMoving(*document.molecule, *document.placed, document.view);
     else
         document.drawing.build(*document.molecule, document.view);
+    document.drawing.takeCamera(document.view.camera);
     if (job.first) takeSceneLook(*document.molecule, document.drawing.radius(), document.view);
     return document;
 }

@@ -91,6 +91,7 @@ private:
         std::shared_ptr<const Molecule> placed = {};  ///< its current positions
         bool moves = false;
         Drawing shown{CameraBy::hand};  ///< whose scene stays, if it has one
+        std::optional<Bounds> frame = {};  ///< of the document before: hiding and restyling keep the camera
     };
     void start(Job job);
     void launch(Job job);

@@ -214,7 +214,7 @@ std::string Picking::measurement(const std::vector<glm::dvec3>& places) const {
 }
 
 PictureDescription Picking::savedView() const {
-    PictureDescription saved = stage_.view();
+    PictureDescription saved = stage_.placed();
     if (picks_.size() < 2) return saved;
     std::string atoms;
     for (const std::uint32_t pick : picks_) atoms += (atoms.empty() ? "" : ",") + std::to_string(pick + 1);

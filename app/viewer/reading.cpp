@@ -163,6 +163,7 @@ Reading::Arrival Reading::arrive(Document document) {
         wanted.look.color = there.look.color;
     }
     const bool first = std::exchange(first_, false);
+    if (first && stage_.view().camera.scale) stage_.motion.set(there.camera);
     if (stage_.document.molecule->guide && !arrival.step && !arrival.restored) {
         wanted.background = there.background;
         if (first) stage_.motion.set(there.camera);

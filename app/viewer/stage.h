@@ -42,6 +42,23 @@ public:
     }
     /// Whether there is a document.
     bool shown() const { return document.molecule != nullptr; }
+    /// The wanted view with a camera that nothing drawn moves, for saved views.
+    PictureDescription placed() const {
+        PictureDescription placed = view();
+        if (!shown()) return placed;
+        constexpr std::uint32_t kAnySize = 1000;
+        const View seen = viewOf(placed.camera, document.drawing.radius(), kAnySize, kAnySize);
+        placed.camera = absoluteCamera(seen, placed.camera.fovDegrees, document.drawing.scene().center);
+        return placed;
+    }
+    /// The reverse: relative to the document, if its centre is the view's.
+    PictureDescription relative(PictureDescription placed) const {
+        if (!shown() || placed.camera.center != document.drawing.scene().center) return placed;
+        double radius = document.drawing.radius();
+        placed.camera = relativeCamera(placed.camera, radius);
+        placed.camera.center = view_.camera.center;
+        return placed;
+    }
     /// Radius of the document, Å.
     double radius() const { return document.drawing.radius(); }
 

@@ -150,7 +150,8 @@ void Viewer::show(const PictureDescription& to, double now, double seconds) {
     stage_.history.acted();
 }
 
-void Viewer::restore(const PictureDescription& to, double now, double seconds) {
+void Viewer::restore(const PictureDescription& saved, double now, double seconds) {
+    const PictureDescription to = stage_.relative(saved);
     // The document may still be older than the wanted view.
     const Document& document = stage_.document;
     const Facets seen = difference(view(), to), parts = difference(document.view, to);

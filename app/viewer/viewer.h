@@ -85,7 +85,7 @@ private:
     void apply(const std::vector<Gesture>& gestures, double now);
     void aimAt(ViewerCommand command, double now);
     bool changeLook(ViewerCommand command, PictureDescription& look, double now);
-    void restore(const PictureDescription& view, double now, double seconds = CameraMotion::kFlightSeconds);
+    void restore(const PictureDescription& saved, double now, double seconds = CameraMotion::kFlightSeconds);
     void takeDocument(double now);
     void followFocus(double now);
     double advance(double now);

@@ -141,6 +141,11 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const Sc
         const auto channel = [&](int shift) { return static_cast<float>(copyColors[i] >> shift & 0xff) / 255.0f; };
         c.copyColors[i] = linearColor({channel(0), channel(8), channel(16)}, 1);
     }
+    if (e.clip.capColor)
+        for (int i = 0; i < 3; ++i)
+            c.capColor |= static_cast<std::uint32_t>(std::lround((*e.clip.capColor)[static_cast<std::size_t>(i)] * 255.0f))
+                          << 8 * i;
+    if (e.clip.capColor) c.capColor |= 0xff000000u;
     addShadow(c, settings);
     addOutlines(c, settings);
     addHalos(c, settings);

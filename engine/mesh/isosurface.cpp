@@ -9,6 +9,7 @@
 #include <string>
 
 #include "engine/error.h"
+#include "engine/mesh/carve.h"
 #include "engine/mesh/marching_cubes.h"
 #include "engine/threads.h"
 
@@ -265,8 +266,11 @@ MapRegion::MapRegion(const DensityMap& map, glm::ivec3 first, glm::ivec3 last) :
     findRanges();
 }
 
-MapRegion::MapRegion(const DensityMap& map, std::span<const glm::dvec3> places, double reach) : map_(map) {
+MapRegion::MapRegion(const DensityMap& map, std::span<const glm::dvec3> places, double carved)
+    : map_(map), places_(places.begin(), places.end()), reach_(carved) {
     if (places.empty()) return;
+    // All nodes of a cell that the surface may cross within reach.
+    const double reach = carved + glm::length(glm::abs(map.step[0]) + glm::abs(map.step[1]) + glm::abs(map.step[2]));
     // A ball's extent along an axis of the grid depends on the distance of the grid's planes.
     const glm::dmat3 toNodes = glm::transpose(glm::inverse(map.step));  // columns: normals of the grid planes
     const glm::dvec3 ball(glm::length(toNodes[0]) * reach, glm::length(toNodes[1]) * reach,
@@ -380,6 +384,10 @@ Isosurface MapRegion::at(double level, bool above, IsosurfaceParts parts, const 
         for (const glm::uvec2& line : slab.lines) all.lines.push_back(line + first);
         slab = {};
     }
+    if (places_.empty()) return all;
+    std::vector<glm::dvec3> places;
+    for (const glm::dvec3& place : places_) places.push_back(place - origin);
+    carve(all, places, reach_);
     return all;
 }
 

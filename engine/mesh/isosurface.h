@@ -28,7 +28,7 @@ public:
     /// Nodes from `first` to `last`, inclusive; clamped to the map unless it is periodic. @throws Error if it is too
     /// large
     MapRegion(const DensityMap& map, glm::ivec3 first, glm::ivec3 last);
-    /// Limited to `reach` (Å) around these positions (Å).
+    /// Limited to `reach` (Å) around these positions (Å): surfaces are cut there (carve.h).
     MapRegion(const DensityMap& map, std::span<const glm::dvec3> places, double reach);
 
     /// The isosurface of a level, which encloses higher or lower values. Marching cubes (marching_cubes.h) with linear
@@ -58,6 +58,8 @@ private:
     glm::ivec3 first_{}, size_{}, blocks_{};
     std::vector<float> own_;     ///< copied values; empty: the map's own
     std::vector<Range> ranges_;  ///< per block
+    std::vector<glm::dvec3> places_;
+    double reach_ = 0;  ///< of surfaces from the places, if there are any
 };
 
 }  // namespace nacre

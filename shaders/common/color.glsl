@@ -165,6 +165,7 @@ float capShade(vec2 q) {
 /// In linear light. @param base  linear colour @param q  planePoint() of the pixel
 vec3 lightOf(Hit hit, vec3 base, float occlusion, vec2 q) {
     occlusion = max(occlusion, leastOcclusion());
+    if (kClip && hit.cap && effects.capColor != 0u) base = linearColor(effects.capColor);
     vec3 lit = shade(base, hit.normal, kClip && !hit.cap ? opened(occlusion) : occlusion, sunlight(hit, q));
     if (kClip && hit.cap) lit *= capShade(q);
     if (kContours && hit.contour) lit = effects.contour.rgb;

@@ -293,8 +293,8 @@ vec2 nearestOnEdge(vec2 from, vec2 to) {
 
 layout(constant_id = kFrontsOnlyId) const bool kFrontsOnly = false;
 /// A triangle from projected() corners. Depth is interpolated as a weighted mean of the corners', so a hit is never in
-/// front of or behind all of them. Where the near plane clips a mesh, its inner side is visible: it counts as the cap,
-/// at its own depth. Not for TRANSLUCENT ones, which are transparent.
+/// front of or behind all of them. Triangles within kCapRise behind the near plane are its caps (mesh_caps.h). The inner
+/// side of a mesh without caps looks like one, at its own depth. Not of TRANSLUCENT ones, which are transparent.
 /// @param joins  which corners have equal looks: 1 a and b, 2 b and c, 4 c and a
 Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint joins, vec2 q) {
     Hit hit = noHit();
@@ -320,7 +320,9 @@ Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint joins, vec2 q) {
     if (kClip) {
         hit.inside = hit.inside && hit.Z >= view.clipNear && hit.Z <= view.clipFar;
 #ifndef TRANSLUCENT
-        hit.cap = hit.inside && hit.back && view.clipNear > -kNoPlane;
+        vec3 behind = (kPerspective ? vec3(1.0) / vec3(a.z, b.z, c.z) : vec3(a.z, b.z, c.z)) - view.clipNear;
+        bool onPlane = min(behind.x, min(behind.y, behind.z)) >= 0.0 && max(behind.x, max(behind.y, behind.z)) < kCapRise;
+        hit.cap = hit.inside && (hit.back || onPlane) && view.clipNear > -kNoPlane;
 #endif
     }
     hit.order = hit.Z;

@@ -83,6 +83,8 @@ const int kGroupResidues = 6;
 /// Caps lie in one plane: for comparison their depth is moved forward by up to this much, Å, the more the deeper a
 /// point is inside its atom. So the atom that contains it deepest shows, on every path, and nothing behind the plane.
 const float kCapDepth = 0.02f;
+// Å behind the near clipping plane within which a triangle is a cap of a mesh.
+const float kCapRise = 0.004f;
 /// Replaces the colour of an edge pixel, or a pixel in their list: not an edge.
 const uint kNoEdge = 0xffffffffu;
 /// Words before that list: number of full subgroups, and rows of pixels of the bins.
@@ -173,7 +175,8 @@ struct EffectConstants {
     float lineDepth;                 // depth jump of the thinnest of them, Å
     uint bakedCylinders;             // cylinders with patches in the atlas; wires follow them
     uint subsamples;                 // 1: pixels are samples of a picture's, and stand where those of an edge do
-    uint unused0, unused1;
+    uint capColor;                   // of caps, as looks have it; 0: those of the atoms
+    uint unused;
     vec4 copyColors[kMostCopyColors];  // linear
 };
 

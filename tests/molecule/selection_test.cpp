@@ -85,7 +85,35 @@ INSTANTIATE_TEST_SUITE_P(
                     Chosen{"within 2.5 of elem FE", "FE101 NA101 "}, Chosen{"within 0 of ion", "NA102 "},
                     Chosen{"within 10000 of none", ""}, Chosen{"ligand within 2 of (name FE)", "FE101 NA101 "},
                     Chosen{"elem C or ion within 3 of ligand", "C1A101 "}, Chosen{"byres (name OG)", "N82 OG82 "},
+                    // As PyMOL has them: behind what they are about.
+                    Chosen{"name FE around 2.5", "NA101 "}, Chosen{"name FE expand 2.5", "FE101 NA101 "},
+                    Chosen{"byres name FE around 2.5", "FE101 NA101 C1A101 "},
+                    Chosen{"(resi 3 and name N) around 1.6", "CA-2 CA3 "},
+                    Chosen{"ion or (name FE around 2.5)", "NA101 NA102 "}, Chosen{"bychain name OG", "N82 OG82 "},
+                    Chosen{"bc. name OG", "N82 OG82 "}, Chosen{"~(protein or ligand)", "NA102 O103 "},
+                    // As ChimeraX has them.
+                    Chosen{"name FE :<2.5", "FE101 NA101 C1A101 "}, Chosen{"name FE @<2.5", "FE101 NA101 "},
+                    Chosen{"/a :<0", "N82 OG82 "}, Chosen{"@FE:<2.5", "FE101 NA101 C1A101 "},
+                    Chosen{"protein @>0", "FE101 NA101 C1A101 NA102 O103 "},
                     Chosen{"not byres within 9.9 of (chain a)", "FE101 NA101 C1A101 NA102 O103 "}));
+
+TEST(Selection, BondsAndSegments) {
+    test::MoleculeText text;
+    text.residue("LIG", 1).atom("C1", "C", {0, 0, 0}).atom("C2", "C", {1.5f, 0, 0}).atom("C3", "C", {3, 0, 0});
+    text.residue("HOH", 2).atom("O", "O", {9, 0, 0});
+    Molecule molecule = text.molecule;
+    molecule.bonds = {{0, 1}, {1, 2}};
+    molecule.subchains = {"A", "B"};
+    molecule.residues[1].subchain = 1;
+    EXPECT_EQ(names(molecule, "neighbor name C2"), "C11 C31 ");
+    EXPECT_EQ(names(molecule, "name C1 extend 1"), "C11 C21 ");
+    EXPECT_EQ(names(molecule, "name C1 extend 2"), "C11 C21 C31 ");
+    EXPECT_EQ(names(molecule, "bymolecule name C3"), "C11 C21 C31 ");
+    EXPECT_EQ(names(molecule, "segi B"), "O2 ");
+    EXPECT_THROW(parseSelection("chain A and name C1 around 5"), Error);  // PyMOL and ChimeraX differ
+    EXPECT_THROW(parseSelection("not name C1 expand 5"), Error);
+    EXPECT_THROW(parseSelection("name C1 around"), Error);
+}
 
 TEST(Selection, ByResidueTakesAllOfWhatItTouches) {
     EXPECT_EQ(names(mixed(), "byres (within 3 of (name CA and resi -2))"), "N-2 CA-2 CB-2 N3 CA3 HA23 ");

@@ -56,6 +56,16 @@ std::string otherValue(const Option& option) {
         {"map", "a.ccp4"},
         {"title", "DNA"},
         {"focus-depth", "-4.5"},
+        {"scale", "12.5A"},
+        {"center", "1,-2.5,3"},
+        {"eye-distance", "80"},
+        {"save-view", "a.view.json"},
+        {"cap-color", "#302010"},
+        {"clip-spare", "ligand"},
+        {"label-color", "ligand=#ff0000"},
+        {"label-offset", "ligand=2,1.5"},
+        {"legend-title", "Potential (kT/e)"},
+        {"interaction-color", "metal=#ff0000"},
     };
     if (const auto unusual = kUnusual.find(option.key); unusual != kUnusual.end()) return unusual->second;
     std::vector<std::string> values = option.choices;

@@ -147,7 +147,7 @@ TEST(ColorSchemes, ChargeAndHydrophobicityOfResidues) {
     const ColoredAtoms hydro = colored(text.molecule, ColorScheme::hydrophobicity);
     EXPECT_EQ(hydro.colors[6], paletteColor(Palette::lipophilicity, 1));
     EXPECT_EQ(hydro.colors[7], paletteColor(Palette::lipophilicity, 0));
-    EXPECT_EQ(labels(hydro), "ILE 4.5|MSE 1.9|ALA 1.8|HIP -3.2|ASH -3.5|ASP -3.5|LYS -3.9|ARG -4.5|not an amino acid");
+    EXPECT_EQ(labels(hydro), "-4.50|-2.25|0.00|2.25|4.50|not an amino acid");
 }
 
 TEST(ColorSchemes, SecondaryStructureOfCrambin) {

@@ -100,7 +100,8 @@ TEST(MeshScene, MeshesStandWithTheAtomsAndHaveTheirColours) {
     }
     EXPECT_EQ(sceneOfComplex(Style::cartoon).spheres.size(), 3u);
     EXPECT_EQ(sceneOfComplex(Style::cartoon).cylinders.size(), 2u);  // a double bond
-    EXPECT_TRUE(sceneOfComplex(Style::surface).spheres.empty());
+    // The ligand stays beside a surface, as beside a cartoon.
+    EXPECT_EQ(sceneOfComplex(Style::surface).spheres.size(), 3u);
 }
 
 TEST(MeshScene, WhatMovesKeepsItsFold) {
@@ -127,7 +128,11 @@ TEST(MeshScene, CopiesOfAnAssemblyShareTheirTriangles) {
     both.transforms[1][3] = {40, 0, 0};
     AssemblyPart once{{glm::mat4x3(1.0f)}, {1}};
     molecule.assemblies.push_back({"1", "", {both, once}});
-    RepresentationOptions options{Style::surface, ColorScheme::chain, {}};
+    RepresentationOptions options{Style::spacefill, ColorScheme::chain, {}};
+    Rule all;
+    all.selection = parseSelection("all");
+    all.style = Style::surface;
+    options.rules.push_back(all);
     options.assembly = "1";
     const Representation scene = represent(molecule, drawnAtoms(molecule), options);
     ASSERT_EQ(scene.copies.triangles.size(), 2u);

@@ -120,7 +120,9 @@ TEST(Orientation, ClosesInOnATarget) {
         const double magnify = view.eyeDistance > 0 ? view.eyeDistance / (view.eyeDistance - middle.z) : 1;
         EXPECT_NEAR(middle.x * magnify + view.pan.x, 0, 1e-9);
         EXPECT_NEAR(middle.y * magnify + view.pan.y, 0, 1e-9);
-        const double whole = viewOf(Camera{projection}, 20, 800, 600).pixelsPerAngstrom;
+        Camera plain;
+        plain.projection = projection;
+        const double whole = viewOf(plain, 20, 800, 600).pixelsPerAngstrom;
         EXPECT_NEAR(view.pixelsPerAngstrom * magnify, whole * 20 / 5, 1e-6);  // 2 Å of it, 3 around
     }
 }
@@ -135,7 +137,7 @@ TEST(Orientation, FillsThePicture) {
         camera.orientation = principalOrientation(balls, true);
         for (const double zoom : {1.0, 0.5}) {
             camera.zoom = zoom;
-            const View view = viewOf(fitted(camera, scene, 25, 900, 300, 1e4), 25, 900, 300);
+            const View view = viewOf(fitted(camera, scene, nullptr, 25, 900, 300, 1e4), 25, 900, 300);
             glm::dvec2 most(0);
             for (const glm::dvec4& ball : balls) {
                 const glm::dvec3 v = view.rotation * glm::dvec3(ball);

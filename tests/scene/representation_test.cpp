@@ -96,7 +96,7 @@ TEST(Representation, EveryStrandEndsInsideTheSmallestBall) {
             EXPECT_LT(std::abs(strands.strands[i].offset) + strands.strands[i].radius, smallest);
         const BondStrands thick = licoriceStrands(order);
         for (std::size_t i = 0; i < static_cast<std::size_t>(thick.count); ++i)
-            EXPECT_LE(std::abs(thick.strands[i].offset) + thick.strands[i].radius, kLicoriceRadius);
+            EXPECT_LE(std::abs(thick.strands[i].offset) + thick.strands[i].radius, drawnRadius(6, Style::licorice));
     }
 }
 
@@ -220,8 +220,8 @@ TEST(Colors, SchemesReachTheStreams) {
     molecule.residues = {{Name("ASP"), 1, '\0', 0, 0, 1}, {Name("LYS"), 2, '\0', 1, 1, 1}};
     molecule.atoms[1].residue = 1;
     const auto byChain = represent(molecule, everyAtom(molecule), {Style::spacefill, ColorScheme::chain});
-    EXPECT_EQ(byChain.sphereLooks[0].color, kindColor(0, kChainPalette));
-    EXPECT_EQ(byChain.sphereLooks[1].color, kindColor(1, kChainPalette));
+    EXPECT_EQ(byChain.sphereLooks[0].color, kindColor(0, kCarbonPalette));
+    EXPECT_EQ(byChain.sphereLooks[1].color, kindColor(1, kCarbonPalette));
     const auto byResidue = represent(molecule, everyAtom(molecule), {Style::spacefill, ColorScheme::residue});
     EXPECT_EQ(byResidue.sphereLooks[0].color, residueColor("ASP"));
     EXPECT_EQ(byResidue.sphereLooks[1].color, residueColor("LYS"));

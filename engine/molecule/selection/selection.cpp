@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 #include "engine/molecule/element.h"
@@ -78,8 +79,26 @@ private:
                 for (std::size_t i = 0; i < near.size(); ++i) near[i] = near[i] && !inner[i];
                 break;
             }
+            case SelectionTest::expand:
+                stack_.back() = atomsNear(molecule_, stack_.back(), step.distance);
+                break;
+            case SelectionTest::extend:
+                for (int i = 0; i < static_cast<int>(step.distance); ++i) stack_.back() = withBonded(stack_.back());
+                break;
+            case SelectionTest::neighbor: {
+                const Set inner = stack_.back();
+                Set& outer = stack_.back() = withBonded(inner);
+                for (std::size_t i = 0; i < outer.size(); ++i) outer[i] = outer[i] && !inner[i];
+                break;
+            }
             case SelectionTest::byResidue:
                 stack_.back() = wholeResidues(stack_.back());
+                break;
+            case SelectionTest::byChain:
+                stack_.back() = wholeChains(stack_.back());
+                break;
+            case SelectionTest::byMolecule:
+                stack_.back() = wholeMolecules(stack_.back());
                 break;
             default:
                 stack_.push_back(leaf(step));
@@ -111,6 +130,12 @@ private:
             case SelectionTest::backbone:
             case SelectionTest::sidechain:
                 return ofPolymer(step.test == SelectionTest::backbone);
+            case SelectionTest::segment:
+                return whereResidue([&](std::size_t i) {
+                    const std::uint32_t segment = molecule_.residues[i].subchain;
+                    return segment < molecule_.subchains.size() &&
+                           anyMatches(step.words, molecule_.subchains[segment], false);
+                });
             case SelectionTest::chain:
             case SelectionTest::segment:
             case SelectionTest::residueName:
@@ -263,6 +288,40 @@ private:
             touched[key(molecule_.residues[latest])] = true;
         }
         return whereResidue([&](std::size_t i) { return touched.count(key(molecule_.residues[i])) > 0; });
+    }
+
+    Set wholeChains(const Set& set) const {
+        std::vector<bool> touched(molecule_.chains.size());
+        for (std::size_t i = 0; i < set.size(); ++i)
+            if (set[i]) touched[molecule_.residues[molecule_.atoms[i].residue].chain] = true;
+        return whereResidue([&](std::size_t i) { return touched[molecule_.residues[i].chain]; });
+    }
+
+    /// Some atoms, and those that bonds join to them.
+    Set withBonded(const Set& set) const {
+        Set more = set;
+        for (const Bond& bond : molecule_.bonds) {
+            if (set[bond.a]) more[bond.b] = true;
+            if (set[bond.b]) more[bond.a] = true;
+        }
+        return more;
+    }
+
+    /// All that bonds connect with some atoms.
+    Set wholeMolecules(const Set& set) const {
+        std::vector<std::uint32_t> roots(molecule_.atoms.size());
+        std::iota(roots.begin(), roots.end(), 0u);
+        const auto rootOf = [&](std::uint32_t atom) {
+            while (roots[atom] != atom) atom = roots[atom] = roots[roots[atom]];
+            return atom;
+        };
+        for (const Bond& bond : molecule_.bonds) roots[rootOf(bond.a)] = rootOf(bond.b);
+        Set touched(roots.size());
+        for (std::uint32_t i = 0; i < roots.size(); ++i)
+            if (set[i]) touched[rootOf(i)] = true;
+        Set whole(roots.size());
+        for (std::uint32_t i = 0; i < roots.size(); ++i) whole[i] = touched[rootOf(i)];
+        return whole;
     }
 
     Set pop() {

@@ -4,15 +4,19 @@
 //   selection     alternatives, optionally followed by `within N of T`: all of their atoms near T, as in PyMOL
 //   alternatives  several `or` several ...  (also |)
 //   several       term `and` term ...       (also &)
-//   term          not T (also !), byres T, within N of T, around N of T, ( selection ), or a test
+//   term          not T (also ! ~), byres T, bychain T, bymolecule T, neighbor T, within N of T, around N of T,
+//                 or one of these: ( selection ), a test; followed by any of: around N, expand N, extend N (bonds),
+//                 and as in ChimeraX :<N (whole residues), @<N, :>N, @>N
 //   test          chain A+B   segi PROA   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1
 //                 ss helix+strand+loop   sequence GLN?A   b > 50   occupancy < 1   (also <= >= = !=)
 //                 id 78+92-95   (1-based positions among the atom records of the file's drawn model)
 //                 all none protein nucleic polymer ligand water ion backbone sidechain hydrogens hetatm helix strand
 //                 loop   /A:10-20@CA   (ChimeraX: chains, numbers or names of residues, names of atoms, #1: model)
 //
-// `not`, `byres` and `within N of` apply to the next term. If that has no parentheses and an operator follows, `byres`
-// and `within` are refused as ambiguous: PyMOL would include the operator. Lists use + or commas; values may be quoted,
+// `expand` and `<` include their reference, `around` excludes it. `bymolecule` is all that bonds connect; `segi` is
+// mmCIF's label_asym_id. After `and` and `or`, what they follow needs parentheses. `not`, `byres` and `within N of`
+// apply to the next term. If that has no parentheses and an operator follows, `byres` and `within` are refused as
+// ambiguous: PyMOL would include the operator. Lists use + or commas; values may be quoted,
 // '' is the empty one; * matches any characters. Case matters in chain names only, as in PyMOL. A residue number may be
 // negative (also written \-5), and may have an insertion code (82A), which it then must match; as the end of a range it
 // includes all codes: 80-82 includes 82A. `within` means at most N Å and includes its reference; `around` excludes it.
@@ -57,7 +61,12 @@ enum class SelectionTest : std::uint8_t {
     occupancy,
     within,
     around,
+    expand,  ///< within, behind its operand
+    extend,  ///< by bonds, whose number is the distance
     byResidue,
+    byChain,
+    byMolecule,
+    neighbor,
     negation,
     conjunction,
     disjunction
@@ -82,10 +91,11 @@ enum class Comparison : std::uint8_t {
 
 struct SelectionStep {
     SelectionTest test = SelectionTest::all;
-    /// Values of chain, segment, residueName, atomName, element, alternate, sequence; for secondary "HELIX", "STRAND", "LOOP".
+    /// Values of chain, segment, residueName, atomName, element, alternate, sequence; for secondary "HELIX", "STRAND",
+    /// "LOOP".
     std::vector<std::string> words;
     std::vector<NumberRange> numbers;           ///< for residueNumber, model and atomNumber
-    double distance = 0;                        ///< for within and around, Å
+    double distance = 0;                        ///< for within, around, expand (Å) and extend
     Comparison comparison = Comparison::equal;  ///< for temperatureFactor and occupancy, with `value`
     double value = 0;
     friend bool operator==(const SelectionStep&, const SelectionStep&) = default;

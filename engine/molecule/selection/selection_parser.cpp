@@ -57,29 +57,94 @@ private:
         const auto part = [&] { operation == disjunction ? binary(conjunction) : term(); };
         part();
         while (accept(operation)) {
+            const bool before = std::exchange(afterOperator_, true);
             part();
+            afterOperator_ = before;
             push(operation);
         }
     }
 
+    /// What may follow a term: "around 5", "expand 5", "extend 2", ":<5".
+    void postfixes() {
+        for (;;) {
+            skipBlanks();
+            const std::size_t begin = position_;
+            const auto found = keyword();
+            if (found == around || found == expand || found == extend) {
+                accept(*found);
+                SelectionStep step;
+                step.test = *found;
+                step.distance = distance();
+                skipBlanks();
+                if (lowerCase(nextToken()) == "of") {  // the reference follows
+                    position_ = begin;
+                    return;
+                }
+                refuseAfterOperator(begin);
+                result_.steps.push_back(std::move(step));
+            } else if (isZone()) {
+                refuseAfterOperator(begin);
+                zone();
+            } else {
+                return;
+            }
+        }
+    }
+
+    /// PyMOL and ChimeraX differ in what "a and b around 5" is about.
+    void refuseAfterOperator(std::size_t begin) {
+        if (!afterOperator_) return;
+        position_ = begin;
+        fail("put parentheses around what '" + std::string(nextToken()) + "' applies to");
+    }
+
+    bool isZone() const {
+        const std::string_view rest = text_.substr(std::min(position_, text_.size()), 2);
+        return rest.size() == 2 && (rest[0] == ':' || rest[0] == '@') && (rest[1] == '<' || rest[1] == '>');
+    }
+    /// ":<5": residues with an atom within 5 Å; ":>5": the others; with @ atoms.
+    void zone() {
+        const bool residues = text_[position_] == ':', beyond = text_[position_ + 1] == '>';
+        position_ += 2;
+        SelectionStep step;
+        step.test = expand;
+        step.distance = distance();
+        result_.steps.push_back(std::move(step));
+        if (residues) push(byResidue);
+        if (beyond) push(negation);
+    }
+
     void term() {
         const Nesting nesting(*this);
+        const auto whole = keyword();
         if (accept(negation)) {
+            const bool before = std::exchange(afterOperator_, true);
             term();
+            afterOperator_ = before;
             push(negation);
-        } else if (accept(byResidue)) {
-            operand("byres");
-            push(byResidue);
+        } else if (whole == byResidue || whole == byChain || whole == byMolecule || whole == neighbor) {
+            const std::string word(nextToken());
+            accept(*whole);
+            const bool before = std::exchange(afterOperator_, false);  // "byres ligand around 5" has one reading
+            operand(word.c_str());
+            afterOperator_ = before;
+            push(*whole);
         } else if (const auto near = keyword(); near == within || near == around) {
             accept(*near);
             SelectionStep step = distanceStep(*near);
             operand(*near == within ? "within N of" : "around N of");
             result_.steps.push_back(std::move(step));
         } else if (acceptCharacter('(')) {
+            const bool before = std::exchange(afterOperator_, false);
             expression();
+            afterOperator_ = before;
             if (!acceptCharacter(')')) expected("'and', 'or' or ')'", {"and", "or", "within", "around"});
+            const bool inParentheses = std::exchange(afterOperator_, false);
+            postfixes();
+            afterOperator_ = inParentheses;
         } else {
             test();
+            postfixes();
         }
     }
 
@@ -98,24 +163,29 @@ private:
             fail("put parentheses around what '" + std::string(operation) + "' applies to, or around both");
     }
 
-    SelectionStep distanceStep(SelectionTest test) {
+    double distance() {
         skipBlanks();
         const std::size_t begin = position_;
-        const std::string_view number = word();
-        const auto distance = parseNumber(number);
+        const auto distance = parseNumber(word());
         if (!distance || !(*distance >= 0 && *distance <= kFarthest)) expectedAt(begin, "a distance from 0 to 10000 Å");
+        return *distance;
+    }
+
+    SelectionStep distanceStep(SelectionTest test) {
+        const double reach = distance();
         skipBlanks();
         const std::size_t beforeOf = position_;
         if (lowerCase(word()) != "of") expectedAt(beforeOf, "'of'", {"of"});
         SelectionStep step;
         step.test = test;
-        step.distance = *distance;
+        step.distance = reach;
         return step;
     }
 
     void test() {
         skipBlanks();
-        if (!atEndHere() && kMarks.find(text_[position_]) != std::string_view::npos) return chimeraSpecifier();
+        if (!atEndHere() && !isZone() && kMarks.find(text_[position_]) != std::string_view::npos)
+            return chimeraSpecifier();
         const auto found = keyword();
         const std::string word = lowerCase(nextToken());
         if (!found || *found == conjunction || *found == disjunction)
@@ -151,7 +221,7 @@ private:
     void chimeraSpecifier() {
         std::string marks;
         chimera_ = true;
-        while (!atEndHere() && kMarks.find(text_[position_]) != std::string_view::npos) {
+        while (!atEndHere() && kMarks.find(text_[position_]) != std::string_view::npos && !isZone()) {
             const char mark = text_[position_];
             // PyMOL's paths look similar, but each position has another meaning.
             if (marks.find(mark) != std::string::npos)
@@ -229,7 +299,7 @@ private:
         if (!wanted) wanted = valueOf(step.test);
         list(wanted, [&] {
             std::string value = listItem(wanted);
-            if (step.test != chain) value = upperCase(value);
+            if (step.test != chain && step.test != segment) value = upperCase(value);
             const bool usable = step.test != element || value == "X" || nacre::elementFromSymbol(value) != 0;
             step.words.push_back(std::move(value));
             return usable;
@@ -294,6 +364,7 @@ private:
     }
 
     int depth_ = 0;
+    bool afterOperator_ = false;  // of the term: an operator is open to its left
     Selection result_;
 };
 

@@ -45,8 +45,13 @@ constexpr Keywords kKeywords[] = {
     {occupancy, "occupancy q"},
     {around, "around"},
     {within, "within w."},
+    {expand, "expand x."},
+    {extend, "extend xt."},
     {byResidue, "byres byresidue br."},
-    {negation, "not !"},
+    {byChain, "bychain bc."},
+    {byMolecule, "bymolecule bymol bm."},
+    {neighbor, "neighbor nbr."},
+    {negation, "not ! ~"},
     {conjunction, "and &"},
     {disjunction, "or |"},
 };
@@ -76,7 +81,7 @@ bool SelectionText::atEnd() {
 std::size_t SelectionText::wordEnd() const {
     std::size_t end = position_;
     while (end < text_.size() && !isBlank(text_[end]) &&
-           std::string_view("()+,&|!<>=").find(text_[end]) == std::string_view::npos &&
+           std::string_view("()+,&|!~<>=").find(text_[end]) == std::string_view::npos &&
            !(chimera_ && kMarks.find(text_[end]) != std::string_view::npos))
         ++end;
     return end;

@@ -13,7 +13,6 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t kFewDrawn = 100;  // under this a molecule with bonds reads best as ball-and-stick
-constexpr float kBallShare = 0.25f;     // of the van der Waals radius, ball-and-stick
 constexpr std::uint32_t kBase = 0;      // the style and colour for all; rule i is i + 1
 
 /// Which rules settle how a drawn atom looks.
@@ -23,6 +22,7 @@ struct AtomLook {
     bool bare = false;     ///< not drawn as an atom
     bool covered = false;  ///< nor if it is space-filling: a surface was put over it
     bool cartoon = false, surface = false;
+    bool beside = false;                                     ///< beside a surface for all, which leaves it out
     std::uint32_t cartoonRule = kBase, surfaceRule = kBase;  // that gave them
 
     /// For all, before any rule.
@@ -31,12 +31,16 @@ struct AtomLook {
           cartoon(base == Style::cartoon),
           surface(base == Style::surface) {}
 
+    void leaveOut() {
+        beside = surface;
+        surface = false;
+    }
     void hide() {
         hidden = bare = true;
-        cartoon = surface = covered = false;
+        cartoon = surface = covered = beside = false;
     }
     void show(std::uint32_t rule, Style wanted) {
-        hidden = false;
+        hidden = beside = false;
         if (wanted == Style::surface) {
             surface = covered = true;
             surfaceRule = rule;
@@ -118,6 +122,11 @@ const Coloring& coloringOf(const RepresentationOptions& options, std::size_t num
 std::vector<AtomLook> settle(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                              const RepresentationOptions& options, std::vector<std::string>& warnings) {
     std::vector<AtomLook> looks(drawn.size(), AtomLook(options.style));
+    const auto inPolymer = [&](std::uint32_t atom) { return facts.isPolymer(facts.molecule().atoms[atom].residue); };
+    // A ligand would fill its pocket.
+    if (options.style == Style::surface && std::ranges::any_of(drawn, inPolymer))
+        for (std::size_t i = 0; i < drawn.size(); ++i)
+            if (!inPolymer(drawn[i])) looks[i].leaveOut();
     for (std::size_t t = 0; t < options.colorFrom.size(); ++t) {
         const std::optional<TableMatch> match = matchOf(facts, options.colorFrom[t], warnings);
         for (std::size_t i = 0; match && i < drawn.size(); ++i)
@@ -229,12 +238,14 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
         appearance.style == Style::backbone;
     const std::vector<bool> guides = anyBackbone ? guideAtoms(facts) : std::vector<bool>();
     const std::vector<bool> bonded =
-        wanted.empty() && !anyBackbone ? std::vector<bool>() : bondedAmong(facts.molecule(), appearance.atoms);
+        wanted.empty() && !anyBackbone && std::ranges::none_of(looks, [](const AtomLook& look) { return look.beside; })
+            ? std::vector<bool>()
+            : bondedAmong(facts.molecule(), appearance.atoms);
     std::vector<bool> inLines(count), inSugars(count);
     Appearance atoms;
     for (std::size_t i = 0; i < count; ++i) {
         Style style = styleOf(i);
-        const bool left = looks[i].bare && looks[i].cartoon && !inCartoon[i];
+        const bool left = looks[i].bare && (looks[i].beside || (looks[i].cartoon && !inCartoon[i]));
         if (!left && (looks[i].bare || (looks[i].covered && style == Style::spacefill))) continue;
         const std::uint32_t atom = appearance.atoms[i], residue = facts.molecule().atoms[atom].residue;
         const bool symbols = left ? options.carbohydrates != Carbohydrates::off : style == Style::carbohydrate;
@@ -292,6 +303,8 @@ void color(const ResidueFacts& facts, const Coloring& coloring, const std::strin
         appearance.colors[slots[i]] = colored.colors[i];
         appearance.tints[slots[i]] = colored.tints.empty() ? 0 : colored.tints[i];
     }
+    for (const std::uint32_t atom : atoms)
+        appearance.legendOf[atom] = static_cast<std::uint16_t>(appearance.legends.size());
     const std::string scheme = coloringText(coloring);
     if (!colored.warning.empty()) appearance.warnings.push_back("colour by " + scheme + ": " + colored.warning);
     appearance.legends.push_back({selection, scheme, std::move(colored.legend), colored.ramp, colored.stops});
@@ -310,10 +323,12 @@ Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t
         slotsOfColoring[looks[i].color].push_back(static_cast<std::uint32_t>(appearance.atoms.size()));
         appearance.atoms.push_back(drawn[i]);
     }
+    appearance.sizes = options.sizes;
     appearance.style = options.style.value_or(defaultStyle(facts.molecule(), appearance.atoms, options.usual));
     std::erase_if(looks, [](const AtomLook& look) { return look.hidden; });
     appearance.colors.resize(appearance.atoms.size());
     appearance.tints.resize(appearance.atoms.size());
+    appearance.legendOf.assign(facts.molecule().atoms.size(), Appearance::kNoLegend);
     for (std::size_t i = 0; i < slotsOfColoring.size(); ++i) {
         if (slotsOfColoring[i].empty()) continue;
         const bool ofRule = i != kBase && i <= rules.size();
@@ -336,7 +351,7 @@ SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance) {
     const auto add = [&](std::uint32_t index, Style style) {
         const Atom& atom = molecule.atoms[index];
         seen.atoms.push_back(index);
-        seen.balls.emplace_back(atom.position, drawnRadius(atom, style));
+        seen.balls.emplace_back(atom.position, drawnRadius(atom, style, appearance.sizes));
     };
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) add(appearance.atoms[i], appearance.styles[i]);
     for (const std::uint32_t atom : appearance.cartoon.atoms) add(atom, Style::cartoon);
@@ -346,17 +361,17 @@ SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance) {
     return seen;
 }
 
-float drawnRadius(const Atom& atom, Style style) {
+float drawnRadius(const Atom& atom, Style style, const Sizes& sizes) {
     switch (style) {
         case Style::ballAndStick:
-            return kBallShare * vanDerWaalsRadius(atom);
+            return static_cast<float>(sizes.ball) * vanDerWaalsRadius(atom);
         case Style::licorice:
-            return kLicoriceRadius;
+            return static_cast<float>(sizes.stick);
         case Style::cartoon:
         case Style::carbohydrate:
             return kCartoonReach;
         case Style::backbone:
-            return kBackboneRadius;
+            return static_cast<float>(sizes.tube);
         case Style::line:
             return 0.1f;
         case Style::spacefill:

@@ -19,7 +19,8 @@ namespace nacre {
 
 /// The first three draw atoms. A cartoon replaces its residues' atoms; atoms that it does not draw (ligands, ions)
 /// become licorice, or small balls without bonds. A surface is added to the rest, but replaces space-filling atoms,
-/// which are as large.
+/// which are as large. As the style for all it is that of proteins and nucleic acids; other atoms are drawn as beside a
+/// cartoon, unless there are no others.
 ///
 /// Lines are bonds of constant width in the picture. A backbone is a tube through alpha carbons or phosphates;
 /// carbohydrate draws sugars as symbols (carbohydrates.h). Both leave other atoms as a cartoon does.
@@ -32,6 +33,18 @@ enum class Carbohydrates : std::uint8_t { off, on, icon };
 enum class BondOrders : std::uint8_t { off, ligands, on };
 /// The inner line of an aromatic ring: dashes along each bond, or a circle.
 enum class AromaticForm : std::uint8_t { dashes, ring };
+
+/// How a surface is drawn: filled, or as lines of constant width in the picture, or as dots.
+enum class SurfaceForm : std::uint8_t { solid, mesh, dots };
+
+/// Sizes of atoms and bonds.
+struct Sizes {
+    double stick = 0.25;  ///< radius of licorice, Å
+    double bond = 0.15;   ///< radius of bonds in ball-and-stick, Å
+    double ball = 0.25;   ///< of the van der Waals radius, ball-and-stick
+    double tube = 0.3;    ///< radius of backbones, Å
+    friend bool operator==(const Sizes&, const Sizes&) = default;
+};
 
 constexpr double kLeastOpacity = 0.01;  ///< of a cartoon or surface; less would be invisible
 
@@ -57,9 +70,10 @@ struct RepresentationOptions {
     std::optional<Style> style;  ///< empty: defaultStyle() of the atoms that the rules leave
     Coloring color = ColorScheme::element;
     std::vector<Rule> rules = {};
-    std::string assembly = {};             ///< identifier from the file; empty: no assembly
-    Palette palette = Palette::automatic;  ///< for schemes without one of their own, if it is of their kind
-    bool ownFrame = false;                 ///< the camera frames this model alone, not all models of its file
+    std::string assembly = {};              ///< identifier from the file; empty: no assembly
+    Palette palette = Palette::automatic;   ///< for schemes without one of their own, if it is of their kind
+    bool ownFrame = false;                  ///< the camera frames this model alone, not all models of its file
+    std::optional<glm::dvec3> center = {};  ///< of the scene, Å in the file's frame; empty: of what is drawn
     CartoonOptions cartoon = {};
     SurfaceOptions surface = {};
     double cartoonOpacity = 1, surfaceOpacity = 1;  ///< kLeastOpacity to 1, where no rule sets one
@@ -70,6 +84,9 @@ struct RepresentationOptions {
     double sugarScale = 1;    ///< of symbols
     bool sugarColors = true;  ///< those of the symbols; false: those of the sugars' atoms
     double lineWidth = 1.5;   ///< of Style::line, pixels
+    Sizes sizes = {};
+    SurfaceForm surfaceForm = SurfaceForm::solid;
+    bool gaps = false;  ///< dashes where a chain of a cartoon or backbone misses residues
     BondOrders bondOrders = BondOrders::ligands;
     AromaticForm aromatic = AromaticForm::dashes;
     Style usual = Style::spacefill;  ///< for defaultStyle()
@@ -83,6 +100,7 @@ struct Legend {
     std::vector<LegendEntry> entries;
     Palette ramp = Palette::automatic;  ///< palette of the first `stops` entries, which are evenly spaced
     std::size_t stops = 0;              ///< the other entries are classes
+    std::string title = {};             ///< as a user words it, with the markup of labels; empty: by the scheme
 };
 
 /// Atoms drawn as one kind of mesh.
@@ -96,14 +114,17 @@ struct MeshAtoms {
 struct Appearance {
     std::vector<std::uint32_t> atoms;  ///< atoms drawn as atoms, ascending
     Style style = Style::spacefill;    ///< where no rule sets one
-    std::vector<Style> styles;         ///< same length as atoms; atom styles and backbone only
+    Sizes sizes = {};
+    std::vector<Style> styles;  ///< same length as atoms; atom styles and backbone only
     std::vector<std::uint32_t> colors;
     std::vector<std::uint32_t> tints;           ///< same length as atoms: tint of the copy's colour (colors.h); 0: none
     MeshAtoms cartoon, surface, lines, sugars;  ///< lines and sugars have no opacity
+    static constexpr std::uint16_t kNoLegend = 0xffff;
     bool anyByCopy() const;
-    std::size_t seen = 0;               ///< atoms drawn in any style
-    std::vector<Legend> legends;        ///< of every scheme that is visible somewhere
-    std::vector<std::string> warnings;  ///< rules that match nothing, schemes without data in the file
+    std::size_t seen = 0;                 ///< atoms drawn in any style
+    std::vector<Legend> legends;          ///< of every scheme that is visible somewhere
+    std::vector<std::uint16_t> legendOf;  ///< of each atom of the molecule: index into legends
+    std::vector<std::string> warnings;    ///< rules that match nothing, schemes without data in the file
 };
 
 /// Rules select among the drawn atoms only: hidden waters or other conformers stay hidden.
@@ -118,11 +139,9 @@ struct SeenBalls {
 };
 SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance);
 
-constexpr float kLicoriceRadius = 0.25f;  ///< of atoms and bonds, Å
-constexpr float kBackboneRadius = 0.3f;   ///< Å
-constexpr float kCartoonReach = 2.5f;     ///< largest distance of a cartoon from an atom, Å
+constexpr float kCartoonReach = 2.5f;  ///< largest distance of a cartoon from an atom, Å
 /// Radius of an atom's sphere, Å; for cartoons kCartoonReach.
-float drawnRadius(const Atom& atom, Style style);
+float drawnRadius(const Atom& atom, Style style, const Sizes& sizes = {});
 
 /// The default style: ball-and-stick for fewer than 100 drawn atoms with bonds, else spacefill, or another one.
 Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn, Style usual = Style::spacefill);

@@ -38,6 +38,17 @@ BondStrands licoriceStrands(std::uint8_t order, bool inRing) {
     }
 }
 
+BondStrands scaled(BondStrands strands, double factor) {
+    if (factor == 1) return strands;
+    const auto scale = [&](BondStrands::Strand& strand) {
+        strand.offset *= static_cast<float>(factor);
+        strand.radius *= static_cast<float>(factor);
+    };
+    for (BondStrands::Strand& strand : strands.strands) scale(strand);
+    scale(strands.inner);
+    return strands;
+}
+
 Dashes bondDashes(double length, double radiusA, double radiusB) {
     constexpr double kDash = 0.16;  // Å, about; a coordination of 2 Å gets three
     constexpr double kMost = 16;    // a file may state bonds of any length

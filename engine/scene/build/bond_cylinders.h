@@ -28,6 +28,9 @@ BondStrands bondStrands(std::uint8_t order, bool inRing = false);
 /// Licorice: likewise, within its 0.25 Å.
 BondStrands licoriceStrands(std::uint8_t order, bool inRing = false);
 
+/// The same strands, all lengths across the bond times a factor.
+BondStrands scaled(BondStrands strands, double factor);
+
 constexpr float kDashRadius = 0.09f;  ///< of the dashes of metal coordination, Å
 
 /// Positions of dashes along a bond, as distances from its first atom, Å: `count` dashes, each followed by a gap of the

@@ -64,6 +64,12 @@ Style stouter(Style a, Style b) {
     return a;
 }
 
+BondStrands strandsOf(std::uint8_t order, bool inRing, Style style, const Sizes& sizes) {
+    constexpr Sizes kUsual;
+    return style == Style::ballAndStick ? scaled(bondStrands(order, inRing), sizes.bond / kUsual.bond)
+                                        : scaled(licoriceStrands(order, inRing), sizes.stick / kUsual.stick);
+}
+
 bool hasSticks(Style style) { return style == Style::licorice || style == Style::ballAndStick; }
 
 /// Coordination is what binds a metal to anything but metals, whatever order a file gives it.
@@ -90,12 +96,14 @@ void appendCoordination(const Sphere& a, const Sphere& b, const SphereLook& look
 class BondDrawing {
 public:
     BondDrawing(const Molecule& molecule, const DrawnOrders& orders, std::span<const Bond> bonds,
-                std::span<const std::uint32_t> slots, AromaticForm aromatic, Representation& result)
+                std::span<const std::uint32_t> slots, AromaticForm aromatic, const Sizes& sizes,
+                Representation& result)
         : molecule_(molecule),
           orders_(orders),
           around_(molecule, bonds),
           slots_(slots),
           aromatic_(aromatic),
+          sizes_(sizes),
           result_(result) {}
 
     void add(const Bond& bond, Style style) {
@@ -103,8 +111,7 @@ public:
         const double length = glm::length(way);
         const glm::dvec3 axis = way / length, start = at(bond.a);
         const bool inRing = !orders_.ringOf(bond.a, bond.b).empty();
-        const BondStrands strands =
-            style == Style::ballAndStick ? bondStrands(bond.order, inRing) : licoriceStrands(bond.order, inRing);
+        const BondStrands strands = strandsOf(bond.order, inRing, style, sizes_);
         const bool sideless = strands.count == 1 && strands.inner.radius <= 0;
         const glm::dvec3 side = sideless ? glm::dvec3(0) : strandSide(bond, axis);
         const SphereLook &lookA = look(bond.a), &lookB = look(bond.b);
@@ -121,7 +128,7 @@ public:
     /// A piece of a backbone.
     void addTrace(const Bond& bond) {
         const SphereLook &lookA = look(bond.a), &lookB = look(bond.b);
-        result_.cylinders.push_back({glm::vec3(at(bond.a)), kBackboneRadius, glm::vec3(at(bond.b)), 0.0f});
+        result_.cylinders.push_back({glm::vec3(at(bond.a)), static_cast<float>(sizes_.tube), glm::vec3(at(bond.b)), 0.0f});
         result_.cylinderLooks.push_back({lookA.color, lookB.color, lookA.atom, lookB.atom});
     }
 
@@ -216,6 +223,7 @@ private:
     Surroundings around_;
     std::span<const std::uint32_t> slots_;
     AromaticForm aromatic_;
+    Sizes sizes_;
     Representation& result_;
 };
 
@@ -267,7 +275,7 @@ void addBonds(const ResidueFacts& facts, const Appearance& appearance, const Dra
     const std::vector<std::uint32_t> slots = drawnSlots(molecule, appearance.atoms);
     const auto styleOf = [&](std::uint32_t a, std::uint32_t b) { return stouter(styles[slots[a]], styles[slots[b]]); };
     std::vector<Bond> bonds = drawnBonds(molecule, appearance, orders, contacts, slots);
-    BondDrawing drawing(molecule, orders, bonds, slots, orders.form(), result);
+    BondDrawing drawing(molecule, orders, bonds, slots, orders.form(), appearance.sizes, result);
     std::erase_if(bonds, [&](const Bond& bond) { return !hasSticks(styleOf(bond.a, bond.b)); });
     if (has(Style::backbone)) addTraces(facts, appearance, slots, bonds);
     if (assembly) assembly->sortByCopies(bonds);
@@ -288,7 +296,7 @@ void addBonds(const ResidueFacts& facts, const Appearance& appearance, const Dra
         };
         if (!ring.aromatic || !std::all_of(ring.atoms.begin(), ring.atoms.end(), seen)) continue;
         const Style style = styleOf(ring.atoms[0], ring.atoms[1]);
-        const BondStrands strands = style == Style::ballAndStick ? bondStrands(4, true) : licoriceStrands(4, true);
+        const BondStrands strands = strandsOf(4, true, style, appearance.sizes);
         drawing.addCircle(ring.atoms, strands.inner.radius);
     }
 }

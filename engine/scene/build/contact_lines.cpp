@@ -62,17 +62,22 @@ std::vector<PlacedContact> seenOf(const Molecule& molecule, const Appearance& ap
     return kept;
 }
 
+std::uint32_t colorOf(InteractionKind kind, const ContactOptions& options) {
+    const std::uint32_t own = options.colors[static_cast<std::size_t>(kind)];
+    return own != 0 ? own : contactLook(kind).color;
+}
+
 class Lines {
 public:
     Lines(const Molecule& molecule, const Appearance& appearance, const ContactOptions& options, Representation& scene)
-        : molecule_(molecule), appearance_(appearance), radius_(options.width / 2), scene_(scene) {}
+        : molecule_(molecule), appearance_(appearance), options_(options), radius_(options.width / 2), scene_(scene) {}
 
     void add(PlacedContact contact) {
         Interaction& interaction = contact.interaction;
         image_ = contact.image ? &*contact.image : nullptr;
         const ContactLook& look = contactLook(interaction.kind);
         const auto number = static_cast<std::uint32_t>(scene_.firstContact + scene_.contacts.size());
-        line_ = {{}, {}, radius_, look.pattern, {look.color, number}};
+        line_ = {{}, {}, radius_, look.pattern, {colorOf(interaction.kind, options_), number}};
         End a = endOf(interaction.a, interaction.b.place), b = endOf(interaction.b, a.at + scene_.center);
         if (interaction.kind == InteractionKind::saltBridge) a = endOf(interaction.a, b.at + scene_.center);
         glm::dvec3 middle = (a.at + b.at) / 2.0;
@@ -166,6 +171,7 @@ private:
 
     const Molecule& molecule_;
     const Appearance& appearance_;
+    const ContactOptions& options_;
     double radius_;
     Representation& scene_;
     DashedLine line_;
@@ -175,13 +181,13 @@ private:
     std::set<std::uint32_t> drawnWaters_;
 };
 
-Legend legendOf(const std::vector<DrawnContact>& contacts) {
+Legend legendOf(const std::vector<DrawnContact>& contacts, const ContactOptions& options) {
     Legend legend{"all", std::string(kContactScheme), {}};
     for (std::size_t kind = 0; kind < kInteractionKinds; ++kind)
         if (std::any_of(contacts.begin(), contacts.end(), [&](const DrawnContact& contact) {
                 return contact.interaction.kind == static_cast<InteractionKind>(kind);
             }))
-            legend.entries.push_back({kLooks[kind].label, kLooks[kind].color});
+            legend.entries.push_back({kLooks[kind].label, colorOf(static_cast<InteractionKind>(kind), options)});
     return legend;
 }
 
@@ -216,7 +222,7 @@ void addContacts(const Molecule& molecule, const Appearance& appearance, std::ve
     if (lines.buried() > 0)
         scene.warnings.push_back(std::to_string(lines.buried()) + " of " + std::to_string(scene.contacts.size()) +
                                  " interactions lie within the balls of their atoms (thinner styles show them)");
-    scene.legends.push_back(legendOf(scene.contacts));
+    scene.legends.push_back(legendOf(scene.contacts, options));
 }
 
 void fillUp(Representation& scene, std::size_t& spheres, std::size_t& cylinders) {

@@ -200,10 +200,12 @@ void addSlice(const MapRegion& region, const MapSlice& slice, const ValueColorin
     scene.legends.push_back(of.legend(values.name));
 }
 
-void joinScenes(Representation& scene, const Representation& others) {
+namespace {
+
+/// @param numbers  added to those of the looks
+void join(Representation& scene, const Representation& others, std::uint32_t numbers) {
     const std::size_t spheres = scene.spheres.size(), cylinders = scene.cylinders.size(),
                       triangles = scene.triangles.size();
-    const auto numbers = static_cast<std::uint32_t>(scene.atomGroups.size());
     const std::uint32_t model = modelBehind(scene);
     const auto numbered = [&](std::uint32_t number) { return number > 0 ? number + numbers : 0; };
     const auto joinSticks = [&](std::vector<CylinderLook>& looks, const std::vector<CylinderLook>& joined) {
@@ -224,5 +226,13 @@ void joinScenes(Representation& scene, const Representation& others) {
     keepApart(scene, triangles, scene.triangles.size(), model, &Copies::triangles, &R::triangleModels);
     scene.blendsColors |= others.blendsColors;
 }
+
+}  // namespace
+
+void joinScenes(Representation& scene, const Representation& others) {
+    join(scene, others, static_cast<std::uint32_t>(scene.atomGroups.size()));
+}
+
+void joinPart(Representation& scene, const Representation& part) { join(scene, part, 0); }
 
 }  // namespace nacre

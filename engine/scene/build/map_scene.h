@@ -41,4 +41,7 @@ void addSlice(const MapRegion& region, const MapSlice& slice, const ValueColorin
 /// Search the scene by atom before this: afterwards its looks stand for other things, too.
 void joinScenes(Representation& scene, const Representation& others);
 
+/// As above for a part of the scene: looks keep the numbers of its atoms.
+void joinPart(Representation& scene, const Representation& part);
+
 }  // namespace nacre

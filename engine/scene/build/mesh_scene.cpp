@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
+#include <unordered_set>
 
+#include "engine/error.h"
 #include "engine/mesh/cartoon.h"
 #include "engine/mesh/surface.h"
+#include "engine/molecule/element.h"
 #include "engine/scene/build/carbohydrates.h"
 #include "engine/scene/build/mesh_streams.h"
 #include "engine/scene/color/colors.h"
@@ -43,6 +46,36 @@ SphereLook sugarLook(const Molecule& molecule, const MeshLooks& looks, bool ownC
     return {withOpacity(atom == index ? symbol->color : packedColor(0xffffff), opacity), index + 1};
 }
 
+/// A surface as wires, each half in the look of its end: its edges, or dots on its vertices.
+void addSurfaceWires(const Mesh& mesh, const RepresentationOptions& options, const MeshLooks& looks, Representation& r) {
+    constexpr float kCoarse = 0.1f;      // Å: error of the level whose edges are drawn
+    constexpr float kSpeck = 0.04f;  // Å along the normal
+    constexpr std::size_t kMostWires = 4'000'000;
+    const auto radius = static_cast<float>(-options.lineWidth / 2);
+    const auto add = [&](const glm::vec3& a, const glm::vec3& b, std::uint32_t vertexA, std::uint32_t vertexB) {
+        if (r.wires.size() >= kMostWires)
+            throw Error("cannot draw surface", "",
+                        "it has more than " + std::to_string(kMostWires) + " lines (--surface-resolution)");
+        const SphereLook lookA = looks(mesh.atoms[vertexA]), lookB = looks(mesh.atoms[vertexB]);
+        r.wires.push_back({a, radius, b, 0});
+        r.wireLooks.push_back({lookA.color | 0xff000000u, lookB.color | 0xff000000u, lookA.atom, lookB.atom});
+    };
+    const std::vector<glm::uvec3>* triangles = &mesh.triangles;
+    for (const MeshLevel& level : mesh.coarser)
+        if (level.error <= kCoarse) triangles = &level.triangles;
+    std::unordered_set<std::uint64_t> drawn;
+    const auto isNew = [&](std::uint32_t a, std::uint32_t b) {
+        return drawn.insert(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b)).second;
+    };
+    for (const glm::uvec3& t : *triangles)
+        for (int side = 0; side < 3; ++side) {
+            const std::uint32_t a = t[side], b = t[(side + 1) % 3];
+            const glm::vec3 &from = mesh.positions[a], half = mesh.normals[a] * (kSpeck / 2);
+            if (options.surfaceForm == SurfaceForm::mesh && isNew(a, b)) add(from, mesh.positions[b], a, b);
+            if (options.surfaceForm == SurfaceForm::dots && isNew(a, a)) add(from - half, from + half, a, a);
+        }
+}
+
 }  // namespace
 
 void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options,
@@ -61,10 +94,17 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
         if (!group.cartoon.empty())
             appendMesh(cartoon(facts, group.cartoon, facts.folds(), options.cartoon, representation.center), {},
                        ofCartoon, representation);
-        if (!group.surface.empty()) {
+        if (!group.surface.empty() && options.surfaceForm != SurfaceForm::solid && options.assembly.empty()) {
+            addSurfaceWires(surface(molecule, group.surface, options.surface, representation.center), options, ofSurface,
+                            representation);
+        } else if (!group.surface.empty()) {
             appendMesh(surface(molecule, group.surface, options.surface, representation.center), {}, ofSurface,
                        representation);
             representation.meshes.back().surface = true;
+            for (const std::uint32_t atom : group.surface)
+                representation.surfaceAtoms.push_back(
+                    {glm::vec3(glm::dvec3(molecule.atoms[atom].position) - representation.center),
+                     vanDerWaalsRadius(molecule.atoms[atom].element), ofSurface(atom)});
         }
         if (!group.sugars.empty())
             appendMesh(

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_set>
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
@@ -13,6 +14,7 @@
 #include "engine/scene/build/bond_drawing.h"
 #include "engine/scene/build/contact_lines.h"
 #include "engine/scene/build/crowd.h"
+#include "engine/scene/build/gaps.h"
 #include "engine/scene/build/line_drawing.h"
 #include "engine/scene/build/mesh_scene.h"
 #include "engine/scene/instances/assembly_scene.h"
@@ -28,7 +30,7 @@ void appendAtoms(const Molecule& molecule, const Appearance& appearance, Represe
         const std::uint32_t index = appearance.atoms[i];
         const Atom& atom = molecule.atoms[index];
         const glm::dvec3 position = glm::dvec3(atom.position) - result.center;
-        const float radius = drawnRadius(atom, appearance.styles[i]);
+        const float radius = drawnRadius(atom, appearance.styles[i], appearance.sizes);
         result.spheres.push_back({glm::vec3(position), radius});
         result.sphereLooks.push_back({appearance.colors[i], index + 1});
     }
@@ -78,21 +80,37 @@ double spheresReach(const Representation& r) {
     return farthest;
 }
 
-/// Removes legend entries whose colour is not drawn: a cartoon shows few of its atoms' colours.
-void dropUndrawn(const Representation& r, std::vector<Legend>& legends) {
-    std::vector<bool> drawn(std::size_t{1} << 24);
-    const auto note = [&](std::uint32_t color) { drawn[color & 0xffffffu] = true; };
-    for (const SphereLook& look : r.sphereLooks) note(look.color);
+/// Removes legends of which nothing is drawn, and entries whose colour none of their atoms shows: a cartoon shows few
+/// of its atoms' colours. @param legendOf  as in Appearance
+void dropUndrawn(const Representation& r, const std::vector<std::uint16_t>& legendOf, std::vector<Legend>& legends) {
+    std::vector<std::unordered_set<std::uint32_t>> drawn(legends.size());
+    const auto note = [&](std::uint32_t color, std::uint32_t number) {
+        const std::uint16_t legend =
+            number > 0 && number <= legendOf.size() ? legendOf[number - 1] : Appearance::kNoLegend;
+        if (legend < drawn.size()) drawn[legend].insert(color & 0xffffffu);
+    };
+    for (const SphereLook& look : r.sphereLooks) note(look.color, look.atom);
     for (const auto* looks : {&r.cylinderLooks, &r.wireLooks})
-        for (const CylinderLook& look : *looks) note(look.colorA), note(look.colorB);
-    for (const SphereLook& look : r.meshLooks) note(look.color);
-    for (Legend& legend : legends) {
-        const auto first = legend.entries.begin() + static_cast<std::ptrdiff_t>(legend.stops);
-        legend.entries.erase(std::remove_if(first, legend.entries.end(),
-                                            [&](const LegendEntry& e) { return !drawn[e.color & 0xffffffu]; }),
-                             legend.entries.end());
+        for (const CylinderLook& look : *looks) note(look.colorA, look.atomA), note(look.colorB, look.atomB);
+    for (const SphereLook& look : r.meshLooks) note(look.color, look.atom);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        std::vector<LegendEntry>& entries = legends[i].entries;
+        if (legends[i].scheme == kContactScheme) continue;  // not of atoms
+        if (drawn[i].empty()) {
+            entries.clear();
+            continue;
+        }
+        entries.erase(std::remove_if(entries.begin() + static_cast<std::ptrdiff_t>(legends[i].stops), entries.end(),
+                                     [&](const LegendEntry& e) { return !drawn[i].contains(e.color & 0xffffffu); }),
+                      entries.end());
+        const bool ramp = std::ranges::any_of(drawn[i], [&](std::uint32_t color) {
+            return std::ranges::none_of(entries.begin() + static_cast<std::ptrdiff_t>(legends[i].stops), entries.end(),
+                                        [&](const LegendEntry& e) { return (e.color & 0xffffffu) == color; });
+        });
+        if (ramp || legends[i].stops == 0) continue;
+        entries.erase(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(legends[i].stops));
+        legends[i].stops = 0;
     }
-    std::erase_if(legends, [](const Legend& legend) { return legend.entries.empty(); });
 }
 
 /// Atoms that are seen, in whatever style, in all their copies.
@@ -139,7 +157,9 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     const bool byCopy = appearance.anyByCopy();
     const SeenBalls seen = seenBalls(molecule, appearance);
     Representation result;
-    const Bounds bounds = frame ? *frame : assembly ? assembly->bounds(seen) : boundsOf(seen.balls);
+    const Bounds bounds = frame      ? movedTo(options.center, *frame)
+                          : assembly ? assembly->bounds(seen, options.center)
+                                     : boundsOf(seen.balls, options.center);
     result.center = bounds.center;
     result.radius = bounds.radius;
     result.style = appearance.style;
@@ -155,6 +175,9 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     }
     addBonds(facts, appearance, DrawnOrders(facts, appearance, options), contacts, assembly ? &*assembly : nullptr,
              result);
+    if (options.gaps && !assembly) addGaps(facts, appearance, result);
+    if (assembly && (options.gaps || (options.surfaceForm != SurfaceForm::solid && !appearance.surface.atoms.empty())))
+        result.warnings.push_back("an assembly has no dashes of gaps, and its surfaces are solid");
     if (options.contacts.of) addContacts(molecule, appearance, std::move(contacts), options.contacts, result);
     addLines(molecule, appearance, options.lineWidth, assembly ? &*assembly : nullptr, result);
     const auto groupOf = [&](std::uint32_t atom) {
@@ -172,7 +195,8 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     refuseCrowd(result);
     result.atomGroups = atomGroups(facts);
     addContactGroups(result);
-    if (!byCopy) dropUndrawn(result, result.legends);
+    if (!byCopy) dropUndrawn(result, appearance.legendOf, result.legends);
+    std::erase_if(result.legends, [](const Legend& legend) { return legend.entries.empty(); });
     return result;
 }
 
@@ -212,6 +236,7 @@ void MovingScene::move(const Molecule& molecule) {
         contacts = finder_->find(molecule, appearance_);
     }
     addBonds(facts_.moved(molecule), appearance_, *orders_, contacts, nullptr, scene_);
+    if (options_.gaps) addGaps(facts_.moved(molecule), appearance_, scene_);
     moveContacts(molecule, std::move(contacts));
     scene_.wires.clear();
     scene_.wireLooks.clear();
@@ -221,6 +246,7 @@ void MovingScene::move(const Molecule& molecule) {
     scene_.coarseTriangles.clear();
     scene_.meshVertices.clear();
     scene_.meshLooks.clear();
+    scene_.surfaceAtoms.clear();
     addMeshes(
         facts_.moved(molecule), appearance_, options_, [](std::uint32_t) { return 0u; }, scene_);
     scene_.radius = std::max(spheresReach(scene_), meshReach(scene_));

@@ -48,6 +48,13 @@ struct ModelRun {
     std::uint32_t model = 0;  ///< from 0
 };
 
+/// An atom inside a surface, for its caps.
+struct SurfaceAtom {
+    glm::vec3 center;  ///< as Sphere
+    float radius;
+    SphereLook look;
+};
+
 struct Representation {
     std::vector<Sphere> spheres;
     std::vector<SphereLook> sphereLooks;  ///< same length as spheres
@@ -62,6 +69,7 @@ struct Representation {
     std::vector<MeshRun> meshes;            ///< all triangles together, in their order
     std::vector<Triangle> coarseTriangles;  ///< of the meshes' levels: numbered on from the others where both are drawn
     std::vector<SphereLook> meshLooks;      ///< that vertices share
+    std::vector<SurfaceAtom> surfaceAtoms;  ///< of closed surfaces (mesh_caps.h)
     /// Triangles go over from corner to corner in colour; else a point has that of the nearest corner.
     bool blendsColors = false;
     std::vector<std::uint32_t> atomGroups;  ///< of the file's atoms in their order (atom_groups.h), then of contacts

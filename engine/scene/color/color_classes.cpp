@@ -155,7 +155,7 @@ Classes byHydrophobicity(const Molecule& molecule, std::span<const std::uint32_t
             const double place = (static_cast<double>(entry.value) + 4.5) / 9.0;
             return RankedEntry{{std::move(label), paletteColor(ramp, place)}, -tenths / 10.0};
         }
-        return RankedEntry{{"not an amino acid", kOther}, 100};
+        return RankedEntry{{std::string(kNoAminoAcid), kOther}, 100};
     });
     if (!any) classes.warning = "there is no amino acid whose hydrophobicity is known";
     return classes;
@@ -256,7 +256,7 @@ Classes classesOf(const ResidueFacts& facts, std::span<const std::uint32_t> atom
     const auto palette = [&](Palette own) { return coloring.palette == Palette::automatic ? own : coloring.palette; };
     switch (coloring.scheme) {
         case ColorScheme::chain:
-            return byChain(facts, atoms, palette(kChainPalette));
+            return byChain(facts, atoms, palette(kCarbonPalette));
         case ColorScheme::chainCarbons:
             return byChainCarbons(facts, atoms, palette(kCarbonPalette));
         case ColorScheme::input:

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <map>
 #include <optional>
@@ -51,6 +52,7 @@ constexpr SchemeName kNames[] = {{"element", ColorScheme::element},
                                  {"rainbow", ColorScheme::rainbow},
                                  {"occupancy", ColorScheme::occupancy},
                                  {"rmsd", ColorScheme::rmsd},
+                                 {"distance", ColorScheme::distance},
                                  {"entity", ColorScheme::entity}};
 
 /// Two decimals at most, no more than are needed.
@@ -174,6 +176,37 @@ ColoredAtoms byFitDistance(const ResidueFacts& facts, Atoms atoms, const Colorin
     return result;
 }
 
+/// The centre of a shell of many copies, as capsids are; else of the atoms.
+glm::dvec3 centerOf(const Molecule& molecule, Atoms atoms) {
+    constexpr std::size_t kShell = 12;  // copies
+    glm::dvec3 middle(0);
+    for (const std::uint32_t atom : atoms)
+        middle += glm::dvec3(molecule.atoms[atom].position) / static_cast<double>(atoms.size());
+    for (const Assembly& assembly : molecule.assemblies) {
+        glm::dvec3 sum(0);
+        double copies = 0;
+        for (const AssemblyPart& part : assembly.parts)
+            for (const glm::mat4x3& transform : part.transforms) {
+                sum += glm::dmat4x3(transform) * glm::dvec4(middle, 1.0);
+                ++copies;
+            }
+        if (copies >= static_cast<double>(kShell)) return sum / copies;
+    }
+    return middle;
+}
+
+ColoredAtoms byDistance(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
+    const glm::dvec3 center = centerOf(molecule, atoms);
+    const auto valueOf = [&](std::uint32_t atom) {
+        return glm::distance(glm::dvec3(molecule.atoms[atom].position), center);
+    };
+    std::vector<double> values;
+    values.reserve(atoms.size());
+    for (const std::uint32_t atom : atoms) values.push_back(valueOf(atom));
+    const ColorRange range = coloring.range ? *coloring.range : usualRange(std::move(values));
+    return byNumber(atoms, rampOf(coloring, Palette::viridis), range, valueOf);
+}
+
 /// Colours as a table has them, values along a ramp. What it does not name is grey.
 ColoredAtoms byTable(const ResidueFacts& facts, Atoms atoms, const Coloring& coloring) {
     static const ColorTable kEmpty;
@@ -245,6 +278,25 @@ ColoredAtoms byRainbow(const ResidueFacts& facts, Atoms atoms, Palette ramp) {
     return result;
 }
 
+/// By residue, with the scale in the legend rather than twenty names.
+ColoredAtoms byHydropathy(const ResidueFacts& facts, Atoms atoms, const Coloring& coloring) {
+    constexpr double kMost = 4.5;
+    ColoredAtoms result = colorByClass(facts, atoms, coloring);
+    if (!result.warning.empty()) return result;
+    std::vector<LegendEntry> legend;
+    result.ramp = rampOf(coloring, Palette::lipophilicity);
+    for (int i = 0; i < kStops; ++i) {
+        const double share = i / (kStops - 1.0);
+        legend.push_back({shortNumber(kMost * (2 * share - 1)), paletteColor(result.ramp, share)});
+    }
+    alignDecimals(legend);
+    result.stops = legend.size();
+    for (const LegendEntry& entry : result.legend)
+        if (entry.label == kNoAminoAcid) legend.push_back(entry);
+    result.legend = std::move(legend);
+    return result;
+}
+
 /// Names of the tinted parts within a copy, and the part of each atom.
 struct TintKinds {
     std::vector<std::string> names;
@@ -313,6 +365,7 @@ PaletteUse paletteUse(ColorScheme scheme) {
         case ColorScheme::rainbow:
         case ColorScheme::occupancy:
         case ColorScheme::rmsd:
+        case ColorScheme::distance:
         case ColorScheme::table:
             return PaletteUse::ramp;
         default:
@@ -321,7 +374,8 @@ PaletteUse paletteUse(ColorScheme scheme) {
 }
 
 bool takesRange(ColorScheme scheme) {
-    return scheme == ColorScheme::bFactor || scheme == ColorScheme::occupancy || scheme == ColorScheme::rmsd;
+    return scheme == ColorScheme::bFactor || scheme == ColorScheme::occupancy || scheme == ColorScheme::rmsd ||
+           scheme == ColorScheme::distance;
 }
 
 std::string coloringText(const Coloring& coloring) {
@@ -345,6 +399,8 @@ ColoredAtoms colorAtoms(const ResidueFacts& facts, Atoms atoms, const Coloring& 
                             [&](std::uint32_t atom) { return static_cast<double>(molecule.atoms[atom].occupancy); });
         case ColorScheme::rmsd:
             return byFitDistance(facts, atoms, coloring);
+        case ColorScheme::distance:
+            return byDistance(molecule, atoms, coloring);
         case ColorScheme::rainbow:
             return byRainbow(facts, atoms, rampOf(coloring, Palette::rainbow));
         case ColorScheme::copy:
@@ -353,6 +409,8 @@ ColoredAtoms colorAtoms(const ResidueFacts& facts, Atoms atoms, const Coloring& 
             return byCopy(facts, atoms, coloring);
         case ColorScheme::table:
             return byTable(facts, atoms, coloring);
+        case ColorScheme::hydrophobicity:
+            return byHydropathy(facts, atoms, coloring);
         case ColorScheme::uniform:
             return {std::vector<std::uint32_t>(atoms.size(), coloring.color),
                     {{colorText(coloring.color), coloring.color}},

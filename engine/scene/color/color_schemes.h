@@ -32,6 +32,7 @@ enum class ColorScheme {
     rainbow,             ///< along each chain, from N to C or 5' to 3'
     occupancy,           ///< 0 to 1
     rmsd,                ///< distance of residues from their counterparts in another INPUT (residue_distances.h)
+    distance,            ///< from the centre of the coloured atoms, or of an assembly of 12 copies or more, Å
     entity,              ///< the file's entities; else chains of equal sequence, and residues of equal name
     uniform,             ///< one colour
     table,               ///< of the atoms that a table names (color_table.h); has no name

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <iterator>
+#include <mutex>
 #include <span>
+#include <vector>
 
 namespace nacre {
 namespace {
@@ -57,7 +60,30 @@ constexpr PaletteEntry kPalettes[] = {
     {Palette::grays, "grays", kGrays},
 };
 
-const PaletteEntry& entryOf(Palette palette) { return kPalettes[static_cast<std::size_t>(palette) - 1]; }
+constexpr std::size_t kFirstRamp = 128;  // as Palette: of those that are added
+static_assert(std::size(kPalettes) < kFirstRamp && kFirstRamp + kMostRamps <= 256);
+
+struct AddedRamp {
+    std::string name;
+    std::vector<std::uint32_t> colors;
+};
+/// A ramp stays where it is once it is added.
+struct AddedRamps {
+    std::mutex mutex;
+    std::array<AddedRamp, kMostRamps> ramps;
+    std::atomic<std::size_t> count{0};
+};
+AddedRamps& addedRamps() {
+    static AddedRamps ramps;
+    return ramps;
+}
+
+PaletteEntry entryOf(Palette palette) {
+    const auto number = static_cast<std::size_t>(palette);
+    if (number < kFirstRamp) return kPalettes[number - 1];
+    const AddedRamp& ramp = addedRamps().ramps[number - kFirstRamp];
+    return {palette, ramp.name, ramp.colors};
+}
 
 }  // namespace
 
@@ -78,7 +104,22 @@ std::string_view paletteName(Palette palette) {
 std::optional<Palette> paletteFromName(std::string_view name) {
     for (const PaletteEntry& entry : kPalettes)
         if (entry.name == name) return entry.palette;
+    AddedRamps& added = addedRamps();
+    const std::lock_guard lock(added.mutex);
+    for (std::size_t i = 0; i < added.count; ++i)
+        if (added.ramps[i].name == name) return static_cast<Palette>(kFirstRamp + i);
     return std::nullopt;
+}
+
+std::optional<Palette> addRamp(std::span<const std::uint32_t> colors) {
+    std::string name;
+    for (const std::uint32_t color : colors) name += (name.empty() ? "" : ":") + colorText(packedColor(color));
+    if (const auto known = paletteFromName(name)) return known;
+    AddedRamps& added = addedRamps();
+    const std::lock_guard lock(added.mutex);
+    if (added.count == kMostRamps) return std::nullopt;
+    added.ramps[added.count] = {name, {colors.begin(), colors.end()}};
+    return static_cast<Palette>(kFirstRamp + added.count++);
 }
 
 bool isRamp(Palette palette) { return palette >= Palette::viridis; }

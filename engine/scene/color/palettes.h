@@ -42,7 +42,12 @@ enum class Palette : std::uint8_t {
 
 /// "okabe-ito"; empty for automatic.
 std::string_view paletteName(Palette palette);
+/// Also knows palettes of addRamp(), by their colours: "#ffffff:#ff0000".
 std::optional<Palette> paletteFromName(std::string_view name);
+constexpr std::size_t kMostRampColors = 16, kMostRamps = 64;
+/// A ramp through some colours, 0xRRGGBB, evenly spaced: the same one for the same colours. Thread-safe.
+/// @param colors  two to kMostRampColors @returns nothing if there are kMostRamps others already
+std::optional<Palette> addRamp(std::span<const std::uint32_t> colors);
 /// Whether it is a ramp, for numbers.
 bool isRamp(Palette palette);
 /// All except automatic, in order.

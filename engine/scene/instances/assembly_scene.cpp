@@ -239,10 +239,11 @@ void AssemblyScene::eachBall(const SeenBalls& seen, const std::function<void(con
         });
 }
 
-Bounds AssemblyScene::bounds(const SeenBalls& seen) const {
+Bounds AssemblyScene::bounds(const SeenBalls& seen, const std::optional<glm::dvec3>& about) const {
     constexpr std::uint64_t kMany = 100'000'000;
-    if (seen.balls.size() * std::uint64_t{placement_.transforms.size()} > kMany) return roughBounds(seen);
-    return boundsOfEach([&](const auto& visit) { eachBall(seen, visit); });
+    if (seen.balls.size() * std::uint64_t{placement_.transforms.size()} > kMany)
+        return movedTo(about, roughBounds(seen));
+    return boundsOfEach([&](const auto& visit) { eachBall(seen, visit); }, about);
 }
 
 /// By a ball about what has the same copies: at most its radius too large.

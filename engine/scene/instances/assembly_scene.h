@@ -36,7 +36,7 @@ public:
     /// Visits the balls in all their copies.
     void eachBall(const SeenBalls& seen, const std::function<void(const glm::dvec3&, double)>& visit) const;
     /// Bounds of the balls in all copies.
-    Bounds bounds(const SeenBalls& seen) const;
+    Bounds bounds(const SeenBalls& seen, const std::optional<glm::dvec3>& about = {}) const;
     /// Number of the list of copies that an atom has; atoms with the same copies share it.
     std::uint32_t listOf(std::uint32_t atom) const;
     /// Visits the copies that have both of two atoms: their transforms about a centre, and their numbers.

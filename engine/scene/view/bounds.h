@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace nacre {
@@ -27,11 +28,12 @@ struct Box {
 
 /// Of balls that may be too many to be kept. Without any its centre is no number.
 /// @param eachBall  calls what it is given with the centre and radius of each ball, Å; it is called twice
+/// @param about  another centre
 template <typename EachBall>
-Bounds boundsOfEach(const EachBall& eachBall) {
+Bounds boundsOfEach(const EachBall& eachBall, const std::optional<glm::dvec3>& about = {}) {
     Box box;
-    eachBall([&](const glm::dvec3& center, double) { box.add(center); });
-    Bounds bounds{box.center(), 0};
+    if (!about) eachBall([&](const glm::dvec3& center, double) { box.add(center); });
+    Bounds bounds{about.value_or(box.center()), 0};
     eachBall([&](const glm::dvec3& center, double radius) {
         bounds.radius = glm::max(bounds.radius, glm::length(center - bounds.center) + radius);
     });
@@ -39,10 +41,16 @@ Bounds boundsOfEach(const EachBall& eachBall) {
 }
 
 /// @param balls  centre and radius of each, Å; at least one
-inline Bounds boundsOf(std::span<const glm::dvec4> balls) {
-    return boundsOfEach([&](const auto& visit) {
+inline Bounds boundsOf(std::span<const glm::dvec4> balls, const std::optional<glm::dvec3>& about = {}) {
+    const auto each = [&](const auto& visit) {
         for (const glm::dvec4& ball : balls) visit(ball, ball.w);
-    });
+    };
+    return boundsOfEach(each, about);
+}
+
+/// The same balls about another centre: a sphere that holds the first.
+inline Bounds movedTo(const std::optional<glm::dvec3>& center, const Bounds& bounds) {
+    return center ? Bounds{*center, bounds.radius + glm::length(*center - bounds.center)} : bounds;
 }
 
 }  // namespace nacre

@@ -28,6 +28,11 @@ struct Turn {
     }
 };
 
+/// Where the bounding sphere fills the picture.
+double eyeDistanceOf(const Camera& camera, double radius) {
+    return radius / (kFill * std::sin(radians(camera.fovDegrees) / 2.0));
+}
+
 }  // namespace
 
 glm::dmat3 rotationMatrix(const glm::dvec3& degrees) {
@@ -49,13 +54,42 @@ View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint3
     view.radius = radius;
     const double shorter = std::min(width, height);
     if (camera.projection == Projection::orthographic) {
-        view.pixelsPerAngstrom = kFill * shorter / (2.0 * radius) * camera.zoom;
+        view.pixelsPerAngstrom = kFill * shorter / (2.0 * radius);
     } else {
+        constexpr double kNearest = 1.02;  // of the radius, to the eye
         const double half = radians(camera.fovDegrees) / 2.0;
-        view.eyeDistance = radius / (kFill * std::sin(half));
-        view.pixelsPerAngstrom = shorter / (2.0 * view.eyeDistance * std::tan(half)) * camera.zoom;
+        view.eyeDistance = eyeDistanceOf(camera, radius);
+        if (camera.eyeDistance) view.eyeDistance = std::max(*camera.eyeDistance, radius * kNearest);
+        view.pixelsPerAngstrom = shorter / (2.0 * view.eyeDistance * std::tan(half));
     }
+    if (camera.scale)
+        view.pixelsPerAngstrom =
+            camera.scale->unit == ViewScale::Unit::pixelsPerAngstrom ? camera.scale->value : shorter / camera.scale->value;
+    view.pixelsPerAngstrom *= camera.zoom;
     return view;
+}
+
+Camera absoluteCamera(const View& view, double fovDegrees, const glm::dvec3& center) {
+    Camera camera;
+    camera.projection = view.projection;
+    camera.orientation = glm::normalize(glm::quat_cast(view.rotation));
+    camera.pan = view.pan;
+    camera.fovDegrees = fovDegrees;
+    camera.center = center;
+    camera.scale = {ViewScale::Unit::angstromAcross, std::min(view.width, view.height) / view.pixelsPerAngstrom};
+    if (view.projection == Projection::perspective) camera.eyeDistance = view.eyeDistance;
+    return camera;
+}
+
+Camera relativeCamera(Camera camera, double& radius) {
+    constexpr std::uint32_t kAnySize = 1000;
+    const View wanted = viewOf(camera, radius, kAnySize, kAnySize);
+    if (camera.eyeDistance) radius *= wanted.eyeDistance / eyeDistanceOf(camera, radius);
+    camera.scale.reset();
+    camera.eyeDistance.reset();
+    camera.zoom = 1;
+    camera.zoom = wanted.pixelsPerAngstrom / viewOf(camera, radius, kAnySize, kAnySize).pixelsPerAngstrom;
+    return camera;
 }
 
 View scaled(View view, double factor) {

@@ -5,12 +5,24 @@
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 namespace nacre {
 
 enum class Projection { orthographic, perspective };
 
-/// Camera settings of the user.
+/// An absolute scale of the image plane, independent of what is drawn.
+struct ViewScale {
+    enum class Unit {
+        pixelsPerAngstrom,
+        angstromAcross,  ///< Å that the picture's shorter side shows
+    };
+    Unit unit = Unit::angstromAcross;
+    double value = 1;
+    friend bool operator==(const ViewScale&, const ViewScale&) = default;
+};
+
+/// Camera settings of the user. Without `center` and `scale` it depends on what is drawn.
 struct Camera {
     Projection projection = Projection::orthographic;
     glm::dvec3 rotationDegrees{0.0};     ///< right-handed, about the view axes, x first: v = Rz Ry Rx Q (p - C)
@@ -18,6 +30,12 @@ struct Camera {
     glm::dvec2 pan{0.0};                 ///< position of C on the image plane, Å from the picture's centre
     double zoom = 1.0;                   ///< scales the image plane
     double fovDegrees = 30.0;            ///< perspective: field of view across the shorter side
+    std::optional<glm::dvec3> center{};  ///< C, Å in the file's frame; empty: of what is drawn
+    std::optional<ViewScale> scale{};    ///< at zoom 1, on the plane through C; empty: the bounding sphere fills
+    std::optional<double> eyeDistance{}; ///< perspective: Å from C; empty: by the bounding sphere
+
+    /// Whether position or scale are given.
+    bool isPlaced() const { return zoom != 1 || pan != glm::dvec2(0) || center || scale; }
 };
 
 /// The view of one picture. View space: origin at the molecule's centre, +x right, +y up, +z to the viewer, Å. Pixel
@@ -38,8 +56,17 @@ struct View {
 glm::dmat3 rotationMatrix(const glm::dvec3& degrees);
 
 /// Orthographic: the sphere (C, R) fills 95 % of the shorter side at zoom 1. Perspective: the eye is at R / (0.95
-/// sin(fov / 2)) and zoom scales the image plane.
+/// sin(fov / 2)) and zoom scales the image plane. A scale or eye distance of the camera takes the place of these; the eye
+/// stays outside the sphere.
 View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint32_t height);
+
+/// The camera of a view without reference to what is drawn: viewOf() makes the same view of it, whatever the radius.
+/// @param center  of the view's scene, Å in the file's frame
+Camera absoluteCamera(const View& view, double fovDegrees, const glm::dvec3& center);
+
+/// The same camera, with zoom and radius in place of scale and eye distance. @param radius  of the scene, Å; becomes
+/// that by which viewOf() finds the eye
+Camera relativeCamera(Camera camera, double& radius);
 
 /// The same picture with `factor` times the pixels per side, at least one.
 View scaled(View view, double factor);

@@ -212,6 +212,16 @@ void eachDrawnBall(const Representation& scene, const Visit& visit) {
     eachLineEnd(scene, [&](const glm::dvec4& end, std::uint32_t) { visit(end); });
 }
 
+/// Likewise what stands beside a molecule, which may consist of sticks.
+template <typename Visit>
+void eachBallBeside(const Representation& beside, const Visit& visit) {
+    eachDrawnBall(beside, visit);
+    for (const Cylinder& stick : beside.cylinders) {
+        visit(glm::dvec4(stick.a, stick.radius));
+        visit(glm::dvec4(stick.b, stick.radius));
+    }
+}
+
 /// Number of spheres, triangle vertices and ends of lines in all copies.
 double drawnBallCount(const Representation& scene) {
     if (scene.copies.transforms.empty())
@@ -336,6 +346,8 @@ glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::v
 
 Camera closeUp(Camera camera, const std::vector<glm::dvec4>& target, double radius, double margin, double mostZoom) {
     const Bounds bounds = boundsOf(target);
+    camera.scale.reset();
+    camera.eyeDistance.reset();
     const View view = viewOf(camera, radius, 1000, 1000);
     const glm::dvec3 middle = view.rotation * bounds.center;
     const double magnify =
@@ -345,22 +357,26 @@ Camera closeUp(Camera camera, const std::vector<glm::dvec4>& target, double radi
     return camera;
 }
 
-Camera fitted(Camera camera, const Representation& scene, double radius, std::uint32_t width, std::uint32_t height,
-              double mostZoom) {
+Camera fitted(Camera camera, const Representation& scene, const Representation* beside, double radius,
+              std::uint32_t width, std::uint32_t height, double mostZoom) {
     constexpr double kFill = 0.95, kMost = 1e7;
-    if (drawnBallCount(scene) > kMost) return camera;
+    if (drawnBallCount(scene) > kMost || (camera.center && camera.scale)) return camera;
     const View view = viewOf(camera, radius, width, height);
     const bool perspective = view.projection == Projection::perspective;
     glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
-    eachDrawnBall(scene, [&](const glm::dvec4& ball) {
+    const auto hold = [&](const glm::dvec4& ball) {
         const glm::dvec3 v = view.rotation * glm::dvec3(ball);
         const double magnify = perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1.0;
         low = glm::min(low, (glm::dvec2(v) - ball.w) * magnify);
         high = glm::max(high, (glm::dvec2(v) + ball.w) * magnify);
-    });
+    };
+    eachDrawnBall(scene, hold);
+    if (beside) eachBallBeside(*beside, hold);
     if (low.x > high.x) return camera;
+    if (camera.center) low = glm::min(low, -high), high = -low;
     const glm::dvec2 extent = glm::max(high - low, glm::dvec2(1e-6));
     camera.pan = -(low + high) / 2.0;
+    if (camera.scale) return camera;
     const double more = std::min(width / extent.x, height / extent.y) * kFill / view.pixelsPerAngstrom;
     camera.zoom = std::min(camera.zoom * more * camera.zoom, mostZoom);
     return camera;

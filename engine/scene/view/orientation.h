@@ -34,17 +34,18 @@ glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::v
                              const glm::dmat3& from);
 
 /// The camera with the target in the picture's centre. Its bounding sphere plus a margin of `margin` Å fills the
-/// picture as the molecule does at zoom 1, times the camera's zoom (at most `mostZoom`).
+/// picture as the molecule does at zoom 1, times the camera's zoom (at most `mostZoom`), whatever its scale was.
 /// @param radius  of the scene, Å
 Camera closeUp(Camera camera, const std::vector<glm::dvec4>& target, double radius, double margin, double mostZoom);
 
 /// The camera that centres a scene and fits its projection into 95 % of both sides, times the camera's zoom. That is
-/// larger than zoom 1, which fits the bounding sphere. Returns the camera unchanged for scenes of more than 10^7
-/// spheres and vertices, copies included.
+/// larger than zoom 1, which fits the bounding sphere. Keeps the centre and the scale that the camera gives. Returns the
+/// camera unchanged for scenes of more than 10^7 spheres and vertices, copies included.
 /// @param radius  of the scene's view, Å
 /// @param width, height  of the picture
-Camera fitted(Camera camera, const Representation& scene, double radius, std::uint32_t width, std::uint32_t height,
-              double mostZoom);
+/// @param beside  maps and primitives about the same centre, likewise; or null
+Camera fitted(Camera camera, const Representation& scene, const Representation* beside, double radius,
+              std::uint32_t width, std::uint32_t height, double mostZoom);
 
 /// Fraction of a target's atoms whose centre other atoms cover, along the view axis.
 double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,

@@ -86,7 +86,7 @@ std::optional<Bounds> sharedFrame(const ResidueFacts& facts, const DrawnAtomsOpt
                                   const RepresentationOptions& options) {
     if (facts.molecule().others.empty() || options.ownFrame) return std::nullopt;
     const ModelBalls models(facts, drawn, options);
-    return boundsOfEach([&](const auto& visit) { models.eachBall(visit); });
+    return boundsOfEach([&](const auto& visit) { models.eachBall(visit); }, options.center);
 }
 
 }  // namespace nacre

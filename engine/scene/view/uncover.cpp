@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <tuple>
 #include <unordered_map>
 #include <unordered_set>
@@ -106,6 +107,8 @@ public:
     void peel(const Placed& placed, double nearest);
     /// A stick goes with its atoms, an atom with its last stick.
     void settle();
+    /// Removes small pieces that lost what held them.
+    void dropScraps();
 
     bool isGone(const SphereLook& look) const { return atomsGone_.contains(look.atom); }
     bool isGone(std::size_t stick) const { return sticksGone_.contains(static_cast<std::uint32_t>(stick)); }
@@ -199,6 +202,71 @@ void Covers::settle() {
         const Interaction& contact = scene_.contacts[i].interaction;
         for (const InteractionEnd* end : {&contact.a, &contact.b})
             if (atomsGone_.contains(end->atoms.front() + 1)) atomsGone_.insert(scene_.firstContact + i);
+    }
+}
+
+/// Which atoms hang together, by sticks, triangles, and mesh vertices in one place.
+class Connections {
+public:
+    explicit Connections(std::size_t atoms) : roots_(atoms + 1) { std::iota(roots_.begin(), roots_.end(), 0u); }
+    void join(std::uint32_t a, std::uint32_t b) {
+        if (a < roots_.size() && b < roots_.size()) roots_[rootOf(a)] = rootOf(b);
+    }
+    std::uint32_t rootOf(std::uint32_t atom) {
+        while (roots_[atom] != atom) atom = roots_[atom] = roots_[roots_[atom]];
+        return atom;
+    }
+
+private:
+    std::vector<std::uint32_t> roots_;
+};
+
+void Covers::dropScraps() {
+    constexpr std::size_t kFew = 40;  // atoms
+    constexpr double kSmall = 0.2;    // of the piece that it was of
+    if (atomsGone_.empty() && sticksGone_.empty()) return;
+    Connections before(chosen_.size()), after(chosen_.size());
+    const auto join = [&](std::uint32_t a, std::uint32_t b, bool stays) {
+        before.join(a, b);
+        if (stays) after.join(a, b);
+    };
+    const auto stays = [&](std::uint32_t atom) { return !atomsGone_.contains(atom); };
+    for (std::uint32_t i = 0; i < scene_.cylinderLooks.size(); ++i) {
+        const CylinderLook& look = scene_.cylinderLooks[i];
+        join(look.atomA, look.atomB, !sticksGone_.contains(i) && stays(look.atomA) && stays(look.atomB));
+    }
+    std::unordered_map<std::uint64_t, std::uint32_t> atomAt, leftAt;  // by the vertices' places
+    for (const Triangle& t : scene_.triangles) {
+        const auto atoms = atomsOf(t);
+        const bool left = !isGone(t);
+        join(atoms[0], atoms[1], left);
+        join(atoms[1], atoms[2], left);
+        for (const std::uint32_t v : {t.a, t.b, t.c}) {
+            const MeshVertex& vertex = scene_.meshVertices[v];
+            const std::uint64_t place = std::uint64_t{vertex.xz} << 32 | vertex.yz;
+            const std::uint32_t atom = scene_.meshLooks[vertex.look].atom;
+            before.join(atom, atomAt.emplace(place, atom).first->second);
+            if (left) after.join(atom, leftAt.emplace(place, atom).first->second);
+        }
+    }
+    std::unordered_map<std::uint32_t, std::size_t> sizesBefore, sizesAfter;
+    std::unordered_set<std::uint32_t> seen, holdPart;
+    const auto count = [&](std::uint32_t atom) {
+        if (atom == 0 || atom > chosen_.size() || !seen.insert(atom).second) return;
+        ++sizesBefore[before.rootOf(atom)];
+        if (!stays(atom)) return;
+        ++sizesAfter[after.rootOf(atom)];
+        if (chosen_[atom - 1]) holdPart.insert(after.rootOf(atom));
+    };
+    for (const SphereLook& look : scene_.sphereLooks) count(look.atom);
+    for (const SphereLook& look : scene_.meshLooks) count(look.atom);
+    for (const std::uint32_t atom : seen) {
+        if (!stays(atom)) continue;
+        const std::uint32_t root = after.rootOf(atom);
+        const std::size_t size = sizesAfter[root], whole = sizesBefore[before.rootOf(atom)];
+        if (size < whole && size < kFew && static_cast<double>(size) < kSmall * static_cast<double>(whole) &&
+            !holdPart.contains(root))
+            atomsGone_.insert(atom);
     }
 }
 
@@ -304,6 +372,8 @@ Uncovered uncover(Representation& scene, const std::vector<bool>& chosen, const 
     result.before = 1 - static_cast<double>(covers.covered()) / cells;
     if (scene.copies.transforms.empty() && result.before <= 1 - kBuried) covers.peel(placed, picture.nearest());
     result.after = 1 - static_cast<double>(covers.choose(static_cast<std::size_t>(kStillCovered * cells))) / cells;
+    covers.settle();
+    covers.dropScraps();
     covers.settle();
     remove(covers, scene, result);
     return result;

@@ -1,0 +1,148 @@
+// `nacre figure`: several pictures by one camera as the lettered panels of one.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "app/annotation/painter.h"
+#include "app/cli/batch_lines.h"
+#include "app/cli/commands.h"
+#include "app/cli/picture_options.h"
+#include "app/cli/progress.h"
+#include "app/download/load_map.h"
+#include "app/download/load_molecule.h"
+#include "app/drawing/complete.h"
+#include "app/drawing/drawing.h"
+#include "app/files/messages.h"
+#include "app/images/image_file.h"
+#include "engine/error.h"
+#include "engine/scene/color/palettes.h"
+#include "engine/srgb.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr std::size_t kMostPanels = 26;
+constexpr double kPrintDpi = 300;
+
+/// Panels in rows from the top, with gaps in the background's colour between them.
+class Figure {
+public:
+    Figure(const PictureDescription& panel, std::size_t panels, std::size_t columns, double gap)
+        : cell_(panel.size), columns_(std::min(panels, columns)), gap_(static_cast<std::uint32_t>(std::lround(gap))) {
+        const auto side = [&](std::size_t count, std::uint32_t pixels) {
+            return static_cast<std::uint32_t>(count * (pixels + gap_) - gap_);
+        };
+        picture_.width = side(columns_, cell_.width);
+        picture_.height = side((panels + columns_ - 1) / columns_, cell_.height);
+        picture_.rgba.resize(std::size_t{4} * picture_.width * picture_.height);
+        const auto& [r, g, b, a] = panel.background;
+        const float ground[4] = {srgbToLinear(r) * a, srgbToLinear(g) * a, srgbToLinear(b) * a, a};
+        for (std::size_t i = 0; i < picture_.rgba.size(); ++i) picture_.rgba[i] = ground[i % 4];
+    }
+    void put(std::size_t index, const Picture& panel) {
+        const std::size_t left = index % columns_ * (cell_.width + gap_),
+                          top = index / columns_ * (cell_.height + gap_);
+        for (std::size_t y = 0; y < panel.height; ++y)
+            std::copy_n(&panel.rgba[4 * y * panel.width], 4 * panel.width,
+                        &picture_.rgba[4 * ((top + y) * picture_.width + left)]);
+    }
+    const Picture& picture() const { return picture_; }
+
+private:
+    Size cell_;
+    std::size_t columns_;
+    std::uint32_t gap_;
+    Picture picture_;
+};
+
+/// The letter of a panel at its upper left.
+void paintLetter(const WordPainter& painter, const std::string& letter, const PictureDescription& panel,
+                 Picture& picture) {
+    constexpr double kLarger = 1.6;  // than other words
+    const double usual = panel.words.size > 0 ? panel.words.size : usualTextSize(picture.width, picture.height);
+    const double size = kLarger * usual;
+    View view;
+    view.width = picture.width;
+    view.height = picture.height;
+    Marks marks = painter.layOut({}, view, size, panel.words.color, panel.background);
+    marks.texts.push_back({{0.5 * size, 1.1 * size}, size, letter, 0});
+    painter.paint(marks, picture.rgba.data(), picture.width, 0, picture.height);
+}
+
+std::string letterOf(PanelLetters letters, std::size_t panel) {
+    if (letters == PanelLetters::off) return "";
+    return std::string(1, static_cast<char>((letters == PanelLetters::capital ? 'A' : 'a') + panel));
+}
+
+std::vector<PictureDescription> panelsOf(const FigureOptions& options) {
+    std::vector<PictureDescription> panels;
+    BatchLines lines(options.batch.path, [] { return false; });
+    while (const auto line = lines.next()) {
+        if (panels.size() == kMostPanels)
+            throw Error("cannot draw figure", options.batch.path,
+                        "more than " + std::to_string(kMostPanels) + " panels");
+        try {
+            panels.push_back(panelOf(line->text, options));
+        } catch (const UsageError& error) {
+            throw Error("cannot draw figure", options.batch.path,
+                        "line " + std::to_string(line->number) + ": " + error.what());
+        }
+    }
+    if (panels.empty()) throw Error("cannot draw figure", options.batch.path, "it has no panels");
+    const Size& size = panels.front().size;
+    for (const PictureDescription& panel : panels)
+        if (panel.size.width != size.width || panel.size.height != size.height)
+            throw Error("cannot draw figure", options.batch.path, "its panels have different sizes");
+    return panels;
+}
+
+/// A panel in the camera of the first one, unless it has a camera of its own; the scale is always that of the first.
+void shareCamera(const PictureDescription& first, PictureDescription& panel) {
+    const bool own = panel.aim.any() || panel.camera.center || panel.given.contains("view") ||
+                     panel.given.contains("rotate") || panel.given.contains("orientation");
+    if (own) {
+        panel.camera.scale = first.camera.scale;
+        panel.aim.fits = true;  // centred, in that scale
+        return;
+    }
+    panel.camera = first.camera;
+    panel.aim = {};
+}
+
+}  // namespace
+
+void figureCommand(const FigureOptions& options) {
+    OutputFile file(options.output, ".png");
+    std::vector<PictureDescription> panels = panelsOf(options);
+    const double dpi = panels.front().dpi.value_or(kPrintDpi);
+    Progress progress;
+    progress.begin("drawing");
+    Canvas canvas(panels.front().device);
+    WordPainter painter;
+    std::optional<PictureDescription> first;
+    Figure figure(panels.front(), panels.size(), static_cast<std::size_t>(options.columns),
+                  options.gapPoints * dpi / 72);
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        PictureDescription& panel = panels[i];
+        if (first) shareCamera(*first, panel);
+        if (i + 1 < panels.size()) panel.words.scaleBar = ScaleBar::off;  // one bar for all
+        const Molecule molecule = loadMolecule(panel.input, downloadProgress(progress), {});
+        loadMaps(panel, downloadProgress(progress));
+        Drawing drawing;
+        drawing.prepare(molecule, panel);
+        for (const std::string& warning : drawing.warnings)
+            sayWarning("panel " + std::to_string(i + 1) + ": " + warning);
+        if (!first) first = drawing.placed();
+        Picture picture = drawing.draw(canvas);
+        if (const std::string letter = letterOf(options.letters, i); !letter.empty())
+            paintLetter(painter, letter, panel, picture);
+        figure.put(i, picture);
+        progress.advance(static_cast<double>(i + 1) / static_cast<double>(panels.size()));
+    }
+    PictureFormat format = formatOf(panels.front());
+    format.dpi = dpi;
+    writePicture(file, figure.picture(), format);
+}
+
+}  // namespace nacre::app

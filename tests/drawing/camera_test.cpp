@@ -1,0 +1,177 @@
+// A view file is one camera: neither what is drawn nor how moves it.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/drawing/drawing.h"
+#include "app/picture/options.h"
+#include "app/picture/saved_view.h"
+#include "engine/error.h"
+#include "engine/molecule/read.h"
+#include "tests/support/run_program.h"
+
+namespace nacre::app {
+namespace {
+
+using Options = std::initializer_list<std::pair<const char*, const char*>>;
+using test::nacreIn;
+using test::TemporaryFolder;
+
+PictureDescription cameraPicture(Options options) {
+    PictureDescription picture;
+    picture.input.path = "sample:dna";
+    picture.input.cache = "off";
+    picture.size = {640, 480};
+    for (const auto& [key, value] : options) setOption(option(key), value, picture);
+    return picture;
+}
+
+/// The pixel of a place of the file, by the formulas of the reference.
+glm::dvec2 cameraPixel(const glm::dvec3& place, const Drawing& drawing) {
+    const View& view = drawing.settings.view;
+    const glm::dvec3 v = view.rotation * (place - drawing.run.center);
+    const double magnify = view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1;
+    const glm::dvec2 at = (glm::dvec2(v) * magnify + view.pan) * view.pixelsPerAngstrom;
+    return {view.width / 2.0 + at.x, view.height / 2.0 - at.y};
+}
+
+void expectAt(const glm::dvec2& pixel, double x, double y, const std::string& what) {
+    EXPECT_NEAR(pixel.x, x, 1e-6) << what;
+    EXPECT_NEAR(pixel.y, y, 1e-6) << what;
+}
+
+TEST(Camera, ASavedViewKeepsItsPlacesWhateverIsDrawn) {
+    const Molecule molecule = sampleMolecule("dna");
+    const std::initializer_list<Options> cameras{
+        {{"rotate", "30,40,0"}},
+        {{"rotate", "30,40,0"}, {"projection", "perspective"}, {"title", "DNA"}, {"legend", "on"}},
+        {{"zoom-to", "chain A and resi 4"}, {"projection", "perspective"}},
+        {{"orient", "principal"}, {"style", "surface"}}};
+    for (const Options& camera : cameras) {
+        Drawing first;
+        first.prepare(molecule, cameraPicture(camera));
+        const PictureDescription view = parseSavedView(savedViewJson(first.placed()), "v.json");
+        const std::initializer_list<Options> others{{},
+                                                    {{"style", "cartoon"}},
+                                                    {{"style", "surface"}},
+                                                    {{"style", "licorice"}, {"hide", "chain B"}},
+                                                    {{"style", "ball-and-stick"}, {"title", "Another title"}}};
+        for (const Options& other : others) {
+            PictureDescription again = view;
+            again.input.cache = "off";
+            again.size = {640, 480};
+            again.aim.uncovers = false;
+            again.aim.uncover.reset();
+            for (const auto& [key, value] : other) setOption(option(key), value, again);
+            Drawing drawing;
+            drawing.prepare(molecule, again);
+            for (const std::size_t atom : {std::size_t{0}, molecule.atoms.size() / 2, molecule.atoms.size() - 1}) {
+                const glm::dvec3 place(molecule.atoms[atom].position);
+                const glm::dvec2 was = cameraPixel(place, first);
+                expectAt(cameraPixel(place, drawing), was.x, was.y, camera.begin()->first);
+            }
+        }
+    }
+}
+
+TEST(Camera, CenterAndScaleAreAbsolute) {
+    const Molecule molecule = sampleMolecule("dna");
+    const glm::dvec3 place(molecule.atoms[10].position);
+    for (const char* projection : {"ortho", "perspective"})
+        for (const char* style : {"spacefill", "cartoon"}) {
+            Drawing drawing;
+            drawing.prepare(molecule, cameraPicture({{"center", "id 11"},
+                                                 {"scale", "8"},
+                                                 {"projection", projection},
+                                                 {"style", style},
+                                                 {"title", "DNA"}}));
+            expectAt(cameraPixel(place, drawing), 320, 240, style);
+            const glm::dvec3 right = glm::transpose(drawing.settings.view.rotation) * glm::dvec3(2, -1, 0);
+            expectAt(cameraPixel(place + right, drawing), 320 + 16, 240 + 8, style);
+        }
+    Drawing across;
+    across.prepare(molecule, cameraPicture({{"center", "1,2,3"}, {"scale", "60A"}, {"zoom", "2"}}));
+    EXPECT_EQ(across.run.center, glm::dvec3(1, 2, 3));
+    EXPECT_DOUBLE_EQ(across.settings.view.pixelsPerAngstrom, 480.0 / 60 * 2);
+    Drawing none;
+    EXPECT_THROW(none.prepare(molecule, cameraPicture({{"center", "resn XXX"}})), Error);
+}
+
+TEST(Camera, ACentreAloneStillShowsEverything) {
+    const Molecule molecule = sampleMolecule("dna");
+    Drawing drawing;
+    drawing.prepare(molecule, cameraPicture({{"center", "chain A and resi 1"}}));
+    double nearest = 1e9;
+    for (const Sphere& sphere : drawing.scene().spheres) {
+        const glm::dvec2 at = cameraPixel(glm::dvec3(sphere.center) + drawing.run.center, drawing);
+        const double reach = static_cast<double>(sphere.radius) * drawing.settings.view.pixelsPerAngstrom;
+        nearest = std::min({nearest, at.x - reach, at.y - reach, 640 - at.x - reach, 480 - at.y - reach});
+    }
+    EXPECT_GT(nearest, 0);
+    EXPECT_LT(nearest, 0.03 * 480);  // as large as fits
+}
+
+TEST(Camera, OrientTakesTheAxesOfASelection) {
+    const Molecule molecule = sampleMolecule("dna");
+    Drawing all, base;
+    all.prepare(molecule, cameraPicture({{"orient", "principal"}}));
+    base.prepare(molecule, cameraPicture({{"orient", "chain A and resi 4 and not backbone"}}));
+    EXPECT_NE(all.settings.view.rotation, base.settings.view.rotation);
+    // A base is flat: the picture shows its face.
+    double low = 1e9, high = -1e9;
+    const std::vector<bool> chosen =
+        selectAtoms(ResidueFacts(molecule), parseSelection("chain A and resi 4 and not backbone and name N*+C2+C4+C5+C6"));
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        if (!chosen[i]) continue;
+        const double z = (base.settings.view.rotation * glm::dvec3(molecule.atoms[i].position)).z;
+        low = std::min(low, z);
+        high = std::max(high, z);
+    }
+    EXPECT_LT(high - low, 1.2);
+}
+
+TEST(Camera, AnInterfaceIsSeenFromItsSide) {
+    const Molecule molecule = sampleMolecule("dna");
+    Drawing drawing;
+    drawing.prepare(molecule, cameraPicture({{"interface", "A,B"}}));
+    EXPECT_FALSE(drawing.scene().contacts.empty());
+    const auto middle = [&](char chain) {
+        const std::vector<bool> chosen = selectAtoms(ResidueFacts(molecule), parseSelection(std::string("chain ") + chain));
+        glm::dvec3 sum(0);
+        double count = 0;
+        for (std::size_t i = 0; i < chosen.size(); ++i)
+            if (chosen[i]) sum += glm::dvec3(molecule.atoms[i].position), ++count;
+        return drawing.settings.view.rotation * (sum / count);
+    };
+    EXPECT_LT(middle('A').x, middle('B').x);
+    EXPECT_THROW(cameraPicture({{"interface", "A"}}), std::invalid_argument);
+}
+
+nlohmann::json viewOfStats(const TemporaryFolder& folder, const std::string& arguments) {
+    const test::Outcome outcome = nacreIn(folder, "render " + arguments + " -o a.png --size 160x120 --stats s.json");
+    EXPECT_EQ(outcome.code, 0) << arguments << ": " << outcome.err;
+    return nlohmann::json::parse(test::contentOf(folder / "s.json"))["view"];
+}
+
+TEST(Camera, ViewsAreWrittenByTheCommandLineAndStatsAreViews) {
+    const TemporaryFolder folder;
+    const nlohmann::json first = viewOfStats(
+        folder, "sample:dna --style cartoon --orient principal --projection perspective --save-view v.json");
+    std::filesystem::rename(folder / "s.json", folder / "camera.json");
+    for (const char* other : {"--view v.json --style surface", "sample:dna --view v.json --style licorice --hide 'chain B'",
+                              "sample:dna --view camera.json --style spacefill --occlusion off"}) {
+        const nlohmann::json view = viewOfStats(folder, other);
+        EXPECT_NEAR(view["pixels_per_angstrom"].get<double>(), first["pixels_per_angstrom"].get<double>(), 1e-9) << other;
+        EXPECT_NEAR(view["eye_distance"].get<double>(), first["eye_distance"].get<double>(), 1e-9) << other;
+        for (int i = 0; i < 3; ++i)
+            EXPECT_NEAR(view["center"][i].get<double>(), first["center"][i].get<double>(), 1e-9) << other;
+        for (int i = 0; i < 4; ++i)
+            EXPECT_NEAR(view["orientation"][i].get<double>(), first["orientation"][i].get<double>(), 1e-9) << other;
+    }
+}
+
+}  // namespace
+}  // namespace nacre::app

@@ -1,0 +1,60 @@
+// Planes that spare some atoms cut everything else, exactly.
+
+#include "engine/scene/view/cut_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+
+namespace nacre {
+namespace {
+
+double depthOf(const View& view, const glm::vec3& p) { return -(view.rotation * glm::dvec3(p)).z; }
+
+TEST(CutScene, LeavesTheChosenAtomsAndNothingElseInFront) {
+    const Molecule dna = sampleMolecule("dna");
+    std::vector<bool> chosen(dna.atoms.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = dna.residues[dna.atoms[i].residue].chain == 0;
+    Camera camera;
+    camera.rotationDegrees = {10, 70, 0};
+    Clip clip;
+    clip.near = 1.5;
+    clip.far = 6;
+    for (const Style style : {Style::licorice, Style::surface, Style::cartoon}) {
+        Representation r = represent(dna, drawnAtoms(dna), {style});
+        const View view = viewOf(camera, r.radius, 100, 100);
+        ASSERT_TRUE(cutScene(r, view, clip, chosen));
+        const auto isChosen = [&](std::uint32_t number) { return number > 0 && chosen[number - 1]; };
+        bool front = false, other = false;
+        const auto judge = [&](const glm::vec3& p, std::uint32_t number, double room) {
+            const double depth = depthOf(view, p);
+            if (isChosen(number)) {
+                front = front || depth < clip.near - 1;
+                return;
+            }
+            other = true;
+            EXPECT_GE(depth, clip.near - room);
+            EXPECT_LE(depth, clip.far + room);
+        };
+        for (std::size_t i = 0; i < r.spheres.size(); ++i) judge(r.spheres[i].center, r.sphereLooks[i].atom, 1e-4);
+        for (std::size_t i = 0; i < r.cylinders.size(); ++i) {
+            const CylinderLook& look = r.cylinderLooks[i];
+            if (isChosen(look.atomA) != isChosen(look.atomB)) continue;
+            judge(r.cylinders[i].a, look.atomA, 0.3);  // strands are beside their bonds
+            judge(r.cylinders[i].b, look.atomB, 0.3);
+        }
+        for (const Triangle& t : r.triangles) {
+            const auto numberOf = [&](std::uint32_t v) { return r.meshLooks[r.meshVertices[v].look].atom; };
+            const bool whole = isChosen(numberOf(t.a)) && isChosen(numberOf(t.b)) && isChosen(numberOf(t.c));
+            for (const std::uint32_t v : {t.a, t.b, t.c})
+                if (whole || !isChosen(numberOf(v))) judge(positionOf(r.meshVertices[v], t.step), numberOf(v), 0.01);
+        }
+        EXPECT_TRUE(front && other) << static_cast<int>(style);
+    }
+}
+
+}  // namespace
+}  // namespace nacre
