@@ -130,12 +130,6 @@ private:
             case SelectionTest::backbone:
             case SelectionTest::sidechain:
                 return ofPolymer(step.test == SelectionTest::backbone);
-            case SelectionTest::segment:
-                return whereResidue([&](std::size_t i) {
-                    const std::uint32_t segment = molecule_.residues[i].subchain;
-                    return segment < molecule_.subchains.size() &&
-                           anyMatches(step.words, molecule_.subchains[segment], false);
-                });
             case SelectionTest::chain:
             case SelectionTest::segment:
             case SelectionTest::residueName:
@@ -186,6 +180,13 @@ private:
         });
     }
 
+    /// The segment that the file states, or else mmCIF's label_asym_id, as in PyMOL.
+    std::string_view segmentName(const Residue& residue) const {
+        const std::string_view stated = residue.segment.view();
+        return stated.empty() && residue.subchain < molecule_.subchains.size() ? molecule_.subchains[residue.subchain]
+                                                                               : stated;
+    }
+
     Set ofResidues(const SelectionStep& step) const {
         if (step.test == SelectionTest::chain) {
             std::vector<bool> chains(molecule_.chains.size());
@@ -195,7 +196,7 @@ private:
         }
         return whereResidue([&](std::size_t i) {
             const Residue& residue = molecule_.residues[i];
-            if (step.test == SelectionTest::segment) return anyMatches(step.words, residue.segment.view());
+            if (step.test == SelectionTest::segment) return anyMatches(step.words, segmentName(residue), false);
             return step.test == SelectionTest::residueName
                        ? anyMatches(step.words, residue.name.view())
                        : anyHolds(step.numbers, residue.number, residue.insertionCode);
