@@ -204,7 +204,7 @@ std::optional<Bounds> frameWithoutAtoms(const Molecule& molecule, const PictureD
     if (!molecule.atoms.empty() || molecule.guide) return std::nullopt;
     if (!d.primitives.empty()) return boundsOf(primitivesOf(d.primitives, molecule));
     if (d.maps.files.empty()) return std::nullopt;
-    const std::shared_ptr<const DensityMap> map = mapOf(d.maps.files.front());
+    const std::shared_ptr<const DensityMap> map = mapOf(d.maps.files.front(), mapLimits(d.input));
     const glm::dvec3 first(map->firstNode()), size(map->boxSize - 1);
     Bounds bounds{map->place(first + size / 2.0), 0};
     for (int corner = 0; corner < 8; ++corner) {

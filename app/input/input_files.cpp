@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/files/opened_file.h"
+#include "app/picture/appearance_values.h"
 
 namespace nacre::app {
 namespace fs = std::filesystem;

@@ -96,7 +96,7 @@ TEST(Representation, EveryStrandEndsInsideTheSmallestBall) {
             EXPECT_LT(std::abs(strands.strands[i].offset) + strands.strands[i].radius, smallest);
         const BondStrands thick = licoriceStrands(order);
         for (std::size_t i = 0; i < static_cast<std::size_t>(thick.count); ++i)
-            EXPECT_LE(std::abs(thick.strands[i].offset) + thick.strands[i].radius, drawnRadius(6, Style::licorice));
+            EXPECT_LE(std::abs(thick.strands[i].offset) + thick.strands[i].radius, static_cast<float>(Sizes{}.stick));
     }
 }
 

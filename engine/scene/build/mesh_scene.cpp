@@ -104,7 +104,7 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
             for (const std::uint32_t atom : group.surface)
                 representation.surfaceAtoms.push_back(
                     {glm::vec3(glm::dvec3(molecule.atoms[atom].position) - representation.center),
-                     vanDerWaalsRadius(molecule.atoms[atom].element), ofSurface(atom)});
+                     vanDerWaalsRadius(molecule.atoms[atom]), ofSurface(atom)});
         }
         if (!group.sugars.empty())
             appendMesh(
