@@ -217,7 +217,7 @@ TEST(Colors, ResiduesByKind) {
 TEST(Colors, SchemesReachTheStreams) {
     Molecule molecule = moleculeOf({{6, {0, 0, 0}}, {6, {3, 0, 0}}});
     molecule.chains.resize(2);
-    molecule.residues = {{Name("ASP"), 1, '\0', 0, 0, 1}, {Name("LYS"), 2, '\0', 1, 1, 1}};
+    molecule.residues = {{Name("ASP"), 1, 0, '\0', {}, 0, 0}, {Name("LYS"), 2, 0, '\0', {}, 1, 0}};
     molecule.atoms[1].residue = 1;
     const auto byChain = represent(molecule, everyAtom(molecule), {Style::spacefill, ColorScheme::chain});
     EXPECT_EQ(byChain.sphereLooks[0].color, kindColor(0, kCarbonPalette));
