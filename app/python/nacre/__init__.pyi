@@ -26,6 +26,7 @@ class Options(TypedDict, total=False):
     look: str
     thumbnail: str
     pocket: str
+    interface: str
     camera: str
     occlusion_models: str
     assembly: str | float
@@ -40,6 +41,13 @@ class Options(TypedDict, total=False):
     putty: str | bool
     carbohydrates: str
     line_width: str | float
+    stick_radius: str | float
+    bond_radius: str | float
+    tube_radius: str | float
+    ball_scale: str | float
+    cartoon_scale: str | float
+    gaps: str
+    surface_form: str
     disulfides: str
     surface: str
     probe: str | float
@@ -50,13 +58,14 @@ class Options(TypedDict, total=False):
     interactions: str
     interaction_kinds: str
     interaction_rules: str
+    interaction_color: str | Sequence[str]
     interaction_width: str | float
     show: str | Sequence[str]
     hide: str | Sequence[str]
     color_by: str | Sequence[str]
     water: str
     hydrogens: str
-    altlocs: str
+    altlocs: str | float
     map: str | Sequence[str]
     map_level: str | Sequence[str]
     map_style: str | Sequence[str]
@@ -71,6 +80,8 @@ class Options(TypedDict, total=False):
     projection: str
     fov: str | float
     zoom: str | float
+    scale: str | float
+    center: str
     orientation: str
     pan: str
     rotate: str | Sequence[float]
@@ -101,14 +112,19 @@ class Options(TypedDict, total=False):
     highlight: str | float
     gloss: str | float
     occlusion_strength: str | float
-    clip: str | float
+    clip: str
     cap: str
+    cap_color: str
+    clip_spare: str
     slab: str | float
     label: str | Sequence[str]
+    label_color: str | Sequence[str]
+    label_offset: str | Sequence[str]
     measure: str | Sequence[str]
     title: str | float
     scale_bar: str
     legend: str | bool
+    legend_title: str | float
     interaction_labels: str
     show_labels: str
     text_size: str
