@@ -53,7 +53,7 @@ struct Clip {
     static constexpr double kNone = std::numeric_limits<double>::infinity();
     double near = -kNone, far = kNone;  ///< Å from the centre, away from the viewer
     Cap cap = Cap::plain;
-    std::optional<std::array<float, 3>> capColor;  ///< sRGB-coded; empty: those of the atoms
+    std::optional<std::array<float, 3>> capColor = {};  ///< sRGB-coded; empty: those of the atoms
     bool on() const { return near > -kNone || far < kNone; }
     friend bool operator==(const Clip&, const Clip&) = default;
 };

@@ -53,12 +53,9 @@ private:
     app::Sources sources() {
         const std::shared_future<void> may = mayRead_.get_future().share();
         return {[may](const app::PictureDescription& v) {
-                    may.wait();
-                    return sampleMolecule(v.input.path.substr(7));
-                },
-                [](const Molecule& m, const app::PictureDescription& v) {
-                    return represent(m, drawnAtoms(m, v.drawn), v.look);
-                }};
+            may.wait();
+            return sampleMolecule(v.input.path.substr(7));
+        }};
     }
     static app::PictureDescription viewOf(const File& file) {
         app::PictureDescription view;

@@ -62,7 +62,7 @@ public:
     /// What the viewer shows, small.
     std::vector<float> picture() {
         RenderSettings s = viewer().frames().settings();
-        s.view = viewOf(viewer().view().camera, viewer().document()->scene.radius, 64, 64);
+        s.view = viewOf(viewer().view().camera, viewer().document()->drawing.radius(), 64, 64);
         return session_.renderer()->render(s).rgba;
     }
 
@@ -93,10 +93,7 @@ private:
         return options;
     }
     static app::Sources sources() {
-        return {[](const app::PictureDescription& v) { return sampleMolecule(v.input.path.substr(7)); },
-                [](const Molecule& m, const app::PictureDescription& v) {
-                    return represent(m, drawnAtoms(m, v.drawn), v.look);
-                }};
+        return {[](const app::PictureDescription& v) { return sampleMolecule(v.input.path.substr(7)); }};
     }
     static app::PictureDescription firstView(int directions) {
         app::PictureDescription view;
