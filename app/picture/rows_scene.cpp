@@ -265,8 +265,8 @@ std::vector<Option> meshes() {
             [](T text, P& d) { d.look.cartoonOpacity = parseNumber(text, kLeastOpacity, 1); },
             printNumber<&P::look, &R::cartoonOpacity>),
     };
-    rows[10].control = {"Surface opacity", 0.1, 1, "Surface opacity: %.2f"};
-    rows[11].control = {"Cartoon opacity", 0.1, 1, "Cartoon opacity: %.2f"};
+    rows.end()[-2].control = {"Surface opacity", 0.1, 1, "Surface opacity: %.2f"};
+    rows.back().control = {"Cartoon opacity", 0.1, 1, "Cartoon opacity: %.2f"};
     return under(Topic::mesh, Facet::scene, std::move(rows));
 }
 

@@ -214,12 +214,14 @@ void readStatistics(const Json& view, const std::string& name, PictureDescriptio
         for (const Json& each : value.is_array() ? value : Json::array({value}))
             if (each.is_number() && std::isfinite(each.get<double>())) values.push_back(each.get<double>());
         if (values.size() != count)
-            throw Error("cannot read view", name, std::string("\"") + key + "\": expected " + std::to_string(count) +
-                                                      (count == 1 ? " number" : " numbers"));
+            throw Error("cannot read view", name,
+                        std::string("\"") + key + "\": expected " + std::to_string(count) +
+                            (count == 1 ? " number" : " numbers"));
         return values;
     };
     const std::vector<double> center = numbers("center", 3), q = numbers("orientation", 4), pan = numbers("pan", 2);
-    const double across = std::min(numbers("width", 1)[0], numbers("height", 1)[0]) / numbers("pixels_per_angstrom", 1)[0];
+    const double across =
+        std::min(numbers("width", 1)[0], numbers("height", 1)[0]) / numbers("pixels_per_angstrom", 1)[0];
     const std::string projection = view.value("projection", "ortho"), clip = view.value("clip", "off");
     Camera& camera = d.camera;
     camera = {};
@@ -228,11 +230,12 @@ void readStatistics(const Json& view, const std::string& name, PictureDescriptio
     camera.pan = {pan[0], pan[1]};
     try {
         option("projection").parse(projection, d);
-        option("orientation").parse(exactText(q[0]) + "," + exactText(q[1]) + "," + exactText(q[2]) + "," + exactText(q[3]), d);
+        const glm::dquat orientation(q[0], q[1], q[2], q[3]);
+        if (glm::length(orientation) < 1e-9) throw std::invalid_argument("\"orientation\": expected a quaternion");
+        camera.orientation = glm::normalize(orientation);
         option("scale").parse(exactText(across) + "A", d);
         option("clip").parse(clip, d);
-        if (camera.projection == Projection::perspective)
-            option("eye-distance").parse(exactText(numbers("eye_distance", 1)[0]), d);
+        if (camera.projection == Projection::perspective) camera.eyeDistance = numbers("eye_distance", 1)[0];
     } catch (const std::invalid_argument& error) {
         throw Error("cannot read view", name, error.what());
     }

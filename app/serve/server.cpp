@@ -59,6 +59,7 @@ std::string forClient(std::string text, const PictureDescription& asked) {
         hide(file->path());
         if (file->hasFolder()) hide(file->name());
     };
+    if (asked.input.path.starts_with(Uploads::kPrefix)) hide(asked.input.path);
     hideFile(asked.input.opened);
     for (const FurtherInput& further : asked.input.further) hideFile(further.opened);
     return text;

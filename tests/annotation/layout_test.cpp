@@ -299,7 +299,7 @@ TEST(WordLayout, LegendsShowKindsAndRamps) {
     const Marks marks = layOut(words, square(600), 16, {}, kWhite, widthOf);
     std::string all;
     for (const TextMark& text : marks.texts) all += text.text + "|";
-    EXPECT_EQ(all, "Chain|A|B|B factor (Å²), ligand|30|20|10 or less|");
+    EXPECT_EQ(all, "Chain|A|B|B factor (Å²), ligand|30|10 or less|");
     EXPECT_EQ(marks.discs.size(), 2u);
     ASSERT_EQ(marks.ramps.size(), 3u);
     EXPECT_EQ(marks.ramps.front().colors.front(), paletteColor(Palette::viridis, 1));

@@ -73,7 +73,7 @@ std::vector<test::WrittenFile> oneOfEachKind(const std::string& sample) {
         if (file.sample == sample) kinds.emplace(file.kind, file);
     std::vector<test::WrittenFile> files;
     for (const auto& [kind, file] : kinds) files.push_back(file);
-    EXPECT_EQ(files.size(), 15u);
+    EXPECT_EQ(files.size(), 18u);
     return files;
 }
 

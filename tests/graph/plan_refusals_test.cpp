@@ -30,7 +30,7 @@ TEST_F(Rules, AStaleHandleIsRefused) {
         g.graphics("one").color(stranger);
         FAIL();
     } catch (const GraphError& error) {
-        EXPECT_NE(std::string(error.what()).find("graph 'test', pass 'one': stale image handle"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("stale image handle"), std::string::npos);
     }
     EXPECT_THROW(g.output(stranger), GraphError);
     EXPECT_THROW(g.compute("two").reads(Buffer{}), GraphError);

@@ -50,7 +50,7 @@ TEST(Movie, SweepsTheLevelOfAMap) {
         for (int y = -6; y <= 6; ++y)
             for (int z = -6; z <= 6; ++z) cube += std::to_string(40 - x * x - y * y - z * z) + "\n";
     std::ofstream(folder / "ball.cube") << cube;
-    const std::string map = " --map ball.cube --map-style mesh --zoom 1";
+    const std::string map = " --map ball.cube --map-style mesh --center 0,0,0 --scale 20A";
     const Outcome outcome = nacreIn(
         folder, "movie sample:glucose -o f/ --map-sweep 10,30 --fps 2 --seconds 1.5 --map-level 3" + map + kSmall);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -266,7 +266,7 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         {"sample:dna -o a.avi --spin y", 2, ".mp4, .webm, .gif or .png"},
         {"sample:dna -o a.gif --spin y --rock 20", 2, "exclude each other"},
         {"sample:dna -o a.gif --spin y --loop", 2, "--loop is for --views"},
-        {"sample:dna -o a.gif --spin y --smooth 3", 2, "--smooth are for the frames of --trajectory"},
+        {"sample:dna -o a.gif --spin y --smooth 3", 2, "--smooth is for the frames of --trajectory"},
         {"sample:dna -o a.gif --models --whole", 2, "--whole are for the frames of --trajectory"},
         {"unlike.xyz -o a.gif --models --smooth 3", 1, "model 2 has 3 atoms, the first 2"},
         {"other.xyz -o a.gif --models --smooth 3", 1, "of model 2, atom 2 is N; of the first, atom 2 is O"},

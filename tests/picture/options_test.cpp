@@ -60,6 +60,7 @@ std::string otherValue(const Option& option) {
         {"center", "1,-2.5,3"},
         {"eye-distance", "80"},
         {"save-view", "a.view.json"},
+        {"surface-form", "mesh"},
         {"cap-color", "#302010"},
         {"clip-spare", "ligand"},
         {"label-color", "ligand=#ff0000"},

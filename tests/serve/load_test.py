@@ -103,6 +103,7 @@ class LoadTest(unittest.TestCase):
     def test_ten_thousand_requests_half_of_them_bad(self):
         server = self.serve()
         self.assertEqual(server.ask("picture?input=gly.pdb&size=64x64")[0], 200)
+        self.assertEqual(self.storm(server, 200, 200), [])  # what is made once: caches, threads
         files = pathlib.Path(f"/proc/{server.process.pid}/fd")
         before, resident = len(list(files.iterdir())), []
         for _ in range(8):  # 20,000

@@ -112,7 +112,7 @@ TEST(Aim, NothingToAimAtIsAnError) {
     EXPECT_EQ(fault("--hide 'chain A' --zoom-to 'chain A'"),
               "nacre: error: cannot zoom to: chain A: none of its atoms is drawn\n");
     EXPECT_EQ(fault("--uncover ligand"), "nacre: error: cannot uncover: ligand: the molecule has no such atoms\n");
-    EXPECT_NE(fault("--orient best").find("principal or file, not 'best'"), std::string::npos);
+    EXPECT_NE(fault("--orient best").find("--orient: cannot read selection: 'best'"), std::string::npos);
     EXPECT_NE(fault("--zoom-to 'chain'").find("--zoom-to"), std::string::npos);
 }
 
