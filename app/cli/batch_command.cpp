@@ -178,7 +178,8 @@ private:
             const PictureDescription job = jobOf(line.text, options_);
             if (told["input"].is_null()) told["input"] = job.input.path;
             files_.claim(job);
-            if (options_.resume && isThere(job.output) && isThere(job.layers) && isThere(job.stats) && isThere(job.saveView)) {
+            if (options_.resume && isThere(job.output) && isThere(job.layers) && isThere(job.stats) &&
+                isThere(job.saveView)) {
                 told["status"] = "skipped";
                 return told;
             }

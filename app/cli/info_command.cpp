@@ -124,8 +124,8 @@ std::string plainNumber(double value) {
 
 /// "guessed 12 bonds: from distances"
 std::string readingLine(const Json& entry) {
-    std::string text = entry["action"].get<std::string>() + " " + entry["count"].dump() + " " +
-                       entry["what"].get<std::string>();
+    std::string text =
+        entry["action"].get<std::string>() + " " + entry["count"].dump() + " " + entry["what"].get<std::string>();
     if (entry.contains("line")) text += ", from line " + entry["line"].dump() + " on";
     return entry.contains("why") ? text + ": " + entry["why"].get<std::string>() : text;
 }
@@ -334,8 +334,10 @@ MapJson mapInfoJson(const DensityMap& map) {
     const std::size_t nodes = map.values.size(), known = map.statistics.known;
     json["reading"] = MapJson::array({{{"action", "read"}, {"what", "values"}, {"count", known}}});
     if (known < nodes)
-        json["reading"].push_back(
-            {{"action", "left out"}, {"what", "values"}, {"count", nodes - known}, {"why", "not known at these nodes"}});
+        json["reading"].push_back({{"action", "left out"},
+                                   {"what", "values"},
+                                   {"count", nodes - known},
+                                   {"why", "not known at these nodes"}});
     json["warnings"] = map.warnings;
     return json;
 }

@@ -134,8 +134,9 @@ void MovieScenes::takeRange(const std::string& path) {
     const FrameRange& range = options_.range;
     const std::int64_t last = range.last == 0 ? all : range.last;
     if (range.first > all || last > all)
-        throw Error("cannot show frames", path,
-                    "there is no frame " + std::to_string(std::max(range.first, last)) + "; it has " + std::to_string(all));
+        throw Error(
+            "cannot show frames", path,
+            "there is no frame " + std::to_string(std::max(range.first, last)) + "; it has " + std::to_string(all));
     models_ = static_cast<std::uint64_t>((last - range.first) / range.step + 1);
 }
 
@@ -293,7 +294,8 @@ Picture MovieScenes::drawKeys(double place, int model) {
 
 int MovieScenes::modelAt(std::uint64_t frame) const {
     if (!options_.models) return molecules_;
-    return static_cast<int>(options_.range.first + static_cast<std::int64_t>(frame * models_ / frames_) * options_.range.step);
+    return static_cast<int>(options_.range.first +
+                            static_cast<std::int64_t>(frame * models_ / frames_) * options_.range.step);
 }
 
 std::optional<int> MovieScenes::modelOf(std::uint64_t frame) const {

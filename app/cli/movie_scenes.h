@@ -89,8 +89,8 @@ private:
     void takeRange(const std::string& path);
 
     std::uint64_t frames_ = 1, models_ = 1;  // models_: those that are shown
-    std::uint64_t next_ = 0;   ///< the frame for which words can continue
-    std::size_t stretch_ = 0;  ///< part of the path, for words
+    std::uint64_t next_ = 0;                 ///< the frame for which words can continue
+    std::size_t stretch_ = 0;                ///< part of the path, for words
     Clip firstClip_;
     View first_;           ///< of the first model
     glm::dvec3 center_{};  ///< of the first model

@@ -194,7 +194,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
               }})
         .required = true;
     CommandSpec man{"man", "Print the manual page", "Examples:\n  nacre man | man -l -"};
-    std::vector<CommandSpec> commands{render, movie, batch, figure, serve,      looks, exported,
+    std::vector<CommandSpec> commands{render, movie, batch, figure,  serve,      looks, exported,
                                       info,   bench, plan,  devices, completion, man};
 #ifdef NACRE_DESKTOP
     CommandSpec view{"view", "Show a molecule in a window", kViewExamples};
@@ -217,12 +217,11 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
 
 Command commandOf(const std::string& name) {
     constexpr std::pair<const char*, Command> kCommands[] = {
-        {"render", Command::render}, {"movie", Command::movie},     {"batch", Command::batch},
-        {"figure", Command::figure},
-        {"serve", Command::serve},   {"looks", Command::looks},     {"export", Command::exporting},
-        {"view", Command::view},     {"info", Command::info},       {"bench", Command::bench},
-        {"plan", Command::plan},     {"devices", Command::devices}, {"completion", Command::help},
-        {"man", Command::help}};
+        {"render", Command::render},    {"movie", Command::movie}, {"batch", Command::batch},
+        {"figure", Command::figure},    {"serve", Command::serve}, {"looks", Command::looks},
+        {"export", Command::exporting}, {"view", Command::view},   {"info", Command::info},
+        {"bench", Command::bench},      {"plan", Command::plan},   {"devices", Command::devices},
+        {"completion", Command::help},  {"man", Command::help}};
     for (const auto& [word, command] : kCommands)
         if (name == word) return command;
     throw UsageError(

@@ -108,7 +108,7 @@ Molecule loadStructure(const InputOptions& input, const std::function<void(doubl
     if (const auto id = parseDatabaseId(input.path))
         return completed(input, loadDownload(input, *id, onDownload, onModel));
     if (!input.format)
-        if (auto bytes = mvs::readScene(openPathOf(input))) 
+        if (auto bytes = mvs::readScene(openPathOf(input)))
             return loadSceneFile(input, std::move(*bytes), onDownload, onStep);
     if (!input.namedBy.empty()) return loadNamed(input, onModel);
     if (!input.opened) checkThere(input.path);

@@ -63,7 +63,8 @@ Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, con
         const auto axesOf = aim.axesOf ? selectedBalls(*aim.axesOf, "cannot orient", facts, scene) : all;
         result.camera.orientation = principalOrientation(axesOf, !aim.fromSide && size.width >= size.height);
         if (aim.fromSide) result.camera.orientation = kQuarterTurn * result.camera.orientation;
-        if (aim.left && isRight(selectedBalls(*aim.left, "cannot orient", facts, scene), axesOf, result.camera.orientation))
+        if (aim.left &&
+            isRight(selectedBalls(*aim.left, "cannot orient", facts, scene), axesOf, result.camera.orientation))
             result.camera.orientation = kHalfTurn * result.camera.orientation;
     }
     if (aim.lookAt)
@@ -77,8 +78,10 @@ Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, con
     }
     const glm::dmat3 rotation =
         rotationMatrix(result.camera.rotationDegrees) * glm::mat3_cast(result.camera.orientation);
-    if (aim.zoomTo) result.depth = -(rotation * boundsOf(selectedBalls(*aim.zoomTo, "cannot zoom to", facts, scene)).center).z;
-    if (aim.clip) result.clipBefore = planeBefore(selectedBalls(*aim.clip, "cannot clip in front of", facts, scene), rotation);
+    if (aim.zoomTo)
+        result.depth = -(rotation * boundsOf(selectedBalls(*aim.zoomTo, "cannot zoom to", facts, scene)).center).z;
+    if (aim.clip)
+        result.clipBefore = planeBefore(selectedBalls(*aim.clip, "cannot clip in front of", facts, scene), rotation);
     const std::optional<Selection>& target = uncoveredBy(aim);
     if (!target) return result;
     result.clipNear = clipBefore(selectedBalls(*target, "cannot uncover", facts, scene), all, rotation);

@@ -16,7 +16,7 @@ struct Aimed {
     /// Å from the centre away from the viewer: a clipping plane that removes most of what hides the target.
     std::optional<double> clipNear{};
     std::optional<double> clipBefore{};  ///< likewise, in front of Aim::clip
-    double depth = 0;                  ///< of the zoom target's middle: that clipping planes count from
+    double depth = 0;                    ///< of the zoom target's middle: that clipping planes count from
 };
 
 /// The selection to uncover, if any.

@@ -119,9 +119,9 @@ void checkSize(const PictureDescription& picture, std::uint64_t most) {
 }
 
 void checkFiles(const PictureDescription& picture, std::vector<NamedFile> further) {
-    std::vector<NamedFile> files{{"INPUT", filePathOf(picture.input)}, {"--view", picture.view},
-                                 {"--output", picture.output, true},   {"--layers", picture.layers, true},
-                                 {"--stats", picture.stats, true},     {"--capture", picture.capture, true},
+    std::vector<NamedFile> files{{"INPUT", filePathOf(picture.input)},   {"--view", picture.view},
+                                 {"--output", picture.output, true},     {"--layers", picture.layers, true},
+                                 {"--stats", picture.stats, true},       {"--capture", picture.capture, true},
                                  {"--save-view", picture.saveView, true}};
     files.push_back({"--trajectory", picture.input.trajectory.path});
     for (const FurtherInput& input : picture.input.further) files.push_back({"INPUT", input.path});

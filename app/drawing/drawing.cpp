@@ -101,7 +101,7 @@ Rebuild rebuildFor(const PictureDescription& before, const PictureDescription& a
     const bool uncovers = by == CameraBy::hand
                               ? before.aim.uncover != after.aim.uncover
                               : parts && (uncoveredBy(before.aim) || uncoveredBy(after.aim) || before.aim.spares ||
-                                           after.aim.spares);  // depends on the view
+                                          after.aim.spares);  // depends on the view
     Rebuild rebuild;
     rebuild.molecule = has(parts, Facet::input) || has(parts, Facet::frame);
     // Maps and primitives decide whether all atoms may be hidden.

@@ -183,10 +183,10 @@ private:
     MapLayers maps_;
     std::optional<Bounds> kept_;  ///< centre and radius of a scene before
     bool reframed_ = false;
-    Representation caps_;       ///< of meshes that the near plane cuts
-    View capsView_;             ///< that they are for
-    Clip capsClip_, spareClip_; ///< likewise; by which spare() has cut the scene
-    std::uint64_t capsOf_ = 0;  ///< number_ with them
+    Representation caps_;        ///< of meshes that the near plane cuts
+    View capsView_;              ///< that they are for
+    Clip capsClip_, spareClip_;  ///< likewise; by which spare() has cut the scene
+    std::uint64_t capsOf_ = 0;   ///< number_ with them
     std::shared_ptr<MovingPicture> moving_;
     std::uint64_t sceneNumber_ = 0;  ///< of scene_
     std::uint64_t number_ = 0;       ///< of scene_ with maps_

@@ -52,8 +52,8 @@ std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molec
 /// molecules whole. @returns whether it did
 bool sayTorn(const Motion& motion, const std::string& path);
 
-/// Superposes models on the first by TrajectoryOptions::fit, without a trajectory: all of those that are drawn together,
-/// or the one that is drawn. @throws Error
+/// Superposes models on the first by TrajectoryOptions::fit, without a trajectory: all of those that are drawn
+/// together, or the one that is drawn. @throws Error
 void fitModels(const InputOptions& input, Molecule& molecule);
 
 /// Moves the atoms to the options' frame. Does nothing without a trajectory. @throws Error

@@ -61,7 +61,7 @@ struct PictureDescription {
     std::optional<double> contourPoints, haloPoints, textPoints;  ///< 72 per inch; override pixels
     /// Likewise of lines; and widths of sticks, bonds and tubes, which override radii.
     std::optional<double> linePoints, stickPoints, bondPoints, tubePoints;
-    int bits = 8;                                                 ///< per channel of the file
+    int bits = 8;  ///< per channel of the file
     std::uint32_t supersample = RenderSettings::kEdges;
     double meshError = 0.25;  ///< as RenderSettings::meshError
 

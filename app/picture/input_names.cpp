@@ -84,8 +84,8 @@ void nameInputs(PictureDescription& d) {
     for (Measure& measure : d.words.measures)
         for (Selection& point : measure.points) nameInputs(names, point);
     for (std::optional<Selection>* selection :
-         {&d.aim.lookAt, &d.aim.zoomTo, &d.aim.uncover, &d.aim.center, &d.aim.axesOf, &d.aim.left, &d.aim.clip, &d.aim.spares, &d.look.contacts.of,
-          &d.look.contacts.with})
+         {&d.aim.lookAt, &d.aim.zoomTo, &d.aim.uncover, &d.aim.center, &d.aim.axesOf, &d.aim.left, &d.aim.clip,
+          &d.aim.spares, &d.look.contacts.of, &d.look.contacts.with})
         if (*selection) nameInputs(names, **selection);
     for (FitOptions& fit : d.input.fits) {
         nameInputs(names, fit.moving);

@@ -100,8 +100,8 @@ std::string interactionColorsText(const ContactOptions& contacts) {
     std::string text;
     for (std::size_t i = 0; i < kInteractionKinds; ++i)
         if (contacts.colors[i] != 0)
-            text += (text.empty() ? "" : "\n") + std::string(interactionKindName(static_cast<InteractionKind>(i))) + "=" +
-                    colorText(contacts.colors[i]);
+            text += (text.empty() ? "" : "\n") + std::string(interactionKindName(static_cast<InteractionKind>(i))) +
+                    "=" + colorText(contacts.colors[i]);
     return text;
 }
 

@@ -145,7 +145,9 @@ void applyInterface(std::string_view sides, PictureDescription& d) {
     if (comma == std::string_view::npos || sides.find(',', comma + 1) != std::string_view::npos)
         throw std::invalid_argument("expected two chains or selections, A,B");
     const auto side = [](std::string_view text) {
-        const bool chains = !text.empty() && std::ranges::all_of(text, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '+'; });
+        const bool chains = !text.empty() && std::ranges::all_of(text, [](char c) {
+            return std::isalnum(static_cast<unsigned char>(c)) || c == '+';
+        });
         const std::string selection = chains ? "chain " + std::string(text) : std::string(text);
         parseSelection(selection);
         return "(" + selection + ")";
@@ -158,8 +160,10 @@ void applyInterface(std::string_view sides, PictureDescription& d) {
     const std::string both = "(" + near(a, b) + " or " + near(b, a) + ")";
     d.look.style = Style::cartoon;
     d.look.cartoonOpacity = 0.4;
-    const Rule rules[] = {parseHide("not (" + a + " or " + b + ")"), parseShow(both + "=licorice"),
-                          parseColorBy(a + "=#5fa8a0"), parseColorBy(b + "=#d99a5b"),
+    const Rule rules[] = {parseHide("not (" + a + " or " + b + ")"),
+                          parseShow(both + "=licorice"),
+                          parseColorBy(a + "=#5fa8a0"),
+                          parseColorBy(b + "=#d99a5b"),
                           parseColorBy(a + " and " + both + "=element:#5fa8a0"),
                           parseColorBy(b + " and " + both + "=element:#d99a5b")};
     d.look.rules.insert(d.look.rules.begin(), std::begin(rules), std::end(rules));

@@ -43,7 +43,8 @@ void applyPocket(std::string_view ligand, PictureDescription& d);
 
 /// Two sides in two colours, the residues at which they touch as sticks, the interactions between them, and the camera
 /// at the side of the interface: the first side to the left. Other chains are hidden. Existing rules come after these.
-/// @param sides  two chains or selections, separated by a comma @throws Error as parseSelection(), std::invalid_argument
+/// @param sides  two chains or selections, separated by a comma @throws Error as parseSelection(),
+/// std::invalid_argument
 void applyInterface(std::string_view sides, PictureDescription& d);
 
 }  // namespace nacre::app

@@ -34,8 +34,9 @@ std::vector<Option> severalAtOnce() {
         {.key = "view",
          .syntax = "FILE",
          .standard = "none",
-         .help = "A saved view: camera and all visible settings; options override it. Or a file of --stats: the camera\n"
-                 "of that picture",
+         .help =
+             "A saved view: camera and all visible settings; options override it. Or a file of --stats: the camera\n"
+             "of that picture",
          .topic = Topic::view,
          .parse = [](T text, P& d) { applySavedView(fileName(text), d); }},
         {.key = "allow-download",

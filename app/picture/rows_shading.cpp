@@ -273,45 +273,46 @@ void parseSlab(T text, P& d) {
 }
 
 std::vector<Option> clipRows() {
-    Option clip = effect("clip", "NEAR[,FAR]|SEL|off",
-                         "Clipping planes: remove everything nearer than NEAR and farther than FAR, in Å from the\n"
-                         "centre, or from the middle of what --zoom-to names, away from the viewer; 0 removes the\n"
-                         "front half; ,FAR: back plane only; SEL: a plane in front of a selection",
-                         parseClip,
-                         [](const P& d) { return d.aim.clip ? d.aim.clip->text : clipText(d.effects.clip); });
+    Option clip =
+        effect("clip", "NEAR[,FAR]|SEL|off",
+               "Clipping planes: remove everything nearer than NEAR and farther than FAR, in Å from the\n"
+               "centre, or from the middle of what --zoom-to names, away from the viewer; 0 removes the\n"
+               "front half; ,FAR: back plane only; SEL: a plane in front of a selection",
+               parseClip, [](const P& d) { return d.aim.clip ? d.aim.clip->text : clipText(d.effects.clip); });
     clip.look = false;
-    return {clip,
-            effect("cap", "plain|dark|hatched", "Style of atoms and sticks where the front plane cuts them",
-                   parseNamed<kCaps, &P::effects, &E::clip, &Clip::cap>,
-                   printNamed<kCaps, &P::effects, &E::clip, &Clip::cap>, "clip",
-                   {.label = "Cap style",
-                    .choices = {{"Cap style: plain", "plain"},
-                                {"Cap style: dark", "dark"},
-                                {"Cap style: hatched", "hatched"}}}),
-            effect(
-                "cap-color", "COLOR", "Colour where the front plane cuts, an opaque colour as for --background",
-                [](T text, P& d) { d.effects.clip.capColor = parseOpaque(text); },
-                [](const P& d) { return d.effects.clip.capColor ? opaqueText(*d.effects.clip.capColor) : std::string(); },
-                "clip"),
-            {.key = "clip-spare",
-             .syntax = "SEL",
-             .standard = "none",
-             .help = "Atoms that clipping planes leave whole. Others are then left out by their centres, and only\n"
-                     "sticks and meshes are cut",
-             .topic = Topic::effects,
-             .facet = Facet::scene,
-             .parse = parseSelected<&P::aim, &Aim::spares>,
-             .print = printSelected<&P::aim, &Aim::spares>,
-             .save = differing,
-             .needs = "clip"},
-            {.key = "slab",
-             .syntax = "A",
-             .standard = "none",
-             .help = "Two clipping planes this far apart, with the centre in the middle",
-             .topic = Topic::effects,
-             .facet = Facet::shading,
-             .parse = parseSlab,
-             .excludes = "clip"}};
+    return {
+        clip,
+        effect("cap", "plain|dark|hatched", "Style of atoms and sticks where the front plane cuts them",
+               parseNamed<kCaps, &P::effects, &E::clip, &Clip::cap>,
+               printNamed<kCaps, &P::effects, &E::clip, &Clip::cap>, "clip",
+               {.label = "Cap style",
+                .choices = {{"Cap style: plain", "plain"},
+                            {"Cap style: dark", "dark"},
+                            {"Cap style: hatched", "hatched"}}}),
+        effect(
+            "cap-color", "COLOR", "Colour where the front plane cuts, an opaque colour as for --background",
+            [](T text, P& d) { d.effects.clip.capColor = parseOpaque(text); },
+            [](const P& d) { return d.effects.clip.capColor ? opaqueText(*d.effects.clip.capColor) : std::string(); },
+            "clip"),
+        {.key = "clip-spare",
+         .syntax = "SEL",
+         .standard = "none",
+         .help = "Atoms that clipping planes leave whole. Others are then left out by their centres, and only\n"
+                 "sticks and meshes are cut",
+         .topic = Topic::effects,
+         .facet = Facet::scene,
+         .parse = parseSelected<&P::aim, &Aim::spares>,
+         .print = printSelected<&P::aim, &Aim::spares>,
+         .save = differing,
+         .needs = "clip"},
+        {.key = "slab",
+         .syntax = "A",
+         .standard = "none",
+         .help = "Two clipping planes this far apart, with the centre in the middle",
+         .topic = Topic::effects,
+         .facet = Facet::shading,
+         .parse = parseSlab,
+         .excludes = "clip"}};
 }
 
 }  // namespace

@@ -44,7 +44,8 @@ std::vector<Option> wordRows() {
          .print =
              [](const P& d) {
                  return lines(d.words.labelColors, [](const LabelColor& rule) {
-                     return rule.selection.text + "=" + backgroundText({rule.color[0], rule.color[1], rule.color[2], 1});
+                     return rule.selection.text + "=" +
+                            backgroundText({rule.color[0], rule.color[1], rule.color[2], 1});
                  });
              },
          .kind = list,
@@ -75,8 +76,9 @@ std::vector<Option> wordRows() {
         {.key = "title",
          .syntax = "TEXT",
          .standard = "none",
-         .help = "Above the molecule, with the markup of labels; {frame} is the number of the frame or model, {time} its\n"
-                 "time in the trajectory",
+         .help =
+             "Above the molecule, with the markup of labels; {frame} is the number of the frame or model, {time} its\n"
+             "time in the trajectory",
          .parse = [](T text, P& d) { d.words.title = parseTitle(text); },
          .print = printText<&P::words, &Words::title>,
          .save = differing,

@@ -5,8 +5,8 @@
 //    "rules": [{"show": "ligand=ball-and-stick"}, {"hide": "chain B"}, {"color-by": "chain A=#ff8000", "off": true}],
 //    "orientation": [w, x, y, z], "pan": [x, y], "zoom": 1.5, "labels": ["ligand={residue}"],
 //    "further-inputs": [{"name": "drug", "input": "b.sdf"}], "fits": [["/drug", "/receptor and resn STI"]], ...}
-// `orientation` is a unit quaternion (v = Q (p - C)), `pan` is in Å. `center` is C, `scale` the Å across the shorter side:
-// with both the camera is the same whatever is drawn. Every key is optional.
+// `orientation` is a unit quaternion (v = Q (p - C)), `pan` is in Å. `center` is C, `scale` the Å across the shorter
+// side: with both the camera is the same whatever is drawn. Every key is optional.
 
 #include <cstddef>
 #include <string>

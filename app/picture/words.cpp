@@ -68,7 +68,8 @@ LabelOffset parseLabelOffset(std::string_view text) {
     constexpr double kFarthest = 200;  // em
     const auto [selection, offset] = ruleParts(text, "SELECTION=X,Y");
     const std::size_t comma = offset.find(',');
-    if (comma == std::string_view::npos) throw std::invalid_argument("expected SELECTION=X,Y, not '" + std::string(text) + "'");
+    if (comma == std::string_view::npos)
+        throw std::invalid_argument("expected SELECTION=X,Y, not '" + std::string(text) + "'");
     return {parseSelection(selection), parseNumber(offset.substr(0, comma), -kFarthest, kFarthest),
             parseNumber(offset.substr(comma + 1), -kFarthest, kFarthest)};
 }
@@ -125,7 +126,8 @@ std::string filledTitle(const std::string& title, const Moment& moment) {
     if (moment.picoseconds) {
         constexpr double kNanosecond = 1000;  // ps
         const bool nano = std::abs(*moment.picoseconds) >= kNanosecond;
-        time = numberText(std::round(*moment.picoseconds / (nano ? kNanosecond : 1) * 1000) / 1000) + (nano ? " ns" : " ps");
+        time = numberText(std::round(*moment.picoseconds / (nano ? kNanosecond : 1) * 1000) / 1000) +
+               (nano ? " ns" : " ps");
     }
     std::string filled = title;
     for (const auto& [field, value] : {std::pair(kFrameField, std::to_string(moment.frame)), {kTimeField, time}})

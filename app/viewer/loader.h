@@ -90,7 +90,7 @@ private:
         bool first = false;                           ///< first look
         std::shared_ptr<const Molecule> placed = {};  ///< its current positions
         bool moves = false;
-        Drawing shown{CameraBy::hand};  ///< whose scene stays, if it has one
+        Drawing shown{CameraBy::hand};     ///< whose scene stays, if it has one
         std::optional<Bounds> frame = {};  ///< of the document before: hiding and restyling keep the camera
     };
     void start(Job job);

@@ -143,8 +143,9 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const Sc
     }
     if (e.clip.capColor)
         for (int i = 0; i < 3; ++i)
-            c.capColor |= static_cast<std::uint32_t>(std::lround((*e.clip.capColor)[static_cast<std::size_t>(i)] * 255.0f))
-                          << 8 * i;
+            c.capColor |=
+                static_cast<std::uint32_t>(std::lround((*e.clip.capColor)[static_cast<std::size_t>(i)] * 255.0f))
+                << 8 * i;
     if (e.clip.capColor) c.capColor |= 0xff000000u;
     addShadow(c, settings);
     addOutlines(c, settings);

@@ -194,7 +194,8 @@ void Executor::record(CommandBuffer& commands, Recording& recording, const Impor
     if (timer) timer->begin(*commands);
     for (std::size_t i = 0; i < plan.steps.size(); ++i) {
         const graph::Step& step = plan.steps[i];
-        if (step.kind == graph::PassKind::compute && commands.draws && device_.caps().has(graph::Quirk::dispatchesApart)) {
+        if (step.kind == graph::PassKind::compute && commands.draws &&
+            device_.caps().has(graph::Quirk::dispatchesApart)) {
             device_.endLabel(*commands);
             commands.split();
             device_.beginLabel(*commands, graph.name());

@@ -108,7 +108,8 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
     const vk::PipelineColorBlendStateCreateInfo blend(blendFlags, false, vk::LogicOp::eCopy, blends);
     constexpr vk::DynamicState kDynamic[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, kDynamic);
-    const vk::raii::PipelineCache* cache = device.caps().has(graph::Quirk::cacheMixesRenderPasses) ? nullptr : &device.pipelineCache();
+    const vk::raii::PipelineCache* cache =
+        device.caps().has(graph::Quirk::cacheMixesRenderPasses) ? nullptr : &device.pipelineCache();
     const RenderingChain rendering(d.rendering);
     vk::GraphicsPipelineCreateInfo info({}, stages, &input, &assembly, nullptr, &viewport, &raster, &samples, &depth,
                                         &blend, &dynamic, d.layout, d.renderPass, d.subpass);

@@ -117,7 +117,8 @@ private:
 /// Turns runs around that the file has from their ends to their beginnings.
 std::vector<Guided> inChainOrder(std::vector<Guided> guided, const ChainLinks& links) {
     const auto backward = [&](std::size_t i) {
-        return i + 1 < guided.size() && links.joined(guided[i + 1], guided[i]) && !links.joined(guided[i], guided[i + 1]);
+        return i + 1 < guided.size() && links.joined(guided[i + 1], guided[i]) &&
+               !links.joined(guided[i], guided[i + 1]);
     };
     for (std::size_t first = 0, last = 0; first < guided.size(); first = ++last) {
         while (backward(last)) ++last;

@@ -29,9 +29,7 @@ struct DrawnAtomsOptions {
 /// Whether a residue of this name is water: HOH WAT H2O DOD SOL TIP TIP3 TIP4 SPC.
 bool isWater(const Name& residueName);
 /// By name, or by its kind: mmCIF's entities, and Martini's beads.
-inline bool isWater(const Residue& residue) {
-    return residue.entityKind == EntityKind::water || isWater(residue.name);
-}
+inline bool isWater(const Residue& residue) { return residue.entityKind == EntityKind::water || isWater(residue.name); }
 
 /// Whether an atom is a dummy, a mark without an element: X, Xx, Du, LP.
 bool isDummy(const Atom& atom);

@@ -37,7 +37,8 @@ bool isMetal(Element element) { return gemmi::is_metal(known(element)); }
 
 Element elementFromMass(double mass) {
     constexpr double kNear = 0.2, kHeaviestHydrogen = 4.1;  // hydrogens of up to 4 u allow longer time steps
-    if (mass > 0.9 && mass < kHeaviestHydrogen && std::abs(mass - gemmi::molecular_weight(gemmi::El::He)) > 0.01) return 1;
+    if (mass > 0.9 && mass < kHeaviestHydrogen && std::abs(mass - gemmi::molecular_weight(gemmi::El::He)) > 0.01)
+        return 1;
     Element best = 0;
     double nearest = kNear;
     for (int number = 2; number <= 118; ++number) {

@@ -70,8 +70,7 @@ ReadNotes readingOf(const Molecule& molecule) {
     read("assemblies", molecule.assemblies.size());
     addNote(notes, ReadAction::guessed, "bonds", "from residue templates", static_cast<std::int64_t>(bonds[1]));
     addNote(notes, ReadAction::guessed, "bonds", "from distances", static_cast<std::int64_t>(bonds[2]));
-    for (const ReadNote& note : molecule.notes)
-        addNote(notes, note.action, note.what, note.why, note.count, note.line);
+    for (const ReadNote& note : molecule.notes) addNote(notes, note.action, note.what, note.why, note.count, note.line);
     addNote(notes, ReadAction::leftOut, "elements", "not known", static_cast<std::int64_t>(unknown));
     std::stable_sort(notes.begin(), notes.end(),
                      [](const ReadNote& a, const ReadNote& b) { return a.action < b.action; });

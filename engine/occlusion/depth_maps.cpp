@@ -213,8 +213,8 @@ void DepthMaps::beginTiles(std::span<const glm::dmat3> frames, std::uint32_t mod
     tiles_->begin(maps);
 }
 
-void DepthMaps::declareDrawn(graph::Graph& g, Images& images, std::span<const glm::dmat3> frames,
-                             std::uint32_t across, std::uint32_t model, MapPart part) const {
+void DepthMaps::declareDrawn(graph::Graph& g, Images& images, std::span<const glm::dmat3> frames, std::uint32_t across,
+                             std::uint32_t model, MapPart part) const {
     auto& [depth, maps] = images;
     std::optional<graph::Clear> clear, clearMaps;
     const graph::EncodedFormat& encoded = device_.caps().encodedMaps;

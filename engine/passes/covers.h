@@ -4,8 +4,8 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
-#include "engine/passes/tile_mask.h"
 #include "engine/passes/primitives.h"
+#include "engine/passes/tile_mask.h"
 
 namespace nacre::passes {
 

@@ -10,9 +10,9 @@
 
 namespace nacre {
 
-/// An entry is a file that appears complete, by rename, once it is on the disk. When the folder exceeds its limit, the least recently used
-/// entries are removed. Never throws: a cache that cannot be read or written behaves as empty. Callers choose safe
-/// names: letters, digits, '-', '_' and '.', not at the start.
+/// An entry is a file that appears complete, by rename, once it is on the disk. When the folder exceeds its limit, the
+/// least recently used entries are removed. Never throws: a cache that cannot be read or written behaves as empty.
+/// Callers choose safe names: letters, digits, '-', '_' and '.', not at the start.
 ///
 /// The folder may hold other people's files. So a cache writes and removes only in a folder that it made itself, or
 /// found empty or with nothing but its own kind of files (marked by CACHEDIR.TAG, which backup programs know); and only

@@ -42,8 +42,7 @@ public:
         // Orbitals and potentials have positive and negative values. Some programs do not mark orbitals.
         constexpr double kSecondSign = 0.1;  // of the larger extreme; densities fall below zero by less
         const double least = map.statistics.min, most = map.statistics.max;
-        map.difference = map.difference || atoms < 0 ||
-                         std::min(-least, most) > kSecondSign * std::max(-least, most);
+        map.difference = map.difference || atoms < 0 || std::min(-least, most) > kSecondSign * std::max(-least, most);
         if (perNode > 1)
             map.warnings.push_back("the map has " + std::to_string(perNode) +
                                    " values at each node: the first is drawn");

@@ -187,7 +187,7 @@ TEST(Window, DragRotatesWheelZooms) {
     EXPECT_NEAR(q[1].get<double>(), 0, 1e-9);
     EXPECT_NEAR(q[2].get<double>(), std::sin(half), 1e-6);
     EXPECT_NEAR(q[3].get<double>(), 0, 1e-9);
-    EXPECT_EQ(view["zoom"], 1.0);  // its scale holds it
+    EXPECT_EQ(view["zoom"], 1.0);                // its scale holds it
     EXPECT_LT(view["pan"][0].get<double>(), 0);  // what was under the pointer stayed there
     EXPECT_LT(view["pan"][1].get<double>(), 0);
     expectAsRendered(session, path);

@@ -84,10 +84,10 @@ TEST(Camera, CenterAndScaleAreAbsolute) {
         for (const char* style : {"spacefill", "cartoon"}) {
             Drawing drawing;
             drawing.prepare(molecule, cameraPicture({{"center", "id 11"},
-                                                 {"scale", "8"},
-                                                 {"projection", projection},
-                                                 {"style", style},
-                                                 {"title", "DNA"}}));
+                                                     {"scale", "8"},
+                                                     {"projection", projection},
+                                                     {"style", style},
+                                                     {"title", "DNA"}}));
             expectAt(cameraPixel(place, drawing), 320, 240, style);
             const glm::dvec3 right = glm::transpose(drawing.settings.view.rotation) * glm::dvec3(2, -1, 0);
             expectAt(cameraPixel(place + right, drawing), 320 + 16, 240 + 8, style);
@@ -122,8 +122,8 @@ TEST(Camera, OrientTakesTheAxesOfASelection) {
     EXPECT_NE(all.settings.view.rotation, base.settings.view.rotation);
     // A base is flat: the picture shows its face.
     double low = 1e9, high = -1e9;
-    const std::vector<bool> chosen =
-        selectAtoms(ResidueFacts(molecule), parseSelection("chain A and resi 4 and not backbone and name N*+C2+C4+C5+C6"));
+    const std::vector<bool> chosen = selectAtoms(
+        ResidueFacts(molecule), parseSelection("chain A and resi 4 and not backbone and name N*+C2+C4+C5+C6"));
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         if (!chosen[i]) continue;
         const double z = (base.settings.view.rotation * glm::dvec3(molecule.atoms[i].position)).z;
@@ -139,7 +139,8 @@ TEST(Camera, AnInterfaceIsSeenFromItsSide) {
     drawing.prepare(molecule, cameraPicture({{"interface", "A,B"}}));
     EXPECT_FALSE(drawing.scene().contacts.empty());
     const auto middle = [&](char chain) {
-        const std::vector<bool> chosen = selectAtoms(ResidueFacts(molecule), parseSelection(std::string("chain ") + chain));
+        const std::vector<bool> chosen =
+            selectAtoms(ResidueFacts(molecule), parseSelection(std::string("chain ") + chain));
         glm::dvec3 sum(0);
         double count = 0;
         for (std::size_t i = 0; i < chosen.size(); ++i)
@@ -161,10 +162,12 @@ TEST(Camera, ViewsAreWrittenByTheCommandLineAndStatsAreViews) {
     const nlohmann::json first = viewOfStats(
         folder, "sample:dna --style cartoon --orient principal --projection perspective --save-view v.json");
     std::filesystem::rename(folder / "s.json", folder / "camera.json");
-    for (const char* other : {"--view v.json --style surface", "sample:dna --view v.json --style licorice --hide 'chain B'",
-                              "sample:dna --view camera.json --style spacefill --occlusion off"}) {
+    for (const char* other :
+         {"--view v.json --style surface", "sample:dna --view v.json --style licorice --hide 'chain B'",
+          "sample:dna --view camera.json --style spacefill --occlusion off"}) {
         const nlohmann::json view = viewOfStats(folder, other);
-        EXPECT_NEAR(view["pixels_per_angstrom"].get<double>(), first["pixels_per_angstrom"].get<double>(), 1e-9) << other;
+        EXPECT_NEAR(view["pixels_per_angstrom"].get<double>(), first["pixels_per_angstrom"].get<double>(), 1e-9)
+            << other;
         EXPECT_NEAR(view["eye_distance"].get<double>(), first["eye_distance"].get<double>(), 1e-9) << other;
         for (int i = 0; i < 3; ++i)
             EXPECT_NEAR(view["center"][i].get<double>(), first["center"][i].get<double>(), 1e-9) << other;

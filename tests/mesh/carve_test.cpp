@@ -46,7 +46,8 @@ TEST(Carve, APlaneBecomesADisc) {
         // The rim's chords are a little shorter than its arcs.
         EXPECT_NEAR(areaOf(disc), kPi * radius * radius, 0.01 * step * kPi * radius * radius) << step;
         double farthest = 0;
-        for (const glm::vec3& p : disc.positions) farthest = std::max(farthest, glm::distance(glm::dvec3(p), places[0]));
+        for (const glm::vec3& p : disc.positions)
+            farthest = std::max(farthest, glm::distance(glm::dvec3(p), places[0]));
         EXPECT_NEAR(farthest, kReach, 1e-3) << step;
         const Isosurface lines = MapRegion(map, places, kReach).at(0, true, IsosurfaceParts::lines, {});
         ASSERT_FALSE(lines.lines.empty());

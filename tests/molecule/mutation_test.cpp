@@ -93,8 +93,8 @@ TEST_P(Mutation, IsAMoleculeOrAnError) {
 }
 
 TEST(MutatedSeeds, AreMoleculesOrErrors) {
-    for (const char* seed : {"water.psf", "water.prmtop", "water.inpcrd", "water.data", "beads.lammpstrj", "salt.poscar",
-                             "water.xsf", "water.txyz", "water.mae"}) {
+    for (const char* seed : {"water.psf", "water.prmtop", "water.inpcrd", "water.data", "beads.lammpstrj",
+                             "salt.poscar", "water.xsf", "water.txyz", "water.mae"}) {
         SCOPED_TRACE(seed);
         expectMoleculeOrError(seed, beginningOf(std::string(NACRE_SOURCE_DIR "/tests/fuzz/seeds/") + seed), 1500);
     }

@@ -90,9 +90,9 @@ TEST(PdbFiles, BadOnesGiveOneClearErrorOrLoad) {
     EXPECT_EQ(readFile("bad/far-apart.pdb").atoms.at(0).position, glm::vec3(-9999, -999, 9999.999f));
 
     const auto expected = nlohmann::json::parse(std::ifstream(test::dataFile("expected.json"))).at("files");
-    for (const char* file : {"bad/crlf.pdb", "bad/ensemble_error_1.pdb", "bad/ensemble_error_3.pdb",
-                             "bad/odd-start.pdb", "bad/short-cryst1.pdb", "bad/non-utf8.pdb",
-                             "bad/hetatm_bad.pdb", "bad/conect-dangling.pdb"}) {
+    for (const char* file :
+         {"bad/crlf.pdb", "bad/ensemble_error_1.pdb", "bad/ensemble_error_3.pdb", "bad/odd-start.pdb",
+          "bad/short-cryst1.pdb", "bad/non-utf8.pdb", "bad/hetatm_bad.pdb", "bad/conect-dangling.pdb"}) {
         expectCounts(file, expected.at(file).at("lenient_independent_count"));
     }
     EXPECT_FALSE(readFile("bad/conect-dangling.pdb").notes.empty());

@@ -88,9 +88,9 @@ TEST(ReadPdbqt, TypesAndCharges) {
         const char *name, *type;
         int element;
     };
-    const Case cases[] = {{" C1 ", "A ", 6},  {" N1 ", "NA", 7},  {" O1 ", "OA", 8},  {" H1 ", "HD", 1},
-                          {" S1 ", "SA", 16}, {"CL1 ", "Cl", 17}, {"CL1 ", "CL", 17}, {"ZN  ", "Zn", 30},
-                          {"NA  ", "Na", 11}};
+    const Case cases[] = {{" C1 ", "A ", 6},  {" N1 ", "NA", 7},  {" O1 ", "OA", 8},
+                          {" H1 ", "HD", 1},  {" S1 ", "SA", 16}, {"CL1 ", "Cl", 17},
+                          {"CL1 ", "CL", 17}, {"ZN  ", "Zn", 30}, {"NA  ", "Na", 11}};
     for (const Case& given : cases) {
         const std::string line = "ATOM      1 " + std::string(given.name) +
                                  " DXC     1       2.952   1.919   1.076  1.00  0.00    -0.118 " + given.type + "\n";

@@ -114,7 +114,8 @@ TEST(ReadSdf, WhatIsWrongInV3000) {
     test::expectError("a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 C 0 0 inf 0\n", {"(line 8)", "inf"});
     test::expectError("a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 C 0 0 0 0\nM  V30 1 C 0 0 0 0\nM  V30 END ATOM\n",
                       {"occurs twice"});
-    test::expectLeftOut("a.sdf", kV3000 + kV3000Atoms + "M  V30 BEGIN BOND\nM  V30 1 1 7 8\nM  V30 END BOND\nM  V30 END CTAB\n",
+    test::expectLeftOut("a.sdf",
+                        kV3000 + kV3000Atoms + "M  V30 BEGIN BOND\nM  V30 1 1 7 8\nM  V30 END BOND\nM  V30 END CTAB\n",
                         "left out 1 bond, line 14: of atoms that are not there");
     test::expectError("a.sdf", kV3000 + "something else\n", {"(line 7)", "M  V30"});
     const std::string huge = kHeader +

@@ -44,7 +44,8 @@ std::string bondsOf(const Molecule& molecule) {
 
 std::int64_t countOf(const Molecule& molecule, ReadAction action, std::string_view what) {
     std::int64_t count = 0;
-    for (const ReadNote& note : readingOf(molecule)) count += note.action == action && note.what == what ? note.count : 0;
+    for (const ReadNote& note : readingOf(molecule))
+        count += note.action == action && note.what == what ? note.count : 0;
     return count;
 }
 
@@ -202,9 +203,7 @@ TEST_F(Reports, MartiniGrains) {
     EXPECT_EQ(drawnAtoms(grains).size(), 25u) << "all but the water";
 }
 
-TEST_F(Reports, LabelsOfMinerals) {
-    EXPECT_EQ(symbols(report("s02_amcsd_water.cif")), "Ca C O O O O O O H Ca Si");
-}
+TEST_F(Reports, LabelsOfMinerals) { EXPECT_EQ(symbols(report("s02_amcsd_water.cif")), "Ca C O O O O O O H Ca Si"); }
 
 TEST_F(Reports, ReversedChains) {
     const Molecule dna = report("s10_reversed_dna.pdb");
@@ -328,10 +327,10 @@ TEST(OddFiles, FirstLettersAsElements) {
 }
 
 TEST(OddFiles, SixDigitSerialsThatShiftALine) {
-    const Molecule shifted = readMolecule(
-        "a.pdb",
-        "ATOM  99999  OW  SOL A9998      60.551  26.671 103.023  1.00  2.00           O\n"
-        "ATOM  100000  OW  SOL A9999      61.551  26.671 103.023  1.00  3.00           O\n");
+    const Molecule shifted =
+        readMolecule("a.pdb",
+                     "ATOM  99999  OW  SOL A9998      60.551  26.671 103.023  1.00  2.00           O\n"
+                     "ATOM  100000  OW  SOL A9999      61.551  26.671 103.023  1.00  3.00           O\n");
     ASSERT_EQ(shifted.atoms.size(), 2u);
     EXPECT_EQ(shifted.atoms[1].position, glm::vec3(61.551f, 26.671f, 103.023f));
     EXPECT_EQ(shifted.atoms[1].name.view(), "OW");
@@ -349,8 +348,9 @@ TEST(OddFiles, UnusableCoordinatesAreLeftOutUnlessMostAre) {
     EXPECT_TRUE(warns(one, "left out 1 atom, line 2: no usable coordinates"));
     test::expectError("a.pdb", good + bad + bad, {"(line 2)", "\"********\" is no x coordinate"});
     EXPECT_EQ(readMolecule("a.xyz", "2\n\nC 0 0 0\nC x 0 0\n").atoms.size(), 1u);
-    EXPECT_EQ(readMolecule("a.pqr", "ATOM 1 C LIG 1 0.0 0.0 0.0 0.1 1.7\nATOM 2 C LIG 1 nan 0.0 0.0 0.1 1.7\n").atoms.size(),
-              1u);
+    EXPECT_EQ(
+        readMolecule("a.pqr", "ATOM 1 C LIG 1 0.0 0.0 0.0 0.1 1.7\nATOM 2 C LIG 1 nan 0.0 0.0 0.1 1.7\n").atoms.size(),
+        1u);
 }
 
 TEST(OddFiles, NumbersThatTouch) {
@@ -362,15 +362,16 @@ TEST(OddFiles, NumbersThatTouch) {
 }
 
 TEST(OddFiles, ResidueNamesOfFourLettersInPqr) {
-    const Molecule named = readMolecule(
-        "a.pqr", "ATOM      1  N   NALAA   1      11.104   6.134  -6.504 -0.4000 1.8240\n");
+    const Molecule named =
+        readMolecule("a.pqr", "ATOM      1  N   NALAA   1      11.104   6.134  -6.504 -0.4000 1.8240\n");
     EXPECT_EQ(named.residues[0].name.view(), "NALA");
     EXPECT_EQ(named.chains[0].name, "A");
     EXPECT_FLOAT_EQ(named.atoms[0].position.x, 11.104f);
 }
 
 TEST(OddFiles, FractionalCoordinatesOfCml) {
-    const Molecule salt = readMolecule("a.cml", R"(<molecule><crystal><scalar title="a">4</scalar><scalar title="b">5</scalar>
+    const Molecule salt =
+        readMolecule("a.cml", R"(<molecule><crystal><scalar title="a">4</scalar><scalar title="b">5</scalar>
 <scalar title="c">6</scalar><scalar title="alpha">90</scalar><scalar title="beta">90</scalar>
 <scalar title="gamma">90</scalar></crystal><atomArray>
 <atom id="a" elementType="Na" xFract="0" yFract="0" zFract="0"/>
@@ -390,8 +391,8 @@ TEST(OddFiles, OneGrainPerResidue) {
     const char* names[] = {"GLY", "ALA", "TRP", "LYS", "SER", "VAL"};
     for (int i = 0; i < 6; ++i) {
         char line[100];
-        std::snprintf(line, sizeof line, "ATOM  %5d  B   %s A%4d    %8.3f   0.000   0.000  1.00  0.00\n", i + 1, names[i],
-                      i + 1, 3.8 * i);
+        std::snprintf(line, sizeof line, "ATOM  %5d  B   %s A%4d    %8.3f   0.000   0.000  1.00  0.00\n", i + 1,
+                      names[i], i + 1, 3.8 * i);
         text += line;
     }
     const Molecule grains = readMolecule("a.pdb", text);
@@ -401,8 +402,8 @@ TEST(OddFiles, OneGrainPerResidue) {
 }
 
 TEST(OddFiles, TungstenStaysTungsten) {
-    const Molecule one = readMolecule(
-        "a.pdb", "HETATM    1  W     W A   1       1.000   2.000   3.000  1.00  0.00           W\n");
+    const Molecule one =
+        readMolecule("a.pdb", "HETATM    1  W     W A   1       1.000   2.000   3.000  1.00  0.00           W\n");
     EXPECT_EQ(symbols(one), "W");
 }
 

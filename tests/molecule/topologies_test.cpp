@@ -54,9 +54,10 @@ TEST(Topologies, Psf) {
 }
 
 TEST(Topologies, PsfByColumnsWithoutSegment) {
-    const Molecule one = readMolecule("a.psf",
-                                      "PSF\n\n       1 !NATOM\n       1      1    ALA  CA   CT1    0.070000       12.0110"
-                                      "           0\n");
+    const Molecule one =
+        readMolecule("a.psf",
+                     "PSF\n\n       1 !NATOM\n       1      1    ALA  CA   CT1    0.070000       12.0110"
+                     "           0\n");
     EXPECT_EQ(one.atoms[0].name.view(), "CA");
     EXPECT_EQ(one.residues[0].name.view(), "ALA");
     EXPECT_EQ(one.atoms[0].element, 6);
@@ -103,10 +104,11 @@ TEST(Topologies, LammpsData) {
 }
 
 TEST(Topologies, LammpsBeadsAreNoHydrogens) {
-    const Molecule beads = readMolecule("a.data",
-                                        "LAMMPS\n\n3 atoms\n2 bonds\n1 atom types\n\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\n"
-                                        "Masses\n\n1 1.0\n\nAtoms\n\n1 1 1 0 0 0\n2 1 1 1 0 0\n3 1 1 2 0 0\n\nBonds\n\n"
-                                        "1 1 1 2\n2 1 2 3\n");
+    const Molecule beads =
+        readMolecule("a.data",
+                     "LAMMPS\n\n3 atoms\n2 bonds\n1 atom types\n\n0 9 xlo xhi\n0 9 ylo yhi\n0 9 zlo zhi\n\n"
+                     "Masses\n\n1 1.0\n\nAtoms\n\n1 1 1 0 0 0\n2 1 1 1 0 0\n3 1 1 2 0 0\n\nBonds\n\n"
+                     "1 1 1 2\n2 1 2 3\n");
     EXPECT_EQ(beads.atoms[0].element, 0);
     EXPECT_FLOAT_EQ(beads.atoms[0].radius, 0.5f);
     EXPECT_EQ(beads.bonds.size(), 2u);
@@ -118,8 +120,7 @@ TEST(Topologies, LammpsDumpIsSortedById) {
         EXPECT_EQ(beads.file.models, 2);
         ASSERT_EQ(beads.atoms.size(), 3u);
         const float first = model == 1 ? 1.0f : 1.5f;
-        for (std::size_t i = 0; i < 3; ++i)
-            EXPECT_NEAR(beads.atoms[i].position.x, first + static_cast<float>(i), 1e-5);
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(beads.atoms[i].position.x, first + static_cast<float>(i), 1e-5);
         EXPECT_EQ(beads.types[0].view(), "2");
         EXPECT_GT(beads.atoms[0].radius, 0);
     }
@@ -139,7 +140,8 @@ TEST(Topologies, Poscar) {
     EXPECT_EQ(old.atoms[1].position, glm::vec3(1)) << "scaled";
     const Molecule volume = readMolecule("POSCAR", "a\n-27\n1 0 0\n0 1 0\n0 0 1\nC\n1\nDirect\n1 0 0\n");
     EXPECT_NEAR(volume.atoms[0].position.x, 3, 1e-5);
-    const std::string twice = "a\n1\n4 0 0\n0 4 0\n0 0 4\nC\n1\nDirect configuration= 1\n0 0 0\nDirect configuration= 2\n.5 0 0\n";
+    const std::string twice =
+        "a\n1\n4 0 0\n0 4 0\n0 0 4\nC\n1\nDirect configuration= 1\n0 0 0\nDirect configuration= 2\n.5 0 0\n";
     ReadOptions second;
     second.model = 2;
     const Molecule moved = readMolecule("XDATCAR", twice, second);
@@ -247,9 +249,11 @@ TEST(Topologies, Gsd) {
 
 TEST(Topologies, HeadersThatAnnounceMoreThanTheFileHolds) {
     test::expectError("a.psf", "PSF\n\n 999999999 !NATOM\n", {"it ends after 0 of 999999999 atoms"});
-    test::expectError("a.inpcrd", "a\n999999\n   0.0000000   0.0000000   0.0000000   0.0000000   0.0000000   0.0000000\n",
+    test::expectError("a.inpcrd",
+                      "a\n999999\n   0.0000000   0.0000000   0.0000000   0.0000000   0.0000000   0.0000000\n",
                       {"expected a number of atoms"});
-    test::expectError("POSCAR", "a\n1\n4 0 0\n0 4 0\n0 0 4\nC\n999999999\nDirect\n0 0 0\n", {"expected numbers of atoms"});
+    test::expectError("POSCAR", "a\n1\n4 0 0\n0 4 0\n0 0 4\nC\n999999999\nDirect\n0 0 0\n",
+                      {"expected numbers of atoms"});
     std::string bytes = gsdBytes(false);
     const std::uint64_t many = ~std::uint64_t{0} / 2;
     std::memcpy(bytes.data() + 16, &many, sizeof many);

@@ -23,7 +23,9 @@ std::vector<Corners> trianglesOf(const Representation& r, const glm::dmat3& rota
         if (mesh.surface != surfaces) continue;
         for (std::uint32_t i = mesh.first; i < mesh.first + mesh.count; ++i) {
             const Triangle& t = r.triangles[i];
-            const auto at = [&](std::uint32_t v) { return rotation * glm::dvec3(positionOf(r.meshVertices[v], t.step)); };
+            const auto at = [&](std::uint32_t v) {
+                return rotation * glm::dvec3(positionOf(r.meshVertices[v], t.step));
+            };
             corners.push_back({at(t.a), at(t.b), at(t.c)});
         }
     }

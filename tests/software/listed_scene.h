@@ -26,7 +26,7 @@ struct ListedScene {
     TileScenery scenery() const {
         return {
             spheres,       sphereCalls,          cylinders,   cylinderCalls, {},    mesh.triangles, mesh.meshVertices,
-            triangleCalls, mesh.coarseTriangles, mesh.meshes, nullptr, chunks};
+            triangleCalls, mesh.coarseTriangles, mesh.meshes, nullptr,       chunks};
     }
 };
 

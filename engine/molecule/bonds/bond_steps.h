@@ -21,7 +21,7 @@ inline bool coexist(char alternateA, char alternateB) {
     return alternateA == '\0' || alternateB == '\0' || alternateA == alternateB;
 }
 
-constexpr float kShortestBond = 0.4f;         ///< Å; closer atoms are duplicates, not neighbours
+constexpr float kShortestBond = 0.4f;  ///< Å; closer atoms are duplicates, not neighbours
 /// Atoms closer than this share of their covalent radii's sum are not bonded by distance: they stand for one another.
 /// The shortest bonds have 0.76 (N2), and 0.66 with hydrogens and metals (OH, MoO).
 constexpr float kShortestShare = 0.7f, kShortestLightShare = 0.6f;

@@ -27,8 +27,8 @@ std::vector<PositionGroup> findGroups(const Molecule& molecule) {
 
 /// A residue counts as settled if the file bonds nine in ten of its atoms with each other: then the file means to
 /// state them all, and distances would only add contacts. Links alone (SSBOND, struct_conn) settle nothing.
-/// The same holds for all atoms with a bond, if nine in ten of the file's atoms beside waters and ions have one, and some
-/// of these bonds join residues.
+/// The same holds for all atoms with a bond, if nine in ten of the file's atoms beside waters and ions have one, and
+/// some of these bonds join residues.
 void markSettled(BondWork& work) {
     const Molecule& molecule = work.molecule;
     std::vector<std::uint8_t> stated(molecule.atoms.size()), linked(molecule.atoms.size());

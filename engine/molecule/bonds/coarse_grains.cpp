@@ -60,8 +60,7 @@ public:
         std::int64_t count = 0;
         for (std::size_t r = 0; r < kinds.size(); ++r) {
             Residue& residue = molecule_.residues[r];
-            if (kinds[r] == GrainKind::none && onePerResidue && isSingle(residue))
-                kinds[r] = GrainKind::single;
+            if (kinds[r] == GrainKind::none && onePerResidue && isSingle(residue)) kinds[r] = GrainKind::single;
             // A lone atom W may be tungsten, unless there are other grains or many of them.
             if (kinds[r] == GrainKind::water && grains == 0 && !hasManyWaters()) kinds[r] = GrainKind::none;
             if (kinds[r] == GrainKind::none) continue;
@@ -87,7 +86,8 @@ private:
     GrainKind kindOf(const Residue& residue) const {
         if (residue.atomCount == 0 || residue.atomCount > kLargestGrainResidue) return GrainKind::none;
         const Name& first = molecule_.atoms[residue.firstAtom].name;
-        if (isOneOfNames(residue.name, {"W", "WF", "PW", "WN", "SW", "TW"}) && isOneOfNames(first, {"W", "WF", "SW", "TW"}))
+        if (isOneOfNames(residue.name, {"W", "WF", "PW", "WN", "SW", "TW"}) &&
+            isOneOfNames(first, {"W", "WF", "SW", "TW"}))
             return GrainKind::water;
         if (residue.atomCount <= kMostBeads && find(residue, "BB") && !find(residue, "CA")) return GrainKind::protein;
         if (find(residue, "GL1") || find(residue, "AM1") || (find(residue, "PO4") && find(residue, "C1A")))

@@ -50,8 +50,8 @@ std::uint64_t keyOf(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
 bool isHalogen(Element e) { return e == 9 || e == 17 || e == 35 || e == 53 || e == 85; }
 bool isNobleGas(Element e) { return e == 2 || e == 10 || e == 18; }
 
-/// Atoms that are never bonded by distance: coarse grains, noble gases, isolated ions (coordination is not a bond), isolated water
-/// oxygens, and hydrogens that already have a bond.
+/// Atoms that are never bonded by distance: coarse grains, noble gases, isolated ions (coordination is not a bond),
+/// isolated water oxygens, and hydrogens that already have a bond.
 bool neverBonds(const BondWork& work, std::uint32_t i, bool hasBond, bool water) {
     const Atom& atom = work.molecule.atoms[i];
     const bool alone = work.groups[work.groupOf[i]].atomCount == 1;

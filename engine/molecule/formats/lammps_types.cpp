@@ -21,10 +21,9 @@ void LammpsTypes::apply(MoleculeBuilder& builder) const {
         const Element element = kind.mass == 1 ? Element{0} : elementFromMass(kind.mass);
         return element;
     };
-    const bool elements =
-        !kinds_.empty() && std::all_of(kinds_.begin(), kinds_.end(), [&](const auto& kind) {
-            return elementOf(kind.second) != 0 || kind.second.mass == 0;
-        });
+    const bool elements = !kinds_.empty() && std::all_of(kinds_.begin(), kinds_.end(), [&](const auto& kind) {
+        return elementOf(kind.second) != 0 || kind.second.mass == 0;
+    });
     bool masses = !kinds_.empty();
     for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
         const auto kind = kinds_.find(molecule.types[i].view());

@@ -75,8 +75,8 @@ MmcifAtoms::MmcifAtoms(std::deque<MoleculeBuilder>& builders, const ReadOptions&
 void MmcifAtoms::begin(const std::string& category, std::vector<std::string> columns) {
     // IHM's names of what _atom_site has as well.
     static constexpr std::pair<std::string_view, const char*> kOfObjects[] = {
-        {"mean_cartn_x", "cartn_x"},   {"mean_cartn_y", "cartn_y"},        {"mean_cartn_z", "cartn_z"},
-        {"asym_id", "label_asym_id"},  {"seq_id_begin", "label_seq_id"},   {"seq_id", "label_seq_id"},
+        {"mean_cartn_x", "cartn_x"},      {"mean_cartn_y", "cartn_y"},        {"mean_cartn_z", "cartn_z"},
+        {"asym_id", "label_asym_id"},     {"seq_id_begin", "label_seq_id"},   {"seq_id", "label_seq_id"},
         {"entity_id", "label_entity_id"}, {"model_id", "pdbx_pdb_model_num"}, {"id", "object_id"}};
     if (category != "atom_site")
         for (std::string& column : columns)
@@ -92,8 +92,7 @@ void MmcifAtoms::begin(const std::string& category, std::vector<std::string> col
     }
     if (column_[model] < 0) column_[model] = column_[ihmModel];
     for (int axis = 0; axis < 3; ++axis)
-        if (column_[axis] < 0)
-            cannotRead(name(), "the column _" + category + ".Cartn_" + "xyz"[axis] + " is missing");
+        if (column_[axis] < 0) cannotRead(name(), "the column _" + category + ".Cartn_" + "xyz"[axis] + " is missing");
 }
 
 /// Of a sphere, or of the one with a Gaussian's variance; 0: of an atom.

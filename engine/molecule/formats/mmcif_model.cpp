@@ -129,7 +129,8 @@ void MmcifModel::beginBlock() {
 bool MmcifModel::beginCategory(const std::string& category, const std::vector<std::string>& columns,
                                std::uint64_t line) {
     if (done_) {
-        if (category == "atom_site") builders_.front().leaveOut("data blocks", "only the first with atoms is read", line);
+        if (category == "atom_site")
+            builders_.front().leaveOut("data blocks", "only the first with atoms is read", line);
         return false;
     }
     const bool fractional = hasColumn(columns, "fract_") && !hasColumn(columns, "cartn_");

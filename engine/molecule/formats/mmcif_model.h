@@ -203,8 +203,8 @@ struct SmallMoleculeTables {
     const MmcifTable &atoms, &cell, &symmetry, &chemical;
     std::string spaceGroup = {};  ///< Hermann-Mauguin, for files that list no operations; empty: not stated
 };
-/// The file's atoms are the asymmetric unit; the content of the unit cell becomes the assembly "unit-cell", where an atom
-/// on a special position occurs once per site. Elements that share a site become alternate locations.
+/// The file's atoms are the asymmetric unit; the content of the unit cell becomes the assembly "unit-cell", where an
+/// atom on a special position occurs once per site. Elements that share a site become alternate locations.
 /// @throws Error if the cell is missing or impossible, or a coordinate is not a number
 void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& tables);
 

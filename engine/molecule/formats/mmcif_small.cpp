@@ -46,7 +46,8 @@ std::vector<Element> elementsOfFormula(std::string_view formula) {
     std::vector<Element> elements;
     const Words words = splitWords(formula);
     for (std::size_t i = 0; i < words.count; ++i) {
-        const std::string_view symbol = words[i].substr(0, std::min(words[i].find_first_of("0123456789."), std::size_t{2}));
+        const std::string_view symbol =
+            words[i].substr(0, std::min(words[i].find_first_of("0123456789."), std::size_t{2}));
         if (const Element element = elementFromSymbol(symbol)) elements.push_back(element);
     }
     return elements;
@@ -65,7 +66,8 @@ Element elementOfLabel(std::string_view label, const std::vector<Element>& formu
     };
     const bool usable = formula.size() > 1;
     for (const Element element : {known(2), known(1)})
-        if (usable && element != 0 && std::find(formula.begin(), formula.end(), element) != formula.end()) return element;
+        if (usable && element != 0 && std::find(formula.begin(), formula.end(), element) != formula.end())
+            return element;
     return known(2) != 0 ? known(2) : known(1);
 }
 
@@ -76,8 +78,7 @@ char alternateOf(const MmcifTable& atoms, std::size_t row) {
     return static_cast<char>('A' + static_cast<int>(std::abs(*group)) - 1);
 }
 
-Atom readAtom(MoleculeBuilder& builder, const MmcifTable& atoms, std::size_t row,
-              const std::vector<Element>& formula) {
+Atom readAtom(MoleculeBuilder& builder, const MmcifTable& atoms, std::size_t row, const std::vector<Element>& formula) {
     Atom atom;
     const auto label = atoms.get(row, {"label"}).value_or("");
     const auto type = atoms.get(row, {"type_symbol"});
@@ -232,7 +233,8 @@ void separateSharedSites(MoleculeBuilder& builder) {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return atoms[a].position.x < atoms[b].position.x; });
     const auto share = [&](std::vector<std::uint32_t>& site, float whole) {
-        const bool labelled = std::any_of(site.begin(), site.end(), [&](std::uint32_t i) { return atoms[i].alternate; });
+        const bool labelled =
+            std::any_of(site.begin(), site.end(), [&](std::uint32_t i) { return atoms[i].alternate; });
         if (site.size() < 2 || site.size() > 26 || labelled || whole > kFull) return;
         std::stable_sort(site.begin(), site.end(), [&](std::uint32_t a, std::uint32_t b) {
             return atoms[a].occupancy != atoms[b].occupancy ? atoms[a].occupancy > atoms[b].occupancy : a < b;
@@ -301,7 +303,8 @@ void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& table
             atom.position[axis] = static_cast<float>(position.at(axis));
         }
         if (!near) {
-            builder.leaveOutAtom("the position in row " + std::to_string(row + 1) + " of _atom_site is too far away", 0);
+            builder.leaveOutAtom("the position in row " + std::to_string(row + 1) + " of _atom_site is too far away",
+                                 0);
             continue;
         }
         const std::string site = sites.nameOf(distinctPlaces(*fractional, operations, cell), operations.size());

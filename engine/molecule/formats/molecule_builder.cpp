@@ -162,8 +162,7 @@ Molecule MoleculeBuilder::finish() {
 }
 
 void requireOnlyModel(const std::string& name, const ReadOptions& options) {
-    if (options.model > 1)
-        cannotRead(name, "there is no model " + std::to_string(options.model) + "; the file has 1");
+    if (options.model > 1) cannotRead(name, "there is no model " + std::to_string(options.model) + "; the file has 1");
 }
 
 }  // namespace nacre

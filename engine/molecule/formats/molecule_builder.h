@@ -51,7 +51,8 @@ public:
     void guess(std::string_view what, std::string_view how, std::int64_t count = 1) {
         addNote(molecule_.notes, ReadAction::guessed, what, how, count);
     }
-    /// A coordinate in Å; empty if it is not usable: then the atom is left out. @param axis, scale  as parseCoordinate()
+    /// A coordinate in Å; empty if it is not usable: then the atom is left out. @param axis, scale  as
+    /// parseCoordinate()
     std::optional<float> coordinate(std::string_view text, char axis, std::uint64_t line, double scale = 1);
     /// Vectors of a periodic box, unless they have no volume.
     void takeBox(const std::array<glm::vec3, 3>& box);

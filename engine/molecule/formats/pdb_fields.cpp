@@ -90,8 +90,8 @@ Element ionOf(std::string_view name) {
         std::string_view name, symbol;
     };
     static constexpr Ion kIons[] = {{"SOD", "NA"}, {"POT", "K"},  {"CLA", "CL"}, {"CAL", "CA"}, {"CES", "CS"},
-                                    {"LIT", "LI"}, {"RUB", "RB"}, {"BAR", "BA"}, {"CIP", "NA"},
-                                    {"CIM", "CL"}, {"IP", "NA"},  {"IM", "CL"},  {"IOD", "I"}};
+                                    {"LIT", "LI"}, {"RUB", "RB"}, {"BAR", "BA"}, {"CIP", "NA"}, {"CIM", "CL"},
+                                    {"IP", "NA"},  {"IM", "CL"},  {"IOD", "I"}};
     for (const Ion& ion : kIons)
         if (name == ion.name) return elementFromSymbol(ion.symbol);
     return elementFromSymbol(name);

@@ -236,8 +236,12 @@ private:
     void addAtomArray(const Attributes& attributes) {
         const bool solid = !attributes["x3"].empty(), fractional = !solid && !attributes["xFract"].empty();
         std::string_view ids = attributes["atomID"], elements = attributes["elementType"];
-        std::string_view xs = attributes[solid ? "x3" : fractional ? "xFract" : "x2"],
-                         ys = attributes[solid ? "y3" : fractional ? "yFract" : "y2"];
+        std::string_view xs = attributes[solid        ? "x3"
+                                         : fractional ? "xFract"
+                                                      : "x2"],
+                         ys = attributes[solid        ? "y3"
+                                         : fractional ? "yFract"
+                                                      : "y2"];
         std::string_view zs = attributes[solid ? "z3" : "zFract"], charges = attributes["formalCharge"];
         while (!trim(ids).empty()) {
             const std::string_view id = nextWord(ids), element = nextWord(elements);

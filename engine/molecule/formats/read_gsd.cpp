@@ -1,5 +1,5 @@
-// GSD (HOOMD-blue): a header, an index of chunks by frame and name, a list of names, and chunks of numbers. A frame that
-// lacks a chunk has that of the first. Units are the simulation's own.
+// GSD (HOOMD-blue): a header, an index of chunks by frame and name, a list of names, and chunks of numbers. A frame
+// that lacks a chunk has that of the first. Units are the simulation's own.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -25,7 +25,10 @@ struct GsdChunk {
 class GsdReader {
 public:
     GsdReader(const std::string& name, std::string_view bytes, const ReadOptions& options)
-        : name_(name), bytes_(bytes), frame_(static_cast<std::uint64_t>(options.model - 1)), builder_(name, options.maxAtoms) {
+        : name_(name),
+          bytes_(bytes),
+          frame_(static_cast<std::uint64_t>(options.model - 1)),
+          builder_(name, options.maxAtoms) {
         static_assert(std::endian::native == std::endian::little, "GSD files are little-endian");
         if (bytes.size() < kGsdHeader || at<std::uint64_t>(0) != kGsdMagic) cannotRead(name, "it is not a GSD file");
         readNames(at<std::uint64_t>(24), at<std::uint64_t>(32), at<std::uint32_t>(44) >= 0x20000);
@@ -39,7 +42,8 @@ public:
         const std::vector<float> positions = numbers<float>("particles/position", 3);
         const std::size_t count = positions.size() / 3;
         const std::vector<std::uint32_t> kinds = numbers<std::uint32_t>("particles/typeid", 1);
-        const std::vector<float> masses = numbers<float>("particles/mass", 1), charges = numbers<float>("particles/charge", 1),
+        const std::vector<float> masses = numbers<float>("particles/mass", 1),
+                                 charges = numbers<float>("particles/charge", 1),
                                  diameters = numbers<float>("particles/diameter", 1);
         const std::vector<std::string> types = typeNames();
         Molecule& molecule = builder_.molecule();
@@ -150,8 +154,8 @@ private:
     void takeBox() {
         const std::vector<float> b = numbers<float>("configuration/box", 1);
         if (b.size() != 6) return;
-        builder_.takeBox({glm::vec3(b[0], 0, 0), glm::vec3(b[3] * b[1], b[1], 0),
-                          glm::vec3(b[4] * b[2], b[5] * b[2], b[2])});
+        builder_.takeBox(
+            {glm::vec3(b[0], 0, 0), glm::vec3(b[3] * b[1], b[1], 0), glm::vec3(b[4] * b[2], b[5] * b[2], b[2])});
     }
 
     const std::string& name_;

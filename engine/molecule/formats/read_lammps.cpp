@@ -22,8 +22,8 @@ struct LammpsStyle {
     LammpsColumns columns;
 };
 constexpr LammpsStyle kStyles[] = {{"atomic", {kNoColumn, 1, kNoColumn, 2}}, {"charge", {kNoColumn, 1, 2, 3}},
-                                   {"bond", {1, 2, kNoColumn, 3}},          {"angle", {1, 2, kNoColumn, 3}},
-                                   {"molecular", {1, 2, kNoColumn, 3}},     {"full", {1, 2, 3, 4}},
+                                   {"bond", {1, 2, kNoColumn, 3}},           {"angle", {1, 2, kNoColumn, 3}},
+                                   {"molecular", {1, 2, kNoColumn, 3}},      {"full", {1, 2, 3, 4}},
                                    {"sphere", {kNoColumn, 1, kNoColumn, 4}}};
 
 class LammpsReader {
@@ -72,7 +72,8 @@ private:
             return value && std::abs(*value) <= kFarthestCoordinate ? static_cast<float>(*value) : 0.0f;
         };
         for (int axis = 0; axis < 3; ++axis)
-            if (words[2] == std::string(1, "xyz"[axis]) + "lo") box_[static_cast<std::size_t>(axis)][axis] = number(1) - number(0);
+            if (words[2] == std::string(1, "xyz"[axis]) + "lo")
+                box_[static_cast<std::size_t>(axis)][axis] = number(1) - number(0);
         if (words[3] == "xy") {
             box_[1].x = number(0);
             box_[2].x = number(1);
@@ -84,7 +85,8 @@ private:
         const Words words = splitWords(line);
         const std::size_t comment = whole.find('#');
         if (const auto mass = parseNumber(words[1]); mass && std::isfinite(*mass))
-            types_.add(words[0], *mass, comment == std::string_view::npos ? "" : splitWords(whole.substr(comment + 1))[0]);
+            types_.add(words[0], *mass,
+                       comment == std::string_view::npos ? "" : splitWords(whole.substr(comment + 1))[0]);
     }
 
     void chooseStyle(std::string_view hint) {
@@ -107,7 +109,9 @@ private:
         if (!columns_) guessStyle(words);
         const LammpsColumns& at = *columns_;
         const auto id = parseInteger(words[0]);
-        if (!id) return builder_.leaveOutAtom("expected an atom's number, not '" + printable(words[0]) + "'", lines_.number());
+        if (!id)
+            return builder_.leaveOutAtom("expected an atom's number, not '" + printable(words[0]) + "'",
+                                         lines_.number());
         Atom atom;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const auto value = builder_.coordinate(words[at.x + axis], "xyz"[axis], lines_.number());

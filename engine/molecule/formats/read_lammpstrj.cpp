@@ -84,7 +84,8 @@ private:
         DumpAtom row;
         row.id = parseInteger(word(id_)).value_or(static_cast<std::int64_t>(rows_.size()));
         for (int axis = 0; axis < 3; ++axis) {
-            const auto value = builder_.coordinate(word(at_[static_cast<std::size_t>(axis)]), "xyz"[axis], lines_.number());
+            const auto value =
+                builder_.coordinate(word(at_[static_cast<std::size_t>(axis)]), "xyz"[axis], lines_.number());
             if (!value) return;
             row.atom.position[axis] = *value;
         }

@@ -83,7 +83,8 @@ public:
             const bool structure = word == "f_m_ct";
             records_ += structure;
             inWanted_ = structure && records_ == model_;
-            if (words_.next() != "{") cannotRead(name_, "expected a block after '" + printable(word) + "'", words_.line());
+            if (words_.next() != "{")
+                cannotRead(name_, "expected a block after '" + printable(word) + "'", words_.line());
             readBlock(word, 0);
         }
         if (records_ == 0) cannotRead(name_, "it has no f_m_ct block");
@@ -157,8 +158,8 @@ private:
     void addAtom(const MaeRow& row) {
         Atom atom;
         for (int axis = 0; axis < 3; ++axis)
-            atom.position[axis] = parseCoordinate(row[std::string("r_m_") + "xyz"[axis] + "_coord"], "xyz"[axis], name_,
-                                                  words_.line());
+            atom.position[axis] =
+                parseCoordinate(row[std::string("r_m_") + "xyz"[axis] + "_coord"], "xyz"[axis], name_, words_.line());
         const std::int64_t number = row.integer("i_m_atomic_number");
         atom.element = number >= 1 && number <= 118 ? static_cast<Element>(number) : Element{0};
         std::string_view name = row["s_m_pdb_atom_name"];
@@ -185,8 +186,7 @@ private:
         const std::int64_t from = row.integer("i_m_from"), to = row.integer("i_m_to"), order = row.integer("i_m_order");
         if (!bonds_.emplace(std::min(from, to), std::max(from, to)).second) return;
         if (bonds_.size() > builder_.mostBonds()) cannotRead(name_, "it has more bonds than its atoms could form");
-        builder_.addBond(from - 1, to - 1,
-                         order >= 1 && order <= 3 ? static_cast<int>(order) : 1, words_.line());
+        builder_.addBond(from - 1, to - 1, order >= 1 && order <= 3 ? static_cast<int>(order) : 1, words_.line());
     }
 
     const std::string& name_;

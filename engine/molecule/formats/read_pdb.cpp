@@ -280,8 +280,8 @@ private:
         file.totalAtomsAllModels = totalAtoms_;
         file.chains = static_cast<std::int64_t>(molecule_.chains.size());
         if (remark350_.operators() > 0) file.biomtOperators = remark350_.operators();
-        addNote(molecule_.notes, ReadAction::leftOut, "numbers", "occupancies, B factors or charges that are not numbers",
-                unreadableNumbers_, firstUnreadableNumber_);
+        addNote(molecule_.notes, ReadAction::leftOut, "numbers",
+                "occupancies, B factors or charges that are not numbers", unreadableNumbers_, firstUnreadableNumber_);
         conect_.resolve(serials_, molecule_);
         applySecondaryStructure(molecule_, secondary_);
         remark350_.resolve(molecule_);

@@ -67,7 +67,8 @@ private:
         builder_.takeCell({glm::vec3(cell_[0]), glm::vec3(cell_[1]), glm::vec3(cell_[2])});
     }
 
-    /// Symbols stand before the counts; old files have them in the title at best. "Fe_pv" and "Fe/1a2b" name a potential.
+    /// Symbols stand before the counts; old files have them in the title at best. "Fe_pv" and "Fe/1a2b" name a
+    /// potential.
     void readSpecies(std::string_view title) {
         std::vector<std::string_view> symbols = wordsOf(next()), counts = symbols;
         if (!symbols.empty() && parseInteger(symbols[0]))
@@ -79,7 +80,8 @@ private:
             if (!count || *count < 0 || *count > static_cast<std::int64_t>(lines_.rest().size()))
                 cannotRead(name_, "expected numbers of atoms, not '" + printable(lines_.line()) + "'", lines_.number());
             const std::string_view symbol = i < symbols.size() ? symbols[i] : std::string_view();
-            species_.push_back({builder_.element(symbol.substr(0, symbol.find_first_of("_/")), lines_.number()), *count});
+            species_.push_back(
+                {builder_.element(symbol.substr(0, symbol.find_first_of("_/")), lines_.number()), *count});
             atoms_ += *count;
         }
     }

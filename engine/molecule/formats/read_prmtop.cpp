@@ -36,8 +36,8 @@ public:
                                         residueNumbers = integers("RESIDUE_NUMBER");
         const std::vector<double> charges = numbers("CHARGE"), masses = numbers("MASS");
         const auto count = static_cast<std::size_t>(std::max<std::int64_t>(atoms, 0));
-        if (count == 0 || names.size() < count || charges.size() < count || masses.size() < count ||
-            starts.empty() || labels.size() < starts.size() || starts[0] != 1)
+        if (count == 0 || names.size() < count || charges.size() < count || masses.size() < count || starts.empty() ||
+            labels.size() < starts.size() || starts[0] != 1)
             cannotRead(name_, "its sections do not describe " + std::to_string(atoms) + " atoms in residues");
         std::size_t residue = 0;
         for (std::size_t i = 0; i < count; ++i) {

@@ -68,8 +68,7 @@ private:
     void readAtoms(std::int64_t count) {
         for (std::int64_t i = 0; i < count; ++i) {
             if (!lines_.next() || trim(lines_.line()).empty())
-                cannotRead(name_,
-                           "it ends after " + std::to_string(i) + " of " + std::to_string(count) + " atoms",
+                cannotRead(name_, "it ends after " + std::to_string(i) + " of " + std::to_string(count) + " atoms",
                            lines_.number());
             readAtom(lines_.line());
         }
@@ -114,7 +113,8 @@ private:
             if (words.empty()) break;
             for (const std::string_view word : words) {
                 const auto atom = parseInteger(word);
-                if (!atom) cannotRead(name_, "expected an atom's number, not '" + printable(word) + "'", lines_.number());
+                if (!atom)
+                    cannotRead(name_, "expected an atom's number, not '" + printable(word) + "'", lines_.number());
                 if (first < 0) {
                     first = *atom;
                     continue;

@@ -19,7 +19,8 @@ public:
 private:
     std::optional<std::int64_t> begin(std::int64_t frame) override {
         if (trim(lines_.rest()).empty()) return std::nullopt;
-        while (lines_.next() && trim(lines_.line()).empty()) {}
+        while (lines_.next() && trim(lines_.line()).empty()) {
+        }
         const std::string_view line = trim(lines_.line());
         const std::string_view announced = splitWords(line)[0];
         const auto count = isCount(announced) ? parseInteger(announced) : std::nullopt;

@@ -30,7 +30,8 @@ public:
             } else if (keyword == "ATOMS") {
                 all += readAtoms(INT64_MAX);
             } else if (keyword.starts_with("BEGIN_BLOCK")) {
-                while (next() && !upperCase(trim(lines_.line())).starts_with("END_BLOCK")) {}
+                while (next() && !upperCase(trim(lines_.line())).starts_with("END_BLOCK")) {
+                }
             }
         }
         if (frames_ > 0 && model_ > frames_)

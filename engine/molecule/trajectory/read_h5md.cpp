@@ -1,6 +1,6 @@
-// HDF5 trajectories: H5MD (particles/GROUP/position/value) and MDTraj's (coordinates, in nm). By libhdf5, which is loaded
-// for the first of them, and is not on phones. Its serial build takes one call at a time. Files come from anywhere, so
-// links to other files, storage in other files and filters from plug-ins are not followed.
+// HDF5 trajectories: H5MD (particles/GROUP/position/value) and MDTraj's (coordinates, in nm). By libhdf5, which is
+// loaded for the first of them, and is not on phones. Its serial build takes one call at a time. Files come from
+// anywhere, so links to other files, storage in other files and filters from plug-ins are not followed.
 
 #include "engine/molecule/trajectory/trajectory_file.h"
 
@@ -250,9 +250,7 @@ std::unique_ptr<Trajectory> openH5md(OwnedFile file) { return std::make_unique<H
 
 namespace nacre {
 
-std::unique_ptr<Trajectory> openH5md(OwnedFile file) {
-    file->fail("it is HDF5, which this program was built without");
-}
+std::unique_ptr<Trajectory> openH5md(OwnedFile file) { file->fail("it is HDF5, which this program was built without"); }
 
 }  // namespace nacre
 

@@ -44,8 +44,8 @@ protected:
     bool cutOff_ = false;
 };
 
-/// Opens a DCD, XTC, TRR, AMBER NetCDF or H5MD file, detected by content: scans it for the positions of its frames, and holds
-/// only those. Any other file is read as a structure whose models are the frames. @throws Error
+/// Opens a DCD, XTC, TRR, AMBER NetCDF or H5MD file, detected by content: scans it for the positions of its frames, and
+/// holds only those. Any other file is read as a structure whose models are the frames. @throws Error
 std::unique_ptr<Trajectory> openTrajectory(const std::string& path);
 
 /// The models of a molecule's file in order, if each has the molecule's own atoms (Molecule::others); else null.

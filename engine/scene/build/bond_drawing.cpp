@@ -96,8 +96,7 @@ void appendCoordination(const Sphere& a, const Sphere& b, const SphereLook& look
 class BondDrawing {
 public:
     BondDrawing(const Molecule& molecule, const DrawnOrders& orders, std::span<const Bond> bonds,
-                std::span<const std::uint32_t> slots, AromaticForm aromatic, const Sizes& sizes,
-                Representation& result)
+                std::span<const std::uint32_t> slots, AromaticForm aromatic, const Sizes& sizes, Representation& result)
         : molecule_(molecule),
           orders_(orders),
           around_(molecule, bonds),
@@ -128,7 +127,8 @@ public:
     /// A piece of a backbone.
     void addTrace(const Bond& bond) {
         const SphereLook &lookA = look(bond.a), &lookB = look(bond.b);
-        result_.cylinders.push_back({glm::vec3(at(bond.a)), static_cast<float>(sizes_.tube), glm::vec3(at(bond.b)), 0.0f});
+        result_.cylinders.push_back(
+            {glm::vec3(at(bond.a)), static_cast<float>(sizes_.tube), glm::vec3(at(bond.b)), 0.0f});
         result_.cylinderLooks.push_back({lookA.color, lookB.color, lookA.atom, lookB.atom});
     }
 

@@ -19,7 +19,7 @@ struct ContactOptions {
     std::optional<Selection> with;  ///< empty: the surroundings of `of`
     InteractionRules rules = InteractionRules::molstar;
     std::array<bool, kInteractionKinds> kinds{true, true, true, true, true, true, true, true};
-    double width = 0.14;  ///< of the dashes, Å
+    double width = 0.14;                                    ///< of the dashes, Å
     std::array<std::uint32_t, kInteractionKinds> colors{};  ///< packed; 0: contactLook()
     friend bool operator==(const ContactOptions&, const ContactOptions&) = default;
 };

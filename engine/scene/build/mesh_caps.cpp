@@ -15,9 +15,9 @@ namespace {
 
 // Å behind the plane: caps of cartoons stand before those of surfaces around them. Below half of kCapRise.
 constexpr double kCartoonDepth = 0.001, kSurfaceDepth = 0.002;
-constexpr double kCellSide = 0.25;  // Å: colours change from cell to cell
+constexpr double kCellSide = 0.25;    // Å: colours change from cell to cell
 constexpr double kMostPerSide = 600;  // per side
-constexpr double kNearAtoms = 5;   // Å from the plane, and around a point: atoms that may own it
+constexpr double kNearAtoms = 5;      // Å from the plane, and around a point: atoms that may own it
 
 bool isCapped(const Representation& r, const MeshRun& mesh) {
     return mesh.closed && mesh.count > 0 &&
@@ -259,8 +259,8 @@ void addCap(const Representation& scene, const MeshRun& mesh, const glm::dmat4x3
     std::unordered_map<std::uint64_t, std::uint32_t> numbers;
     for (const glm::dvec2& corner : filler.corners) {
         const SphereLook look = owners.at(corner, segments.front().look);
-        const auto [number, isNew] = numbers.emplace(std::uint64_t{look.color} << 32 | look.atom,
-                                                     static_cast<std::uint32_t>(looks.size()));
+        const auto [number, isNew] =
+            numbers.emplace(std::uint64_t{look.color} << 32 | look.atom, static_cast<std::uint32_t>(looks.size()));
         if (isNew) looks.push_back(look);
         cap.positions.emplace_back(back * glm::dvec3(corner, z));
         cap.normals.emplace_back(back[2]);
@@ -292,8 +292,8 @@ bool meetsPlane(const Representation& scene, const MeshRun& mesh, const glm::dma
 }  // namespace
 
 bool needsCaps(const Representation& scene, const Clip& clip) {
-    return clip.near > -Clip::kNone &&
-           std::any_of(scene.meshes.begin(), scene.meshes.end(), [&](const MeshRun& mesh) { return isCapped(scene, mesh); });
+    return clip.near > -Clip::kNone && std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                                                   [&](const MeshRun& mesh) { return isCapped(scene, mesh); });
 }
 
 Representation meshCaps(const Representation& scene, const View& view, const Clip& clip) {

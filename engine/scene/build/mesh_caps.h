@@ -1,5 +1,6 @@
 #pragma once
-// Flat caps where the near clipping plane cuts closed meshes: triangles on the plane, inside the meshes' outlines there.
+// Flat caps where the near clipping plane cuts closed meshes: triangles on the plane, inside the meshes' outlines
+// there.
 
 #include "engine/effects.h"
 #include "engine/scene/build/representation.h"

@@ -47,8 +47,9 @@ SphereLook sugarLook(const Molecule& molecule, const MeshLooks& looks, bool ownC
 }
 
 /// A surface as wires, each half in the look of its end: its edges, or dots on its vertices.
-void addSurfaceWires(const Mesh& mesh, const RepresentationOptions& options, const MeshLooks& looks, Representation& r) {
-    constexpr float kCoarse = 0.1f;      // Å: error of the level whose edges are drawn
+void addSurfaceWires(const Mesh& mesh, const RepresentationOptions& options, const MeshLooks& looks,
+                     Representation& r) {
+    constexpr float kCoarse = 0.1f;  // Å: error of the level whose edges are drawn
     constexpr float kSpeck = 0.04f;  // Å along the normal
     constexpr std::size_t kMostWires = 4'000'000;
     const auto radius = static_cast<float>(-options.lineWidth / 2);
@@ -95,8 +96,8 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
             appendMesh(cartoon(facts, group.cartoon, facts.folds(), options.cartoon, representation.center), {},
                        ofCartoon, representation);
         if (!group.surface.empty() && options.surfaceForm != SurfaceForm::solid && options.assembly.empty()) {
-            addSurfaceWires(surface(molecule, group.surface, options.surface, representation.center), options, ofSurface,
-                            representation);
+            addSurfaceWires(surface(molecule, group.surface, options.surface, representation.center), options,
+                            ofSurface, representation);
         } else if (!group.surface.empty()) {
             appendMesh(surface(molecule, group.surface, options.surface, representation.center), {}, ofSurface,
                        representation);

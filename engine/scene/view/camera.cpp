@@ -63,8 +63,9 @@ View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint3
         view.pixelsPerAngstrom = shorter / (2.0 * view.eyeDistance * std::tan(half));
     }
     if (camera.scale)
-        view.pixelsPerAngstrom =
-            camera.scale->unit == ViewScale::Unit::pixelsPerAngstrom ? camera.scale->value : shorter / camera.scale->value;
+        view.pixelsPerAngstrom = camera.scale->unit == ViewScale::Unit::pixelsPerAngstrom
+                                     ? camera.scale->value
+                                     : shorter / camera.scale->value;
     view.pixelsPerAngstrom *= camera.zoom;
     return view;
 }

@@ -25,14 +25,14 @@ struct ViewScale {
 /// Camera settings of the user. Without `center` and `scale` it depends on what is drawn.
 struct Camera {
     Projection projection = Projection::orthographic;
-    glm::dvec3 rotationDegrees{0.0};     ///< right-handed, about the view axes, x first: v = Rz Ry Rx Q (p - C)
-    glm::dquat orientation{1, 0, 0, 0};  ///< Q, a unit quaternion; where the three angles are not available
-    glm::dvec2 pan{0.0};                 ///< position of C on the image plane, Å from the picture's centre
-    double zoom = 1.0;                   ///< scales the image plane
-    double fovDegrees = 30.0;            ///< perspective: field of view across the shorter side
-    std::optional<glm::dvec3> center{};  ///< C, Å in the file's frame; empty: of what is drawn
-    std::optional<ViewScale> scale{};    ///< at zoom 1, on the plane through C; empty: the bounding sphere fills
-    std::optional<double> eyeDistance{}; ///< perspective: Å from C; empty: by the bounding sphere
+    glm::dvec3 rotationDegrees{0.0};      ///< right-handed, about the view axes, x first: v = Rz Ry Rx Q (p - C)
+    glm::dquat orientation{1, 0, 0, 0};   ///< Q, a unit quaternion; where the three angles are not available
+    glm::dvec2 pan{0.0};                  ///< position of C on the image plane, Å from the picture's centre
+    double zoom = 1.0;                    ///< scales the image plane
+    double fovDegrees = 30.0;             ///< perspective: field of view across the shorter side
+    std::optional<glm::dvec3> center{};   ///< C, Å in the file's frame; empty: of what is drawn
+    std::optional<ViewScale> scale{};     ///< at zoom 1, on the plane through C; empty: the bounding sphere fills
+    std::optional<double> eyeDistance{};  ///< perspective: Å from C; empty: by the bounding sphere
 
     /// Whether position or scale are given.
     bool isPlaced() const { return zoom != 1 || pan != glm::dvec2(0) || center || scale; }
@@ -56,8 +56,8 @@ struct View {
 glm::dmat3 rotationMatrix(const glm::dvec3& degrees);
 
 /// Orthographic: the sphere (C, R) fills 95 % of the shorter side at zoom 1. Perspective: the eye is at R / (0.95
-/// sin(fov / 2)) and zoom scales the image plane. A scale or eye distance of the camera takes the place of these; the eye
-/// stays outside the sphere.
+/// sin(fov / 2)) and zoom scales the image plane. A scale or eye distance of the camera takes the place of these; the
+/// eye stays outside the sphere.
 View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint32_t height);
 
 /// The camera of a view without reference to what is drawn: viewOf() makes the same view of it, whatever the radius.

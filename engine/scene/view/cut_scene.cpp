@@ -27,7 +27,8 @@ struct CutCorner {
 };
 using Polygon = std::vector<CutCorner>;
 
-/// What of a polygon is on one side of a plane (Sutherland and Hodgman 1974). @param within  its depth inside, or below 0
+/// What of a polygon is on one side of a plane (Sutherland and Hodgman 1974). @param within  its depth inside, or below
+/// 0
 template <typename Within>
 Polygon cutPolygon(const Polygon& polygon, const Within& within) {
     Polygon left;
@@ -37,8 +38,8 @@ Polygon cutPolygon(const Polygon& polygon, const Within& within) {
         if (insideA >= 0) left.push_back(a);
         if ((insideA >= 0) == (insideB >= 0)) continue;
         const auto share = static_cast<float>(insideA / (insideA - insideB));
-        left.push_back({glm::mix(a.place, b.place, share), glm::mix(a.normal, b.normal, share),
-                        share < 0.5f ? a.look : b.look});
+        left.push_back(
+            {glm::mix(a.place, b.place, share), glm::mix(a.normal, b.normal, share), share < 0.5f ? a.look : b.look});
     }
     return left;
 }
@@ -82,7 +83,8 @@ public:
         scene_.coarseTriangles.clear();
         for (const MeshRun& run : meshes) {
             Mesh mesh;
-            for (std::uint32_t i = run.first; i < run.first + run.count; ++i) addTriangle(triangles[i], vertices, looks, mesh);
+            for (std::uint32_t i = run.first; i < run.first + run.count; ++i)
+                addTriangle(triangles[i], vertices, looks, mesh);
             if (mesh.triangles.empty()) continue;
             appendMesh(
                 mesh, {}, [&](std::uint32_t number) { return looks[number]; }, scene_);
@@ -98,7 +100,8 @@ private:
     bool cutStick(Cylinder& stick, CylinderLook& look) const {
         const double a = depth_(stick.a), b = depth_(stick.b);
         double from = 0, to = 1;
-        for (const auto& [insideA, insideB] : {std::pair(a - clip_.near, b - clip_.near), {clip_.far - a, clip_.far - b}}) {
+        for (const auto& [insideA, insideB] :
+             {std::pair(a - clip_.near, b - clip_.near), {clip_.far - a, clip_.far - b}}) {
             if (insideA < 0 && insideB < 0) return false;
             if (insideA < 0) from = std::max(from, insideA / (insideA - insideB));
             if (insideB < 0) to = std::min(to, insideA / (insideA - insideB));

@@ -39,8 +39,8 @@ glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::v
 Camera closeUp(Camera camera, const std::vector<glm::dvec4>& target, double radius, double margin, double mostZoom);
 
 /// The camera that centres a scene and fits its projection into 95 % of both sides, times the camera's zoom. That is
-/// larger than zoom 1, which fits the bounding sphere. Keeps the centre and the scale that the camera gives. Returns the
-/// camera unchanged for scenes of more than 10^7 spheres and vertices, copies included.
+/// larger than zoom 1, which fits the bounding sphere. Keeps the centre and the scale that the camera gives. Returns
+/// the camera unchanged for scenes of more than 10^7 spheres and vertices, copies included.
 /// @param radius  of the scene's view, Å
 /// @param width, height  of the picture
 /// @param beside  maps and primitives about the same centre, likewise; or null

@@ -18,11 +18,14 @@ std::vector<double> visibleDepths(const std::vector<glm::dvec4>& balls, const Vi
     double reach = 1e-6;
     for (const glm::dvec4& ball : balls) reach = std::max(reach, glm::length(glm::dvec3(ball)) + ball.w);
     const double cell = 2 * reach / kDepthCells;
-    std::vector<double> nearest(static_cast<std::size_t>(kDepthCells) * kDepthCells, std::numeric_limits<double>::infinity());
+    std::vector<double> nearest(static_cast<std::size_t>(kDepthCells) * kDepthCells,
+                                std::numeric_limits<double>::infinity());
     for (const glm::dvec4& ball : balls) {
         const glm::dvec3 v = view.rotation * glm::dvec3(ball);
         const double radius = std::max(ball.w, kVertexReach);
-        const auto cellOf = [&](double at) { return std::clamp(static_cast<int>((at + reach) / cell), 0, kDepthCells - 1); };
+        const auto cellOf = [&](double at) {
+            return std::clamp(static_cast<int>((at + reach) / cell), 0, kDepthCells - 1);
+        };
         for (int y = cellOf(v.y - radius); y <= cellOf(v.y + radius); ++y)
             for (int x = cellOf(v.x - radius); x <= cellOf(v.x + radius); ++x) {
                 const glm::dvec2 middle((x + 0.5) * cell - reach, (y + 0.5) * cell - reach);
