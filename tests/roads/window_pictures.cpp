@@ -17,6 +17,7 @@ using namespace nacre;
 using namespace nacre::app;
 
 constexpr double kLongest = 60;  // seconds of one picture
+constexpr const char* kBetween = "sample:glucose";
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -48,8 +49,13 @@ void savePictures(const std::vector<std::string>& jobs) {
     WindowSession window(options);
     for (const std::string& job : jobs) {
         const PictureDescription picture = descriptionOf(job);
-        window.viewer().show(picture, now(), 1e-3);
-        runUntil(window, picture.output, [&] { return isShown(window.viewer()); });
+        // Another file in between: restyling what is shown would keep the camera of the picture before.
+        PictureDescription between;
+        between.input.path = picture.input.path == kBetween ? "sample:buckyball" : kBetween;
+        for (const PictureDescription& next : {between, picture}) {
+            window.viewer().show(next, now(), 1e-3);
+            runUntil(window, picture.output, [&] { return isShown(window.viewer()); });
+        }
         for (const double end = now() + 0.1; now() < end;) window.step(0.02);  // the flight of the camera
         const std::string saved = "saved ";
         window.events().character(U's');
