@@ -377,9 +377,9 @@ void Chooser::chooseGeometry() {
                         : choice_.geometry == Geometry::fetched ? "varyings go through memory: a number costs less"
                         : device_.plan.geometry.storesVaryings  ? "fragments are counted"
                                                                 : "varyings stay on the chip");
-    constexpr const char* kHost[] = {
-        "the device finds what is hidden", "finding hidden spheres costs less than shading them",
-        "many small spheres: lists would take longer", "few shapes in a plain view: lists would take longer"};
+    constexpr const char* kHost[] = {"the device finds what is hidden",
+                                     "finding hidden spheres costs less than shading them",
+                                     "many small spheres: lists would take longer"};
     because("host", kHost[static_cast<std::size_t>(choice_.host)]);
     because("prepass", tiles             ? "compute draws no plates"
                        : choice_.prepass ? "plates reject fragments before they are shaded"
@@ -490,7 +490,7 @@ FrameChoice choose(const FrameRequest& request, const SceneFacts& scene, const F
 std::vector<Decision> describe(const FrameChoice& choice) {
     constexpr const char* kShading[] = {"fragments", "compute"};
     constexpr const char* kGeometry[] = {"instanced", "fetched by fragments", "lists of the host"};
-    constexpr const char* kHost[] = {"nothing", "hidden spheres", "front spheres", "front shapes"};
+    constexpr const char* kHost[] = {"nothing", "hidden spheres", "front spheres"};
     constexpr const char* kEndings[] = {"left on the device",
                                         "read back",
                                         "picture",

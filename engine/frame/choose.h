@@ -52,7 +52,6 @@ struct FrameRequest {
     Part part = Part::whole;
     Ending ending = Ending::left;  ///< of a picture's last frame
     int quarterTurns = 0;          ///< of the view
-    bool masked = false;           ///< only some tiles matter
     bool counted = false;          ///< fragments are counted
 };
 
@@ -62,11 +61,10 @@ struct SceneFacts {
     bool hasCylinders = false, hasWires = false, hasTranslucent = false;
     std::uint64_t meshTriangles = 0;  ///< of the finest level
     // Of what the view submits, in all copies:
-    std::uint64_t spheres = 0, cylinders = 0, triangles = 0;
-    std::uint64_t translucent = 0;  ///< triangles of translucent layers, not counted in `triangles`
-    double radiusPixels = 0;        ///< mean radius of the spheres in the picture
-    double smallestPixels = 1e9;    ///< half the width of the narrowest primitive or line in the picture
-    bool boxed = false;             ///< the scene's spheres have finite bounding boxes
+    std::uint64_t spheres = 0, triangles = 0;  ///< without triangles of translucent layers
+    double radiusPixels = 0;                   ///< mean radius of the spheres in the picture
+    double smallestPixels = 1e9;               ///< half the width of the narrowest primitive or line in the picture
+    bool boxed = false;                        ///< the scene's spheres have finite bounding boxes
 };
 
 // Output of choose():

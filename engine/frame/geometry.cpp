@@ -85,9 +85,7 @@ SceneCounts countsOf(Representation r, const RenderSettings& settings, SceneFact
 
     facts = factsOf(r, chunks, runs);
     facts.spheres = counts.spheres;
-    facts.cylinders = counts.cylinders;
     facts.triangles = counts.triangles;
-    facts.translucent = counts.translucent;
     facts.radiusPixels = counts.radiusPixels;
     facts.smallestPixels = smallestPixels(sizes, !r.wires.empty(), settings, view);
     return counts;

@@ -71,7 +71,6 @@ const std::shared_ptr<DeclaredFrame>& PictureFrames::declare(const PreparedFrame
 PreparedFrame PictureFrames::prepare(const FrameRequest& request, FrameInputs inputs) {
     FrameRequest counted = request;
     counted.quarterTurns = inputs.view.quarterTurns;
-    counted.masked = inputs.mask != nullptr;
     counted.counted = request.settings.tuning.countFragments;
     if (counted.counted) inputs.fragments = std::make_shared<passes::FragmentCounter>(device_);
     PreparedFrame prepared = frames_.prepare(counted, inputs);
@@ -131,7 +130,7 @@ const std::string& PictureFrames::planText() {
 
 std::vector<Decision> PictureFrames::decisions() const {
     if (!asked_) return {};
-    return explain({asked_->settings, asked_->part, asked_->ending, asked_->quarterTurns, false, asked_->counted},
+    return explain({asked_->settings, asked_->part, asked_->ending, asked_->quarterTurns, asked_->counted},
                    asked_->facts, device_.caps(), asked_->drawn);
 }
 

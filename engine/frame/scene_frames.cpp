@@ -25,11 +25,9 @@ SceneFacts SceneFrames::sceneFacts(const Scene& scene) {
     return factsOf(scene.representation, scene.chunks, scene.translucent);
 }
 
-void SceneFrames::addViewFacts(SceneFacts& facts, const passes::SceneView& view) const {
+void SceneFrames::addViewFacts(SceneFacts& facts, const passes::SceneView& view) {
     facts.spheres = view.copies.sphereCount();
-    facts.cylinders = view.copies.cylinderCount();
     facts.triangles = view.copies.triangleCount();
-    facts.translucent = view.translucent ? view.translucent->copies.triangleCount() : 0;
     facts.radiusPixels = view.radiusPixels;
     facts.smallestPixels = view.smallestPixels;
 }

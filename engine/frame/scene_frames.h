@@ -60,7 +60,7 @@ public:
 
 private:
     static SceneFacts sceneFacts(const Scene& scene);
-    void addViewFacts(SceneFacts& facts, const passes::SceneView& view) const;
+    static void addViewFacts(SceneFacts& facts, const passes::SceneView& view);
     std::shared_ptr<const gpu::Buffer> uploadEffects(const RenderSettings& settings, bool subsamples);
     std::shared_ptr<const passes::TileFrame> listTiles(const passes::SceneView& view, const FrameChoice& choice,
                                                        const FrameRequest& request, const FrameInputs& inputs);

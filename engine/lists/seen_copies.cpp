@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "engine/scene/color/colors.h"
-#include "engine/simd/lanes.h"
 #include "engine/threads.h"
 
 namespace nacre {

@@ -48,10 +48,6 @@ private:
         float x = 0, y = 0, reach = 0;  // of the ball, pixels
         std::uint32_t part = 0, copy = 0;
     };
-    /// From a part to view space.
-    struct Place {
-        glm::vec4 rows[3];
-    };
     struct Found {
         std::uint32_t copy = 0, sphere = 0, step = 0;
     };

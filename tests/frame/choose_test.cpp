@@ -52,7 +52,7 @@ const Case kCases[] = {
     {"outlines by groups", [](auto& s, auto&) { s.effects.contours.width = 2, s.effects.contours.weights = 3; }},
     {"halos", [](auto& s, auto&) { s.effects.halos.width = 4; }},
     {"shadow", [](auto& s, auto&) { s.effects.shadow.strength = 0.5; }},
-    {"translucency", [](auto&, auto& f) { f.hasTranslucent = true, f.translucent = 9; }},
+    {"translucency", [](auto&, auto& f) { f.hasTranslucent = true; }},
     {"lens", [](auto& s, auto&) { s.effects.depthOfField.strength = 0.1; }},
     {"fine", [](auto& s, auto&) { s.fine = true; }},
     {"thin shapes", [](auto&, auto& f) { f.smallestPixels = 0.5; }},
