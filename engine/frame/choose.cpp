@@ -119,11 +119,6 @@ const char* lackOfSamples(const RenderSettings& settings, bool translucent) {
     return nullptr;
 }
 
-/// Whether pictures have samples where edges are.
-bool wantsEdges(const RenderSettings& settings) {
-    return settings.supersample == RenderSettings::kEdges && settings.debug == DebugView::none;
-}
-
 /// Whether a view is small, and shows a mesh of so many triangles that samples would search long lists. The host finds
 /// the triangle of each sample there.
 bool isFineMesh(const View& view, const SceneFacts& scene) {
@@ -549,6 +544,10 @@ RenderSettings drawnSettings(const FrameRequest& request) {
 
 Samples chooseSamples(const FrameRequest& request, const SceneFacts& scene, const FrameCaps& device) {
     return Chooser(request, scene, device).samples();
+}
+
+bool wantsEdges(const RenderSettings& settings) {
+    return settings.supersample == RenderSettings::kEdges && settings.debug == DebugView::none;
 }
 
 bool drawsLayers(const FrameRequest& request, const SceneFacts& scene) {

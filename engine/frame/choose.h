@@ -219,7 +219,9 @@ std::vector<Decision> explain(const FrameRequest& request, const SceneFacts& sce
 RenderSettings drawnSettings(const FrameRequest& request);
 /// Samples of such a frame, of a scene whose view is not known yet.
 Samples chooseSamples(const FrameRequest& request, const SceneFacts& scene, const graph::FrameCaps& device);
-/// Whether it draws translucent layers.
+/// Whether pictures with these settings have several samples per pixel where edges are, and one elsewhere.
+bool wantsEdges(const RenderSettings& settings);
+/// Whether the frame draws translucent layers.
 bool drawsLayers(const FrameRequest& request, const SceneFacts& scene);
 
 // Choices that hold for all frames of a device:

@@ -196,8 +196,7 @@ Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atl
     const std::uint64_t samples = fine ? resolvePixels(reinterpret_cast<const float*>(pixels), part, picture)
                                        : resolvePixels(reinterpret_cast<const std::uint32_t*>(pixels), part, picture);
     const std::uint64_t covered = putOver(picture, settings.background);
-    const bool edges = settings.supersample == RenderSettings::kEdges && settings.debug == DebugView::none;
-    stats_.coveredPixels = edges ? covered : samples;
+    stats_.coveredPixels = wantsEdges(settings) ? covered : samples;
     return picture;
 }
 

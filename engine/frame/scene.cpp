@@ -116,8 +116,7 @@ double smallestPixels(const SceneSizes& sizes, bool wires, const RenderSettings&
 
 double meshErrorOf(const RenderSettings& settings, const View& view) {
     static_assert(RenderSettings::kEdgeSamples == 16);
-    const bool edges = settings.supersample == RenderSettings::kEdges && settings.debug == DebugView::none;
-    return errorInSpace(view, settings.meshError * (edges ? 0.25 : 1.0));
+    return errorInSpace(view, settings.meshError * (wantsEdges(settings) ? 0.25 : 1.0));
 }
 
 layout::EffectConstants effectConstants(const RenderSettings& settings, const Scene& scene) {
