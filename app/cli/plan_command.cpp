@@ -167,7 +167,7 @@ std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& 
 PlanReport planReport(const PlanOptions& options) {
     graph::FrameCaps caps = capsOf(options);
     caps.plan.merge = caps.plan.merge && options.merge;
-    choosePath(caps);
+    choosePath(caps);  // refuses a path that the device lacks
     const bool sampled = caps.multisampling == Multisampling::four;
     MotionSamples motion = chooseMotionSamples(caps);
     if (sampled && options.edges)

@@ -195,19 +195,19 @@ void geometryText(std::ostream& out, const PlanReport& report) {
 
 void levelsText(std::ostream& out, const PlanReport& report) {
     out << "\nlevels of cartoons and surfaces\n";
-    std::vector<Row> levels{{"error, angstrom", "triangles", "drawn", "", ""}};
+    std::vector<Row> levels{{"error, angstrom", "triangles", "drawn"}};
     for (const MeshLevelCount& level : report.meshLevels)
         levels.push_back(
-            {numberText(std::round(level.error * 1e4) / 1e4), grouped(level.triangles), grouped(level.drawn), "", ""});
+            {numberText(std::round(level.error * 1e4) / 1e4), grouped(level.triangles), grouped(level.drawn)});
     table(out, "  ", levels, 1);
 }
 
 void copyLevelsText(std::ostream& out, const PlanReport& report) {
     out << "\nlevels of copies\n";
-    std::vector<Row> levels{{"error, angstrom", "copies", "spheres", "", ""}};
+    std::vector<Row> levels{{"error, angstrom", "copies", "spheres"}};
     for (const CopyLevelCount& level : report.copyLevels)
         levels.push_back(
-            {numberText(std::round(level.error * 1e4) / 1e4), grouped(level.copies), grouped(level.spheres), "", ""});
+            {numberText(std::round(level.error * 1e4) / 1e4), grouped(level.copies), grouped(level.spheres)});
     table(out, "  ", levels, 1);
 }
 
