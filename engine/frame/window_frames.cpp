@@ -243,8 +243,10 @@ void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, 
     slot.held = prepared.view;
     DeclaredFrame& declared = this->declared(prepared);
     if (prepared.choice().attachmentSamples() > 1) restWanted_ = std::exchange(multisampled_, &declared) != &declared;
-    declared.imports.clear();
-    if (prepared.view) SceneFrames::bind(declared, prepared);
+    if (prepared.view)
+        SceneFrames::bind(declared, prepared);
+    else
+        declared.imports.clear();
     declared.imports.bind(declared.frame.targets.back(), swapchain_.image(*slot.image));
     share_ = 1;
     if (declared.frame.sum) {

@@ -111,10 +111,6 @@ void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& 
                          std::to_string(caps.tileBytesPerPixel) + ")");
 }
 
-}  // namespace
-
-namespace {
-
 void checkUses(const Graph& graph, const PassDecl& pass) {
     for (std::size_t i = 0; i < pass.uses.size(); ++i) {
         const Use& use = pass.uses[i];

@@ -171,7 +171,7 @@ void declareLens(Frame& f, graph::Extent extent, VkFormat format, const PictureI
     const VkFormat roots = graph::bytesPerTexel(format) == 4 ? VK_FORMAT_R8G8B8A8_UNORM : VK_FORMAT_R16G16B16A16_SFLOAT;
     const graph::Image soft =
         draw("large circles", LensStep::soft, g.image("large circles", {roots, extent}), {circles, reach});
-    f.targets[0] = draw(kLensPass, LensStep::gather, picture, {circles, reach, soft});  // over what is not sharp
+    f.targets[0] = draw("depth of field", LensStep::gather, picture, {circles, reach, soft});  // over what is not sharp
 }
 
 }  // namespace nacre

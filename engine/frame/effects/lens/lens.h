@@ -21,9 +21,6 @@ constexpr float kNoDistance = 1e30f;
 constexpr ScreenTarget kLensTargets[] = {
     {"distances", VK_FORMAT_R32_SFLOAT, passes::Output::surface, "surface layer", kNoDistance}};
 
-/// The passes begin with this one.
-constexpr const char* kLensPass = "depth of field";
-
 /// The lens of a view's pictures. @param view  the settings' view, or a part of it
 passes::Lens lensOf(const RenderSettings& settings, const View& view);
 
