@@ -159,7 +159,7 @@ struct Overflow {
     std::uint32_t longestList = 0;          ///< entries that a list may have; 0: the frame has no lists
     std::uint32_t longestListOfLayers = 0;  ///< beyond, only translucent layers are drawn otherwise
     Visibility path{};
-    Refinement refinement{};  ///< not none: the frame is not drawn, and these are
+    Refinement refinement{};  ///< not none: these frames are drawn instead of this one
     HostWork host{};
     bool prepass = false;
     friend bool operator==(const Overflow&, const Overflow&) = default;
@@ -184,7 +184,7 @@ struct FrameChoice {
     Overflow overflow{};
     friend bool operator==(const FrameChoice&, const FrameChoice&) = default;
 
-    /// Whether the frame is not drawn, but those of `refinement`.
+    /// Whether the frames of `refinement` are drawn instead of this one.
     bool givesWay() const { return refinement != Refinement::none && part != Part::coarse; }
     bool has(Effect::Kind kind) const { return effects.has(kind); }
     /// Whether shaders find copies by the numbers of primitives.
@@ -198,7 +198,7 @@ struct FrameChoice {
     /// Samples per pixel of the frame's attachments.
     std::uint32_t attachmentSamples() const { return samples.where == Samples::Where::resolved ? samples.count : 1; }
 
-    /// The choice itself, or what takes its place where lists are too long.
+    /// The choice itself, or its replacement where lists are too long.
     /// @param longest  entries of the frame's longest list @param longestOfLayers  of the translucent layers' lists
     FrameChoice within(std::uint32_t longest, std::uint32_t longestOfLayers = 0) const;
 };
@@ -208,8 +208,9 @@ FrameChoice choose(const FrameRequest& request, const SceneFacts& scene, const g
 
 /// The decisions of a choice, for people; without reasons.
 std::vector<Decision> describe(const FrameChoice& choice);
-/// The decisions of choose(), each with its reason. @param drawn  what became of it where lists are too long
+/// The decisions of choose(), each with its reason.
 std::vector<Decision> explain(const FrameRequest& request, const SceneFacts& scene, const graph::FrameCaps& device);
+/// As above, of a frame that was drawn. @param drawn  differs from choose() where a tile's list was too long
 std::vector<Decision> explain(const FrameRequest& request, const SceneFacts& scene, const graph::FrameCaps& device,
                               const FrameChoice& drawn);
 

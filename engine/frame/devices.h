@@ -1,5 +1,5 @@
 #pragma once
-// What is chosen for a device, for people.
+// The choices that hold for all frames of a device, as text for people.
 
 #include "engine/graph/frame_caps.h"
 #include "engine/results.h"

@@ -78,19 +78,19 @@ struct Frame {
     graph::Image atlas;                            ///< imported
     std::optional<graph::Image> shadow;            ///< what the light sees
     std::vector<graph::Image> targets;             ///< none where compute shades: `numbers` are the picture
-    std::optional<graph::Image> samples;           ///< that the first target is the mean of
+    std::optional<graph::Image> samples;           ///< several per pixel; the first target is their mean
     // Translucent triangles:
     std::vector<graph::Image> layers;           ///< numbers of the nearest layer first
     std::optional<graph::Buffer> layerNumbers;  ///< the same where compute finds them, imported
     // Of `tiles`, imported:
     graph::Buffer numbers;               ///< of primitives, or their colours
-    std::optional<graph::Buffer> edges;  ///< what edges need beside that
-    graph::Buffer edgePixels{};          ///< where `edges` are
+    std::optional<graph::Buffer> edges;  ///< for edges: numbers if `numbers` are colours, else edge colours
+    graph::Buffer edgePixels{};          ///< list of edge pixels
     // Of the ending:
     std::vector<graph::Buffer> pixels;    ///< imported, of targets that the host reads
     std::optional<graph::Image> picture;  ///< imported: the image that the picture ends in
-    std::optional<graph::Image> finer;    ///< imported, if only some pixels are replaced: which
-    std::optional<graph::Image> sum;      ///< imported, of a window: of its picture's samples
+    std::optional<graph::Image> finer;    ///< imported: the mask, if only some pixels are replaced
+    std::optional<graph::Image> sum;      ///< imported, of a window: the sum of its samples
 
     /// The pass samples the atlas, and the shadow map if there is one. @returns the pass
     graph::PassBuilder& lit(graph::PassBuilder& pass) const;

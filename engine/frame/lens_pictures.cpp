@@ -9,7 +9,7 @@ namespace nacre {
 
 namespace {
 
-/// Of frames that tell how far away pixels are.
+/// Settings of frames that draw how far away pixels are.
 RenderSettings distances(RenderSettings settings) {
     settings.supersample = 1;
     settings.occlusion.directions = 0;
@@ -33,7 +33,7 @@ bool PictureFrames::leaveBlurred(const RenderSettings& settings, const View& vie
     return true;
 }
 
-/// Draws how far away the pixels of the picture's image are, and blurs it by that.
+/// Blurs the picture's image by the distance of each pixel.
 PictureFrames::Drawn PictureFrames::blur(const RenderSettings& settings, const Wanted& wanted) {
     const PictureStats first = stats_;
     const RenderSettings far = distances(settings);

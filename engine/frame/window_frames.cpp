@@ -101,7 +101,7 @@ graph::Image WindowFrames::addPicture(graph::Graph& frame, graph::Image picture,
     return window;
 }
 
-/// The pass that adds a sample of each pixel to those that there are. @returns the sum, to be bound
+/// The pass that adds a sample of each pixel to the sum. @returns the sum, to be bound
 graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, bool first) const {
     graph::Image sum =
         frame.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState, first);
@@ -116,7 +116,7 @@ graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, bool
     return sum;
 }
 
-/// @param samples  of the window that are resolved to it behind the overlay, if there are any
+/// @param samples  attachment with several samples, resolved to the window after the overlay; none: drawn directly
 void WindowFrames::addOverlay(graph::Graph& frame, graph::Image& window, std::optional<graph::Image>& samples) const {
     const auto draw = [this](gpu::PassContext& c) {
         overlay_.draw(c, *slot_, *overlaid_, swapchain_.upright(), swapchain_.quarterTurns(), coded());

@@ -34,7 +34,7 @@ glm::vec3 seen(const glm::dmat3& rotation, const glm::dmat4x3& transform, const 
     return rotation * (transform * glm::dvec4(glm::dvec3(p), 1.0));
 }
 
-/// What pixelOf() takes to a place.
+/// Inverse of pixelOf().
 glm::vec2 planePointOf(const ScreenView& view, const glm::vec2& place) {
     const glm::vec2 p = (place - view.axis) / view.pixels;
     switch (view.quarterTurns & 3) {
@@ -79,7 +79,7 @@ void SeenCopies::placeAll(const ScreenView& view, const Scenery& s) {
         for (std::size_t first = 0; first < all.size(); first += kSlice)
             slices.push_back({p, all.subspan(first, std::min(kSlice, all.size() - first))});
     }
-    // Small parts, by hundreds: a thread takes several.
+    // There may be hundreds of small parts: each task takes several.
     const std::size_t hands = std::min<std::size_t>(slices.size(), 8 * threadsPerTask());
     placedOfSlices_.resize(std::max(placedOfSlices_.size(), hands));
     const auto wide = static_cast<float>(view.width), high = static_cast<float>(view.height);
@@ -90,7 +90,7 @@ void SeenCopies::placeAll(const ScreenView& view, const Scenery& s) {
         to.clear();
         std::size_t most = 0;
         for (const Slice& slice : own) most += slice.copies.size();
-        to.reserve(most);  // what is left out of it is not touched, and takes no memory
+        to.reserve(most);  // unused pages are never touched and take no memory
         for (const Slice& slice : own) {
             const LeveledPart& part = s.levels.parts[slice.part];
             for (const std::uint32_t copy : slice.copies) {
@@ -98,7 +98,7 @@ void SeenCopies::placeAll(const ScreenView& view, const Scenery& s) {
                 const float Z = view.origin - center.z;
                 if (Z + part.radius < view.clipNear || Z - part.radius > view.clipFar) continue;
                 const float nearest = Z - part.radius;
-                if (view.perspective && nearest <= 0) {  // about the eye: some of it may be before it
+                if (view.perspective && nearest <= 0) {  // contains the eye: a part may be in front
                     to.push_back({nearest, wide / 2, high / 2, kNoDepth, slice.part, copy});
                     continue;
                 }
@@ -135,7 +135,7 @@ void SeenCopies::drawSphere(const ScreenView& view, const glm::vec3& center, flo
     const std::uint32_t y1 = placeAt(at.y + reach, band.first, band.end);
     const float perPixel = radius / reach;
     const auto number = static_cast<std::uint32_t>(band.found.size());
-    // What a plane cuts may show what is behind it.
+    // A sphere that a plane cuts may show surfaces behind it.
     const bool cut = nearest < view.clipNear;
     if (between_) {
         const Reach r{nearest, at.x - reach, at.y - reach, at.x + reach, at.y + reach};

@@ -1,5 +1,5 @@
 #pragma once
-// What a view shows of a scene with more copies than a device could hold: the few spheres that are seen, written out.
+// For scenes with more copies than a device could hold: writes out the few spheres that a view shows.
 
 #include <cstdint>
 #include <glm/mat3x3.hpp>
@@ -33,7 +33,7 @@ public:
     /// @param view   without outlines
     /// @param error  of outlines, pixels of the view
     /// @param grid   places per pixel and side
-    /// @param between  whether pixels are sampled between the places, too
+    /// @param between  whether pixels are also sampled between the places
     void draw(const ScreenView& view, const Scenery& scenery, float error, std::uint32_t grid, bool between);
 
     /// Without those that are hidden, relative to the representation's centre.
@@ -60,7 +60,7 @@ private:
     struct Band {
         std::uint32_t first = 0, end = 0;
         std::vector<Found> found;
-        std::vector<Reach> reaches;  // of them, if places between those of the grid count
+        std::vector<Reach> reaches;  // of `found`, if samples lie between the places of the grid
         std::vector<std::uint64_t> copiesOfStep;
         std::vector<std::uint8_t> seen;
     };

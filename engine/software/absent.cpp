@@ -1,5 +1,5 @@
 // Stands for this folder in a build without NACRE_SOFTWARE: no device has the tile path there (engine/gpu/caps.cpp), so
-// that nothing of it is drawn.
+// none of these passes is ever recorded.
 
 #include <stdexcept>
 

@@ -65,8 +65,8 @@ void FrontSpheres::begin(const TileView& view, const Scenery& s) {
     shared_.margin = room / kLeast + (6 * far + 4 * (std::abs(view.origin) + view.range)) * kStep;
 }
 
-/// The runs that calls are parts of: in another order a part is not in one piece. What the calls leave out of a run is
-/// beside the picture.
+/// The runs that contain the calls: in the order of the boxes, a part of a run is scattered. Spheres of a run that no
+/// call contains are beside the picture.
 std::span<const TileCall> FrontSpheres::wholeRuns(const SphereBoxes& boxes, std::span<const TileCall> calls) {
     const std::vector<std::uint32_t>& starts = boxes.starts;
     runs_.clear();

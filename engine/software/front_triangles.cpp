@@ -75,7 +75,7 @@ struct FrontTriangles::Picture {
     }
 };
 
-/// What one thread draws: rows of the picture.
+/// Rows of the picture that one thread draws.
 class FrontTriangles::Band {
 public:
     Band(Picture& picture, const TriangleLanes& lanes) : picture_(picture), lanes_(lanes) {}
@@ -110,7 +110,7 @@ public:
         }
     }
 
-    /// Triangles that may be nearer than those of the pixels, some of them several times.
+    /// Triangles that may be nearer than those of the pixels; contains duplicates.
     const std::vector<std::uint32_t>& doubts() const { return doubts_; }
     struct Drawn {
         std::uint32_t group;

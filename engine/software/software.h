@@ -1,7 +1,8 @@
 #pragma once
-// What only software devices need, and all that the rest of the engine may include of this folder: the `tiles` path, by
-// compute over lists of primitives that the host makes; hidden spheres; depth maps of bakes by the same lists. A build
-// without NACRE_SOFTWARE has absent.cpp in place of the folder: no device has the path then, and nothing is slower.
+// The interface of this folder, which only software devices need; the rest of the engine includes no other file of it.
+// The `tiles` path draws by compute, from lists of primitives that the host makes; bakes draw depth maps from the same
+// lists; hidden spheres are culled on the host. A build without NACRE_SOFTWARE compiles absent.cpp instead of the
+// folder: no device has the path then, and GPUs lose nothing.
 
 #include <cstdint>
 #include <memory>
@@ -72,8 +73,8 @@ public:
     virtual std::uint32_t rowPixels() const = 0;                ///< pixels per row of the buffers
     /// Numbers of the nearest primitives from 1, or colours where compute shades; row by row of all bins.
     virtual const gpu::Buffer& pixels() const = 0;
-    virtual vk::BufferView pixelTexels() const = 0;  ///< the same as texels, where the device reads them so
-    virtual const gpu::Buffer& edges() const = 0;    ///< what edges need besides: numbers, or their colours
+    virtual vk::BufferView pixelTexels() const = 0;  ///< pixels() as texels, where the device reads them so
+    virtual const gpu::Buffer& edges() const = 0;    ///< for edges: numbers if pixels() are colours, else edge colours
     virtual const gpu::Buffer& edgePixels() const = 0;
 };
 
@@ -175,7 +176,7 @@ std::unique_ptr<TileMaps> makeTileMaps(const gpu::Device& device, const passes::
                                        const Representation& representation, std::uint32_t pixels, double radius,
                                        std::uint32_t across, OccluderMeshes occluders);
 
-/// The stage that asks such maps. @param asTexels  the device reads them so
+/// The stage that samples such maps. @param asTexels  the device reads them as texels
 gpu::ShaderWords questionsToTileMaps(Texels texels, bool asTexels);
 
 }  // namespace nacre::occlusion

@@ -43,8 +43,8 @@ struct Place {
 };
 
 /// Halves some places across their longest side, until each box has its own: smaller boxes than those of Morton order.
-/// @param first, end  in the stream: the cut is where most halvings of the stream meet, so that boxes of a group are
-/// neighbours, too
+/// @param first, end  in the stream. Cuts at a multiple of the largest possible power of two boxes, so that the boxes
+/// of a group are neighbours.
 void halve(Place* places, std::uint32_t first, std::uint32_t end) {
     std::uint32_t cut = first, size = SphereBoxes::kSpheres;
     while (size < end && (end - 1) / size * size > first) {

@@ -102,7 +102,7 @@ TileView tileView(const SceneView& seen, const View& view, graph::Extent image, 
 
 std::unique_ptr<TileFrames> makeTileFrames(const gpu::Device& device) { return std::make_unique<ListedFrames>(device); }
 
-/// Made when a scene's spheres are first drawn so. A scene that is coloured anew keeps its shapes.
+/// Made when the host first draws a scene's spheres. A scene with new colours keeps its shapes.
 const SphereBoxes& ListedFrames::boxesOf(const Representation& r, const SceneView& seen) {
     if (!seen.owner || boxed_.lock() != seen.owner) {
         boxes_ = sphereBoxesOf(r);
@@ -157,7 +157,7 @@ void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::Bu
     if (format != vk::Format::eUndefined) b.texels = gpu::makeTexelView(device, b.buffer, format, name);
 }
 
-/// Tiles are drawn where something may show. Elsewhere the words of the frame before go.
+/// Tiles are drawn where something may show. Elsewhere words of earlier frames are cleared.
 void ListedFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept,
                                 bool all, const char* name) const {
     constexpr std::size_t kBin = TileLists::kBinPixels;

@@ -35,7 +35,7 @@ void reserve(const gpu::Device& device, TileBuffer& buffer, std::size_t bytes, v
 struct TileEdges {
     bool drawn = false;
     bool placed = false;       ///< the host has listed their pixels
-    bool alone = false;        ///< of what is shaded, only they are, and they need but numbers
+    bool alone = false;        ///< shades edge pixels only, from primitive numbers
     bool everywhere = false;   ///< some primitives are so small that one may lie between pixel centres
     bool listed = false;       ///< samples search the lists, not only the pixel's neighbours
     TileBuffer pixels;         ///< edge pixels: kEdgeHeader words, then groups of as many as a subgroup has lanes
@@ -66,7 +66,7 @@ public:
     std::uint32_t groups = 0;  ///< of the workgroups that draw its tiles
     bool copies = false;       ///< primitives have the transforms of copies
     bool shaded = false;       ///< `numbers` are colours
-    bool cleared = false;      ///< of what is shaded, covered pixels alone are written
+    bool cleared = false;      ///< the device writes covered pixels only: the others are cleared
     TileBuffer words;          ///< TileLists::write()
     TileBuffer rows;           ///< PlacedCopies::rows
     PixelWords numbers;        ///< of the nearest primitives, counted from 1; sights, where edges are drawn
@@ -79,7 +79,7 @@ public:
 /// The view for the host's lists. @param centers  only pixel centres are sampled
 TileView tileView(const SceneView& seen, const View& view, graph::Extent image, bool centers);
 
-/// What a view by tiles holds.
+/// The lists of a view that is drawn by tiles.
 inline const ListedFrame& listsOf(const SceneView& view) { return static_cast<const ListedFrame&>(*view.tiles); }
 
 /// Rows of bins as shaders/tile_span.vert reads them.

@@ -46,8 +46,8 @@ struct TileScenery {
 };
 
 /// Where pixels are sampled at their centres only, most triangles enter no list: the host knows the nearest one for
-/// nearly every pixel. Likewise for spheres with boxes. Where edges are drawn, triangles enter that no pixels around
-/// them hide.
+/// nearly every pixel. Likewise for spheres with boxes. Where edges are drawn, triangles enter unless all
+/// surrounding pixels hide them.
 ///
 /// Bins of `kBinPixels` per side, row by row from the top left, each with its list, and the tiles of the bins whose
 /// list is not empty or that begin with triangles. Keeps its memory between frames.

@@ -150,7 +150,7 @@ void ListedMaps::take(std::uint64_t first, std::uint64_t end) {
         part.count = static_cast<std::uint32_t>(to - from);
         if (part.count == 0) continue;
         if (c.kind == passes::Primitive::triangle) {
-            // A coarser mesh has fewer: the same share of them.
+            // A coarser mesh has fewer triangles: draws the same share.
             const std::uint64_t drawn = c.mesh->triangles.size();
             triangles_.resize(c.map + 1);
             triangles_[c.map].push_back({part.rows, c.mesh, from * drawn / c.call.count, to * drawn / c.call.count});

@@ -13,8 +13,8 @@ struct TileView : ScreenView {
     /// Pixels are sampled at their centres only: triangles between centres are dropped and, with one layer, those
     /// hidden at every centre; pixels begin with the nearest.
     bool centers = false;
-    /// Pixels are sampled at their centres first, and then between them: those begin with the nearest triangle, too,
-    /// and triangles behind all around them are dropped.
+    /// Pixels are sampled at their centres, then between them. They begin with the nearest triangle, and triangles
+    /// hidden at all surrounding centres are dropped.
     bool edges = false;
     float small = 0;                 ///< primitives of a lesser half width may lie between centres, pixels
     bool frontsOnly = false;         ///< triangles are invisible from behind

@@ -77,7 +77,7 @@ struct TriangleBand {
     std::vector<std::uint32_t>* doubts = nullptr;
 
     void beginRow(std::int32_t y) const;
-    /// That a triangle may be nearer than that of a pixel.
+    /// Notes that a triangle may be nearer than a pixel's.
     void doubt(std::uint32_t triangle) const;
     /// Draws a triangle that may hold a centre. @param key  the largest that it may have there
     /// @param certain  whether it holds it
@@ -88,8 +88,8 @@ private:
     void meet(std::size_t at, float ofBehind, float ofBefore, std::uint32_t triangle) const;
 };
 
-/// Draws at most TriangleShapes::kMost triangles, and tells where they are. @param corners  of all vertices: pixel and
-/// Z
+/// Draws at most TriangleShapes::kMost triangles. @param shapes  receives their planes and bounds
+/// @param corners  of all vertices: pixel and Z
 /// @param index  of the first
 using DrawTriangles = void (*)(const TriangleBand& band, TriangleShapes& shapes, const Triangle* triangles,
                                std::uint32_t count, const glm::vec4* corners, std::uint32_t index);

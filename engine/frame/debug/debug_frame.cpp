@@ -42,7 +42,7 @@ struct Shown {
     std::optional<graph::Image> under;
 };
 
-/// The prepass once more, for itself: on some paths the frame's own depth goes on to hold the impostors.
+/// Repeats the prepass with a depth buffer of its own: on some paths the frame's depth later holds the impostors.
 graph::Image addPlates(Frame& f, graph::Extent extent) {
     graph::Image plates = f.graph.image("plates", {VK_FORMAT_D32_SFLOAT, extent});
     declarePrepass(f, plates);

@@ -9,7 +9,7 @@ using passes::SceneView;
 
 constexpr std::uint64_t kWord = sizeof(std::uint32_t);
 
-/// A buffer of pixels, which goes by the tiles of bins.
+/// A buffer with a value for each pixel of all bins. @param bytes  of a value
 graph::Buffer addPixels(Frame& f, const FrameShape& shape, const char* name, std::uint64_t bytes) {
     return f.graph.importBuffer(name, bytes * TileBins::pixels(shape.extent.width, shape.extent.height));
 }
