@@ -35,10 +35,6 @@ FrontPlace placeOf(const TileView& view, const TileCall& call) {
 
 }  // namespace
 
-bool FrontSpheres::tells(const TileView& view) {
-    return view.centers && !view.perspective && view.layers == 1 && view.contour == 0 && !view.clips();
-}
-
 void FrontSpheres::begin(const TileView& view, const Scenery& s) {
     width_ = view.width;
     height_ = view.height;

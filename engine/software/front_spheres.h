@@ -15,13 +15,11 @@ namespace nacre {
 
 /// Draws spheres on the host from near to far, in groups and boxes that are culled as a whole. Several threads take one
 /// band of rows each. Keeps its memory between frames, so that later frames allocate only the threads.
+/// Views are orthographic, sampled at pixel centres, in one layer, without clipping planes or outlines.
 class FrontSpheres {
 public:
     /// @param lanes  spheres that are drawn at once
     explicit FrontSpheres(const FrontLanes& lanes = frontLanes().back()) : lanes_(lanes) {}
-
-    /// Whether it supports a view: orthographic, sampled at pixel centres, without clipping planes or outlines.
-    static bool tells(const TileView& view);
 
     /// Finds per pixel a sphere that may be nearest, and all others that may be, whatever a shader's rounding.
     void draw(const TileView& view, std::span<const Sphere> spheres, const SphereBoxes& boxes,

@@ -6,10 +6,10 @@
 
 namespace nacre::test {
 
-/// The lines of a table but those of frames in motion.
+/// A table without the lines of frames in motion.
 std::string withoutMotion(const std::string& table);
 
-/// By the path that a device's kind suggests; "software" of one.
+/// By the path that the device's kind suggests; "software": of software devices.
 const std::map<std::string, std::string>& statedChoices();
 
 }  // namespace nacre::test

@@ -123,6 +123,7 @@ std::string tableOf(const FrameCaps& caps) {
 }
 
 TEST(Choose, IsStatedForEveryKindOfDeviceEffectAndPart) {
+    EXPECT_EQ(devicesByKind().size(), statedChoices().size());
     for (const auto& [kind, devices] : devicesByKind())
         for (const FrameCaps& caps : devices) {
             // Frames in motion alone differ among devices of a kind.
@@ -201,6 +202,21 @@ TEST(Choose, HasTheHostFindWhatIsInFrontWhereThatCostsLess) {
     EXPECT_EQ(host(), HostWork::none);
     facts.spheres = 100'000;
     EXPECT_EQ(host(), HostWork::frontSpheres);
+    const auto but = [&](auto change) {
+        RenderSettings other = settings;
+        SceneFacts scene = facts;
+        change(other, scene);
+        return choose(pictureOf(other), scene, caps).host;
+    };
+    // Only what FrontSpheres supports.
+    EXPECT_EQ(but([](auto& s, auto&) { s.view.projection = Projection::perspective; }), HostWork::none);
+    EXPECT_EQ(but([](auto& s, auto&) { s.effects.contours.width = 1; }), HostWork::none);
+    EXPECT_EQ(but([](auto& s, auto&) { s.effects.halos.width = 1; }), HostWork::none);
+    EXPECT_EQ(but([](auto& s, auto&) { s.effects.clip.near = 3; }), HostWork::none);
+    EXPECT_EQ(but([](auto& s, auto&) { s.effects.clip.far = 3; }), HostWork::none);
+    EXPECT_EQ(but([](auto&, auto& f) { f.triangles = 1; }), HostWork::none);
+    EXPECT_EQ(but([](auto&, auto& f) { f.boxed = false; }), HostWork::none);
+    EXPECT_EQ(but([](auto&, auto& f) { f.radiusPixels = 3; }), HostWork::none);
     settings.supersample = RenderSettings::kEdges;
     EXPECT_EQ(host(), HostWork::none);
     facts.spheres = settings.tuning.hideFrom;

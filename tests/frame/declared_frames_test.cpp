@@ -76,6 +76,7 @@ TEST_F(DeclaredFramesTest, WhateverDiffersIsAnother) {
         },
         [](FrameShape& s) { s.choice.debug = DebugView::normals; },
         [](FrameShape& s) { s.choice.ending = Ending::readBack; },
+        [](FrameShape& s) { s.picture.masked = true; },
         [](FrameShape& s) { s.window.width = 7; },
         [](FrameShape& s) { s.overlay = true; },
         [](FrameShape& s) { s.merge = false; },

@@ -253,23 +253,6 @@ TEST(FrontSpheres, AreTheSameBySeveralThreads) {
     EXPECT_EQ(one.doubts, two.doubts);
 }
 
-TEST(FrontSpheres, TellOfParallelRaysThroughCentersAlone) {
-    TileView v;
-    v.centers = true;
-    EXPECT_TRUE(FrontSpheres::tells(v));
-    const auto but = [&](auto change) {
-        TileView other = v;
-        change(other);
-        return FrontSpheres::tells(other);
-    };
-    EXPECT_FALSE(but([](TileView& w) { w.centers = false; }));
-    EXPECT_FALSE(but([](TileView& w) { w.perspective = true; }));
-    EXPECT_FALSE(but([](TileView& w) { w.layers = 2; }));
-    EXPECT_FALSE(but([](TileView& w) { w.contour = 0.1f; }));
-    EXPECT_FALSE(but([](TileView& w) { w.clipNear = 3; }));
-    EXPECT_FALSE(but([](TileView& w) { w.clipFar = 3; }));
-}
-
 TEST(SphereBoxes, HoldTheirSpheres) {
     const Crowd c(3, 1, 0);
     const SphereBoxes boxes = sphereBoxesOf(c.spheres);
