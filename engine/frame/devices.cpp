@@ -4,7 +4,6 @@
 #include "engine/devices.h"
 #include "engine/error.h"
 #include "engine/frame/choose.h"
-#include "engine/gpu/bundled_driver.h"
 #include "engine/gpu/context.h"
 #include "engine/gpu/device.h"
 #include "engine/gpu/device_info.h"
@@ -41,7 +40,6 @@ std::vector<DeviceInfo> listDevices() {
             const gpu::Caps caps = gpu::capsOf(physical);
             devices.push_back(gpu::infoOf(caps, physical));
             addChoices(devices.back(), caps);
-            devices.back().bundled = gpu::bundledDriverTaken();
         }
         return devices;
     } catch (const vk::SystemError& failure) {

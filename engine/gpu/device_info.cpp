@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/devices.h"
+#include "engine/gpu/bundled_driver.h"
 #include "engine/gpu/capture_hook.h"
 #include "engine/gpu/instance.h"
 
@@ -101,6 +102,7 @@ void addMemory(const vk::raii::PhysicalDevice& device, DeviceInfo& info) {
 
 DeviceInfo gpu::infoOf(const Caps& caps, const vk::raii::PhysicalDevice& device) {
     DeviceInfo info = infoOf(caps);
+    info.bundled = bundledDriverTaken();
     const vk::PhysicalDeviceProperties properties = device.getProperties();
     info.vendorId = properties.vendorID;
     info.deviceId = properties.deviceID;
