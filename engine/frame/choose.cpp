@@ -433,6 +433,7 @@ std::string samplesText(const FrameChoice& choice) {
 
 std::string effectsText(const EffectList& effects) {
     constexpr const char* kNames[] = {"shadow", "outlines", "halos", "translucency", "translucency by tiles", "lens"};
+    static_assert(std::size(kNames) == kEffectKinds);
     std::string text;
     for (const Effect& e : effects) {
         text += (text.empty() ? "" : ", ") + nameIn(kNames, e.kind);

@@ -107,10 +107,12 @@ struct Effect {
     friend bool operator==(const Effect&, const Effect&) = default;
 };
 
-/// The effects of a frame, in the order in which they run. Frames allocate nothing.
+constexpr std::size_t kEffectKinds = static_cast<std::size_t>(Effect::Kind::lens) + 1;
+
+/// The effects of a frame, one of each kind at most, in the order in which they run. Frames allocate nothing.
 class EffectList {
 public:
-    void add(Effect effect) { effects_[count_++] = effect; }
+    void add(Effect effect) { effects_.at(count_++) = effect; }
     std::uint32_t size(Effect::Kind kind) const;  ///< 0: it has no such effect, or one without a size
     bool has(Effect::Kind kind) const;
     void replace(Effect::Kind kind, Effect::Kind by);
@@ -119,7 +121,7 @@ public:
     friend bool operator==(const EffectList&, const EffectList&) = default;
 
 private:
-    std::array<Effect, 5> effects_{};
+    std::array<Effect, kEffectKinds> effects_{};
     std::uint32_t count_ = 0;
 };
 
