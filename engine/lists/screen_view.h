@@ -48,6 +48,14 @@ inline glm::vec2 pixelOf(const ScreenView& view, glm::vec2 q) {
     }
 }
 
+/// The first pixel whose centre is not before a coordinate, and one past the last whose centre is not behind it.
+/// @param first, end  bounds of the result
+inline std::uint32_t pixelAt(float place, std::uint32_t first, std::uint32_t end) {
+    const float at = place + 0.5f;
+    if (!(at > static_cast<float>(first))) return first;
+    return at < static_cast<float>(end) ? static_cast<std::uint32_t>(at) : end;
+}
+
 /// Radius of a ball that holds a sphere with its outline (shaders/common/view.glsl).
 inline float reachOf(const ScreenView& view, float z, float radius) {
     if (!view.perspective) return radius + view.contour;

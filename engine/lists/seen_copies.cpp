@@ -23,13 +23,6 @@ ScreenView finer(ScreenView view, std::uint32_t grid) {
     return view;
 }
 
-/// The first place whose centre is not before a coordinate, and one past the last that is not behind it.
-std::uint32_t placeAt(float at, std::uint32_t first, std::uint32_t end) {
-    at += 0.5f;
-    if (!(at > static_cast<float>(first))) return first;
-    return at < static_cast<float>(end) ? static_cast<std::uint32_t>(at) : end;
-}
-
 glm::vec3 seen(const glm::dmat3& rotation, const glm::dmat4x3& transform, const glm::vec3& p) {
     return rotation * (transform * glm::dvec4(glm::dvec3(p), 1.0));
 }
@@ -115,9 +108,9 @@ void SeenCopies::placeAll(const ScreenView& view, const Scenery& s) {
 
 bool SeenCopies::isHidden(const Band& band, float near, float left, float top, float right, float bottom) const {
     const float room = between_ ? 1 : 0;
-    const std::uint32_t x0 = placeAt(left - room, 0, width_), x1 = placeAt(right + room, 0, width_);
-    const std::uint32_t y1 = placeAt(bottom + room, band.first, band.end);
-    for (std::uint32_t y = placeAt(top - room, band.first, band.end); y < y1; ++y) {
+    const std::uint32_t x0 = pixelAt(left - room, 0, width_), x1 = pixelAt(right + room, 0, width_);
+    const std::uint32_t y1 = pixelAt(bottom + room, band.first, band.end);
+    for (std::uint32_t y = pixelAt(top - room, band.first, band.end); y < y1; ++y) {
         const float* row = z_.data() + std::size_t{y} * width_;
         for (std::uint32_t x = x0; x < x1; ++x)
             if (row[x] > near) return false;
@@ -131,8 +124,8 @@ void SeenCopies::drawSphere(const ScreenView& view, const glm::vec3& center, flo
     const Disc disc = discOf(view, center, radius);
     const glm::vec2 at = pixelOf(view, disc.center);
     const float reach = disc.radius * view.pixels, squared = reach * reach;
-    const std::uint32_t x0 = placeAt(at.x - reach, 0, width_), x1 = placeAt(at.x + reach, 0, width_);
-    const std::uint32_t y1 = placeAt(at.y + reach, band.first, band.end);
+    const std::uint32_t x0 = pixelAt(at.x - reach, 0, width_), x1 = pixelAt(at.x + reach, 0, width_);
+    const std::uint32_t y1 = pixelAt(at.y + reach, band.first, band.end);
     const float perPixel = radius / reach;
     const auto number = static_cast<std::uint32_t>(band.found.size());
     // A sphere that a plane cuts may show surfaces behind it.
@@ -145,7 +138,7 @@ void SeenCopies::drawSphere(const ScreenView& view, const glm::vec3& center, flo
         band.reaches.push_back(r);
         if (cut) return;
     }
-    for (std::uint32_t y = placeAt(at.y - reach, band.first, band.end); y < y1; ++y) {
+    for (std::uint32_t y = pixelAt(at.y - reach, band.first, band.end); y < y1; ++y) {
         const float above = static_cast<float>(y) + 0.5f - at.y, within = squared - above * above;
         for (std::uint32_t x = x0; x < x1; ++x) {
             const std::size_t i = std::size_t{y} * width_ + x;
@@ -238,7 +231,7 @@ void SeenCopies::draw(const ScreenView& asked, const Scenery& s, float error, st
     placeAll(view, s);
     partRows(
         height_, std::min<std::size_t>(sorted_.size() / kWorth + 1, threadsPerTask()), sorted_,
-        [&](const Placed& p) { return placeAt(p.y, 0, height_ - 1); }, inRow_, rows_);
+        [&](const Placed& p) { return pixelAt(p.y, 0, height_ - 1); }, inRow_, rows_);
     bands_.resize(std::max(bands_.size(), rows_.size()));
     z_.resize(std::max(z_.size(), std::size_t{width_} * height_));
     nearest_.resize(z_.size());

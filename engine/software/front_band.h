@@ -15,13 +15,6 @@
 
 namespace nacre {
 
-/// The first pixel whose centre is not before a coordinate, and one past the last that is not behind it.
-inline std::uint32_t frontPixelAt(float place, std::uint32_t first, std::uint32_t end) {
-    const float at = place + 0.5f;
-    if (!(at > static_cast<float>(first))) return first;
-    return at < static_cast<float>(end) ? static_cast<std::uint32_t>(at) : end;
-}
-
 /// Transform into pixels and Z.
 struct FrontPlace {
     glm::vec4 x, y, z;

@@ -161,8 +161,8 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
     sortNearFirst<2048>(view, std::span(&groups_, 1), sorted_);
     partRows(
         height_, std::min<std::size_t>(groups_.size() / kWorth + 1, threadsPerTask()), groups_,
-        [&](const FrontGroup& group) { return frontPixelAt((group.top + group.bottom) * 0.5f, 0, height_ - 1); },
-        inRow_, bands_);
+        [&](const FrontGroup& group) { return pixelAt((group.top + group.bottom) * 0.5f, 0, height_ - 1); }, inRow_,
+        bands_);
     if (doubts_.size() < bands_.size()) doubts_.resize(bands_.size());
     z_.resize(std::max(z_.size(), std::size_t{pitch_} * height_));
     number_.resize(z_.size());
