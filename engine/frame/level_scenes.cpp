@@ -10,16 +10,7 @@ namespace {
 ScreenView screenViewOf(const View& view, const RenderSettings& settings) {
     const graph::Extent image = imageExtent(view);
     const layout::ViewConstants c = passes::viewConstants(view, image.width / 2.0, image.height / 2.0);
-    ScreenView v;
-    v.width = image.width;
-    v.height = image.height;
-    v.perspective = view.projection == Projection::perspective;
-    v.quarterTurns = view.quarterTurns;
-    v.axis = c.axisPixel;
-    v.pixels = static_cast<float>(view.pixelsPerAngstrom);
-    v.origin = c.origin;
-    v.nearest = c.depthStart;
-    v.range = 1.0f / c.perRange;
+    ScreenView v = passes::screenView(c, view, image.width, image.height);
     const Clip& clip = settings.effects.clip;
     if (clip.on()) {
         v.clipNear = std::max(v.origin + static_cast<float>(clip.near), -ScreenView::kNoPlane);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/lists/screen_view.h"
 #include "engine/scene/view/camera.h"
 #include "shaders/common/layout.h"
 
@@ -31,6 +32,23 @@ inline layout::ViewConstants viewConstants(const View& view, double centerX, dou
     c.perRange = static_cast<float>(1.0 / range);
     c.patchesInRow = 1u << 15 | 1u << 16;  // without an atlas, too: cells of all numbers of spheres
     return c;
+}
+
+/// The camera of a view for the host's visibility tests, without clipping planes and outlines.
+/// @param c  viewConstants() of the view @param width, height  of the image, pixels
+inline ScreenView screenView(const layout::ViewConstants& c, const View& view, std::uint32_t width,
+                             std::uint32_t height) {
+    ScreenView v;
+    v.width = width;
+    v.height = height;
+    v.perspective = view.projection == Projection::perspective;
+    v.quarterTurns = view.quarterTurns;
+    v.axis = c.axisPixel;
+    v.pixels = static_cast<float>(view.pixelsPerAngstrom);
+    v.origin = c.origin;
+    v.nearest = c.depthStart;
+    v.range = 1.0f / c.perRange;
+    return v;
 }
 
 }  // namespace nacre::passes

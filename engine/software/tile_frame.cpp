@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "engine/passes/view_constants.h"
 #include "engine/threads.h"
 
 namespace nacre::passes {
@@ -82,16 +83,7 @@ static_assert(TileView::kNoPlane == layout::kNoPlane);
 
 TileView tileView(const SceneView& seen, const View& view, graph::Extent image, bool centers) {
     const layout::ViewConstants& c = seen.constants;
-    TileView v;
-    v.width = image.width;
-    v.height = image.height;
-    v.perspective = seen.perspective;
-    v.quarterTurns = seen.quarterTurns;
-    v.axis = c.axisPixel;
-    v.pixels = static_cast<float>(view.pixelsPerAngstrom);
-    v.origin = c.origin;
-    v.nearest = c.depthStart;
-    v.range = 1.0f / c.perRange;
+    TileView v{screenView(c, view, image.width, image.height)};
     if (seen.effects.clip.on()) v.clipNear = c.clipNear, v.clipFar = c.clipFar;
     v.contour = std::max(c.contourWidth, seen.rims.widest());
     v.wireScale = seen.wireScale;
