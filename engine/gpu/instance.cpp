@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <cstring>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -138,11 +139,15 @@ bool findsDevice(const vk::raii::Context& context, bool validate, InstanceExtens
 
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
                                 const std::vector<std::string>& wanted) {
-    if (hasBundledDriver() && !bundledDriverTaken()) {
-        vk::raii::Instance instance{nullptr};
-        if (findsDevice(context, validate, found, wanted, instance)) return instance;
-        takeBundledDriver();
-        found = {};
+    if (hasBundledDriver()) {
+        static std::mutex deciding;  // the loader reads the environment, which takeBundledDriver() changes
+        const std::lock_guard lock(deciding);
+        if (!bundledDriverTaken()) {
+            vk::raii::Instance instance{nullptr};
+            if (findsDevice(context, validate, found, wanted, instance)) return instance;
+            takeBundledDriver();
+            found = {};
+        }
     }
     return instanceOf(context, validate, found, wanted);
 }
