@@ -49,7 +49,7 @@ std::string mediaType(const std::string& extension) {
     return "image/jpeg";
 }
 
-/// A text without paths that the client did not name.
+/// A text without paths of this machine or names of uploads.
 std::string forClient(std::string text, const PictureDescription& asked) {
     const auto hide = [&](const std::string& path) {
         for (std::size_t at; (at = text.find(path)) != std::string::npos;) text.replace(at, path.size(), "the input");
@@ -57,9 +57,8 @@ std::string forClient(std::string text, const PictureDescription& asked) {
     const auto hideFile = [&](const std::shared_ptr<const OpenedFile>& file) {
         if (!file) return;
         hide(file->path());
-        if (file->hasFolder()) hide(file->name());
+        if (file->hasFolder() || file->name().starts_with(Uploads::kPrefix)) hide(file->name());
     };
-    if (asked.input.path.starts_with(Uploads::kPrefix)) hide(asked.input.path);
     hideFile(asked.input.opened);
     for (const FurtherInput& further : asked.input.further) hideFile(further.opened);
     return text;

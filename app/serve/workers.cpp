@@ -25,6 +25,13 @@ std::string encoded(const Picture& picture, const PictureDescription& descriptio
     }
 }
 
+/// A drawing keeps its description, and must not keep the files open that its molecule was read from.
+PictureDescription withoutOpenFiles(PictureDescription description) {
+    description.input.opened = nullptr;
+    for (FurtherInput& further : description.input.further) further.opened = nullptr;
+    return description;
+}
+
 }  // namespace
 
 class Workers::Worker {
@@ -86,7 +93,7 @@ private:
             asAsked_ = moleculeKey(description) == held_;
         }
         check(0);
-        drawing_.prepare(*molecule_, description);
+        drawing_.prepare(*molecule_, withoutOpenFiles(description));
         check(0);
         drawing_.settings.occlusion.onProgress = check;
         std::vector<std::string> said = heard.warnings;
