@@ -19,7 +19,10 @@ Frames::Frames(const Structure& structure) : structure_(structure), motion_(moti
 Structure Frames::at(std::uint64_t frame) const {
     if (!motion_) return structure_;
     auto moved = std::make_shared<Molecule>(*structure_.molecule);
-    app::movePositions(*moved, motion_->positions(frame));
+    {
+        const std::lock_guard lock(turn_);
+        app::movePositions(*moved, motion_->positions(frame));
+    }
     Structure one = structure_;
     one.molecule = std::move(moved);
     one.kept = std::make_shared<Structure::Kept>();

@@ -2,6 +2,7 @@
 // The models of a structure, or the frames of the trajectory that it was opened with, as structures.
 
 #include <memory>
+#include <mutex>
 
 #include "app/python/drawing.h"
 #include "engine/molecule/trajectory/motion.h"
@@ -11,18 +12,19 @@ namespace nacre::python {
 /// Null if there is one model. @param now  whose positions follow @throws Error
 std::unique_ptr<Motion> motionOf(const Structure& structure, const Molecule& now);
 
-/// Reads frames one by one. One thread at a time.
+/// Reads frames one by one. Threads may share it.
 class Frames {
 public:
     /// @throws Error
     explicit Frames(const Structure& structure);
-    /// Their number; 1 without a trajectory and with one model.
+    /// Number of frames; 1 without a trajectory or further models.
     std::uint64_t count() const { return motion_ ? motion_->frames() : 1; }
     /// @param frame  from 0 @throws Error
     Structure at(std::uint64_t frame) const;
 
 private:
     Structure structure_;
+    mutable std::mutex turn_;  // of motion_, which holds one frame at a time
     std::unique_ptr<Motion> motion_;
 };
 

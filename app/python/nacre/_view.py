@@ -8,6 +8,7 @@ import json
 import os
 import secrets
 import tempfile
+import threading
 import urllib.parse
 import warnings
 
@@ -18,10 +19,11 @@ _FIELDS = ("style", "color", "look", "show", "label")
 _CAMERA = ("orientation", "zoom", "pan", "clip")
 _KINDS = {"jpg": (".jpg", "image/jpeg"), "webp": (".webp", "image/webp"), "png": (".png", "image/png")}
 _MOST_FRAMES = 64  # that a view keeps, with their scenes
+_turn = threading.Lock()  # of the frames of all views
 
 
 class View:
-    """What Structure.view() returns. In a notebook it is a picture that turns; elsewhere a picture.
+    """A view that Structure.view() returns. In a notebook it is a picture that turns; elsewhere a picture.
 
     description: the options of render() that draw what is seen now; render(**view.description) draws it.
     picked: index of the atom that was clicked last, or None. frame: number of the model or of the trajectory's frame.
@@ -46,22 +48,24 @@ class View:
         return self._shown().render(**({"size": self.size} | self.description | options))
 
     def save(self, path, **options):
-        """The same into a file."""
+        """Saves the picture as seen now."""
         self._shown().save(path, **({"size": self.size} | self.description | options))
 
     def _shown(self):
         """The structure at the frame that is seen."""
-        if self.frame == 1:
+        number = self.frame  # a page may choose another one meanwhile
+        if number == 1:
             return self.structure
-        if self.frame not in self._frames:
-            self._frames[self.frame] = self.structure.frame(self.frame)
-            for old in list(self._frames)[:-_MOST_FRAMES]:
-                del self._frames[old]
-        return self._frames[self.frame]
+        with _turn:
+            if number not in self._frames:
+                self._frames[number] = self.structure.frame(number)
+                for old in list(self._frames)[:-_MOST_FRAMES]:
+                    del self._frames[old]
+            return self._frames[number]
 
     @property
     def _query(self):
-        """The page's query: what is seen now."""
+        """The page's query for the view as seen now."""
         shown = [(key, _text(value)) for key, value in self.description.items()
                  if key in _CAMERA or key in _FIELDS and isinstance(value, str)]
         frame = [("frame", self.frame)] if self.frame > 1 else []
@@ -93,7 +97,7 @@ class View:
         return bundle
 
     def _answer(self, path):
-        """What a page asks for: "", "options", "info", "picture?QUERY", "pick?QUERY". @returns status, type, bytes"""
+        """Answers a page: "", "options", "info", "picture?QUERY" or "pick?QUERY". @returns status, type, bytes"""
         from . import Error, UsageError, _nacre
 
         place = urllib.parse.urlsplit(path)
@@ -119,7 +123,7 @@ class View:
         return _problem(404, f"there is no {place.path}")
 
     def _see(self, query):
-        """Takes what a page sees from its query. @returns options"""
+        """Reads a page's query and takes its frame. @returns the options that the page sets, and those that draw it"""
         seen = {key: query[key][-1] for key in (*_FIELDS, *_CAMERA) if key in query}
         for key in ("orientation", "pan"):
             if key in seen:
