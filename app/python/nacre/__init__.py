@@ -32,7 +32,7 @@ from ._given import FileMissing
 from ._given import colored as _colored, groups as _groups, kind as _kind, tell as _tell, text as _text
 from ._given import writable as _writable
 from ._nacre import Error, UsageError
-from ._view import View
+from ._view import View, encoded as _encoded
 
 __version__ = _nacre.__version__
 __all__ = ["Atoms", "Error", "FileMissing", "Movie", "Structure", "UsageError", "View", "__version__", "density_map", "from_arrays",
@@ -235,8 +235,9 @@ class Structure:
         program ffmpeg), .gif or .png (animated). Without a path it is an animated PNG.
 
         spin: axis to turn about, "x", "y", "z" or a vector; turns: their number (1). rock: degrees to either side, about
-        axis. map_sweep: contour level of the first map from one to another, "1sigma,3sigma". models: one model after the other, or one frame of the trajectory that it was opened with.
-        Without any of these it turns about y. seconds, fps: how long and how fast. options: those of render().
+        axis. map_sweep: contour level of the first map from one to another, "1sigma,3sigma". models: one model after the
+        other, or one frame of the trajectory that it was opened with. Without any of these it turns about y. seconds, fps:
+        how long and how fast. options: those of render().
         """
         motion = {"spin": spin, "turns": turns, "rock": rock, "axis": axis, "easing": easing, "map-sweep": map_sweep,
                   "seconds": seconds, "fps": fps}
@@ -269,12 +270,7 @@ class Structure:
 
     def _repr_png_(self):
         """The picture in a notebook."""
-        with _tempfile.TemporaryDirectory(prefix="nacre-") as folder:
-            path = _os.path.join(folder, "picture.png")
-            colors, text = self._given(_NOTEBOOK)
-            _nacre.save(self._core, path, text, colors)
-            with _open(path, "rb") as file:
-                return file.read()
+        return _encoded(self, ".png", _NOTEBOOK)
 
 
 _open = __builtins__["open"] if isinstance(__builtins__, dict) else __builtins__.open

@@ -1,6 +1,6 @@
 """Views over the kernel's own channel: comm messages, which go where the notebook goes. cell.js is the other end.
 
-One thread draws for all views, so that a message is taken while a picture is drawn, and of each view in motion only the
+One thread draws for all views, so that messages are received while a picture is drawn. Of each view in motion, only the
 newest request is answered with a picture.
 """
 
@@ -23,8 +23,8 @@ class Channel:
     def __init__(self):
         self._views = {}
         self._changed = threading.Condition()
-        self._queue = collections.deque()  # (view, n, path, send), in turn
-        self._moving = {}  # by view: the newest request of one in motion; the views take turns
+        self._queue = collections.deque()  # (view, path, answer), in order
+        self._moving = {}  # by token: the newest such request of a view in motion; the views take turns
         self._thread, self._turn = None, False
 
     def add(self, token, view):
@@ -63,7 +63,7 @@ class Channel:
         with self._changed:
             while not self._queue and not self._moving:
                 self._changed.wait()
-            self._turn = not self._turn  # neither waits for all of the other
+            self._turn = not self._turn  # the queue and the views in motion take turns
             if self._queue and (self._turn or not self._moving):
                 return self._queue.popleft()
             return self._moving.pop(next(iter(self._moving)))
@@ -81,7 +81,7 @@ channel = Channel()
 
 
 def kernel():
-    """The id of the kernel that this process is, after its comm target is there; None outside kernels."""
+    """Registers the comm target. @returns the id of this process's kernel; None outside kernels"""
     try:
         from ipykernel.connect import get_connection_file
         from ipykernel.kernelapp import IPKernelApp

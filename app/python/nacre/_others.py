@@ -1,4 +1,4 @@
-"""Structures of other packages, files and addresses, as nacre.open() takes them. No package is imported before its object comes."""
+"""Structures of other packages, files and addresses, for nacre.open(). A package is imported only for its own objects."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def address_bytes(address):
 
 
 class Columns:
-    """What from_arrays() takes, and the places of further frames: positions(number from 0) -> (n, 3) Å."""
+    """Arguments of from_arrays(), and positions(number from 0) -> (n, 3) Å of every frame."""
 
     def __init__(self, name, arguments, frames=1, positions=None):
         self.name, self.arguments, self.frames, self.positions = name, arguments, frames, positions
@@ -63,16 +63,16 @@ def from_mdanalysis(atoms):
         except Exception:  # MDAnalysis' NoDataError, which is not everywhere the same class
             return None
 
-    elements = column("elements")
+    unknown = [""] * len(atoms)
+    elements, residues = column("elements"), column("resnames")
     if elements is None or not all(elements):
-        guessed = [element_of(name, residue) for name, residue in zip(atoms.names, column("resnames") if column("resnames") is not None
-                                                                     else [""] * len(atoms))]
-        elements = [known or guess for known, guess in zip(elements if elements is not None else [""] * len(atoms), guessed)]
+        guessed = [element_of(name, residue) for name, residue in zip(atoms.names, unknown if residues is None else residues)]
+        elements = [known or guess for known, guess in zip(unknown if elements is None else elements, guessed)]
     arguments = {"positions": atoms.positions, "elements": [str(element).capitalize() for element in elements]}
     chains = column("chainIDs")
     if chains is None or not any(chains):
         chains = column("segids")
-    for key, values in (("names", column("names")), ("residue_names", column("resnames")), ("residue_numbers", column("resids")),
+    for key, values in (("names", column("names")), ("residue_names", residues), ("residue_numbers", column("resids")),
                         ("chains", chains), ("b_factors", column("tempfactors")), ("occupancies", column("occupancies"))):
         if values is not None:
             arguments[key] = values
@@ -81,8 +81,11 @@ def from_mdanalysis(atoms):
     trajectory = atoms.universe.trajectory
 
     def positions(number):
+        shown = trajectory.frame
         trajectory[number]
-        return atoms.positions
+        places = atoms.positions
+        trajectory[shown]  # the caller's universe stays at its frame
+        return places
 
     return Columns(os.path.basename(str(atoms.universe.filename or "MDAnalysis")), arguments, len(trajectory), positions)
 
@@ -103,7 +106,7 @@ _IONS = ("NA", "CL", "K", "MG", "CA", "ZN", "FE", "MN", "CU", "NI", "CO", "CD", 
 
 
 def element_of(name, residue):
-    """The element that an atom's name tells, as topologies without elements have it: CA is carbon, but in residue CA."""
+    """The element of an atom by its name, for topologies without elements: CA is carbon, except in residue CA."""
     letters = "".join(letter for letter in str(name) if letter.isalpha()).upper()
     if letters in _IONS and str(residue).strip().upper().rstrip("+-0123456789") in (letters, "SOD" if letters == "NA" else "CLA"):
         return letters.capitalize()
@@ -130,7 +133,7 @@ def from_mdtraj(trajectory):
 
 
 def from_rdkit(molecule):
-    """An RDKit Mol with conformers, which are its frames. (its mol block, or Columns if its atoms are of residues)"""
+    """An RDKit Mol; its conformers are frames. @returns (name, mol block); Columns for several conformers, or atoms of residues"""
     from rdkit import Chem  # type: ignore
 
     if not molecule.GetNumConformers():
@@ -189,7 +192,7 @@ def from_biopython(entity):
 
 
 def converter(source):
-    """What makes a structure of another package's object, or None."""
+    """The function that reads another package's object, or None."""
     of_package = {"MDAnalysis": from_mdanalysis, "mdtraj": from_mdtraj, "rdkit": from_rdkit, "gemmi": from_gemmi, "Bio": from_biopython}
     for base in type(source).__mro__:
         if found := of_package.get(base.__module__.partition(".")[0]):

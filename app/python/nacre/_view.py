@@ -84,7 +84,7 @@ class View:
         return f"<nacre.View of {self.structure.name!r}>"
 
     def _repr_mimebundle_(self, include=None, exclude=None):
-        picture = base64.b64encode(_file(self._shown(), ".png", {"size": self.size} | self.description)).decode()
+        picture = base64.b64encode(encoded(self._shown(), ".png", {"size": self.size} | self.description)).decode()
         bundle = {"text/plain": repr(self), "image/png": picture}
         kernel = _kernel()
         if self._token is None:
@@ -137,7 +137,7 @@ class View:
     def _draw(self, query):
         seen, options = self._see(query)
         ending, kind = _KINDS.get(query.get("format", [""])[-1], _KINDS["png"])
-        data = _file(self._shown(), ending, options)
+        data = encoded(self._shown(), ending, options)
         self._seen = seen
         return 200, kind, data
 
@@ -168,7 +168,8 @@ def _read(name):
         return file.read()
 
 
-def _file(structure, ending, options):
+def encoded(structure, ending, options):
+    """Bytes of a picture's file, without warnings. options: those of save()."""
     with tempfile.TemporaryDirectory(prefix="nacre-") as folder, warnings.catch_warnings():
         warnings.simplefilter("ignore")
         path = os.path.join(folder, "picture" + ending)
