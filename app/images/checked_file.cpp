@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 
 namespace nacre::app {
@@ -23,14 +22,7 @@ bool CheckedFile::write(const void* bytes, std::size_t size) {
         if (n == 0) failure_ = ENOSPC;
         if (n < 0 && errno != EINTR) failure_ = errno;
     }
-    size_ = std::max(size_, place_);
     return failure_ == 0;
-}
-
-std::size_t CheckedFile::read(void* bytes, std::size_t size) {
-    const ssize_t n = failure_ == 0 ? ::pread(file_, bytes, size, static_cast<off_t>(place_)) : -1;
-    if (n > 0) place_ += static_cast<std::uint64_t>(n);
-    return n > 0 ? static_cast<std::size_t>(n) : 0;
 }
 
 int CheckedFile::finish() {
