@@ -135,19 +135,20 @@ Headers rangeHeaders(Transfer& transfer) {
     return headers;
 }
 
-/// Refuses addresses as they were resolved: a name may lead anywhere.
+/// Checks the resolved address: a public name may resolve to a private one.
 curl_socket_t openPublic(void*, curlsocktype, curl_sockaddr* address) {
     return isPublic(address->addr) ? ::socket(address->family, address->socktype, address->protocol) : CURL_SOCKET_BAD;
 }
 
-/// Whether libcurl may go through a proxy, whose address is nobody's concern.
+/// Whether the environment names a proxy. libcurl then connects to the proxy, which may have a private address.
 bool hasProxy() {
     for (const char* name : {"http_proxy", "https_proxy", "HTTPS_PROXY", "all_proxy", "ALL_PROXY"})
         if (const char* value = std::getenv(name); value && *value) return true;
     return false;
 }
 
-/// The certificates of systems on which Debian's libcurl, as a wheel brings it, does not find any; empty where it does.
+/// A wheel brings Debian's libcurl, which looks for certificates in Debian's place. @returns their file on other
+/// systems; empty: Debian's, or unknown
 std::string certificatesElsewhere() {
     constexpr const char* kOfDebian = "/etc/ssl/certs/ca-certificates.crt";
     std::error_code error;

@@ -76,11 +76,11 @@ public:
     }
 
 private:
-    /// Where something is that a scene names. Nowhere: in its archive.
+    /// Location of a file that a scene names; all empty: in its archive.
     struct Place {
         std::shared_ptr<const OpenedFile> file;
         std::string path;       ///< of a file; of a download in the cache
-        bool download = false;  ///< it comes from there
+        bool download = false;  ///< `path` is filled by a download
     };
 
     Place placeOf(const std::string& uri) const {
@@ -141,7 +141,7 @@ private:
         return bytes;
     }
 
-    /// Tells nothing but whether it came: other answers would describe this machine's network.
+    /// One error for every failure: others would describe this machine's network.
     std::string downloadForStranger(const std::string& url, DownloadSettings& settings) const {
         const HostRule rule = hostRule(url, *input_.sceneHosts);
         settings.limits.publicAlone = rule != HostRule::named;
@@ -163,7 +163,7 @@ private:
     const std::function<void(double)>& onDownload_;
 };
 
-/// Adds what a node and those below it name.
+/// Adds the names in a node and its descendants.
 void collectNames(const mvs::Node& node, std::set<std::string>& names) {
     for (const char* key : {"url", "uri"})
         if (const mvs::Json* value = node.param(key); value && value->is_string())
@@ -201,7 +201,7 @@ std::string contentOfNamed(const InputOptions& input) {
             content += name + '\n';
             try {
                 content += fetch.contentOf(name) + '\n';
-            } catch (const Error&) {  // that there is none is told by whoever reads it
+            } catch (const Error&) {  // reading the scene reports it
             }
         }
     } catch (const Error&) {

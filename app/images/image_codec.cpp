@@ -41,7 +41,7 @@ extern "C" __attribute__((visibility("default"))) bool nacreWriteImage(const nac
     } catch (const std::exception& error) {
         reason = *error.what() ? error.what() : "the library gives no reason";
     }
-    // A full disk is the reason of what a library complains about.
+    // A full disk explains a library's error better than its own message.
     if (const int failure = file.finish()) reason = std::strerror(failure);
     std::snprintf(why, whyBytes, "%s", reason.c_str());
     return reason.empty();

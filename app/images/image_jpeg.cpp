@@ -1,6 +1,6 @@
 #include <csetjmp>
 #include <cstdio>
-// libjpeg's header uses both before it.
+// jpeglib.h needs both headers above.
 #include <jpeglib.h>
 
 #include <array>
@@ -43,7 +43,7 @@ struct Target {
 
 Target& targetOf(j_compress_ptr jpeg) { return *reinterpret_cast<Target*>(jpeg->dest); }
 
-/// Chunks that libjpeg calls for; a full disk is found at the end.
+/// Writes libjpeg's chunks to the file, which keeps a failure such as a full disk.
 void connect(j_compress_ptr jpeg, Target& target) {
     target.manager.init_destination = [](j_compress_ptr j) { targetOf(j).empty(); };
     target.manager.empty_output_buffer = [](j_compress_ptr j) -> boolean {

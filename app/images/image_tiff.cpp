@@ -1,4 +1,4 @@
-// TIFF 6.0 with deflated strips, and BigTIFF: written here, since libtiff brings libraries that nothing needs, one of
+// TIFF 6.0 with deflated strips, and BigTIFF. Not by libtiff, which links libraries that nothing else needs, one of
 // them under the GPL.
 
 #include <zlib.h>
@@ -44,7 +44,7 @@ Field fieldOfBytes(std::uint16_t tag, FieldType type, std::vector<std::uint8_t> 
     return {tag, type, count, std::move(bytes)};
 }
 
-/// What compresses better: each sample less the one to its left.
+/// Replaces each sample by its difference from the one to its left, which compresses better.
 template <typename Sample>
 void takeDifferences(Sample* samples, std::size_t rows, std::size_t width, std::size_t channels) {
     for (std::size_t y = 0; y < rows; ++y) {

@@ -1,6 +1,6 @@
 #pragma once
-// A writer per format and library. Each throws std::runtime_error, or an exception of its library; what fails in the
-// file itself is told by the file.
+// A writer per format and library. Each throws std::runtime_error, or an exception of its library. CheckedFile keeps
+// failures of the file itself.
 
 #include "app/images/checked_file.h"
 #include "app/images/image_codec.h"

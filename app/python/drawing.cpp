@@ -193,7 +193,8 @@ Drawn draw(const Structure& structure, const std::string& options, const Colors&
 }
 
 std::vector<Drawn> drawAll(const Structure& structure, const std::vector<std::string>& options, const Colors& colors) {
-    // What fails after a first picture is the first of the next call, so that those before it are not lost.
+    // A request that fails ends the list, so that pictures before it are not lost. It fails as the first of the next
+    // call.
     std::vector<PictureDescription> requests;
     for (const std::string& one : options) {
         try {

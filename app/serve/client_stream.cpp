@@ -54,7 +54,7 @@ void ClientStream::takeHead(httplib::Request& request) {
     received_ = 0;
     const std::string length = request.get_header_value("Content-Length");
     expected_ = std::strtoull(length.c_str(), nullptr, 10);
-    // Where a body in chunks ends only its reader knows.
+    // Only httplib's reader finds the end of a body in chunks.
     if (request.has_header("Transfer-Encoding")) expected_ = ~std::size_t{0};
 }
 
@@ -108,7 +108,7 @@ bool ClientStream::wait(short events, int milliseconds) const {
     return ready > 0;
 }
 
-/// Milliseconds until the deadline of what has moved so many bytes.
+/// Milliseconds until the deadline of a transfer. @param moved  its bytes so far
 int ClientStream::left(std::size_t moved) const {
     const double most = 1000.0 * (seconds_ + static_cast<double>(moved) / static_cast<double>(kLeastRate));
     return static_cast<int>(std::clamp(most - millisecondsSince(start_), 0.0, 3.6e6));

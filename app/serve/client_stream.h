@@ -29,7 +29,7 @@ public:
 
     /// Reads what there is of the next request's head, without waiting.
     Head readHead();
-    /// What was read and not yet taken.
+    /// Bytes read and not yet taken.
     std::string_view ahead() const { return std::string_view(buffer_).substr(first_); }
 
     /// The request whose head was read begins. @param waits  false: an answer that the system does not take at once is
@@ -40,8 +40,8 @@ public:
     /// Whether all of the request was read, so that another one may follow.
     bool isThrough() const { return headTaken_ && received_ >= expected_; }
 
-    /// The client learns that nothing more comes. A reset would take the answer away from it: what it still sends is
-    /// read by skip().
+    /// Tells the client that nothing more comes. skip() then reads what it still sends: closing at once would reset the
+    /// connection, and the client could lose the answer.
     void end();
     /// Drops what there is, without waiting. @returns whether more may come
     bool skip();
@@ -50,7 +50,7 @@ public:
     ssize_t write(const char* from, std::size_t size) override;
     bool is_readable() const override { return first_ < buffer_.size() || wait(POLLIN, 0); }
     bool is_writable() const override { return wait(POLLOUT, 0); }
-    // Nobody is told who asks.
+    // Handlers do not learn the client's address.
     void get_remote_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
     void get_local_ip_and_port(std::string& ip, int& port) const override { ip.clear(), port = 0; }
     socket_t socket() const override { return socket_; }

@@ -50,7 +50,7 @@ void HttpServer::serve() {
     threads_.push_back(startThread([this] { work(); }));
     constexpr int kBacklog = 1024;
     ::listen(svr_sock_, kBacklog);
-    fcntl(svr_sock_, F_SETFL, O_NONBLOCK);  // who has left before it is accepted keeps nobody waiting
+    fcntl(svr_sock_, F_SETFL, O_NONBLOCK);  // a client that leaves before accept() must not block it
     std::vector<pollfd> polled;
     std::vector<Connections::iterator> order;
     while (!stopping_) {
@@ -103,7 +103,7 @@ void HttpServer::accept() {
     }
 }
 
-/// Something came of a connection.
+/// Handles a connection that is readable.
 void HttpServer::look(Connections::iterator at) {
     if (at->state == Connection::State::ending) {
         if (!at->stream->skip()) waiting_.erase(at);
@@ -131,7 +131,7 @@ void HttpServer::look(Connections::iterator at) {
     waiting_.push_back(std::move(connection));
 }
 
-/// One request alone: the answers to many may have to wait until the client reads them.
+/// Only if nothing follows the head: answers to several requests might have to wait for the client to read them.
 bool HttpServer::isForGate(std::string_view head) const {
     if (head.find("\r\n\r\n") + 4 != head.size()) return false;
     for (const std::string_view method : {"GET ", "HEAD "})

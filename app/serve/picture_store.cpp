@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kPrefix = "picture-";
 
-/// What an entry begins with: the picture's name, length and hash. All heads of a name are of the same size.
+/// Head of an entry: the picture's name, length and hash. Its size depends on the name alone.
 std::string headOf(const std::string& name, std::string_view picture) {
     char length[17];
     std::snprintf(length, sizeof length, "%016llx", static_cast<unsigned long long>(picture.size()));

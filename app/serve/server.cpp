@@ -164,7 +164,7 @@ struct Server::Parts {
     }
 
     using Handler = std::function<void(const Request&, Response&)>;
-    /// The same, with failures as problems.
+    /// Answers with a problem if the handler throws.
     Handler answer(Handler handler) {
         return [this, handler = std::move(handler)](const Request& request, Response& response) {
             const Clock::time_point start = Clock::now();

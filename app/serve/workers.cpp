@@ -100,7 +100,7 @@ private:
         said.insert(said.end(), drawing_.warnings.begin(), drawing_.warnings.end());
         std::string picture = encoded(drawing_.draw(*canvas_, &said), description);
         const bool asAsked = asAsked_;
-        if (!asAsked_) molecule_.reset();  // it is not what its key says
+        if (!asAsked_) molecule_.reset();  // its content does not match its key
         return {std::move(picture), std::move(said), asAsked};
     }
 
@@ -109,7 +109,7 @@ private:
     std::optional<Canvas> canvas_;
     std::optional<Molecule> molecule_;
     std::string held_;     ///< PictureRequest::molecule of it
-    bool asAsked_ = true;  ///< nothing of it changed since that request
+    bool asAsked_ = true;  ///< no file of it changed between that request and its reading
     Drawing drawing_;
 };
 
@@ -211,7 +211,7 @@ std::shared_ptr<Workers::Task> Workers::next(Worker& worker) {
     const auto at = tasks_.begin() + static_cast<std::ptrdiff_t>(*chosen);
     const std::shared_ptr<Task> task = *at;
     tasks_.erase(at);
-    if (!tasks_.empty()) wake_.notify_all();  // what was left to this one is another's now
+    if (!tasks_.empty()) wake_.notify_all();  // others may take tasks that they had left to this worker
     return task;
 }
 
