@@ -82,6 +82,7 @@ def test_mdanalysis(peptide, tmp_path):
     moving = nacre.open(universe.load_new(coordinates))
     assert moving.frames == 3
     np.testing.assert_allclose(moving.frame(3).atoms["position"], coordinates[2])
+    assert universe.trajectory.frame == 0  # as it was
 
 
 def test_mdtraj(peptide):

@@ -2,6 +2,8 @@
 import concurrent.futures
 import io
 import json
+import os
+import pathlib
 import resource
 import socket
 import sys
@@ -61,6 +63,24 @@ class FilesTest(ServedTest):
         self.assertEqual(status, 422, body)
         self.assertNotIn(str(self.folder).encode(), body)
         self.assertNotIn(b"/proc", body)
+
+    def opened(self):
+        """Files below the root that the server holds open."""
+        names = []
+        for descriptor in pathlib.Path(f"/proc/{self.server.process.pid}/fd").iterdir():
+            try:
+                names.append(os.readlink(descriptor))
+            except FileNotFoundError:  # closed meanwhile
+                pass
+        return [name for name in names if name.startswith(os.path.realpath(self.root))]
+
+    def test_inputs_are_closed_once_they_are_read(self):
+        self.assertEqual(self.picture("one/gly.pdb")[0], 200)
+        for _ in range(50):  # the worker ends its task after the answer
+            if not self.opened():
+                break
+            time.sleep(0.1)
+        self.assertEqual(self.opened(), [])
 
     def test_a_folder_that_is_exchanged_leads_nowhere(self):
         """Checked, then a link when its turn comes: a queue makes that moment long."""
