@@ -64,10 +64,10 @@ struct NotDrawn {
         for (std::size_t i = 0; i < left.size(); ++i) {
             if (!left[i]) continue;
             const Atom& atom = molecule.atoms[i];
-            ++(isWater(molecule.residues[atom.residue].name) ? waters
-               : isDummy(atom)                               ? dummies
-               : atom.alternate != '\0'                      ? conformers
-                                                             : hydrogens);
+            ++(isWater(molecule.residues[atom.residue]) ? waters
+               : isDummy(atom)                          ? dummies
+               : atom.alternate != '\0'                 ? conformers
+                                                        : hydrogens);
         }
     }
 
