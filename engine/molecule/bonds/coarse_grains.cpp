@@ -56,13 +56,14 @@ public:
         std::size_t aminoAcids = 0;
         for (std::size_t i = 0; i < molecule_.residues.size() && singles > kFewResidues; ++i)
             aminoAcids += aminoAcidLetter(molecule_.residues[i].name) != '\0';
+        const bool manyWaters = hasManyWaters();
         const bool onePerResidue = singles > kFewResidues && singles * 10 >= aminoAcids * 9;
         std::int64_t count = 0;
         for (std::size_t r = 0; r < kinds.size(); ++r) {
             Residue& residue = molecule_.residues[r];
             if (kinds[r] == GrainKind::none && onePerResidue && isSingle(residue)) kinds[r] = GrainKind::single;
             // A lone atom W may be tungsten, unless there are other grains or many of them.
-            if (kinds[r] == GrainKind::water && grains == 0 && !hasManyWaters()) kinds[r] = GrainKind::none;
+            if (kinds[r] == GrainKind::water && grains == 0 && !manyWaters) kinds[r] = GrainKind::none;
             if (kinds[r] == GrainKind::none) continue;
             if (kinds[r] == GrainKind::water) residue.entityKind = EntityKind::water;
             for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
