@@ -138,6 +138,7 @@ private:
             fail("its elements are nested more than " + std::to_string(kDeepestElement) + " deep");
         inName_ = name == "name" && moleculeDepth_ > 0 && nameText_.empty();
         cellScalar_ = name == "scalar" ? cellScalarOf(attributes) : kNoScalar;
+        if (cellScalar_ != kNoScalar) cell_[cellScalar_].clear();  // of an earlier crystal
         if (name == "molecule") {
             ++molecules_;
             if (++moleculeDepth_ == 1) ++outermost_;
