@@ -95,6 +95,23 @@ class H5md : public FileTrajectory {
 public:
     explicit H5md(OwnedFile file) : FileTrajectory(std::move(file), "h5md") {
         const std::lock_guard lock(hdf5Calls());
+        try {
+            open();
+        } catch (...) {
+            close();  // as long as the lock is held
+            throw;
+        }
+    }
+
+    ~H5md() override {
+        const std::lock_guard lock(hdf5Calls());
+        close();
+    }
+
+private:
+    static constexpr double kNanometre = 10;  // Å
+
+    void open() {
         if (!hdf5().missing.empty()) file_->fail(hdf5().missing);
         h5_ = {hdf5().H5Fopen(name_.c_str(), 0u, H5P_DEFAULT), hdf5().H5Fclose};
         if (!h5_.valid()) file_->fail("it is not HDF5, or damaged");
@@ -124,13 +141,9 @@ public:
         if (chunkBytes() > kMostOfChunk) file_->fail("its chunks are larger than 1 GB");
     }
 
-    ~H5md() override {
-        const std::lock_guard lock(hdf5Calls());
+    void close() {
         for (Hdf5Handle* handle : {&times_, &angles_, &edges_, &positions_, &h5_}) Hdf5Handle(std::move(*handle));
     }
-
-private:
-    static constexpr double kNanometre = 10;  // Å
 
     static herr_t nameFirst(hid_t, const char* name, const H5L_info_t*, void* first) {
         *static_cast<std::string*>(first) = name;
