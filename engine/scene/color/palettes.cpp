@@ -78,6 +78,13 @@ AddedRamps& addedRamps() {
     return ramps;
 }
 
+/// Call with the lock held.
+std::optional<Palette> addedRamp(const AddedRamps& added, std::string_view name) {
+    for (std::size_t i = 0; i < added.count; ++i)
+        if (added.ramps[i].name == name) return static_cast<Palette>(kFirstRamp + i);
+    return std::nullopt;
+}
+
 PaletteEntry entryOf(Palette palette) {
     const auto number = static_cast<std::size_t>(palette);
     if (number < kFirstRamp) return kPalettes[number - 1];
@@ -106,17 +113,15 @@ std::optional<Palette> paletteFromName(std::string_view name) {
         if (entry.name == name) return entry.palette;
     AddedRamps& added = addedRamps();
     const std::lock_guard lock(added.mutex);
-    for (std::size_t i = 0; i < added.count; ++i)
-        if (added.ramps[i].name == name) return static_cast<Palette>(kFirstRamp + i);
-    return std::nullopt;
+    return addedRamp(added, name);
 }
 
 std::optional<Palette> addRamp(std::span<const std::uint32_t> colors) {
     std::string name;
     for (const std::uint32_t color : colors) name += (name.empty() ? "" : ":") + colorText(packedColor(color));
-    if (const auto known = paletteFromName(name)) return known;
     AddedRamps& added = addedRamps();
     const std::lock_guard lock(added.mutex);
+    if (const auto known = addedRamp(added, name)) return known;
     if (added.count == kMostRamps) return std::nullopt;
     added.ramps[added.count] = {name, {colors.begin(), colors.end()}};
     return static_cast<Palette>(kFirstRamp + added.count++);
