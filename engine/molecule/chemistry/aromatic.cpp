@@ -16,12 +16,7 @@ constexpr std::size_t kLargestAromatic = 7;
 /// @param inside  by atom of the molecule: it belongs to the rings
 class PiElectrons {
 public:
-    explicit PiElectrons(const ChemistryWork& work) : work_(work), atMetal_(work.molecule.atoms.size()) {
-        for (const Bond& bond : work.molecule.bonds) {
-            if (isMetal(work.element(bond.a))) atMetal_[bond.b] = 1;
-            if (isMetal(work.element(bond.b))) atMetal_[bond.a] = 1;
-        }
-    }
+    explicit PiElectrons(const ChemistryWork& work) : work_(work), atMetal_(boundToMetals(work)) {}
 
     int of(std::uint32_t atom, const std::set<std::uint32_t>& inside) const {
         const Chemistry& chemistry = work_.chemistry;
@@ -112,6 +107,15 @@ void markRing(ChemistryWork& work, Ring& ring) {
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> boundToMetals(const ChemistryWork& work) {
+    std::vector<std::uint8_t> bound(work.molecule.atoms.size());
+    for (const Bond& bond : work.molecule.bonds) {
+        bound[bond.a] |= isMetal(work.element(bond.b));
+        bound[bond.b] |= isMetal(work.element(bond.a));
+    }
+    return bound;
+}
 
 void findAromatic(ChemistryWork& work) {
     std::vector<Ring>& rings = work.chemistry.rings;

@@ -3,19 +3,18 @@
 #include <algorithm>
 
 #include "engine/molecule/chemistry/steps.h"
-#include "engine/molecule/element.h"
 
 namespace nacre {
 namespace {
 
-/// Rings of conjugated atoms that share bonds, directly or through further ones. Rings too large to be listed count by
-/// their bonds.
+/// Rings of conjugated atoms that share bonds, directly or through further rings. Rings too large for
+/// Chemistry::rings take part by their bonds.
 class ConjugatedSystems {
 public:
     explicit ConjugatedSystems(const ChemistryWork& work)
         : work_(work), chemistry_(work.chemistry), system_(work.molecule.atoms.size()) {
         for (std::uint32_t i = 0; i < system_.size(); ++i) system_[i] = i;
-        cyclic_ = cyclesOf([&](std::uint32_t atom) { return conjugated(atom); });
+        cyclic_ = conjugatedCycles();
         for (std::uint32_t b = 0; b < cyclic_.size(); ++b)
             if (cyclic_[b]) join(work.molecule.bonds[b].a, work.molecule.bonds[b].b);
     }
@@ -32,18 +31,17 @@ private:
 
     void join(std::uint32_t a, std::uint32_t b) { system_[of(a)] = of(b); }
 
-    /// Bonds on cycles of some atoms alone: what is left once dead ends and bridges are removed.
-    template <typename Keep>
-    std::vector<std::uint8_t> cyclesOf(const Keep& keep) const {
+    /// Bonds on cycles of conjugated atoms only.
+    std::vector<std::uint8_t> conjugatedCycles() const {
         Chemistry part;
         part.present = chemistry_.present;
         part.order = chemistry_.order;
         part.first.assign(1, 0);
         for (std::uint32_t i = 0; i < part.present.size(); ++i) {
-            part.present[i] = part.present[i] && keep(i);
+            part.present[i] = part.present[i] && conjugated(i);
             if (part.present[i])
                 for (const Neighbour& n : chemistry_.of(i))
-                    if (work_.inRing[n.bond] && keep(n.atom)) part.neighbours.push_back(n);
+                    if (work_.inRing[n.bond] && conjugated(n.atom)) part.neighbours.push_back(n);
             part.first.push_back(static_cast<std::uint32_t>(part.neighbours.size()));
         }
         return cyclicBonds(part);
@@ -70,15 +68,6 @@ bool inPorphyrin(const ChemistryWork& work, const std::vector<std::uint8_t>& atM
     return holds && outward >= 2;
 }
 
-std::vector<std::uint8_t> boundToMetals(const ChemistryWork& work) {
-    std::vector<std::uint8_t> bound(work.molecule.atoms.size());
-    for (const Bond& bond : work.molecule.bonds) {
-        bound[bond.a] |= isMetal(work.element(bond.b));
-        bound[bond.b] |= isMetal(work.element(bond.a));
-    }
-    return bound;
-}
-
 }  // namespace
 
 void chooseDrawnRings(ChemistryWork& work) {
@@ -98,7 +87,7 @@ void chooseDrawnRings(ChemistryWork& work) {
         const bool whole = std::all_of(ring.atoms.begin(), ring.atoms.end(), [&](std::uint32_t atom) {
             return systems.of(atom) == systems.of(ring.atoms.front());
         });
-        // Its bonds may all be aromatic by those of its neighbours, as the pentagons of a fullerene are.
+        // Neighbouring rings may make all bonds of a ring aromatic that is not, such as a pentagon of a fullerene.
         if ((whole && !ring.aromatic) || inPorphyrin(work, atMetal, ring)) kekule[systems.of(ring.atoms.front())] = 1;
     }
     for (Ring& ring : chemistry.rings) ring.drawnAromatic = ring.aromatic && !kekule[systems.of(ring.atoms.front())];

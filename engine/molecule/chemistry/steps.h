@@ -57,6 +57,9 @@ void findRings(ChemistryWork& work);
 /// By bond: whether it lies on any cycle. Reads present atoms, neighbours and the number of bonds.
 std::vector<std::uint8_t> cyclicBonds(const Chemistry& chemistry);
 
+/// By atom: whether a bond leads to a metal.
+std::vector<std::uint8_t> boundToMetals(const ChemistryWork& work);
+
 /// Orders of the bonds with unknown source, from lengths and angles.
 void perceiveOrders(ChemistryWork& work);
 
