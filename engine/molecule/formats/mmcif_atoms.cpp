@@ -229,9 +229,7 @@ std::uint32_t MmcifAtoms::entityIndex(const MmcifCell& given) {
 
 void MmcifAtoms::summarise(FileSummary& file) const {
     const auto models = static_cast<std::int64_t>(models_.size());
-    if (rows_ > 0 && wantedFrom_ > models)
-        cannotRead(name(),
-                   "there is no model " + std::to_string(wantedFrom_) + "; the file has " + std::to_string(models));
+    if (rows_ > 0) requireModel(name(), wantedFrom_, models);
     file.models = models;
     file.totalAtomsAllModels = rows_;
     if (column_[authAsym] >= 0) file.chainsAuth = static_cast<std::int64_t>(authChains_.size());

@@ -161,8 +161,9 @@ Molecule MoleculeBuilder::finish() {
     return std::move(molecule_);
 }
 
-void requireOnlyModel(const std::string& name, const ReadOptions& options) {
-    if (options.model > 1) cannotRead(name, "there is no model " + std::to_string(options.model) + "; the file has 1");
+void requireModel(const std::string& name, std::int64_t wanted, std::int64_t have) {
+    if (wanted > have)
+        cannotRead(name, "there is no model " + std::to_string(wanted) + "; the file has " + std::to_string(have));
 }
 
 }  // namespace nacre

@@ -92,7 +92,7 @@ private:
     std::size_t warningsLeftOut_ = 0;
 };
 
-/// For formats of one model. @throws Error if the options want another
-void requireOnlyModel(const std::string& name, const ReadOptions& options);
+/// @param wanted  number of a model, from 1 @param have  models in the file @throws Error if it has fewer
+void requireModel(const std::string& name, std::int64_t wanted, std::int64_t have);
 
 }  // namespace nacre

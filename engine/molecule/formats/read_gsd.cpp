@@ -33,9 +33,7 @@ public:
         if (bytes.size() < kGsdHeader || at<std::uint64_t>(0) != kGsdMagic) cannotRead(name, "it is not a GSD file");
         readNames(at<std::uint64_t>(24), at<std::uint64_t>(32), at<std::uint32_t>(44) >= 0x20000);
         readIndex(at<std::uint64_t>(8), at<std::uint64_t>(16));
-        if (frame_ >= frames_)
-            cannotRead(name, "there is no model " + std::to_string(options.model) + "; the file has " +
-                                 std::to_string(frames_));
+        requireModel(name, options.model, static_cast<std::int64_t>(frames_));
     }
 
     Molecule run() {
@@ -67,8 +65,6 @@ public:
         const std::vector<std::uint32_t> bonds = numbers<std::uint32_t>("bonds/group", 2);
         for (std::size_t i = 0; i + 1 < bonds.size(); i += 2) builder_.addBond(bonds[i], bonds[i + 1], 1, 0);
         elements.apply(builder_);
-        for (std::size_t i = 0; i < molecule.atoms.size(); ++i)
-            if (molecule.atoms[i].element == 0) molecule.atoms[i].name = molecule.types[i];
         takeBox();
         FileSummary& file = molecule.file;
         file.format = "gsd";

@@ -42,7 +42,7 @@ private:
 }  // namespace
 
 Molecule readInpcrd(const std::string& name, std::string_view text, const ReadOptions& options) {
-    requireOnlyModel(name, options);
+    requireModel(name, options.model, 1);
     MoleculeBuilder builder(name, options.maxAtoms);
     LineReader lines(text);
     lines.next();

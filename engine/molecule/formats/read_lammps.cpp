@@ -180,7 +180,7 @@ private:
 }  // namespace
 
 Molecule readLammps(const std::string& name, std::string_view text, const ReadOptions& options) {
-    requireOnlyModel(name, options);
+    requireModel(name, options.model, 1);
     return LammpsReader(name, text, options).run();
 }
 

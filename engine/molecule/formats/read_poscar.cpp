@@ -27,9 +27,7 @@ public:
             ++frames;
             readFrame(frames == model_);
         } while (skipToConfiguration());
-        if (model_ > frames)
-            cannotRead(name_,
-                       "there is no model " + std::to_string(model_) + "; the file has " + std::to_string(frames));
+        requireModel(name_, model_, frames);
         file.format = "poscar";
         file.models = frames;
         file.totalAtomsAllModels = frames * atoms_;

@@ -32,9 +32,7 @@ public:
         while (lines_.next()) record(lines_.line());
         endModel();
         if (models_ == 0) cannotRead(name_, "it has no ATOM or HETATM records");
-        if (model_ > models_)
-            cannotRead(name_,
-                       "there is no model " + std::to_string(model_) + "; the file has " + std::to_string(models_));
+        requireModel(name_, model_, models_);
         builder_.guess("elements", "from atom names", static_cast<std::int64_t>(builder_.molecule().atoms.size()));
         Molecule& molecule = builder_.molecule();
         molecule.file.format = "pqr";

@@ -141,7 +141,7 @@ private:
 }  // namespace
 
 Molecule readPrmtop(const std::string& name, std::string_view text, const ReadOptions& options) {
-    requireOnlyModel(name, options);
+    requireModel(name, options.model, 1);
     return PrmtopReader(name, text, options).run();
 }
 

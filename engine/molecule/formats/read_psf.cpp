@@ -136,7 +136,7 @@ private:
 }  // namespace
 
 Molecule readPsf(const std::string& name, std::string_view text, const ReadOptions& options) {
-    requireOnlyModel(name, options);
+    requireModel(name, options.model, 1);
     return PsfReader(name, text, options).run();
 }
 

@@ -34,9 +34,7 @@ public:
                 }
             }
         }
-        if (frames_ > 0 && model_ > frames_)
-            cannotRead(name_,
-                       "there is no model " + std::to_string(model_) + "; the file has " + std::to_string(frames_));
+        if (frames_ > 0) requireModel(name_, model_, frames_);
         FileSummary& file = builder_.molecule().file;
         file.format = "xsf";
         file.models = frames_;
