@@ -152,12 +152,11 @@ private:
     End waterEnd(std::uint32_t water, bool image) {
         const double radius = ballOf(water);
         if (radius > 0) return {at(water, image), radius};
-        constexpr float kBall = 0.25f;  // of the van der Waals radius, as in ball-and-stick
-        const Element oxygen = molecule_.atoms[water].element;
-        const float ball = kBall * vanDerWaalsRadius(oxygen);
+        const Atom& oxygen = molecule_.atoms[water];
+        const float ball = drawnRadius(oxygen, Style::ballAndStick, appearance_.sizes);
         if (image || drawnWaters_.insert(water).second) {
             scene_.spheres.push_back({glm::vec3(at(water, image)), ball});
-            scene_.sphereLooks.push_back({elementColor(oxygen), image ? line_.look.id : water + 1});
+            scene_.sphereLooks.push_back({elementColor(oxygen.element), image ? line_.look.id : water + 1});
         }
         return {at(water, image), static_cast<double>(ball)};
     }
