@@ -245,6 +245,9 @@ private:
         box.faces = box.edges = look(keys);
         part(keys, "edges", false, box.edges);
         part(keys, "faces", true, box.faces);
+        addBox(keys, box);
+    }
+    void addBox(Keys& keys, Primitives::Box& box) {
         if (box.edges) box.edges->opacity = 1;
         box.edgeRadius = keys.number("edge_radius", 0, 0, kThickest);
         box.edgeWidth = keys.number("edge_width", 1.5, 0.5, 10);
@@ -260,10 +263,7 @@ private:
         }
         box.faces.reset();
         box.edges = look(keys);
-        box.edges->opacity = 1;
-        box.edgeRadius = keys.number("edge_radius", 0, 0, kThickest);
-        box.edgeWidth = keys.number("edge_width", 1.5, 0.5, 10);
-        all_.boxes.push_back(box);
+        addBox(keys, box);
     }
     /// A part that may be hidden or have its own colour. @returns whether it is drawn
     static bool part(Keys& keys, const char* key, bool otherwise, std::optional<PrimitiveLook>& look) {

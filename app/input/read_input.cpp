@@ -212,8 +212,7 @@ namespace {
 std::vector<std::uint32_t> chosenOf(const Molecule& molecule, const std::vector<bool>& chosen, int model) {
     std::vector<std::uint32_t> atoms;
     for (std::uint32_t i = 0; i < chosen.size(); ++i)
-        if (chosen[i] && molecule.chains[molecule.residues[molecule.atoms[i].residue].chain].model == model)
-            atoms.push_back(i);
+        if (chosen[i] && modelOf(molecule, i) == model) atoms.push_back(i);
     return atoms;
 }
 
@@ -254,9 +253,10 @@ void fitModels(const InputOptions& input, Molecule& molecule) {
         if (atoms.size() != first.size()) refuse("model " + std::to_string(model) + " has other atoms to fit by");
         onto[model] = superpose(fixed, placesOf(atoms));
     }
-    for (Atom& atom : molecule.atoms)
-        atom.position =
-            glm::vec3(onto.at(molecule.chains[molecule.residues[atom.residue].chain].model)(glm::dvec3(atom.position)));
+    for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i) {
+        glm::vec3& position = molecule.atoms[i].position;
+        position = glm::vec3(onto.at(modelOf(molecule, i))(glm::dvec3(position)));
+    }
 }
 
 void moveToFrame(const TrajectoryOptions& options, Molecule& molecule) {

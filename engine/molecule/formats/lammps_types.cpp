@@ -17,10 +17,7 @@ void LammpsTypes::add(std::string_view type, double mass, std::string_view label
 void LammpsTypes::apply(MoleculeBuilder& builder) const {
     Molecule& molecule = builder.molecule();
     // Grains have masses of 1 in reduced units; hydrogen has 1.008.
-    const auto elementOf = [](const Kind& kind) {
-        const Element element = kind.mass == 1 ? Element{0} : elementFromMass(kind.mass);
-        return element;
-    };
+    const auto elementOf = [](const Kind& kind) { return kind.mass == 1 ? Element{0} : elementFromMass(kind.mass); };
     const bool elements = !kinds_.empty() && std::all_of(kinds_.begin(), kinds_.end(), [&](const auto& kind) {
         return elementOf(kind.second) != 0 || kind.second.mass == 0;
     });

@@ -114,10 +114,11 @@ std::vector<std::uint32_t> findAtoms(AtomIndex& index, const MmcifTable& table, 
     if (table.get(row, {partner.authSeq}))
         found = find(AtomIndex::key(text(partner.authAsym, partner.labelAsym), text(partner.authSeq, ""),
                                     text(partner.insertion, ""), text(partner.authComp, partner.comp)));
-    if (found.empty()) index.addLabels();
-    if (found.empty())
+    if (found.empty()) {
+        index.addLabels();
         found = find(AtomIndex::labelKey(text(partner.labelAsym, partner.authAsym), text(partner.labelSeq, ""),
                                          text(partner.comp, partner.authComp)));
+    }
     // Some programs write the author's numbers into the columns of labels.
     if (found.empty())
         found = find(AtomIndex::key(text(partner.authAsym, partner.labelAsym), text(partner.authSeq, partner.labelSeq),

@@ -116,23 +116,23 @@ private:
 
     void term() {
         const Nesting nesting(*this);
-        const auto whole = keyword();
+        const auto first = keyword();
         if (accept(negation)) {
             const bool before = std::exchange(afterOperator_, true);
             term();
             afterOperator_ = before;
             push(negation);
-        } else if (whole == byResidue || whole == byChain || whole == byMolecule || whole == neighbor) {
+        } else if (first == byResidue || first == byChain || first == byMolecule || first == neighbor) {
             const std::string word(nextToken());
-            accept(*whole);
+            accept(*first);
             const bool before = std::exchange(afterOperator_, false);  // "byres ligand around 5" has one reading
             operand(word.c_str());
             afterOperator_ = before;
-            push(*whole);
-        } else if (const auto near = keyword(); near == within || near == around) {
-            accept(*near);
-            SelectionStep step = distanceStep(*near);
-            operand(*near == within ? "within N of" : "around N of");
+            push(*first);
+        } else if (first == within || first == around) {
+            accept(*first);
+            SelectionStep step = distanceStep(*first);
+            operand(*first == within ? "within N of" : "around N of");
             result_.steps.push_back(std::move(step));
         } else if (acceptCharacter('(')) {
             const bool before = std::exchange(afterOperator_, false);

@@ -23,13 +23,10 @@ public:
 
 private:
     void readFrame(std::size_t frame, TrajectoryFrame& result) override {
-        if (frame == own_)
-            std::transform(molecule_->atoms.begin(), molecule_->atoms.end(), result.positions.begin(),
-                           [](const Atom& atom) { return atom.position; });
-        if (frame == own_)
-            result.box = molecule_->file.box;
-        else
-            takeOther(molecule_->others[frame < own_ ? frame : frame - 1], result.positions);
+        if (frame != own_) return takeOther(molecule_->others[frame < own_ ? frame : frame - 1], result.positions);
+        std::transform(molecule_->atoms.begin(), molecule_->atoms.end(), result.positions.begin(),
+                       [](const Atom& atom) { return atom.position; });
+        result.box = molecule_->file.box;
     }
 
     static void takeOther(OtherModel other, std::vector<glm::vec3>& positions) {
