@@ -177,7 +177,7 @@ std::vector<std::uint32_t> namedAtoms(const Molecule& molecule, const Residue& r
 /// Selected residues of one chain.
 struct Strand {
     std::vector<std::uint32_t> residues;
-    std::vector<Unit> sequence;
+    std::size_t sequence = 0;  ///< its number; equal sequences share one
 };
 
 /// Two strands' paired residues, as positions in them.
@@ -188,7 +188,7 @@ struct StrandPair {
 
 using ResiduePairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// What two sequences have in common.
+/// The alignment of two sequences.
 struct Likeness {
     ResiduePairs pairs;
     int score = 0;
@@ -224,7 +224,7 @@ public:
 private:
     static constexpr double kNear = 8, kAnyDistance = 1e9;  // Å
 
-    std::vector<Strand> strandsOf(const std::vector<bool>& selected) const {
+    std::vector<Strand> strandsOf(const std::vector<bool>& selected) {
         std::vector<Strand> strands;
         std::map<std::uint32_t, std::size_t> ofChain;
         for (const std::uint32_t residue : residuesOf(molecule_, selected)) {
@@ -233,15 +233,19 @@ private:
             if (added) strands.emplace_back();
             strands[at->second].residues.push_back(residue);
         }
-        for (Strand& strand : strands) strand.sequence = sequenceOf(molecule_, strand.residues);
+        for (Strand& strand : strands) {
+            const auto known = sequences_.try_emplace(sequenceOf(molecule_, strand.residues), sequences_.size()).first;
+            strand.sequence = known->second;
+        }
         return strands;
     }
 
     /// Computed once for each pair of different sequences.
     const Likeness& likeness(std::size_t first, std::size_t second) {
-        const std::vector<Unit>&a = first_[first].sequence, &b = second_[second].sequence;
-        const auto [at, added] = known_.try_emplace({a, b});
+        const Strand &one = first_[first], &other = second_[second];
+        const auto [at, added] = known_.try_emplace({one.sequence, other.sequence});
         if (!added) return at->second;
+        const std::vector<Unit> a = sequenceOf(molecule_, one.residues), b = sequenceOf(molecule_, other.residues);
         const Alignment alignment(a, b);
         Likeness like{alignment.pairs(), alignment.score()};
         for (const auto& [i, j] : like.pairs) like.same += a[i].name == b[j].name;
@@ -365,8 +369,9 @@ private:
     const Molecule& molecule_;
     const std::vector<bool>&inFirst_, &inSecond_;
     bool byChain_;
+    std::map<std::vector<Unit>, std::size_t> sequences_;  ///< their numbers; strandsOf() fills it, so it comes first
     std::vector<Strand> first_, second_;
-    std::map<std::pair<std::vector<Unit>, std::vector<Unit>>, Likeness> known_;
+    std::map<std::pair<std::size_t, std::size_t>, Likeness> known_;
 };
 
 bool anyPolymer(const ResidueFacts& facts, const std::vector<bool>& selected) {
