@@ -13,7 +13,7 @@ namespace nacre::app {
 /// not exist and the view states its hash, it is the file beside the view with that hash, whatever its name.
 std::string filePathOf(const InputOptions& input);
 
-/// The path that opens the file of INPUT: as above, unless it is open already.
+/// The path that opens the file of INPUT: that of the open file, if there is one, else as above.
 std::string openPathOf(const InputOptions& input);
 
 /// A path for a saved view: relative to the view's folder if it is inside, so that both can move together.
@@ -26,7 +26,7 @@ std::string fileHash(const std::string& path);
 /// As above for a trajectory, from its first and last 16 MiB only.
 std::string trajectoryHash(const std::string& path);
 
-/// A picture for a view that is saved at a path: with the paths and hashes of its files that the view holds.
+/// The picture as the view at a path saves it: paths of files relative to the view, with their hashes.
 PictureDescription withPathsIn(const std::string& view, PictureDescription picture);
 
 /// The trajectory of INPUT, found as in filePathOf(); without a hash a file of the same name beside the view will do.

@@ -106,7 +106,7 @@ std::string fitInput(Molecule& molecule, const FitOptions& fit) {
     return said;
 }
 
-/// A file that is open goes by its own name. @throws Error
+/// Reads a file that is open already; errors have its own name. @throws Error
 Molecule readOpened(const InputOptions& input, const ReadOptions& options) {
     std::error_code error;
     const std::string path = openPathOf(input);

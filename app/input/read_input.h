@@ -21,9 +21,9 @@ std::uint64_t memoryShare(unsigned parts);
 /// A molecule as read, with hydrogens added if requested. @throws Error if they would not move with a trajectory
 Molecule completed(const InputOptions& input, Molecule molecule);
 
-/// The memory limit for a molecule, or for a map: that of `--memory`, else half of the machine's.
+/// The memory limit for a molecule or a map: `--memory`, else half of the machine's memory.
 std::uint64_t memoryLimit(const InputOptions& input);
-/// Limits for a density map: half of that for its values and for its text each.
+/// Limits for a density map: half of memoryLimit() for its values, half for its text.
 MapLimits mapLimits(const InputOptions& input);
 
 /// Reads a sample, a file or standard input; treats `input.path` as nothing else.

@@ -87,7 +87,7 @@ void paint(const std::vector<bool>& atoms, std::uint32_t color, SceneLayer& laye
         if (atoms[layer.atoms[i]]) layer.colors[i] = color;
 }
 
-/// As a colour node without a colour has them.
+/// For a colour node without a colour.
 void paintElements(const std::vector<bool>& atoms, const Structure& structure, SceneLayer& layer) {
     for (std::size_t i = 0; i < layer.atoms.size(); ++i)
         if (atoms[layer.atoms[i]]) layer.colors[i] = elementColor(structure.molecule->atoms[layer.atoms[i]].element);

@@ -35,7 +35,7 @@ private:
     std::size_t more_ = 0;
 };
 
-/// Files that were fetched, once per name; inflated. Counts what is made of them.
+/// Files, fetched once per name and inflated. Limits atoms, maps and text read from them.
 class SceneFiles {
 public:
     explicit SceneFiles(const SceneSources& sources) : sources_(sources) {}
@@ -47,7 +47,7 @@ public:
     std::shared_ptr<const DensityMap> map(const std::string& uri, const std::string& channel);
     /// Counts atoms of a representation. @throws Error if there are too many
     void countShown(const Node& node, std::size_t atoms);
-    /// A node is done, and another begins.
+    /// Call before each node.
     void step() const {
         if (sources_.onStep) sources_.onStep();
     }

@@ -195,7 +195,7 @@ std::optional<Bounds> boundsOfContour(const DensityMap& map, double level) {
 
 void addVolume(const Node& node, const std::string& uri, SceneFiles& files, SceneGuide& guide, CameraNodes& camera,
                SceneWarnings& warnings) {
-    files.bytes(uri);  // one that cannot be had ends the scene
+    files.bytes(uri);  // throws, which ends the scene, if it cannot be fetched
     std::shared_ptr<const DensityMap> map;
     try {
         map = files.map(uri, nodeText(node, "channel_id"));

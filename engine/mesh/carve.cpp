@@ -13,13 +13,13 @@
 namespace nacre {
 namespace {
 
-/// How far points are from the nearest of some places, as far as `reach`.
+/// Distance of points from the nearest of some places, limited to 1.5 times `reach`.
 class Reach {
 public:
     Reach(std::span<const glm::dvec3> places, double reach) : reach_(reach), side_(std::max(reach, 0.5)) {
         for (const glm::dvec3& place : places) cells_[keyOf(cellOf(place))].push_back(place);
     }
-    /// Below 0 within reach; else at most half the reach more.
+    /// Distance minus reach: negative inside, at most half the reach outside.
     double beyond(const glm::dvec3& p) const {
         const glm::ivec3 middle = cellOf(p);
         double least = 1.5 * reach_;
@@ -88,7 +88,7 @@ public:
         surface_.lines = std::move(kept);
     }
 
-    /// Leaves out vertices beyond; what is cut was not. Renumbers.
+    /// Drops the original vertices out of reach, and renumbers. Vertices on cuts stay.
     void dropVertices() {
         std::vector<std::uint32_t> places(surface_.positions.size());
         std::uint32_t count = 0;
@@ -129,7 +129,7 @@ private:
 
     Isosurface& surface_;
     const Reach& reach_;
-    std::vector<std::uint8_t> inside_;  // 1 or 0, of the vertices that were there
+    std::vector<std::uint8_t> inside_;  // 1 or 0, by original vertex
     std::unordered_map<std::uint64_t, std::uint32_t> crossings_;
 };
 

@@ -7,8 +7,8 @@
 
 namespace nacre {
 
-/// Secondary structure per residue: from the file; in chains that it states none of by kabschSander(), or by
-/// zhangSkolnik() where there are alpha carbons alone.
+/// Secondary structure per residue. A chain for which the file states some keeps that; any other gets kabschSander(),
+/// or zhangSkolnik() if it has only alpha carbons.
 std::vector<SecondaryStructure> secondaryStructure(const ResidueFacts& facts);
 
 /// Helices and strands from hydrogen bonds between peptide groups, per residue; ignores the file's own. `helix` is any

@@ -13,7 +13,7 @@ struct AtomPairs {
     std::vector<std::uint32_t> first, second;                     ///< same length
     std::size_t residues = 0;                                     ///< of the shorter side of each pair of chains
     std::size_t sameResidues = 0;                                 ///< residue pairs with equal names
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> chains;  ///< pairs of chains; empty beside polymers
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> chains;  ///< pairs of chains, if both are polymers
 };
 
 /// Whether the first selection will be moved onto the second, or stands there already.
@@ -21,7 +21,7 @@ enum class Placing : std::uint8_t { free, settled };
 
 /// If both selections have atoms of proteins or nucleic acids, pairs those alone, chain by chain. The chains whose
 /// sequences score best are the first pair; of equal ones the pair whose superposition brings most residues together
-/// (with the lowest RMSD if that is equal, too). Other chains with at least 30 % equal residues are paired where that
+/// (of equal ones the lowest RMSD). Other chains with at least 30 % equal residues are paired where that
 /// superposition brings them to within 8 Å RMSD, nearest first. Settled molecules stay as they are, and the nearest
 /// like chains are paired.
 ///

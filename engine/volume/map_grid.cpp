@@ -130,7 +130,7 @@ void checkCell(const std::string& name, const MapBox& box, const MapLimits& limi
     const std::uint64_t beside =
         sizeof(float) * checkedNodes(name, box.size, limits) + static_cast<std::uint64_t>(std::min(nodes / 8, 1e18));
     checkedNodes(name, box.intervals, limits, beside);
-    // What the file holds, at all 192 places of the largest groups, and four times as much that stays unknown.
+    // Values of the file at all 192 places of the largest groups, and four times that for unknown nodes.
     constexpr double kAnyCell = 1 << 24, kMostTimes = 4 * 192;
     const double filled = kMostTimes * static_cast<double>(box.size.x) * box.size.y * box.size.z;
     if (nodes > std::max(kAnyCell, filled))

@@ -39,7 +39,7 @@ std::size_t checkedNodes(const std::string& name, const glm::ivec3& size, const 
 /// As above for values that a file holds. @param held  values that it has room for @throws Error if there are fewer
 std::size_t heldNodes(const std::string& name, const glm::ivec3& size, const MapLimits& limits, std::uint64_t held);
 /// Checks a crystal's whole cell before its box is read. @throws Error if both together are too large, or the cell is
-/// out of all proportion to the box
+/// far too large for the box
 void checkCell(const std::string& name, const MapBox& box, const MapLimits& limits);
 
 /// The box itself or, for a crystal, the whole cell, completed by symmetry as far as possible. Values that are not

@@ -1,6 +1,6 @@
 #pragma once
-// What lengths, angles and rings of an atom or bond say of its pi bonds where a file has no hydrogens: features, each a
-// point on a curve of weights. Internal to this folder.
+// Features that predict pi bonds from lengths, angles and rings where a file has no hydrogens. Each is a point on a
+// curve of weights. Internal to this folder.
 
 #include <algorithm>
 #include <array>
@@ -20,13 +20,13 @@ namespace nacre {
 struct BondLengths {
     Element a, b;
     float single, twofold, threefold;
-    std::uint8_t pair;  ///< whose curves it goes by: OrderPair
+    std::uint8_t pair;  ///< selects the curves: OrderPair
 };
 const BondLengths* bondLengths(Element a, Element b);
 
 enum OrderPair : std::uint8_t { kPairCC, kPairCN, kPairCO, kPairCS, kPairNN, kPairNO, kPairOther, kOrderPairs };
 
-/// Places on which weights stand; between them they are interpolated.
+/// Positions of weights on a curve, which is linear between them.
 template <std::size_t N>
 using Knots = std::array<float, N>;
 constexpr Knots<8> kLengthKnots{-0.6f, -0.2f, 0.2f, 0.5f, 0.8f, 1.1f, 1.5f, 2.2f};  // 0: double, 1: single

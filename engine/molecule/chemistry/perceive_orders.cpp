@@ -189,7 +189,7 @@ private:
         return leadsOut && !carbonyl ? -0.6f : 0;
     }
 
-    /// What 0, 1 and 2 pi bonds gain in a bond.
+    /// Gains of 0, 1 and 2 pi bonds in a bond.
     std::array<float, 3> gains(std::uint32_t index, const BondLengths& lengths) const {
         const Bond& bond = work_.molecule.bonds[index];
         if (hydrogenated(bond.a) || hydrogenated(bond.b)) {

@@ -77,7 +77,7 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
             builder.molecule().assemblies.push_back(std::move(assembly));
         else
             builder.warn(leftOutWarning(assembly.id, fault == faults.end()
-                                                         ? "the file says of no chain that is here how to place it"
+                                                         ? "the file does not say how to place any of its chains"
                                                          : fault->second));
     }
 }

@@ -146,7 +146,7 @@ public:
     static bool isKept(std::string_view category);
     static bool isKept(std::string_view category, std::string_view column);
 
-    /// Begins a data block. The first block with atoms is the one that is read, and later ones are told as left out.
+    /// Begins a data block. Only the first block with atoms is read; a note counts later ones.
     void beginBlock();
     /// Begins the rows of a category. False if it is not needed: skip its rows.
     /// @param category lower case, without '_' and '.'; columns likewise

@@ -87,7 +87,7 @@ Atom readAtom(MoleculeBuilder& builder, const MmcifTable& atoms, std::size_t row
         atom.element = builder.element(*type, 0);
     } else {
         atom.element = elementOfLabel(label, formula);
-        if (atom.element == 0) builder.element(label, 0);  // is told
+        if (atom.element == 0) builder.element(label, 0);  // counts it as unknown
         builder.guess("elements", "from site labels");
     }
     atom.alternate = alternateOf(atoms, row);
@@ -103,7 +103,7 @@ Atom readAtom(MoleculeBuilder& builder, const MmcifTable& atoms, std::size_t row
     return atom;
 }
 
-/// Fractional coordinates; empty, and told, if one of them is no number, or '?' as of hydrogens that were not located.
+/// Fractional coordinates; empty, with a note, if one is not a number, or '?' as for hydrogens that were not located.
 std::optional<gemmi::Fractional> readPosition(MoleculeBuilder& builder, const MmcifTable& atoms, std::size_t row) {
     static constexpr const char* kColumns[3] = {"fract_x", "fract_y", "fract_z"};
     std::array<double, 3> value{};
@@ -163,8 +163,8 @@ std::vector<gemmi::Op> operationsOf(const SmallMoleculeTables& tables) {
     return operations;
 }
 
-/// Indices of the operations that give an atom places of its own. On a special position others repeat them: on an axis,
-/// in a mirror plane or at a centre of symmetry.
+/// Indices of the operations that give an atom different positions. On a special position (an axis, a mirror plane, a
+/// centre of symmetry) the other operations repeat these.
 std::vector<std::uint32_t> distinctPlaces(const gemmi::Fractional& at, const std::vector<gemmi::Op>& operations,
                                           const gemmi::UnitCell& cell) {
     constexpr double kSamePlace = 0.3;             // Å: nearer images are one atom, written with few digits
@@ -180,7 +180,7 @@ std::vector<std::uint32_t> distinctPlaces(const gemmi::Fractional& at, const std
     std::vector<std::uint32_t> kept(operations.size());
     std::iota(kept.begin(), kept.end(), 0u);
     if (operations.size() > kMostOperations) return kept;
-    // In a group an atom is repeated by all operations if it is by the first.
+    // In a group, either some operation repeats the position of the first, or none repeats any.
     const auto repeats = [&](std::uint32_t i) { return i > 0 && same(imageOf(i), imageOf(0)); };
     if (std::none_of(kept.begin(), kept.end(), repeats)) return kept;
     kept.clear();

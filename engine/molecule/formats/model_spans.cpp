@@ -113,7 +113,7 @@ ModelSpans countedFrames(const TextSource& text, const ToCount& toCount, std::in
     return spans;
 }
 
-/// Records that begin with a line of their own. What precedes the first is none's.
+/// Records that begin with a line of their own. Text before the first belongs to none.
 template <typename Begins>
 ModelSpans spansByFirstLine(const TextSource& text, const Begins& begins) {
     ModelSpans spans;

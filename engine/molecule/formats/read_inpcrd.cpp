@@ -11,7 +11,7 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t kInpcrdColumns = 12, kPerLine = 6;
-constexpr float kUnnamedRadius = 1.0f;  // Å; an atom of no element, without bonds
+constexpr float kUnnamedRadius = 1.0f;  // Å, of atoms without element and bonds
 
 /// Six numbers per line; a line may be shorter.
 class InpcrdNumbers {
@@ -77,7 +77,7 @@ Molecule readInpcrd(const std::string& name, std::string_view text, const ReadOp
             box[i] = parseNumber(columns(last, i * kInpcrdColumns, kInpcrdColumns)).value_or(0);
         if (const auto vectors = boxOf({box[0], box[1], box[2]}, {box[3], box[4], box[5]})) builder.takeBox(*vectors);
     }
-    builder.warn("it has coordinates alone: open its topology, and this with --trajectory");
+    builder.warn("it has only coordinates: open its topology, and pass this file with --trajectory");
     file.format = "inpcrd";
     file.models = 1;
     file.totalAtomsAllModels = *count;

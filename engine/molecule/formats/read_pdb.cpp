@@ -130,7 +130,7 @@ private:
         text += asciiOnly(part);
     }
 
-    /// Empty, and told, if it is no coordinate.
+    /// Empty, with a note, if it is not a coordinate.
     std::optional<float> coordinate(std::string_view field, char axis) {
         const auto value = pdb::number(field);
         if (value && std::abs(*value) <= kFarthestCoordinate) return static_cast<float>(*value);

@@ -82,7 +82,7 @@ private:
         if (words.count < 8 || !numbered || !isNumber(6) || !isNumber(7)) fields = fieldsByColumns(line, extended_);
         const auto charge = parseNumber(fields.charge), mass = parseNumber(fields.mass);
         if (!charge || !mass || !std::isfinite(*charge) || !std::isfinite(*mass))
-            cannotRead(name_, "this is no atom: '" + printable(line) + "'", lines_.number());
+            cannotRead(name_, "expected an atom line, not '" + printable(line) + "'", lines_.number());
         const TopologyAtom stated{fields.type, *charge, *mass};
         Atom atom;
         atom.name = Name(fields.name);
@@ -98,7 +98,7 @@ private:
         keepTopology(builder_, stated);
     }
 
-    /// Four pairs a line.
+    /// Four pairs per line.
     void readBonds(std::int64_t count) {
         builder_.molecule().file.bonds = count;
         std::int64_t first = -1;
@@ -124,7 +124,7 @@ private:
                 --count;
             }
         }
-        if (count > 0) builder_.warn("bonds that it states and does not have: " + std::to_string(count));
+        if (count > 0) builder_.warn("bonds missing from its list: " + std::to_string(count));
     }
 
     const std::string& name_;

@@ -7,21 +7,21 @@
 
 namespace nacre {
 
-/// What a topology states of an atom beside its names.
+/// Properties of an atom in a topology.
 struct TopologyAtom {
     std::string_view type;
     double charge = 0;  ///< elementary charges
     double mass = 0;    ///< u; 0: a virtual site
 };
 
-/// Element by mass, or else by name; both are guesses. Of a virtual site: none.
+/// Element by mass, or else by name; both are guesses. 0 for a virtual site.
 Element elementOfTopology(MoleculeBuilder& builder, const TopologyAtom& stated, std::string_view name,
                           std::string_view residue);
 
-/// Keeps what it states of the atom that was added last.
+/// Stores type, charge and mass of the atom that was added last.
 void keepTopology(MoleculeBuilder& builder, const TopologyAtom& stated);
 
-/// A molecule whose atoms have no places yet.
+/// The molecule of a topology, whose atoms have no positions yet.
 Molecule withoutPositions(MoleculeBuilder& builder, const char* format);
 
 }  // namespace nacre

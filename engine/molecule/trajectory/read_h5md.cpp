@@ -98,7 +98,7 @@ public:
         try {
             open();
         } catch (...) {
-            close();  // as long as the lock is held
+            close();  // while the lock is held
             throw;
         }
     }

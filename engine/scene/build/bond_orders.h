@@ -38,7 +38,7 @@ public:
 
 private:
     void perceive(const ResidueFacts& facts, const std::vector<bool>& wanted);
-    /// What one conformer says.
+    /// Takes orders and rings of one conformer.
     void take(const Molecule& molecule, const Chemistry& chemistry, const std::vector<bool>& wanted);
 
     BondOrders mode_;

@@ -16,7 +16,7 @@ namespace {
 // Å behind the plane: caps of cartoons stand before those of surfaces around them. Below half of kCapRise.
 constexpr double kCartoonDepth = 0.001, kSurfaceDepth = 0.002;
 constexpr double kCellSide = 0.25;    // Å: colours change from cell to cell
-constexpr double kMostPerSide = 600;  // per side
+constexpr double kMostPerSide = 600;  // cells
 constexpr double kNearAtoms = 5;      // Å from the plane, and around a point: atoms that may own it
 
 bool isCapped(const Representation& r, const MeshRun& mesh) {
@@ -62,7 +62,7 @@ private:
         place.z -= height_;
         return {place, std::uint64_t{v.xz} << 32 | v.yz, v.look};
     }
-    /// The same bits whichever of its triangles asks.
+    /// Both triangles at an edge get the same bits.
     glm::dvec2 crossing(const Corner& a, const Corner& b) const {
         const Corner &first = a.key < b.key ? a : b, &second = a.key < b.key ? b : a;
         const double share = first.place.z / (first.place.z - second.place.z);
@@ -88,7 +88,7 @@ private:
     const double height_;
 };
 
-/// Finds whose a point of the plane is.
+/// Finds the atom that owns a point of the plane.
 class Owners {
 public:
     void add(const glm::dvec2& at, double height, double radius, const SphereLook& look) {
@@ -275,7 +275,7 @@ void addCap(const Representation& scene, const MeshRun& mesh, const glm::dmat4x3
     caps.meshes.back().closed = false;
 }
 
-/// Whether a plane may cut a mesh: by the sphere about the copies' centre that holds it.
+/// Whether a plane cuts a mesh, by the range of its vertices along the view axis.
 bool meetsPlane(const Representation& scene, const MeshRun& mesh, const glm::dmat4x3& place, const View& view,
                 double height) {
     const glm::dvec3 axis(view.rotation[0].z, view.rotation[1].z, view.rotation[2].z);

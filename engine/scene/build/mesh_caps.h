@@ -8,11 +8,11 @@
 
 namespace nacre {
 
-/// Whether a clipping plane cuts a mesh that has caps: a closed one, and opaque.
+/// Whether there is a near clipping plane, and a mesh that gets caps: closed and opaque.
 bool needsCaps(const Representation& scene, const Clip& clip);
 
-/// The caps of a scene, about the same centre, in the scene's numbers of atoms. They are right for one view and plane:
-/// make them anew when these change. A cap has the colours and numbers of the atoms nearest to each of its points:
+/// The caps of a scene, with the scene's centre and atom numbers. They hold for one view and plane: rebuild them when
+/// these change. A cap has the colours and numbers of the atoms nearest to each of its points:
 /// Representation::surfaceAtoms of a surface, the outline's vertices of other meshes.
 /// Shaders know caps by their distance from the plane, kCapRise (shaders/common/hit.glsl).
 Representation meshCaps(const Representation& scene, const View& view, const Clip& clip);

@@ -27,8 +27,8 @@ struct CutCorner {
 };
 using Polygon = std::vector<CutCorner>;
 
-/// What of a polygon is on one side of a plane (Sutherland and Hodgman 1974). @param within  its depth inside, or below
-/// 0
+/// The part of a polygon on one side of a plane (Sutherland and Hodgman 1974). @param within  depth inside; outside
+/// negative
 template <typename Within>
 Polygon cutPolygon(const Polygon& polygon, const Within& within) {
     Polygon left;
@@ -107,7 +107,7 @@ private:
             if (insideB < 0) to = std::min(to, insideA / (insideA - insideB));
         }
         if (from >= to) return false;
-        // Each half in its own look: what is left may be of one half alone.
+        // Each half has a look; the remainder may lie in one half.
         if (from >= 0.5) look.colorA = look.colorB, look.atomA = look.atomB;
         if (to <= 0.5) look.colorB = look.colorA, look.atomB = look.atomA;
         const glm::vec3 start = stick.a, way = stick.b - stick.a;

@@ -10,7 +10,7 @@
 namespace nacre {
 
 /// Cuts meshes and sticks at the planes, with the caps of mesh_caps.h, and leaves out atoms whose centre is beyond
-/// them; all of the chosen atoms stays. Draw the result without clipping planes, in this view only.
+/// them. Chosen atoms stay whole. Draw the result without clipping planes, in this view only.
 /// @param chosen  one value per atom of the file @returns false, and changes nothing, for the copies of an assembly
 bool cutScene(Representation& scene, const View& view, const Clip& clip, const std::vector<bool>& chosen);
 

@@ -212,7 +212,7 @@ void eachDrawnBall(const Representation& scene, const Visit& visit) {
     eachLineEnd(scene, [&](const glm::dvec4& end, std::uint32_t) { visit(end); });
 }
 
-/// Likewise what stands beside a molecule, which may consist of sticks.
+/// As above for maps and primitives beside a molecule, which may consist of sticks.
 template <typename Visit>
 void eachBallBeside(const Representation& beside, const Visit& visit) {
     eachDrawnBall(beside, visit);

@@ -107,7 +107,7 @@ public:
     void peel(const Placed& placed, double nearest);
     /// A stick goes with its atoms, an atom with its last stick.
     void settle();
-    /// Removes small pieces that lost what held them.
+    /// Removes small pieces that are no longer connected to the rest.
     void dropScraps();
 
     bool isGone(const SphereLook& look) const { return atomsGone_.contains(look.atom); }
@@ -205,7 +205,7 @@ void Covers::settle() {
     }
 }
 
-/// Which atoms hang together, by sticks, triangles, and mesh vertices in one place.
+/// Sets of connected atoms: by sticks, triangles, and coinciding mesh vertices.
 class Connections {
 public:
     explicit Connections(std::size_t atoms) : roots_(atoms + 1) { std::iota(roots_.begin(), roots_.end(), 0u); }
@@ -223,7 +223,7 @@ private:
 
 void Covers::dropScraps() {
     constexpr std::size_t kFew = 40;  // atoms
-    constexpr double kSmall = 0.2;    // of the piece that it was of
+    constexpr double kSmall = 0.2;    // of the original piece
     if (atomsGone_.empty() && sticksGone_.empty()) return;
     Connections before(chosen_.size()), after(chosen_.size());
     const auto join = [&](std::uint32_t a, std::uint32_t b, bool stays) {

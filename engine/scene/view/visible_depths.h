@@ -1,5 +1,5 @@
 #pragma once
-// How deep what a view shows is.
+// Depths of the visible parts of a scene.
 
 #include <optional>
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace nacre {
 
-/// Depths of what is nearest to the viewer in the cells of a coarse grid over the scene, Å from the centre away from
-/// the viewer, ascending. Of sticks and meshes by their atoms and vertices. Empty without any.
+/// Depth of the nearest ball in each covered cell of a coarse grid over the scene: Å from the centre away from the
+/// viewer, ascending. Atoms and vertices stand for sticks and meshes.
 /// @param balls  from drawnBalls()
 std::vector<double> visibleDepths(const std::vector<glm::dvec4>& balls, const View& view);
 
-/// The range of depths over which fog tells near from far, for a scene whose visible part is in front of its centre, as
-/// the front of a closed shell is; nothing for others, whose depth goes on behind it.
+/// The range of depths for fog in a scene whose visible part lies in front of its centre, such as a closed shell;
+/// nothing for other scenes.
 struct DepthRange {
     double near = 0, far = 0;
 };
