@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <numeric>
+
+#include "engine/molecule/disjoint_sets.h"
 
 namespace nacre {
 namespace {
@@ -26,21 +27,14 @@ MeshMeasures measure(const Mesh& mesh) {
 }
 
 std::vector<std::uint32_t> meshParts(const Mesh& mesh) {
-    std::vector<std::uint32_t> parent(mesh.positions.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t i) {
-        while (parent[i] != i) i = parent[i] = parent[parent[i]];
-        return i;
-    };
+    DisjointSets sets(mesh.positions.size());
     for (const glm::uvec3& t : mesh.triangles)
-        for (const std::uint32_t other : {t.y, t.z}) {
-            const std::uint32_t a = root(t.x), b = root(other);
-            parent[std::max(a, b)] = std::min(a, b);
-        }
-    std::vector<std::uint32_t> parts(parent.size());
+        for (const std::uint32_t other : {t.y, t.z}) sets.join(t.x, other);
+    std::vector<std::uint32_t> parts(sets.count());
     std::uint32_t count = 0;
-    for (std::uint32_t i = 0; i < parent.size(); ++i) {
-        const std::uint32_t first = root(i);  // a root is the smallest index of its part, so it already has a number
+    for (std::uint32_t i = 0; i < parts.size(); ++i) {
+        const std::uint32_t first =
+            sets.rootOf(i);  // a root is the smallest index of its part, so it already has a number
         parts[i] = first == i ? count++ : parts[first];
     }
     return parts;

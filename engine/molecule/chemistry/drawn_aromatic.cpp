@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/molecule/chemistry/steps.h"
+#include "engine/molecule/disjoint_sets.h"
 
 namespace nacre {
 namespace {
@@ -12,24 +13,18 @@ namespace {
 class ConjugatedSystems {
 public:
     explicit ConjugatedSystems(const ChemistryWork& work)
-        : work_(work), chemistry_(work.chemistry), system_(work.molecule.atoms.size()) {
-        for (std::uint32_t i = 0; i < system_.size(); ++i) system_[i] = i;
+        : work_(work), chemistry_(work.chemistry), systems_(work.molecule.atoms.size()) {
         cyclic_ = conjugatedCycles();
         for (std::uint32_t b = 0; b < cyclic_.size(); ++b)
-            if (cyclic_[b]) join(work.molecule.bonds[b].a, work.molecule.bonds[b].b);
+            if (cyclic_[b]) systems_.join(work.molecule.bonds[b].a, work.molecule.bonds[b].b);
     }
 
     /// The number of an atom's system.
-    std::uint32_t of(std::uint32_t atom) {
-        while (system_[atom] != atom) atom = system_[atom] = system_[system_[atom]];
-        return atom;
-    }
+    std::uint32_t of(std::uint32_t atom) { return systems_.rootOf(atom); }
     bool cyclic(std::uint32_t bond) const { return cyclic_[bond] != 0; }
 
 private:
     bool conjugated(std::uint32_t atom) const { return chemistry_.aromaticAtom[atom] || chemistry_.hybrid[atom] == 2; }
-
-    void join(std::uint32_t a, std::uint32_t b) { system_[of(a)] = of(b); }
 
     /// Bonds on cycles of conjugated atoms only.
     std::vector<std::uint8_t> conjugatedCycles() const {
@@ -49,7 +44,7 @@ private:
 
     const ChemistryWork& work_;
     const Chemistry& chemistry_;
-    std::vector<std::uint32_t> system_;
+    DisjointSets systems_;
     std::vector<std::uint8_t> cyclic_;  // by bond
 };
 

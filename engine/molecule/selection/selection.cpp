@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <tuple>
 
+#include "engine/molecule/disjoint_sets.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/near_atoms.h"
 #include "engine/molecule/text.h"
@@ -310,18 +310,13 @@ private:
 
     /// All that bonds connect with some atoms.
     Set wholeMolecules(const Set& set) const {
-        std::vector<std::uint32_t> roots(molecule_.atoms.size());
-        std::iota(roots.begin(), roots.end(), 0u);
-        const auto rootOf = [&](std::uint32_t atom) {
-            while (roots[atom] != atom) atom = roots[atom] = roots[roots[atom]];
-            return atom;
-        };
-        for (const Bond& bond : molecule_.bonds) roots[rootOf(bond.a)] = rootOf(bond.b);
-        Set touched(roots.size());
-        for (std::uint32_t i = 0; i < roots.size(); ++i)
-            if (set[i]) touched[rootOf(i)] = true;
-        Set whole(roots.size());
-        for (std::uint32_t i = 0; i < roots.size(); ++i) whole[i] = touched[rootOf(i)];
+        DisjointSets connected(molecule_.atoms.size());
+        for (const Bond& bond : molecule_.bonds) connected.join(bond.a, bond.b);
+        Set touched(set.size());
+        for (std::uint32_t i = 0; i < set.size(); ++i)
+            if (set[i]) touched[connected.rootOf(i)] = true;
+        Set whole(set.size());
+        for (std::uint32_t i = 0; i < set.size(); ++i) whole[i] = touched[connected.rootOf(i)];
         return whole;
     }
 

@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 
+#include "engine/molecule/disjoint_sets.h"
 #include "engine/scene/build/translucency.h"
 #include "engine/scene/view/part_picture.h"
 
@@ -205,20 +205,19 @@ void Covers::settle() {
     }
 }
 
-/// Sets of connected atoms: by sticks, triangles, and coinciding mesh vertices.
+/// Sets of connected atoms, by their numbers: by sticks, triangles, and coinciding mesh vertices.
 class Connections {
 public:
-    explicit Connections(std::size_t atoms) : roots_(atoms + 1) { std::iota(roots_.begin(), roots_.end(), 0u); }
+    explicit Connections(std::size_t atoms) : sets_(atoms + 1) {}
+    /// Ignores 0, which is no atom, and numbers of contacts.
     void join(std::uint32_t a, std::uint32_t b) {
-        if (a < roots_.size() && b < roots_.size()) roots_[rootOf(a)] = rootOf(b);
+        const auto isAtom = [&](std::uint32_t number) { return number > 0 && number < sets_.count(); };
+        if (isAtom(a) && isAtom(b)) sets_.join(a, b);
     }
-    std::uint32_t rootOf(std::uint32_t atom) {
-        while (roots_[atom] != atom) atom = roots_[atom] = roots_[roots_[atom]];
-        return atom;
-    }
+    std::uint32_t rootOf(std::uint32_t atom) { return sets_.rootOf(atom); }
 
 private:
-    std::vector<std::uint32_t> roots_;
+    DisjointSets sets_;
 };
 
 void Covers::dropScraps() {
