@@ -13,15 +13,15 @@
 //                 all none protein nucleic polymer ligand water ion backbone sidechain hydrogens hetatm helix strand
 //                 loop   /A:10-20@CA   (ChimeraX: chains, numbers or names of residues, names of atoms, #1: model)
 //
-// `expand` and `<` include their reference, `around` excludes it. `bymolecule` is all that bonds connect; `segi` is
-// the file's segment, or mmCIF's label_asym_id. After `and`, `or` and `not`, the reference of a following `around`,
-// `expand`, `extend` or zone needs parentheses. `not`, `byres` and `within N of` apply to the next term. If that has no
-// parentheses and an operator follows, `byres` and `within` are refused as ambiguous: PyMOL would include the operator. Lists use + or commas; values may be quoted,
-// '' is the empty one; * matches any characters. Case matters in chain names only, as in PyMOL. A residue number may be
-// negative (also written \-5), and may have an insertion code (82A), which it then must match; as the end of a range it
-// includes all codes: 80-82 includes 82A. `within` means at most N Å and includes its reference; `around` excludes it.
-// `ss` is the protein's secondary structure. `sequence` finds consecutive residues by one-letter codes, ? for any.
-// PyMOL's short forms (c. r. i. n. e. h. br. w. ...) work as well.
+// `within`, `expand` and `<` include their reference, `around` excludes it. `bymolecule` is all that bonds connect;
+// `segi` is the file's segment, or mmCIF's label_asym_id. After `and`, `or` and `not`, the reference of a following
+// `around`, `expand`, `extend` or zone needs parentheses. `not`, `byres` and `within N of` apply to the next term. If
+// that has no parentheses and an operator follows, `byres` and `within` are refused as ambiguous: PyMOL would include
+// the operator. Lists use + or commas; values may be quoted, '' is the empty one; * matches any characters. Case
+// matters in names of chains and segments only. A residue number may be negative (also written \-5), and may have an
+// insertion code (82A), which it then must match; as the end of a range it includes all codes: 80-82 includes 82A.
+// Distances are at most N Å. `ss` is the protein's secondary structure. `sequence` finds consecutive residues by
+// one-letter codes, ? for any. PyMOL's short forms (c. r. i. n. e. h. br. w. ...) work as well.
 
 #include <cstdint>
 #include <string>
