@@ -13,6 +13,7 @@
 #include "engine/molecule/kabsch_sander.h"
 #include "engine/molecule/residue_kind.h"
 #include "engine/molecule/selection/selection.h"
+#include "engine/molecule/text.h"
 #include "tests/molecule/expect_error.h"
 #include "tests/molecule/text_file.h"
 #include "tests/support/test_data.h"
@@ -378,6 +379,22 @@ TEST(OddFiles, FractionalCoordinatesOfCml) {
 <atom id="b" elementType="Cl" xFract="0.5" yFract="0.5" zFract="0.5"/></atomArray></molecule>)");
     EXPECT_LT(glm::distance(salt.atoms[1].position, glm::vec3(2, 2.5f, 3)), 1e-5f);
     EXPECT_TRUE(salt.file.box.has_value());
+}
+
+TEST(OddFiles, EachCrystalOfCmlHasItsOwnCell) {
+    const auto crystal = [](const char* edge, const char* id) {
+        std::string text = "<molecule><crystal>";
+        for (const char* name : {"a", "b", "c"})
+            text += std::string("<scalar title=\"") + name + "\">" + edge + "</scalar>";
+        for (const char* name : {"alpha", "beta", "gamma"})
+            text += std::string("<scalar title=\"") + name + "\">90</scalar>";
+        return text + "</crystal><atomArray><atom id=\"" + id +
+               "\" elementType=\"C\" xFract=\"0.5\" yFract=\"0\" zFract=\"0\"/></atomArray></molecule>";
+    };
+    const Molecule two = readMolecule("a.cml", "<cml>" + crystal("4", "a") + crystal("8", "b") + "</cml>");
+    ASSERT_EQ(two.atoms.size(), 2u);
+    EXPECT_NEAR(two.atoms[0].position.x, 2, 1e-5);
+    EXPECT_NEAR(two.atoms[1].position.x, 4, 1e-5);
 }
 
 TEST(OddFiles, AtomsTooNearAreNotBonded) {

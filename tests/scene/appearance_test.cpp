@@ -6,6 +6,7 @@
 
 #include "engine/error.h"
 #include "engine/molecule/bonds/bonds.h"
+#include "engine/molecule/drawn_atoms.h"
 #include "engine/scene/build/representation.h"
 #include "engine/scene/color/colors.h"
 #include "engine/scene/color/palettes.h"
@@ -67,6 +68,16 @@ TEST(Appearance, RulesChooseAmongTheDrawnAtoms) {
     EXPECT_NE(a.warnings[0].find("'water' matches no atoms to show: those that it matches are not drawn"),
               std::string::npos);
     EXPECT_NE(a.warnings[1].find("'resn QQQ' matches no atoms to hide"), std::string::npos);
+}
+
+TEST(Appearance, WarningsCountWatersByTheirKind) {
+    Molecule molecule = row();
+    molecule.residues[1].name = Name("W");  // a Martini bead, or an entity of mmCIF
+    molecule.residues[1].entityKind = EntityKind::water;
+    const Appearance a =
+        appearanceOf(molecule, drawnAtoms(molecule), {Style::spacefill, {}, {show("resn W", Style::licorice)}});
+    ASSERT_EQ(a.warnings.size(), 1u);
+    EXPECT_NE(a.warnings[0].find("1 in hidden waters"), std::string::npos) << a.warnings[0];
 }
 
 TEST(Appearance, LegendsNameWhatIsSeen) {

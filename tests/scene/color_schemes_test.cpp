@@ -115,6 +115,15 @@ TEST(ColorSchemes, OccupancyGoesFromZeroToOne) {
     EXPECT_EQ(labels(result), "0.00|0.25|0.50|0.75|1.00");
 }
 
+TEST(ColorSchemes, DistanceIsFromTheCentreOfTheAtoms) {
+    test::MoleculeText text;
+    text.residue("LIG").atom("C1", "C", {-3, 0, 0}).atom("C2", "C", {0, 0, 0}).atom("C3", "C", {3, 0, 0});
+    const ColoredAtoms result = colored(text.molecule, ColorScheme::distance);
+    EXPECT_EQ(result.colors[0], paletteColor(Palette::viridis, 1));
+    EXPECT_EQ(result.colors[1], paletteColor(Palette::viridis, 0));
+    EXPECT_EQ(result.colors[2], result.colors[0]);
+}
+
 TEST(ColorSchemes, RainbowRunsAlongEachChain) {
     test::MoleculeText text;
     for (const int number : {1, 2, 3}) text.residue("ALA", number).atom("CA", "C", {0, 0, 0});
