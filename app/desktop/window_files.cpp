@@ -60,7 +60,7 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     const bool asShown = size.width == window_.size().width && size.height == window_.size().height;
     const double textSize =
         viewer().words().size() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
-    PictureDescription picture = viewer().picking().savedView();
+    PictureDescription picture = viewer().picking().measuredView();
     picture.size = {size.width, size.height};
     picture.output = path;
     picture.words.size = textSize;

@@ -250,7 +250,7 @@ void PhoneSession::shareView() {
 
 PictureBytes PhoneSession::picture(std::uint32_t samples) {
     const PixelSize size = viewer().frames().size();
-    PictureDescription wanted = viewer().picking().savedView();
+    PictureDescription wanted = viewer().picking().measuredView();
     wanted.size = {size.width, size.height};
     wanted.words.size = viewer().words().size();
     wanted.supersample = samples;

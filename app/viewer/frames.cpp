@@ -78,8 +78,7 @@ void Frames::setUp(RenderSettings& s) const {
 }
 
 const RenderSettings& Frames::compose(PictureDescription picture) {
-    const Camera& camera = picture.camera;
-    picture.aim.placed = camera.zoom != 1 || camera.pan != glm::dvec2(0);
+    picture.aim.placed = picture.camera.isPlaced();
     Drawing& drawing = stage_.document.drawing;
     drawing.compose(picture);
     setUp(drawing.settings);

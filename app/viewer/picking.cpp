@@ -213,15 +213,15 @@ std::string Picking::measurement(const std::vector<glm::dvec3>& places) const {
     return text + (left == 1 ? " atom" : " atoms");
 }
 
-PictureDescription Picking::savedView() const {
-    PictureDescription saved = stage_.placed();
-    if (picks_.size() < 2) return saved;
+PictureDescription Picking::measuredView() const {
+    PictureDescription view = stage_.view();
+    if (picks_.size() < 2) return view;
     std::string atoms;
     for (const std::uint32_t pick : picks_) atoms += (atoms.empty() ? "" : ",") + std::to_string(pick + 1);
     const Measure measure = parseMeasure(atoms);
-    std::vector<Measure>& kept = saved.words.measures;
+    std::vector<Measure>& kept = view.words.measures;
     if (std::find(kept.begin(), kept.end(), measure) == kept.end()) kept.push_back(measure);
-    return saved;
+    return view;
 }
 
 }  // namespace nacre::app

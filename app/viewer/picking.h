@@ -63,8 +63,10 @@ public:
     /// @returns when something is due; infinity: never
     double advance(double now);
     Annotations annotations() const;
-    /// The view for saving: with the current measurement.
-    PictureDescription savedView() const;
+    /// The wanted view with the current measurement, for pictures.
+    PictureDescription measuredView() const;
+    /// As above with an absolute camera, for files.
+    PictureDescription savedView() const { return stage_.placed(measuredView()); }
 
 private:
     struct Pointer {

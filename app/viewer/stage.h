@@ -42,14 +42,13 @@ public:
     }
     /// Whether there is a document.
     bool shown() const { return document.molecule != nullptr; }
-    /// The wanted view with a camera that nothing drawn moves, for saved views.
-    PictureDescription placed() const {
-        PictureDescription placed = view();
-        if (!shown()) return placed;
+    /// A view with an absolute camera, for saving: drawing something else does not move it.
+    PictureDescription placed(PictureDescription view) const {
+        if (!shown()) return view;
         constexpr std::uint32_t kAnySize = 1000;
-        const View seen = viewOf(placed.camera, document.drawing.radius(), kAnySize, kAnySize);
-        placed.camera = absoluteCamera(seen, placed.camera.fovDegrees, document.drawing.scene().center);
-        return placed;
+        const View seen = viewOf(view.camera, document.drawing.radius(), kAnySize, kAnySize);
+        view.camera = absoluteCamera(seen, view.camera.fovDegrees, document.drawing.scene().center);
+        return view;
     }
     /// The reverse: relative to the document, if its centre is the view's.
     PictureDescription relative(PictureDescription placed) const {

@@ -73,7 +73,7 @@ bool Viewer::changeLook(ViewerCommand command, PictureDescription& look, double 
             said = "look: " + looks()[look_].name;
             break;
         case C::keepMeasurement:
-            look = picking_.savedView();
+            look = picking_.measuredView();
             picking_.drop();
             break;
         default:

@@ -88,6 +88,9 @@ TEST(Picking, PicksMeasuresAndSelects) {
     EXPECT_EQ(picking.picks(), (std::vector<std::uint32_t>{0, 2})) << "one atom twice in a row is one";
     EXPECT_EQ(picking.annotations().atoms.size(), 2u);
     EXPECT_EQ(picking.savedView().words.measures.size(), 1u);
+    EXPECT_EQ(picking.measuredView().words.measures.size(), 1u);
+    EXPECT_TRUE(picking.savedView().camera.scale);
+    EXPECT_FALSE(picking.measuredView().camera.isPlaced()) << "words beside it would get no room";
     EXPECT_TRUE(s.stage.view().words.measures.empty());
     EXPECT_FALSE(picking.selection().any()) << "a measured atom selects nothing";
     picking.select("elem C");
