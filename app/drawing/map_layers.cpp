@@ -162,15 +162,20 @@ std::uint32_t contourColor(const DensityMap& map, const MapColors& colors) {
     return packRgb(colors.automatic ? usual : colors.high);
 }
 
-/// A map's contour, and the negative one of a difference map: as far below the mean where the level is in sigma of a
-/// crystal, else at the negative level.
+/// The level of a difference map's negative contour: as far below the mean where the level is in sigma of a crystal,
+/// else the negative level.
+double negativeLevel(const DensityMap& map, double level, MapLevel::Unit unit) {
+    const bool aboutMean = map.periodic && (unit == MapLevel::Unit::sigma || unit == MapLevel::Unit::automatic);
+    return aboutMean ? 2 * map.statistics.mean - level : -level;
+}
+
+/// A map's contour, and the negative one of a difference map.
 void addContours(const DensityMap& map, const MapRegion& region, const MapContour& contour, const MapColors& colors,
                  MapLevel::Unit unit, Representation& shown) {
     addContour(region, contour, shown);
     if (!map.difference) return;
     MapContour other = contour;
-    const bool aboutMean = map.periodic && (unit == MapLevel::Unit::sigma || unit == MapLevel::Unit::automatic);
-    other.level = aboutMean ? 2 * map.statistics.mean - contour.level : -contour.level;
+    other.level = negativeLevel(map, contour.level, unit);
     other.above = !contour.above;
     other.color = packRgb(colors.automatic ? kNegativeRed : colors.low);
     addContour(region, other, shown);
@@ -287,7 +292,8 @@ std::vector<SceneVolume> sceneVolumes(const PictureDescription& picture) {
         }
         add(contour.level, contourColor(*volume.map, colors));
         if (volume.map->difference)
-            add(2 * volume.map->statistics.mean - contour.level, packRgb(colors.automatic ? kNegativeRed : colors.low));
+            add(negativeLevel(*volume.map, contour.level, ofMap(maps.levels, i).unit),
+                packRgb(colors.automatic ? kNegativeRed : colors.low));
     }
     return volumes;
 }

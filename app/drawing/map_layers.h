@@ -14,7 +14,7 @@
 
 namespace nacre::app {
 
-/// A contour level in the map's unit. The negative contour of a difference map mirrors it about the mean.
+/// A contour level in the map's unit.
 double contourLevel(const DensityMap& map, const MapLevel& level);
 
 /// Maps and primitives about a scene's centre.
@@ -36,7 +36,7 @@ struct MapLayers {
 /// A scene together with its maps and primitives.
 Representation withMaps(Representation scene, const MapLayers& maps);
 
-/// The view of a molecule without atoms, which has a centre by its primitives or its first map; else nothing.
+/// Bounds of the primitives, or else of the first map, for a molecule without atoms; else nothing.
 /// @throws Error
 std::optional<Bounds> frameWithoutAtoms(const Molecule& molecule, const PictureDescription& description);
 

@@ -128,6 +128,10 @@ TEST_F(FocusTest, OrbitalsHaveTheirNegativeContourAtTheNegativeLevel) {
     for (const Cylinder& wire : maps.shown.wires)
         places.insert(static_cast<int>(std::lround(10 * (static_cast<double>(wire.a.x) + kCenter.x))));
     EXPECT_EQ(places, (std::set<int>{-80, -20}));  // 0.1 x = 0.3 + 0.5 - 1, and -0.3 + 0.5 - 1
+    const std::vector<SceneVolume> volumes = sceneVolumes(picture);
+    ASSERT_EQ(volumes.size(), 2u);
+    EXPECT_NEAR(volumes[0].level, 0.3, 1e-6);
+    EXPECT_NEAR(volumes[1].level, -0.3, 1e-6);
 }
 
 }  // namespace
