@@ -174,8 +174,7 @@ private:
         JobJson told = toldOf(line);
         HeardMessages heard;
         try {
-            if (line.tooLong) throw UsageError("the line has more than " + std::to_string(kLongestLine >> 20) + " MB");
-            const PictureDescription job = jobOf(line.text, options_);
+            const PictureDescription job = jobOf(line.whole(), options_);
             if (told["input"].is_null()) told["input"] = job.input.path;
             files_.claim(job);
             if (options_.resume && isThere(job.output) && isThere(job.layers) && isThere(job.stats) &&

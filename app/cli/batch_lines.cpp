@@ -17,6 +17,16 @@
 #include "engine/error.h"
 
 namespace nacre::app {
+namespace {
+
+constexpr std::size_t kLongestLine = 1 << 20;  // bytes
+
+}  // namespace
+
+const std::string& BatchLine::whole() const {
+    if (tooLong) throw UsageError("the line has more than " + std::to_string(kLongestLine >> 20) + " MB");
+    return text;
+}
 
 BatchLines::BatchLines(const std::string& path, std::function<bool()> stopped)
     : path_(path), stopped_(std::move(stopped)) {

@@ -17,9 +17,9 @@ struct BatchLine {
     std::uint64_t number;  ///< 1-based
     std::string text;      ///< its beginning, if it is too long
     bool tooLong = false;
+    /// @throws UsageError if it is too long
+    const std::string& whole() const;
 };
-
-constexpr std::size_t kLongestLine = 1 << 20;  ///< bytes
 
 /// The lines of a file or of standard input, one at a time; thread-safe.
 class BatchLines {

@@ -1,4 +1,4 @@
-// `nacre figure`: several pictures by one camera as the lettered panels of one.
+// `nacre figure`: pictures from one camera as the lettered panels of a figure.
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/progress.h"
-#include "app/download/load_map.h"
-#include "app/download/load_molecule.h"
 #include "app/drawing/complete.h"
 #include "app/drawing/drawing.h"
 #include "app/files/messages.h"
@@ -56,7 +54,7 @@ private:
     Picture picture_;
 };
 
-/// The letter of a panel at its upper left.
+/// Paints a panel's letter at its upper left.
 void paintLetter(const WordPainter& painter, const std::string& letter, const PictureDescription& panel,
                  Picture& picture) {
     constexpr double kLarger = 1.6;  // than other words
@@ -83,7 +81,7 @@ std::vector<PictureDescription> panelsOf(const FigureOptions& options) {
             throw Error("cannot draw figure", options.batch.path,
                         "more than " + std::to_string(kMostPanels) + " panels");
         try {
-            panels.push_back(panelOf(line->text, options));
+            panels.push_back(panelOf(line->whole(), options));
         } catch (const UsageError& error) {
             throw Error("cannot draw figure", options.batch.path,
                         "line " + std::to_string(line->number) + ": " + error.what());
@@ -97,7 +95,7 @@ std::vector<PictureDescription> panelsOf(const FigureOptions& options) {
     return panels;
 }
 
-/// A panel in the camera of the first one, unless it has a camera of its own; the scale is always that of the first.
+/// Gives a panel the first panel's camera, unless it has its own; the scale is always the first panel's.
 void shareCamera(const PictureDescription& first, PictureDescription& panel) {
     const bool own = panel.aim.any() || panel.camera.center || panel.given.contains("view") ||
                      panel.given.contains("rotate") || panel.given.contains("orientation");
@@ -117,7 +115,6 @@ void figureCommand(const FigureOptions& options) {
     std::vector<PictureDescription> panels = panelsOf(options);
     const double dpi = panels.front().dpi.value_or(kPrintDpi);
     Progress progress;
-    progress.begin("drawing");
     Canvas canvas(panels.front().device);
     WordPainter painter;
     std::optional<PictureDescription> first;
@@ -127,14 +124,14 @@ void figureCommand(const FigureOptions& options) {
         PictureDescription& panel = panels[i];
         if (first) shareCamera(*first, panel);
         if (i + 1 < panels.size()) panel.words.scaleBar = ScaleBar::off;  // one bar for all
-        const Molecule molecule = loadMolecule(panel.input, downloadProgress(progress), {});
-        loadMaps(panel, downloadProgress(progress));
+        const Molecule molecule = readMoleculeAndMaps(panel, progress);
+        progress.begin("drawing");
         Drawing drawing;
         drawing.prepare(molecule, panel);
-        for (const std::string& warning : drawing.warnings)
-            sayWarning("panel " + std::to_string(i + 1) + ": " + warning);
         if (!first) first = drawing.placed();
-        Picture picture = drawing.draw(canvas);
+        std::vector<std::string> warnings = drawing.warnings;
+        Picture picture = drawing.draw(canvas, &warnings);
+        for (const std::string& warning : warnings) sayWarning("panel " + std::to_string(i + 1) + ": " + warning);
         if (const std::string letter = letterOf(options.letters, i); !letter.empty())
             paintLetter(painter, letter, panel, picture);
         figure.put(i, picture);
