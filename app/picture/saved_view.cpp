@@ -201,7 +201,7 @@ void readKeys(const Json& object, const std::string& name, PictureDescription& v
     nameInputs(view);
 }
 
-/// What --stats writes: a view's camera and clipping planes stand in it.
+/// Whether it is a file of --stats, which holds a view's camera and clipping planes.
 bool isStatistics(const Json& object) {
     const auto view = object.find("view");
     return view != object.end() && view->is_object() && view->contains("pixels_per_angstrom");
@@ -222,19 +222,23 @@ void readStatistics(const Json& view, const std::string& name, PictureDescriptio
     const std::vector<double> center = numbers("center", 3), q = numbers("orientation", 4), pan = numbers("pan", 2);
     const double across =
         std::min(numbers("width", 1)[0], numbers("height", 1)[0]) / numbers("pixels_per_angstrom", 1)[0];
-    const std::string projection = view.value("projection", "ortho"), clip = view.value("clip", "off");
+    const auto text = [&](const char* key, const char* standard) {
+        const Json value = view.value(key, Json(standard));
+        if (!value.is_string()) throw Error("cannot read view", name, std::string("\"") + key + "\": expected a text");
+        return textOf(value);
+    };
     Camera& camera = d.camera;
     camera = {};
     camera.fovDegrees = PictureDescription{}.camera.fovDegrees;
     camera.center = {center[0], center[1], center[2]};
     camera.pan = {pan[0], pan[1]};
     try {
-        option("projection").parse(projection, d);
+        option("projection").parse(text("projection", "ortho"), d);
         const glm::dquat orientation(q[0], q[1], q[2], q[3]);
         if (glm::length(orientation) < 1e-9) throw std::invalid_argument("\"orientation\": expected a quaternion");
         camera.orientation = glm::normalize(orientation);
         option("scale").parse(exactText(across) + "A", d);
-        option("clip").parse(clip, d);
+        option("clip").parse(text("clip", "off"), d);
         if (camera.projection == Projection::perspective) camera.eyeDistance = numbers("eye_distance", 1)[0];
     } catch (const std::invalid_argument& error) {
         throw Error("cannot read view", name, error.what());
@@ -256,7 +260,7 @@ void readView(const std::string& json, const std::string& name, PictureDescripti
         readStatistics(object["view"], name, view);
     else
         readKeys(object, name, view);
-    view.aim.uncovers = true;  // a plane that was saved asks for nothing
+    view.aim.uncovers = true;  // a saved plane does not count as an explicit --clip
 }
 
 /// A view's file is relative to the view; absolute paths and downloads stay.
