@@ -24,18 +24,18 @@ std::vector<glm::dvec4> selectedBalls(const Selection& selection, const char* wh
 const glm::dquat kQuarterTurn = glm::angleAxis(glm::radians(90.0), glm::dvec3(0, 1, 0));
 const glm::dquat kHalfTurn = glm::angleAxis(glm::radians(180.0), glm::dvec3(0, 1, 0));
 
-/// Whether the middle of a part is on the right of the middle of another.
+/// Whether a part's centre is to the right of another's.
 bool isRight(const std::vector<glm::dvec4>& part, const std::vector<glm::dvec4>& other, const glm::dquat& orientation) {
     const glm::dvec3 way = boundsOf(part).center - boundsOf(other).center;
     return (orientation * way).x > 0;
 }
 
-/// A plane in front of some balls, Å from the centre away from the viewer.
+/// Depth of a plane in front of some balls, Å from the centre away from the viewer.
 double planeBefore(const std::vector<glm::dvec4>& target, const glm::dmat3& rotation) {
     constexpr double kRoom = 0.3;  // Å
     double front = -std::numeric_limits<double>::infinity();
     for (const glm::dvec4& ball : target) front = std::max(front, (rotation * glm::dvec3(ball)).z + ball.w);
-    return std::round(-(front + kRoom) * 100) / 100;  // as people write it
+    return std::round(-(front + kRoom) * 100) / 100;  // short in saved views
 }
 
 /// A plane in front of the zoom target, if a tenth of it or more is hidden.
@@ -72,14 +72,13 @@ Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, con
                                                       glm::mat3_cast(result.camera.orientation));
     if ((aim.fits || (aim.principal && !aim.lookAt)) && !aim.zoomTo)
         result.camera = fitted(result.camera, scene, shown.beside, shown.radius, size.width, size.height, kLargestZoom);
+    const glm::dmat3 rotation =
+        rotationMatrix(result.camera.rotationDegrees) * glm::mat3_cast(result.camera.orientation);
     if (aim.zoomTo) {
         const std::vector<glm::dvec4> target = selectedBalls(*aim.zoomTo, "cannot zoom to", facts, scene);
         result.camera = closeUp(result.camera, target, shown.radius, kZoomMargin, kLargestZoom);
+        result.depth = -(rotation * boundsOf(target).center).z;
     }
-    const glm::dmat3 rotation =
-        rotationMatrix(result.camera.rotationDegrees) * glm::mat3_cast(result.camera.orientation);
-    if (aim.zoomTo)
-        result.depth = -(rotation * boundsOf(selectedBalls(*aim.zoomTo, "cannot zoom to", facts, scene)).center).z;
     if (aim.clip)
         result.clipBefore = planeBefore(selectedBalls(*aim.clip, "cannot clip in front of", facts, scene), rotation);
     const std::optional<Selection>& target = uncoveredBy(aim);

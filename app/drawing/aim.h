@@ -15,18 +15,18 @@ struct Aimed {
     Camera camera;
     /// Å from the centre away from the viewer: a clipping plane that removes most of what hides the target.
     std::optional<double> clipNear{};
-    std::optional<double> clipBefore{};  ///< likewise, in front of Aim::clip
-    double depth = 0;                    ///< of the zoom target's middle: that clipping planes count from
+    std::optional<double> clipBefore{};  ///< Å, likewise: a plane in front of Aim::clip
+    double depth = 0;                    ///< Å, likewise: the zoom target's centre, from which planes count
 };
 
 /// The selection to uncover, if any.
 const std::optional<Selection>& uncoveredBy(const Aim& aim);
 
-/// What an aim may show.
+/// The scene that an aim refers to.
 struct AimScene {
     const Representation& scene;
-    double radius = 0;                       ///< that the camera goes by, Å
-    const Representation* beside = nullptr;  ///< maps and primitives, about the same centre: only fitted
+    double radius = 0;                       ///< that the camera takes in, Å
+    const Representation* beside = nullptr;  ///< maps and primitives about the same centre, for fitting only
 };
 
 /// The camera after aiming. Applies its rotation (degrees) last; its zoom is relative to the zoom target.
