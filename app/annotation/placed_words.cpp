@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
 
 #include "app/annotation/measurement.h"
+#include "app/picture/color_values.h"
 #include "app/picture/label_fields.h"
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/residue_facts.h"
-#include "engine/scene/color/palettes.h"
 #include "engine/scene/instances/sphere_levels.h"
 
 namespace nacre::app {
@@ -166,16 +165,17 @@ std::vector<std::uint32_t> numbersOfResidues(const Molecule& molecule, const std
     return numbers;
 }
 
-/// The rules on how labels of some atoms look.
+/// Colours and offsets of labels by selection.
 class LabelRules {
 public:
     LabelRules(const Words& words, const ResidueFacts& facts) {
         for (const LabelColor& rule : words.labelColors)
-            colors_.emplace_back(selectAtoms(facts, rule.selection), packedInk(rule.color));
+            colors_.emplace_back(selectAtoms(facts, rule.selection),
+                                 opaqueColor({rule.color[0], rule.color[1], rule.color[2], 1}));
         for (const LabelOffset& rule : words.labelOffsets)
             offsets_.emplace_back(selectAtoms(facts, rule.selection), glm::dvec2(rule.right, rule.up));
     }
-    /// The last rule wins that selects all atoms of a label.
+    /// Applies the rules that select all atoms of a label; the last one wins.
     void apply(const std::vector<std::uint32_t>& atoms, PlacedLabel& label) const {
         for (const auto& [chosen, color] : colors_)
             if (holdsAll(chosen, atoms)) label.color = color;
@@ -184,11 +184,6 @@ public:
     }
 
 private:
-    static std::uint32_t packedInk(const std::array<float, 3>& color) {
-        std::uint32_t rgb = 0;
-        for (const float v : color) rgb = rgb << 8 | static_cast<std::uint32_t>(std::lround(v * 255));
-        return packedColor(rgb);
-    }
     static bool holdsAll(const std::vector<bool>& chosen, const std::vector<std::uint32_t>& atoms) {
         return std::ranges::all_of(atoms, [&](std::uint32_t atom) { return chosen[atom]; });
     }

@@ -120,8 +120,8 @@ std::vector<std::string> palettesOf(bool ramps) {
     return names;
 }
 
-/// A ramp of colours in front of a text, "white:red:10..60"; the text is what follows. @returns nothing if it does not
-/// begin with two colours
+/// Takes a ramp of colours from the start of a text: "white:red:10..60" leaves "10..60". @returns nothing, and leaves
+/// the text alone, if it does not begin with two colours
 std::optional<Palette> takeRamp(std::string_view& text) {
     std::vector<std::uint32_t> colors;
     std::string_view rest = text;
@@ -274,11 +274,10 @@ Coloring parseColorSource(std::string_view text) {
         std::string_view rest = text.substr(at + 1);
         const auto ramp = takeRamp(rest);
         if (!ramp) continue;
-        coloring.palette = *ramp;
         const std::string kept = std::string(text.substr(0, at)) + (rest.empty() ? "" : ":" + std::string(rest));
-        Coloring others = parseColorSource(kept);
-        others.palette = *ramp;
-        return others;
+        coloring = parseColorSource(kept);
+        coloring.palette = *ramp;
+        return coloring;
     }
     for (std::size_t colon; (colon = text.rfind(':')) != std::string_view::npos;) {
         const std::string_view part = text.substr(colon + 1);
