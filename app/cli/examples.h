@@ -55,8 +55,9 @@ inline constexpr const char* kRenderExamples =
 
 inline constexpr const char* kFigureExamples =
     "A panel is a line like {\"input\": \"1hpv.pdb\", \"style\": \"surface\"}: the options of `nacre render` without\n"
-    "dashes. Options on the command line apply to all. The first panel's camera is that of all, unless a panel aims\n"
-    "itself; the scale always is. A scale bar stands in the last panel only.\n"
+    "dashes. Options on the command line apply to all. Panels have the first panel's scale, and its camera unless "
+    "they\n"
+    "aim themselves. Only the last panel has a scale bar.\n"
     "Examples:\n"
     "  nacre figure panels.jsonl -o figure.png --width 85mm --scale-bar nm\n"
     "  nacre figure panels.jsonl -o figure.tif --columns 3 --letters A --gap 4 --size 800x800";

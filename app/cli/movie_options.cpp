@@ -67,7 +67,7 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
     command.flag("--models", options.models,
                  "Show the models or records of INPUT in sequence, or the frames of --trajectory");
     command.value("--frames", "FIRST-LAST[:STEP]", "all",
-                  "Of --models: these models or frames, counted from 1, every STEP-th; 101- is to the end",
+                  "With --models: only these models or frames, counted from 1, every STEP-th; 101- runs to the end",
                   [&](const std::string& text) { options.range = parseFrames(text); });
     command.value("--views", "A.json,B.json,...", "none",
                   "Move along saved views: the camera moves, other differences cross-fade; options override each view",

@@ -226,8 +226,7 @@ Command commandOf(const std::string& name) {
         if (name == word) return command;
     throw UsageError(
         "a command is needed: render, movie, batch, figure, serve, looks, export, view, info, bench, plan or devices, "
-        "for "
-        "example: nacre render sample:dna -o dna.png");
+        "for example: nacre render sample:dna -o dna.png");
 }
 
 }  // namespace

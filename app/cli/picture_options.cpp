@@ -169,7 +169,7 @@ void addFigure(CommandSpec& command, FigureOptions& options) {
     command.value("--letters", "a|A|off", "a", "Letters of the panels", [&](const std::string& text) {
         options.letters = static_cast<PanelLetters>(parseChoice(text, {"a", "A", "off"}));
     });
-    command.value("--gap", "POINTS", "6", "Space between panels, 0 to 144 points at --dpi, which is 300",
+    command.value("--gap", "POINTS", "6", "Space between panels, 0 to 144 points at --dpi (without it 300)",
                   [&](const std::string& text) { options.gapPoints = parseNumber(text, 0, 144); });
     addPicture(command, batch.tried, kEveryTopic & ~kOfTheDevice & ~kOfOneJob, &batch.common);
     addPicture(command, batch.tried, kOfTheDevice);

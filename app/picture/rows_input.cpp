@@ -34,9 +34,8 @@ std::vector<Option> severalAtOnce() {
         {.key = "view",
          .syntax = "FILE",
          .standard = "none",
-         .help =
-             "A saved view: camera and all visible settings; options override it. Or a file of --stats: the camera\n"
-             "of that picture",
+         .help = "A saved view: camera and all visible settings; options override it. A file of --stats gives the\n"
+                 "camera of its picture",
          .topic = Topic::view,
          .parse = [](T text, P& d) { applySavedView(fileName(text), d); }},
         {.key = "allow-download",
@@ -71,8 +70,8 @@ std::vector<Option> severalAtOnce() {
         {.key = "interface",
          .syntax = "A,B",
          .standard = "none",
-         .help = "Two chains, or selections, and what holds them together: residues within 4 Å of the other side as\n"
-                 "sticks, interactions between them, faint cartoons, seen from the side; options override it",
+         .help = "The interface of two chains or selections: residues within 4 Å of the other side as sticks,\n"
+                 "interactions between them, faint cartoons, seen from the side; options override it",
          .topic = Topic::look,
          .parse = applyInterface},
     };

@@ -109,7 +109,7 @@ std::vector<Option> colors() {
          .standard = "element; chain-carbons for cartoons",
          .help = schemeNames() + ";\nor a colour as for --background; element:COLOR colours only the carbons;\n"
                                  "b-factor:10..60:viridis gives the range and the palette, chain:muted a palette,\n"
-                                 "b-factor:white:red a ramp of one's own",
+                                 "b-factor:white:red a ramp of these colours",
          .parse = [](T text, P& d) { d.look.color = parseColoring(text); },
          .print = [](const P& d) { return coloringText(d.look.color); },
          .save = always,
@@ -234,7 +234,7 @@ std::vector<Option> meshes() {
             "cartoon-scale", "F", "Factor of all widths and thicknesses of cartoons, 0.1 to 5",
             [](T text, P& d) { d.look.cartoon.scale = parseNumber(text, 0.1, 5); },
             printNumber<&P::look, &R::cartoon, &C::scale>),
-        row("gaps", "dashed|off", "Where a chain of a cartoon or backbone misses residues: dashes, or nothing",
+        row("gaps", "dashed|off", "Missing residues in a cartoon or backbone: a dashed line, or nothing",
             parseSwitch<kDashedOff, &P::look, &R::gaps>, printSwitch<kDashedOff, &P::look, &R::gaps>),
         row("surface-form", "FORM", "Surfaces as solid, mesh (lines of --line-width) or dots",
             parseNamed<kSurfaceForms, &P::look, &R::surfaceForm>, printNamed<kSurfaceForms, &P::look, &R::surfaceForm>),
@@ -381,8 +381,8 @@ std::vector<Option> chosen() {
          .syntax = "chosen|all|LETTER",
          .standard = "chosen",
          .help =
-             "Alternate locations: of each residue the one with the highest occupancy, all, or a named one where a\n"
-             "residue has it. A cartoon follows the chosen ones",
+             "Alternate locations: chosen (highest occupancy of each residue), all, or a named one where a residue\n"
+             "has it. A cartoon follows the chosen ones",
          .topic = Topic::atoms,
          .facet = Facet::scene,
          .parse = parseAltlocs,

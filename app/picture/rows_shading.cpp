@@ -109,7 +109,7 @@ std::string offOr(double value) { return value > 0 ? numberText(value) : "off"; 
 
 std::array<float, 3> parseOpaque(T text) {
     const auto [r, g, b, a] = parseColor(text);
-    if (a < 1) throw std::invalid_argument("outlines cannot be transparent: '" + std::string(text) + "'");
+    if (a < 1) throw std::invalid_argument("expected an opaque colour, not '" + std::string(text) + "'");
     return {r, g, b};
 }
 std::string opaqueText(const std::array<float, 3>& color) { return backgroundText({color[0], color[1], color[2], 1}); }
@@ -275,14 +275,14 @@ void parseSlab(T text, P& d) {
 std::vector<Option> clipRows() {
     Option clip =
         effect("clip", "NEAR[,FAR]|SEL|off",
-               "Clipping planes: remove everything nearer than NEAR and farther than FAR, in Å from the\n"
-               "centre, or from the middle of what --zoom-to names, away from the viewer; 0 removes the\n"
+               "Clipping planes: remove everything nearer than NEAR and farther than FAR, in Å away from the\n"
+               "viewer, counted from the centre, or from the middle of the --zoom-to selection; 0 removes the\n"
                "front half; ,FAR: back plane only; SEL: a plane in front of a selection",
                parseClip, [](const P& d) { return d.aim.clip ? d.aim.clip->text : clipText(d.effects.clip); });
     clip.look = false;
     return {
         clip,
-        effect("cap", "plain|dark|hatched", "Style of atoms and sticks where the front plane cuts them",
+        effect("cap", "plain|dark|hatched", "Style of the flat caps where the front plane cuts",
                parseNamed<kCaps, &P::effects, &E::clip, &Clip::cap>,
                printNamed<kCaps, &P::effects, &E::clip, &Clip::cap>, "clip",
                {.label = "Cap style",
@@ -297,7 +297,7 @@ std::vector<Option> clipRows() {
         {.key = "clip-spare",
          .syntax = "SEL",
          .standard = "none",
-         .help = "Atoms that clipping planes leave whole. Others are then left out by their centres, and only\n"
+         .help = "Atoms that clipping planes leave whole. Other atoms are kept or removed by their centres; only\n"
                  "sticks and meshes are cut",
          .topic = Topic::effects,
          .facet = Facet::scene,

@@ -18,10 +18,8 @@ void parseTextSize(T text, P& d) {
     d.textPoints = pointsOf(text);
 }
 
-std::string printTextColor(const P& d) {
-    const auto& ink = d.words.color;
-    return ink ? backgroundText({(*ink)[0], (*ink)[1], (*ink)[2], 1}) : std::string();
-}
+std::string inkText(const std::array<float, 3>& ink) { return backgroundText({ink[0], ink[1], ink[2], 1}); }
+std::string printTextColor(const P& d) { return d.words.color ? inkText(*d.words.color) : std::string(); }
 
 }  // namespace
 
@@ -39,22 +37,21 @@ std::vector<Option> wordRows() {
          .savedAs = "labels"},
         {.key = "label-color",
          .syntax = "SEL=COLOR",
-         .help = "Colour of the labels whose atoms a selection holds; the last one wins; repeatable",
+         .help = "Colour of the labels of a selection's atoms; the last rule wins; repeatable",
          .parse = [](T text, P& d) { addTo(d.words.labelColors, text, kMostWordOptions, parseLabelColor); },
          .print =
              [](const P& d) {
-                 return lines(d.words.labelColors, [](const LabelColor& rule) {
-                     return rule.selection.text + "=" +
-                            backgroundText({rule.color[0], rule.color[1], rule.color[2], 1});
-                 });
+                 return lines(d.words.labelColors,
+                              [](const LabelColor& rule) { return rule.selection.text + "=" + inkText(rule.color); });
              },
          .kind = list,
          .save = differing,
          .needs = "label"},
         {.key = "label-offset",
          .syntax = "SEL=X,Y",
-         .help = "Where the labels stand whose atoms a selection holds: from the middle of these atoms, in ems to the\n"
-                 "right and up, instead of where there is room; repeatable",
+         .help =
+             "Fixed place of the labels of a selection's atoms: ems to the right of the atoms' middle, and above it;\n"
+             "repeatable",
          .parse = [](T text, P& d) { addTo(d.words.labelOffsets, text, kMostWordOptions, parseLabelOffset); },
          .print =
              [](const P& d) {
