@@ -65,7 +65,7 @@ BidiClass classOfNumber(char32_t c, hb_unicode_general_category_t category) {
     return other && (c < 0x900 || (c >= 0x2150 && c < 0x3000)) ? ON : L;  // fractions, circled digits
 }
 
-/// What Unicode reserves for scripts from the right, assigned or not.
+/// For the blocks that Unicode reserves for right-to-left scripts, assigned or not.
 BidiClass classOfBlock(char32_t c) {
     const auto within = [c](char32_t first, char32_t last) { return c >= first && c <= last; };
     if (within(0x600, 0x7bf) || within(0x860, 0x8ff) || within(0xfb50, 0xfdff) || within(0xfe70, 0xfeff)) return AL;
@@ -81,7 +81,7 @@ BidiClass classOfLetter(char32_t c) {
     return L;
 }
 
-/// Of punctuation and symbols that no rule names: those of one script run with it.
+/// Class of other punctuation and symbols. Those of a single script have its direction.
 BidiClass classOfSign(char32_t c) {
     const hb_script_t script = hb_unicode_script(hb_unicode_funcs_get_default(), c);
     const bool shared = script == HB_SCRIPT_COMMON || script == HB_SCRIPT_INHERITED || script == HB_SCRIPT_GREEK ||
@@ -130,7 +130,7 @@ BidiClass bidiClassOf(char32_t c) {
             if (const BidiClass symbol = classOfSymbol(c, category); symbol != ON) return symbol;
             return classOfSign(c);
         case HB_UNICODE_GENERAL_CATEGORY_MODIFIER_LETTER: {
-            // Most are spaces' and letters' accents; those that letters are written with run as letters do.
+            // Spacing accents are neutral; modifiers that are part of words have a letter's direction.
             const bool accent = (c >= 0x2b9 && c <= 0x2ba) || (c >= 0x2c6 && c <= 0x2cf) || c == 0x2ec || c == 0x374;
             return accent ? ON : classOfLetter(c);
         }

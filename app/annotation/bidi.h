@@ -8,7 +8,7 @@
 
 namespace nacre::app {
 
-/// The algorithm's classes of characters, by its names.
+/// Character classes, named as in UAX #9.
 enum class BidiClass : std::uint8_t {
     L,
     R,
@@ -35,7 +35,7 @@ enum class BidiClass : std::uint8_t {
     PDI  // NOLINT
 };
 
-/// From HarfBuzz's properties of Unicode: script, general category.
+/// Derived from the script and general category that HarfBuzz knows of a character.
 BidiClass bidiClassOf(char32_t c);
 
 /// Neighbouring characters of one direction.

@@ -163,7 +163,7 @@ void putInSpace(Room& room, const PlacedLabel& label, const Room::Seen& seen) {
     room.put(label.text, seen.at + glm::dvec2(-wide / 2, (kRise - kDrop) / 2 * em), em);
 }
 
-/// A label stands where its rule has it, with a leader line if that is not at its anchor.
+/// Puts a label at the offset of its rule, with a leader line if that is away from its anchor.
 void putAt(Room& room, const PlacedLabel& label, const glm::dvec2& anchor) {
     const glm::dvec2 middle = anchor + glm::dvec2(label.offset->x, -label.offset->y) * room.size;
     const glm::dvec2 half(room.widthOfRuns(label.text, room.size) / 2, (kRise + kDrop) / 2 * room.size);
@@ -187,7 +187,7 @@ void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vect
     std::size_t rank = 0;
     for (const std::size_t i : choosingOrder(anchors, held)) {
         const bool clipped = -anchors[i].z < clip.near || -anchors[i].z > clip.far;
-        // Labels in space are clipped as what stands there is; those of atoms stay.
+        // Clipping planes remove labels with a size in space. Labels of atoms stay.
         if (!anchors[i].inPicture || !held[i].shown || (labels[i].size > 0 && clipped)) {
             held[i].placed = false;
             continue;

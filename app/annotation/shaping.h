@@ -1,5 +1,5 @@
 #pragma once
-// From characters to glyphs by HarfBuzz: letters join, change places and carry marks as their script wants.
+// From characters to glyphs by HarfBuzz, which joins, reorders and marks letters by the rules of their script.
 
 #include <ft2build.h>
 
@@ -25,7 +25,7 @@ struct ShapedLine {
     double width = 0;  ///< ems
 };
 
-/// Not thread-safe. Keeps what it needs of each face; the faces outlive it.
+/// Not thread-safe. The faces must outlive it.
 class Shaper {
 public:
     Shaper();

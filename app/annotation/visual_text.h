@@ -4,11 +4,11 @@
 
 namespace nacre::app {
 
-/// A line in visual order, left to right, with Arabic letters joined as Unicode's presentation forms: for what draws
-/// character by character, as the panel does. Unchanged if nothing in it runs from the right.
+/// A line in visual order, left to right, with Arabic letters joined as Unicode's presentation forms: for the panel,
+/// which draws character by character. Unchanged if it has no right-to-left text.
 std::string visualText(const std::string& text);
 
-/// False for a text in which nothing does.
+/// Whether a text may have right-to-left parts. Cheap, and sometimes true without need.
 bool mayRunFromRight(const std::string& text);
 
 }  // namespace nacre::app

@@ -128,7 +128,7 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
 
 MovieScenes::~MovieScenes() = default;
 
-/// Of the models or frames those that are shown.
+/// Applies --frames to the number of models. @throws Error if the range ends after the last
 void MovieScenes::takeRange(const std::string& path) {
     const auto all = static_cast<std::int64_t>(models_);
     const FrameRange& range = options_.range;

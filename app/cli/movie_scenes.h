@@ -68,6 +68,7 @@ private:
     void layModels(const InputOptions& input);
     void addKeys();
     Look& ready(std::size_t look, int model);
+    void takeRange(const std::string& path);
     std::optional<Bounds> frameOf(Look& look) const;
     void letGo(std::size_t a, std::size_t b);
     void forgetWords();
@@ -86,11 +87,10 @@ private:
     std::vector<Key> keys_;
     std::optional<CameraPath> path_;
     bool saidTorn_ = false;
-    void takeRange(const std::string& path);
-
-    std::uint64_t frames_ = 1, models_ = 1;  // models_: those that are shown
-    std::uint64_t next_ = 0;                 ///< the frame for which words can continue
-    std::size_t stretch_ = 0;                ///< part of the path, for words
+    std::uint64_t frames_ = 1;
+    std::uint64_t models_ = 1;  ///< number of models shown
+    std::uint64_t next_ = 0;    ///< the frame for which words can continue
+    std::size_t stretch_ = 0;   ///< part of the path, for words
     Clip firstClip_;
     View first_;           ///< of the first model
     glm::dvec3 center_{};  ///< of the first model

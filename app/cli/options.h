@@ -15,13 +15,13 @@
 
 namespace nacre::app {
 
-/// Motion, duration and frame rate.
-/// Every so many frames from one to another, counted from 1.
+/// Every `step`-th frame from `first` to `last`, counted from 1.
 struct FrameRange {
     std::int64_t first = 1, last = 0;  ///< last 0: to the end
     std::int64_t step = 1;
 };
 
+/// Motion, duration and frame rate.
 struct MovieOptions : CameraMotion {
     PictureDescription picture;
     bool models = false;  ///< shown in sequence

@@ -35,10 +35,12 @@ bool checkWindow(PictureDescription& first);
 void addBatch(CommandSpec& command, BatchOptions& options);
 
 /// The picture of a job's line, after the options common to all. @throws UsageError
-void addFigure(CommandSpec& command, FigureOptions& options);
-/// The picture of a panel. @throws UsageError
-PictureDescription panelOf(const std::string& json, const FigureOptions& options);
 PictureDescription jobOf(const std::string& json, const BatchOptions& batch);
+
+/// @param options  receives values; outlives the command
+void addFigure(CommandSpec& command, FigureOptions& options);
+/// As jobOf(), for a panel. @throws UsageError
+PictureDescription panelOf(const std::string& json, const FigureOptions& options);
 
 /// Options of `nacre serve`.
 void addServe(CommandSpec& command, ServeOptions& options);

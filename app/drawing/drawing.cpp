@@ -55,14 +55,14 @@ std::uint64_t nextNumber() {
     return ++last;
 }
 
-/// Clipping planes count from what is zoomed to.
+/// Counts clipping planes from the zoom target.
 void placeClip(const Aimed& aim, Clip& clip) {
     clip.near += aim.depth;
     clip.far += aim.depth;
     if (aim.clipBefore) clip.near = *aim.clipBefore;
 }
 
-/// Fog that a reader sees: over the depths that are visible, where these end before the centre.
+/// Automatic fog covers the visible depths, if these end in front of the centre.
 void placeFog(const Representation& scene, RenderSettings& settings) {
     constexpr std::size_t kMany = 5'000'000;  // atoms
     Fog& fog = settings.effects.fog;
@@ -74,7 +74,7 @@ void placeFog(const Representation& scene, RenderSettings& settings) {
     fog.end = range->far;
 }
 
-/// Whether a surface is drawn that a plane cuts with a cap.
+/// Whether the scene has a surface that is drawn with caps where it is cut.
 bool hasSolidSurface(const Representation& scene) {
     Clip cut;
     cut.near = 0;
@@ -159,7 +159,7 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
         maps_ = buildMapLayers(first, description_, scene_->center, {aim.camera, radius_});
         number_ = nextNumber();
     };
-    // What the camera is to fit; maps about its focus follow it.
+    // The camera fits the maps, unless they are drawn about its focus.
     if (!follow) drawMaps();
     if (by_ == CameraBy::description) {
         const double framed = std::max(radius_, follow ? 0 : maps_.frame);
@@ -236,7 +236,7 @@ void Drawing::takeCamera(Camera& camera) {
     if (eye) radius_ = radius;
 }
 
-/// Takes what a scene file says and no option: its background, and its camera with clipping planes.
+/// Applies the scene file's background, camera and clipping planes, where no option sets them.
 void Drawing::applySceneFile() {
     cutsScene_ = seenByScene_ = false;
     const Molecule& molecule = facts_->molecule();
@@ -306,7 +306,7 @@ PlacedWords Drawing::placeWords(const Words& asked, WordsOfHidden hidden) const 
     return placed;
 }
 
-/// Labels of atoms that were removed because they hide something are left out, too.
+/// Omits labels of atoms that uncovering removed.
 void Drawing::placePictureWords(const PictureDescription& picture) {
     words = {};
     wordSize_ = picture.words.size;
@@ -384,7 +384,7 @@ Representation Drawing::joined(Representation scene) const {
 
 // --- clipping planes
 
-/// Makes the caps for a view, if they are for another.
+/// Updates the caps for a view and its clipping planes.
 void Drawing::cap(const RenderSettings& drawn) {
     const Clip& clip = drawn.effects.clip;
     const bool none = caps_.triangles.empty();

@@ -90,9 +90,9 @@ public:
 
     /// Puts the scene on a canvas, if it is not there. Keeps the scene's bake.
     void show(Canvas& canvas);
-    /// As above with the caps of a plane that cuts its meshes, for another view than that of `settings`.
-    void showCut(Canvas& canvas, const RenderSettings& settings);
-    /// Whether there are such caps.
+    /// As above, with caps on cut meshes for another view or clipping. @param drawn  settings of that picture
+    void showCut(Canvas& canvas, const RenderSettings& drawn);
+    /// Whether the near plane of `settings` may cut meshes. Not after handOver().
     bool hasCaps() const { return needsCaps(*scene_, settings.effects.clip); }
     /// As above for the last time: moves the scene to the canvas.
     void handOver(Canvas& canvas);
@@ -119,9 +119,9 @@ public:
     void keepFrame(const Bounds& frame) { kept_ = frame; }
     /// Centre and radius of the scene without maps.
     Bounds frame() const { return {scene_->center, radius_}; }
-    /// Whether they are those of a scene before.
+    /// Whether keepFrame() changed the radius.
     bool reframed() const { return reframed_; }
-    /// Makes a camera relative to the scene, which goes by its distance of the eye from then on.
+    /// Makes a camera relative to the scene. Its eye distance, if given, sets the scene's radius for cameras.
     void takeCamera(Camera& camera);
 
     /// Settings of a picture of the scene from a camera. There may be no scene yet.
@@ -151,7 +151,7 @@ public:
     RenderSettings settings;
     PlacedWords words;
     RunStats run;                       ///< as far as known
-    Moment moment;                      ///< that the title tells of
+    Moment moment;                      ///< frame and time in the title
     std::vector<std::string> warnings;  ///< of the scene: differences from the request
 
     /// Counts of expensive steps.
@@ -167,12 +167,12 @@ private:
     void rebuildScene(const std::optional<Bounds>& frame, const Molecule* now);
     void setView(const PictureDescription& picture, const Camera& camera);
     void applySceneFile();
-    void uncoverTarget(std::optional<double> clipNear);
+    void uncoverTarget(std::optional<double> plane);
     void finish(const PictureDescription& picture);
     void placePictureWords(const PictureDescription& picture);
     void makeRoom(const PictureDescription& picture);
     Representation joined(Representation scene) const;
-    void cap(const RenderSettings& settings);
+    void cap(const RenderSettings& drawn);
     void spare(const Selection& spared);
     void setStats();
 
@@ -181,21 +181,22 @@ private:
     std::optional<ResidueFacts> facts_;  ///< of the molecule
     std::optional<Representation> scene_;
     MapLayers maps_;
-    std::optional<Bounds> kept_;  ///< centre and radius of a scene before
+    std::optional<Bounds> kept_;  ///< by keepFrame()
     bool reframed_ = false;
-    Representation caps_;        ///< of meshes that the near plane cuts
-    View capsView_;              ///< that they are for
-    Clip capsClip_, spareClip_;  ///< likewise; by which spare() has cut the scene
-    std::uint64_t capsOf_ = 0;   ///< number_ with them
+    Representation caps_;       ///< of meshes that the near plane cuts
+    View capsView_;             ///< of caps_
+    Clip capsClip_;             ///< of caps_
+    std::uint64_t capsOf_ = 0;  ///< number_ with caps_
+    Clip spareClip_;            ///< by which spare() cut the scene
     std::shared_ptr<MovingPicture> moving_;
     std::uint64_t sceneNumber_ = 0;  ///< of scene_
     std::uint64_t number_ = 0;       ///< of scene_ with maps_
     bool seenByScene_ = false;       ///< from where a scene file's camera stands
     bool cutsScene_ = false;         ///< scene_ lacks what that camera's planes cut away
-    double radius_ = 0;              ///< that the camera goes by, Å, without maps
+    double radius_ = 0;              ///< that the camera takes in, Å, without maps
     /// Å by which the origin of depths moved back for atoms beyond the reach of the trajectory's first frame.
     double depthShift_ = 0;
-    double wordSize_ = 0;  ///< of the last picture, as Words has it
+    double wordSize_ = 0;  ///< of the last picture, as in Words
     std::optional<std::array<float, 3>> wordColor_;
     Counts counts_;
 };

@@ -150,7 +150,7 @@ struct PanelState {
     std::shared_ptr<const Molecule> molecule;
     std::optional<ResidueFacts> facts;  ///< once there is a molecule
     std::vector<Part> parts;
-    std::vector<std::string> reading;  ///< of the molecule: what was read, guessed and left out
+    std::vector<std::string> reading;  ///< sentences about the molecule: what was read, guessed and left out
     SequenceState sequence;
     int rule = -1;             ///< rule being edited
     std::string ruleAtoms;     ///< its fields as typed

@@ -1,5 +1,6 @@
 #pragma once
-// Options that derive a picture's view from the molecule: --center, --orient, --look-at, --zoom-to and --uncover.
+// Options that derive a picture's view from the molecule: --center, --orient, --look-at, --zoom-to, --uncover, and
+// --clip with a selection.
 
 #include <optional>
 
@@ -11,10 +12,10 @@ struct Aim {
     bool principal = false;           ///< principal axes; else the camera's orientation
     std::optional<Selection> axesOf;  ///< whose principal axes; empty: of all that is drawn
     bool fromSide = false;            ///< the shortest axis to the right, the longest upwards
-    std::optional<Selection> left;    ///< of the side's view: what is on the left
-    std::optional<Selection> spares;  ///< what clipping planes leave whole
-    std::optional<Selection> clip;    ///< a plane in front of it
-    std::optional<Selection> center;  ///< in the picture's centre, and rotated about
+    std::optional<Selection> left;    ///< with `principal`: on the left
+    std::optional<Selection> spares;  ///< clipping planes leave it whole
+    std::optional<Selection> clip;    ///< has a clipping plane in front of it
+    std::optional<Selection> center;  ///< its middle is the picture's centre, and that of rotation
     std::optional<Selection> lookAt;  ///< faces the viewer
     std::optional<Selection> zoomTo;  ///< fills the picture
 

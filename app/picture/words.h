@@ -78,14 +78,14 @@ ScaleBar parseScaleBar(std::string_view text);
 const char* scaleBarText(ScaleBar bar);
 /// Checks the markup of a title. @throws std::invalid_argument
 std::string parseTitle(std::string_view text);
-/// What a title may tell of a frame or model.
+/// Number and time of a frame or model, for titles.
 struct Moment {
     std::int64_t frame = 1;               ///< counted from 1
     std::optional<double> picoseconds{};  ///< empty: the file states no time
 };
 /// A title with its fields {frame} and {time} filled in: "12", "3.5 ns".
 std::string filledTitle(const std::string& title, const Moment& moment);
-/// Whether it has such a field.
+/// Whether a title has such a field.
 bool titleMoves(const std::string& title);
 /// An opaque colour as for parseColor(). @throws std::invalid_argument
 std::array<float, 3> parseInk(std::string_view text);
