@@ -208,7 +208,9 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     if (options_.models) look.drawing.settings.occlusion.cache.clear();
     if (motion_ && !look.options.look.ownFrame) look.drawing.startMoving(molecule_);
     if (!look.canvas) look.canvas = std::make_unique<Canvas>(look.options.device);
-    look.cut = look.drawing.hasCaps();
+    look.cut = look.drawing.hasCaps(look.drawing.settings.effects.clip) ||
+               std::ranges::any_of(
+                   keys_, [&](const Key& key) { return key.look == number && look.drawing.hasCaps(key.clip); });
     options_.sweep || look.cut ? look.drawing.show(*look.canvas) : look.drawing.handOver(*look.canvas);
     return look;
 }

@@ -92,8 +92,8 @@ public:
     void show(Canvas& canvas);
     /// As above, with caps on cut meshes for another view or clipping. @param drawn  settings of that picture
     void showCut(Canvas& canvas, const RenderSettings& drawn);
-    /// Whether the near plane of `settings` may cut meshes. Not after handOver().
-    bool hasCaps() const { return needsCaps(*scene_, settings.effects.clip); }
+    /// Whether a near plane may cut meshes. Not after handOver().
+    bool hasCaps(const Clip& clip) const { return needsCaps(*scene_, clip); }
     /// As above for the last time: moves the scene to the canvas.
     void handOver(Canvas& canvas);
     /// A picture in full size, with its words. @param said  gets warnings of these, if given
