@@ -188,6 +188,7 @@ PictureDescription panelOf(const std::string& json, const FigureOptions& options
     panel.output = options.output;
     panel.device = options.batch.tried.device;
     completePicture(panel);
+    checkSize(panel, kMostSamplesHeld);
     return panel;
 }
 
