@@ -21,7 +21,6 @@ namespace nacre::app {
 namespace {
 
 constexpr std::size_t kMostPanels = 26;
-constexpr double kPrintDpi = 300;
 
 /// Panels in rows from the top, with gaps in the background's colour between them.
 class Figure {
@@ -113,7 +112,7 @@ void shareCamera(const PictureDescription& first, PictureDescription& panel) {
 void figureCommand(const FigureOptions& options) {
     OutputFile file(options.output, ".png");
     std::vector<PictureDescription> panels = panelsOf(options);
-    const double dpi = panels.front().dpi.value_or(kPrintDpi);
+    const double dpi = *panels.front().dpi;
     Progress progress;
     Canvas canvas(panels.front().device);
     WordPainter painter;
@@ -137,9 +136,7 @@ void figureCommand(const FigureOptions& options) {
         figure.put(i, picture);
         progress.advance(static_cast<double>(i + 1) / static_cast<double>(panels.size()));
     }
-    PictureFormat format = formatOf(panels.front());
-    format.dpi = dpi;
-    writePicture(file, figure.picture(), format);
+    writePicture(file, figure.picture(), formatOf(panels.front()));
 }
 
 }  // namespace nacre::app

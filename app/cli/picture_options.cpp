@@ -34,6 +34,7 @@ constexpr int kMostJobs = 64;
 constexpr Topics kOfTheDevice = Topic::device | Topic::path | Topic::validation;
 /// These are a job's alone.
 constexpr Topics kOfOneJob = Topic::input | Topic::files;
+constexpr double kFigureDpi = 300;
 
 /// "8080", "0.0.0.0:8080", "[::1]:8080". @throws std::invalid_argument
 void takeAddress(const std::string& text, ServeOptions& options) {
@@ -185,6 +186,7 @@ PictureDescription panelOf(const std::string& json, const FigureOptions& options
     }
     PictureDescription panel;
     setOptions(values, panel);
+    panel.dpi = panel.dpi.value_or(kFigureDpi);  // also for lengths in points
     panel.output = options.output;
     panel.device = options.batch.tried.device;
     completePicture(panel);
