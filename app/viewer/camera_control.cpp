@@ -1,5 +1,6 @@
 #include "app/viewer/camera_control.h"
 
+#include <algorithm>
 #include <glm/trigonometric.hpp>
 #include <utility>
 
@@ -133,8 +134,9 @@ void CameraControl::unclip() {
 
 void CameraControl::take(Aim aim, bool fly, double now) {
     const Document& document = stage_.document;
-    aim.fits = false;  // it is to fit from all sides
-    for (std::optional<Selection>* selection : {&aim.lookAt, &aim.zoomTo, &aim.uncover, &aim.axesOf, &aim.left})
+    aim.fits = false;  // the scale fits all sides
+    for (std::optional<Selection>* selection :
+         {&aim.lookAt, &aim.zoomTo, &aim.uncover, &aim.axesOf, &aim.left, &aim.clip})
         if (*selection && !document.view.input.further.empty())
             nameInputs(inputNames(inputOf(document.view)), **selection);
     try {
@@ -150,6 +152,7 @@ void CameraControl::take(Aim aim, bool fly, double now) {
             stage_.motion.set(to.camera);
         double& near = stage_.wanted().effects.clip.near;
         if (to.clipNear || (aim.zoomTo && clipped_)) near = to.clipNear.value_or(-Clip::kNone);
+        if (to.clipBefore) near = std::max(*to.clipBefore, to.clipNear.value_or(-Clip::kNone));
         clipped_ = to.clipNear.has_value();
         stage_.changed(now);
     } catch (const Error& error) {

@@ -159,6 +159,10 @@ TEST(Viewer, AimsAtWhatIsPicked) {
     b.load();
     EXPECT_NE(b.viewer.view().camera.orientation, glm::dquat(1, 0, 0, 0));
     EXPECT_GT(b.viewer.view().camera.zoom, 1);  // as large as fits
+    Aim before;
+    before.clip = parseSelection("chain A");
+    b.viewer.camera().aim(before, b.now);
+    EXPECT_GT(b.viewer.view().effects.clip.near, -Clip::kNone);
 }
 
 TEST(Viewer, LeavesOutWhatHidesThePartOfAView) {
