@@ -12,6 +12,7 @@
 
 #include "engine/molecule/disjoint_sets.h"
 #include "engine/scene/build/translucency.h"
+#include "engine/scene/view/bounds.h"
 #include "engine/scene/view/part_picture.h"
 
 namespace nacre {
@@ -221,8 +222,8 @@ private:
 };
 
 void Covers::dropScraps() {
-    constexpr std::size_t kFew = 40;  // atoms
-    constexpr double kSmall = 0.2;    // of the original piece
+    constexpr double kShort = 12;   // Å, the diagonal of a piece's box
+    constexpr double kSmall = 0.2;  // of the original piece's atoms
     if (atomsGone_.empty() && sticksGone_.empty()) return;
     Connections before(chosen_.size()), after(chosen_.size());
     const auto join = [&](std::uint32_t a, std::uint32_t b, bool stays) {
@@ -259,12 +260,22 @@ void Covers::dropScraps() {
     };
     for (const SphereLook& look : scene_.sphereLooks) count(look.atom);
     for (const SphereLook& look : scene_.meshLooks) count(look.atom);
+    std::unordered_map<std::uint32_t, Box> boxes;  // by the roots of what is left
+    const auto widen = [&](std::uint32_t atom, const glm::dvec3& place) {
+        if (seen.contains(atom) && stays(atom)) boxes[after.rootOf(atom)].add(place);
+    };
+    for (std::size_t i = 0; i < scene_.spheres.size(); ++i) widen(scene_.sphereLooks[i].atom, scene_.spheres[i].center);
+    for (const Triangle& t : scene_.triangles)
+        for (const std::uint32_t v : {t.a, t.b, t.c}) {
+            const MeshVertex& vertex = scene_.meshVertices[v];
+            widen(scene_.meshLooks[vertex.look].atom, positionOf(vertex, t.step));
+        }
     for (const std::uint32_t atom : seen) {
         if (!stays(atom)) continue;
         const std::uint32_t root = after.rootOf(atom);
         const std::size_t size = sizesAfter[root], whole = sizesBefore[before.rootOf(atom)];
-        if (size < whole && size < kFew && static_cast<double>(size) < kSmall * static_cast<double>(whole) &&
-            !holdPart.contains(root))
+        if (size < whole && glm::distance(boxes[root].low, boxes[root].high) < kShort &&
+            static_cast<double>(size) < kSmall * static_cast<double>(whole) && !holdPart.contains(root))
             atomsGone_.insert(atom);
     }
 }
