@@ -75,7 +75,7 @@ struct RenderSettings {
     /// Largest error of an outline where a cluster stands for its atoms, in pixels.
     double levelError = 0.5;
     /// Number of spheres in all copies from which a view's levels and hidden spheres are found first (seen_copies.h).
-    /// It is a scene of spheres alone.
+    /// For scenes of spheres alone.
     std::uint64_t levelsFrom = std::uint64_t{1} << 25;
     DebugView debug = DebugView::none;  ///< for pictures and window frames, not for layers and picks
     OcclusionSettings occlusion;

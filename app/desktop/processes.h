@@ -10,7 +10,7 @@ namespace nacre::app {
 /// Whether PATH has a program.
 bool hasProgram(const std::string& name);
 
-/// What to do with a program's standard output. Reading ends when no process has it open for writing.
+/// The use of a program's standard output: read until the last process closes it, or dropped.
 enum class ProgramOutput { taken, dropped };
 
 /// Runs a program without a shell, and waits for its end. @param input  for its standard input

@@ -13,7 +13,7 @@
 namespace nacre::app {
 namespace {
 
-/// Of PDB, EMDB, AlphaFold DB, UniProt and PubChem, with the hosts below them.
+/// Hosts of PDB, EMDB, AlphaFold DB, UniProt and PubChem; their subdomains are allowed as well.
 constexpr std::string_view kDatabases[] = {"rcsb.org",         "wwpdb.org",          "ebi.ac.uk",
                                            "pdbj.org",         "pdbe.org",           "uniprot.org",
                                            "ncbi.nlm.nih.gov", "emdataresource.org", "pdb-redo.eu"};

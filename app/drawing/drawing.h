@@ -39,9 +39,9 @@ enum class CameraBy {
     hand          ///< a window: its description holds all of that, and turning the camera builds nothing
 };
 
-/// What is built again for another description.
+/// The parts of a drawing that another description makes stale.
 struct Rebuild {
-    bool molecule = false;  ///< it is read, or another of its frames is taken
+    bool molecule = false;  ///< read again, or another of its frames
     bool scene = false;     ///< spheres, sticks and meshes
     bool maps = false;      ///< what is drawn beside the molecule
     bool any() const { return molecule || scene || maps; }

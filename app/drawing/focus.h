@@ -1,5 +1,5 @@
 #pragma once
-// What a camera looks at, for maps that are drawn about there.
+// The point that a camera looks at: maps are drawn around it.
 
 #include <glm/vec3.hpp>
 

@@ -15,7 +15,7 @@ public:
     /// @param recolor  colours each scene before a map does; may be empty @throws Error if the scene is empty
     MovingPicture(const ResidueFacts& facts, const PictureDescription& picture, Recolor recolor = {});
 
-    /// Of the first positions, with all models of the file if they share a camera, Å.
+    /// Radius of the first positions, or of all models of the file if they share a camera, Å.
     double radius() const { return radius_; }
     /// @param molecule  the same with other positions @throws Error
     Representation moved(const Molecule& molecule);

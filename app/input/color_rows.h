@@ -13,7 +13,7 @@ namespace nacre::app {
 /// The content of a cell; empty: none.
 using Cells = std::vector<std::string>;
 
-/// What a column of a table says.
+/// Meaning of a column of a table.
 enum class TableColumn : std::uint8_t {
     chain,
     labelChain,

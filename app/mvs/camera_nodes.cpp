@@ -86,7 +86,7 @@ void addChains(const Molecule& molecule, const SceneGuide& guide, std::span<cons
     }
 }
 
-/// What a focus node shows of a ball; sets the camera's directions. @throws std::invalid_argument
+/// The ball that a focus node frames; sets the camera's directions. @throws std::invalid_argument
 glm::dvec4 focusBall(const Node& node, const Bounds& bounds, SceneCamera& camera) {
     const double radius =
         number(node, "radius", bounds.radius * number(node, "radius_factor", 1) + number(node, "radius_extent", 0));

@@ -15,7 +15,7 @@ namespace nacre::app::mvs {
 double number(const Node& node, const char* name, double otherwise);
 /// A list of numbers; empty if the node has none.
 std::vector<double> numbers(const Node& node, const char* name);
-/// What is neither true nor false is taken as not given.
+/// Values other than true and false count as missing.
 bool flag(const Node& node, const char* name, bool otherwise);
 /// A list of so many numbers within 1e6. @param name  of the parameter, for errors
 std::vector<double> numbersIn(const std::string& name, const Json& value, std::size_t count);

@@ -254,7 +254,7 @@ glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& c
 
 namespace {
 
-/// Of the atoms in all copies. Of the copies before, it holds the extreme points alone.
+/// Centroid of the atoms in all copies. Keeps only extreme points of the copies before.
 glm::dvec3 centroidOf(const Structure& s) {
     std::vector<glm::dvec4> points;
     const auto add = [&](const glm::dmat4x3& copy) {

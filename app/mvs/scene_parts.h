@@ -104,7 +104,7 @@ Structure readStructure(const Node& parse, const Node& node, const std::string& 
 /// @throws Error unless it is rigid and near
 glm::dmat4x3 motionOfNode(const Node& node, const std::function<glm::dvec3()>& centroid);
 
-/// What the transform and instance nodes of a structure say. @throws Error
+/// Reads the transform and instance nodes of a structure. @throws Error
 void takeMotions(const Node& node, Structure& structure);
 
 /// First `second`, then `first`.

@@ -15,7 +15,7 @@ struct PlaceBounds {
 };
 
 /// Reads the primitives of a group. @param own  the structure that the group is of; null: none
-/// What has a fault is left out, with a warning. @param structures  by whose `ref` expressions name them
+/// Leaves out faulty primitives, with a warning. @param structures  expressions name them by their `ref`
 Primitives readPrimitives(const Node& group, const Structure* own, std::span<const Structure> structures,
                           SceneWarnings& warnings);
 

@@ -72,7 +72,7 @@ void addLabels(const ResidueFacts& facts, const PictureDescription& d, const Exp
     }
 }
 
-/// What every scene leaves out.
+/// Notes of options that no scene can hold.
 std::vector<std::string> notesOf(const PictureDescription& d) {
     std::vector<std::string> notes;
     const auto add = [&](bool there, const char* what) {

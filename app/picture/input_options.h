@@ -62,7 +62,7 @@ struct InputOptions {
     bool allowDownload = false;  ///< what a view names may be downloaded
     int snapshot = 1;            ///< of a scene, counted from 1, or kAllSnapshots
     std::vector<SceneMap> sceneMaps;  ///< for scenes
-    /// Of strangers: beside the databases, the hosts that their scenes may download from. Empty: any.
+    /// For scenes of strangers: hosts they may download from, beside the databases. Empty: any.
     std::optional<std::vector<std::string>> sceneHosts;
     bool sceneFiles = true;                    ///< a scene may name files of its folder
     std::shared_ptr<const OpenedFile> opened;  ///< what is read as the file `path`; null: the file of that name

@@ -15,7 +15,7 @@
 
 namespace nacre::app {
 
-/// Of a saved view, or of what --stats writes. @param name of the file, for messages. @throws Error that names the key
+/// Parses a saved view, or the output of --stats. @param name  of the file, for messages @throws Error with the key
 PictureDescription parseSavedView(const std::string& json, const std::string& name);
 constexpr std::size_t kMostViewBytes = std::size_t{1} << 20;
 /// The file's text. @throws Error if it is missing, empty, or larger than kMostViewBytes

@@ -49,7 +49,7 @@ std::string labelText(const Label& label) { return label.selection.text + "=" + 
 
 namespace {
 
-/// What stands before and after the last '='.
+/// The text before and after the last '='.
 std::pair<std::string_view, std::string_view> ruleParts(std::string_view text, const char* wanted) {
     const std::size_t sign = text.rfind('=');
     if (sign == std::string_view::npos)

@@ -69,7 +69,7 @@ RenderSettings Frames::pictureSettings(PixelSize size) const {
     return s;
 }
 
-/// What the device and its user decide.
+/// Settings that the device and its user decide.
 void Frames::setUp(RenderSettings& s) const {
     s.occlusion.bytes = options_.occlusionBytes;
     s.occlusion.cache = options_.occlusionCache;

@@ -22,7 +22,7 @@ public:
     /// the levels are finer, and what lies between pixels' centres is found
     std::shared_ptr<const Scene> show(const gpu::Device& device, const std::shared_ptr<const Scene>& scene,
                                       const RenderSettings& settings, const View& view, bool edges);
-    /// Of the last view.
+    /// Counts of the last view.
     std::vector<CopyLevelCount> counts() const;
 
 private:

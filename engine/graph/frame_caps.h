@@ -29,7 +29,7 @@ struct TileCaps {
     std::uint32_t longestList = 28000;
     /// As above with samples at edges: a subgroup may go through a list several times.
     std::uint32_t longestListOfEdges = 6000;
-    /// What the path needs and the device lacks; empty: nothing.
+    /// The feature that the path needs and the device lacks; empty: none.
     std::string lacks = "it is unknown whether its subgroups exchange values";
 };
 

@@ -70,7 +70,7 @@ std::vector<Guided> guidedResidues(const ResidueFacts& facts) {
         const Atom& atom = molecule.atoms[index];
         const ResidueKind kind = kinds[atom.residue];
         if ((kind != ResidueKind::protein && kind != ResidueKind::nucleic) || !isFinite(atom.position)) continue;
-        // Of coarse grains, the backbone's or a residue's only one takes the alpha carbon's part.
+        // In coarse grains the backbone bead, or a residue's only bead, stands for the alpha carbon.
         const bool grain = kind == ResidueKind::protein && atom.radius > 0 &&
                            (atom.name.view() == "BB" || molecule.residues[atom.residue].atomCount == 1);
         const int name = grain ? static_cast<int>(kGuideCa) : guideNameOf(atom.name);

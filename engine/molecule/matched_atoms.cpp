@@ -293,7 +293,7 @@ private:
         return to.empty() ? Superposition{} : superpose(to, from);
     }
 
-    /// Of the first paired atom of each residue.
+    /// RMSD over the first paired atom of each residue.
     double rmsdOf(const StrandPair& pair, const Superposition& motion) {
         double squares = 0;
         std::size_t count = 0;

@@ -21,7 +21,7 @@ void SceneOcclusion::prepareBeside(const OcclusionSettings& settings, bool hurry
 }
 
 double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const OcclusionPace& pace) {
-    orDrop([&] {
+    cancelOnError([&] {
         prepareBeside(settings, !pace.mustFit);
         if (const auto* preparing = std::get_if<Preparing>(&state_)) {
             constexpr double kAny = 1e300;  // the host's limit of listed primitives does not apply

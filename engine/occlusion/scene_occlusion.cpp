@@ -80,7 +80,7 @@ void SceneOcclusion::moveScene(SceneToBake scene) {
 }
 
 void SceneOcclusion::begin(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection) {
-    orDrop([&] {
+    cancelOnError([&] {
         if (isOutdated()) drop();
         prepare(settings, viewDirection);
         if (is<Preparing>())
@@ -263,7 +263,7 @@ void SceneOcclusion::runSlice(Bake& bake, const Allowance& allowance) {
 }
 
 void SceneOcclusion::advance(double milliseconds) {
-    orDrop([&] {
+    cancelOnError([&] {
         finishFlight();
         auto* baking = std::get_if<Baking>(&state_);
         if (!baking) return;
@@ -282,7 +282,7 @@ void SceneOcclusion::advance(double milliseconds) {
 void SceneOcclusion::finish(const OcclusionSettings& settings, const std::optional<ViewDirection>& viewDirection) {
     begin(settings, viewDirection);
     if (settings.directions == 0) return;
-    orDrop([&] {
+    cancelOnError([&] {
         finishFlight();
         auto* baking = std::get_if<Baking>(&state_);
         if (!baking) return;

@@ -64,7 +64,7 @@ public:
 private:
     /// Advances the bake. On failure drops it, since its direction count may be wrong; the next one starts over.
     template <typename Work>
-    void orDrop(Work&& work) {
+    void cancelOnError(Work&& work) {
         try {
             work();
         } catch (...) {

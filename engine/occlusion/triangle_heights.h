@@ -27,7 +27,7 @@ struct TriangleLanes {
     DrawTriangles draw = nullptr;
 };
 
-/// Those that this processor can use, the fewest first: 4, then 8. All draw the same bits.
+/// Lane counts that this processor can use, ascending: 4, then 8. All draw the same bits.
 std::span<const TriangleLanes> triangleLanes();
 
 }  // namespace nacre::occlusion

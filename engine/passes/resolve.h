@@ -23,7 +23,7 @@ struct Resolving {
     bool masked = false;        ///< replaces only some pixels
 };
 
-/// What is resolved.
+/// Input of the resolve.
 struct Resolved {
     vk::ImageView image;                ///< the frame's colour
     const TileFrame* tiles = nullptr;   ///< instead, if it is a buffer's words

@@ -73,7 +73,7 @@ std::vector<MeshVertex> placedVertices(const Representation& r) {
 }
 
 /// Each byte's linear value: linearFromSrgb() of shaders/common/srgb.glsl in the steps of lavapipe, for the same bits.
-/// Of GPUs that fuse products and sums the last bit may be another: they decode colours where they pass records.
+/// Linear values of sRGB bytes. GPUs that fuse products and sums may differ in the last bit.
 std::array<float, 256> linearBytes() {
     std::array<float, 256> linear;
     for (std::size_t i = 0; i < linear.size(); ++i) {

@@ -10,8 +10,8 @@ namespace nacre {
 
 void FrontBand::meet(std::size_t at, float Z, bool certain, std::uint32_t sphere) const {
     const float there = z[at];
-    if (!certain || !(Z < there)) return doubts->push_back(sphere);
-    if (!(Z + 2 * margin < there)) doubts->push_back(number[at]);
+    if (!certain || !(Z < there)) return ambiguous->push_back(sphere);
+    if (!(Z + 2 * margin < there)) ambiguous->push_back(number[at]);
     z[at] = Z;
     number[at] = sphere;
 }

@@ -40,7 +40,7 @@ struct FrontBand {
     std::uint32_t width = 0, pitch = 0;
     float* z = nullptr;               ///< of each pixel's sphere; `pitch` per row
     std::uint32_t* number = nullptr;  ///< its number, if any
-    std::vector<std::uint32_t>* doubts = nullptr;
+    std::vector<std::uint32_t>* ambiguous = nullptr;
     float pixels = 1, perPixel = 1;
     float room = 0;    ///< pixels that rounding may move a sphere by
     float margin = 0;  ///< as above in Z, Å
@@ -66,7 +66,7 @@ struct FrontLanes {
     FindFrontRectangles rectangles = nullptr;
 };
 
-/// Those that this processor can use, the fewest first: 4, then 8.
+/// Lane counts that this processor can use, ascending: 4, then 8.
 std::span<const FrontLanes> frontLanes();
 
 }  // namespace nacre

@@ -108,8 +108,8 @@ void FrontSpheres::listDoubts(std::span<const TileCall> drawn, std::span<const T
     marks_.assign(most / 64 + 1, 0);
     shown_ = 0;
     for (std::size_t b = 0; b < bands_.size(); ++b)
-        for (const std::uint32_t number : doubts_[b]) shown_ += mark(number);
-    doubtCalls_.clear();
+        for (const std::uint32_t number : ambiguous_[b]) shown_ += mark(number);
+    ambiguousCalls_.clear();
     for (const TileCall& call : calls) {
         const std::uint32_t end = call.number + call.first + call.count;
         for (std::uint32_t at = call.number + call.first; at < end;) {
@@ -122,7 +122,7 @@ void FrontSpheres::listDoubts(std::span<const TileCall> drawn, std::span<const T
             if (at >= end) break;
             const std::uint32_t first = at;
             while (at < end && (marks_[at / 64] >> at % 64 & 1)) ++at;
-            doubtCalls_.push_back({call.rows, first - call.number, at - first, call.number});
+            ambiguousCalls_.push_back({call.rows, first - call.number, at - first, call.number});
         }
     }
 }
@@ -135,7 +135,7 @@ bool FrontSpheres::mark(std::uint32_t number) {
     return (__atomic_fetch_or(&word, bit, __ATOMIC_RELAXED) & bit) == 0;
 }
 
-/// Adds the spheres of pixels to those that doubts show.
+/// Marks the spheres seen at pixels, beside the ambiguous ones.
 void FrontSpheres::countShown() {
     std::atomic<std::size_t> shown = 0;
     inParallel(bands_.size(), [&](std::size_t b) {
@@ -163,14 +163,14 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
         height_, std::min<std::size_t>(groups_.size() / kWorth + 1, threadsPerTask()), groups_,
         [&](const FrontGroup& group) { return pixelAt((group.top + group.bottom) * 0.5f, 0, height_ - 1); }, inRow_,
         bands_);
-    if (doubts_.size() < bands_.size()) doubts_.resize(bands_.size());
+    if (ambiguous_.size() < bands_.size()) ambiguous_.resize(bands_.size());
     z_.resize(std::max(z_.size(), std::size_t{pitch_} * height_));
     number_.resize(z_.size());
     inParallel(bands_.size(), [&](std::size_t b) {
         FrontBand band = shared_;
         band.first = bands_[b].first, band.end = bands_[b].end;
-        band.z = z_.data(), band.number = number_.data(), band.doubts = &doubts_[b];
-        doubts_[b].clear();
+        band.z = z_.data(), band.number = number_.data(), band.ambiguous = &ambiguous_[b];
+        ambiguous_[b].clear();
         for (std::size_t y = band.first; y < band.end; ++y) {
             std::fill_n(z_.data() + y * pitch_, width_, kNoDepth);
             std::fill_n(z_.data() + y * pitch_ + width_, pitch_ - width_, kHidesAll);

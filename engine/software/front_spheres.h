@@ -26,7 +26,7 @@ public:
               std::span<const TileCall> calls);
 
     /// Further spheres that may be visible at some pixel, in the order of the calls.
-    std::span<const TileCall> doubts() const { return doubtCalls_; }
+    std::span<const TileCall> ambiguous() const { return ambiguousCalls_; }
     std::size_t shown() const { return shown_; }  ///< number of spheres found, including doubtful ones
 
     /// Whether a rectangle of pixels shows any sphere. Ends are exclusive.
@@ -56,11 +56,11 @@ private:
     std::vector<FrontGroup> groups_, sorted_;
     std::vector<std::uint32_t> inRow_;
     std::vector<RowBand> bands_;
-    std::vector<std::vector<std::uint32_t>> doubts_;  // per band
-    std::vector<float> z_;                            // of each pixel's sphere
-    std::vector<std::uint32_t> number_;               // its number, if any
-    std::vector<std::uint64_t> marks_;                // one bit per number
-    std::vector<TileCall> doubtCalls_;
+    std::vector<std::vector<std::uint32_t>> ambiguous_;  // per band
+    std::vector<float> z_;                               // of each pixel's sphere
+    std::vector<std::uint32_t> number_;                  // its number, if any
+    std::vector<std::uint64_t> marks_;                   // one bit per number
+    std::vector<TileCall> ambiguousCalls_;
     std::size_t shown_ = 0;
 };
 

@@ -81,7 +81,7 @@ public:
     Band(Picture& picture, const TriangleLanes& lanes) : picture_(picture), lanes_(lanes) {}
 
     void begin() {
-        doubts_.clear();
+        ambiguous_.clear();
         drawn_.clear();
     }
 
@@ -97,7 +97,7 @@ public:
                                    picture_.before.data(),
                                    picture_.index.data(),
                                    picture_.rows.data(),
-                                   &doubts_};
+                                   &ambiguous_};
         mine_.clear();
         for (const Placed& placed : sorted)
             if (placed.top < band.end && placed.bottom > band.first) mine_.push_back(placed.group);
@@ -111,7 +111,7 @@ public:
     }
 
     /// Triangles that may be nearer than those of the pixels; contains duplicates.
-    const std::vector<std::uint32_t>& doubts() const { return doubts_; }
+    const std::vector<std::uint32_t>& ambiguous() const { return ambiguous_; }
     struct Drawn {
         std::uint32_t group;
         std::array<Box, kGroup / kInBox> boxes;
@@ -136,7 +136,7 @@ private:
     Picture& picture_;
     TriangleLanes lanes_;
     TriangleShapes shapes_;
-    std::vector<std::uint32_t> doubts_;
+    std::vector<std::uint32_t> ambiguous_;
     std::vector<Drawn> drawn_;
     std::vector<std::uint32_t> mine_;  // groups
 };
@@ -224,24 +224,24 @@ void FrontTriangles::doubtUncovered(const Band& band) {
 void FrontTriangles::end() {
     marks_.assign(groups_.size(), 0);
     for (const Band& band : bands_) {
-        for (const std::uint32_t index : band.doubts()) marks_[index / kGroup] |= 1u << index % kGroup;
+        for (const std::uint32_t index : band.ambiguous()) marks_[index / kGroup] |= 1u << index % kGroup;
         if (view_.edges) doubtUncovered(band);
     }
-    doubts_.clear();
+    ambiguous_.clear();
     for (std::size_t group = 0; group < groups_.size(); ++group)
         for (std::uint32_t bits = marks_[group]; bits != 0; bits &= bits - 1) {
             const auto i = static_cast<std::uint32_t>(std::countr_zero(bits));
-            if (i < groups_[group].count) doubts_.push_back(static_cast<std::uint32_t>(group) * kGroup + i);
+            if (i < groups_[group].count) ambiguous_.push_back(static_cast<std::uint32_t>(group) * kGroup + i);
         }
 }
 
 std::uint32_t FrontTriangles::numberOf(std::uint32_t index) const { return numbers_[index / kGroup] + index % kGroup; }
 
 const Triangle& FrontTriangles::doubt(std::size_t index, const glm::vec4*& rows, std::uint32_t& number) const {
-    const Group& group = groups_[doubts_[index] / kGroup];
+    const Group& group = groups_[ambiguous_[index] / kGroup];
     rows = group.rows;
-    number = numberOf(doubts_[index]);
-    return group.triangles[doubts_[index] % kGroup];
+    number = numberOf(ambiguous_[index]);
+    return group.triangles[ambiguous_[index] % kGroup];
 }
 
 bool FrontTriangles::isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, std::uint32_t endY) const {

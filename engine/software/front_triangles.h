@@ -39,7 +39,7 @@ public:
     void end();
 
     /// Number of further triangles that may be visible at some pixel, or at one of its samples.
-    std::size_t doubts() const { return doubts_.size(); }
+    std::size_t ambiguous() const { return ambiguous_.size(); }
     /// @param number  receives the triangle's number
     const Triangle& doubt(std::size_t index, const glm::vec4*& rows, std::uint32_t& number) const;
 
@@ -81,7 +81,7 @@ private:
     std::vector<std::uint32_t> numbers_;  // of each group's first triangle
     std::vector<Placed> placed_, sorted_;
     std::vector<std::uint32_t> marks_;  // of each group, a bit for each triangle in doubt
-    std::vector<std::uint32_t> doubts_;
+    std::vector<std::uint32_t> ambiguous_;
 };
 
 }  // namespace nacre

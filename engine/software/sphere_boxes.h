@@ -32,7 +32,7 @@ struct SphereBoxes {
 };
 
 SphereBoxes sphereBoxesOf(std::span<const Sphere> spheres);
-/// Those of a scene, in an order of their own if it has copies.
+/// The boxes of a scene, in an order of their own if it has copies.
 SphereBoxes sphereBoxesOf(const Representation& representation);
 
 }  // namespace nacre

@@ -194,11 +194,11 @@ void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
     front_.end();
     // They are spread over all of the memory, so that to fetch them takes longest.
     constexpr std::size_t kSlice = 2048;
-    const std::size_t slices = (front_.doubts() + kSlice - 1) / kSlice;
+    const std::size_t slices = (front_.ambiguous() + kSlice - 1) / kSlice;
     keptOfSlices_.resize(std::max(keptOfSlices_.size(), slices));
     inParallel(slices, [&](std::size_t slice) {
         keptOfSlices_[slice].clear();
-        for (std::size_t i = slice * kSlice; i < std::min((slice + 1) * kSlice, front_.doubts()); ++i)
+        for (std::size_t i = slice * kSlice; i < std::min((slice + 1) * kSlice, front_.ambiguous()); ++i)
             addDoubt(view, s, i, parts.size() == 1, keptOfSlices_[slice]);
     });
     for (std::size_t slice = 0; slice < slices; ++slice)
@@ -315,7 +315,7 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
     mask(view);
     drawsSpheres_ = s.boxes != nullptr;
     if (drawsSpheres_) frontSpheres_.draw(view, s.spheres, *s.boxes, s.sphereCalls);
-    for (const TileCall& call : drawsSpheres_ ? frontSpheres_.doubts() : s.sphereCalls)
+    for (const TileCall& call : drawsSpheres_ ? frontSpheres_.ambiguous() : s.sphereCalls)
         addSpheres(view, s.spheres, call);
     keptSpheres_ = kept_.size();
     for (const TileCall& call : s.cylinderCalls) addCylinders(view, s, call);

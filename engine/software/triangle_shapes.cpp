@@ -56,7 +56,7 @@ void TriangleBand::beginRow(std::int32_t y) const {
 }
 
 void TriangleBand::doubt(std::uint32_t triangle) const {
-    if (doubts->empty() || doubts->back() != triangle) doubts->push_back(triangle);
+    if (ambiguous->empty() || ambiguous->back() != triangle) ambiguous->push_back(triangle);
 }
 
 /// Draws a triangle that certainly contains the centre, between two keys, and is not certainly hidden.

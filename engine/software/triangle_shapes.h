@@ -51,7 +51,7 @@ struct TriangleShapes {
                                                  ///< exclusive
     static constexpr float kNowhere = 3.402823466e+38f;
 
-    // Of those that are drawn:
+    // For the triangles that are drawn:
     /// A linear function on the screen: value at the centre of pixel (`left`, `top`), and change per pixel.
     struct Plane {
         Row<float> start, right, down;
@@ -74,7 +74,7 @@ struct TriangleBand {
     float *behind = nullptr, *before = nullptr;  ///< bounds of the key of each pixel's triangle
     std::uint32_t* index = nullptr;              ///< of the triangle
     std::uint8_t* rows = nullptr;                ///< those that hold anything
-    std::vector<std::uint32_t>* doubts = nullptr;
+    std::vector<std::uint32_t>* ambiguous = nullptr;
 
     void beginRow(std::int32_t y) const;
     /// Notes that a triangle may be nearer than a pixel's.
@@ -104,7 +104,7 @@ struct TriangleLanes {
     PlaceCorners place = nullptr;
 };
 
-/// Those that this processor can use, the fewest first: 4, then 8.
+/// Lane counts that this processor can use, ascending: 4, then 8.
 std::span<const TriangleLanes> triangleLanes();
 
 }  // namespace nacre

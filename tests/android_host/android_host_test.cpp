@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <future>
 #include <random>
 
@@ -65,53 +64,6 @@ TEST_F(AndroidHost, FingersRotateZoomAndFit) {
     host.tap(250, 160, 2);
     EXPECT_TRUE(eventually([&] { return std::abs(host.view().camera.zoom - 1) < 1e-9; }));
     expectAsRendered(host, kMenu, "", 1);
-}
-
-TEST_F(AndroidHost, AKeyboardWorksToo) {
-    Host host(folder_, std::nullopt, kQuick);
-    host.lowMemory();
-    host.open(160, 160);
-    EXPECT_TRUE(host.key(AKEYCODE_3, AKEY_EVENT_ACTION_DOWN));
-    EXPECT_EQ(host.view().look.style, Style::licorice);
-    host.key(AKEYCODE_DPAD_RIGHT, AKEY_EVENT_ACTION_DOWN, AMETA_SHIFT_ON);
-    EXPECT_GT(host.view().camera.pan.x, 0);
-    EXPECT_FALSE(host.key(AKEYCODE_VOLUME_UP, AKEY_EVENT_ACTION_DOWN));
-    host.queue()->inputMethodTakesNext = true;
-    host.key(AKEYCODE_1, AKEY_EVENT_ACTION_DOWN);
-    EXPECT_EQ(host.view().look.style, Style::licorice);
-}
-
-TEST_F(AndroidHost, ATapNamesAnAtom) {
-    Host host(folder_, std::nullopt, kQuick);
-    host.open(300, 200);
-    expectAsRendered(host);
-    EXPECT_FALSE(saysSomething(host.picture()));
-    host.tap(150, 100);
-    EXPECT_TRUE(eventually([&] { return saysSomething(host.picture()); }));
-    sleep(0.5);
-    host.tap(4, 190);  // beside it
-    expectAsRendered(host);
-}
-
-TEST_F(AndroidHost, ThePanelIsReachedByFingers) {
-    Host host(folder_, std::nullopt, kQuick);
-    host.lowMemory();
-    host.open(360, 480);
-    expectAsRendered(host, kMenu, "", 1);
-    EXPECT_FALSE(host.back());  // Android's, which ends the activity
-    host.tap(40, 36);
-    ASSERT_TRUE(eventually([&] { return host.picture().rgb[std::size_t{3} * (360 * 300 + 4)] < 60; }));
-    sleep(0.3);
-    host.drag(200, 400, 200, 300);  // scrolls, and turns nothing
-    EXPECT_NEAR(std::abs(host.view().camera.orientation.w), 1, 1e-12);
-    sleep(1);
-    host.drag(200, 260, 200, 470);
-    sleep(1);
-    host.tap(140, 386);  // "Spin"
-    EXPECT_TRUE(eventually([&] { return std::abs(host.view().camera.orientation.w) < 0.999; }));
-    EXPECT_TRUE(host.back());
-    host.view();  // waits
-    EXPECT_FALSE(host.back());
 }
 
 TEST_F(AndroidHost, AWindowMayGoAndComeAgain) {
@@ -231,25 +183,6 @@ TEST_F(AndroidHost, ALostDeviceIsReplacedAndOneThatGoesOnBeingLostIsTold) {
     EXPECT_TRUE(eventually([&] { return host.finishAsked(); }));
     loseDevices(0);
     EXPECT_TRUE(logSays("drawing was given up"));
-}
-
-TEST_F(AndroidHost, ADeviceIsTriedAtItsFirstStartAlone) {
-    callDevicesPhones(true);
-    // All paths but one were found right before the program ended: tests/phone tries all.
-    std::filesystem::create_directories(folder_ / "cache/devices");
-    std::ofstream(folder_ / ("cache/devices/paths-" + driverKey()))
-        << "nacre self-test 3\nencoded right 1 1 0 0 0 0\nfragdepth right 1 1 0 0 0 0\nraster-order right 1 1 0 0 0 "
-           "0\n";
-    const auto started = [&] {
-        const int before = devicesMade();
-        Host host(folder_, std::nullopt, kQuick);
-        host.open(120, 160);
-        EXPECT_TRUE(eventually([&] { return host.frames() > 0; }));
-        return devicesMade() - before;
-    };
-    EXPECT_EQ(started(), 3);  // one to know it by, one for the path that is left, and the window's own
-    EXPECT_EQ(started(), 1);
-    callDevicesPhones(false);
 }
 
 /// Everything that the system may do next, one after the other, by chance.

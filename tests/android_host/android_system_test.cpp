@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <future>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/android_host/host_fixture.h"
@@ -41,40 +40,6 @@ TEST_F(AndroidHost, BackClosesThePanelWhereItIsACallback) {
     host.java().back();
     EXPECT_TRUE(eventually([&] { return !host.java().wantsBack(); }));
     EXPECT_TRUE(eventually([&] { return placeOf(host, "Spacefill").left < 0; }));
-}
-
-TEST_F(AndroidHost, ThePanelKeepsClearOfTheSystemsBars) {
-    Host host(folder_, std::nullopt, kQuick);
-    host.lowMemory();
-    host.open(360, 480);  // edge to edge: the content is all of it
-    ASSERT_TRUE(eventually([&] { return placeOf(host, "Menu").left >= 0; }));
-    const auto before = placeOf(host, "Menu");
-    host.java().insets(30, 40, 0, 20);
-    EXPECT_TRUE(eventually([&] {
-        const auto now = placeOf(host, "Menu");
-        return now.left == before.left + 30 && now.top == before.top + 40;
-    })) << placeOf(host, "Menu").left
-        << " " << placeOf(host, "Menu").top;
-}
-
-TEST_F(AndroidHost, TextIsAsLargeAsTheUserWantsIt) {
-    Host host(folder_, std::nullopt, kQuick, 80);
-    host.lowMemory();
-    host.open(300, 500);
-    ASSERT_TRUE(eventually([&] { return placeOf(host, "Menu").left >= 0; }));
-    int before = 0;  // once it stays
-    host.redraw();
-    ASSERT_TRUE(eventually([&] {
-        const int last = std::exchange(before, placeOf(host, "Menu").height);
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
-        return last == before && host.frames() > 1;
-    }));
-    host.java().textScale(1.5f);
-    EXPECT_TRUE(eventually([&] { return std::abs(placeOf(host, "Menu").height - 1.5 * before) <= 1; }))
-        << before << " " << placeOf(host, "Menu").height;
-    // A finger still hits what it points to.
-    host.java().press("button", "Menu");
-    EXPECT_TRUE(eventually([&] { return placeOf(host, "Fold the panel").left >= 0; })) << host.java().controls();
 }
 
 // The first start on a device takes seconds: none of them on the main thread, whatever the system does meanwhile.
@@ -149,55 +114,6 @@ TEST_F(AndroidHost, AMotionAsksForTheDisplaysBestRateAndItsTicks) {
     host.key(AKEYCODE_SPACE, AKEY_EVENT_ACTION_DOWN);
     EXPECT_TRUE(eventually([&] { return !host.java().animated(); }));
     EXPECT_EQ(host.window()->rate, 0);
-}
-
-TEST_F(AndroidHost, APhoneThatGetsHotAsksForNoMoreThanSixty) {
-    setThermalHeadroom(1);
-    Host host(folder_, std::nullopt, kQuick);
-    host.lowMemory();
-    host.open(160, 160);
-    host.java().displayRefreshes(60, 120);
-    expectAsRendered(host, kMenu, "", 1);
-    host.key(AKEYCODE_SPACE, AKEY_EVENT_ACTION_DOWN);
-    ASSERT_TRUE(eventually([&] { return host.java().animated(); }));
-    EXPECT_EQ(host.window()->rate, 60);
-    setThermalHeadroom(0);
-}
-
-TEST_F(AndroidHost, TheReportTellsOfThePhone) {
-    Host host(folder_, std::nullopt, kQuick, 40);  // all of the panel has room
-    host.lowMemory();
-    host.open(500, 320);
-    for (const char* name : {"Menu", "More", "For developers", "Copy report"}) {
-        ASSERT_TRUE(eventually([&] { return placeOf(host, name).left >= 0; })) << name << host.java().controls();
-        host.java().press(std::string(name) == "More" ? "tab" : "button", name);
-    }
-    ASSERT_TRUE(eventually([&] { return !host.java().copied().empty(); }));
-    const auto report = nlohmann::json::parse(host.java().copied());
-    EXPECT_EQ(report.at("system"), "Android 16 (36), Example Phone");
-    EXPECT_EQ(report.at("window").at("width"), 500);
-    EXPECT_GT(report.at("frames").at("shown"), 0);
-    EXPECT_NE(report.at("device").at("name").get<std::string>().find("SwiftShader"), std::string::npos);
-    EXPECT_FALSE(report.at("device").at("extensions").empty());
-}
-
-TEST_F(AndroidHost, AMouseRotatesAndPans) {
-    Host host(folder_, std::nullopt, kQuick);
-    host.lowMemory();
-    host.open(320, 320);
-    expectAsRendered(host, kMenu, "", 1);
-    const auto drag = [&](std::int32_t buttons) {
-        host.pointer(AMOTION_EVENT_TOOL_TYPE_MOUSE, AMOTION_EVENT_ACTION_DOWN, 160, 160, buttons);
-        for (int i = 1; i <= 5; ++i)
-            host.pointer(AMOTION_EVENT_TOOL_TYPE_MOUSE, AMOTION_EVENT_ACTION_MOVE, 160 + 10 * static_cast<float>(i),
-                         160, buttons);
-        host.pointer(AMOTION_EVENT_TOOL_TYPE_MOUSE, AMOTION_EVENT_ACTION_UP, 210, 160);
-    };
-    drag(AMOTION_EVENT_BUTTON_SECONDARY);
-    EXPECT_TRUE(eventually([&] { return std::abs(host.view().camera.pan.x) > 1e-3; }));
-    EXPECT_NEAR(std::abs(host.view().camera.orientation.w), 1, 1e-9);
-    drag(AMOTION_EVENT_BUTTON_PRIMARY);
-    EXPECT_TRUE(eventually([&] { return std::abs(host.view().camera.orientation.w) < 0.999; }));
 }
 
 TEST_F(AndroidHost, APenThatHoversNamesTheAtomBelow) {

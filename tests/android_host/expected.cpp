@@ -24,8 +24,6 @@ Renderer& expectingRenderer() {
 
 }  // namespace
 
-const std::string& driverKey() { return expectingRenderer().stats().device.driverKey; }
-
 WindowPicture expectedPicture(const app::PictureDescription& view, std::uint32_t width, std::uint32_t height,
                               std::uint32_t samples) {
     const app::Sources sources = app::phoneSources({});

@@ -13,9 +13,6 @@ namespace nacre::test {
 WindowPicture expectedPicture(const app::PictureDescription& view, std::uint32_t width, std::uint32_t height,
                               std::uint32_t samples);
 
-/// What is kept of devices is named by it.
-const std::string& driverKey();
-
 /// Part of a picture that the overlay may cover: not compared.
 struct Covered {
     std::uint32_t width = 0, height = 0;  ///< from the top left

@@ -153,20 +153,10 @@ void callVoid(JNIEnv* env, Object*, const std::string& name, va_list arguments) 
     if (name == "attach") machine.attached = va_arg(arguments, jlong);
     if (name == "wantsBack") machine.wantsBack = va_arg(arguments, int) != 0;
     if (name == "animate") machine.animated = va_arg(arguments, int) != 0;
-    if (name == "copyText") machine.copied = in(va_arg(arguments, jobject))->text;
-    if (name == "pickDocument") ++machine.documentsAsked;
     if (name == "controlsChanged") ++machine.controlChanges;
-    if (name == "askText" || name == "shareText") {
-        auto& texts = name == "askText" ? machine.asked : machine.sharedText;
-        texts.first = in(va_arg(arguments, jobject))->text;
-        texts.second = in(va_arg(arguments, jobject))->text;
-    }
-    if (name != "sharePicture") return;
-    machine.shared.pixels.clear();
-    for (const jint color : in(va_arg(arguments, jobject))->numbers) machine.shared.pixels.push_back(color);
-    machine.shared.width = va_arg(arguments, jint);
-    machine.shared.height = va_arg(arguments, jint);
-    machine.shared.name = in(va_arg(arguments, jobject))->text;
+    if (name != "askText") return;
+    machine.asked.first = in(va_arg(arguments, jobject))->text;
+    machine.asked.second = in(va_arg(arguments, jobject))->text;
 }
 
 jint callInt(JNIEnv* env, Object* of, const std::string& name, va_list arguments) {

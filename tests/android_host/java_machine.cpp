@@ -284,22 +284,11 @@ JavaMachine::~JavaMachine() {
     machines().erase(&impl_->functions);
 }
 
-int JavaMachine::documentsAsked() const { return impl_->documentsAsked; }
 int JavaMachine::controlChanges() const { return impl_->controlChanges; }
-
-JavaMachine::Shared JavaMachine::shared() const {
-    const std::lock_guard lock(impl_->mutex);
-    return impl_->shared;
-}
 
 std::pair<std::string, std::string> JavaMachine::asked() const {
     const std::lock_guard lock(impl_->mutex);
     return impl_->asked;
-}
-
-std::pair<std::string, std::string> JavaMachine::sharedText() const {
-    const std::lock_guard lock(impl_->mutex);
-    return impl_->sharedText;
 }
 
 namespace {
@@ -337,11 +326,6 @@ void JavaMachine::press(const std::string& role, const std::string& name) {
                      as<jstring>(impl_->make("java/lang/String", name)));
 }
 
-void JavaMachine::adjust(const std::string& name, bool up) {
-    callNative<void>(*impl_, "adjust(JLjava/lang/String;Z)V", as<jstring>(impl_->make("java/lang/String", name)),
-                     static_cast<jboolean>(up ? JNI_TRUE : JNI_FALSE));
-}
-
 void JavaMachine::serve(const std::string& url, const std::string& bytes) {
     const std::lock_guard lock(impl_->mutex);
     impl_->web[url] = bytes;
@@ -357,20 +341,11 @@ void JavaMachine::displayRefreshes(float rate, float most) { callNative<void>(*i
 
 bool JavaMachine::wantsBack() const { return impl_->wantsBack; }
 void JavaMachine::back() { callNative<void>(*impl_, "back(J)V"); }
-void JavaMachine::insets(int left, int top, int right, int bottom) {
-    callNative<void>(*impl_, "insets(JIIII)V", left, top, right, bottom);
-}
-void JavaMachine::textScale(float scale) { callNative<void>(*impl_, "textScale(JF)V", scale); }
 bool JavaMachine::animated() const { return impl_->animated; }
 void JavaMachine::tick() {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     callNative<void>(*impl_, "tick(JJ)V",
                      static_cast<jlong>(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()));
-}
-
-std::string JavaMachine::copied() const {
-    const std::lock_guard lock(impl_->mutex);
-    return impl_->copied;
 }
 
 JavaVM* JavaMachine::vm() { return &impl_->vm; }

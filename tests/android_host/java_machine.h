@@ -38,38 +38,24 @@ public:
     jobject activity();
 
     // The activity's Java: what native code asked it for, and what it tells native code. Main thread.
-    int documentsAsked() const;
     int controlChanges() const;
-    /// The last; of no pixels: none
-    struct Shared {
-        int width = 0, height = 0;
-        std::vector<std::int32_t> pixels;
-        std::string name;
-    };
-    Shared shared() const;
-    /// Two texts that native code handed over last: a field's name and text, or a shared text and its name.
+    /// Name and text of the field that native code asked to edit last.
     std::pair<std::string, std::string> asked() const;
-    std::pair<std::string, std::string> sharedText() const;
     void typed(const std::string& name, const std::string& text);
     /// What the network has, by address.
     void serve(const std::string& url, const std::string& bytes);
     void documentPicked(const Document& document);
     std::string controls();
     void press(const std::string& role, const std::string& name);
-    void adjust(const std::string& name, bool up);
     void displayRefreshes(float rate, float most);
     /// Another document, by an intent to the activity that is there.
     void newIntent(const Document& document) { documentPicked(document); }
     /// Whether Back is the app's; and the user's Back then.
     bool wantsBack() const;
     void back();
-    void insets(int left, int top, int right, int bottom);
-    void textScale(float scale);
     /// Whether native code wants to be told of the display's pictures; and one of them, now.
     bool animated() const;
     void tick();
-    /// To the clipboard.
-    std::string copied() const;
 
     struct Impl;
 

@@ -70,13 +70,11 @@ struct JavaMachine::Impl {
     int opened = 0, closed = 0;  // streams and cursors
     std::map<std::string, void*> natives;
     jlong attached = 0;  // what native code has itself called by
-    std::atomic<int> documentsAsked{0}, controlChanges{0};
+    std::atomic<int> controlChanges{0};
     std::atomic<bool> wantsBack{false}, animated{false};
     std::string cacheFolder;
-    std::string copied;                                     // under the mutex
-    JavaMachine::Shared shared;                             // under the mutex
-    std::pair<std::string, std::string> asked, sharedText;  // likewise
-    std::map<std::string, std::string> web;                 // likewise
+    std::pair<std::string, std::string> asked;  // under the mutex
+    std::map<std::string, std::string> web;     // likewise
 };
 
 /// The machine of an environment.

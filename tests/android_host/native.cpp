@@ -25,7 +25,6 @@ using nacre::test::Faults;
 std::mutex mutex;
 std::vector<std::string> lines;
 std::set<const ANativeActivity*> finishes;
-std::atomic<float> headroomToCome{0};
 std::atomic<int> reports{0}, hintSessions{0}, thermalManagers{0};
 std::atomic<std::int64_t> target{0};
 ALooper looper;
@@ -39,7 +38,6 @@ std::vector<std::string> takeLog() {
     return std::exchange(lines, {});
 }
 
-void setThermalHeadroom(float headroom) { headroomToCome = headroom; }
 int workReports() { return reports; }
 std::int64_t workTarget() { return target; }
 
@@ -118,7 +116,7 @@ AThermalManager* AThermal_acquireManager() { return ++thermalManagers, new ATher
 void AThermal_releaseManager(AThermalManager* manager) { --thermalManagers, delete manager; }
 float AThermal_getThermalHeadroom(AThermalManager*, int forecast) {
     if (forecast < 0 || forecast > 60) Faults::add("a forecast that Android does not make");
-    return headroomToCome;
+    return 0;
 }
 
 APerformanceHintManager* APerformanceHint_getManager() {

@@ -45,8 +45,6 @@ namespace nacre::test {
 /// Lines that the app wrote to the log so far, and forgets them.
 std::vector<std::string> takeLog();
 
-/// What the system will tell of the heat to come.
-void setThermalHeadroom(float headroom);
 /// Work that the app reported, frames in all, and the time that it was said to have, nanoseconds.
 int workReports();
 std::int64_t workTarget();

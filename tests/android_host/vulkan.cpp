@@ -23,7 +23,6 @@ std::map<VkInstance, VkDebugUtilsMessengerEXT> messengers;
 std::mutex faultsMutex;
 std::vector<std::string> faults;
 std::atomic<bool> broken{false};
-std::atomic<bool> phones{false};
 std::atomic<int> refused{0}, losses{0}, made{0};
 
 template <typename Function>
@@ -148,16 +147,6 @@ VKAPI_ATTR VkResult VKAPI_CALL enumerateDevices(VkInstance instance, std::uint32
 VkInstance ownerOf(VkPhysicalDevice device) {
     const std::lock_guard lock(mutex);
     return owners.at(device);
-}
-
-VKAPI_ATTR void VKAPI_CALL properties(VkPhysicalDevice device, VkPhysicalDeviceProperties* told) {
-    NACRE_LOADERS(ownerOf(device), vkGetPhysicalDeviceProperties)(device, told);
-    if (phones) told->deviceType = VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
-}
-
-VKAPI_ATTR void VKAPI_CALL properties2(VkPhysicalDevice device, VkPhysicalDeviceProperties2* told) {
-    NACRE_LOADERS(ownerOf(device), vkGetPhysicalDeviceProperties2)(device, told);
-    if (phones) told->properties.deviceType = VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
@@ -300,8 +289,6 @@ PFN_vkVoidFunction replacementOf(const char* name) {
         NACRE_REPLACE(vkDestroySurfaceKHR, destroySurface),
         NACRE_REPLACE(vkGetPhysicalDeviceSurfaceCapabilitiesKHR, surfaceCapabilities),
         NACRE_REPLACE(vkEnumeratePhysicalDevices, enumerateDevices),
-        NACRE_REPLACE(vkGetPhysicalDeviceProperties, properties),
-        NACRE_REPLACE(vkGetPhysicalDeviceProperties2, properties2),
         NACRE_REPLACE(vkCreateDevice, createDevice),
         NACRE_REPLACE(vkDestroyDevice, destroyDevice),
         NACRE_REPLACE(vkGetDeviceQueue, getQueue),
@@ -340,7 +327,6 @@ PFN_vkVoidFunction loaderFunction(VkInstance instance, const char* name) {
 void setVulkanBroken(bool now) { broken = now; }
 void refuseFrames(int count) { refused = count; }
 void loseDevices(int count) { losses = count; }
-void callDevicesPhones(bool now) { phones = now; }
 int devicesMade() { return made; }
 
 void Faults::add(const std::string& fault) {

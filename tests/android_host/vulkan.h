@@ -19,9 +19,6 @@ void setVulkanBroken(bool broken);
 /// So many devices, one after the other, are lost when the next frame of a window is asked for.
 void loseDevices(int count);
 
-/// Devices say that they are a phone's, and no software that needs no trying.
-void callDevicesPhones(bool phones);
-
 /// What happens on the app's thread before a device is made; empty: nothing.
 void whileDevicesAreMade(std::function<void()> happens);
 

@@ -118,11 +118,12 @@ TEST(Assemblies, OfMmcif) {
 }
 
 TEST(Assemblies, WhatCannotBeReadIsLeftOutWithAWarning) {
-    const std::pair<const char*, const char*> kCases[] = {{"1 a A\n2 c A\n", "no operator 'c'"},
-                                                          {"1 a A\n2 b A\n", "missing or too large"},
-                                                          {"1 a A\n2 (a A\n", "malformed: '(a'"},
-                                                          {"1 a A\n2 a Q\n", "no chain that is here"},
-                                                          {"1 a A\n", "no chain that is here"}};
+    const std::pair<const char*, const char*> kCases[] = {
+        {"1 a A\n2 c A\n", "no operator 'c'"},
+        {"1 a A\n2 b A\n", "missing or too large"},
+        {"1 a A\n2 (a A\n", "malformed: '(a'"},
+        {"1 a A\n2 a Q\n", "does not say how to place any of its chains"},
+        {"1 a A\n", "does not say how to place any of its chains"}};
     for (const auto& [generators, why] : kCases) {
         const Molecule m = readMolecule("a.cif", mmcif(generators));
         EXPECT_EQ(m.assemblies.size(), 1u);

@@ -72,7 +72,7 @@ struct Crowd {
 
 struct Told {
     std::vector<std::uint32_t> seeds;
-    std::set<std::uint32_t> doubts;
+    std::set<std::uint32_t> ambiguous;
 };
 /// Boxes in an order of their own: each run from its end.
 SphereBoxes ownBoxes(const std::vector<Sphere>& stream) {
@@ -96,8 +96,8 @@ Told toldBy(FrontSpheres& front, const Crowd& c, bool own = false) {
     told.seeds.resize(std::size_t{c.view.width} * c.view.height);
     for (std::uint32_t y = 0; y < c.view.height; ++y)
         front.write(0, y, c.view.width, &told.seeds[std::size_t{y} * c.view.width]);
-    for (const TileCall& call : front.doubts())
-        for (std::uint32_t i = 0; i < call.count; ++i) told.doubts.insert(call.number + call.first + i);
+    for (const TileCall& call : front.ambiguous())
+        for (std::uint32_t i = 0; i < call.count; ++i) told.ambiguous.insert(call.number + call.first + i);
     return told;
 }
 
@@ -143,7 +143,7 @@ TEST_P(FrontSpheresTest, NameAllThatMayBeTheNearest) {
     constexpr double kRounding = 3e-5;  // Å that shaders may be off by, at this size of a scene
     const auto [radius, lanes, own] = GetParam();
     FrontSpheres front(frontLanes()[lanes]);  // used again and again, as by a renderer
-    std::size_t seen = 0, ties = 0, shown = 0, doubts = 0, all = 0;
+    std::size_t seen = 0, ties = 0, shown = 0, ambiguous = 0, all = 0;
     for (std::uint32_t seed = 0; seed < 8; ++seed) {
         const Crowd c(seed, radius, static_cast<int>(seed % 4));
         const Told told = toldBy(front, c, own);
@@ -160,10 +160,10 @@ TEST_P(FrontSpheresTest, NameAllThatMayBeTheNearest) {
                 const double perhaps = h + 2 * b.radius * kRounding;
                 if (perhaps < 0 || b.Z - std::sqrt(perhaps) - kRounding > least[pixel]) return;
                 ++here[pixel];
-                EXPECT_TRUE(b.number == told.seeds[pixel] || told.doubts.contains(b.number))
+                EXPECT_TRUE(b.number == told.seeds[pixel] || told.ambiguous.contains(b.number))
                     << "seed " << seed << ", sphere " << b.number << " at pixel " << pixel;
             });
-        std::set<std::uint32_t> named = told.doubts;
+        std::set<std::uint32_t> named = told.ambiguous;
         for (std::size_t pixel = 0; pixel < told.seeds.size(); ++pixel) {
             const auto x = static_cast<std::uint32_t>(pixel % c.view.width),
                        y = static_cast<std::uint32_t>(pixel / c.view.width);
@@ -174,14 +174,14 @@ TEST_P(FrontSpheresTest, NameAllThatMayBeTheNearest) {
             ties += here[pixel] > 1;
         }
         EXPECT_EQ(front.shown(), named.size());
-        doubts += told.doubts.size();
+        ambiguous += told.ambiguous.size();
         shown += named.size();
         all += balls.size();
     }
     EXPECT_GT(seen, 1000u);
     EXPECT_GT(ties, 20u);
     EXPECT_LT(shown, all / 4);
-    EXPECT_LT(doubts, shown);
+    EXPECT_LT(ambiguous, shown);
 }
 
 INSTANTIATE_TEST_SUITE_P(Radii, FrontSpheresTest,
@@ -216,18 +216,18 @@ TEST(FrontSpheres, DrawRunsOnceHoweverTheyAreParted) {
     c.calls = parts;
     const Told told = toldBy(front, c, true);
     EXPECT_EQ(told.seeds, expected.seeds);
-    EXPECT_EQ(told.doubts, expected.doubts);
+    EXPECT_EQ(told.ambiguous, expected.ambiguous);
 }
 
 TEST(FrontSpheres, DrawNothingOfNothing) {
     Crowd c(1, 0.8, 0);
     FrontSpheres front;
-    EXPECT_GT(toldBy(front, c).doubts.size(), 0u);
+    EXPECT_GT(toldBy(front, c).ambiguous.size(), 0u);
     c.view.axis = {-4000, -4000};
     const Told told = toldBy(front, c);
     EXPECT_EQ(std::count(told.seeds.begin(), told.seeds.end(), 0u), static_cast<std::ptrdiff_t>(told.seeds.size()));
     EXPECT_EQ(front.shown(), 0u);
-    EXPECT_EQ(told.doubts.size(), 0u);
+    EXPECT_EQ(told.ambiguous.size(), 0u);
 }
 
 // Spheres that stand in one thread's rows are asked for in another's.
@@ -250,7 +250,7 @@ TEST(FrontSpheres, AreTheSameBySeveralThreads) {
     const Told one = toldByThreads(1), two = toldByThreads(2);
     EXPECT_GT(std::count_if(one.seeds.begin(), one.seeds.end(), [](std::uint32_t seed) { return seed != 0; }), 10);
     EXPECT_EQ(one.seeds, two.seeds);
-    EXPECT_EQ(one.doubts, two.doubts);
+    EXPECT_EQ(one.ambiguous, two.ambiguous);
 }
 
 TEST(SphereBoxes, HoldTheirSpheres) {

@@ -277,7 +277,7 @@ TEST(TriangleShapes, LeaveWhatAllRoundingsAddUpTo) {
             TriangleShapes shapes;
             lens.width = lens.height = static_cast<std::uint32_t>(far) + 1;                // so that it is in view
             std::vector<float> behind(lens.width + TriangleBand::kRoom), before = behind;  // all rows are one
-            std::vector<std::uint32_t> index(behind.size()), doubts;
+            std::vector<std::uint32_t> index(behind.size()), ambiguous;
             std::vector<std::uint8_t> rows(lens.height);
             const TriangleBand band{&lens,
                                     0,
@@ -287,7 +287,7 @@ TEST(TriangleShapes, LeaveWhatAllRoundingsAddUpTo) {
                                     before.data(),
                                     index.data(),
                                     rows.data(),
-                                    &doubts};
+                                    &ambiguous};
             lanes.draw(band, shapes, &triangle, 1, corners, 0);
             // What is added to an edge's plane is half of where inside begins.
             EXPECT_GE(

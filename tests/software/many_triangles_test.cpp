@@ -100,7 +100,7 @@ TEST_P(ManyTrianglesTest, TheNearestAreCertainOrInDoubt) {
         FrontTriangles front(lanes);
         many.draw(front, GetParam(), kBegin);
         std::vector<bool> doubtful(kMany + 1);
-        for (std::size_t i = 0; i < front.doubts(); ++i) {
+        for (std::size_t i = 0; i < front.ambiguous(); ++i) {
             const glm::vec4* rows = nullptr;
             std::uint32_t number = 0;
             front.doubt(i, rows, number);
@@ -144,7 +144,7 @@ TEST_P(ManyTrianglesTest, ThoseBehindOthersAreInNoDoubt) {
             EXPECT_EQ(number, 64u);
             const glm::vec4* rows = nullptr;
             bool any = false;
-            for (std::size_t i = 0; i < front.doubts(); ++i) {
+            for (std::size_t i = 0; i < front.ambiguous(); ++i) {
                 front.doubt(i, rows, number);
                 any = any || number <= 32 || number > 64;
             }

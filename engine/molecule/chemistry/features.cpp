@@ -66,7 +66,7 @@ std::vector<std::uint32_t> sideChainAtoms(const Molecule& molecule, const Chemis
     return atoms;
 }
 
-/// Of the receptor, by Open Babel's table of amino acids. A modified residue is a ligand, be it HETATM or not.
+/// Whether a residue belongs to the receptor, by Open Babel's table of amino acids. Modified residues are ligands.
 bool isAminoAcidOfPlip(const Name& residue, bool hetero) {
     const std::string_view name = residue.view();
     if (name == "PCA" || name == "HYP") return true;

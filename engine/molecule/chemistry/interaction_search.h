@@ -92,8 +92,8 @@ std::vector<std::uint8_t> superfluousPartners(const glm::dvec3& metal, const std
 /// Hydrogens, the atoms of both ends, and what lies within 1 Å of an end are in nobody's way.
 void dropBlocked(InteractionSearch& search);
 
-/// Of the interactions of one kind between the same atoms, such as two hydroxyl groups that could both donate, keeps
-/// the one with the larger angle at the hydrogen.
+/// Keeps one interaction of a kind per pair of atoms (two hydroxyl groups could both donate): the one with the larger
+/// angle at the hydrogen.
 void keepOnePerPair(std::vector<Interaction>& found);
 
 /// Drops what stronger interactions of the same groups stand for.

@@ -71,7 +71,7 @@ class OrderFeatures {
 public:
     explicit OrderFeatures(const ChemistryWork& work);
 
-    /// Of a pi bond in a bond. @param index  of it
+    /// Adds the features of a pi bond. @param index  of the bond
     template <typename Add>
     void pi(std::uint32_t index, const BondLengths& lengths, const Add& add) const {
         const Bond& bond = work_.molecule.bonds[index];
@@ -105,7 +105,7 @@ public:
         }
     }
 
-    /// Of a second pi bond, beside those of the first.
+    /// Adds the features of a second pi bond, beside those of the first.
     template <typename Add>
     void secondPi(std::uint32_t index, const BondLengths& lengths, const Add& add) const {
         const Bond& bond = work_.molecule.bonds[index];
@@ -114,7 +114,7 @@ public:
               (length - lengths.threefold) / (lengths.twofold - lengths.threefold), add);
     }
 
-    /// Of an atom that has some pi bonds, which cost what they add. @param count  0, 1 or 2
+    /// Adds the features of an atom with so many pi bonds. @param count  0, 1 or 2
     template <typename Add>
     void atom(std::uint32_t i, int count, const Add& add) const {
         const std::size_t degree = work_.degree(i);

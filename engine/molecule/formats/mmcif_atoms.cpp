@@ -95,7 +95,7 @@ void MmcifAtoms::begin(const std::string& category, std::vector<std::string> col
         if (column_[axis] < 0) cannotRead(name(), "the column _" + category + ".Cartn_" + "xyz"[axis] + " is missing");
 }
 
-/// Of a sphere, or of the one with a Gaussian's variance; 0: of an atom.
+/// Radius of a sphere, or of one with a Gaussian's variance; 0 for an atom.
 float MmcifAtoms::radiusOf(const MmcifCell* cells) const {
     constexpr double kLargest = 1e6;  // Å
     double radius = cell(cells, sphereRadius).number().value_or(0);

@@ -49,7 +49,7 @@ constexpr NamedColor kResidues[] = {
     {"DOD", 0xb8d4ea}, {"SOL", 0xb8d4ea}, {"TIP", 0xb8d4ea}, {"TIP3", 0xb8d4ea}, {"TIP4", 0xb8d4ea}, {"SPC", 0xb8d4ea}};
 constexpr std::uint32_t kOtherResidue = 0xc4beb4;
 
-/// Of the lowest byte of a colour.
+/// Decodes the lowest byte of an sRGB colour.
 double linearByte(std::uint32_t color) {
     const double c = (color & 0xff) / 255.0;
     return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);

@@ -316,7 +316,7 @@ void AssemblyScene::finish(Representation& r) {
             }));
         });
     keepWholeMeshes(r);
-    // What millions of copies take is not in memory twice.
+    // Moves rather than copies: millions of transforms are never in memory twice.
     for (glm::dmat4x3& transform : placement_.transforms) transform = about(transform, r.center);
     copies.transforms = std::move(placement_.transforms);
     copies.lists = std::move(placement_.lists);

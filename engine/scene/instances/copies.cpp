@@ -20,7 +20,7 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t kMostNamed = 20;  // in a message
-// Of all lists of copies together: one for each chain may be as long as all transforms.
+// Bounds the sum over all lists of copies: with a list per chain, each may be as long as all transforms.
 constexpr std::size_t kMostListedCopies = std::size_t{1} << 23;
 
 const Assembly& assemblyOf(const Molecule& molecule, const std::string& id) {

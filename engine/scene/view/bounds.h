@@ -26,8 +26,8 @@ struct Box {
     glm::dvec3 center() const { return (low + high) / 2.0; }
 };
 
-/// Of balls that may be too many to be kept. Without any its centre is no number.
-/// @param eachBall  calls what it is given with the centre and radius of each ball, Å; it is called twice
+/// Bounds of balls that may be too many to store. Without any ball the centre is NaN.
+/// @param eachBall  calls its argument with the centre and radius of each ball, Å; it is called twice
 /// @param about  another centre
 template <typename EachBall>
 Bounds boundsOfEach(const EachBall& eachBall, const std::optional<glm::dvec3>& about = {}) {

@@ -222,7 +222,7 @@ private:
 };
 
 void Covers::dropScraps() {
-    constexpr double kShort = 12;   // Å, the diagonal of a piece's box
+    constexpr double kShort = 10;   // Å, the diagonal of a piece's box
     constexpr double kSmall = 0.2;  // of the original piece's atoms
     if (atomsGone_.empty() && sticksGone_.empty()) return;
     Connections before(chosen_.size()), after(chosen_.size());
