@@ -27,7 +27,7 @@ std::uint32_t sideOf(const char* name, double pixels) {
 }
 
 /// Whether a visible colouring uses such a palette.
-bool takesPalette(const Representation& scene, Palette palette) {
+bool takesPalette(const Representation& scene, const AnyPalette& palette) {
     const PaletteUse use = isRamp(palette) ? PaletteUse::ramp : PaletteUse::kinds;
     return std::ranges::any_of(scene.legends, [&](const Legend& legend) {
         const auto scheme = colorSchemeFromName(legend.scheme.substr(0, legend.scheme.find(':')));
@@ -199,8 +199,8 @@ std::vector<std::string> idleOptions(const PictureDescription& options, const Re
         if (const std::string on = option(needs).print(drawn); on.empty() || on == "off")
             said.push_back("--" + key + " changes nothing without --" + needs);
     }
-    if (const Palette palette = options.look.palette; palette != Palette::automatic && !takesPalette(scene, palette))
-        said.push_back("--palette " + std::string(paletteName(palette)) + " changes nothing: nothing is coloured by " +
+    if (const AnyPalette& palette = options.look.palette; palette != Palette::automatic && !takesPalette(scene, palette))
+        said.push_back("--palette " + paletteName(palette) + " changes nothing: nothing is coloured by " +
                        (isRamp(palette) ? "numbers" : "categories"));
     if (options.words.seenOnly && options.words.labels.empty())
         said.push_back("--show-labels changes nothing without --label");

@@ -122,7 +122,7 @@ std::vector<std::string> palettesOf(bool ramps) {
 
 /// Takes a ramp of colours from the start of a text: "white:red:10..60" leaves "10..60". @returns nothing, and leaves
 /// the text alone, if it does not begin with two colours
-std::optional<Palette> takeRamp(std::string_view& text) {
+std::optional<AnyPalette> takeRamp(std::string_view& text) {
     std::vector<std::uint32_t> colors;
     std::string_view rest = text;
     while (!rest.empty()) {
@@ -135,10 +135,8 @@ std::optional<Palette> takeRamp(std::string_view& text) {
     if (colors.size() < 2) return std::nullopt;
     if (colors.size() > kMostRampColors)
         throw std::invalid_argument("a ramp has at most " + std::to_string(kMostRampColors) + " colours");
-    const auto ramp = addRamp(colors);
-    if (!ramp) throw std::invalid_argument("there are " + std::to_string(kMostRamps) + " ramps of colours already");
     text = rest;
-    return ramp;
+    return AnyPalette::ramp(std::move(colors));
 }
 
 /// The part after a scheme's name: its range, its palette, or the colour of its carbons.
@@ -221,7 +219,7 @@ std::string singularOf(std::string_view text, std::span<const std::string> words
 
 std::string schemeNames() { return listOf(allSchemes()); }
 
-Palette parsePalette(std::string_view text) {
+AnyPalette parsePalette(std::string_view text) {
     if (const auto palette = paletteFromName(lowerCase(text))) return *palette;
     std::string_view rest = text;
     if (const auto ramp = takeRamp(rest); ramp && rest.empty()) return *ramp;
@@ -302,7 +300,7 @@ std::string colorSourceText(const Coloring& coloring) {
     std::string text = coloring.source;
     if (!coloring.column.empty()) text += ":value=" + coloring.column;
     if (coloring.range) text += ":" + exactText(coloring.range->first) + ".." + exactText(coloring.range->last);
-    if (coloring.palette != Palette::automatic) text += ":" + std::string(paletteName(coloring.palette));
+    if (coloring.palette != Palette::automatic) text += ":" + paletteName(coloring.palette);
     return text;
 }
 

@@ -16,7 +16,7 @@ namespace nacre::app {
 Style parseStyle(std::string_view text);
 
 /// The name of a palette.
-Palette parsePalette(std::string_view text);
+AnyPalette parsePalette(std::string_view text);
 /// Their names, separated by commas. @param ramps  for numbers; else for classes
 std::string paletteNames(bool ramps);
 

@@ -102,7 +102,7 @@ std::string valueMapText(const ValueMap& map) {
     std::string text = map.file;
     if (text.empty()) return "none";
     if (map.range) text += ":" + exactText(map.range->first) + ".." + exactText(map.range->last);
-    if (map.palette != Palette::automatic) text += ":" + std::string(paletteName(map.palette));
+    if (map.palette != Palette::automatic) text += ":" + paletteName(map.palette);
     return text;
 }
 

@@ -36,7 +36,7 @@ struct MapColors {
 struct ValueMap {
     std::string file;  ///< empty: none
     std::optional<ColorRange> range = {};
-    Palette palette = Palette::automatic;
+    AnyPalette palette = {};
     friend bool operator==(const ValueMap&, const ValueMap&) = default;
 };
 

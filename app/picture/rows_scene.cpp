@@ -166,7 +166,7 @@ std::vector<Option> colors() {
          .parse = [](T text, P& d) { d.look.palette = parsePalette(text); },
          .print =
              [](const P& d) {
-                 return std::string(d.look.palette == Palette::automatic ? "" : paletteName(d.look.palette));
+                 return paletteName(d.look.palette);
              },
          .save = differing},
     };

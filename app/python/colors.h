@@ -14,7 +14,7 @@ namespace nacre::python {
 struct Colors {
     std::vector<std::uint32_t> atoms;  ///< packed as in engine/scene/color/colors.h, one per atom; empty: the scheme's
     std::vector<LegendEntry> legend;   ///< along the ramp, if they show numbers
-    Palette ramp = Palette::automatic;
+    AnyPalette ramp = {};
     bool operator==(const Colors& other) const { return atoms == other.atoms && ramp == other.ramp; }
 };
 /// Maps numbers to a ramp; non-finite ones are grey. @param limits  values at its ends; empty: minimum and maximum

@@ -35,7 +35,7 @@ std::span<const Preset> presets() {
 
 void applyPreset(const Preset& preset, PictureDescription& view) {
     const std::string assembly = view.look.assembly;
-    const Palette palette = view.look.palette;
+    const AnyPalette palette = view.look.palette;
     view.look = preset.look;
     view.look.assembly = assembly;
     view.look.palette = palette;

@@ -4,10 +4,12 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "app/picture/appearance_values.h"
 #include "engine/srgb.h"
@@ -49,6 +51,15 @@ TEST(OptionValues, Color) {
     for (const char* text : {"", "#", "#12", "#1234", "#12345", "#1234567", "#123456789", "ff0000", "#-12345", "#ggg",
                              "mauve-ish", "#0xff00"})
         EXPECT_NE(reasonOf([&] { parseColor(text); }), "") << text;
+}
+
+TEST(OptionValues, RampsAreNotCounted) {
+    for (int i = 0; i < 1000; ++i) {
+        char text[32];
+        std::snprintf(text, sizeof text, "b-factor:#%06x:red", i);
+        const Coloring coloring = parseColoring(text);
+        EXPECT_EQ(coloring.palette.own, (std::vector<std::uint32_t>{static_cast<std::uint32_t>(i), 0xff0000})) << text;
+    }
 }
 
 TEST(OptionValues, NumbersKeepTheirLimits) {

@@ -155,17 +155,16 @@ TEST(Palettes, RampsEndWhereTheyShould) {
     EXPECT_EQ(colorText(paletteColor(Palette::lipophilicity, 0.75)), "#dcc385");
 }
 
-TEST(Palettes, ARampOfOwnColoursIsOnePerColours) {
-    constexpr std::uint32_t kColors[] = {0xffffff, 0xff0000};
-    const auto ramp = addRamp(kColors);
-    ASSERT_TRUE(ramp);
-    EXPECT_TRUE(isRamp(*ramp));
-    EXPECT_EQ(paletteName(*ramp), "#ffffff:#ff0000");
-    EXPECT_EQ(paletteFromName("#ffffff:#ff0000"), ramp);
-    EXPECT_EQ(addRamp(kColors), ramp);
-    EXPECT_EQ(paletteColor(*ramp, 0), packedColor(0xffffff));
-    EXPECT_EQ(paletteColor(*ramp, 0.5), packedColor(0xff8080));
-    EXPECT_EQ(paletteColor(*ramp, 1), packedColor(0xff0000));
+TEST(Palettes, ARampHasOwnColours) {
+    const AnyPalette ramp = AnyPalette::ramp({0xffffff, 0xff0000});
+    EXPECT_TRUE(isRamp(ramp));
+    EXPECT_EQ(paletteName(ramp), "#ffffff:#ff0000");
+    EXPECT_EQ(AnyPalette::ramp({0xffffff, 0xff0000}), ramp);
+    EXPECT_NE(AnyPalette::ramp({0xffffff, 0x00ff00}), ramp);
+    EXPECT_NE(ramp, Palette::automatic);
+    EXPECT_EQ(paletteColor(ramp, 0), packedColor(0xffffff));
+    EXPECT_EQ(paletteColor(ramp, 0.5), packedColor(0xff8080));
+    EXPECT_EQ(paletteColor(ramp, 1), packedColor(0xff0000));
 }
 
 TEST(Palettes, NamesGoBothWays) {

@@ -285,7 +285,7 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
 }
 
 /// A colouring with the general palette, if its kind fits and it names none itself.
-Coloring withPalette(Coloring coloring, Palette palette) {
+Coloring withPalette(Coloring coloring, const AnyPalette& palette) {
     const PaletteUse use = paletteUse(coloring.scheme);
     const bool fits = palette != Palette::automatic && use == (isRamp(palette) ? PaletteUse::ramp : PaletteUse::kinds);
     if (fits && coloring.palette == Palette::automatic) coloring.palette = palette;

@@ -71,7 +71,7 @@ struct RepresentationOptions {
     Coloring color = ColorScheme::element;
     std::vector<Rule> rules = {};
     std::string assembly = {};              ///< identifier from the file; empty: no assembly
-    Palette palette = Palette::automatic;   ///< for schemes without one of their own, if it is of their kind
+    AnyPalette palette = {};                ///< for schemes without one of their own, if it is of their kind
     bool ownFrame = false;                  ///< the camera frames this model alone, not all models of its file
     std::optional<glm::dvec3> center = {};  ///< of the scene, Å in the file's frame; empty: of what is drawn
     CartoonOptions cartoon = {};
@@ -98,8 +98,8 @@ struct Legend {
     std::string selection;  ///< "all", or the text of the rule's selection
     std::string scheme;     ///< coloringText()
     std::vector<LegendEntry> entries;
-    Palette ramp = Palette::automatic;  ///< palette of the first `stops` entries, which are evenly spaced
-    std::size_t stops = 0;              ///< the other entries are classes
+    AnyPalette ramp = {};    ///< palette of the first `stops` entries, which are evenly spaced
+    std::size_t stops = 0;   ///< the other entries are classes
     std::string title = {};             ///< as a user words it, with the markup of labels; empty: by the scheme
 };
 

@@ -49,7 +49,7 @@ Classes byElement(const Molecule& molecule, std::span<const std::uint32_t> atoms
 /// A chain looks the same in every model. Chains of one model with equal names are distinguished by order; chains of
 /// different molecules always are.
 /// @param before  prefix of a chain's name in the legend
-Classes byChain(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, Palette palette,
+Classes byChain(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const AnyPalette& palette,
                 const std::string& before = "") {
     const Molecule& molecule = facts.molecule();
     std::map<std::pair<int, std::string_view>, int> namesakes;
@@ -71,7 +71,7 @@ Classes byChain(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
 }
 
 /// Without several chains, carbons still have their own colour.
-Classes byChainCarbons(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, Palette palette) {
+Classes byChainCarbons(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const AnyPalette& palette) {
     constexpr Element kCarbon = 6;
     const Molecule& molecule = facts.molecule();
     const Classes elements = byElement(molecule, atoms, 0);
@@ -84,7 +84,7 @@ Classes byChainCarbons(const ResidueFacts& facts, std::span<const std::uint32_t>
     return classes;
 }
 
-Classes byInput(const Molecule& molecule, std::span<const std::uint32_t> atoms, Palette palette) {
+Classes byInput(const Molecule& molecule, std::span<const std::uint32_t> atoms, const AnyPalette& palette) {
     Classes classes;
     for (std::size_t i = 0; i < molecule.inputs.size(); ++i)
         classes.entries.push_back({molecule.inputs[i], kindColor(i, palette)});
@@ -142,7 +142,7 @@ constexpr Hydropathy kHydropathies[] = {{'I', 4.5f},  {'V', 4.2f},  {'L', 3.8f},
                                         {'W', -0.9f}, {'Y', -1.3f}, {'P', -1.6f}, {'H', -3.2f}, {'E', -3.5f},
                                         {'Q', -3.5f}, {'D', -3.5f}, {'N', -3.5f}, {'K', -3.9f}, {'R', -4.5f}};
 
-Classes byHydrophobicity(const Molecule& molecule, std::span<const std::uint32_t> atoms, Palette ramp) {
+Classes byHydrophobicity(const Molecule& molecule, std::span<const std::uint32_t> atoms, const AnyPalette& ramp) {
     bool any = false;
     Classes classes = byResidueName(molecule, atoms, [&](const Name& name) {
         const char letter = aminoAcidLetter(name);
@@ -241,7 +241,7 @@ Classes byConfidence(const Molecule& molecule, std::span<const std::uint32_t> at
     return classes;
 }
 
-Classes byEntity(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, Palette palette) {
+Classes byEntity(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const AnyPalette& palette) {
     const Molecule& molecule = facts.molecule();
     const ResidueEntities entities = residueEntities(facts);
     Classes classes;
@@ -253,7 +253,9 @@ Classes byEntity(const ResidueFacts& facts, std::span<const std::uint32_t> atoms
 
 Classes classesOf(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const Coloring& coloring) {
     const Molecule& molecule = facts.molecule();
-    const auto palette = [&](Palette own) { return coloring.palette == Palette::automatic ? own : coloring.palette; };
+    const auto palette = [&](Palette own) {
+        return coloring.palette == Palette::automatic ? AnyPalette(own) : coloring.palette;
+    };
     switch (coloring.scheme) {
         case ColorScheme::chain:
             return byChain(facts, atoms, palette(kCarbonPalette));

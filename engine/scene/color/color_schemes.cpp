@@ -87,13 +87,13 @@ std::string exactNumber(double value) {
 }
 
 /// The palette that a colouring asks for, else the scheme's own.
-Palette rampOf(const Coloring& coloring, Palette own) {
+AnyPalette rampOf(const Coloring& coloring, Palette own) {
     return coloring.palette == Palette::automatic ? own : coloring.palette;
 }
 
 /// Colours by a number of each atom, the ramp spread over the range.
 template <typename Value>
-ColoredAtoms byNumber(Atoms atoms, Palette ramp, const ColorRange& range, const Value& valueOf) {
+ColoredAtoms byNumber(Atoms atoms, const AnyPalette& ramp, const ColorRange& range, const Value& valueOf) {
     ColoredAtoms result;
     result.ramp = ramp;
     result.colors.reserve(atoms.size());
@@ -246,7 +246,7 @@ ColoredAtoms byTable(const ResidueFacts& facts, Atoms atoms, const Coloring& col
     return result;
 }
 
-ColoredAtoms byRainbow(const ResidueFacts& facts, Atoms atoms, Palette ramp) {
+ColoredAtoms byRainbow(const ResidueFacts& facts, Atoms atoms, const AnyPalette& ramp) {
     const Molecule& molecule = facts.molecule();
     std::vector<std::size_t> lengths(molecule.chains.size()), positions(molecule.residues.size());
     for (std::uint32_t i = 0; i < positions.size(); ++i)
@@ -384,7 +384,7 @@ std::string coloringText(const Coloring& coloring) {
     const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ":") + part; };
     if (coloring.color != 0) add(colorText(coloring.color));
     if (coloring.range) add(exactNumber(coloring.range->first) + ".." + exactNumber(coloring.range->last));
-    if (coloring.palette != Palette::automatic) add(std::string(paletteName(coloring.palette)));
+    if (coloring.palette != Palette::automatic) add(paletteName(coloring.palette));
     return text;
 }
 

@@ -61,7 +61,7 @@ struct ColorTable;
 struct Coloring {
     ColorScheme scheme = ColorScheme::element;
     std::uint32_t color = 0;  ///< packed as in colors.h; for uniform, and for element's carbons (0: the usual one)
-    Palette palette = Palette::automatic;
+    AnyPalette palette = {};
     std::optional<ColorRange> range = {};          ///< of a ramp; empty: automatic
     std::shared_ptr<const ColorTable> table = {};  ///< null: no atom
     std::string source = {};                       ///< what a frontend reads the table from
@@ -94,7 +94,7 @@ struct LegendEntry {
 struct ColoredAtoms {
     std::vector<std::uint32_t> colors;  ///< same length as the atoms
     std::vector<LegendEntry> legend;    ///< classes that occur, or five values along the palette
-    Palette ramp = Palette::automatic;  ///< palette of the first `stops` entries
+    AnyPalette ramp = {};               ///< palette of the first `stops` entries
     std::size_t stops = 0;              ///< entries along the ramp, end to end; classes follow
     std::vector<std::uint32_t> tints;   ///< tint of the copy's colour, per atom; empty: not coloured by copy
     std::string warning;                ///< why the colours mean little here; empty: they do not

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <iterator>
-#include <mutex>
 #include <span>
-#include <vector>
 
 namespace nacre {
 namespace {
@@ -60,36 +57,9 @@ constexpr PaletteEntry kPalettes[] = {
     {Palette::grays, "grays", kGrays},
 };
 
-constexpr std::size_t kFirstRamp = 128;  // as Palette: of those that are added
-static_assert(std::size(kPalettes) < kFirstRamp && kFirstRamp + kMostRamps <= 256);
-
-struct AddedRamp {
-    std::string name;
-    std::vector<std::uint32_t> colors;
-};
-/// A ramp stays where it is once it is added.
-struct AddedRamps {
-    std::mutex mutex;
-    std::array<AddedRamp, kMostRamps> ramps;
-    std::atomic<std::size_t> count{0};
-};
-AddedRamps& addedRamps() {
-    static AddedRamps ramps;
-    return ramps;
-}
-
-/// Call with the lock held.
-std::optional<Palette> addedRamp(const AddedRamps& added, std::string_view name) {
-    for (std::size_t i = 0; i < added.count; ++i)
-        if (added.ramps[i].name == name) return static_cast<Palette>(kFirstRamp + i);
-    return std::nullopt;
-}
-
-PaletteEntry entryOf(Palette palette) {
-    const auto number = static_cast<std::size_t>(palette);
-    if (number < kFirstRamp) return kPalettes[number - 1];
-    const AddedRamp& ramp = addedRamps().ramps[number - kFirstRamp];
-    return {palette, ramp.name, ramp.colors};
+std::span<const std::uint32_t> colorsOf(const AnyPalette& palette) {
+    if (!palette.own.empty()) return palette.own;
+    return kPalettes[static_cast<std::size_t>(palette.named) - 1].colors;
 }
 
 }  // namespace
@@ -105,29 +75,22 @@ std::string colorText(std::uint32_t color) {
 }
 
 std::string_view paletteName(Palette palette) {
-    return palette == Palette::automatic ? std::string_view() : entryOf(palette).name;
+    return palette == Palette::automatic ? std::string_view() : kPalettes[static_cast<std::size_t>(palette) - 1].name;
+}
+
+std::string paletteName(const AnyPalette& palette) {
+    std::string name;
+    for (const std::uint32_t color : palette.own) name += (name.empty() ? "" : ":") + colorText(packedColor(color));
+    return palette.own.empty() ? std::string(paletteName(palette.named)) : name;
 }
 
 std::optional<Palette> paletteFromName(std::string_view name) {
     for (const PaletteEntry& entry : kPalettes)
         if (entry.name == name) return entry.palette;
-    AddedRamps& added = addedRamps();
-    const std::lock_guard lock(added.mutex);
-    return addedRamp(added, name);
+    return std::nullopt;
 }
 
-std::optional<Palette> addRamp(std::span<const std::uint32_t> colors) {
-    std::string name;
-    for (const std::uint32_t color : colors) name += (name.empty() ? "" : ":") + colorText(packedColor(color));
-    AddedRamps& added = addedRamps();
-    const std::lock_guard lock(added.mutex);
-    if (const auto known = addedRamp(added, name)) return known;
-    if (added.count == kMostRamps) return std::nullopt;
-    added.ramps[added.count] = {name, {colors.begin(), colors.end()}};
-    return static_cast<Palette>(kFirstRamp + added.count++);
-}
-
-bool isRamp(Palette palette) { return palette >= Palette::viridis; }
+bool isRamp(const AnyPalette& palette) { return !palette.own.empty() || palette.named >= Palette::viridis; }
 
 std::span<const Palette> allPalettes() {
     static constexpr auto kAll = [] {
@@ -138,8 +101,8 @@ std::span<const Palette> allPalettes() {
     return kAll;
 }
 
-std::uint32_t paletteColor(Palette ramp, double at) {
-    const std::span<const std::uint32_t> stops = entryOf(ramp).colors;
+std::uint32_t paletteColor(const AnyPalette& ramp, double at) {
+    const std::span<const std::uint32_t> stops = colorsOf(ramp);
     const double place = (at > 0 ? std::min(at, 1.0) : 0.0) * static_cast<double>(stops.size() - 1);
     const auto left = std::min(static_cast<std::size_t>(place), stops.size() - 2);
     const double share = place - static_cast<double>(left);
@@ -151,10 +114,10 @@ std::uint32_t paletteColor(Palette ramp, double at) {
     return packedColor(rgb);
 }
 
-std::size_t kindCount(Palette kinds) { return entryOf(kinds).colors.size(); }
+std::size_t kindCount(const AnyPalette& kinds) { return colorsOf(kinds).size(); }
 
-std::uint32_t kindColor(std::size_t kind, Palette kinds) {
-    const std::span<const std::uint32_t> colors = entryOf(kinds).colors;
+std::uint32_t kindColor(std::size_t kind, const AnyPalette& kinds) {
+    const std::span<const std::uint32_t> colors = colorsOf(kinds);
     const std::uint32_t color = packedColor(colors[kind % colors.size()]);
     return kind / colors.size() % 2 == 1 ? darkerColor(color) : color;
 }

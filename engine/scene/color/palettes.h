@@ -8,6 +8,8 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace nacre {
 
@@ -40,26 +42,40 @@ enum class Palette : std::uint8_t {
     grays,          ///< dark to light
 };
 
+constexpr std::size_t kMostRampColors = 16;
+
+/// A palette by name, or a ramp through own colours.
+struct AnyPalette {
+    Palette named = Palette::automatic;
+    std::vector<std::uint32_t> own = {};  ///< two to kMostRampColors, 0xRRGGBB, evenly spaced; empty: the named one
+
+    AnyPalette() = default;
+    AnyPalette(Palette palette) : named(palette) {}
+    static AnyPalette ramp(std::vector<std::uint32_t> colors) {
+        AnyPalette palette;
+        palette.own = std::move(colors);
+        return palette;
+    }
+    friend bool operator==(const AnyPalette&, const AnyPalette&) = default;
+};
+
 /// "okabe-ito"; empty for automatic.
 std::string_view paletteName(Palette palette);
-/// Also knows palettes of addRamp(), by their colours: "#ffffff:#ff0000".
+/// Own colours as text: "#ffffff:#ff0000".
+std::string paletteName(const AnyPalette& palette);
 std::optional<Palette> paletteFromName(std::string_view name);
-constexpr std::size_t kMostRampColors = 16, kMostRamps = 64;
-/// A ramp through some colours, 0xRRGGBB, evenly spaced: the same one for the same colours. Thread-safe.
-/// @param colors  two to kMostRampColors @returns nothing if there are kMostRamps others already
-std::optional<Palette> addRamp(std::span<const std::uint32_t> colors);
 /// Whether it is a ramp, for numbers.
-bool isRamp(Palette palette);
+bool isRamp(const AnyPalette& palette);
 /// All except automatic, in order.
 std::span<const Palette> allPalettes();
 
 /// Colour at 0..1 along a ramp; values outside are clamped, NaN counts as 0.
-std::uint32_t paletteColor(Palette ramp, double at);
+std::uint32_t paletteColor(const AnyPalette& ramp, double at);
 
 /// Number of colours in a palette of classes before it repeats in darker tones.
-std::size_t kindCount(Palette kinds);
+std::size_t kindCount(const AnyPalette& kinds);
 /// The nth class colour: first the palette, then the same darker, then repeated.
-std::uint32_t kindColor(std::size_t kind, Palette kinds = Palette::okabeIto);
+std::uint32_t kindColor(std::size_t kind, const AnyPalette& kinds = Palette::okabeIto);
 
 /// The same colour at three quarters of its sRGB values.
 std::uint32_t darkerColor(std::uint32_t color);

@@ -38,12 +38,13 @@ std::string numberOf(double value) {
 
 }  // namespace
 
-ValueColors::ValueColors(const ValueColoring& coloring, std::span<const double> values, Palette ramp, bool signs)
+ValueColors::ValueColors(const ValueColoring& coloring, std::span<const double> values, const AnyPalette& ramp,
+                         bool signs)
     : range_(coloring.range ? *coloring.range : usualRange({values.begin(), values.end()}, signs)),
       palette_(coloring.palette),
       tint_(coloring.tint) {
     if (palette_ == Palette::automatic)
-        palette_ = signs && range_.first * range_.last < 0 ? Palette::redWhiteBlue : ramp;
+        palette_ = signs && range_.first * range_.last < 0 ? AnyPalette(Palette::redWhiteBlue) : ramp;
 }
 
 std::uint32_t ValueColors::stepOf(double value) const {

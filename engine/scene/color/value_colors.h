@@ -17,7 +17,7 @@ struct ValueColoring {
     const DensityMap* map = nullptr;
     std::string name = {};  ///< of the map, for the legend
     /// automatic: red, white and blue where the range goes to either side of 0; else the one that a caller names
-    Palette palette = Palette::automatic;
+    AnyPalette palette = {};
     /// Empty: from the 2nd to the 98th percentile of the values that are met; the same to either side of 0 if they
     /// have both signs.
     std::optional<ColorRange> range = {};
@@ -32,20 +32,21 @@ public:
     /// @param values  those that are to be coloured: not a number where nothing is known
     /// @param ramp    where the coloring names none, and the range has one sign
     /// @param signs   whether a range of both signs is treated apart
-    ValueColors(const ValueColoring& coloring, std::span<const double> values, Palette ramp, bool signs = true);
+    ValueColors(const ValueColoring& coloring, std::span<const double> values, const AnyPalette& ramp,
+                bool signs = true);
 
     std::uint32_t stepOf(double value) const;
     /// @param otherwise  of no value
     std::uint32_t colorOf(std::uint32_t step, std::uint32_t otherwise) const;
     const ColorRange& range() const { return range_; }
-    Palette palette() const { return palette_; }
+    const AnyPalette& palette() const { return palette_; }
     Legend legend(const std::string& name) const;
 
 private:
     std::uint32_t colorAt(double share) const;
 
     ColorRange range_;
-    Palette palette_ = Palette::viridis;
+    AnyPalette palette_;
     std::uint32_t tint_ = 0;
 };
 
