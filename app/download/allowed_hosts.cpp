@@ -50,6 +50,23 @@ bool isPublic6(const std::uint8_t* bytes) {
     return first >> 29 == 1 && !teredo && !sixToFour && !documents;
 }
 
+/// Whether a host is a domain, or in it.
+bool isBelow(std::string_view host, std::string_view domain) {
+    return host == domain || (host.size() > domain.size() && host.ends_with(domain) &&
+                              host[host.size() - domain.size() - 1] == '.');
+}
+
+/// Host and port of an address, in lower case. Empty: not one that scenes may name.
+std::string placeOf(const std::string& url) {
+    const std::size_t first = url.starts_with("https://") ? 8 : 7;
+    if (first == 7 && !url.starts_with("http://")) return {};
+    const std::string place =
+        lowerCase(url.substr(first, std::min(url.find_first_of("/?#", first), url.size()) - first));
+    // One reading alone: no user, no brackets, nothing that a library might decode.
+    const bool plain = place.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789.-:") == std::string::npos;
+    return plain ? place : std::string();
+}
+
 }  // namespace
 
 bool isPublic(const sockaddr& address) {
@@ -64,24 +81,33 @@ bool isPublic(const sockaddr& address) {
     return isPublic6(six.sin6_addr.s6_addr);
 }
 
+std::string hostOf(const std::string& url) {
+    const std::string place = placeOf(url);
+    return place.substr(0, place.find(':'));
+}
+
+bool isWithoutProxy(const std::string& host, const std::string& list) {
+    for (std::size_t at = 0; at < list.size();) {
+        const std::size_t end = std::min(list.find_first_of(", ", at), list.size());
+        std::string name = lowerCase(list.substr(at, end - at));
+        at = end + 1;
+        if (name == "*") return true;
+        if (name.starts_with('.')) name.erase(0, 1);
+        if (!name.empty() && isBelow(host, name)) return true;
+    }
+    return false;
+}
+
 HostRule hostRule(const std::string& url, const std::vector<std::string>& named) {
     const bool secure = url.starts_with("https://");
-    if (!secure && !url.starts_with("http://")) return HostRule::refused;
-    const std::size_t first = secure ? 8 : 7;
-    const std::string place =
-        lowerCase(url.substr(first, std::min(url.find_first_of("/?#", first), url.size()) - first));
-    // One reading alone: no user, no brackets, nothing that a library might decode.
-    if (place.empty() || place.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789.-:") != std::string::npos)
-        return HostRule::refused;
-    const std::string host = place.substr(0, place.find(':'));
+    const std::string place = placeOf(url), host = hostOf(url);
+    if (host.empty()) return HostRule::refused;
     const auto isNamed = [&](const std::string& one) { return lowerCase(one) == place || lowerCase(one) == host; };
     if (std::ranges::any_of(named, isNamed)) return HostRule::named;
     const std::string port = place.substr(host.size());
     if (!port.empty() && port != (secure ? ":443" : ":80")) return HostRule::refused;
-    const bool known = std::ranges::any_of(kDatabases, [&](std::string_view database) {
-        return host == database || (host.size() > database.size() && host.ends_with(database) &&
-                                    host[host.size() - database.size() - 1] == '.');
-    });
+    const bool known =
+        std::ranges::any_of(kDatabases, [&](std::string_view database) { return isBelow(host, database); });
     return known ? HostRule::database : HostRule::refused;
 }
 

@@ -8,6 +8,11 @@ struct sockaddr;
 
 namespace nacre::app {
 
+/// Host of an http or https address, in lower case, without its port. Empty: not one that scenes may name.
+std::string hostOf(const std::string& url);
+/// Whether a list as in the environment's no_proxy names a host: "example.org,.lan,127.0.0.1" or "*".
+bool isWithoutProxy(const std::string& host, const std::string& list);
+
 /// Whether an address is one of the public internet: not loopback, private, link-local, multicast or reserved.
 bool isPublic(const sockaddr& address);
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -140,11 +141,24 @@ curl_socket_t openPublic(void*, curlsocktype, curl_sockaddr* address) {
     return isPublic(address->addr) ? ::socket(address->family, address->socktype, address->protocol) : CURL_SOCKET_BAD;
 }
 
-/// Whether the environment names a proxy. libcurl then connects to the proxy, which may have a private address.
-bool hasProxy() {
-    for (const char* name : {"http_proxy", "https_proxy", "HTTPS_PROXY", "all_proxy", "ALL_PROXY"})
-        if (const char* value = std::getenv(name); value && *value) return true;
-    return false;
+/// The first of some environment variables that has a value.
+std::string environmentOf(std::initializer_list<const char*> names) {
+    for (const char* name : names)
+        if (const char* value = std::getenv(name); value && *value) return value;
+    return {};
+}
+
+/// Only public addresses are connected to, or the environment's proxy for this address, which may have a private one.
+/// libcurl's own choice between the two is not known when a connection is opened, so it is made here.
+void keepPublic(CURL* handle, const std::string& url) {
+    const std::string proxy = url.starts_with("https:")
+                                  ? environmentOf({"https_proxy", "HTTPS_PROXY", "all_proxy", "ALL_PROXY"})
+                                  : environmentOf({"http_proxy", "all_proxy", "ALL_PROXY"});
+    const bool direct = proxy.empty() || isWithoutProxy(hostOf(url), environmentOf({"no_proxy", "NO_PROXY"}));
+    const auto set = curlLibrary().setOption;
+    set(handle, CURLOPT_PROXY, direct ? "" : proxy.c_str());  // empty: none, whatever the environment says
+    set(handle, CURLOPT_NOPROXY, "");                         // no exceptions
+    if (direct) set(handle, CURLOPT_OPENSOCKETFUNCTION, &openPublic);
 }
 
 /// A wheel brings Debian's libcurl, which looks for certificates in Debian's place. @returns their file on other
@@ -175,7 +189,7 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
     set(handle, CURLOPT_ERRORBUFFER, message);
     set(handle, CURLOPT_WRITEFUNCTION, &receive);
     set(handle, CURLOPT_WRITEDATA, &transfer);
-    if (limits.publicAlone && !hasProxy()) set(handle, CURLOPT_OPENSOCKETFUNCTION, &openPublic);
+    if (limits.publicAlone) keepPublic(handle, url);
     const std::string certificates = limits.certificates.empty() ? certificatesElsewhere() : limits.certificates;
     if (!certificates.empty()) set(handle, CURLOPT_CAINFO, certificates.c_str());  // which libcurl copies
 }

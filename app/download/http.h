@@ -15,7 +15,7 @@ struct HttpLimits {
     std::chrono::seconds patience{30};      ///< to connect, and for transfers slower than slowestBytesPerSecond
     long slowestBytesPerSecond = 100;       ///< on average over `patience`
     long redirects = 5;                     ///< maximum in sequence; https stays https, http stays http
-    bool publicAlone = false;  ///< no loopback and no private address, unless a proxy of the environment decides
+    bool publicAlone = false;  ///< no loopback and no private address, except that of a proxy of the environment
     std::string certificates;  ///< file of trusted certificates (PEM) instead of the system's
 };
 

@@ -75,5 +75,14 @@ TEST(AllowedHosts, DatabasesAndNamedHosts) {
     EXPECT_EQ(hostRule("http://mirror.lan/a", {"mirror.lan:8080"}), HostRule::refused);
 }
 
+TEST(AllowedHosts, ProxiesHaveExceptions) {
+    for (const char* list : {"*", "files.rcsb.org", "rcsb.org", ".rcsb.org", "lan, RCSB.org", "a,b c,rcsb.org"})
+        EXPECT_TRUE(isWithoutProxy("files.rcsb.org", list)) << list;
+    for (const char* list : {"", ",", ".", "evilrcsb.org", "csb.org", "www.rcsb.org", "files.rcsb.org.evil", "**"})
+        EXPECT_FALSE(isWithoutProxy("files.rcsb.org", list)) << list;
+    EXPECT_EQ(hostOf("HTTPS://x/"), "");
+    EXPECT_EQ(hostOf("https://Files.rcsb.org:443/x:y"), "files.rcsb.org");
+}
+
 }  // namespace
 }  // namespace nacre::app

@@ -2,7 +2,10 @@
 add_test(NAME serve COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/serve_test.py $<TARGET_FILE:nacre-cli>)
 add_test(NAME serve/attack COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/attack_test.py
                                    $<TARGET_FILE:nacre-cli>)
-add_test(NAME serve/files COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/files_test.py $<TARGET_FILE:nacre-cli>)
+add_library(nacre_resolve_here SHARED serve/resolve_here.cpp)
+target_link_libraries(nacre_resolve_here PRIVATE ${CMAKE_DL_LIBS})
+add_test(NAME serve/files COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/files_test.py $<TARGET_FILE:nacre-cli>
+                                  $<TARGET_FILE:nacre_resolve_here>)
 add_test(NAME serve/page COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/page_test.py $<TARGET_FILE:nacre-cli>)
 add_test(NAME serve/load COMMAND ${Python_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/load_test.py $<TARGET_FILE:nacre-cli>
                                  ${fault_layer_folder})
