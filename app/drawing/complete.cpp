@@ -63,6 +63,7 @@ bool takeInput(PictureDescription& picture) {
 }
 
 void takeMap(PictureDescription& picture) {
+    if (picture.input.opened) return;
     const std::string path = filePathOf(picture.input);
     std::vector<std::string>& files = picture.maps.files;
     std::error_code error;
@@ -163,6 +164,11 @@ void checkFormat(const PictureDescription& picture) {
 }
 
 void completePicture(PictureDescription& picture) {
+    completeUnwritten(picture);
+    checkFiles(picture);
+}
+
+void completeUnwritten(PictureDescription& picture) {
     if (!takeInput(picture)) throw UsageError("INPUT is required: a file, pdb:1BNA, or sample:dna");
     takeMap(picture);
     checkFrames(picture);
@@ -171,7 +177,6 @@ void completePicture(PictureDescription& picture) {
     takePaper(picture);
     checkFormat(picture);
     checkSize(picture);
-    checkFiles(picture);
 }
 
 PictureDescription withWholePaths(PictureDescription picture) {

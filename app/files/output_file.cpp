@@ -17,6 +17,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "app/files/unnamed_file.h"
 #include "engine/error.h"
 #include "engine/storage/plain_file.h"
 
@@ -40,15 +41,14 @@ std::array<std::array<char, 4096>, kMostRemembered> unfinished{};
 std::mutex unfinishedTurn;  // of those that write to it; the handler only reads
 
 extern "C" void removeUnfinished(int signal) {
-    for (const auto& name : unfinished)
-        if (name[0] != '\0') unlink(name.data());
+    removeUnfinishedFiles();
     std::signal(signal, SIG_DFL);
     std::raise(signal);
 }
 
 void remember(const std::string& temporary) {
     removeUnfinishedOnSignals();
-    std::signal(SIGXFSZ, SIG_IGN);  // over a limit on file sizes, writing fails like on a full disk
+    failOverFileSize();
     const std::lock_guard turn(unfinishedTurn);
     for (auto& name : unfinished)
         if (name[0] == '\0' && temporary.size() < name.size()) {
@@ -137,6 +137,11 @@ bool sameFile(const NamedFile& a, const NamedFile& b) {
 }
 
 }  // namespace
+
+void removeUnfinishedFiles() {
+    for (const auto& name : unfinished)
+        if (name[0] != '\0') unlink(name.data());
+}
 
 void removeUnfinishedOnSignals() {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXCPU})

@@ -47,6 +47,9 @@ private:
 /// first OutputFile also sets this up.
 void removeUnfinishedOnSignals();
 
+/// Removes the temporary files that are being written. Their writers fail.
+void removeUnfinishedFiles();
+
 /// Extension in lower case, with the dot; empty if there is none.
 std::string extensionOf(const std::string& path);
 

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -49,8 +50,17 @@ std::string pathOfDescriptor(int descriptor) {
 #endif
 }
 
+void failOverFileSize() {
+    static const bool once = [] {
+        struct sigaction now {};
+        if (sigaction(SIGXFSZ, nullptr, &now) == 0 && now.sa_handler == SIG_DFL) std::signal(SIGXFSZ, SIG_IGN);
+        return true;
+    }();
+    static_cast<void>(once);
+}
+
 UnnamedFile::UnnamedFile(Place place) : file_(place == Place::memory ? fileInMemory() : -1) {
-    std::signal(SIGXFSZ, SIG_IGN);  // over a limit on file sizes, writing fails like on a full disk
+    failOverFileSize();
     if (file_ < 0) file_ = unlinkedFile();
     if (file_ < 0) failToHold();
 }
@@ -79,6 +89,12 @@ std::size_t UnnamedFile::read(std::uint64_t at, char* to, std::size_t count) con
         if (got >= 0) return static_cast<std::size_t>(got);
         if (errno != EINTR) failToHold();
     }
+}
+
+void UnnamedFile::eachPiece(const std::function<void(std::string_view)>& take) const {
+    std::array<char, 1 << 16> piece;
+    std::uint64_t at = 0;
+    for (std::size_t got; (got = read(at, piece.data(), piece.size())) > 0; at += got) take({piece.data(), got});
 }
 
 std::string UnnamedFile::bytes() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,9 @@ namespace nacre::app {
 
 /// A path under which this process opens the file of a descriptor anew.
 std::string pathOfDescriptor(int descriptor);
+
+/// Over a limit on file sizes, writing then fails like on a full disk, where SIGXFSZ would end the program.
+void failOverFileSize();
 
 /// A file without a name: nobody else finds it, and it is gone with this object, however the process ends.
 class UnnamedFile {
@@ -32,6 +36,8 @@ public:
     std::size_t read(std::uint64_t at, char* to, std::size_t count) const;
     /// All of it. @throws Error
     std::string bytes() const;
+    /// All of it, piece by piece. @throws Error
+    void eachPiece(const std::function<void(std::string_view)>& take) const;
 
 private:
     int file_;

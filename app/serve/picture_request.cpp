@@ -197,7 +197,7 @@ PictureRequest pictureRequest(const Query& query, const UnnamedFile* body, const
         d.input.sceneFiles = !body && d.input.opened && d.input.opened->hasFolder();
         d.occlusion.megabytes = options.picture.occlusion.megabytes;
         d.device = options.picture.device;
-        completePicture(d);
+        completeUnwritten(d);
         checkSize(d, kMostServedSamples);
         request.molecule = moleculeKey(d);
         request.identity = printed(d, false) + request.molecule + "\n" + d.output;

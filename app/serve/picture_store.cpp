@@ -4,10 +4,19 @@
 
 #include <cstdio>
 
+#include "app/files/unnamed_file.h"
+
 namespace nacre::app {
 namespace {
 
 constexpr const char* kPrefix = "picture-";
+
+std::string digitsOf(const XXH128_hash_t& hash) {
+    char text[33];
+    std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                  static_cast<unsigned long long>(hash.low64));
+    return text;
+}
 
 /// Head of an entry: the picture's name, length and hash. Its size depends on the name alone.
 std::string headOf(const std::string& name, std::string_view picture) {
@@ -18,12 +27,13 @@ std::string headOf(const std::string& name, std::string_view picture) {
 
 }  // namespace
 
-std::string contentKey(std::string_view bytes) {
-    const XXH128_hash_t hash = XXH3_128bits(bytes.data(), bytes.size());
-    char text[33];
-    std::snprintf(text, sizeof text, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
-                  static_cast<unsigned long long>(hash.low64));
-    return text;
+std::string contentKey(std::string_view bytes) { return digitsOf(XXH3_128bits(bytes.data(), bytes.size())); }
+
+std::string contentKey(const UnnamedFile& file) {
+    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
+    XXH3_128bits_reset(state.get());
+    file.eachPiece([&](std::string_view piece) { XXH3_128bits_update(state.get(), piece.data(), piece.size()); });
+    return digitsOf(XXH3_128bits_digest(state.get()));
 }
 
 PictureStore::PictureStore(std::string folder, std::uint64_t bytes)

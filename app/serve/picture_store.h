@@ -15,8 +15,12 @@
 
 namespace nacre::app {
 
+class UnnamedFile;
+
 /// Key of some bytes: 32 hexadecimal digits of their XXH3.
 std::string contentKey(std::string_view bytes);
+/// Of a file's bytes. @throws Error
+std::string contentKey(const UnnamedFile& file);
 
 class PictureStore {
 public:

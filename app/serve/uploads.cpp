@@ -10,8 +10,8 @@
 namespace nacre::app {
 
 std::string Uploads::keep(const UnnamedFile& body) {
-    const std::string bytes = body.bytes();
-    std::string name = std::string(kPrefix) + contentKey(bytes);
+    const std::uint64_t bytes = body.size();
+    std::string name = std::string(kPrefix) + contentKey(body);
     const std::lock_guard lock(turn_);
     const auto known = std::ranges::find_if(kept_, [&](const Kept& one) { return one.file->name() == name; });
     if (known != kept_.end()) {
@@ -20,12 +20,12 @@ std::string Uploads::keep(const UnnamedFile& body) {
     }
     try {
         UnnamedFile file(UnnamedFile::Place::disk);
-        file.append(bytes);
-        kept_.push_back({OpenedFile::of(name, file), bytes.size()});
+        body.eachPiece([&](std::string_view piece) { file.append(piece); });
+        kept_.push_back({OpenedFile::of(name, file), bytes});
     } catch (const Error&) {
         throw Problem(503, "no room for the structure");
     }
-    bytes_ += bytes.size();
+    bytes_ += bytes;
     while (kept_.size() > kMost || bytes_ > kMostBytes) {
         bytes_ -= kept_.front().bytes;
         kept_.pop_front();

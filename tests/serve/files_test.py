@@ -1,21 +1,72 @@
-"""`nacre serve` and files: what its caches go by, and what it leaves or follows on disk. files_test.py PROGRAM"""
+"""`nacre serve` and files: what its caches go by, what it leaves or follows on disk, and where it downloads from.
+files_test.py PROGRAM RESOLVE_HERE"""
 import concurrent.futures
+import contextlib
+import ctypes
 import io
 import json
 import os
 import pathlib
 import resource
+import signal
 import socket
+import struct
+import subprocess
 import sys
 import threading
 import time
 import unittest
 import zipfile
 
-from served import PDB, ServedTest, Server, scene
+from served import PDB, ROOM, Client, ServedTest, Server, scene
 
-PROGRAM = sys.argv.pop(1)
+PROGRAM, RESOLVE_HERE = sys.argv.pop(1), sys.argv.pop(1)
 MOVED = PDB.replace("2.390", "4.390")
+
+
+@contextlib.contextmanager
+def listening():
+    """A web server that answers everything with a structure. -> its port, and the first lines of the requests so far"""
+    heard = []
+
+    def answer(door):
+        while True:
+            try:
+                client, _ = door.accept()
+            except OSError:
+                return
+            heard.append(client.recv(4096).decode("latin-1").partition("\r\n")[0])
+            client.sendall(f"HTTP/1.1 200 OK\r\nContent-Length: {len(PDB)}\r\nConnection: close\r\n\r\n{PDB}".encode())
+            client.close()
+
+    with socket.create_server(("127.0.0.1", 0)) as door:
+        thread = threading.Thread(target=answer, args=(door,), daemon=True)
+        thread.start()
+        yield door.getsockname()[1], heard
+        door.shutdown(socket.SHUT_RDWR)
+        thread.join()
+
+
+class NewNames:
+    """Names that appear in a folder, by inotify."""
+
+    def __init__(self, folder):
+        libc = ctypes.CDLL(None, use_errno=True)
+        self.file = libc.inotify_init1(os.O_NONBLOCK | os.O_CLOEXEC)
+        in_create, in_moved_to = 0x100, 0x80
+        assert libc.inotify_add_watch(self.file, os.fsencode(folder), in_create | in_moved_to) >= 0, os.strerror(ctypes.get_errno())
+
+    def since(self):
+        """Those since the last call."""
+        names, head = [], struct.Struct("iIII")
+        with contextlib.suppress(BlockingIOError):
+            while data := os.read(self.file, 65536):
+                at = 0
+                while at < len(data):
+                    length = head.unpack_from(data, at)[3]
+                    names.append(os.fsdecode(data[at + head.size:at + head.size + length].rstrip(b"\0")))
+                    at += head.size + length
+        return names
 
 
 class FilesTest(ServedTest):
@@ -171,28 +222,60 @@ class FilesTest(ServedTest):
         self.assertEqual(server.ask("picture?input=sample:glucose&size=32x32")[0], 200)
         self.assertEqual(server.stop(), 0)
 
-    def test_a_worker_gives_up_a_scene_in_time(self):
-        """Between two nodes; a server that is asked to end does not wait for it either."""
-        (self.root / "many").mkdir()
-        (self.root / "many/helix.pdb").write_text("".join(
+    def slow_scene(self, structures, components, selectors):
+        """One of many steps: each component looks for so many residues among 60,000. -> its name below the root"""
+        folder = self.root / "many"
+        folder.mkdir(exist_ok=True)
+        (folder / "helix.pdb").write_text("".join(
             f"ATOM  {n % 100000:5}  CA  ALA A{n % 10000:4}    {n % 50 * 4:8.3f}{n // 50 % 50 * 4:8.3f}{n // 2500 * 4:8.3f}  1.00  0.00           C\n"
             for n in range(60000)))
         component = {"kind": "component", "params": {"selector": "all"}, "children": [
             {"kind": "representation", "params": {"type": "ball_and_stick"}, "children": [
-                {"kind": "color", "params": {"color": "red", "selector": [{"label_seq_id": k} for k in range(2000)]}}]}]}
-        node = {"kind": "structure", "params": {"type": "model"}, "children": [component] * 300}
+                {"kind": "color", "params": {"color": "red", "selector": [{"label_seq_id": k} for k in range(selectors)]}}]}]}
+        nodes = [{"kind": "structure", "params": {"type": "model"}, "children": [component] * components}] * structures
         for kind, params in (("parse", {"format": "pdb"}), ("download", {"url": "helix.pdb"}), ("root", {})):
-            node = {"kind": kind, "params": params, "children": [node]}
-        (self.root / "many/slow.mvsj").write_text(json.dumps({"root": node, "metadata": {"version": "1", "timestamp": "2026-01-01T00:00:00Z"}}))
+            nodes = [{"kind": kind, "params": params, "children": nodes}]
+        name = f"many/{structures}-{components}.mvsj"
+        (self.root / name).write_text(json.dumps({"root": nodes[0], "metadata": {"version": "1", "timestamp": "2026-01-01T00:00:00Z"}}))
+        return name
+
+    def test_a_worker_gives_up_a_scene_in_time(self):
+        """Between two nodes; a server that is asked to end does not wait for it either."""
+        name = self.slow_scene(1, 300, 2000)
         server = Server(PROGRAM, self.folder, "--root", str(self.root), "--jobs", "1", "--timeout", "3")
         self.addCleanup(server.process.kill)
-        self.assertEqual(server.ask("picture?size=32x32&input=many/slow.mvsj")[0], 503)
+        self.assertEqual(server.ask(f"picture?size=32x32&input={name}")[0], 503)
         for _ in range(20):  # the worker is between two nodes
             status = server.ask("picture?input=sample:glucose&size=32x32")[0]
             if status == 200:
                 break
         self.assertEqual(status, 200)
         self.assertEqual(server.stop(), 0)
+
+    def test_stopping_gives_up_what_does_not_end(self):
+        """A picture of minutes, in steps of many seconds, and another that waits for it."""
+        name = self.slow_scene(12, 1, 30000)
+        place = self.folder / "stopped"
+        place.mkdir()
+        server = Server(PROGRAM, self.folder, "--root", str(self.root), "--jobs", "1", "--timeout", "600", TMPDIR=str(place))
+        self.addCleanup(server.process.kill)
+        clients = [Client(server.port, 600).send(f"GET /picture?size=32x32&input={name} {ROOM}\r\n")]
+        while server.cpu_seconds() < 3:
+            time.sleep(0.1)
+        clients.append(Client(server.port, 600).send(f"GET /picture?size=32x32&input=one/gly.pdb {ROOM}\r\n"))
+        while server.metric("nacre_waiting_requests") < 1:
+            time.sleep(0.1)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        server.process.send_signal(signal.SIGTERM)
+        said = server.process.stderr.read()
+        self.assertEqual(server.process.wait(60), 0)
+        server.process.stderr.close()
+        self.assertIn("stopped while pictures were still drawn", said)
+        for client in clients:
+            self.assertNotIn(b"200 OK", client.rest())
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.assertLess(used.ru_utime + used.ru_stime - before.ru_utime - before.ru_stime, 60)  # all of its run
+        self.assertEqual(self.left(place), [])
 
     def left(self, place):
         """Files of a folder for temporary ones."""
@@ -228,19 +311,79 @@ class FilesTest(ServedTest):
         server.process.wait()
         self.assertEqual(self.left(place), [])
 
-    def test_no_planted_link_is_followed(self):
+    def test_no_name_can_be_planted(self):
+        """The server makes no name in a folder that others may write to, where a link could wait for it."""
         place = self.folder / "shared"
         place.mkdir()
-        server = Server(PROGRAM, self.folder, TMPDIR=str(place))
+        watch = NewNames(place)
+        subprocess.run([PROGRAM, "render", "sample:glucose", "--size", "16x16", "-o", "-"], stdout=subprocess.DEVNULL, check=True,
+                       env=os.environ | {"TMPDIR": str(place)})
+        self.assertNotEqual(watch.since(), [])  # of the command line; it is a random one
+        packed = io.BytesIO()
+        with zipfile.ZipFile(packed, "w") as out:
+            out.writestr("index.mvsj", scene("gly.pdb"))
+            out.writestr("gly.pdb", PDB)
+        models = "".join(f"MODEL {n + 1}\n{PDB.replace('END', 'ENDMDL')}" for n in range(3))
+        server = Server(PROGRAM, self.folder, "--root", str(self.root), TMPDIR=str(place))
         self.addCleanup(server.process.kill)
-        victim = self.folder / "victim"
-        victim.write_text("mine")
-        for number in range(1, 9):
-            (place / f"nacre-serve-{server.process.pid}-{number}.png").symlink_to(victim)
-        for zoom in (1, 2):
-            self.assertEqual(server.ask(f"picture?input=sample:glucose&size=32x32&zoom={zoom}")[0], 200)
-        self.assertEqual(victim.read_text(), "mine")
+        for format in ("png", "jpg", "webp", "tif", "exr"):
+            for data in (None, PDB.encode(), packed.getvalue(), models.encode()):
+                given = "" if data else "&input=one/gly.pdb"
+                self.assertEqual(server.ask(f"picture?size=32x32&format={format}{given}", data)[0], 200)
+        stored = json.loads(server.ask("structures", PDB.encode())[2])["input"]
+        self.assertEqual(server.ask(f"picture?size=32x32&input={stored}")[0], 200)
+        self.assertEqual(server.ask(f"info?input={stored}")[0], 200)
         self.assertEqual(server.stop(), 0)
+        self.assertEqual(watch.since(), [])
+
+    def test_no_picture_is_a_file(self):
+        """Nor is it compared with files of its name, where the server was started."""
+        (self.root / "picture.jpg").write_text(PDB)
+        server = Server(PROGRAM, self.folder, "--root", str(self.root), prepare=lambda: os.chdir(self.root))
+        self.addCleanup(server.process.kill)
+        status, _, body = server.ask("picture?size=32x32&input=picture.jpg&format=jpg")
+        self.assertEqual(status, 200, body)
+        self.assertEqual((self.root / "picture.jpg").read_text(), PDB)
+        self.assertEqual(server.stop(), 0)
+
+    def test_an_upload_takes_no_memory_twice(self):
+        server = Server(PROGRAM, self.folder)
+        self.addCleanup(server.process.kill)
+
+        def peak():
+            return int(pathlib.Path(f"/proc/{server.process.pid}/status").read_text().split("VmHWM:")[1].split()[0]) << 10
+        server.ask("structures", PDB.encode())
+        before = peak()
+        self.assertEqual(server.ask("structures", PDB.encode() + bytes(60 << 20))[0], 200)
+        self.assertLess(peak() - before, 30 << 20)
+        self.assertEqual(server.stop(), 0)
+
+    @unittest.skipIf(os.environ.get("NACRE_SANITIZED"), "libraries cannot be preloaded")
+    def test_a_database_name_leads_to_no_private_address(self):
+        """files.rcsb.org is 127.0.0.1 here. Whatever proxies there are, only one that is asked for it is connected to."""
+        body = scene("http://files.rcsb.org/a.pdb").encode()
+        with listening() as (port, heard), listening() as (proxy_port, asked):
+            proxy = f"http://127.0.0.1:{proxy_port}"
+
+            def status(*options, **environment):
+                server = Server(PROGRAM, self.folder, "--allow-download", "--cache", "off", *options, LD_PRELOAD=RESOLVE_HERE,
+                                NACRE_TEST_PORT=str(port), **environment)
+                self.addCleanup(server.process.kill)
+                answer = server.ask("picture?size=32x32", body)[0]
+                self.assertEqual(server.stop(), 0)
+                return answer
+
+            for environment in ({}, {"https_proxy": proxy}, {"HTTP_PROXY": proxy}, {"http_proxy": proxy, "no_proxy": "rcsb.org"},
+                                {"http_proxy": proxy, "NO_PROXY": "*"}, {"all_proxy": proxy, "no_proxy": "localhost,.rcsb.org"},
+                                {"ALL_PROXY": proxy, "no_proxy": "files.rcsb.org"}):
+                self.assertEqual(status(**environment), 422, environment)
+                self.assertEqual((heard, asked), ([], []), environment)
+            for environment in ({"http_proxy": proxy}, {"all_proxy": proxy, "no_proxy": "csb.org"}, {"ALL_PROXY": proxy}):
+                self.assertEqual(status(**environment), 200, environment)
+                self.assertEqual((heard, asked), ([], ["GET http://files.rcsb.org/a.pdb HTTP/1.1"]), environment)
+                asked.clear()
+            self.assertEqual(status("--allow-host", "files.rcsb.org"), 200)
+            self.assertEqual(heard, ["GET /a.pdb HTTP/1.1"])
 
 
 if __name__ == "__main__":
