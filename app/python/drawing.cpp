@@ -61,6 +61,7 @@ public:
         checkNotForked();  // before any lock, which a vanished thread may hold
         if (!colors.atoms.empty()) checkCount(colors, structure.molecule->atoms.size());
         const std::lock_guard its(structure.kept->turn);
+        checkInterrupt();
         app::Drawing& drawing = structure.kept->drawing;
         if (!(structure.kept->colors == colors)) {
             drawing.forget();
@@ -72,8 +73,10 @@ public:
         const auto check = [](double) { checkInterrupt(); };
         app::loadMaps(request, check);
         drawing.prepare(*structure.molecule, request);  // in parallel with other threads
+        checkInterrupt();
         drawing.settings.occlusion.onProgress = check;
         const std::lock_guard lock(turn_);
+        checkInterrupt();
         const auto key = deviceKey(request.device);
         if (!canvas_ || key_ != key || canvas_->isLost()) {
             canvas_.reset();
@@ -271,6 +274,7 @@ std::vector<std::string> save(const Structure& structure, const std::string& pat
     checkName("save()", path, app::isPictureName(path), app::pictureEndings());
     app::OutputFile file(path);
     const Drawn drawn = drawAs(path, false, structure, options, colors);
+    checkInterrupt();
     if (drawn.codes)
         app::writePicture(file, *drawn.codes, drawn.format.dpi);
     else

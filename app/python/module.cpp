@@ -5,8 +5,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cstring>
 
 #include "app/download/load_molecule.h"
@@ -18,7 +16,6 @@
 #include "app/python/interrupt.h"
 #include "app/python/pickled.h"
 #include "engine/error.h"
-#include "engine/milliseconds.h"
 #include "engine/molecule/bonds/bonds.h"
 #include "engine/molecule/chemistry/chemistry.h"
 #include "engine/molecule/element.h"
@@ -27,16 +24,6 @@
 namespace py = pybind11;
 
 namespace nacre::python {
-
-void checkInterrupt() {
-    constexpr std::chrono::milliseconds kBetween(50);  // the lock may be another thread's
-    static std::atomic<Clock::duration> last{Clock::duration{}};
-    const Clock::duration now = Clock::now().time_since_epoch();
-    if (now - last.load() < kBetween) return;
-    last = now;
-    const pybind11::gil_scoped_acquire lock;
-    if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
-}
 
 namespace {
 
@@ -299,11 +286,12 @@ void addReading(py::module_& m) {
         .def("__len__", &Frames::count)
         .def("at", [](const Frames& frames, std::uint64_t frame) { return freely([&] { return frames.at(frame); }); });
     m.def("open_inputs", [](const std::vector<std::string>& inputs, const std::string& options) {
-        return freely([&] { return openInputs(inputs, options); });
+        return interruptible([inputs, options] { return openInputs(inputs, options); });
     });
     m.def("open_bytes", [](const std::string& name, const py::bytes& bytes, const std::string& options) {
-        std::string text = bytes;
-        return freely([&] { return openBytes(name, std::move(text), options); });
+        return interruptible([name, text = std::string(bytes), options]() mutable {
+            return openBytes(name, std::move(text), options);
+        });
     });
     m.def("from_arrays",
           [](const Floats& positions, const std::vector<std::string>& elements, const std::optional<Integers>& bonds,
@@ -330,12 +318,12 @@ void addDrawing(py::module_& m) {
         .def_static("of_values", &colorsOfValues);
     m.def("density_map", &keepDensity);
     m.def("render", [](const Structure& s, const std::string& options, const Colors& colors) {
-        Drawn drawn = freely([&] { return draw(s, options, colors); });
+        Drawn drawn = interruptible([s, options, colors] { return draw(s, options, colors); });
         std::vector<std::string> warnings = std::move(drawn.warnings);
         return std::pair(codesOf(std::move(drawn)), std::move(warnings));
     });
     m.def("render_all", [](const Structure& s, const std::vector<std::string>& options, const Colors& colors) {
-        std::vector<Drawn> all = freely([&] { return drawAll(s, options, colors); });
+        std::vector<Drawn> all = interruptible([s, options, colors] { return drawAll(s, options, colors); });
         py::list pictures;
         for (Drawn& drawn : all) {
             std::vector<std::string> warnings = std::move(drawn.warnings);
@@ -344,20 +332,25 @@ void addDrawing(py::module_& m) {
         return pictures;
     });
     m.def("layers", [](const Structure& s, const std::string& options, const Colors& colors) {
-        std::vector<std::string> warnings;
-        const LayerPicture layers = freely([&] { return drawLayers(s, options, colors, warnings); });
+        const auto [layers, warnings] = interruptible([s, options, colors] {
+            std::vector<std::string> said;
+            LayerPicture drawn = drawLayers(s, options, colors, said);
+            return std::pair(std::move(drawn), std::move(said));
+        });
         return std::pair(layersOf(layers), warnings);
     });
     m.def("save", [](const Structure& s, const std::string& path, const std::string& options, const Colors& colors) {
-        return freely([&] { return save(s, path, options, colors); });
+        return interruptible([s, path, options, colors] { return save(s, path, options, colors); });
     });
     m.def("export", [](const Structure& s, const std::string& path, const std::string& options, const Colors& colors) {
-        return freely([&] { return exportScene(s, path, options, colors); });
+        return interruptible([s, path, options, colors] { return exportScene(s, path, options, colors); });
     });
     m.def("movie", [](const Structure& s, const std::string& path,
                       const std::vector<std::pair<std::string, std::string>>& motion, bool models,
                       const std::string& options, const Colors& colors) {
-        return freely([&] { return movie(s, path, {motion, models}, options, colors, checkInterrupt); });
+        return interruptible([s, path, moving = Moving{motion, models}, options, colors] {
+            return movie(s, path, moving, options, colors, checkInterrupt);
+        });
     });
     m.def("option_names", &optionNames);
     m.def("option_schema", &schemaOfOptions);

@@ -15,6 +15,7 @@
 #include "app/movie/movie_file.h"
 #include "app/picture/usage_error.h"
 #include "app/python/frames.h"
+#include "app/python/interrupt.h"
 #include "engine/error.h"
 
 namespace nacre::python {
@@ -136,6 +137,7 @@ std::vector<std::string> exportScene(const Structure& structure, const std::stri
         paint(colors, scene);
     }
     app::addMapSurfaces(molecule, request, scene);
+    checkInterrupt();
     const std::string& title = molecule.file.title;
     const app::SceneFileOptions titled{title.empty() ? structure.inputs.front() : title, 1};
     app::writeText(file, app::sceneFile(app::exportScene(molecule, scene, {}), app::extensionOf(path), titled));

@@ -3,6 +3,8 @@ import json
 import os
 import pathlib
 import pickle
+import resource
+import signal
 import subprocess
 import sys
 
@@ -156,22 +158,46 @@ def test_structures_are_pickled(tmp_path):
             nacre._nacre.Structure.__new__(nacre._nacre.Structure).__setstate__((damaged, *state[1:]))
 
 
-def test_an_interrupt_ends_a_render():
-    """Between two steps: long before the picture is done, which would take a minute of CPU time."""
+BALLS = ("''.join('ATOM  %5d  CA  ALA A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\\n' % "
+         "(n % 99999, n % 9999, n % 30 * 4, n // 30 % 30 * 4, n // 900 * 4) for n in range(27000))")
+
+
+@pytest.mark.parametrize("work", [
+    "structure.render(size=(64, 64), occlusion=4096, occlusion_detail=32, occlusion_memory=4096, cache='off')",  # many steps
+    "nacre.open('fifo.pdb')",  # one step, which waits for a writer for ever
+])
+def test_an_interrupt_ends_a_call(tmp_path, work):
+    """Within moments, as CPU time tells; the work itself would take a minute of it."""
     code = ("import nacre, os, signal, threading, time\n"
-            "threading.Timer(3.0, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
+            f"structure = nacre.open({BALLS}.encode(), format='pdb')\n"
+            "small = dict(size=(32, 32), occlusion='off')\n"
+            "before = structure.render(**small)\n"
+            "asked = []\n"
+            "def interrupt():\n"
+            "    asked.append(time.process_time())\n"
+            "    os.kill(os.getpid(), signal.SIGINT)\n"
+            "threading.Timer(1, interrupt).start()\n"
             "try:\n"
-            "    atoms = ''.join('ATOM  %5d  CA  ALA A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\\n'\n"
-            "                    % (n % 99999, n % 9999, n % 30 * 4, n // 30 % 30 * 4, n // 900 * 4) for n in range(27000))\n"
-            "    structure = nacre.open(atoms.encode(), format='pdb')\n"
-            "    structure.render(size=(64, 64), occlusion=4096, occlusion_detail=32, occlusion_memory=4096, cache='off')\n"
+            f"    {work}\n"
+            "    print('done')\n"
             "except KeyboardInterrupt:\n"
-            "    print('ended')\n"
-            "print(time.process_time())\n")
-    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
-    words = run.stdout.split()
-    assert words[0] == "ended", run.stderr
-    assert float(words[1]) < 15
+            "    print('ended', time.process_time() - asked[0], flush=True)\n")
+    os.mkfifo(tmp_path / "fifo.pdb")
+
+    def run(more):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        done = subprocess.run([sys.executable, "-c", code + more], capture_output=True, text=True, cwd=tmp_path)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        words = done.stdout.split()
+        assert words[0] == "ended", done.stderr
+        assert float(words[1]) < 2
+        assert after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime < 20
+        return done
+
+    assert run("").returncode == 0
+    assert run("os.kill(os.getpid(), signal.SIGINT)\n").returncode == -signal.SIGINT  # nobody catches it
+    if "occlusion=" in work:  # what it locked is free again
+        assert "same" in run("print('same' if (structure.render(**small) == before).all() else 'another')\n").stdout
 
 
 def test_after_a_fork_it_says_what_to_do(dna):
