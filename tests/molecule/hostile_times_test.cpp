@@ -230,5 +230,22 @@ TEST(HostileTimes, ManyChainsOfOneSequence) {
               kGenerous);
 }
 
+TEST(HostileTimes, AtomsThatMightShareSites) {
+    // A plane across x, where a sort by x tells nothing apart; and a crowd of smaller cubes than a site.
+    constexpr int kAtoms = 300'000;
+    for (const bool crowd : {false, true}) {
+        std::string text =
+            "data_a\n_cell_length_a 1000\n_cell_length_b 1000\n_cell_length_c 1000\n_cell_angle_alpha 90\n"
+            "_cell_angle_beta 90\n_cell_angle_gamma 90\nloop_\n_atom_site_label\n_atom_site_occupancy\n"
+            "_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\n";
+        for (int i = 0; i < kAtoms; ++i) {
+            const double y = i % 1000 / (crowd ? 1e7 : 1e3), z = i / 1000 / (crowd ? 1e7 : 1e3);
+            text += "C1 0.5 0.5 " + std::to_string(y) + " " + std::to_string(z) + "\n";
+        }
+        EXPECT_LT(seconds([&] { EXPECT_EQ(readMolecule("a.cif", text).atoms.size(), std::size_t{kAtoms}); }), kGenerous)
+            << crowd;
+    }
+}
+
 }  // namespace
 }  // namespace nacre

@@ -4,8 +4,10 @@
 #include <gemmi/symmetry.hpp>
 #include <gemmi/unitcell.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <map>
 #include <numeric>
+#include <unordered_map>
 
 #include "engine/molecule/assemblies.h"
 #include "engine/molecule/element.h"
@@ -167,12 +169,8 @@ std::vector<gemmi::Op> operationsOf(const SmallMoleculeTables& tables) {
 /// centre of symmetry) the other operations repeat these.
 std::vector<std::uint32_t> distinctPlaces(const gemmi::Fractional& at, const std::vector<gemmi::Op>& operations,
                                           const gemmi::UnitCell& cell) {
-    constexpr double kSamePlace = 0.3;             // Å: nearer images are one atom, written with few digits
-    constexpr std::size_t kMostOperations = 1000;  // no space group has more than 192
-    const auto imageOf = [&](std::size_t i) {
-        const std::array<double, 3> image = operations[i].apply_to_xyz({at.x, at.y, at.z});
-        return gemmi::Fractional(image[0], image[1], image[2]);
-    };
+    constexpr double kSamePlace = 0.3;            // Å: nearer images are one atom, written with few digits
+    constexpr std::size_t kMostOperations = 192;  // of any space group
     const auto same = [&](const gemmi::Fractional& a, const gemmi::Fractional& b) {
         const gemmi::Fractional between(a - b);
         return cell.orthogonalize_difference(gemmi::Fractional(between).wrap_to_zero()).length() < kSamePlace;
@@ -180,13 +178,18 @@ std::vector<std::uint32_t> distinctPlaces(const gemmi::Fractional& at, const std
     std::vector<std::uint32_t> kept(operations.size());
     std::iota(kept.begin(), kept.end(), 0u);
     if (operations.size() > kMostOperations) return kept;
+    std::vector<gemmi::Fractional> images;
+    for (const gemmi::Op& operation : operations) {
+        const std::array<double, 3> image = operation.apply_to_xyz({at.x, at.y, at.z});
+        images.emplace_back(image[0], image[1], image[2]);
+    }
     // In a group, either some operation repeats the position of the first, or none repeats any.
-    const auto repeats = [&](std::uint32_t i) { return i > 0 && same(imageOf(i), imageOf(0)); };
+    const auto repeats = [&](std::uint32_t i) { return i > 0 && same(images[i], images[0]); };
     if (std::none_of(kept.begin(), kept.end(), repeats)) return kept;
     kept.clear();
     for (std::uint32_t i = 0; i < operations.size(); ++i)
         if (std::none_of(kept.begin(), kept.end(),
-                         [&](std::uint32_t known) { return same(imageOf(i), imageOf(known)); }))
+                         [&](std::uint32_t known) { return same(images[i], images[known]); }))
             kept.push_back(i);
     return kept;
 }
@@ -223,11 +226,64 @@ private:
     std::map<std::vector<std::uint32_t>, std::string> groups_;
 };
 
+constexpr float kSameSite = 0.1f;         // Å
+constexpr std::size_t kMostOnSite = 26;  // A to Z
+
+/// Places by cubes of which each fits one site. Whatever their number and distribution, few are looked at around one.
+class SitePlaces {
+public:
+    /// @param order  indices of atoms; those that fill their place are left out
+    SitePlaces(const std::vector<Atom>& atoms, const std::vector<std::uint32_t>& order) : atoms_(atoms), order_(order) {
+        for (std::uint32_t rank = 0; rank < order.size(); ++rank) {
+            const Atom& atom = atoms[order[rank]];
+            if (atom.occupancy >= 1) continue;
+            std::vector<std::uint32_t>& cube = cubes_[keyOf(cubeOf(atom))];
+            if (cube.size() <= kMostOnSite) cube.push_back(rank);  // more have no site in any case
+        }
+    }
+
+    /// Ranks behind this one, ascending, that are within kSameSite of it: at most kMostOnSite, and one more if there are
+    /// more.
+    std::vector<std::uint32_t> behind(std::uint32_t rank) const {
+        const Atom& first = atoms_[order_[rank]];
+        const glm::i64vec3 middle = cubeOf(first);
+        std::vector<std::uint32_t> found;
+        for (int n = 0; n < kAround * kAround * kAround; ++n) {
+            const glm::i64vec3 step(n % kAround, n / kAround % kAround, n / kAround / kAround);
+            const auto cube = cubes_.find(keyOf(middle + step - std::int64_t{kAround / 2}));
+            if (cube == cubes_.end()) continue;
+            for (const std::uint32_t other : cube->second)
+                if (other > rank && glm::distance(atoms_[order_[other]].position, first.position) <= kSameSite)
+                    found.push_back(other);
+        }
+        std::sort(found.begin(), found.end());
+        found.resize(std::min(found.size(), kMostOnSite));
+        return found;
+    }
+
+private:
+    static constexpr int kAround = 5;                                   // cubes along an axis
+    static constexpr double kCube = kSameSite / 1.7320508075688774;  // whose diagonal is kSameSite
+
+    static glm::i64vec3 cubeOf(const Atom& atom) { return glm::floor(glm::dvec3(atom.position) / kCube); }
+    /// Cubes that share a key cost time, and change nothing.
+    static std::uint64_t keyOf(const glm::i64vec3& cube) {
+        std::uint64_t key = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            key = (key ^ static_cast<std::uint64_t>(cube[axis])) * 0x9e3779b97f4a7c15u;
+        return key;
+    }
+
+    const std::vector<Atom>& atoms_;
+    const std::vector<std::uint32_t>& order_;
+    std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cubes_;
+};
+
 /// Atoms of different elements on one site, whose occupancies make up at most one atom, become alternate locations: the
 /// most frequent first. So do disordered atoms that programs mark by "?" after the label of the other.
 void separateSharedSites(MoleculeBuilder& builder) {
     std::vector<Atom>& atoms = builder.molecule().atoms;
-    constexpr float kSameSite = 0.1f, kFull = 1.01f;
+    constexpr float kFull = 1.01f;
     std::vector<std::uint32_t> order(atoms.size());
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(),
@@ -235,7 +291,7 @@ void separateSharedSites(MoleculeBuilder& builder) {
     const auto share = [&](std::vector<std::uint32_t>& site, float whole) {
         const bool labelled =
             std::any_of(site.begin(), site.end(), [&](std::uint32_t i) { return atoms[i].alternate; });
-        if (site.size() < 2 || site.size() > 26 || labelled || whole > kFull) return;
+        if (site.size() < 2 || site.size() > kMostOnSite || labelled || whole > kFull) return;
         std::stable_sort(site.begin(), site.end(), [&](std::uint32_t a, std::uint32_t b) {
             return atoms[a].occupancy != atoms[b].occupancy ? atoms[a].occupancy > atoms[b].occupancy : a < b;
         });
@@ -243,18 +299,16 @@ void separateSharedSites(MoleculeBuilder& builder) {
         builder.guess("alternate locations", "elements that share a site: the most frequent is drawn",
                       static_cast<std::int64_t>(site.size()));
     };
+    const SitePlaces places(atoms, order);
     std::size_t sites = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
         const Atom& first = atoms[order[i]];
         if (first.alternate || first.occupancy >= 1) continue;
         std::vector<std::uint32_t> site{order[i]};
         float whole = first.occupancy;
-        for (std::size_t j = i + 1; j < order.size() && site.size() < 27; ++j) {
-            const Atom& other = atoms[order[j]];
-            if (other.position.x - first.position.x > kSameSite) break;
-            if (glm::distance(other.position, first.position) > kSameSite || other.occupancy >= 1) continue;
+        for (const std::uint32_t j : places.behind(i)) {
             site.push_back(order[j]);
-            whole += other.occupancy;
+            whole += atoms[order[j]].occupancy;
         }
         share(site, whole);
         sites += first.alternate != '\0';
