@@ -103,6 +103,13 @@ glm::dvec3 middleOf(const Molecule& molecule, std::span<const std::uint32_t> ato
     return low.x <= high.x ? (low + high) / 2.0 : glm::dvec3();
 }
 
+/// @param count  in millions
+[[noreturn]] void refuseTriangles(std::size_t count) {
+    throw Error("cannot make surface", "",
+                "it would have some " + std::to_string(count) + " million triangles, more than the limit of " +
+                    std::to_string(kMostSurfaceTriangles / 1000000) + " (fewer atoms, or a coarser resolution)");
+}
+
 /// Refuses a surface that would be too large, or whose atoms are a crowd at one place, before it is made: estimated
 /// from its atoms.
 void checkSurfaceSize(const std::vector<SurfaceBall>& balls, double step) {
@@ -121,10 +128,7 @@ void checkSurfaceSize(const std::vector<SurfaceBall>& balls, double step) {
     const double area = std::min(apart, kSurfaceOfAtom * static_cast<double>(balls.size()));
     const double triangles = kTrianglesPerCellFace * area / (step * step);
     if (triangles > static_cast<double>(kMostSurfaceTriangles))
-        throw Error("cannot make surface", "",
-                    "it would have some " + std::to_string(std::llround(triangles / 1e6)) +
-                        " million triangles, more than the limit of " +
-                        std::to_string(kMostSurfaceTriangles / 1000000) + " (fewer atoms, or a coarser resolution)");
+        refuseTriangles(static_cast<std::size_t>(std::llround(triangles / 1e6)));
     if (farthest / step > kFarthestCell) throw Error("cannot make surface", "", "its atoms are too far apart");
 }
 
@@ -158,12 +162,15 @@ Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, con
     std::vector<std::pair<glm::ivec3, const std::vector<std::uint32_t>*>> list;
     for (const auto& [place, sources] : blocks) list.emplace_back(place, &sources);
     std::vector<BlockMesh> meshes(list.size());
-    std::atomic<std::size_t> next{0};
+    std::atomic<std::size_t> next{0}, triangles{0};
     inParallel(std::min<std::size_t>(threadsPerTask(), list.size()), [&](std::size_t) {
         BlockCutter cutter(*field, middle - origin);  // reuses its memory for each block
         for (std::size_t i = next++; i < list.size(); i = next++) {
             const glm::ivec3 first = list[i].first * kBlockCells;
             meshes[i] = cutter.cut({first, first + kBlockCells, step}, *list[i].second);
+            // Atoms that are apart have more surface than those of a protein, which the estimate goes by.
+            if ((triangles += meshes[i].mesh.triangles.size()) > kMostSurfaceTriangles)
+                refuseTriangles(triangles * list.size() / (i + 1) / 1'000'000);
         }
     });
     Mesh mesh = joined(meshes);

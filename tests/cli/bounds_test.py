@@ -68,6 +68,12 @@ class BoundsTest(unittest.TestCase):
         self.refused(self.run_nacre("render", "waters.pdb", "--water", "show", "--interactions", "all", "--style", "licorice", "--size", "16x16",
                                     "-o", "a.png", cpu=15), "too many")
 
+    def test_surfaces_are_bounded_while_they_are_made(self):
+        """Atoms that are apart have ten times the surface of a protein's, which the estimate goes by."""
+        (self.folder / "apart.pdb").write_text(atoms(27000, lambda n: (n % 30 * 6, n // 30 % 30 * 6, n // 900 * 6)))
+        self.refused(self.run_nacre("render", "apart.pdb", "--style", "surface", "--surface-resolution", "0.13", "--size", "16x16", "-o", "a.png",
+                                    memory=4 << 30, cpu=120), "million triangles, more than the limit")
+
     def test_maps_are_bounded_by_memory(self):
         """By their headers, before anything is allocated."""
         (self.folder / "forged.ccp4").write_bytes(ccp4(43, 900))
