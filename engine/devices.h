@@ -20,6 +20,10 @@ DeviceInfo deviceInfo(const DeviceOptions& options);
 /// "depth encoding + impostor colour: 2 subpasses as 1" and "screen: depth: 0 of 4.0 MB committed", one line each.
 std::string describe(const DriverFeedback& feedback);
 
+/// From now on a device may set how the C library's heap works in the whole process, where its driver is faster then.
+/// For programs of their own; within another program it changes that program's memory.
+void letDriversTuneHeap();
+
 /// Whether this program was built with support for captures.
 bool capturesBuilt();
 

@@ -19,6 +19,7 @@
 #include "app/desktop/view_command.h"
 #endif
 #include "app/serve/server.h"
+#include "engine/devices.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -135,6 +136,7 @@ void skipDriversWithoutDevices() {
 
 int main(int argc, char** argv) {
     nacre::app::skipDriversWithoutDevices();
+    nacre::letDriversTuneHeap();
 #ifdef NACRE_LOOPBACK
     nacre::app::listenOnLoopbackAlone();
 #endif

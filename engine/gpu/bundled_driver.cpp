@@ -11,7 +11,8 @@
 namespace nacre::gpu {
 namespace {
 
-std::atomic<bool> taken{false};
+constexpr std::array kVariables{"VK_DRIVER_FILES", "VK_ICD_FILENAMES"};
+std::atomic<bool> driverTaken{false};
 
 /// The driver's manifest; empty if there is none.
 const std::string& bundledManifest() {
@@ -27,11 +28,22 @@ const std::string& bundledManifest() {
 
 bool hasBundledDriver() { return !bundledManifest().empty(); }
 
-void takeBundledDriver() {
-    for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"}) setenv(name, bundledManifest().c_str(), 1);
-    taken = true;
+BundledDriver::BundledDriver() {
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+        if (const char* value = std::getenv(kVariables[i])) before_[i] = value;
+        setenv(kVariables[i], bundledManifest().c_str(), 1);
+    }
+    driverTaken = true;
 }
 
-bool bundledDriverTaken() { return taken; }
+BundledDriver::~BundledDriver() {
+    for (std::size_t i = 0; i < before_.size(); ++i)
+        if (before_[i])
+            setenv(kVariables[i], before_[i]->c_str(), 1);
+        else
+            unsetenv(kVariables[i]);
+}
+
+bool BundledDriver::taken() { return driverTaken; }
 
 }  // namespace nacre::gpu

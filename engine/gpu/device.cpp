@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <utility>
 
+#include "engine/devices.h"
 #include "engine/error.h"
 #include "engine/gpu/dynamic_rendering.h"
 #include "engine/gpu/frame_boundary.h"
@@ -34,6 +36,8 @@ std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& physic
     return wanted;
 }
 
+std::atomic<bool> heapIsOurs{false};
+
 /// For a driver that allocates heap memory per tile. glibc searches its lists of small free chunks at every large free,
 /// so it keeps none; and it keeps large chunks, since each new page costs the kernel 2 µs. Holds for the whole process.
 void tuneHeap() {
@@ -57,7 +61,7 @@ Device::Device(const DeviceOptions& options) {
     DeviceOptions wanted = options;
     wanted.capture = capture_.loaded();
     caps_ = capsOf(physical_, wanted);
-    if (caps_.has(graph::Quirk::heapPerTile)) tuneHeap();
+    if (heapIsOurs && caps_.has(graph::Quirk::heapPerTile)) tuneHeap();
 }
 
 void Device::nameOwn() const {
@@ -227,3 +231,9 @@ Error Device::errorOf(const vk::SystemError& failure) const {
 }
 
 }  // namespace nacre::gpu
+
+namespace nacre {
+
+void letDriversTuneHeap() { gpu::heapIsOurs = true; }
+
+}  // namespace nacre

@@ -102,7 +102,7 @@ void addMemory(const vk::raii::PhysicalDevice& device, DeviceInfo& info) {
 
 DeviceInfo gpu::infoOf(const Caps& caps, const vk::raii::PhysicalDevice& device) {
     DeviceInfo info = infoOf(caps);
-    info.bundled = bundledDriverTaken();
+    info.bundled = BundledDriver::taken();
     const vk::PhysicalDeviceProperties properties = device.getProperties();
     info.vendorId = properties.vendorID;
     info.deviceId = properties.deviceID;

@@ -140,14 +140,13 @@ bool findsDevice(const vk::raii::Context& context, bool validate, InstanceExtens
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
                                 const std::vector<std::string>& wanted) {
     if (hasBundledDriver()) {
-        static std::mutex deciding;  // the loader reads the environment, which takeBundledDriver() changes
+        static std::mutex deciding;  // the loader reads the environment, which BundledDriver changes
         const std::lock_guard lock(deciding);
-        if (!bundledDriverTaken()) {
-            vk::raii::Instance instance{nullptr};
-            if (findsDevice(context, validate, found, wanted, instance)) return instance;
-            takeBundledDriver();
-            found = {};
-        }
+        vk::raii::Instance instance{nullptr};
+        if (!BundledDriver::taken() && findsDevice(context, validate, found, wanted, instance)) return instance;
+        found = {};
+        const BundledDriver driver;
+        return instanceOf(context, validate, found, wanted);
     }
     return instanceOf(context, validate, found, wanted);
 }

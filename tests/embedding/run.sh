@@ -23,6 +23,11 @@ cmake --build "$folder/build" >>"$folder/log" || { cat "$folder/log"; exit 1; }
 
 printf '3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n' >"$folder/water.xyz"
 "$folder/build/embedding" "$folder/water.xyz" "$folder/water.ppm"
+# With the driver of a package beside the program, where there is no other.
+ln -s -- /usr/lib/chromium/libvk_swiftshader.so "$folder/build"
+cp -- /usr/lib/chromium/vk_swiftshader_icd.json "$folder/build"
+VK_DRIVER_FILES=/nonexistent VK_ICD_FILENAMES=/nonexistent "$folder/build/embedding" "$folder/water.xyz" "$folder/bundled.ppm"
+[[ -s $folder/bundled.ppm ]] || exit 1
 # The installed program draws the same: as many pixels are not black, but for the edges, which two by two samples widen.
 "$folder/prefix/bin/nacre" render "$folder/water.xyz" -o "$folder/water.png" --zoom 1 --size 400x300 --supersample 1 --cache off \
     --stats "$folder/water.json"
