@@ -11,6 +11,7 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/build/representation.h"
+#include "engine/threads.h"
 
 namespace {
 
@@ -47,6 +48,7 @@ void draw(Molecule molecule, unsigned style, unsigned look) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+    nacre::setThreadsPerTask(1);  // starting others takes longer than their work
     if (size < 2) return 0;
     ReadOptions reading;
     reading.maxBytes = std::size_t{1} << 20;

@@ -1,6 +1,6 @@
 // libFuzzer target for the readers: any bytes are a molecule or an Error, and nothing else.
 // --format=NAME fuzzes one reader; without it the format is told from the bytes, gzip among them.
-// --render draws what was read, too: a small picture, with occlusion, in a style that the bytes choose.
+// fuzz_render draws what was read, too: a small picture, with occlusion, in a style that the bytes choose.
 // --list prints the formats. tools/fuzz runs them all.
 
 #include <cmath>
@@ -9,14 +9,15 @@
 #include <string>
 
 #include "engine/error.h"
-#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
+#ifdef NACRE_FUZZ_RENDER
+#include "engine/molecule/drawn_atoms.h"
 #include "engine/renderer.h"
+#endif
 
 namespace {
 
 nacre::ReadOptions options;
-nacre::Renderer* renderer = nullptr;  // with --render
 
 void require(bool holds, const char* what) {
     if (holds) return;
@@ -40,6 +41,7 @@ void check(const nacre::Molecule& molecule) {
         require(values->empty() || values->size() == count, "has charges or radii of other atoms");
 }
 
+#ifdef NACRE_FUZZ_RENDER
 /// Draws it in one of the styles and, if it has any, as an assembly.
 void draw(const nacre::Molecule& molecule, std::size_t choice) {
     const std::vector<std::uint32_t> drawn = nacre::drawnAtoms(molecule);
@@ -52,9 +54,11 @@ void draw(const nacre::Molecule& molecule, std::size_t choice) {
     settings.supersample = 1;
     settings.view = nacre::viewOf({}, scene.radius, 24, 24);
     settings.occlusion.directions = 1;
-    renderer->setScene(std::move(scene));
-    require(!renderer->render(settings).rgba.empty(), "has no picture");
+    static nacre::Renderer renderer{nacre::DeviceOptions{}};
+    renderer.setScene(std::move(scene));
+    require(!renderer.render(settings).rgba.empty(), "has no picture");
 }
+#endif
 
 /// Reads one model; says whether there are more.
 bool read(const std::string& bytes, int model) {
@@ -67,7 +71,9 @@ bool read(const std::string& bytes, int model) {
             require(other.whole || other.positions.size() == molecule.atoms.size(), "has another model of other atoms");
             if (other.whole) check(*other.whole);
         }
-        if (renderer) draw(molecule, bytes.size());
+#ifdef NACRE_FUZZ_RENDER
+        draw(molecule, bytes.size());
+#endif
         return molecule.file.models.value_or(1) > model || molecule.file.records.value_or(1) > model;
     } catch (const nacre::Error&) {
         return false;
@@ -84,10 +90,6 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
         if (argument == "--list") {
             std::cout << nacre::formatNames() << std::endl;
             std::exit(0);
-        }
-        if (argument == "--render") {
-            static nacre::Renderer only{nacre::DeviceOptions{}};
-            renderer = &only;
         }
         if (argument.compare(0, start.size(), start) != 0) continue;
         options.format = nacre::formatFromName(argument.substr(start.size()));
