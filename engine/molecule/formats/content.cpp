@@ -105,17 +105,19 @@ std::string readAll(std::FILE* file, const std::string& name, const ReadOptions&
     const bool plain = fstat(fileno(file), &status) == 0 && S_ISREG(status.st_mode);
     const std::uint64_t expected = plain ? static_cast<std::uint64_t>(status.st_size) : 0;
     std::string bytes;
-    bytes.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(expected, options.maxBytes)) + kChunk);
+    bytes.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(expected, options.maxBytes)) + 1);
     for (;;) {
         const std::size_t size = bytes.size();
         if (size > options.maxBytes) refuseLarge(name, options.maxBytes);
-        const std::size_t chunk = std::min(kChunk, options.maxBytes - size + 1);
+        // One byte more than expected finds the end. Each byte is cleared before it is read, a small file's as well.
+        const auto rest = static_cast<std::size_t>(expected > size ? expected - size + 1 : kChunk);
+        const std::size_t chunk = std::min({kChunk, rest, options.maxBytes - size + 1});
         if (size + chunk > bytes.capacity())
             bytes.reserve(std::max(std::min(2 * size, options.maxBytes) + 1, size + chunk));
         bytes.resize(size + chunk);
         const std::size_t got = std::fread(bytes.data() + size, 1, chunk, file);
         bytes.resize(size + got);
-        if (got == 0) break;
+        if (got < chunk) break;
     }
     if (std::ferror(file)) cannotRead(name, std::strerror(errno));
     return bytes;
