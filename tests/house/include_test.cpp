@@ -150,7 +150,7 @@ const std::vector<Arrows> kLibraries = {
     {"gemmi/", {"engine/molecule/", "engine/volume/"}},
     {"zip.h", {"app/mvs/archive.cpp"}},
     {"nlohmann/", {"app/"}},
-    {"pybind11/", {"app/python/module.cpp"}},
+    {"pybind11/", {"app/python/module.cpp", "app/python/interrupt."}},
 };
 
 bool startsWith(const std::string& text, const std::string& beginning) { return text.rfind(beginning, 0) == 0; }
