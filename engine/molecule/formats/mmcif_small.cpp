@@ -229,49 +229,49 @@ private:
 constexpr float kSameSite = 0.1f;         // Å
 constexpr std::size_t kMostOnSite = 26;  // A to Z
 
-/// Places by cubes of which each fits one site. Whatever their number and distribution, few are looked at around one.
+/// Atoms by place, to find those on one site. However many there are, and wherever, few are looked at around one.
 class SitePlaces {
 public:
     /// @param order  indices of atoms; those that fill their place are left out
     SitePlaces(const std::vector<Atom>& atoms, const std::vector<std::uint32_t>& order) : atoms_(atoms), order_(order) {
+        cubes_.reserve(order.size());
         for (std::uint32_t rank = 0; rank < order.size(); ++rank) {
             const Atom& atom = atoms[order[rank]];
             if (atom.occupancy >= 1) continue;
-            std::vector<std::uint32_t>& cube = cubes_[keyOf(cubeOf(atom))];
-            if (cube.size() <= kMostOnSite) cube.push_back(rank);  // more have no site in any case
+            std::vector<std::uint32_t>& cube = cubes_[keyOf(glm::floor(glm::dvec3(atom.position) / kCube))];
+            if (cube.size() <= kMostAround) cube.push_back(rank);
         }
     }
 
-    /// Ranks behind this one, ascending, that are within kSameSite of it: at most kMostOnSite, and one more if there are
-    /// more.
+    /// Ranks behind this one, ascending, of atoms within kSameSite of it. Empty in a crowd, too.
     std::vector<std::uint32_t> behind(std::uint32_t rank) const {
-        const Atom& first = atoms_[order_[rank]];
-        const glm::i64vec3 middle = cubeOf(first);
+        const glm::vec3& place = atoms_[order_[rank]].position;
+        // Within half a cube of a place there are eight.
+        const glm::i64vec3 low = glm::floor(glm::dvec3(place) / kCube - 0.5);
         std::vector<std::uint32_t> found;
-        for (int n = 0; n < kAround * kAround * kAround; ++n) {
-            const glm::i64vec3 step(n % kAround, n / kAround % kAround, n / kAround / kAround);
-            const auto cube = cubes_.find(keyOf(middle + step - std::int64_t{kAround / 2}));
+        std::size_t around = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const auto cube = cubes_.find(keyOf(low + glm::i64vec3(corner & 1, corner >> 1 & 1, corner >> 2)));
             if (cube == cubes_.end()) continue;
+            if ((around += cube->second.size()) > kMostAround) return {};
             for (const std::uint32_t other : cube->second)
-                if (other > rank && glm::distance(atoms_[order_[other]].position, first.position) <= kSameSite)
+                if (other > rank && glm::distance(atoms_[order_[other]].position, place) <= kSameSite)
                     found.push_back(other);
         }
         std::sort(found.begin(), found.end());
-        found.resize(std::min(found.size(), kMostOnSite));
         return found;
     }
 
 private:
-    static constexpr int kAround = 5;                                   // cubes along an axis
-    static constexpr double kCube = kSameSite / 1.7320508075688774;  // whose diagonal is kSameSite
+    static constexpr double kCube = 2.0 * kSameSite;
+    static constexpr std::size_t kMostAround = 8 * kMostOnSite;
 
-    static glm::i64vec3 cubeOf(const Atom& atom) { return glm::floor(glm::dvec3(atom.position) / kCube); }
     /// Cubes that share a key cost time, and change nothing.
     static std::uint64_t keyOf(const glm::i64vec3& cube) {
         std::uint64_t key = 0;
         for (int axis = 0; axis < 3; ++axis)
             key = (key ^ static_cast<std::uint64_t>(cube[axis])) * 0x9e3779b97f4a7c15u;
-        return key;
+        return key ^ key >> 32;
     }
 
     const std::vector<Atom>& atoms_;
