@@ -18,11 +18,11 @@
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
 #include "app/input/input_files.h"
+#include "app/input/map_input.h"
 #include "app/input/read_input.h"
 #include "app/picture/input_names.h"
 #include "engine/error.h"
 #include "engine/molecule/text.h"
-#include "engine/volume/read_map.h"
 
 namespace nacre::app {
 namespace {
@@ -243,14 +243,13 @@ void putBytes(const std::string& path, Json& json) {
 }
 
 InfoOfInput infoOfMap(const InputOptions& input) {
-    const std::string path = openPathOf(input);
-    InfoOfInput info{mapInfoJson(readMapFile(path, mapLimits(input))), {}, true};
-    putBytes(path, info.json);
+    InfoOfInput info{mapInfoJson(readMapInput(input)), {}, true};
+    putBytes(openPathOf(input), info.json);
     return info;
 }
 
 InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
-    if (!input.format && isMapFile(openPathOf(input))) return infoOfMap(input);
+    if (isMap(input)) return infoOfMap(input);
     Progress progress;
     progress.begin("reading");
     const Molecule molecule = loadMolecule(input, downloadProgress(progress));

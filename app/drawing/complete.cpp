@@ -6,12 +6,12 @@
 #include <iterator>
 
 #include "app/input/input_files.h"
+#include "app/input/map_input.h"
 #include "app/picture/input_names.h"
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"
 #include "app/picture/usage_error.h"
 #include "engine/scene/color/color_schemes.h"
-#include "engine/volume/read_map.h"
 
 namespace nacre::app {
 namespace {
@@ -63,13 +63,11 @@ bool takeInput(PictureDescription& picture) {
 }
 
 void takeMap(PictureDescription& picture) {
-    if (picture.input.opened) return;
-    const std::string path = filePathOf(picture.input);
+    if (!isMap(picture.input)) return;
     std::vector<std::string>& files = picture.maps.files;
-    std::error_code error;
-    if (picture.input.format || !std::filesystem::is_regular_file(path, error) || !isMapFile(path)) return;
-    if (std::ranges::find(files, path) != files.end()) return;
-    files.insert(files.begin(), path);
+    const std::string name = mapName(picture.input);
+    if (std::ranges::find(files, name) != files.end()) return;
+    files.insert(files.begin(), name);
     picture.mapsChanged();
 }
 

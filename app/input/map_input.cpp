@@ -4,8 +4,12 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <string_view>
 
+#include "app/files/opened_file.h"
+#include "app/input/input_files.h"
 #include "app/input/read_input.h"
+#include "engine/error.h"
 
 namespace nacre::app {
 namespace {
@@ -77,9 +81,66 @@ KeptMaps& keptMaps() {
     return maps;
 }
 
+constexpr std::string_view kOpen = "open:";
+
+/// Maps of open files by content, which their readers hold.
+class OpenMaps {
+public:
+    std::shared_ptr<const DensityMap> find(const std::string& name) {
+        const std::lock_guard lock(mutex_);
+        const auto found = maps_.find(name);
+        return found == maps_.end() ? nullptr : found->second.lock();
+    }
+    void add(const std::string& name, const std::shared_ptr<const DensityMap>& map) {
+        const std::lock_guard lock(mutex_);
+        std::erase_if(maps_, [](const auto& one) { return one.second.expired(); });
+        maps_[name] = map;
+    }
+
+private:
+    std::mutex mutex_;
+    std::map<std::string, std::weak_ptr<const DensityMap>> maps_;
+};
+
+OpenMaps& openMaps() {
+    static OpenMaps maps;
+    return maps;
+}
+
+/// The name that tells the format of an open file. Empty: the path of the file does.
+std::string nameOfOpen(const InputOptions& input) { return input.opened ? input.path : std::string(); }
+
 }  // namespace
 
+bool isMap(const InputOptions& input) {
+    const std::string path = openPathOf(input);
+    std::error_code error;
+    return !input.format && fs::is_regular_file(path, error) && isMapFile(path, nameOfOpen(input));
+}
+
+std::string mapName(const InputOptions& input) {
+    if (!input.opened) return filePathOf(input);
+    const std::string shown = input.opened->hasFolder() ? fs::path(input.path).filename().string() : "map";
+    return std::string(kOpen) + fileHash(input.opened->path()) + "/" + shown;
+}
+
+DensityMap readMapInput(const InputOptions& input) {
+    return readMapFile(openPathOf(input), mapLimits(input), nameOfOpen(input));
+}
+
+std::shared_ptr<const DensityMap> openMap(const InputOptions& input) {
+    const std::string name = mapName(input);
+    if (auto held = openMaps().find(name)) return held;
+    auto map = std::make_shared<const DensityMap>(readMapInput(input));
+    openMaps().add(name, map);
+    return map;
+}
+
 std::shared_ptr<const DensityMap> mapOf(const std::string& path, const MapLimits& limits) {
+    if (path.starts_with(kOpen)) {
+        if (auto held = openMaps().find(path)) return held;
+        throw Error("cannot read map", path.substr(path.rfind('/') + 1), "it has changed since it was opened");
+    }
     const std::optional<FileState> state = stateOf(path);
     if (auto kept = keptMaps().find(path, state)) return kept;
     auto map = std::make_shared<const DensityMap>(readMapFile(path, limits));

@@ -4,11 +4,22 @@
 #include <memory>
 #include <string>
 
+#include "app/picture/input_options.h"
 #include "engine/volume/read_map.h"
 
 namespace nacre::app {
 
-/// A map by its file, or by a name from keepMap(). Read once, and again when the file has changed. @throws Error
+/// Whether INPUT is a density map.
+bool isMap(const InputOptions& input);
+/// The name of such an INPUT for mapOf(): its path; of an open file, a name of its content.
+std::string mapName(const InputOptions& input);
+/// Reads such an INPUT. @throws Error
+DensityMap readMapInput(const InputOptions& input);
+/// The same for an open file. mapOf() finds it by mapName() as long as the result is held. @throws Error
+std::shared_ptr<const DensityMap> openMap(const InputOptions& input);
+
+/// A map by its file, or by a name from keepMap() or mapName(). Read once, and again when the file has changed.
+/// @throws Error
 std::shared_ptr<const DensityMap> mapOf(const std::string& path, const MapLimits& limits);
 
 /// Keeps a map under a name that is no file: a download, or values in memory.

@@ -15,6 +15,7 @@
 
 #include "app/files/messages.h"
 #include "app/input/input_files.h"
+#include "app/input/map_input.h"
 #include "app/picture/input_names.h"
 #include "engine/error.h"
 #include "engine/molecule/chemistry/hydrogens.h"
@@ -166,7 +167,7 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
     try {
         return completed(input, input.opened ? readOpened(input, options) : readMoleculeFile(input.path, options));
     } catch (const Error&) {
-        if (input.format || !isMapFile(openPathOf(input))) throw;
+        if (!isMap(input)) throw;
         return {};  // a map alone: takeMap() has it drawn
     }
 }

@@ -10,6 +10,7 @@
 #include "app/files/messages.h"
 #include "app/files/spare_memory.h"
 #include "app/images/image_file.h"
+#include "app/input/map_input.h"
 #include "engine/error.h"
 #include "engine/threads.h"
 
@@ -88,7 +89,9 @@ private:
         if (!has(request)) {
             drawing_.forget();
             molecule_.reset();
+            map_.reset();
             molecule_.emplace(load(description.input, check));
+            if (description.input.opened && isMap(description.input)) map_ = openMap(description.input);
             held_ = request.molecule;
             asAsked_ = moleculeKey(description) == held_;
         }
@@ -108,8 +111,9 @@ private:
     std::atomic<std::uint64_t>& devices_;
     std::optional<Canvas> canvas_;
     std::optional<Molecule> molecule_;
-    std::string held_;     ///< PictureRequest::molecule of it
-    bool asAsked_ = true;  ///< no file of it changed between that request and its reading
+    std::shared_ptr<const DensityMap> map_;  ///< null: the input is none
+    std::string held_;                       ///< PictureRequest::molecule of both
+    bool asAsked_ = true;                    ///< no file of it changed between that request and its reading
     Drawing drawing_;
 };
 

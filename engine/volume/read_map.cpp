@@ -132,14 +132,15 @@ std::string bytesOf(const ByteFile& file, std::uint64_t first, std::uint64_t cou
 
 bool looksLikeMap(std::string_view name, std::string_view start) { return formatOf(name, start) != MapFormat::none; }
 
-bool isMapFile(const std::string& path) try {
+bool isMapFile(const std::string& path, const std::string& given) try {
+    const std::string& name = given.empty() ? path : given;
     const auto file = ByteFile::open(path);
     if (!file) return false;
     const std::string start = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
-    if (compressionOf(start).empty()) return looksLikeMap(path, start);
+    if (compressionOf(start).empty()) return looksLikeMap(name, start);
     // The beginning of a compressed file is enough, even if truncated.
     return looksLikeMap(
-        path, inflatedStart(path, bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), 64 * kStart)), true));
+        name, inflatedStart(name, bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), 64 * kStart)), true));
 } catch (const Error&) {
     return false;
 }
@@ -149,19 +150,20 @@ DensityMap readMap(const std::string& name, std::string bytes, const MapLimits& 
     return readText(name, formatOf(name, std::string_view(bytes).substr(0, kStart)), bytes, limits);
 }
 
-DensityMap readMapFile(const std::string& path, const MapLimits& limits) {
+DensityMap readMapFile(const std::string& path, const MapLimits& limits, const std::string& given) {
+    const std::string& name = given.empty() ? path : given;
     const auto file = ByteFile::open(path);
-    if (!file) cannotReadMap(path, ByteFile::whyNotOpened(path));
-    if (file->size() == 0) cannotReadMap(path, "it is empty");
+    if (!file) cannotReadMap(name, ByteFile::whyNotOpened(path));
+    if (file->size() == 0) cannotReadMap(name, "it is empty");
     const std::string start = bytesOf(*file, 0, std::min<std::uint64_t>(file->size(), kStart));
     const bool packed = !compressionOf(start).empty();
-    if (packed || formatOf(path, start) != MapFormat::ccp4) {
+    if (packed || formatOf(name, start) != MapFormat::ccp4) {
         if (file->size() > limits.maxBytes)
-            cannotReadMap(path, "the file has " + std::to_string(file->size() >> 20) + " MB, more than the limit of " +
+            cannotReadMap(name, "the file has " + std::to_string(file->size() >> 20) + " MB, more than the limit of " +
                                     std::to_string(limits.maxBytes >> 20) + " MB");
-        return readMap(path, bytesOf(*file, 0, file->size()), limits);
+        return readMap(name, bytesOf(*file, 0, file->size()), limits);
     }
-    Ccp4Reader reader(path, limits, file->size());
+    Ccp4Reader reader(name, limits, file->size());
     for (std::uint64_t at = 0; at < file->size(); at += kPiece)
         reader.take(bytesOf(*file, at, std::min<std::uint64_t>(kPiece, file->size() - at)));
     return reader.finish();

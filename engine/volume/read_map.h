@@ -18,13 +18,13 @@ struct MapLimits {
 /// Whether a file is a density map, by its first bytes (inflated) or, if these are ambiguous, by its name.
 /// @param start  the first 4 kB or so
 bool looksLikeMap(std::string_view name, std::string_view start);
-/// As above for a file, possibly compressed; false if it cannot be read.
-bool isMapFile(const std::string& path);
+/// As above for a file, possibly compressed; false if it cannot be read. @param name  empty: its path
+bool isMapFile(const std::string& path, const std::string& name = {});
 
 /// Reads CCP4/MRC, OpenDX, Gaussian cube, DSN6/BRIX and the BinaryCIF of density servers; inflates gzip, xz, bzip2 and
-/// zstd. A crystal's map is completed to the whole cell by its space group. @throws Error what, where, why
-DensityMap readMapFile(const std::string& path, const MapLimits& limits = {});
-/// @param name  for messages and as a hint to the format
+/// zstd. A crystal's map is completed to the whole cell by its space group.
+/// @param name  for messages and as a hint to the format; empty: the path @throws Error what, where, why
+DensityMap readMapFile(const std::string& path, const MapLimits& limits = {}, const std::string& name = {});
 DensityMap readMap(const std::string& name, std::string bytes, const MapLimits& limits = {});
 
 /// A map from values in memory. @param origin  position of the first node, Å @param periodic  a crystal's whole cell

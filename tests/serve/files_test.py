@@ -69,6 +69,38 @@ class NewNames:
         return names
 
 
+SIDE = 8  # nodes of a map per axis
+
+
+def values(center):
+    """A blob, the first axis fastest."""
+    return [max(0.0, 9.0 - (x - center) ** 2 - (y - 3) ** 2 - (z - 3) ** 2) for z in range(SIDE) for y in range(SIDE) for x in range(SIDE)]
+
+
+def ccp4(center=3, magic=b"MAP "):
+    data = values(center)
+    header = bytearray(1024)
+    struct.pack_into("<10i6f3i3f2i", header, 0, SIDE, SIDE, SIDE, 2, 0, 0, 0, SIDE, SIDE, SIDE, 8, 8, 8, 90, 90, 90, 1, 2, 3,
+                     min(data), max(data), sum(data) / len(data), 1, 0)
+    header[208:216] = magic + b"\x44\x44\0\0"
+    return bytes(header) + struct.pack(f"<{len(data)}f", *data)
+
+
+def dx(center=3):
+    data = values(center)  # the last axis is the fastest in DX
+    ordered = [data[x + SIDE * (y + SIDE * z)] for x in range(SIDE) for y in range(SIDE) for z in range(SIDE)]
+    return (f"object 1 class gridpositions counts {SIDE} {SIDE} {SIDE}\norigin 0 0 0\ndelta 1 0 0\ndelta 0 1 0\ndelta 0 0 1\n"
+            f"object 2 class gridconnections counts {SIDE} {SIDE} {SIDE}\n"
+            f"object 3 class array type double rank 0 items {len(data)} data follows\n" + "\n".join(map(str, ordered)) + "\n").encode()
+
+
+def volume_scene(url, format):
+    node = {"kind": "volume_representation", "params": {"type": "isosurface", "absolute_isovalue": 4}}
+    for kind, params in (("volume", {}), ("parse", {"format": format}), ("download", {"url": url}), ("root", {})):
+        node = {"kind": kind, "params": params, "children": [node]}
+    return json.dumps({"root": node, "metadata": {"version": "1", "timestamp": "2026-01-01T00:00:00Z"}})
+
+
 class FilesTest(ServedTest):
     program = PROGRAM
 
@@ -78,7 +110,13 @@ class FilesTest(ServedTest):
             (cls.root / name).mkdir()
             (cls.root / name / "gly.pdb").write_text(text)
             (cls.root / name / "scene.mvsj").write_text(scene("gly.pdb"))
+        (cls.root / "maps").mkdir()
+        for name, data in (("a.ccp4", ccp4()), ("a.dx", dx()), ("old.map", ccp4(magic=b"    ")), ("b.ccp4", ccp4(5))):
+            (cls.root / "maps" / name).write_bytes(data)
+        for format, name in (("map", "a.ccp4"), ("dx", "a.dx")):
+            (cls.root / "maps" / f"{format}.mvsj").write_text(volume_scene(name, format))
         (cls.folder / "outside").mkdir()
+        (cls.folder / "outside" / "a.ccp4").write_bytes(ccp4(5))
         (cls.folder / "outside" / "gly.pdb").write_text(MOVED)
 
     def picture(self, name, **headers):
@@ -137,23 +175,71 @@ class FilesTest(ServedTest):
         """Checked, then a link when its turn comes: a queue makes that moment long."""
         server = Server(PROGRAM, self.folder, "--root", str(self.root), "--jobs", "1", "--pictures", "off")
         self.addCleanup(server.process.kill)
-        inside = server.ask("picture?size=64x64&input=inside/gly.pdb")[2]
-        server.ask("picture?size=64x64&input=sample:dna")  # so that the molecule is read again
-        with concurrent.futures.ThreadPoolExecutor(2) as pool:
-            busy = pool.submit(server.ask, "picture?input=sample:dna&size=1500x1500&occlusion=4000")
-            time.sleep(0.5)
-            late = pool.submit(server.ask, "picture?size=64x64&input=inside/gly.pdb")
-            time.sleep(0.3)
-            (self.root / "inside").rename(self.root / "was")
-            (self.root / "inside").symlink_to(self.folder / "outside")
-            try:
-                status, _, body = late.result()
-                busy.result()
-            finally:
-                (self.root / "inside").unlink()
-                (self.root / "was").rename(self.root / "inside")
-        self.assertEqual((status, body), (200, inside))
+        for directions, folder, name in ((4000, "inside", "gly.pdb"), (4001, "maps", "a.ccp4")):
+            path = f"picture?size=64x64&input={folder}/{name}"
+            inside = server.ask(path)[2]
+            server.ask("picture?size=64x64&input=sample:dna")  # so that the file is read again
+            with concurrent.futures.ThreadPoolExecutor(2) as pool:
+                busy = pool.submit(server.ask, f"picture?input=sample:dna&size=1500x1500&occlusion={directions}")
+                time.sleep(0.5)
+                late = pool.submit(server.ask, path)
+                while server.metric("nacre_waiting_requests") < 1 and not late.done():
+                    time.sleep(0.01)
+                self.assertFalse(late.done(), "it did not wait")
+                (self.root / folder).rename(self.root / "was")
+                (self.root / folder).symlink_to(self.folder / "outside")
+                try:
+                    status, _, body = late.result()
+                    busy.result()
+                finally:
+                    (self.root / folder).unlink()
+                    (self.root / "was").rename(self.root / folder)
+            self.assertEqual((status, body), (200, inside), folder)
         self.assertEqual(server.stop(), 0)
+
+    def test_maps_are_drawn(self):
+        """Uploaded, as a body and below the root: the picture that `nacre render` draws of the same file."""
+        server = Server(PROGRAM, self.folder, "--root", str(self.root), "--jobs", "1")
+        self.addCleanup(server.process.kill)
+        pictures = set()
+        for name in ("a.ccp4", "b.ccp4", "a.dx"):
+            data = (self.root / "maps" / name).read_bytes()
+            path = self.folder / "map.png"
+            subprocess.run([PROGRAM, "render", self.root / "maps" / name, "--size", "64x64", "-o", path, "-q"], check=True)
+            expected = path.read_bytes()
+            pictures.add(expected)
+            uploaded = json.loads(server.ask("structures", data)[2])["input"]
+            for query, body in ((f"&input={uploaded}", None), ("", data), (f"&input=maps/{name}", None)):
+                status, _, picture = server.ask("picture?size=64x64" + query, body)
+                self.assertEqual(status, 200, picture)
+                self.assertEqual(picture, expected, (name, query))
+            # The map that is held is drawn at another level.
+            status, _, other = server.ask(f"picture?size=64x64&map-level=8&input={uploaded}")
+            self.assertEqual(status, 200, other)
+            self.assertNotEqual(other, expected)
+            status, _, told = server.ask(f"info?input={uploaded}")
+            self.assertEqual(status, 200, told)
+            self.assertNotIn(b"upload:", told)
+            self.assertNotIn(b"/proc", told)
+        self.assertEqual(len(pictures), 2)  # both formats hold the same map
+        # A name tells the format of files without a magic number.
+        status, _, old = server.ask("picture?size=64x64&input=maps/old.map")
+        self.assertEqual(status, 200, old)
+        self.assertEqual(old, server.ask("picture?size=64x64&input=maps/a.ccp4")[2])
+        self.assertEqual(server.stop(), 0)
+
+    def test_scenes_show_maps(self):
+        for format, name in (("map", "a.ccp4"), ("dx", "a.dx")):
+            status, _, below = self.picture(f"maps/{format}.mvsj")
+            self.assertEqual(status, 200, below)
+            packed = io.BytesIO()
+            with zipfile.ZipFile(packed, "w") as out:
+                out.writestr("index.mvsj", volume_scene("volume", format))
+                out.writestr("volume", (self.root / "maps" / name).read_bytes())
+            status, _, sent = self.server.ask("picture?size=64x64", packed.getvalue())
+            self.assertEqual((status, sent), (200, below))
+            uploaded = json.loads(self.server.ask("structures", packed.getvalue())[2])["input"]
+            self.assertEqual(self.picture(uploaded)[::2], (200, below))
 
     def test_kept_pictures_are_checked(self):
         """Flipped, cut, empty or longer: drawn again."""
