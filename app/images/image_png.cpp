@@ -1,74 +1,25 @@
 #include "app/images/image_png.h"
 
-#include <fcntl.h>
 #include <libdeflate.h>
 #include <png.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
+#include "app/images/checked_file.h"
+
 namespace nacre::app {
 namespace {
 
-/// A file written sequentially that records failures.
-class PngFile {
-public:
-    explicit PngFile(int file) : file_(::fcntl(file, F_DUPFD_CLOEXEC, 0)) {
-        if (file_ < 0) failure_ = errno;
-    }
-    ~PngFile() {
-        if (file_ >= 0) ::close(file_);
-    }
-    PngFile(const PngFile&) = delete;
-    PngFile& operator=(const PngFile&) = delete;
-
-    /// @returns whether nothing failed so far
-    bool write(const unsigned char* bytes, std::size_t size) {
-        while (size > 0 && failure_ == 0) {
-            const std::size_t part = std::min(size, waiting_.size() - used_);
-            std::memcpy(waiting_.data() + used_, bytes, part);
-            used_ += part;
-            bytes += part;
-            size -= part;
-            if (used_ == waiting_.size()) flush();
-        }
-        return failure_ == 0;
-    }
-    void finish() {
-        flush();
-        if (file_ >= 0 && ::close(file_) != 0 && failure_ == 0) failure_ = errno;
-        file_ = -1;
-    }
-    int failure() const { return failure_; }  ///< errno of the first failure; 0: none
-
-private:
-    void flush() {
-        for (std::size_t done = 0; done < used_ && failure_ == 0;) {
-            const ssize_t n = ::write(file_, waiting_.data() + done, used_ - done);
-            if (n > 0) done += static_cast<std::size_t>(n);
-            if (n == 0) failure_ = ENOSPC;
-            if (n < 0 && errno != EINTR) failure_ = errno;
-        }
-        used_ = 0;
-    }
-
-    int file_;
-    int failure_ = 0;
-    std::size_t used_ = 0;
-    std::array<unsigned char, 1 << 16> waiting_;
-};
-
 /// libpng's message, for the code after its longjmp.
 struct PngState {
-    PngFile file;
+    CheckedFile file;
     std::array<char, 200> why{};
 };
 
@@ -199,7 +150,7 @@ Bytes compressed(const Bytes& bytes) {
 }  // namespace
 
 void writePng(const ImageRequest& request) {
-    PngState state{PngFile(request.file)};
+    PngState state{CheckedFile(request.file)};
     const auto check = [&](bool good) {
         if (state.file.failure() != 0) throw std::runtime_error(std::strerror(state.file.failure()));
         if (!good) throw std::runtime_error(state.why.data());
