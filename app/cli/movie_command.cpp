@@ -3,14 +3,12 @@
 #include "app/cli/movie_scenes.h"
 #include "app/cli/movie_snapshots.h"
 #include "app/cli/progress.h"
-#include "app/movie/movie_encoder.h"
 #include "app/movie/stop_request.h"
+#include "app/movie/write_movie.h"
 #include "engine/error.h"
 
 namespace nacre::app {
 namespace {
-
-constexpr std::uint64_t kSamples = 6;  ///< frames that a palette is made from
 
 [[noreturn]] void stopped(const std::string& path, std::uint64_t frames, std::uint64_t all) {
     throw Error("stopped", path,
@@ -44,24 +42,21 @@ void movieCommand(const MovieOptions& options) {
         progress.advance(share);
         report.baked(share);
     };
-    if (file->wantsSamples())
-        for (std::uint64_t i = 0; i < std::min(kSamples, frames) && !stop.asked(); ++i)
-            file->sample(scenes.draw(i * frames / kSamples));
-    scenes.onBake = {};
-
-    std::uint64_t drawn = 0;
-    progress.begin("drawing frames");
-    {
-        MovieEncoder encoder(*file);
-        for (; drawn < frames && !stop.asked(); ++drawn) {
-            encoder.add(scenes.draw(drawn));
-            progress.advanceTo(drawn + 1, frames);
-            report.drawn(drawn + 1, frames, scenes.modelOf(drawn));
+    const auto goesOn = [&](MovieStage stage, std::uint64_t drawn) {
+        if (stage == MovieStage::writing) progress.begin("writing");
+        if (stage != MovieStage::frames) return !stop.asked();
+        if (drawn == 0) {
+            scenes.onBake = {};
+            progress.begin("drawing frames");
+        } else {
+            progress.advanceTo(drawn, frames);
+            report.drawn(drawn, frames, scenes.modelOf(drawn - 1));
         }
-        if (drawn == 0) stopped(path, 0, frames);
-        progress.begin("writing");
-        encoder.finish();
-    }
+        return !stop.asked();
+    };
+    const std::uint64_t drawn =
+        writeMovie(*file, {frames, [&](std::uint64_t frame) { return scenes.draw(frame); }, goesOn});
+    if (drawn == 0) stopped(path, 0, frames);
     stop.leave();
     if (drawn < frames) stopped(path, drawn, frames);
 }

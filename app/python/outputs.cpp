@@ -11,8 +11,8 @@
 #include "app/export/scene_files.h"
 #include "app/input/read_input.h"
 #include "app/movie/camera_path.h"
-#include "app/movie/movie_encoder.h"
 #include "app/movie/movie_file.h"
+#include "app/movie/write_movie.h"
 #include "app/picture/usage_error.h"
 #include "app/python/frames.h"
 #include "app/python/interrupt.h"
@@ -110,16 +110,9 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
                 drawing.showCut(canvas, settings);
             else
                 models ? drawing.handOver(canvas) : drawing.show(canvas);
-            Picture drawn = drawing.drawAs(settings, canvas.renderer, &memory);
-            between();
-            return drawn;
+            return drawing.drawAs(settings, canvas.renderer, &memory);
         };
-        constexpr std::uint64_t kSamples = 6;  // that a palette is made from
-        if (file->wantsSamples())
-            for (std::uint64_t i = 0; i < std::min(kSamples, frames); ++i) file->sample(picture(i * frames / kSamples));
-        app::MovieEncoder encoder(*file);
-        for (std::uint64_t frame = 0; frame < frames; ++frame) encoder.add(picture(frame));
-        encoder.finish();
+        app::writeMovie(*file, {frames, picture, [&](app::MovieStage, std::uint64_t) { return between(), true; }});
     });
     return {frames, warnings};
 }
