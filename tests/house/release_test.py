@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The release workflow calls scripts that are there, in an order that holds; what of them runs anywhere is run. release_test.py TREE"""
+"""The workflows call scripts that are there, in an order that holds; what of the release runs anywhere is run. release_test.py TREE"""
 import hashlib
 import os
 import pathlib
@@ -12,39 +12,100 @@ import unittest
 import yaml
 
 TREE = pathlib.Path(sys.argv.pop())
-WORKFLOW = yaml.safe_load((TREE / ".github/workflows/release.yml").read_text())
+FOLDER = TREE / ".github/workflows"
+WORKFLOWS = {file.name: yaml.safe_load(file.read_text()) for file in sorted(FOLDER.glob("*.yml"))}
+JOBS = WORKFLOWS["release.yml"]["jobs"]
+CALLED = "./.github/workflows/"
 VERSION = re.search(r"project\(nacre VERSION (\S+)", (TREE / "CMakeLists.txt").read_text())[1]
-# What prepares a machine, and is no work of ours.
-PREPARES = r"apt-get |git config |brew install |gh release download |lintian "
+# What prepares a machine, or builds what a script of tools/ has prepared.
+PREPARES = r"apt-get |git config |cmake |ninja "
 
 
 def release(*words):
     return subprocess.run([TREE / "tools/release", *words], capture_output=True, text=True)
 
 
-class Release(unittest.TestCase):
-    def test_steps_are_scripts_of_tools(self):
-        called = set()
-        for name, job in WORKFLOW["jobs"].items():
-            for step in job["steps"]:
-                if "run" not in step or re.match(PREPARES, step["run"]):
-                    continue
-                script = re.match(r"(?:[A-Z_]+=\S+ )*(tools/\w+)", step["run"])
-                self.assertTrue(script, f"{name}: {step['run']}")
-                self.assertTrue(os.access(TREE / script[1], os.X_OK), script[1])
-                called.add(script[1])
-        self.assertLessEqual({"tools/package", "tools/try_package", "tools/release", "tools/setup"}, called)
+def rows(job):
+    """The values of `matrix` in each run of a job."""
+    return job.get("strategy", {}).get("matrix", {}).get("include", [{}])
 
+
+def filled(text, row):
+    return re.sub(r"\$\{\{ matrix\.([\w-]+)(?: \|\| [^}]*)? \}\}", lambda match: str(row.get(match[1], "")), text)
+
+
+def commands(workflow):
+    """(job, line of a shell) of a workflow, each run of a matrix, what it hands to another workflow included."""
+    for name, job in workflow["jobs"].items():
+        texts = [step.get("run", "") for step in job.get("steps", [])] + [job.get("with", {}).get("run", "")]
+        for row in rows(job):
+            for text in texts:
+                for line in re.split(r"&&|\n", filled(text, row)):
+                    if line.strip() and not line.strip().startswith("${{ inputs."):
+                        yield name, line.strip()
+
+
+class Workflows(unittest.TestCase):
+    def test_steps_are_scripts_of_tools(self):
+        scripts = set()
+        for file, workflow in WORKFLOWS.items():
+            for job, line in commands(workflow):
+                if re.match(PREPARES, line):
+                    continue
+                script = re.match(r"(tools/\w+|\.ci/run)(?: |$)", line)
+                self.assertTrue(script, f"{file}, {job}: {line}")
+                self.assertTrue(os.access(TREE / script[1], os.X_OK), f"{file}: {script[1]}")
+                scripts.add(script[1])
+        self.assertLessEqual({".ci/run", "tools/test", "tools/nacre", "tools/release"}, scripts)
+
+    def test_steps_are_written_once(self):
+        """What more than one job does is a workflow of its own."""
+        seen = {}
+        for file, workflow in WORKFLOWS.items():
+            for name, job in workflow["jobs"].items():
+                for step in job.get("steps", []):
+                    if re.match(PREPARES, step.get("run", "")):
+                        self.assertNotIn(step["run"], seen, f"{file}, {name}: also in {seen.get(step['run'])}")
+                        seen[step["run"]] = f"{file}, {name}"
+
+    def test_workflows_that_are_called_take_what_they_are_given(self):
+        called = set()
+        for file, workflow in WORKFLOWS.items():
+            for name, job in workflow["jobs"].items():
+                if "uses" not in job:
+                    continue
+                self.assertTrue(job["uses"].startswith(CALLED), job["uses"])
+                target = WORKFLOWS[job["uses"].removeprefix(CALLED)]
+                inputs = target[True]["workflow_call"]["inputs"]  # YAML 1.1 reads "on" as a truth value
+                given = job["with"]
+                self.assertLessEqual(set(given), set(inputs), f"{file}, {name}")
+                self.assertLessEqual({key for key, one in inputs.items() if one.get("required")}, set(given))
+                called.add(job["uses"])
+                used = set(re.findall(r"matrix\.([\w-]+)", str(job)))
+                for row in rows(job):
+                    self.assertLessEqual(set(row), used, f"{file}, {name}: {row}")
+        self.assertEqual(called, {CALLED + "debian.yml"})
+        text = (FOLDER / "debian.yml").read_text()
+        for name in WORKFLOWS["debian.yml"][True]["workflow_call"]["inputs"]:
+            self.assertRegex(text, rf"inputs\.{name}\b")
+
+
+class Release(unittest.TestCase):
     def test_what_is_built_is_of_the_tag_and_published_once(self):
-        jobs = WORKFLOW["jobs"]
-        for name, job in jobs.items():
-            runs = [step.get("run", "") for step in job["steps"]]
-            if name != "publish":
-                self.assertTrue(any(run.startswith("tools/release check") for run in runs), name)
-        self.assertEqual(set(jobs["publish"]["needs"]), set(jobs) - {"publish"})
+        lines = list(commands(WORKFLOWS["release.yml"]))
+        kinds = re.search(r"^case.*?\n(.*?)\) ", (TREE / "tools/release").read_text(), re.MULTILINE)[1]
+        for job, line in lines:
+            self.assertIn(f"{line.split()[1]}:{len(line.split()) - 1}", re.split(r"[ |]+", kinds.strip()), line)
+        for name in JOBS.keys() - {"publish"}:
+            own = [line for job, line in lines if job == name]
+            self.assertEqual(own[::2], ['tools/release check "$GITHUB_REF_NAME"'] * (len(own) // 2), name)
+        self.assertLessEqual({"linux", "container", "android", "mac", "ios", "sums", "publish"}, {line.split()[1] for _, line in lines})
+        self.assertEqual(set(JOBS["publish"]["needs"]), set(JOBS) - {"publish"})
         # Only the last job may write.
-        self.assertEqual(WORKFLOW["permissions"], {"contents": "read"})
-        self.assertEqual([name for name, job in jobs.items() if "write" in str(job.get("permissions"))], ["publish"])
+        for workflow in WORKFLOWS.values():
+            self.assertEqual(workflow["permissions"], {"contents": "read"})
+            for name, job in workflow["jobs"].items():
+                self.assertEqual("write" in str(job.get("permissions")), name == "publish", name)
 
     def test_the_tag_is_the_version(self):
         self.assertEqual(release("check", f"v{VERSION}").returncode, 0)
@@ -52,7 +113,12 @@ class Release(unittest.TestCase):
             run = release("check", wrong)
             self.assertEqual(run.returncode, 1, wrong)
             self.assertIn("version", run.stderr)
-        self.assertEqual(release("nothing").returncode, 2)
+
+    def test_usage(self):
+        for words in ((), ("nothing",), ("linux",), ("apple", "mac", "x")):
+            run = release(*words)
+            self.assertEqual(run.returncode, 2, words)
+            self.assertEqual(len(re.findall(r"^  tools/release", run.stderr, re.MULTILINE)), 8, run.stderr)
 
     def test_checksums(self):
         with tempfile.TemporaryDirectory() as folder:
