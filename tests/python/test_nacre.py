@@ -4,6 +4,7 @@ import os
 import pathlib
 import pickle
 import subprocess
+import sys
 import threading
 import time
 
@@ -393,3 +394,22 @@ def test_export_is_the_command_lines(dna, tmp_path):
     assert (tmp_path / "a.ply").read_bytes() == (tmp_path / "b.ply").read_bytes()
     dna.export(tmp_path / "c.ply", style="cartoon", color=np.zeros((len(dna), 3)))
     assert (tmp_path / "c.ply").read_bytes() != (tmp_path / "b.ply").read_bytes()
+
+
+def test_the_command_of_the_package(tmp_path):
+    """As a module, and as the script of a wheel, which starts without numpy."""
+    version = subprocess.run([PROGRAM, "--version"], check=True, capture_output=True).stdout
+    script = tmp_path / "bin/nacre"
+    script.parent.mkdir()
+    script.write_text(f"#!{sys.executable}\n" + (pathlib.Path(nacre.__file__).parent / "__main__.py").read_text())
+    script.chmod(0o755)
+    assert subprocess.run([sys.executable, "-m", "nacre", "--version"], check=True, capture_output=True).stdout == version
+    (tmp_path / "numpy.py").write_text("raise SystemExit('numpy is imported')\n")
+    found = [str(tmp_path), *filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep))]
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(found)}
+    assert subprocess.run([script, "--version"], env=environment, check=True, capture_output=True).stdout == version
+    # A package without a program does not start the script again.
+    (tmp_path / "nacre").mkdir()
+    (tmp_path / "nacre/__init__.py").touch()
+    alone = subprocess.run([script], env=environment | {"PATH": str(script.parent)}, capture_output=True, text=True, timeout=60)
+    assert (alone.returncode, alone.stderr) == (1, "nacre: error: no program: not in the package nacre, not along PATH\n")

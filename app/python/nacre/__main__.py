@@ -1,16 +1,24 @@
-"""python -m nacre: the command `nacre`, that of the package or the one along PATH."""
+"""The command `nacre`: starts the program of the package, or the one along PATH. It imports neither numpy nor the module.
+
+python -m nacre runs it, and a wheel installs it as the script `nacre`.
+"""
+import importlib.util
 import os
 import shutil
 import sys
 
 
-def _main() -> None:
-    inside = os.path.join(os.path.dirname(__file__), "nacre")
-    program = inside if os.access(inside, os.X_OK) else shutil.which("nacre")
-    if program is None:
-        sys.exit("nacre: error: no program: not in the package nacre, not along PATH")
-    os.execv(program, [program, *sys.argv[1:]])
+def _program():
+    package = importlib.util.find_spec("nacre")
+    inside = os.path.join(os.path.dirname(package.origin), "nacre") if package and package.origin else ""
+    if os.access(inside, os.X_OK):
+        return inside  # by its own name, beside which it finds its driver
+    along = shutil.which("nacre")
+    return along if along and not os.path.samefile(along, __file__) else None
 
 
 if __name__ == "__main__":
-    _main()
+    path = _program()
+    if path is None:
+        sys.exit("nacre: error: no program: not in the package nacre, not along PATH")
+    os.execv(path, [path, *sys.argv[1:]])
