@@ -12,11 +12,11 @@ def ccp4(group, intervals):
     return head + struct.pack("<216f", *(i % 7 / 7 for i in range(216)))
 
 
-def gsd(packed):
+def gsd(packed, bonds=(0, 1, 1, 2)):
     """Two frames of three beads. Version 1 has names of 64 bytes each, version 2 one after the other."""
     chunks = ((0, "particles/position", 3, 9, "<9f", (0, 0, 0, 1, 0, 0, 2, 0, 0)), (0, "particles/types", 2, 5, "<4s", (b"B\0C\0",)),
               (0, "particles/typeid", 1, 3, "<3I", (0, 1, 0)), (0, "particles/diameter", 1, 9, "<3f", (1, 2, 1)),
-              (0, "bonds/group", 2, 3, "<4I", (0, 1, 1, 2)), (0, "configuration/box", 1, 9, "<6f", (10, 10, 10, 0.1, 0, 0)),
+              (0, "bonds/group", 2, 3, f"<{len(bonds)}I", bonds), (0, "configuration/box", 1, 9, "<6f", (10, 10, 10, 0.1, 0, 0)),
               (1, "particles/position", 3, 9, "<9f", (0, 0, 1, 1, 0, 1, 2, 0, 1)))
     names, index, body = [], b"", b""
     for frame, name, columns, type, form, values in chunks:
@@ -34,5 +34,6 @@ def gsd(packed):
 
 
 folder = pathlib.Path(sys.argv[1])
-for name, data in (("box.ccp4", ccp4(0, 6)), ("cell.ccp4", ccp4(19, 12)), ("beads.gsd", gsd(False)), ("packed.gsd", gsd(True))):
+for name, data in (("box.ccp4", ccp4(0, 6)), ("cell.ccp4", ccp4(19, 12)), ("beads.gsd", gsd(False)), ("packed.gsd", gsd(True)),
+                   ("unbonded.gsd", gsd(False, ()))):
     (folder / name).write_bytes(data)

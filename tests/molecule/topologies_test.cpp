@@ -260,6 +260,17 @@ TEST(Topologies, HeadersThatAnnounceMoreThanTheFileHolds) {
     test::expectError("a.gsd", bytes, {"it lists more than it holds"});
 }
 
+TEST(Topologies, GsdWithChunksOfNoRows) {
+    std::string bytes = gsdBytes(false);
+    std::uint64_t index = 0;
+    std::memcpy(&index, bytes.data() + 8, sizeof index);
+    constexpr std::size_t kEntry = 32, kBonds = 4, kRows = 8;
+    std::memset(bytes.data() + index + kBonds * kEntry + kRows, 0, sizeof(std::uint64_t));
+    const Molecule chain = readMolecule("a.gsd", bytes);
+    EXPECT_EQ(chain.atoms.size(), 3u);
+    EXPECT_TRUE(chain.bonds.empty());
+}
+
 TEST(Topologies, AreTrajectoriesOnlyWithPositions) {
     EXPECT_THROW(openTrajectory(seedOf("water.psf")), Error);
     EXPECT_EQ(openTrajectory(seedOf("salt.poscar"))->atoms(), 2u);

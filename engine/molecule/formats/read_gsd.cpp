@@ -125,7 +125,7 @@ private:
         constexpr std::uint8_t kUnsigned = 3, kReal = 9;
         const GsdChunk* found = chunk(name);
         const std::uint8_t type = std::is_floating_point_v<Number> ? kReal : kUnsigned;
-        if (!found || found->columns != columns || found->type != type) return {};
+        if (!found || found->rows == 0 || found->columns != columns || found->type != type) return {};
         require(found->place, found->rows, columns * sizeof(Number));
         if (found->rows > builder_.mostBonds()) throw tooManyAtoms(name_, builder_.maxAtoms());
         std::vector<Number> values(found->rows * columns);
