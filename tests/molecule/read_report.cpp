@@ -30,6 +30,8 @@ int main(int count, char** arguments) try {
     for (const nacre::Name& type : molecule.types) report["types"].push_back(type.view());
     if (molecule.file.box)
         for (const glm::vec3& edge : *molecule.file.box) report["box"].push_back({edge.x, edge.y, edge.z});
+    const glm::vec3& origin = molecule.file.boxOrigin;
+    report["box_origin"] = {origin.x, origin.y, origin.z};
     report["models"] = molecule.file.models.value_or(molecule.file.records.value_or(1));
     report["warnings"] = molecule.warnings;
     std::cout << report.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) << '\n';
