@@ -22,6 +22,7 @@ set(formats
     "AMBER coordinates|org.ambermd.inpcrd|public.plain-text|:inpcrd,rst7,restrt"
     "LAMMPS simulation|org.lammps.data|public.plain-text|:lmp,data :lammpstrj,dump"
     "HOOMD simulation|org.glotzerlab.gsd|public.data|:gsd"
+    "H5MD simulation|org.nongnu.h5md|public.data|:h5md"
     "VASP structure|at.vasp.poscar|public.plain-text|:poscar,vasp"
     "XCrySDen structure|org.xcrysden.xsf|public.plain-text|:xsf,axsf"
     "Tinker coordinates|edu.wustl.tinker|public.plain-text|:txyz,arc"

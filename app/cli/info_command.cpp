@@ -115,6 +115,27 @@ void assemblies(std::ostream& out, const Json& list) {
     }
 }
 
+/// "assembly 1 of 12 entities: root.membrane (7), root.interior (5)"
+std::string compartments(const Json& json) {
+    std::map<std::string, int> entities;
+    int all = 0;
+    const Json names = json.contains("entity_names") ? json["entity_names"] : Json::object();
+    for (const Json& name : names) {
+        const auto path = name.get<std::string>();
+        const std::size_t point = path.find_last_of('.');
+        if (point != std::string::npos) ++entities[path.substr(0, point)];
+        ++all;
+    }
+    std::string text = "assembly " + json["packed"].get<std::string>();
+    if (all > 0) text += " of " + std::to_string(all) + (all == 1 ? " entity" : " entities");
+    std::size_t shown = 0;
+    for (const auto& [name, count] : entities) {
+        if (++shown > kMostNames) return text + " and " + std::to_string(entities.size() - kMostNames) + " more";
+        text += (shown == 1 ? ": " : ", ") + name + " (" + std::to_string(count) + ")";
+    }
+    return text;
+}
+
 /// A number as people write it, without the digits that binary fractions add.
 std::string plainNumber(double value) {
     std::ostringstream out;
@@ -124,10 +145,10 @@ std::string plainNumber(double value) {
 
 /// "guessed 12 bonds: from distances"
 std::string readingLine(const Json& entry) {
-    std::string text =
-        entry["action"].get<std::string>() + " " + entry["count"].dump() + " " + entry["what"].get<std::string>();
-    if (entry.contains("line")) text += ", from line " + entry["line"].dump() + " on";
-    return entry.contains("why") ? text + ": " + entry["why"].get<std::string>() : text;
+    ReadNote note{ReadAction::read, entry["what"], entry.value("why", ""), entry["count"], entry.value("line", 0u)};
+    for (const ReadAction action : {ReadAction::guessed, ReadAction::leftOut})
+        if (entry["action"] == readActionName(action)) note.action = action;
+    return sentenceOf(note);
 }
 
 /// "A, B: HIV-1 protease; C: DNA": those of one name together.
@@ -178,6 +199,7 @@ std::string infoText(const std::string& name, const Json& json) {
          listed(json,
                 {{"assemblies", "assemblies"}, {"oper_list", "operators"}, {"biomt_operators", "BIOMT operators"}}));
     if (json.contains("assembly_list")) assemblies(out, json["assembly_list"]);
+    if (json.contains("packed")) line(out, "packed scene", compartments(json));
     line(out, "bonds",
          listed(json["bonds_known"], {{"total", "total"},
                                       {"file", "from the file"},

@@ -187,12 +187,15 @@ Json infoJson(const Molecule& molecule) {
     }
     if (!file.chainNames.empty()) json["chain_names"] = file.chainNames;
     if (!file.componentNames.empty()) json["component_names"] = file.componentNames;
+    if (!file.entityNames.empty()) json["entity_names"] = file.entityNames;
+    if (!file.packed.empty()) json["packed"] = file.packed;
     put(json, "biomt_operators", file.biomtOperators);
     put(json, "assemblies", file.assemblies);
     put(json, "oper_list", file.operators);
     if (!molecule.assemblies.empty()) json["assembly_list"] = assemblyList(molecule);
     if (counts.bbox) json["bbox"] = vectors(*counts.bbox);
     if (file.box) json["box_vectors"] = vectors(*file.box);
+    if (file.box && file.boxOrigin != glm::vec3(0)) json["box_origin"] = vectors(std::array{file.boxOrigin})[0];
     if (!molecule.partialCharges.empty())
         json["partial_charge"] = std::accumulate(molecule.partialCharges.begin(), molecule.partialCharges.end(), 0.0);
     json["bonds_known"] = bondsByKind(molecule);

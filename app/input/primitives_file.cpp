@@ -131,8 +131,8 @@ std::vector<double> flatNumbers(const PrimitiveJson& list) {
 
 class Reader {
 public:
-    Reader(const PlaceOf& placeOf, const std::optional<std::array<glm::dvec3, 3>>& cell, Primitives& all)
-        : placeOf_(placeOf), cell_(cell), all_(all) {}
+    Reader(const PlaceOf& placeOf, const FileSummary& file, Primitives& all)
+        : placeOf_(placeOf), cell_(cellEdges(file)), corner_(file.boxOrigin), all_(all) {}
 
     void add(const PrimitiveJson& object) {
         if (!object.is_object()) throw std::invalid_argument("expected an object");
@@ -253,10 +253,10 @@ private:
         box.edgeWidth = keys.number("edge_width", 1.5, 0.5, 10);
         all_.boxes.push_back(box);
     }
-    /// Edges of the cell whose corner is the origin.
     void cell(Keys& keys) {
         if (!cell_) throw std::invalid_argument("the structure states no unit cell and no periodic box");
         Primitives::Box box;
+        box.center = corner_;
         for (std::size_t i = 0; i < 3; ++i) {
             box.axes[i] = (*cell_)[i] / 2.0;
             box.center += box.axes[i];
@@ -328,14 +328,15 @@ private:
     }
 
     const PlaceOf& placeOf_;
-    const std::optional<std::array<glm::dvec3, 3>>& cell_;
+    std::optional<std::array<glm::dvec3, 3>> cell_;
+    glm::dvec3 corner_;
     Primitives& all_;
 };
 
 }  // namespace
 
 Primitives readPrimitives(const std::string& text, const std::string& name, const PlaceOf& placeOf,
-                          const std::optional<std::array<glm::dvec3, 3>>& cell) {
+                          const FileSummary& file) {
     const PrimitiveJson json = parseJsonText<PrimitiveJson>(text, "cannot read primitives", name);
     const PrimitiveJson* list = &json;
     if (json.is_object() && json.contains("primitives")) {
@@ -343,7 +344,7 @@ Primitives readPrimitives(const std::string& text, const std::string& name, cons
         list = &json["primitives"];
     }
     Primitives all;
-    Reader reader(placeOf, cell, all);
+    Reader reader(placeOf, file, all);
     const auto add = [&](const PrimitiveJson& one, std::size_t number) {
         try {
             reader.add(one);
@@ -374,16 +375,15 @@ Primitives primitivesOf(const std::vector<PrimitiveSource>& sources, const Molec
         if (count == 0) throw std::invalid_argument("'" + text + "' matches no atoms");
         return sum / count;
     };
-    const auto cell = cellEdges(molecule.file);
     Primitives all;
     for (const PrimitiveSource& source : sources) {
         if (source.made)
             all.append(*source.made);
         else if (isJsonText(source.text))
-            all.append(readPrimitives(source.text, "--primitives", placeOf, cell));
+            all.append(readPrimitives(source.text, "--primitives", placeOf, molecule.file));
         else
             all.append(readPrimitives(readTextFile("cannot read primitives", source.text, kMostFileBytes), source.text,
-                                      placeOf, cell));
+                                      placeOf, molecule.file));
     }
     return all;
 }

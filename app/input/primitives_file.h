@@ -1,10 +1,8 @@
 #pragma once
 // Primitives as JSON (docs/geometry.md).
 
-#include <array>
 #include <functional>
 #include <glm/vec3.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +16,9 @@ namespace nacre::app {
 using PlaceOf = std::function<glm::dvec3(const std::string& selection)>;
 
 /// @param name  of the file, for errors @throws Error naming the primitive and its key
-/// @param cell  edges of the unit cell or periodic box, for the kind "cell"
+/// @param file  has the unit cell or periodic box of the kind "cell"
 Primitives readPrimitives(const std::string& json, const std::string& name, const PlaceOf& placeOf,
-                          const std::optional<std::array<glm::dvec3, 3>>& cell = {});
+                          const FileSummary& file = {});
 
 /// All primitives of a picture. Points that are selections are the mean of their atoms. @throws Error
 Primitives primitivesOf(const std::vector<PrimitiveSource>& sources, const Molecule& molecule);

@@ -108,7 +108,8 @@ std::string fitInput(Molecule& molecule, const FitOptions& fit) {
 }
 
 /// Reads a file that is open already; errors have its own name. @throws Error
-Molecule readOpened(const InputOptions& input, const ReadOptions& options) {
+Molecule readOpened(const InputOptions& input, ReadOptions options) {
+    options.uploaded = true;
     std::error_code error;
     const std::string path = openPathOf(input);
     const std::uint64_t size = std::filesystem::file_size(path, error);

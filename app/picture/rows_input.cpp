@@ -245,7 +245,8 @@ std::vector<Option> moving() {
         {.key = "trajectory",
          .syntax = "FILE",
          .standard = "none",
-         .help = "Positions of INPUT's atoms, frame by frame: DCD, XTC, TRR or AMBER NetCDF",
+         .help = "Positions of INPUT's atoms, frame by frame: DCD, XTC, TRR, AMBER NetCDF, H5MD or any file of\n"
+                 "several models",
          .facet = Facet::input,
          .parse = parseTrajectory,
          .print = printText<&P::input, &InputOptions::trajectory, &Q::path>,

@@ -158,8 +158,8 @@ void all(Archive& archive, M& molecule) {
     archive.text(othersMissing);
     auto& [format, title, models, records, totalAtomsAllModels, totalAtomsAllRecords, totalBondsAllRecords, stated,
            bondsAllModels, conectUniquePairs, itsChains, chainsAuth, chainsLabel, biomtOperators, itsAssemblies,
-           operators, resolution, organism, method, chainNames, componentNames, confidence, box, cell, spaceGroup] =
-        file;
+           operators, resolution, organism, method, chainNames, componentNames, confidence, box, boxOrigin, cell,
+           spaceGroup, packed, entityNames] = file;
     archive.text(format);
     archive.text(title);
     archive.text(organism);
@@ -173,8 +173,11 @@ void all(Archive& archive, M& molecule) {
     maybe(archive, resolution);
     archive.plain(confidence);
     maybe(archive, box);
+    archive.plain(boxOrigin);
     maybe(archive, cell);
     archive.text(spaceGroup);
+    archive.text(packed);
+    names(archive, entityNames);
     static_cast<void>(others);  // by its functions, below
 }
 

@@ -34,7 +34,8 @@ enum class Format {
     poscar,
     xsf,
     tinker,
-    mae
+    mae,
+    h5md
 };
 
 /// Larger molecules are always refused: an atom may take only six bytes of text.
@@ -50,6 +51,7 @@ struct ReadOptions {
     std::size_t maxAtoms = kMaxAtoms;             ///< of the model that is read; reading stops at one more
     std::size_t heldText = std::size_t{32}
                            << 20;              ///< largest file held whole; models of larger files are read one by one
+    bool uploaded = false;                     ///< HDF5 is refused: damaged files can crash its library
     bool others = false;                       ///< also read the positions of the file's other models: Molecule::others
     std::function<void(double)> onModel = {};  ///< for kAllModels: called after each model with the share read, 0..1
 };

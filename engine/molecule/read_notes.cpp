@@ -24,10 +24,28 @@ std::string_view readActionName(ReadAction action) {
     return action == ReadAction::read ? "read" : action == ReadAction::guessed ? "guessed" : "left out";
 }
 
+namespace {
+
+/// "radii of grains": "radius of grains"; "periodic boxes": "periodic box".
+std::string singularOf(std::string_view plural) {
+    struct Ending {
+        std::string_view plural, singular;
+    };
+    static constexpr Ending kEndings[] = {{"ies", "y"}, {"ii", "ius"}, {"xes", "x"}, {"sses", "ss"}, {"s", ""}};
+    std::size_t head = plural.size();
+    for (const std::string_view after : {" of ", " in ", " and "}) head = std::min(head, plural.find(after));
+    for (const Ending& ending : kEndings)
+        if (plural.substr(0, head).ends_with(ending.plural))
+            return std::string(plural.substr(0, head - ending.plural.size())) + std::string(ending.singular) +
+                   std::string(plural.substr(head));
+    return std::string(plural);
+}
+
+}  // namespace
+
 std::string sentenceOf(const ReadNote& note) {
     std::string text(readActionName(note.action));
-    text += " " + std::to_string(note.count) + " " + note.what;
-    if (note.count == 1 && text.back() == 's') text.pop_back();
+    text += " " + std::to_string(note.count) + " " + (note.count == 1 ? singularOf(note.what) : note.what);
     if (note.line > 0) text += (note.count > 1 ? ", the first on line " : ", line ") + std::to_string(note.line);
     return note.why.empty() ? text : text + ": " + note.why;
 }

@@ -98,16 +98,6 @@ Error tooManyAtoms(const std::string& name, std::size_t maxAtoms) {
     return {"cannot read molecule", name, "more than " + std::to_string(maxAtoms) + " atoms" + why};
 }
 
-float parseCoordinate(std::string_view text, char axis, const std::string& name, std::uint64_t line, double scale) {
-    const auto value = parseNumber(text);
-    if (value && std::abs(*value * scale) <= kFarthestCoordinate)  // false for nan
-        return static_cast<float>(*value * scale);
-    std::string why(1, axis);
-    why += " is not a ";
-    why += value ? "usable coordinate: '" : "number: '";
-    cannotRead(name, why + printable(trim(text)) + "'" + (value ? ", which is not within 1e9 Å" : ""), line);
-}
-
 std::string printable(std::string_view text, std::size_t limit) {
     static const char* const kDigits = "0123456789abcdef";
     std::string safe;

@@ -40,13 +40,8 @@ std::string numbersApart(std::string_view line);
 /// The error for an atom beyond the limit.
 Error tooManyAtoms(const std::string& name, std::size_t maxAtoms);
 
-/// Largest coordinate, Å: every reader refuses larger ones.
+/// Largest coordinate, Å: atoms beyond it are left out.
 constexpr double kFarthestCoordinate = 1e9;
-
-/// A coordinate in Å.
-/// @throws Error with the line unless it is a number within ±kFarthestCoordinate.
-/// @param axis  'x', 'y' or 'z', for the message @param line  0: none @param scale Å per unit of the file
-float parseCoordinate(std::string_view text, char axis, const std::string& name, std::uint64_t line, double scale = 1);
 
 /// Text that is safe in a message: control characters and invalid UTF-8 as \xNN, cut to about `limit` bytes.
 std::string printable(std::string_view text, std::size_t limit = 48);

@@ -19,7 +19,7 @@ struct Expectation {
 constexpr Expectation kFiles[] = {
     {"0red.bcif", 0, "it has no _atom_site rows"},
     {"1en2_err.cif", 9},
-    {"bad-atom-line.sdf", 0, "(line 5): atom 1 of 1 "},
+    {"bad-atom-line.sdf", 0, "(line 5): expected atom 1 of 1"},
     {"bad-crc.pdb.gz", 0, "wrong checksum"},
     {"bcif-bitflips.bcif", 0, "not valid MessagePack"},
     {"bcif-truncated.bcif", 0, "cut short"},
@@ -32,7 +32,7 @@ constexpr Expectation kFiles[] = {
     {"empty.pdb", 0, "it is empty"},
     {"ensemble_error_1.pdb", 2},
     {"ensemble_error_3.pdb", 2},
-    {"extended-bad-properties.xyz", 0, "(line 3): x is not a usable coordinate"},
+    {"extended-bad-properties.xyz", 0, "(line 3): invalid x coordinate"},
     {"far-apart.pdb", 2},
     {"garbage.cif", 0, "not valid CIF"},
     {"helium-bad.xyz", 0, "it ends after 4 of 8 atoms"},
@@ -55,7 +55,7 @@ constexpr Expectation kFiles[] = {
     {"odd-start.pdb", 20},
     {"png-named.pdb", 0, "PNG picture"},
     {"sdf-bond-out-of-range.sdf", 24},
-    {"sdf-counts-999.sdf", 0, "(line 29): atom 25 of 999"},
+    {"sdf-counts-999.sdf", 0, "(line 29): expected atom 25 of 999"},
     {"sdf-counts-negative.sdf", 0, "(line 4): negative counts"},
     {"short-cryst1.pdb", 9},
     {"stars-coord.pdb", 324},
@@ -66,7 +66,7 @@ constexpr Expectation kFiles[] = {
     {"unterminated-text.cif", 0, "(line 1004): not valid CIF"},
     {"xyz-count-2billion.xyz", 0, "(line 1): it states 2147483647 atoms"},
     {"xyz-count-huge.xyz", 0, "(line 1): it states 99999999999999999999 atoms"},
-    {"xyz-nan.xyz", 0, "(line 4): x is not a usable coordinate: 'nan'"},
+    {"xyz-nan.xyz", 0, "(line 4): invalid x coordinate 'nan'"},
     {"xyz-unknown-elements.xyz", 4},
 };
 

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tests/molecule/expect_error.h"
+#include "tests/molecule/gsd_writer.h"
 #include "tests/support/test_data.h"
 #include "tests/support/written_files.h"
 
@@ -98,6 +99,7 @@ TEST(MutatedSeeds, AreMoleculesOrErrors) {
         SCOPED_TRACE(seed);
         expectMoleculeOrError(seed, beginningOf(std::string(NACRE_SOURCE_DIR "/tests/fuzz/seeds/") + seed), 1500);
     }
+    for (const bool packed : {false, true}) expectMoleculeOrError("a.gsd", test::gsdBytes(packed), 1500);
 }
 
 constexpr std::size_t kWhole = 1 << 20;

@@ -107,13 +107,13 @@ TEST(PdbLines, CoordinatesThatAreNoneAreErrorsWithTheirLine) {
     const auto withX = [](const std::string& x) {
         return "REMARK\nHETATM    2  O1  LIG A   1    " + x + "   2.000   3.000\n";
     };
-    EXPECT_EQ(errorOfLines(withX("     nan")), head + "\"nan\" is no x coordinate");
-    EXPECT_EQ(errorOfLines(withX("    -inf")), head + "\"-inf\" is no x coordinate");
-    EXPECT_EQ(errorOfLines(withX("********")), head + "\"********\" is no x coordinate");
-    EXPECT_EQ(errorOfLines(withX("  1.0 2 ")), head + "\"1.0 2\" is no x coordinate");
-    EXPECT_EQ(errorOfLines(withX("   1e999")), head + "\"1e999\" is no x coordinate");
-    EXPECT_EQ(errorOfLines(withX("        ")), head + "has no x coordinate");
-    EXPECT_EQ(errorOfLines("REMARK\nHETATM    2  O1  LIG A   1       1.000   2.000\n"), head + "has no z coordinate");
+    EXPECT_EQ(errorOfLines(withX("     nan")), head + "invalid x coordinate 'nan'");
+    EXPECT_EQ(errorOfLines(withX("    -inf")), head + "invalid x coordinate '-inf'");
+    EXPECT_EQ(errorOfLines(withX("********")), head + "invalid x coordinate '********'");
+    EXPECT_EQ(errorOfLines(withX("  1.0 2 ")), head + "invalid x coordinate '1.0 2'");
+    EXPECT_EQ(errorOfLines(withX("   1e999")), head + "invalid x coordinate '1e999'");
+    EXPECT_EQ(errorOfLines(withX("        ")), head + "missing x coordinate");
+    EXPECT_EQ(errorOfLines("REMARK\nHETATM    2  O1  LIG A   1       1.000   2.000\n"), head + "missing z coordinate");
     EXPECT_EQ(errorOfLines(withX("   1.5e1")), "no error");
 }
 

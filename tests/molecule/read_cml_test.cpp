@@ -91,8 +91,9 @@ TEST(ReadCml, Faults) {
     test::expectError("a", atom("xFract=\"0.1\" yFract=\"0.2\" zFract=\"0.3\""),
                       {"(line 5)", "fractional coordinates"});
     test::expectError("a", atom(""), {"(line 5)", "atom 'a' has no coordinates"});
-    test::expectError("a", atom("x3=\"0\" y3=\"inf\" z3=\"0\""), {"(line 5)", "y is not a usable coordinate"});
-    test::expectError("a", atom("x3=\"0\" y3=\"0\" z3=\"0\" formalCharge=\"99\""), {"(line 5)", "formal charge"});
+    test::expectError("a", atom("x3=\"0\" y3=\"inf\" z3=\"0\""), {"(line 5)", "invalid y coordinate"});
+    test::expectLeftOut("a", atom("x3=\"0\" y3=\"0\" z3=\"0\" formalCharge=\"99\""),
+                        "left out 1 formal charge, line 5: not usable");
     test::expectLeftOut("a", inMolecule(kTwoAtoms + "\n<bondArray><bond atomRefs2=\"a z\"/></bondArray>"),
                         "left out 1 bond, line 5: of atoms that are not there");
     test::expectError("a", inMolecule(kTwoAtoms + "<bondArray><bond atomRefs2=\"a\"/></bondArray>"),

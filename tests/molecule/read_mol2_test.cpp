@@ -84,7 +84,7 @@ TEST(ReadMol2, Faults) {
     test::expectError("a", mol2("2 1", kTwo, "1 1 2\n"), {"(line 11)", "a bond line needs"});
     test::expectError("a", mol2("3 1", kTwo, "1 1 2 1\n"), {"(line 3)", "states 3 atoms and has 2"});
     test::expectError("a", mol2("x", kTwo, "1 1 2 1\n"), {"(line 3)", "a number of atoms"});
-    test::expectError("a", mol2("1 0", "1 C 0 nan 0 C.3\n", ""), {"(line 8)", "y is not a usable coordinate"});
+    test::expectError("a", mol2("1 0", "1 C 0 nan 0 C.3\n", ""), {"(line 8)", "invalid y coordinate"});
     test::expectError("a", mol2("1 0", "1 C 0 0\n", ""), {"(line 8)", "an atom line needs"});
     const Molecule fewer = readMolecule("a", mol2("2 4", kTwo, "1 1 2 1\n"));
     ASSERT_EQ(fewer.warnings.size(), 1u);

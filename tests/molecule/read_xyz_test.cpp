@@ -63,7 +63,7 @@ TEST(ReadXyz, ExtendedColumns) {
 
 TEST(ReadXyz, WhatIsWrongIsSaidWithItsLine) {
     for (const char* number : {"nan", "inf", "-inf", "1e400", "1e12", "abc", "0x10", "1,5", "--1"})
-        test::expectError("a.xyz", std::string("1\n\nC 0 ") + number + " 0\n", {"(line 3)", "y is not a"});
+        test::expectError("a.xyz", std::string("1\n\nC 0 ") + number + " 0\n", {"(line 3)", "invalid y coordinate"});
     test::expectError("a.xyz", "1\n\nC 0 0\n", {"(line 3)", "three coordinates"});
     test::expectError("a.xyz", "1\n\n\n", {"(line 3)", "three coordinates"});
     test::expectError("a.xyz", "1\n", {"ends after 0 of 1"});

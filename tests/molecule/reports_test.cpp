@@ -347,7 +347,7 @@ TEST(OddFiles, UnusableCoordinatesAreLeftOutUnlessMostAre) {
     const Molecule one = readMolecule("a.pdb", good + bad);
     EXPECT_EQ(one.atoms.size(), 1u);
     EXPECT_TRUE(warns(one, "left out 1 atom, line 2: no usable coordinates"));
-    test::expectError("a.pdb", good + bad + bad, {"(line 2)", "\"********\" is no x coordinate"});
+    test::expectError("a.pdb", good + bad + bad, {"(line 2)", "invalid x coordinate '********'"});
     EXPECT_EQ(readMolecule("a.xyz", "2\n\nC 0 0 0\nC x 0 0\n").atoms.size(), 1u);
     EXPECT_EQ(
         readMolecule("a.pqr", "ATOM 1 C LIG 1 0.0 0.0 0.0 0.1 1.7\nATOM 2 C LIG 1 nan 0.0 0.0 0.1 1.7\n").atoms.size(),
@@ -422,6 +422,30 @@ TEST(OddFiles, TungstenStaysTungsten) {
     const Molecule one =
         readMolecule("a.pdb", "HETATM    1  W     W A   1       1.000   2.000   3.000  1.00  0.00           W\n");
     EXPECT_EQ(symbols(one), "W");
+}
+
+/// An alpha carbon, or another atom of one residue.
+std::string atomLine(const char* record, const char* residue, char chain, int number, int x) {
+    char line[100];
+    std::snprintf(line, sizeof line, "%-6s    1  CA  %3s %c%4d    %8.3f   0.000   0.000  1.00  0.00\n", record, residue,
+                  chain, number, static_cast<double>(x));
+    return line;
+}
+
+TEST(OddFiles, LettersThatBeginAgainAreOtherChains) {
+    // MDTraj calls its 27th chain A.
+    const auto chains = [](const std::string& text) {
+        std::string names;
+        for (const Chain& chain : readMolecule("a.pdb", text).chains) names += chain.name;
+        return names;
+    };
+    const std::string both =
+        atomLine("ATOM", "ALA", 'A', 1, 0) + atomLine("ATOM", "ALA", 'A', 2, 4) + atomLine("ATOM", "ALA", 'B', 1, 8);
+    EXPECT_EQ(chains(both + atomLine("ATOM", "GLY", 'A', 1, 12) + atomLine("ATOM", "GLY", 'A', 2, 16)), "ABA");
+    EXPECT_EQ(chains(both + atomLine("HETATM", "HEM", 'A', 1, 12) + atomLine("ATOM", "HOH", 'A', 2, 16)), "AB")
+        << "ligands and water stand behind all chains";
+    EXPECT_EQ(chains(both + atomLine("ATOM", "GLY", 'A', 3, 12)), "AB") << "the chain goes on";
+    EXPECT_EQ(chains(both + atomLine("ATOM", "GLY", 'B', 1, 12)), "AB") << "no other chain came between";
 }
 
 }  // namespace

@@ -11,7 +11,8 @@
 #include "engine/molecule/element.h"
 #include "engine/molecule/trajectory/trajectory.h"
 #include "tests/molecule/expect_error.h"
-#include "tests/molecule/text_file.h"
+#include "tests/molecule/gsd_writer.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre {
 namespace {
@@ -101,6 +102,13 @@ TEST(Topologies, LammpsData) {
     EXPECT_EQ(water.atoms[0].name.view(), "OW") << "sorted by number";
     EXPECT_FLOAT_EQ(water.partialCharges[0], -0.834f);
     EXPECT_EQ(water.file.box, (std::array{glm::vec3(10, 0, 0), glm::vec3(1, 11, 0), glm::vec3(0, 0, 12)}));
+    EXPECT_EQ(water.file.boxOrigin, glm::vec3(0));
+    std::string text = test::contentOf(seedOf("water.data"));
+    const std::size_t low = text.find("0.0 10.0 xlo");
+    ASSERT_NE(low, std::string::npos);
+    const Molecule shifted = readMolecule("a.data", text.replace(low, 12, "-5.0 5.0 xlo"));
+    EXPECT_EQ(shifted.file.box, water.file.box);
+    EXPECT_EQ(shifted.file.boxOrigin, glm::vec3(-5, 0, 0));
 }
 
 TEST(Topologies, LammpsBeadsAreNoHydrogens) {
@@ -179,52 +187,9 @@ TEST(Topologies, Maestro) {
     EXPECT_EQ(water.atoms[1].name.view(), "H1");
 }
 
-/// As the format's page describes it: version 1 has names of 64 bytes each, version 2 one after the other.
-std::string gsdBytes(bool packed) {
-    std::string body, index, names;
-    std::uint16_t count = 0;
-    const auto number = [](auto value) { return std::string(reinterpret_cast<const char*>(&value), sizeof value); };
-    const auto chunk = [&](std::uint64_t frame, std::uint16_t id, std::uint64_t rows, std::uint32_t columns,
-                           std::uint8_t type, const std::string& bytes) {
-        index += number(frame) + number(rows) + number(std::int64_t{256} + static_cast<std::int64_t>(body.size())) +
-                 number(columns) + number(id) + number(type) + number(std::uint8_t{0});
-        body += bytes;
-    };
-    const auto named = [&](const std::string& name) {
-        names += name + (packed ? std::string(1, '\0') : std::string(64 - name.size(), '\0'));
-        return count++;
-    };
-    const auto floats = [&](std::initializer_list<float> values) {
-        std::string bytes;
-        for (const float value : values) bytes += number(value);
-        return bytes;
-    };
-    const auto wholes = [&](std::initializer_list<std::uint32_t> values) {
-        std::string bytes;
-        for (const std::uint32_t value : values) bytes += number(value);
-        return bytes;
-    };
-    const std::uint16_t positions = named("particles/position");
-    chunk(0, positions, 3, 3, 9, floats({0, 0, 0, 1, 0, 0, 2, 0, 0}));
-    chunk(0, named("particles/types"), 2, 2, 5, std::string("B\0C\0", 4));
-    chunk(0, named("particles/typeid"), 3, 1, 3, wholes({0, 1, 0}));
-    chunk(0, named("particles/diameter"), 3, 1, 9, floats({1, 2, 1}));
-    chunk(0, named("bonds/group"), 2, 2, 3, wholes({0, 1, 1, 2}));
-    chunk(0, named("configuration/box"), 6, 1, 9, floats({10, 10, 10, 0.1f, 0, 0}));
-    chunk(1, positions, 3, 3, 9, floats({0, 0, 1, 1, 0, 1, 2, 0, 1}));
-    const std::uint64_t entries = index.size() / 32;
-    names += std::string((64 - names.size() % 64) % 64, '\0');
-    std::string header = number(std::uint64_t{0x65DF65DF65DF65DF}) + number(std::uint64_t{256 + body.size()}) +
-                         number(entries) + number(std::uint64_t{256 + body.size() + index.size()}) +
-                         number(std::uint64_t{names.size() / 64}) + number(std::uint32_t{0x10004}) +
-                         number(std::uint32_t{packed ? 0x20000u : 0x10000u});
-    header.resize(256);
-    return header + body + index + names;
-}
-
 TEST(Topologies, Gsd) {
     for (const bool packed : {false, true}) {
-        const std::string bytes = gsdBytes(packed);
+        const std::string bytes = test::gsdBytes(packed);
         const Molecule chain = readMolecule("a.gsd", bytes);
         EXPECT_EQ(chain.file.format, "gsd");
         EXPECT_EQ(chain.file.models, 2);
@@ -234,6 +199,7 @@ TEST(Topologies, Gsd) {
         EXPECT_FLOAT_EQ(chain.atoms[1].radius, 1);
         EXPECT_EQ(chain.bonds.size(), 2u);
         EXPECT_FLOAT_EQ((*chain.file.box)[1].x, 1);
+        EXPECT_EQ(chain.file.boxOrigin, glm::vec3(-5.5f, -5, -5)) << "about the origin";
         ReadOptions second;
         second.model = 2;
         EXPECT_FLOAT_EQ(readMolecule("a.gsd", bytes, second).atoms[2].position.z, 1);
@@ -247,6 +213,18 @@ TEST(Topologies, Gsd) {
     }
 }
 
+TEST(Topologies, BytesOfGsdAreNotLineEnds) {
+    // 13 and 10 are '\r' and '\n': a bond of atom 13 once became one of atom 10.
+    std::string bytes = test::gsdBytes(false);
+    const std::string zeros(4, '\0'), carriage = std::string("\r\r\r?");
+    const std::size_t first = 256;  // behind the header: x of the first particle
+    ASSERT_EQ(bytes.substr(first, 4), zeros);
+    bytes.replace(first, 4, carriage);
+    float expected = 0;
+    std::memcpy(&expected, carriage.data(), sizeof expected);
+    EXPECT_EQ(readMolecule("a.gsd", bytes).atoms[0].position.x, expected);
+}
+
 TEST(Topologies, HeadersThatAnnounceMoreThanTheFileHolds) {
     test::expectError("a.psf", "PSF\n\n 999999999 !NATOM\n", {"it ends after 0 of 999999999 atoms"});
     test::expectError("a.inpcrd",
@@ -254,14 +232,29 @@ TEST(Topologies, HeadersThatAnnounceMoreThanTheFileHolds) {
                       {"expected a number of atoms"});
     test::expectError("POSCAR", "a\n1\n4 0 0\n0 4 0\n0 0 4\nC\n999999999\nDirect\n0 0 0\n",
                       {"expected numbers of atoms"});
-    std::string bytes = gsdBytes(false);
+    test::expectError("a.prmtop",
+                      "%VERSION\n%FLAG POINTERS\n%FORMAT(10I8)\n999999999\n%FLAG ATOM_NAME\n%FORMAT(20a4)\nC\n",
+                      {"more than 50000000 atoms"});
+    test::expectError("a.prmtop",
+                      "%VERSION\n%FLAG POINTERS\n%FORMAT(10I8)\n 9999999\n%FLAG ATOM_NAME\n%FORMAT(20a4)\nC\n",
+                      {"its sections do not describe 9999999 atoms"});
+    test::expectError("a.lammpstrj",
+                      "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n999999999\nITEM: ATOMS id x y z\n1 0 0 0\n",
+                      {"(line 4)", "it states 999999999 atoms"});
+    test::expectError("a.data", "LAMMPS\n\n999999999 atoms\n\nAtoms # atomic\n\n", {"it has no atoms"});
+    test::expectError("a.txyz", "999999999 a\n1 C 0 0 0 1\n", {"it states 999999999 atoms"});
+    test::expectError("a.xsf", "PRIMVEC\n9 0 0\n0 9 0\n0 0 9\nPRIMCOORD\n999999999 1\nC 0 0 0\n",
+                      {"it states 999999999 atoms and has 1"});
+    test::expectError("a.mae", "f_m_ct {\n s_m_title\n :::\n a\n m_atom[999999999] {\n  r_m_x_coord\n  :::\n",
+                      {"it ends within a block"});
+    std::string bytes = test::gsdBytes(false);
     const std::uint64_t many = ~std::uint64_t{0} / 2;
     std::memcpy(bytes.data() + 16, &many, sizeof many);
     test::expectError("a.gsd", bytes, {"it lists more than it holds"});
 }
 
 TEST(Topologies, GsdWithChunksOfNoRows) {
-    std::string bytes = gsdBytes(false);
+    std::string bytes = test::gsdBytes(false);
     std::uint64_t index = 0;
     std::memcpy(&index, bytes.data() + 8, sizeof index);
     constexpr std::size_t kEntry = 32, kBonds = 4, kRows = 8;
@@ -269,6 +262,70 @@ TEST(Topologies, GsdWithChunksOfNoRows) {
     const Molecule chain = readMolecule("a.gsd", bytes);
     EXPECT_EQ(chain.atoms.size(), 3u);
     EXPECT_TRUE(chain.bonds.empty());
+}
+
+/// Two frames in a format's own way; the second has its atom at x = 2.
+const std::pair<const char*, const char*> kTwoFrames[] = {
+    {"a.arc", "1 a\n1 C 1 0 0 1\n1 a\n1 C 2 0 0 1\n"},
+    {"boxed.arc", "1 a\n9 9 9 90 90 90\n1 C 1 0 0 1\n1 a\n8 8 8 90 90 90\n1 C 2 0 0 1\n"},
+    {"a.axsf",
+     "ANIMSTEPS 2\nCRYSTAL\nPRIMVEC\n9 0 0\n0 9 0\n0 0 9\nPRIMCOORD 1\n1 1\nC 1 0 0\nPRIMCOORD 2\n1 1\nC 2 0 0\n"},
+    {"boxed.axsf",
+     "ANIMSTEPS 2\nCRYSTAL\nPRIMVEC 1\n9 0 0\n0 9 0\n0 0 9\nPRIMCOORD 1\n1 1\nC 1 0 0\n"
+     "PRIMVEC 2\n8 0 0\n0 8 0\n0 0 8\nPRIMCOORD 2\n1 1\nC 2 0 0\n"},
+    {"molecule.axsf", "ANIMSTEPS 2\nATOMS 1\nC 1 0 0\nATOMS 2\nC 2 0 0\n"},
+    {"XDATCAR",
+     "a\n1\n9 0 0\n0 9 0\n0 0 9\nC\n1\nDirect configuration= 1\n.11111111 0 0\n"
+     "Direct configuration= 2\n.22222222 0 0\n"},
+    {"boxed.XDATCAR",
+     "a\n1\n9 0 0\n0 9 0\n0 0 9\nC\n1\nDirect configuration= 1\n.11111111 0 0\n"
+     "a\n1\n8 0 0\n0 8 0\n0 0 8\nC\n1\nDirect configuration= 2\n.25 0 0\n"},
+    {"a.mae",
+     "f_m_ct {\n s_m_title\n :::\n a\n m_atom[1] {\n  i_m_atomic_number\n  r_m_x_coord\n  r_m_y_coord\n"
+     "  r_m_z_coord\n  :::\n  1 6 1 0 0\n  :::\n }\n}\nf_m_ct {\n s_m_title\n :::\n a\n m_atom[1] {\n"
+     "  i_m_atomic_number\n  r_m_x_coord\n  r_m_y_coord\n  r_m_z_coord\n  :::\n  1 6 2 0 0\n  :::\n }\n}\n"},
+    {"a.lammpstrj",
+     "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n"
+     "ITEM: ATOMS id type x y z\n1 1 1 0 0\nITEM: TIMESTEP\n1\nITEM: NUMBER OF ATOMS\n1\n"
+     "ITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ATOMS id type x y z\n1 1 2 0 0\n"},
+    {"a.extxyz", "1\nLattice=\"9 0 0 0 9 0 0 0 9\"\nC 1 0 0\n1\nLattice=\"9 0 0 0 9 0 0 0 9\"\nC 2 0 0\n"},
+};
+
+TEST(Topologies, FramesAreTrajectories) {
+    for (const auto& [name, text] : kTwoFrames) {
+        SCOPED_TRACE(name);
+        const test::TemporaryFolder folder;
+        const std::string path = folder / name;
+        std::ofstream(path) << text;
+        const auto frames = openTrajectory(path);
+        ASSERT_EQ(frames->frames(), 2u);
+        EXPECT_NEAR(frames->read(0).positions[0].x, 1, 1e-5);
+        EXPECT_NEAR(frames->read(1).positions[0].x, 2, 1e-5);
+        ReadOptions second;
+        second.model = 2;
+        const Molecule own = readMoleculeFile(path, second);
+        if (std::string_view(name).starts_with("boxed")) {
+            ASSERT_TRUE(own.file.box.has_value());
+            EXPECT_FLOAT_EQ((*own.file.box)[0].x, 8) << "the frame's own box";
+        }
+        second.heldText = 50;  // read by pieces of the file
+        EXPECT_EQ(readMoleculeFile(path, second).atoms[0].position, own.atoms[0].position);
+    }
+}
+
+TEST(Topologies, LongTrajectoriesAreReadFrameByFrame) {
+    // Whole passes over such a file for each of its frames would be refused.
+    std::string text = "a\n1\n9 0 0\n0 9 0\n0 0 9\nC\n1\n";
+    constexpr std::size_t kFrames = 20'000;
+    for (std::size_t i = 0; i < kFrames; ++i) text += "Direct configuration= 1\n.5 .5 .5\n";
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "XDATCAR") << text;
+    EXPECT_EQ(openTrajectory(folder / "XDATCAR")->frames(), kFrames);
+}
+
+TEST(Topologies, RunInputsOfGromacsNameTheProgramThatReadsThem) {
+    const std::string head("\0\0\0\x0d\0\0\0\x0cVERSION 4.0\0\0\0\0\4", 25);
+    test::expectError("topol.tpr", head + std::string(100, '\0'), {"it is a GROMACS run input", "gmx editconf"});
 }
 
 TEST(Topologies, AreTrajectoriesOnlyWithPositions) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -269,6 +270,96 @@ TEST(Superpose, LaysALineBestOntoWhatIsNone) {
     EXPECT_LT(glm::distance(onto(line[3]) - onto(line[0]), 3.0 * along), 1e-9);
     EXPECT_NEAR(onto.rmsd, back.rmsd, 1e-9);
     EXPECT_NEAR(glm::determinant(back.rotation), 1, 1e-9);
+}
+
+TEST(Hdf5Structures, MdtrajStatesTheTopology) {
+    const Molecule chains = readMoleculeFile(test::written() / "t.h5");
+    EXPECT_EQ(chains.file.format, "h5md");
+    EXPECT_EQ(chains.file.models, 5);
+    ASSERT_EQ(chains.atoms.size(), 60u);
+    EXPECT_EQ(chains.atoms[21].name.view(), "C2");
+    EXPECT_EQ(chains.atoms[21].element, 6);
+    EXPECT_EQ(chains.residues[1].name.view(), "LIG");
+    ASSERT_EQ(chains.chains.size(), 3u);
+    EXPECT_EQ(chains.chains[1].name, "B");
+    EXPECT_EQ(chains.bonds.size(), 57u);
+    EXPECT_TRUE(std::all_of(chains.bonds.begin(), chains.bonds.end(),
+                            [](const Bond& bond) { return bond.source == BondSource::file; }));
+    ASSERT_TRUE(chains.file.box.has_value());
+    EXPECT_NEAR((*chains.file.box)[0].x, 40, 1e-4);
+    const std::vector<float> numbers = test::numbersOf("h5");
+    ReadOptions options;
+    for (const int model : {1, 3, 5}) {
+        options.model = model;
+        const Molecule frame = readMoleculeFile(test::written() / "t.h5", options);
+        const std::size_t first = static_cast<std::size_t>(model - 1) * (9 + 60 * 3) + 9;
+        for (std::size_t i = 0; i < 60; ++i)
+            for (int axis = 0; axis < 3; ++axis)
+                EXPECT_NEAR(frame.atoms[i].position[axis], numbers[first + 3 * i + static_cast<std::size_t>(axis)],
+                            1e-4);
+    }
+    options.model = 6;
+    EXPECT_THROW(readMoleculeFile(test::written() / "t.h5", options), Error);
+    options.model = 1;
+    options.others = true;
+    EXPECT_EQ(readMoleculeFile(test::written() / "t.h5", options).others.size(), 4u) << "frames to play";
+}
+
+TEST(Hdf5Structures, H5mdStatesSpecies) {
+    ReadOptions second;
+    second.model = 2;
+    const Molecule water = readMoleculeFile(test::written() / "water.h5md", second);
+    EXPECT_EQ(water.file.models, 2);
+    ASSERT_EQ(water.atoms.size(), 3u);
+    EXPECT_EQ(water.atoms[0].element, 8);
+    EXPECT_EQ(water.atoms[2].element, 1);
+    EXPECT_FLOAT_EQ(water.atoms[2].position.y, 1.93f);
+    EXPECT_EQ(water.masses, (std::vector<float>{15.999f, 1.008f, 1.008f}));
+    EXPECT_EQ(water.partialCharges, (std::vector<float>{-0.6f, 0.3f, 0.3f}));
+    EXPECT_EQ(water.bonds.size(), 2u);
+    EXPECT_NEAR((*water.file.box)[2].z, 22, 1e-4);
+    const auto left = std::find_if(water.notes.begin(), water.notes.end(),
+                                   [](const ReadNote& note) { return note.action == ReadAction::leftOut; });
+    ASSERT_NE(left, water.notes.end());
+    EXPECT_EQ(sentenceOf(*left), "left out 1 bond: of atoms that are not there");
+}
+
+TEST(Hdf5Structures, SpeciesOfNumbersAreGrains) {
+    const Molecule beads = readMoleculeFile(test::written() / "beads.h5md");
+    ASSERT_EQ(beads.atoms.size(), 3u);
+    EXPECT_EQ(beads.atoms[0].element, 0);
+    EXPECT_FLOAT_EQ(beads.atoms[0].radius, 0.5f);
+    EXPECT_EQ(beads.types[1].view(), "2");
+    const Molecule labels = readMoleculeFile(test::written() / "labels.h5md");
+    EXPECT_EQ(labels.atoms[1].element, 8);
+    EXPECT_EQ(labels.bonds.size(), 1u) << "by distance";
+    EXPECT_EQ(readMoleculeFile(test::written() / "numbers.h5md").atoms[1].element, 8);
+}
+
+TEST(Hdf5Structures, SizesWithoutDataAreRefused) {
+    for (const auto& [file, why] : {std::pair("many_atoms.h5md", "more than 50000000 atoms"),
+                                    {"many_frames.h5md", "it states more frames than it holds"}}) {
+        try {
+            readMoleculeFile(test::written() / file);
+            ADD_FAILURE() << file;
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(Hdf5Structures, DamagedFilesAreRefused) {
+    const std::string bytes = test::contentOf(test::written() / "t.h5");
+    for (std::size_t cut = 16; cut < bytes.size(); cut += bytes.size() / 40) {
+        try {
+            readMolecule("a.h5", bytes.substr(0, cut));
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("a.h5"), std::string::npos);
+        }
+    }
+    ReadOptions uploaded;
+    uploaded.uploaded = true;
+    EXPECT_THROW(readMolecule("a.h5", bytes, uploaded), Error);
 }
 
 }  // namespace

@@ -54,6 +54,31 @@ with h5py.File(folder + "/t.h5md", "w") as h5:
     group["position/time"] = trajectory.time
     edges = group.create_dataset("box/edges/value", data=trajectory.unitcell_vectors)
     edges.attrs["unit"] = "nm"
+# H5MD that states what its particles are, in two frames; the second has other charges.
+with h5py.File(folder + "/water.h5md", "w") as h5:
+    group = h5.create_group("particles/water")
+    place = numpy.array([[[0, 0, 0], [0.96, 0, 0], [-0.24, 0.93, 0]]])
+    group["position/value"] = numpy.concatenate([place, place + 1])
+    kinds = h5py.enum_dtype({"H": 1, "O": 8}, basetype="i")
+    group.create_dataset("species", data=[8, 1, 1], dtype=kinds)
+    group["mass"] = [15.999, 1.008, 1.008]
+    group["charge/value"] = [[-0.8, 0.4, 0.4], [-0.6, 0.3, 0.3]]
+    group["box/edges"] = [20.0, 21.0, 22.0]
+    h5["connectivity/bonds"] = [[0, 1], [0, 2], [0, 9]]
+# Beads of numbered species, and labels as the NOMAD schema has them.
+with h5py.File(folder + "/beads.h5md", "w") as h5:
+    h5["particles/all/position/value"] = [[[0.0, 0, 0], [1, 0, 0], [2, 0, 0]]]
+    h5["particles/all/species"] = [1, 2, 1]
+with h5py.File(folder + "/numbers.h5md", "w") as h5:
+    h5["particles/all/position/value"] = [[[0.0, 0, 0], [1.2, 0, 0]]]
+    h5["particles/all/species"] = [6, 8]
+# Sizes without data behind them.
+for name, shape in (("atoms", (1, 1 << 40, 3)), ("frames", (1 << 40, 3, 3))):
+    with h5py.File("%s/many_%s.h5md" % (folder, name), "w") as h5:
+        h5.create_dataset("particles/all/position/value", shape=shape, chunks=(1, 3, 3), dtype="f4")
+with h5py.File(folder + "/labels.h5md", "w") as h5:
+    h5["particles/all/position/value"] = [[[0.0, 0, 0], [1.2, 0, 0]]]
+    h5["particles/all/species_label"] = ["C", "O"]
 # Few atoms, which XTC does not compress; and many, as waters are, which it compresses well.
 few = trajectory.atom_slice(range(7))
 few.save(folder + "/few.xtc")

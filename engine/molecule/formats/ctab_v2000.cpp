@@ -37,27 +37,26 @@ private:
     /// Columns first; then words, for writers that did not count blanks.
     void readAtom(std::int64_t i, std::int64_t count) {
         const std::string_view line = lines_.line();
-        std::string_view axes[3] = {columns(line, 0, 10), columns(line, 10, 10), columns(line, 20, 10)};
+        std::array axes{columns(line, 0, 10), columns(line, 10, 10), columns(line, 20, 10)};
         std::string_view symbol = trim(columns(line, 30, 4));
         std::string_view charge = columns(line, 36, 3);
         const auto isSymbol = [](std::string_view text) {
             return !text.empty() && text.find_first_of("0123456789.+-") != 0 && text.find(' ') == text.npos;
         };
-        const auto numeric = [&] { return parseNumber(axes[0]) && parseNumber(axes[1]) && parseNumber(axes[2]); };
-        if (!numeric() || !isSymbol(symbol)) {
-            const Words words = splitWords(line);
-            for (std::size_t axis = 0; axis < 3; ++axis) axes[axis] = words[axis];
+        const bool numeric = parseNumber(axes[0]) && parseNumber(axes[1]) && parseNumber(axes[2]);
+        const Words words = splitWords(line);
+        if ((!numeric || !isSymbol(symbol)) && isSymbol(words[3])) {
+            axes = {words[0], words[1], words[2]};
             symbol = words[3];
             charge = words[5];
         }
-        if (!numeric() || !isSymbol(symbol))
-            fail(ordinal("atom", i, count) + " is not an atom line: '" + printable(line) + "'");
-        glm::vec3 position;
-        for (int axis = 0; axis < 3; ++axis)
-            position[axis] = parseCoordinate(axes[axis], "xyz"[axis], builder_.name(), lines_.number());
+        if (!isSymbol(symbol))
+            fail("expected " + ordinal("atom", i, count) + ", but the line is not one: '" + printable(line) + "'");
+        const auto position = builder_.position(axes, lines_.number());
+        if (!position) return;
         // Codes 1 to 3 and 5 to 7 mean +3 to +1 and -1 to -3; 4 is a radical.
         const std::int64_t code = parseInteger(charge).value_or(0);
-        addCtabAtom(builder_, symbol, position, code >= 1 && code <= 7 ? 4 - code : 0, lines_.number());
+        addCtabAtom(builder_, symbol, *position, code >= 1 && code <= 7 ? 4 - code : 0, lines_.number());
     }
 
     void readBond(std::int64_t i, std::int64_t count) {
@@ -70,8 +69,10 @@ private:
             b = parseInteger(words[1]);
             type = parseInteger(words[2]);
         }
-        if (!a || !b || !type) fail(ordinal("bond", i, count) + " is not a bond line: '" + printable(line) + "'");
-        if (const int order = bondOrderOfCtab(*type)) builder_.addBond(*a - 1, *b - 1, order, lines_.number());
+        if (!a || !b || !type)
+            fail("expected " + ordinal("bond", i, count) + ", but the line is not one: '" + printable(line) + "'");
+        if (const int order = bondOrderOfCtab(*type))
+            builder_.addBond(builder_.atomOfRecord(*a - 1), builder_.atomOfRecord(*b - 1), order, lines_.number());
     }
 
     void readProperties() {
@@ -95,11 +96,12 @@ private:
         const std::int64_t count = parseInteger(words[0]).value_or(0);
         auto& atoms = builder_.molecule().atoms;
         for (std::size_t i = 1; i + 1 < words.count && static_cast<std::int64_t>(i) <= 2 * count; i += 2) {
-            const auto atom = parseInteger(words[i]), charge = parseInteger(words[i + 1]);
-            if (!atom || *atom < 1 || *atom > static_cast<std::int64_t>(atoms.size()))
+            const auto atom = builder_.atomOfRecord(parseInteger(words[i]).value_or(0) - 1);
+            const auto charge = parseInteger(words[i + 1]);
+            if (atom < 0)
                 builder_.leaveOut("charges", "of atoms that are not there", lines_.number());
             else if (charge && *charge >= -20 && *charge <= 20)
-                atoms[static_cast<std::size_t>(*atom - 1)].charge = static_cast<std::int8_t>(*charge);
+                atoms[static_cast<std::size_t>(atom)].charge = static_cast<std::int8_t>(*charge);
         }
     }
 

@@ -83,33 +83,33 @@ private:
         const auto index = parseInteger(splitWords(text)[0]);
         type = list ? std::string_view("*") : words[1];
         const std::size_t x = list ? 0 : 2;
-        if (!index || *index < 0 || words.count < x + 3) fail("no atom line: '" + printable(line_) + "'");
-        glm::vec3 position;
-        for (int axis = 0; axis < 3; ++axis)
-            position[axis] = parseCoordinate(words[x + static_cast<std::size_t>(axis)], "xyz"[axis], builder_.name(),
-                                             lines_.number());
+        if (!index || *index < 0) fail("expected an atom, not '" + printable(line_) + "'");
+        ids_.push_back(*index);
+        const auto position = builder_.position({words[x], words[x + 1], words[x + 2]}, lines_.number());
+        if (!position) return;
         std::int64_t charge = 0;
         for (std::size_t i = x + 3; i < words.count; ++i)
             if (startsWith(words[i], "CHG=")) charge = parseInteger(words[i].substr(4)).value_or(0);
-        ids_.push_back(*index);
-        addCtabAtom(builder_, type, position, charge, lines_.number());
+        addCtabAtom(builder_, type, *position, charge, lines_.number());
     }
 
     /// index type atom1 atom2 [KEY=VALUE ...]
     void readBond(const IdIndex& index) {
         const Words words = splitWords(line_);
         const auto type = parseInteger(words[1]), a = parseInteger(words[2]), b = parseInteger(words[3]);
-        if (!type || !a || !b) fail("no bond line: '" + printable(line_) + "'");
-        std::uint32_t first = 0, second = 0;
-        if (index.find(*a, first) != IdIndex::Found::one || index.find(*b, second) != IdIndex::Found::one)
-            return builder_.leaveOut("bonds", "of atoms that are not there", lines_.number());
-        if (const int order = bondOrderOfCtab(*type)) builder_.addBond(first, second, order, lines_.number());
+        if (!type || !a || !b) fail("expected a bond, not '" + printable(line_) + "'");
+        const auto atomOf = [&](std::int64_t id) {
+            std::uint32_t record = 0;
+            return index.find(id, record) == IdIndex::Found::one ? builder_.atomOfRecord(record) : -1;
+        };
+        if (const int order = bondOrderOfCtab(*type))
+            builder_.addBond(atomOf(*a), atomOf(*b), order, lines_.number());
     }
 
     MoleculeBuilder& builder_;
     LineReader& lines_;
     std::string line_;
-    std::vector<std::int64_t> ids_;  ///< the file's number of each atom
+    std::vector<std::int64_t> ids_;  ///< the file's number of each atom record
 };
 
 }  // namespace

@@ -40,8 +40,8 @@ Guess guessBinary(std::string_view head) {
     if (!compressionOf(head).empty()) return isNot("compressed twice; unpack it first");
     for (const Signature& signature : kSignatures)
         if (startsWith(head, signature.bytes)) return isNot(signature.words);
-    constexpr std::string_view kGsd = "\xDF\x65\xDF\x65\xDF\x65\xDF\x65";
-    if (startsWith(head, kGsd)) return is(Format::gsd);
+    if (head.substr(0, 1) == std::string_view("\0", 1) && contains(head.substr(0, 16), "VERSION "))
+        return isNot("a GROMACS run input; `gmx editconf -f FILE.tpr -conect -o FILE.pdb` writes its structure");
     if (const auto format = detectBinaryFormat(head)) return is(*format);
     return {};
 }
@@ -200,7 +200,7 @@ Guess guessByName(const std::string& name) {
     const std::string_view ending = lower.substr(dot + 1);
     for (const FormatRow& row : formatRows())
         if (hasWord(row.endings, ending)) return is(row.format);
-    for (const std::string_view other : {"pdbml", "dcd", "xtc", "trr", "cube", "tpr"})
+    for (const std::string_view other : {"pdbml", "dcd", "xtc", "trr", "cube"})
         if (ending == other) return isNot(other);
     return {};
 }
@@ -220,6 +220,8 @@ namespace {
 }  // namespace
 
 std::optional<Format> detectBinaryFormat(std::string_view bytes) {
+    if (startsWith(bytes, "\xDF\x65\xDF\x65\xDF\x65\xDF\x65")) return Format::gsd;
+    if (startsWith(bytes, "\x89HDF\r\n\x1a\n")) return Format::h5md;
     const auto first = bytes.empty() ? 0u : static_cast<unsigned char>(bytes.front());
     if ((first & 0xF0u) != 0x80 && first != 0xDE && first != 0xDF) return std::nullopt;  // no MessagePack map
     const std::string_view head = bytes.substr(0, 4096);

@@ -26,11 +26,12 @@ Molecule readPrmtop(const std::string& name, std::string_view text, const ReadOp
 Molecule readInpcrd(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readLammps(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readLammpstrj(const std::string& name, std::string_view text, const ReadOptions&);
-Molecule readGsd(const std::string& name, std::string_view bytes, const ReadOptions&);
+std::vector<Molecule> readGsd(const std::string& name, std::string_view bytes, const ReadOptions&, int lastModel);
 Molecule readPoscar(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readXsf(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readTinker(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readMae(const std::string& name, std::string_view text, const ReadOptions&);
+std::vector<Molecule> readH5md(const std::string& name, std::string_view bytes, const ReadOptions&, int lastModel);
 
 namespace {
 
@@ -52,11 +53,12 @@ constexpr FormatRow kFormats[] = {
     {Format::inpcrd, "inpcrd", "INPCRD", "inpcrd rst7 restrt", false, readInpcrd},
     {Format::lammps, "lammps", "LAMMPS data", "lmp data", false, readLammps},
     {Format::lammpstrj, "lammpstrj", "LAMMPS dump", "lammpstrj dump", false, readLammpstrj, nullptr, dumpSpans},
-    {Format::gsd, "gsd", "GSD", "gsd", true, readGsd},
-    {Format::poscar, "poscar", "POSCAR", "poscar vasp", false, readPoscar},
-    {Format::xsf, "xsf", "XSF", "xsf axsf", false, readXsf},
-    {Format::tinker, "tinker", "Tinker XYZ", "txyz arc", false, readTinker},
+    {Format::gsd, "gsd", "GSD", "gsd", true, nullptr, readGsd},
+    {Format::poscar, "poscar", "POSCAR", "poscar vasp", false, readPoscar, nullptr, poscarSpans},
+    {Format::xsf, "xsf", "XSF", "xsf axsf", false, readXsf, nullptr, xsfSpans},
+    {Format::tinker, "tinker", "Tinker XYZ", "txyz arc", false, readTinker, nullptr, tinkerSpans},
     {Format::mae, "mae", "MAE", "mae maegz", false, readMae, nullptr, maeSpans},
+    {Format::h5md, "h5md", "H5MD", "h5md", true, nullptr, readH5md},
 };
 
 std::string listed(std::string_view FormatRow::*column) {

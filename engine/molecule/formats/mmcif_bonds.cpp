@@ -178,29 +178,31 @@ void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const Mmcif
         if (!source && complete(axes)) source = &axes;
     if (!source) cannotRead(builder.name(), "the chemical component has no coordinates");
 
-    std::map<std::string, std::uint32_t, std::less<>> position;
+    std::map<std::string, std::uint32_t, std::less<>> records;
     for (std::size_t row = 0; row < atoms.rows(); ++row) {
-        Atom atom;
         const std::string name(atoms.get(row, {"atom_id"}).value_or(""));
-        for (int axis = 0; axis < 3; ++axis)
-            atom.position[axis] = parseCoordinate(*atoms.get(row, {(*source)[static_cast<std::size_t>(axis)]}),
-                                                  "xyz"[axis], builder.name(), 0);
+        records.emplace(name, static_cast<std::uint32_t>(row));
+        const auto axis = [&](std::size_t i) { return *atoms.get(row, {(*source)[i]}); };
+        const auto position = builder.position({axis(0), axis(1), axis(2)}, 0);
+        if (!position) continue;
+        Atom atom;
+        atom.position = *position;
         atom.name = Name(name);
         atom.element = builder.element(atoms.get(row, {"type_symbol"}).value_or(""), 0);
         atom.hetero = true;
         const auto charge = parseInteger(atoms.get(row, {"charge"}).value_or("0"));
         if (charge && *charge >= -20 && *charge <= 20) atom.charge = static_cast<std::int8_t>(*charge);
         builder.addAtom(atom, "", 1, '\0', atoms.get(row, {"comp_id"}).value_or(""));
-        position.emplace(name, static_cast<std::uint32_t>(row));
     }
     for (std::size_t row = 0; row < bonds.rows(); ++row) {
-        const auto a = position.find(bonds.get(row, {"atom_id_1"}).value_or(""));
-        const auto b = position.find(bonds.get(row, {"atom_id_2"}).value_or(""));
-        if (a == position.end() || b == position.end() || a == b) {
+        const auto a = records.find(bonds.get(row, {"atom_id_1"}).value_or(""));
+        const auto b = records.find(bonds.get(row, {"atom_id_2"}).value_or(""));
+        if (a == records.end() || b == records.end() || a == b) {
             builder.leaveOut("bonds", "_chem_comp_bond names absent atoms");
             continue;
         }
-        builder.addBond(a->second, b->second, mmcifBondOrder(bonds.get(row, {"value_order", "type"})), 0);
+        builder.addBond(builder.atomOfRecord(a->second), builder.atomOfRecord(b->second),
+                        mmcifBondOrder(bonds.get(row, {"value_order", "type"})), 0);
     }
     builder.molecule().file.models = 1;
     builder.molecule().file.bonds = static_cast<std::int64_t>(bonds.rows());

@@ -22,7 +22,8 @@ struct ModelSpans {
 ModelSpans modelSpans(Format format, const TextSource& text);
 
 /// By format: MODEL and ENDMDL, or END between whole frames (PDB, PDBQT, PQR); rows of _atom_site by their
-/// pdbx_PDB_model_num, one per line (mmCIF); records (SDF, MOL2, MAE); frames (XYZ, GRO, LAMMPS dump).
+/// pdbx_PDB_model_num, one per line (mmCIF); records (SDF, MOL2, MAE); frames (XYZ, GRO, LAMMPS dump, Tinker);
+/// configurations (XDATCAR); numbered sections (XSF).
 ModelSpans pdbSpans(const TextSource& text);
 ModelSpans mmcifSpans(const TextSource& text);
 ModelSpans sdfSpans(const TextSource& text);
@@ -31,5 +32,8 @@ ModelSpans xyzSpans(const TextSource& text);
 ModelSpans groSpans(const TextSource& text);
 ModelSpans dumpSpans(const TextSource& text);
 ModelSpans maeSpans(const TextSource& text);
+ModelSpans tinkerSpans(const TextSource& text);
+ModelSpans poscarSpans(const TextSource& text);
+ModelSpans xsfSpans(const TextSource& text);
 
 }  // namespace nacre

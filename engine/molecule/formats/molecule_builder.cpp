@@ -123,23 +123,56 @@ void MoleculeBuilder::warn(const std::string& sentence) {
 }
 
 std::optional<float> MoleculeBuilder::coordinate(std::string_view text, char axis, std::uint64_t line, double scale) {
-    try {
-        return parseCoordinate(text, axis, name_, line, scale);
-    } catch (const Error&) {
-        leaveOutAtom(std::string(1, axis) + " is not a usable coordinate: '" + printable(trim(text)) + "'", line);
-        return std::nullopt;
-    }
+    const auto value = parseNumber(text);
+    if (value && std::abs(*value * scale) <= kFarthestCoordinate)  // false for nan
+        return static_cast<float>(*value * scale);
+    const std::string shown = printable(trim(text));
+    std::string why = std::string(shown.empty() ? "missing " : "invalid ") + axis + " coordinate";
+    if (!shown.empty()) why += " '" + shown + "'";
+    if (value && std::isfinite(*value)) why += ", which is not within 1e9 Å";
+    leaveOutAtom(why, line);
+    return std::nullopt;
 }
 
-void MoleculeBuilder::takeBox(const std::array<glm::vec3, 3>& box) {
+std::optional<glm::vec3> MoleculeBuilder::position(const std::array<std::string_view, 3>& axes, std::uint64_t line,
+                                                   double scale) {
+    glm::vec3 position;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto value = coordinate(axes[static_cast<std::size_t>(axis)], "xyz"[axis], line, scale);
+        if (!value) return std::nullopt;
+        position[axis] = *value;
+    }
+    return position;
+}
+
+std::optional<glm::vec3> MoleculeBuilder::computedPosition(const glm::dvec3& position, std::uint64_t line) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(position[axis]) <= kFarthestCoordinate) continue;  // false for nan
+        leaveOutAtom("the atom is not within 1e9 Å", line);
+        return std::nullopt;
+    }
+    return glm::vec3(position);
+}
+
+void MoleculeBuilder::takeBox(const std::array<glm::vec3, 3>& box, const glm::vec3& origin) {
     constexpr double kLeastVolume = 1e-6;  // Å^3
     const glm::dvec3 a(box[0]), b(box[1]), c(box[2]);
-    if (std::abs(glm::dot(a, glm::cross(b, c))) > kLeastVolume) molecule_.file.box = box;
+    if (!(std::abs(glm::dot(a, glm::cross(b, c))) > kLeastVolume)) return;
+    molecule_.file.box = box;
+    molecule_.file.boxOrigin = origin;
 }
 
 void MoleculeBuilder::leaveOutAtom(const std::string& why, std::uint64_t line) {
     if (unplaced_++ == 0) firstUnplaced_ = why, lineOfUnplaced_ = line;
     leaveOut("atoms", "no usable coordinates", line);
+    leftOutRecords_.push_back(static_cast<std::uint32_t>(molecule_.atoms.size() + leftOutRecords_.size()));
+}
+
+std::int64_t MoleculeBuilder::atomOfRecord(std::int64_t record) const {
+    const auto before = std::lower_bound(leftOutRecords_.begin(), leftOutRecords_.end(), record);
+    const std::int64_t atom = record - (before - leftOutRecords_.begin());
+    const bool leftOut = before != leftOutRecords_.end() && *before == record;
+    return leftOut || atom < 0 || atom >= static_cast<std::int64_t>(molecule_.atoms.size()) ? -1 : atom;
 }
 
 Molecule MoleculeBuilder::finish() {

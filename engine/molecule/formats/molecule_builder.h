@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/molecule/molecule.h"
 #include "engine/molecule/read.h"
@@ -51,11 +52,15 @@ public:
     void guess(std::string_view what, std::string_view how, std::int64_t count = 1) {
         addNote(molecule_.notes, ReadAction::guessed, what, how, count);
     }
-    /// A coordinate in Å; empty if it is not usable: then the atom is left out. @param axis, scale  as
-    /// parseCoordinate()
+    /// A coordinate in Å; empty if it is not usable: then the atom is left out.
+    /// @param axis  'x', 'y' or 'z', for the message @param line  0: none @param scale  Å per unit of the file
     std::optional<float> coordinate(std::string_view text, char axis, std::uint64_t line, double scale = 1);
-    /// Vectors of a periodic box, unless they have no volume.
-    void takeBox(const std::array<glm::vec3, 3>& box);
+    /// All three of them; or a position that was computed from such numbers.
+    std::optional<glm::vec3> position(const std::array<std::string_view, 3>& axes, std::uint64_t line,
+                                      double scale = 1);
+    std::optional<glm::vec3> computedPosition(const glm::dvec3& position, std::uint64_t line);
+    /// Vectors of a periodic box, unless they have no volume. @param origin  its corner, Å
+    void takeBox(const std::array<glm::vec3, 3>& box, const glm::vec3& origin = {});
     /// The same of a crystal, whose cells are shown by the assembly "3x3x3".
     void takeCell(const std::array<glm::vec3, 3>& cell) {
         takeBox(cell);
@@ -63,6 +68,9 @@ public:
     }
     /// Leaves out an atom without usable coordinates. @param why  for an error if most atoms are like it
     void leaveOutAtom(const std::string& why, std::uint64_t line);
+    /// Index of the atom of a record, for readers that add or leave out one atom for each in turn; -1 if it was left
+    /// out, or there is none. @param record  from 0
+    std::int64_t atomOfRecord(std::int64_t record) const;
 
     /// Maximum of bonds that a reader may keep until it knows all atoms.
     std::size_t mostBonds() const { return kMostBondsPerAtom * maxAtoms_; }
@@ -87,6 +95,7 @@ private:
     Indices chains_, subchains_;
     std::size_t unknownElements_ = 0, unplaced_ = 0;
     std::string firstUnknown_, firstUnplaced_;
+    std::vector<std::uint32_t> leftOutRecords_;  ///< of atoms, ascending
     std::uint64_t lineOfUnplaced_ = 0;
     bool repeats_ = false;
     std::size_t warningsLeftOut_ = 0;

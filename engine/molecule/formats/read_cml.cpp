@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
 #include <functional>
 #include <map>
@@ -187,6 +188,9 @@ private:
         for (const std::uint32_t i : fractional_) {
             glm::vec3& p = builder_.molecule().atoms[i].position;
             p = (*box)[0] * p.x + (*box)[1] * p.y + (*box)[2] * p.z;
+            for (int axis = 0; axis < 3; ++axis)
+                if (!(std::abs(static_cast<double>(p[axis])) <= kFarthestCoordinate))
+                    fail("an atom is not within 1e9 Å");
         }
         fractional_.clear();
         builder_.takeCell(*box);
@@ -211,18 +215,22 @@ private:
             return builder_.leaveOutAtom("atom '" + printable(given.id) + "' has no coordinates", line());
         }
         const bool flat = given.z.empty();
+        const auto position = builder_.position({given.x, given.y, flat ? "0" : given.z}, line());
+        if (!position) {
+            idIndex(given.id);
+            return;
+        }
         flat_ += flat;
         Atom atom;
-        atom.position.x = parseCoordinate(given.x, 'x', name_, line());
-        atom.position.y = parseCoordinate(given.y, 'y', name_, line());
-        atom.position.z = flat ? 0 : parseCoordinate(given.z, 'z', name_, line());
+        atom.position = *position;
         atom.element = builder_.element(given.element, line());
         atom.name = Name(atom.element != 0 ? elementSymbol(atom.element) : given.element);
         if (!given.charge.empty()) {
             const auto charge = parseInteger(given.charge);
-            if (!charge || *charge < -20 || *charge > 20)
-                fail("the formal charge is not usable: '" + printable(given.charge) + "'");
-            atom.charge = static_cast<std::int8_t>(*charge);
+            if (charge && *charge >= -20 && *charge <= 20)
+                atom.charge = static_cast<std::int8_t>(*charge);
+            else
+                builder_.leaveOut("formal charges", "not usable", line());
         }
         const auto index = static_cast<std::uint32_t>(builder_.molecule().atoms.size());
         builder_.addAtom(atom, "", outermost_, '\0', "");

@@ -59,7 +59,7 @@ public:
         file.totalAtomsAllModels = static_cast<std::int64_t>(builder_.molecule().atoms.size());
         addBonds();
         types_.apply(builder_);
-        builder_.takeBox(box_);
+        builder_.takeBox(box_, low_);
         return builder_.finish();
     }
 
@@ -72,8 +72,10 @@ private:
             return value && std::abs(*value) <= kFarthestCoordinate ? static_cast<float>(*value) : 0.0f;
         };
         for (int axis = 0; axis < 3; ++axis)
-            if (words[2] == std::string(1, "xyz"[axis]) + "lo")
+            if (words[2] == std::string(1, "xyz"[axis]) + "lo") {
+                low_[axis] = number(0);
                 box_[static_cast<std::size_t>(axis)][axis] = number(1) - number(0);
+            }
         if (words[3] == "xy") {
             box_[1].x = number(0);
             box_[2].x = number(1);
@@ -113,11 +115,9 @@ private:
             return builder_.leaveOutAtom("expected an atom's number, not '" + printable(words[0]) + "'",
                                          lines_.number());
         Atom atom;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const auto value = builder_.coordinate(words[at.x + axis], "xyz"[axis], lines_.number());
-            if (!value) return;
-            atom.position[static_cast<int>(axis)] = *value;
-        }
+        const auto position = builder_.position({words[at.x], words[at.x + 1], words[at.x + 2]}, lines_.number());
+        if (!position) return;
+        atom.position = *position;
         if (rows_.size() >= builder_.maxAtoms()) throw tooManyAtoms(name_, builder_.maxAtoms());
         const double charge = at.charge == kNoColumn ? 0 : parseNumber(words[at.charge]).value_or(0);
         const auto molecule = at.molecule == kNoColumn ? 1 : parseInteger(words[at.molecule]).value_or(0);
@@ -172,6 +172,7 @@ private:
     std::optional<LammpsColumns> columns_;
     LammpsTypes types_;
     std::array<glm::vec3, 3> box_{};
+    glm::vec3 low_{};  ///< the box's corner
     std::vector<LammpsAtom> rows_;
     std::vector<std::int64_t> ids_;
     std::vector<LammpsBond> bonds_;

@@ -83,12 +83,9 @@ private:
         const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : std::string_view(); };
         DumpAtom row;
         row.id = parseInteger(word(id_)).value_or(static_cast<std::int64_t>(rows_.size()));
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto value =
-                builder_.coordinate(word(at_[static_cast<std::size_t>(axis)]), "xyz"[axis], lines_.number());
-            if (!value) return;
-            row.atom.position[axis] = *value;
-        }
+        const auto position = builder_.position({word(at_[0]), word(at_[1]), word(at_[2])}, lines_.number());
+        if (!position) return;
+        row.atom.position = *position;
         if (rows_.size() >= builder_.maxAtoms()) throw tooManyAtoms(name_, builder_.maxAtoms());
         row.type = Name(word(type_ == kNone ? element_ : type_));
         if (element_ != kNone) row.atom.element = builder_.element(word(element_), lines_.number());
@@ -112,8 +109,14 @@ private:
         LammpsTypes types;
         Molecule& molecule = builder_.molecule();
         for (DumpAtom& row : rows_) {
-            glm::vec3& p = row.atom.position;
-            if (scaled_) p = glm::vec3(low_) + box[0] * p.x + box[1] * p.y + box[2] * p.z;
+            if (scaled_) {
+                const glm::dvec3 share(row.atom.position);
+                const auto position = builder_.computedPosition(
+                    low_ + glm::dvec3(box[0]) * share.x + glm::dvec3(box[1]) * share.y + glm::dvec3(box[2]) * share.z,
+                    0);
+                if (!position) continue;
+                row.atom.position = *position;
+            }
             row.atom.name = row.atom.element ? Name(elementSymbol(row.atom.element)) : row.type;
             builder_.addAtom(row.atom, "", row.molecule, '\0', "");
             molecule.types.push_back(row.type);
@@ -122,7 +125,7 @@ private:
         }
         rows_.clear();
         if (element_ == kNone && !molecule.atoms.empty()) types.apply(builder_);
-        builder_.takeBox(box);
+        builder_.takeBox(box, glm::vec3(low_));
     }
 
     struct DumpAtom {

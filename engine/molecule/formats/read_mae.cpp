@@ -156,10 +156,11 @@ private:
     }
 
     void addAtom(const MaeRow& row) {
+        const auto position =
+            builder_.position({row["r_m_x_coord"], row["r_m_y_coord"], row["r_m_z_coord"]}, words_.line());
+        if (!position) return;
         Atom atom;
-        for (int axis = 0; axis < 3; ++axis)
-            atom.position[axis] =
-                parseCoordinate(row[std::string("r_m_") + "xyz"[axis] + "_coord"], "xyz"[axis], name_, words_.line());
+        atom.position = *position;
         const std::int64_t number = row.integer("i_m_atomic_number");
         atom.element = number >= 1 && number <= 118 ? static_cast<Element>(number) : Element{0};
         std::string_view name = row["s_m_pdb_atom_name"];
@@ -186,7 +187,8 @@ private:
         const std::int64_t from = row.integer("i_m_from"), to = row.integer("i_m_to"), order = row.integer("i_m_order");
         if (!bonds_.emplace(std::min(from, to), std::max(from, to)).second) return;
         if (bonds_.size() > builder_.mostBonds()) cannotRead(name_, "it has more bonds than its atoms could form");
-        builder_.addBond(from - 1, to - 1, order >= 1 && order <= 3 ? static_cast<int>(order) : 1, words_.line());
+        builder_.addBond(builder_.atomOfRecord(from - 1), builder_.atomOfRecord(to - 1),
+                         order >= 1 && order <= 3 ? static_cast<int>(order) : 1, words_.line());
     }
 
     const std::string& name_;

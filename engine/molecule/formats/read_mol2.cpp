@@ -177,16 +177,17 @@ private:
     /// id name x y z type [residue_id [residue_name [charge [status]]]]
     void addAtom(const Mol2Lines& lines) {
         const Words words = splitWords(lines.line());
+        ids_.push_back(parseInteger(words[0]).value_or(-1));
         if (words.count < 6)
-            fail("an atom line needs a number, a name, three coordinates and a type: '" + printable(lines.line()) + "'",
-                 lines.number());
+            return builder_.leaveOutAtom("an atom line needs a number, a name, three coordinates and a type: '" +
+                                             printable(lines.line()) + "'",
+                                         lines.number());
+        const auto position = builder_.position({words[2], words[3], words[4]}, lines.number());
+        if (!position) return;
         Atom atom;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            atom.position[static_cast<int>(axis)] =
-                parseCoordinate(words[2 + axis], "xyz"[axis], name_, lines.number());
+        atom.position = *position;
         atom.name = Name(words[1]);
         atom.element = elementOf(words[5], lines.number());
-        ids_.push_back(parseInteger(words[0]).value_or(-1));
         addToResidue(atom, parseInteger(words[6]).value_or(1), words[7]);
         const auto charge = parseNumber(words[8]);
         builder_.molecule().partialCharges.push_back(charge && std::abs(*charge) <= 1000 ? static_cast<float>(*charge)
@@ -240,26 +241,24 @@ private:
     /// the position counts if ids do not resolve.
     void resolveBonds() {
         const IdIndex index(ids_);
-        const auto atomOf = [&](std::int64_t id) -> std::int64_t {
-            std::uint32_t atom = 0;
-            return index.find(id, atom) == IdIndex::Found::one ? std::int64_t{atom} : -1;
+        const auto recordOf = [&](std::int64_t id) -> std::int64_t {
+            std::uint32_t record = 0;
+            return index.find(id, record) == IdIndex::Found::one ? std::int64_t{record} : -1;
         };
         const bool usable =
             !index.repeats() && std::none_of(ids_.begin(), ids_.end(), [](std::int64_t id) { return id < 0; });
         const bool byId = usable && std::all_of(pending_.begin(), pending_.end(), [&](const Mol2Bond& bond) {
-                              return atomOf(bond.a) >= 0 && atomOf(bond.b) >= 0;
+                              return recordOf(bond.a) >= 0 && recordOf(bond.b) >= 0;
                           });
-        const auto indexOf = [&](std::int64_t id) -> std::int64_t {
-            return byId ? atomOf(id) : id > 0 ? id - 1 : -1;  // addBond() refuses indices out of range
-        };
-        for (const Mol2Bond& bond : pending_) builder_.addBond(indexOf(bond.a), indexOf(bond.b), bond.order, bond.line);
+        const auto atomOf = [&](std::int64_t id) { return builder_.atomOfRecord(byId ? recordOf(id) : id - 1); };
+        for (const Mol2Bond& bond : pending_) builder_.addBond(atomOf(bond.a), atomOf(bond.b), bond.order, bond.line);
     }
 
     const std::string& name_;
     std::size_t maxAtoms_;
     MoleculeBuilder builder_;
     std::map<std::int64_t, Substructure> substructures_;  // no hash that a file could aim at
-    std::vector<std::int64_t> ids_;                       ///< of the atom lines; -1 where one cannot be used
+    std::vector<std::int64_t> ids_;                       ///< of the atom lines; -1: not a number
     std::vector<Mol2Bond> pending_;
 };
 

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/molecule/bonds/residue_templates.h"
+#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/formats/id_index.h"
 #include "engine/molecule/formats/pdb_assemblies.h"
 #include "engine/molecule/formats/pdb_conect.h"
@@ -47,6 +49,7 @@ public:
           conect_(options.maxAtoms),
           remark350_(options.maxAtoms) {
         chainIndex_.fill(-1);
+        lastOfPolymer_.fill(INT32_MIN);
     }
 
     Molecule read() {
@@ -138,8 +141,8 @@ private:
         if (leftOut_++ > 0) return std::nullopt;
         lineOfFault_ = lines_.number();
         const std::string shown = asciiOnly(pdb::trim(field));
-        fault_ = shown.empty() ? "has no " + std::string(1, axis) + " coordinate"
-                               : "\"" + shown + "\" is no " + std::string(1, axis) + " coordinate";
+        fault_ = std::string(shown.empty() ? "missing " : "invalid ") + axis + " coordinate" +
+                 (shown.empty() ? "" : " '" + shown + "'");
         if (value) fault_ += " within 1e9 Å";
         return std::nullopt;
     }
@@ -232,7 +235,15 @@ private:
         residue.number = static_cast<std::int32_t>(number.value_or(0));
         residue.insertionCode = wide || code == ' ' ? '\0' : code;
         residue.segment = segment;
-        residue.chain = residue.subchain = chainOf(pdb::column(line, 22), segment);
+        const char letter = pdb::column(line, 22);
+        const bool polymer = line[0] == 'A' && residueTemplate(residue.name) && !isWater(residue.name);
+        std::int32_t& last = lastOfPolymer_[static_cast<unsigned char>(letter)];
+        // Programs with more chains than letters begin with A again, whose numbers then repeat.
+        if (polymer && letter != ' ' && letter != latestLetter_ && residue.number <= last)
+            chainIndex_[static_cast<unsigned char>(letter)] = -1;
+        residue.chain = residue.subchain = chainOf(letter, segment);
+        if (polymer) last = residue.number;
+        latestLetter_ = letter;
         residue.firstAtom = static_cast<std::uint32_t>(molecule_.atoms.size());
         molecule_.residues.push_back(residue);
     }
@@ -243,6 +254,7 @@ private:
         int& index = bySegment ? chainOfSegment_.try_emplace(std::string(segment), -1).first->second
                                : chainIndex_[static_cast<unsigned char>(letter)];
         if (index < 0) {
+            lastOfPolymer_[static_cast<unsigned char>(letter)] = INT32_MIN;
             index = static_cast<int>(molecule_.chains.size());
             molecule_.chains.push_back({bySegment       ? asciiOnly(segment)
                                         : letter == ' ' ? std::string()
@@ -323,6 +335,8 @@ private:
     bool conectInModel_ = false;
     std::vector<SecondaryRange> secondary_;
     std::array<int, 256> chainIndex_{};
+    std::array<std::int32_t, 256> lastOfPolymer_{};  ///< number of its latest residue, by the chain's letter
+    char latestLetter_ = '\0';
     std::map<std::string, int> chainOfSegment_;
     Element stated_ = 0;  ///< of the latest atom, by its line; 0: none
     std::int64_t guessedElements_ = 0;

@@ -20,17 +20,17 @@ public:
         FileSummary& file = builder_.molecule().file;
         const std::string_view title = next();
         file.title = printable(trim(title), 200);
-        readCell();
-        readSpecies(title);
-        std::int64_t frames = 0;
+        readHeader(title);
+        std::int64_t frames = 0, atoms = 0;
         do {
             ++frames;
+            atoms += atoms_;
             readFrame(frames == model_);
         } while (skipToConfiguration());
         requireModel(name_, model_, frames);
         file.format = "poscar";
         file.models = frames;
-        file.totalAtomsAllModels = frames * atoms_;
+        file.totalAtomsAllModels = atoms;
         return builder_.finish();
     }
 
@@ -52,6 +52,11 @@ private:
         return values;
     }
 
+    void readHeader(std::string_view title) {
+        readCell();
+        readSpecies(title);
+    }
+
     /// A negative scale is the cell's volume; there may be one scale per axis.
     void readCell() {
         const std::string_view scales = next();
@@ -62,7 +67,6 @@ private:
         const double volume = std::abs(glm::dot(cell_[0], glm::cross(cell_[1], cell_[2])));
         if (*scale < 0 && volume > 0) scale_ = glm::dvec3(std::cbrt(-*scale / volume));
         for (glm::dvec3& vector : cell_) vector *= scale_;
-        builder_.takeCell({glm::vec3(cell_[0]), glm::vec3(cell_[1]), glm::vec3(cell_[2])});
     }
 
     /// Symbols stand before the counts; old files have them in the title at best. "Fe_pv" and "Fe/1a2b" name a
@@ -73,6 +77,8 @@ private:
             symbols = wordsOf(title);
         else
             counts = wordsOf(next());
+        species_.clear();
+        atoms_ = 0;
         for (std::size_t i = 0; i < counts.size(); ++i) {
             const auto count = parseInteger(counts[i]);
             if (!count || *count < 0 || *count > static_cast<std::int64_t>(lines_.rest().size()))
@@ -85,6 +91,7 @@ private:
     }
 
     void readFrame(bool wanted) {
+        if (wanted) builder_.takeCell({glm::vec3(cell_[0]), glm::vec3(cell_[1]), glm::vec3(cell_[2])});
         std::string_view mode = trim(next());
         if (!mode.empty() && upperCase(mode[0]) == 'S') mode = trim(next());  // selective dynamics
         const bool cartesian = !mode.empty() && (upperCase(mode[0]) == 'C' || upperCase(mode[0]) == 'K');
@@ -92,20 +99,43 @@ private:
             for (std::int64_t i = 0; i < species.count; ++i) {
                 const std::string_view line = next();
                 if (!wanted) continue;
-                const glm::dvec3 p = three(line);
+                const Words words = splitWords(line);
+                const auto given = builder_.position({words[0], words[1], words[2]}, lines_.number());
+                if (!given) continue;
+                const glm::dvec3 p(*given);
+                const auto position = builder_.computedPosition(
+                    cartesian ? p * scale_ : cell_[0] * p.x + cell_[1] * p.y + cell_[2] * p.z, lines_.number());
+                if (!position) continue;
                 Atom atom;
-                atom.position = glm::vec3(cartesian ? p * scale_ : cell_[0] * p.x + cell_[1] * p.y + cell_[2] * p.z);
+                atom.position = *position;
                 atom.element = species.element;
                 atom.name = Name(elementSymbol(species.element));
                 builder_.addAtom(atom);
             }
     }
 
-    /// Velocities and the like are skipped.
+    /// Velocities and the like are skipped. Where the cell varies, each configuration has a header of its own.
     bool skipToConfiguration() {
-        for (LineReader ahead = lines_; ahead.next(); lines_ = ahead)
+        for (LineReader ahead = lines_; ahead.next(); lines_ = ahead) {
             if (lowerCase(ahead.line()).find("configuration") != std::string::npos) return true;
+            if (!beginsHeader(ahead)) continue;
+            lines_ = ahead;
+            readHeader(ahead.line());
+            return true;
+        }
         return false;
+    }
+
+    /// Whether a scale and three vectors follow a title. @param ahead  on the title
+    static bool beginsHeader(LineReader ahead) {
+        for (std::size_t line = 0; line < 4; ++line) {
+            if (!ahead.next()) return false;
+            const Words words = splitWords(ahead.line());
+            if (words.count != (line == 0 ? 1 : 3)) return false;
+            for (std::size_t i = 0; i < words.count; ++i)
+                if (!parseNumber(words[i])) return false;
+        }
+        return true;
     }
 
     struct Species {

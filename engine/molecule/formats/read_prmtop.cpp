@@ -28,14 +28,17 @@ public:
     }
 
     Molecule run() {
-        const std::vector<std::int64_t> pointers = integers("POINTERS");
+        const std::vector<std::int64_t> pointers = integers("POINTERS", 1);
         const std::int64_t atoms = pointers.empty() ? 0 : pointers[0];
-        const std::vector<std::string_view> names = fields("ATOM_NAME"), types = fields("AMBER_ATOM_TYPE"),
-                                            labels = fields("RESIDUE_LABEL"), chains = fields("RESIDUE_CHAINID");
-        const std::vector<std::int64_t> starts = integers("RESIDUE_POINTER"), elements = integers("ATOMIC_NUMBER"),
-                                        residueNumbers = integers("RESIDUE_NUMBER");
-        const std::vector<double> charges = numbers("CHARGE"), masses = numbers("MASS");
+        if (atoms > static_cast<std::int64_t>(builder_.maxAtoms())) throw tooManyAtoms(name_, builder_.maxAtoms());
         const auto count = static_cast<std::size_t>(std::max<std::int64_t>(atoms, 0));
+        const auto texts = [&](const char* flag) { return fields(flag, count); };
+        const std::vector<std::string_view> names = texts("ATOM_NAME"), types = texts("AMBER_ATOM_TYPE"),
+                                            labels = texts("RESIDUE_LABEL"), chains = texts("RESIDUE_CHAINID");
+        const std::vector<std::int64_t> starts = integers("RESIDUE_POINTER", count),
+                                        elements = integers("ATOMIC_NUMBER", count),
+                                        residueNumbers = integers("RESIDUE_NUMBER", count);
+        const std::vector<double> charges = numbers("CHARGE", count), masses = numbers("MASS", count);
         if (count == 0 || names.size() < count || charges.size() < count || masses.size() < count || starts.empty() ||
             labels.size() < starts.size() || starts[0] != 1)
             cannotRead(name_, "its sections do not describe " + std::to_string(atoms) + " atoms in residues");
@@ -58,7 +61,7 @@ public:
         addBonds("BONDS_INC_HYDROGEN");
         addBonds("BONDS_WITHOUT_HYDROGEN");
         builder_.molecule().file.bonds = static_cast<std::int64_t>(builder_.molecule().bonds.size());
-        const std::vector<double> box = numbers("BOX_DIMENSIONS");
+        const std::vector<double> box = numbers("BOX_DIMENSIONS", 4);
         if (box.size() >= 4)
             if (const auto vectors = boxOf({box[1], box[2], box[3]}, {box[0], box[0], box[0]}))
                 builder_.takeBox(*vectors);
@@ -94,40 +97,46 @@ private:
         return static_cast<std::size_t>(std::clamp<std::int64_t>(parseInteger(text).value_or(0), 0, 1000));
     }
 
+    /// @param most  fields to visit
     template <typename Take>
-    void each(const char* flag, const Take& take) const {
+    void each(const char* flag, std::size_t most, const Take& take) const {
         const auto section = sections_.find(flag);
         if (section == sections_.end()) return;
         const PrmtopSection& s = section->second;
         for (LineReader lines(s.text, s.line); lines.next();) {
             const std::string_view line = lines.line();
             for (std::size_t i = 0; i < s.perLine && i * s.width < line.size(); ++i) {
+                if (most-- == 0) return;
                 take(trim(line.substr(i * s.width, s.width)), lines.number());
             }
         }
     }
-    std::vector<std::string_view> fields(const char* flag) const {
+    std::vector<std::string_view> fields(const char* flag, std::size_t most) const {
         std::vector<std::string_view> all;
-        each(flag, [&](std::string_view field, std::uint64_t) { all.push_back(field); });
+        each(flag, most, [&](std::string_view field, std::uint64_t) { all.push_back(field); });
         return all;
     }
     template <typename Number, typename Parse>
-    std::vector<Number> parsed(const char* flag, const Parse& parse) const {
+    std::vector<Number> parsed(const char* flag, std::size_t most, const Parse& parse, Number otherwise) {
         std::vector<Number> all;
-        each(flag, [&](std::string_view field, std::uint64_t line) {
+        each(flag, most, [&](std::string_view field, std::uint64_t line) {
             if (field.empty()) return;
             const auto value = parse(field);
-            if (!value) cannotRead(name_, "expected a number, not '" + printable(field) + "'", line);
-            all.push_back(*value);
+            if (!value) builder_.leaveOut("numbers", "not usable", line);
+            all.push_back(value.value_or(otherwise));
         });
         return all;
     }
-    std::vector<std::int64_t> integers(const char* flag) const { return parsed<std::int64_t>(flag, parseInteger); }
-    std::vector<double> numbers(const char* flag) const { return parsed<double>(flag, parseNumber); }
+    static constexpr std::int64_t kNoInteger = -3;  // the place of no atom
+    std::vector<std::int64_t> integers(const char* flag, std::size_t most) {
+        return parsed(flag, most, parseInteger, kNoInteger);
+    }
+    std::vector<double> numbers(const char* flag, std::size_t most) { return parsed(flag, most, parseNumber, 0.0); }
 
     /// Triples: both atoms' numbers times three, from 0, and the bond's type.
     void addBonds(const char* flag) {
-        const std::vector<std::int64_t> triples = integers(flag);
+        constexpr std::size_t kMostOfAtom = 24;  // of eight bonds
+        const std::vector<std::int64_t> triples = integers(flag, kMostOfAtom * builder_.molecule().atoms.size());
         const auto line = sections_.find(flag);
         for (std::size_t i = 0; i + 2 < triples.size(); i += 3)
             builder_.addBond(triples[i] / 3, triples[i + 1] / 3, 1, line->second.line);

@@ -82,7 +82,7 @@ private:
         if (words.count < 8 || !numbered || !isNumber(6) || !isNumber(7)) fields = fieldsByColumns(line, extended_);
         const auto charge = parseNumber(fields.charge), mass = parseNumber(fields.mass);
         if (!charge || !mass || !std::isfinite(*charge) || !std::isfinite(*mass))
-            cannotRead(name_, "expected an atom line, not '" + printable(line) + "'", lines_.number());
+            cannotRead(name_, "expected an atom with charge and mass, not '" + printable(line) + "'", lines_.number());
         const TopologyAtom stated{fields.type, *charge, *mass};
         Atom atom;
         atom.name = Name(fields.name);
@@ -102,6 +102,7 @@ private:
     void readBonds(std::int64_t count) {
         builder_.molecule().file.bonds = count;
         std::int64_t first = -1;
+        bool isSecond = false;
         const std::size_t width = extended_ ? 10 : 8;
         while (count > 0 && lines_.next()) {
             std::string_view line = lines_.line();
@@ -112,19 +113,18 @@ private:
                     words.push_back(trim(line.substr(0, width)));
             if (words.empty()) break;
             for (const std::string_view word : words) {
-                const auto atom = parseInteger(word);
-                if (!atom)
-                    cannotRead(name_, "expected an atom's number, not '" + printable(word) + "'", lines_.number());
-                if (first < 0) {
-                    first = *atom;
-                    continue;
+                const std::int64_t atom = parseInteger(word).value_or(0) - 1;
+                if (isSecond) {
+                    builder_.addBond(first, atom, 1, lines_.number());
+                    --count;
                 }
-                builder_.addBond(first - 1, *atom - 1, 1, lines_.number());
-                first = -1;
-                --count;
+                first = atom;
+                isSecond = !isSecond;
             }
         }
-        if (count > 0) builder_.warn("bonds missing from its list: " + std::to_string(count));
+        if (count > 0)
+            builder_.warn("it states " + std::to_string(builder_.molecule().file.bonds.value_or(0)) +
+                          " bonds, of which " + std::to_string(count) + " are missing");
     }
 
     const std::string& name_;

@@ -52,20 +52,25 @@ private:
 
     void readAtom(std::string_view line) override {
         const std::vector<std::string_view> words = wordsOf(line);
+        readBonds(words);
         if (words.size() < 5)
-            cannotRead(name_, "an atom line needs a number, a name and three coordinates: '" + printable(line) + "'",
-                       lines_.number());
+            return builder_.leaveOutAtom(
+                "an atom line needs a number, a name and three coordinates: '" + printable(line) + "'",
+                lines_.number());
+        const auto position = builder_.position({words[2], words[3], words[4]}, lines_.number());
+        if (!position) return;
         Atom atom;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            atom.position[static_cast<int>(axis)] =
-                parseCoordinate(words[2 + axis], "xyz"[axis], name_, lines_.number());
+        atom.position = *position;
         atom.name = Name(words[1]);
         // Names are those of a force field: "CT", "HN", "OW"; "Na+" and "Cl-" are ions.
         atom.element = pdb::elementByLooseName(words[1], Name());
         builder_.guess("elements", "from atom names");
-        const auto own = static_cast<std::int64_t>(builder_.molecule().atoms.size());
         builder_.addAtom(atom);
         builder_.molecule().types.emplace_back(words.size() > 5 ? words[5] : std::string_view());
+    }
+
+    void readBonds(const std::vector<std::string_view>& words) {
+        const std::int64_t own = records_++;
         for (std::size_t i = 6; i < words.size(); ++i) {
             const auto other = parseInteger(words[i]);
             if (!other || *other - 1 < own) continue;  // each bond stands with both of its atoms
@@ -75,13 +80,16 @@ private:
 
     void end(bool wanted) override {
         if (!wanted) return;
-        for (const TinkerBond& bond : bonds_) builder_.addBond(bond.a, bond.b, 1, bond.line);
+        for (const TinkerBond& bond : bonds_)
+            builder_.addBond(builder_.atomOfRecord(bond.a), builder_.atomOfRecord(bond.b), 1, bond.line);
     }
 
+    /// By the numbers of their records.
     struct TinkerBond {
         std::int64_t a, b;
         std::uint64_t line;
     };
+    std::int64_t records_ = 0;
     std::vector<TinkerBond> bonds_;
 };
 

@@ -70,13 +70,14 @@ private:
         std::int64_t count = 0;
         for (LineReader ahead = lines_; count < most && ahead.next(); lines_ = ahead) {
             const Words words = splitWords(ahead.line());
-            if (words.count < 4 || !parseNumber(words[1])) break;
+            const auto number = [&](std::size_t i) { return parseNumber(words[i]).has_value(); };
+            if (words.count < 4 || !(most < INT64_MAX || number(1) || number(2) || number(3))) break;
             ++count;
             if (!wanted) continue;
+            const auto position = builder_.position({words[1], words[2], words[3]}, ahead.number());
+            if (!position) continue;
             Atom atom;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                atom.position[static_cast<int>(axis)] =
-                    parseCoordinate(words[1 + axis], "xyz"[axis], name_, ahead.number());
+            atom.position = *position;
             atom.element = builder_.element(words[0], ahead.number());
             atom.name = Name(elementSymbol(atom.element));
             builder_.addAtom(atom);

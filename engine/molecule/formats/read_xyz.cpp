@@ -85,12 +85,10 @@ private:
             return builder_.leaveOutAtom(
                 "an atom line needs an element and three coordinates: '" + printable(text) + "'", line);
         Atom atom;
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto value =
-                builder_.coordinate(words[layout_.position + static_cast<std::size_t>(axis)], "xyz"[axis], line);
-            if (!value) return;
-            atom.position[axis] = *value;
-        }
+        const std::size_t x = layout_.position;
+        const auto position = builder_.position({words[x], words[x + 1], words[x + 2]}, line);
+        if (!position) return;
+        atom.position = *position;
         const std::string_view species = words[layout_.species];
         atom.element = builder_.element(species, line);
         atom.name = Name(atom.element != 0 ? elementSymbol(atom.element) : species);
