@@ -11,6 +11,7 @@
 #include "engine/scene/build/atom_groups.h"
 #include "engine/scene/build/scene_guide.h"
 #include "engine/scene/build/scene_layers.h"
+#include "engine/scene/instances/sphere_levels.h"
 #include "engine/scene/view/shared_frame.h"
 #include "engine/scene/view/uncover.h"
 
@@ -58,6 +59,10 @@ Representation guidedScene(const ResidueFacts& facts, std::span<const std::uint3
 
 RepresentationOptions placedLook(const ResidueFacts& facts, const PictureDescription& picture) {
     RepresentationOptions look = picture.look;
+    const std::string& packed = facts.molecule().file.packed;
+    if (!packed.empty() && look.color == Coloring()) look.color = ColorScheme::entity;
+    if (look.assembly.empty()) look.assembly = packed;
+    if (look.assembly == kNoAssembly) look.assembly.clear();
     look.center = picture.camera.center;
     if (look.center || !picture.aim.center) return look;
     const Selection& selection = *picture.aim.center;
@@ -91,6 +96,9 @@ Representation buildScene(const ResidueFacts& facts, const PictureDescription& p
     Representation scene = represent(facts, drawn, look, frame ? frame : sharedFrame(facts, picture.drawn, look));
     if (!look.ownFrame && !molecule.othersMissing.empty())
         scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);
+    if (picture.occlusion.directions > 0 && drawnByLevels(scene, molecule))
+        scene.warnings.push_back("no ambient occlusion: the scene has " + std::to_string(spheresInCopies(scene)) +
+                                 " spheres");
     return scene;
 }
 
@@ -109,6 +117,10 @@ RenderSettings makeSettings(const PictureDescription& picture, const Camera& cam
     settings.occlusion.detail = picture.occlusion.detail;
     settings.tuning = picture.tuning;
     return settings;
+}
+
+bool drawnByLevels(const Representation& scene, const Molecule& molecule) {
+    return !molecule.file.packed.empty() && spheresInCopies(scene) >= RenderSettings().levelsFrom;
 }
 
 Bounds guideBounds(const SceneGuide& guide) {

@@ -15,6 +15,9 @@
 
 namespace nacre::app {
 
+/// For PictureDescription::look.assembly: no assembly, also of a packed scene, which is drawn as its own by default.
+inline const std::string kNoAssembly = "none";
+
 /// The scene of a molecule, in its style and colours. @throws Error if nothing is drawn
 /// @param frame  shared by all models of the molecule's file (shared_frame.h), if known; else computed if possible
 Representation buildScene(const ResidueFacts& facts, const PictureDescription& picture,
@@ -24,7 +27,7 @@ Representation buildScene(const ResidueFacts& facts, const PictureDescription& p
 MovingScene buildMovingScene(const ResidueFacts& facts, const PictureDescription& picture);
 
 /// The representation that a picture asks for, about the centre that it names. @throws Error if the centre's selection
-/// matches no atom
+/// matches no atom. Packed scenes are drawn as their assembly and by entities, unless an option says otherwise.
 RepresentationOptions placedLook(const ResidueFacts& facts, const PictureDescription& picture);
 
 /// Enlarges a view's depth range for atoms that moved beyond it; the camera stays.
@@ -38,6 +41,9 @@ inline void reachTo(View& view, double radius) {
 /// The renderer's settings for a description, without a scene: clipping before a target, the lens's focus and what a
 /// scene file adds are Drawing's. @param radius  that the camera takes in, Å
 RenderSettings makeSettings(const PictureDescription& picture, const Camera& camera, const Size& size, double radius);
+
+/// Whether a packed scene has so many spheres that levels stand for them, which show no ambient occlusion.
+bool drawnByLevels(const Representation& scene, const Molecule& molecule);
 
 /// Bounds of a scene without atoms.
 Bounds guideBounds(const SceneGuide& guide);

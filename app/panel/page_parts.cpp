@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "app/drawing/scenes.h"
 #include "app/panel/panel_state.h"
 #include "app/panel/words.h"
 #include "app/picture/input_names.h"
@@ -49,11 +50,16 @@ void drawAssemblies(PanelFrame& f, const Molecule& molecule) {
     }
     std::vector<const char*> names;
     for (const std::string& text : texts) names.push_back(text.c_str());
+    std::string& assembly = f.look.look.assembly;
+    const std::string& shown = assembly.empty() ? molecule.file.packed : assembly;
     std::size_t chosen = 0;
     for (std::size_t i = 0; i < molecule.assemblies.size(); ++i)
-        if (molecule.assemblies[i].id == f.look.look.assembly) chosen = i + 1;
-    if (f.ui.choose("Assembly", names, chosen))
-        f.look.look.assembly = chosen == 0 ? "" : molecule.assemblies[chosen - 1].id;
+        if (molecule.assemblies[i].id == shown) chosen = i + 1;
+    if (!f.ui.choose("Assembly", names, chosen)) return;
+    if (chosen > 0)
+        assembly = molecule.assemblies[chosen - 1].id;
+    else
+        assembly = molecule.file.packed.empty() ? "" : kNoAssembly;
 }
 
 void drawStyleChoice(PanelFrame& f, const Part& part, float width) {

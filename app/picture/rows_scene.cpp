@@ -57,7 +57,7 @@ std::vector<Option> whole() {
          .save = differing},
         {.key = "assembly",
          .syntax = "ID",
-         .standard = "none: the file's atoms as they are",
+         .standard = "none: the file's atoms as they are; of a packed scene, all of it",
          .help = "Biological assembly or unit cell, one that `nacre info` lists",
          .parse = parseAssembly,
          .print = printText<&P::look, &R::assembly>,

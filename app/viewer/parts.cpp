@@ -12,11 +12,11 @@ namespace nacre::app {
 namespace {
 
 /// Words of a selection as its grammar has them (selection.h).
-constexpr const char* kWords[] = {"all",     "altloc ",    "and ",      "around ", "backbone",  "byres ",
-                                  "chain ",  "elem ",      "helix",     "hetatm",  "hydrogens", "id ",
-                                  "ion",     "ligand",     "loop",      "name ",   "none",      "not ",
-                                  "nucleic", "occupancy ", "or ",       "polymer", "protein",   "resi ",
-                                  "resn ",   "sequence ",  "sidechain", "strand",  "water",     "within 5 of "};
+constexpr const char* kWords[] = {"all",    "altloc ", "and ",        "around ", "backbone",  "byres ",    "chain ",
+                                  "elem ",  "entity ", "helix",       "hetatm",  "hydrogens", "id ",       "ion",
+                                  "ligand", "loop",    "name ",       "none",    "not ",      "nucleic",   "occupancy ",
+                                  "or ",    "polymer", "protein",     "resi ",   "resn ",     "sequence ", "sidechain",
+                                  "strand", "water",   "within 5 of "};
 
 bool isWordByte(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '\''; }
 
@@ -73,6 +73,27 @@ std::string named(const std::string& identifier, const std::map<std::string, std
 
 bool isPolymer(ResidueKind kind) { return kind == ResidueKind::protein || kind == ResidueKind::nucleic; }
 
+/// Of a packed scene: its compartments, if there are several, and its entities.
+void addPackedParts(const Molecule& m, std::vector<Part>& parts) {
+    const auto groups = [&](const auto& nameOfEntity) {
+        return groupsOf(
+            m, [&](std::uint32_t r) { return m.residues[r].entity > 0; },
+            [&](const Residue& r) { return nameOfEntity(m.entities[r.entity - 1]); });
+    };
+    const auto add = [&](const std::string& name, const std::string& selected, const Group& group) {
+        parts.push_back({Part::Kind::all, name, "entity '" + selected + "'", group.residues, group.atoms});
+    };
+    const auto compartments = groups([&](const std::string& id) {
+        const std::string name = nameOf(id, m.file.entityNames);
+        const std::size_t point = name.find_last_of('.');
+        return point == std::string::npos ? std::string() : name.substr(0, point);
+    });
+    for (const auto& [name, group] : compartments)
+        if (compartments.size() > 1 && !name.empty()) add("Compartment " + name, name + ".*", group);
+    for (const auto& [id, group] : groups([](const std::string& identifier) { return identifier; }))
+        add(nameOf(id, m.file.entityNames), id, group);
+}
+
 /// Adds the parts of one molecule. @param model  its number among several
 void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const std::string& input, int model,
               std::vector<Part>& parts) {
@@ -113,7 +134,8 @@ std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::stri
     std::vector<Part> parts;
     if (m.atoms.empty()) return parts;
     const std::vector<ResidueKind>& kinds = facts.kinds();
-    if (inputs.empty()) addParts(m, kinds, "", 0, parts);
+    if (!m.file.packed.empty() && inputs.empty()) addPackedParts(m, parts);
+    if (inputs.empty() && parts.empty()) addParts(m, kinds, "", 0, parts);
     for (std::size_t i = 0; i < inputs.size(); ++i) addParts(m, kinds, inputs[i], static_cast<int>(i + 1), parts);
     if (parts.size() > kMostParts) parts.resize(kMostParts);
     Part water{Part::Kind::water, "Water", "water"};

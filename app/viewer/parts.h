@@ -23,8 +23,8 @@ struct Part {
 
 constexpr std::size_t kMostParts = 200;
 
-/// Chains in file order, then ligands, ions and water; the whole molecule if it has none of these. For several
-/// molecules likewise each. At most kMostParts.
+/// Chains in file order, then ligands, ions and water; the whole molecule if it has none of these. Of a packed scene
+/// its compartments and entities. For several molecules likewise each. At most kMostParts.
 /// @param inputs  names of the molecules, if there are several
 std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::string>& inputs = {});
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "app/picture/appearance_values.h"
@@ -218,6 +219,29 @@ TEST(Parts, RowsOfAMolecule) {
     for (const std::uint32_t r : sequence) letters += letterOf(m.residues[r]);
     EXPECT_EQ(letters, "CGCGAATTCGCG");
     EXPECT_EQ(residuesText(m, sequence[2], sequence[4]), "chain A and resi 3-5");
+}
+
+TEST(Parts, OfAPackedSceneAreCompartmentsAndEntities) {
+    Molecule cell = readMolecule("a.pdb",
+                                 "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  0.00\n"
+                                 "ATOM      2  CA  ALA B   1       4.000   0.000   0.000  1.00  0.00\n"
+                                 "ATOM      3  CA  ALA C   1       8.000   0.000   0.000  1.00  0.00\n");
+    cell.entities = {"1", "2", "3"};
+    for (std::uint32_t i = 0; i < 3; ++i) cell.residues[i].entity = i + 1;
+    cell.file.packed = "1";
+    cell.file.entityNames = {{"1", "cell.membrane.spike"}, {"2", "cell.membrane.pore"}, {"3", "cell.interior.enzyme"}};
+    const ResidueFacts facts(cell);
+    const std::vector<Part> parts = partsOf(facts);
+    std::vector<std::string> names;
+    for (const Part& part : parts) names.push_back(part.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"Compartment cell.membrane", "Compartment cell.interior",
+                                               "cell.membrane.spike", "cell.membrane.pore", "cell.interior.enzyme"}));
+    const std::size_t atoms[] = {2, 1, 1, 1, 1};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        EXPECT_EQ(parts[i].atoms, atoms[i]) << names[i];
+        const std::vector<bool> chosen = selectAtoms(facts, parseSelection(parts[i].selection));
+        EXPECT_EQ(std::count(chosen.begin(), chosen.end(), true), static_cast<std::ptrdiff_t>(atoms[i])) << names[i];
+    }
 }
 
 TEST(Parts, ALookThatIsGivenIsTheOneThatIsFound) {

@@ -24,13 +24,17 @@ TransformsById readOperators(const MmcifTable& table) {
     return operators;
 }
 
-std::vector<std::uint32_t> subchainsOf(std::string_view list, const MoleculeBuilder& builder, AssemblyLimits& limits) {
+/// @param model  whose chains are meant, in a packed scene
+std::vector<std::uint32_t> subchainsOf(std::string_view list, std::optional<std::string_view> model,
+                                       const MoleculeBuilder& builder, AssemblyLimits& limits) {
     std::vector<std::uint32_t> subchains;
     for (;;) {
         const std::size_t comma = list.find(',');
         limits.spend(0, 1);
         // Subchains without atoms in this model cannot be drawn.
-        if (const auto index = builder.subchain(trim(list.substr(0, comma)))) subchains.push_back(*index);
+        const std::string_view chain = trim(list.substr(0, comma));
+        const auto index = model ? builder.subchain(packedChainName(*model, chain)) : builder.subchain(chain);
+        if (index) subchains.push_back(*index);
         if (comma == std::string_view::npos) return subchains;
         list.remove_prefix(comma + 1);
     }
@@ -65,7 +69,8 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
         try {
             addPart(found[assembly->second],
                     expandOperators(generators.get(row, {"oper_expression"}).value_or(""), transforms, limits),
-                    subchainsOf(generators.get(row, {"asym_id_list"}).value_or(""), builder, limits));
+                    subchainsOf(generators.get(row, {"asym_id_list"}).value_or(""),
+                                generators.get(row, {"pdb_model_num"}), builder, limits));
         } catch (const AssemblyFault& fault) {
             faults.emplace(assembly->first, fault.what());
         }

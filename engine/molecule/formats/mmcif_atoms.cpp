@@ -66,10 +66,15 @@ bool MmcifAtoms::isKept(std::string_view column) {
     return std::any_of(kNames.begin(), kNames.end(), [&](const char* name) { return column == name; });
 }
 
-MmcifAtoms::MmcifAtoms(std::deque<MoleculeBuilder>& builders, const ReadOptions& options, int lastModel)
+std::string packedChainName(std::string_view model, std::string_view chain) {
+    return std::string(model) + ":" + std::string(chain);
+}
+
+MmcifAtoms::MmcifAtoms(std::deque<MoleculeBuilder>& builders, const ReadOptions& options, int lastModel, Models models)
     : builders_(builders),
       wantedFrom_(options.model),
       wantedTo_(std::max(options.model, lastModel)),
+      together_(models),
       maxAtoms_(options.maxAtoms) {}
 
 void MmcifAtoms::begin(const std::string& category, std::vector<std::string> columns) {
@@ -110,7 +115,8 @@ float MmcifAtoms::radiusOf(const MmcifCell* cells) const {
 void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     ++rows_;
     refuseLongCells(cells, line);
-    const int index = modelIndex(text(cells, model));
+    const std::string_view modelNumber = text(cells, model);
+    const int index = together_ == Models::packed ? 1 : modelIndex(modelNumber);
     if (index < wantedFrom_ || index > wantedTo_) return;
     if (atoms_++ == maxAtoms_)
         throw tooManyAtoms(name() + (wantedFrom_ < wantedTo_ ? ", several models" : ""), maxAtoms_);
@@ -137,15 +143,26 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     atom.occupancy = property(cell(cells, occupancy), 1.0f, builder);
     atom.temperatureFactor = property(cell(cells, temperature), 0.0f, builder);
     const auto number = wholeNumber(cell(cells, cell(cells, authSeq).missing() ? labelSeq : authSeq));
-    builder.addAtom(atom, text(cells, authAsym, labelAsym), number.value_or(0), firstCharacter(text(cells, insertion)),
-                    residue, text(cells, labelAsym, authAsym));
+    const std::string_view chain = text(cells, authAsym, labelAsym), part = text(cells, labelAsym, authAsym);
+    if (together_ == Models::packed)
+        builder.addAtom(atom, packedChainName(modelNumber, chain), number.value_or(0),
+                        firstCharacter(text(cells, insertion)), residue, packedChainName(modelNumber, part));
+    else
+        builder.addAtom(atom, chain, number.value_or(0), firstCharacter(text(cells, insertion)), residue, part);
     Residue& last = builder.molecule().residues.back();
-    if (last.atomCount == 1) {
-        if (column_[entity] >= 0) last.entity = entityIndex(cell(cells, entity));
-        if (column_[labelSeq] >= 0) last.labelNumber = wholeNumber(cell(cells, labelSeq)).value_or(kNoLabelNumber);
-    }
+    if (last.atomCount == 1) beginResidue(cells, modelNumber, last);
     noteSerial(cell(cells, serial), builder.molecule());
     countChains(cells);
+}
+
+/// In a packed scene each model is an entity.
+void MmcifAtoms::beginResidue(const MmcifCell* cells, std::string_view modelNumber, Residue& residue) {
+    const MmcifCell& stated = cell(cells, entity);
+    if (together_ == Models::packed)
+        residue.entity = entityIndex(modelNumber);
+    else if (!stated.missing())
+        residue.entity = entityIndex(stated.text(buffers_[entity]));
+    if (column_[labelSeq] >= 0) residue.labelNumber = wholeNumber(cell(cells, labelSeq)).value_or(kNoLabelNumber);
 }
 
 /// Most files number their atoms 1, 2, 3, ...: then nothing is kept.
@@ -219,16 +236,14 @@ void MmcifAtoms::countChains(const MmcifCell* cells) {
     if (column_[labelAsym] >= 0) count(text(cells, labelAsym), lastLabel_, labelChains_);
 }
 
-std::uint32_t MmcifAtoms::entityIndex(const MmcifCell& given) {
-    if (given.missing()) return 0;
-    const std::string_view identifier = given.text(buffers_[entity]);
+std::uint32_t MmcifAtoms::entityIndex(std::string_view identifier) {
     if (const auto known = entities_.find(identifier); known != entities_.end()) return known->second;
     entityNames_.emplace_back(identifier);
     return entities_.emplace(identifier, static_cast<std::uint32_t>(entityNames_.size())).first->second;
 }
 
 void MmcifAtoms::summarise(FileSummary& file) const {
-    const auto models = static_cast<std::int64_t>(models_.size());
+    const auto models = together_ == Models::packed ? 1 : static_cast<std::int64_t>(models_.size());
     if (rows_ > 0) requireModel(name(), wantedFrom_, models);
     file.models = models;
     file.totalAtomsAllModels = rows_;

@@ -36,6 +36,38 @@ void setTitle(FileSummary& file, const MmcifTable& table) {
     if (trim(title) != "?") file.title = trim(title);
 }
 
+/// Where the next category begins in BinaryCIF (MessagePack): its name begins with '_', those of columns do not.
+std::size_t nextCategory(std::string_view document) {
+    constexpr std::string_view kName = "\xA4name";
+    constexpr char kLongText = '\xD9';  // followed by its length
+    for (std::size_t at = document.find(kName); at != std::string_view::npos; at = document.find(kName, at + 1)) {
+        const std::string_view value = document.substr(at + kName.size());
+        const std::size_t text = !value.empty() && value[0] == kLongText ? 2 : 1;
+        if (value.substr(std::min(text, value.size()), 1) == "_") return at;
+    }
+    return document.size();
+}
+
+/// Whether the table of copies names a model for each row: PetWorld's models stand together. Other tables have such a
+/// column as well.
+bool modelsStandTogether(std::string_view document) {
+    constexpr std::string_view kText = "_pdbx_struct_assembly_gen.PDB_model_num";
+    constexpr std::string_view kPacked = "\xB9_pdbx_struct_assembly_gen", kPackedColumn = "\xADPDB_model_num";
+    constexpr std::string_view kJson = "\"pdbx_struct_assembly_gen\"", kJsonColumn = "\"PDB_model_num\"";
+    const auto has = [](std::string_view part, std::string_view column) {
+        return part.find(column) != std::string_view::npos;
+    };
+    if (has(document, kText)) return true;
+    if (const std::size_t at = document.find(kPacked); at != std::string_view::npos) {
+        const std::string_view own = document.substr(at);
+        return has(own.substr(0, nextCategory(own)), kPackedColumn);
+    }
+    const std::size_t at = document.find(kJson);
+    if (at == std::string_view::npos) return false;
+    const std::string_view own = document.substr(at);
+    return has(own.substr(0, own.find('}')), kJsonColumn);
+}
+
 }  // namespace
 
 std::optional<double> MmcifCell::number() const {
@@ -73,6 +105,7 @@ MmcifModel::MmcifModel(const std::string& name, std::string_view document, const
       lastModel_(lastModel),
       mostCells_(std::min(kMostCells, kFewCells + kCellsPerAtom * options.maxAtoms)) {
     builders_.emplace_back(name, options.maxAtoms);
+    if (modelsStandTogether(document)) together_ = MmcifAtoms::Models::packed;
 }
 
 bool MmcifModel::isKept(std::string_view category) {
@@ -86,6 +119,7 @@ bool MmcifModel::isKept(std::string_view category) {
                                                  "pdbx_struct_assembly",
                                                  "pdbx_struct_assembly_gen",
                                                  "pdbx_struct_oper_list",
+                                                 "pdbx_model",
                                                  "chem_comp",
                                                  "chem_comp_atom",
                                                  "chem_comp_bond",
@@ -138,7 +172,7 @@ bool MmcifModel::beginCategory(const std::string& category, const std::vector<st
     if (grains || (category == "atom_site" && !fractional)) {
         if (!grains && sawAtomSite_) cannotRead(builders_.front().name(), "_atom_site occurs twice", line);
         sawAtomSite_ = sawAtomSite_ || !grains;
-        if (!atoms_) atoms_ = std::make_unique<MmcifAtoms>(builders_, options_, lastModel_);
+        if (!atoms_) atoms_ = std::make_unique<MmcifAtoms>(builders_, options_, lastModel_, together_);
         atoms_->begin(category, columns);
         table_ = nullptr;
         return true;
@@ -187,6 +221,7 @@ std::string_view MmcifModel::kept(const MmcifCell& cell) {
 std::vector<EntityKind> MmcifModel::entityKinds() {
     std::map<std::string_view, EntityKind> kinds;
     const MmcifTable &entities = tables_["entity"], &polymers = tables_["entity_poly"];
+    if (together_ == MmcifAtoms::Models::packed) return std::vector<EntityKind>(atoms_->entities().size());
     for (std::size_t row = 0; row < entities.rows(); ++row) {
         const std::string type = lowerCase(entities.get(row, {"type"}).value_or(""));
         const bool small = type == "non-polymer" || type == "macrolide";
@@ -223,6 +258,30 @@ void MmcifModel::finishModels(FileSummary& file) {
     }
     addMmcifAssemblies(builders_.front(), tables_["pdbx_struct_assembly"], tables_["pdbx_struct_assembly_gen"],
                        tables_["pdbx_struct_oper_list"]);
+    namePackedScene(builders_.front().molecule());
+}
+
+/// Scenes of cells: cellPACK lists entities as paths of compartments, PetWorld names its models.
+void MmcifModel::namePackedScene(Molecule& molecule) {
+    if (molecule.assemblies.empty()) return;
+    constexpr std::size_t kMany = 1000;  // copies: capsids and crystals have fewer
+    const MmcifTable &assemblies = tables_["pdbx_struct_assembly"], &entities = tables_["entity"],
+                     &models = tables_["pdbx_model"];
+    std::size_t copies = 0;
+    for (const AssemblyPart& part : molecule.assemblies.front().parts) copies += part.transforms.size();
+    bool packed = together_ == MmcifAtoms::Models::packed || copies >= kMany;
+    for (std::size_t row = 0; row < assemblies.rows(); ++row)
+        packed = packed || lowerCase(assemblies.get(row, {"method_details"}).value_or("")) == "cellpack";
+    if (!packed) return;
+    FileSummary& file = molecule.file;
+    file.packed = molecule.assemblies.front().id;
+    const bool named = together_ == MmcifAtoms::Models::packed;
+    for (std::size_t i = 0; named && i < std::min(models.rows(), molecule.entities.size()); ++i)
+        file.entityNames[molecule.entities[i]] = printable(models.get(i, {"name"}).value_or(""), kLongestName);
+    for (std::size_t row = 0; !named && row < entities.rows(); ++row)
+        file.entityNames[std::string(entities.get(row, {"id"}).value_or(""))] =
+            printable(entities.get(row, {"pdbx_description"}).value_or(""), kLongestName);
+    std::erase_if(file.entityNames, [](const auto& entity) { return entity.second.empty(); });
 }
 
 std::vector<Molecule> MmcifModel::finish(const std::string& format) {

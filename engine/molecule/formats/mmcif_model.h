@@ -53,8 +53,10 @@ public:
 /// Collects rows of _atom_site into the wanted models.
 class MmcifAtoms {
 public:
+    enum class Models : std::uint8_t { apart, packed };  ///< packed: all stand together, with copies of their own
+
     /// @param builders  one; more are added as models begin, if several are wanted
-    MmcifAtoms(std::deque<MoleculeBuilder>& builders, const ReadOptions& options, int lastModel);
+    MmcifAtoms(std::deque<MoleculeBuilder>& builders, const ReadOptions& options, int lastModel, Models models);
     /// Begins rows with such columns: of _atom_site, or of IHM's spheres and Gaussian objects, which become grains.
     /// @throws Error naming the missing coordinate column
     void begin(const std::string& category, std::vector<std::string> columns);
@@ -67,6 +69,7 @@ public:
     const std::vector<std::string>& entities() const { return entityNames_; }
 
 private:
+    void beginResidue(const MmcifCell* cells, std::string_view modelNumber, Residue& residue);
     enum Column {
         x,
         y,
@@ -116,14 +119,15 @@ private:
     float radiusOf(const MmcifCell* cells) const;
     static void noteSerial(const MmcifCell& given, Molecule& molecule);
     void countChains(const MmcifCell* cells);
-    std::uint32_t entityIndex(const MmcifCell& given);
+    std::uint32_t entityIndex(std::string_view identifier);
     void refuseLongCells(const MmcifCell* cells, std::uint64_t line) const;
 
     int column_[columnCount];
     std::array<char, 32> buffers_[columnCount]{};
     std::deque<MoleculeBuilder>& builders_;
     int wantedFrom_, wantedTo_;  ///< models
-    std::size_t maxAtoms_;       ///< of all models kept
+    Models together_;
+    std::size_t maxAtoms_;  ///< of all models kept
     std::size_t atoms_ = 0;
     std::map<std::string, int, std::less<>> models_;  ///< pdbx_PDB_model_num -> 1-based position
     std::string lastModel_;
@@ -167,6 +171,7 @@ private:
     void summariseCrystal(FileSummary& file);
     std::string spaceGroupName();
     void nameParts(Molecule& molecule);
+    void namePackedScene(Molecule& molecule);
 
     std::deque<MoleculeBuilder> builders_;  ///< of the wanted models
     std::string_view document_;
@@ -174,6 +179,7 @@ private:
     int lastModel_;
     std::size_t mostCells_;  ///< of all tables
     std::deque<std::string> copies_;
+    MmcifAtoms::Models together_ = MmcifAtoms::Models::apart;
     std::unique_ptr<MmcifAtoms> atoms_;
     std::map<std::string, MmcifTable> tables_;  ///< the small categories kept
     MmcifTable* table_ = nullptr;               ///< receives the rows; null: the atoms
@@ -193,6 +199,9 @@ void addComponentBonds(MoleculeBuilder& builder, const MmcifTable& bonds);
 
 /// Helices of _struct_conf and strands of _struct_sheet_range.
 void addSecondaryStructure(MoleculeBuilder& builder, const MmcifTable& conformations, const MmcifTable& strands);
+/// Name of a model's chain in a packed scene whose models stand together: "7:A".
+std::string packedChainName(std::string_view model, std::string_view chain);
+
 /// Assemblies of _pdbx_struct_assembly, _pdbx_struct_assembly_gen and _pdbx_struct_oper_list. Unreadable ones are
 /// skipped with a warning.
 void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, const MmcifTable& generators,

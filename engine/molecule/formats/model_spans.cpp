@@ -222,7 +222,10 @@ ModelSpans mmcifSpans(const TextSource& text) {
         return lowerCase(trim(cut.line())) == "_atom_site." + lowerCase(name);
     };
     const auto isTag = [&] { return startsWith(lowerCase(cut.line().substr(0, 11)), "_atom_site."); };
-    while (!cut.atEnd() && !isTag()) cut.pass();
+    // The models of a packed scene stand together.
+    const auto isPacked = [&] { return startsWith(cut.line(), "_pdbx_struct_assembly_gen.PDB_model_num"); };
+    for (; !cut.atEnd() && !isTag(); cut.pass())
+        if (isPacked()) return {};
     std::size_t columns = 0, number = std::string_view::npos;
     for (; !cut.atEnd() && isTag(); cut.pass(), ++columns)
         if (tag("pdbx_PDB_model_num")) number = columns;
@@ -246,7 +249,7 @@ ModelSpans mmcifSpans(const TextSource& text) {
     if (!seen.empty()) spans.models.push_back(cut.since(begin));
     spans.after = {cut.place(), text.size};
     for (; !cut.atEnd(); cut.pass())
-        if (isTag()) return {};
+        if (isTag() || isPacked()) return {};
     return spans;
 }
 

@@ -132,6 +132,7 @@ private:
                 return ofPolymer(step.test == SelectionTest::backbone);
             case SelectionTest::chain:
             case SelectionTest::segment:
+            case SelectionTest::entity:
             case SelectionTest::residueName:
             case SelectionTest::residueNumber:
                 return ofResidues(step);
@@ -193,6 +194,15 @@ private:
             for (std::size_t i = 0; i < chains.size(); ++i)
                 chains[i] = anyMatches(step.words, molecule_.chains[i].name, false);
             return whereResidue([&](std::size_t i) { return chains[molecule_.residues[i].chain]; });
+        }
+        if (step.test == SelectionTest::entity) {
+            std::vector<bool> entities{false};  // 0: of none
+            for (const std::string& id : molecule_.entities) {
+                const auto name = molecule_.file.entityNames.find(id);
+                entities.push_back(anyMatches(step.words, id) ||
+                                   (name != molecule_.file.entityNames.end() && anyMatches(step.words, name->second)));
+            }
+            return whereResidue([&](std::size_t i) { return entities[molecule_.residues[i].entity]; });
         }
         return whereResidue([&](std::size_t i) {
             const Residue& residue = molecule_.residues[i];

@@ -14,7 +14,8 @@
 //                 loop   /A:10-20@CA   (ChimeraX: chains, numbers or names of residues, names of atoms, #1: model)
 //
 // `within`, `expand` and `<` include their reference, `around` excludes it. `bymolecule` is all that bonds connect;
-// `segi` is the file's segment, or mmCIF's label_asym_id. After `and`, `or` and `not`, the reference of a following
+// `segi` is the file's segment, or mmCIF's label_asym_id; `entity` is mmCIF's identifier or the name in a packed
+// scene. After `and`, `or` and `not`, the reference of a following
 // `around`, `expand`, `extend` or zone needs parentheses. `not`, `byres` and `within N of` apply to the next term. If
 // that has no parentheses and an operator follows, `byres` and `within` are refused as ambiguous: PyMOL would include
 // the operator. Lists use + or commas; values may be quoted, '' is the empty one; * matches any characters. Case
@@ -48,6 +49,7 @@ enum class SelectionTest : std::uint8_t {
     hetatm,
     chain,
     segment,
+    entity,
     residueName,
     residueNumber,
     atomName,
@@ -91,8 +93,8 @@ enum class Comparison : std::uint8_t {
 
 struct SelectionStep {
     SelectionTest test = SelectionTest::all;
-    /// Values of chain, segment, residueName, atomName, element, alternate, sequence; for secondary "HELIX", "STRAND",
-    /// "LOOP".
+    /// Values of chain, segment, entity, residueName, atomName, element, alternate, sequence; for secondary "HELIX",
+    /// "STRAND", "LOOP".
     std::vector<std::string> words;
     std::vector<NumberRange> numbers;           ///< for residueNumber, model and atomNumber
     double distance = 0;                        ///< for within, around, expand (Å) and extend

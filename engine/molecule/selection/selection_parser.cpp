@@ -196,7 +196,7 @@ private:
         const auto isOneOf = [&](std::initializer_list<SelectionTest> tests) {
             return std::find(tests.begin(), tests.end(), *found) != tests.end();
         };
-        if (isOneOf({chain, segment, residueName, atomName, element, alternate})) values(step);
+        if (isOneOf({chain, segment, entity, residueName, atomName, element, alternate})) values(step);
         if (isOneOf({residueNumber, model, atomNumber})) numbers(step, valueOf(*found));
         if (isOneOf({temperatureFactor, occupancy})) comparison(step);
         if (*found == sequence) pattern(step);
@@ -209,6 +209,7 @@ private:
     static const char* valueOf(SelectionTest test) {
         if (test == chain) return "a chain name";
         if (test == segment) return "a segment's name";
+        if (test == entity) return "an entity's identifier or name";
         if (test == residueName) return "a residue name";
         if (test == atomName) return "an atom name";
         if (test == element) return "an element symbol";

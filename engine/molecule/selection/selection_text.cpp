@@ -32,6 +32,7 @@ constexpr Keywords kKeywords[] = {
     {hetatm, "hetatm het"},
     {chain, "chain c."},
     {segment, "segi segid segname segment s."},
+    {entity, "entity"},
     {residueName, "resn resname r."},
     {residueNumber, "resi resid i."},
     {atomName, "name n."},

@@ -66,7 +66,9 @@ ResidueEntities residueEntities(const ResidueFacts& facts) {
         std::uint32_t index = 0;
         if (residue.entity > 0 && residue.entity <= molecule.entities.size()) {
             const std::string& identifier = molecule.entities[residue.entity - 1];
-            index = table.indexOf("e" + identifier, identifier);
+            const auto named = molecule.file.entityNames.find(identifier);
+            index =
+                table.indexOf("e" + identifier, named == molecule.file.entityNames.end() ? identifier : named->second);
         } else if (facts.isPolymer(i)) {
             std::optional<std::uint32_t>& known = ofChain[residue.chain];
             if (!known) known = table.indexOf("s" + sequenceOfChain[residue.chain], labels[residue.chain]);

@@ -10,7 +10,7 @@ namespace nacre {
 
 /// Chemically identical molecules form one entity.
 struct ResidueEntities {
-    std::vector<std::string> labels;       ///< "1" from the file; else "chains A, C", "HEM", "water"
+    std::vector<std::string> labels;       ///< "1" or a name from the file; else "chains A, C", "HEM", "water"
     std::vector<std::uint32_t> ofResidue;  ///< index into labels
 };
 

@@ -241,12 +241,32 @@ Classes byConfidence(const Molecule& molecule, std::span<const std::uint32_t> at
     return classes;
 }
 
+/// Entities of several compartments ("root.membrane.spike") get shades of the compartments' colours.
+void shadeByCompartment(std::vector<LegendEntry>& entities, const AnyPalette& palette) {
+    std::map<std::string_view, std::size_t> compartments;
+    std::vector<std::size_t> compartmentOf, members;
+    for (const LegendEntry& entity : entities) {
+        const std::string_view label = entity.label, compartment = label.substr(0, label.find_last_of('.') + 1);
+        compartmentOf.push_back(compartments.emplace(compartment, compartments.size()).first->second);
+        members.resize(compartments.size());
+        ++members[compartmentOf.back()];
+    }
+    if (compartments.size() < 2) return;
+    std::vector<std::size_t> next(members.size());
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+        const std::size_t compartment = compartmentOf[i];
+        entities[i].color =
+            tintedColor(kindColor(compartment, palette), copyTint(next[compartment]++, members[compartment]));
+    }
+}
+
 Classes byEntity(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const AnyPalette& palette) {
     const Molecule& molecule = facts.molecule();
     const ResidueEntities entities = residueEntities(facts);
     Classes classes;
     for (std::size_t i = 0; i < entities.labels.size(); ++i)
         classes.entries.push_back({entities.labels[i], kindColor(i, palette)});
+    if (!molecule.file.packed.empty()) shadeByCompartment(classes.entries, palette);
     sortAtoms(classes, atoms, [&](std::uint32_t i) { return entities.ofResidue[molecule.atoms[i].residue]; });
     return classes;
 }
