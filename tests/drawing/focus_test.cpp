@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <set>
 
@@ -11,6 +13,8 @@
 #include "app/input/map_input.h"
 #include "app/picture/options.h"
 #include "engine/molecule/read.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/test_data.h"
 
 namespace nacre::app {
 namespace {
@@ -132,6 +136,49 @@ TEST_F(FocusTest, OrbitalsHaveTheirNegativeContourAtTheNegativeLevel) {
     ASSERT_EQ(volumes.size(), 2u);
     EXPECT_NEAR(volumes[0].level, 0.3, 1e-6);
     EXPECT_NEAR(volumes[1].level, -0.3, 1e-6);
+}
+
+/// A p orbital as programs write it that do not mark orbitals: the number of atoms is positive.
+std::string unmarkedOrbital() {
+    constexpr int kNodes = 12;
+    std::string text = "Orbital value in real space\nwithout a mark\n1 -5.5 -5.5 -5.5\n";
+    for (const char* step : {"12 1 0 0\n", "12 0 1 0\n", "12 0 0 1\n"}) text += step;
+    text += "6 6.0 0.0 0.0 0.0\n";
+    for (int x = 0; x < kNodes; ++x)
+        for (int y = 0; y < kNodes; ++y)
+            for (int z = 0; z < kNodes; ++z) {
+                const glm::dvec3 at = glm::dvec3(x, y, z) - 5.5;
+                text += std::to_string(at.z * std::exp(-glm::length(at))) + "\n";
+            }
+    return text;
+}
+
+TEST_F(FocusTest, UnmarkedOrbitalsHaveBothLobes) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "p.cube") << unmarkedOrbital();
+    std::vector<std::string> files{folder / "p.cube"};
+    if (test::dataFolder()) files.push_back(test::dataFile("reports/t07_pyscf.cube"));
+    for (const std::string& file : files) {
+        SCOPED_TRACE(file);
+        picture.maps.files.clear();
+        set("map", file);
+        set("map-style", "mesh");
+        const MapLayers maps = buildMapLayers(molecule, picture, {}, {picture.camera, 12});
+        std::array<std::size_t, 2> wires{};  // below and above the plane of the nodes
+        std::array<std::set<std::uint32_t>, 2> colors;
+        for (std::size_t i = 0; i < maps.shown.wires.size(); ++i) {
+            const std::size_t above = maps.shown.wires[i].a.z > 0;
+            ++wires[above];
+            colors[above].insert(maps.shown.wireLooks[i].colorA);
+        }
+        EXPECT_GT(wires[0], 10u);
+        EXPECT_EQ(wires[0], wires[1]) << "the lobes are alike";
+        EXPECT_EQ(colors[0].size() + colors[1].size(), 2u);
+        EXPECT_NE(colors[0], colors[1]);
+        const std::vector<SceneVolume> volumes = sceneVolumes(picture);
+        ASSERT_EQ(volumes.size(), 2u);
+        EXPECT_DOUBLE_EQ(volumes[1].level, -volumes[0].level);
+    }
 }
 
 }  // namespace
