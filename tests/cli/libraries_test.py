@@ -10,6 +10,8 @@ import tempfile
 import unittest
 
 PROGRAM = sys.argv.pop()
+COPYLEFT = ("libfribidi", "libglib", "libgobject", "libgraphite2", "libgnutls", "libnettle", "libgmp", "libidn2", "libunistring",
+            "librtmp", "libjbig", "libavcodec", "libgtk", "libopenbabel", "libreadline")
 LATE = ("libcurl", "libOpenEXR", "libjpeg", "libwebp", "librenderdoc", "libdbus-1", "libLLVM")
 
 
@@ -27,6 +29,14 @@ class Libraries(unittest.TestCase):
         for late in LATE:
             self.assertFalse([name for name in names if name.startswith(late)], late)
         self.assertLess(len(names), 45)
+
+    def test_no_library_under_the_lgpl_is_linked(self):
+        """Debian's HarfBuzz loads two."""
+        said = subprocess.run(["readelf", "-d", PROGRAM], capture_output=True, text=True, check=True).stdout
+        linked = {line.split("[")[1].rstrip("]") for line in said.splitlines() if "(NEEDED)" in line}
+        self.assertIn("libharfbuzz.so.0", linked)
+        for names, allowed in ((linked, set()), (loaded("--help"), {"libglib-2.0.so.0", "libgraphite2.so.3"})):
+            self.assertLessEqual({name for name in names if name.startswith(COPYLEFT)}, allowed)
 
     def test_a_picture_loads_no_driver_for_gpus_that_are_not_there(self):
         if any(os.path.exists(f"/dev/{node}") for node in ("dri", "kgsl-3d0", "dxg")):

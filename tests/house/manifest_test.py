@@ -34,6 +34,14 @@ class Manifest(unittest.TestCase):
             self.assertIn(dependency["name"], ports)
             self.assertLessEqual(set(dependency.get("features", [])), ports[dependency["name"]], dependency["name"])
 
+    def test_no_library_under_the_lgpl_comes_along(self):
+        """HarfBuzz's features glib and graphite2, and curl's other TLS libraries."""
+        ports = {dependency["name"]: dependency for dependency in dependencies()}
+        for name, features in (("harfbuzz", []), ("freetype", []), ("curl", ["ssl"])):
+            self.assertIs(ports[name]["default-features"], False, name)
+            self.assertEqual(ports[name].get("features", []), features, name)
+        self.assertFalse(ports.keys() & {"fribidi", "glib", "graphite2", "gnutls", "ffmpeg"})
+
     def test_the_list_says_when_it_was_made(self):
         self.assertRegex((THIRD_PARTY / "vcpkg_ports.txt").read_text(), r"20\d\d-\d\d-\d\d")
 
