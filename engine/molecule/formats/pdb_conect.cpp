@@ -91,7 +91,7 @@ void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& mo
     dangling.report(molecule, "CONECT of atoms that are not there");
     ambiguous.report(molecule, "CONECT of serial numbers that several atoms have");
     Ignored{tooMany_, firstTooMany_}.report(molecule, "CONECT beyond what its atoms could form");
-    Ignored{unreadable_, firstUnreadable_}.report(molecule, "CONECT of no serial numbers");
+    Ignored{unreadable_, firstUnreadable_}.report(molecule, "CONECT without serial numbers");
 }
 
 }  // namespace nacre::pdb

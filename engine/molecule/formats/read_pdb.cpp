@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -290,7 +291,9 @@ private:
         FileSummary& file = molecule_.file;
         file.models = models_;
         file.totalAtomsAllModels = totalAtoms_;
-        file.chains = static_cast<std::int64_t>(molecule_.chains.size());
+        std::set<std::string_view> letters;
+        for (const Chain& chain : molecule_.chains) letters.insert(chain.name);
+        file.chains = static_cast<std::int64_t>(letters.size());
         if (remark350_.operators() > 0) file.biomtOperators = remark350_.operators();
         addNote(molecule_.notes, ReadAction::leftOut, "numbers",
                 "occupancies, B factors or charges that are not numbers", unreadableNumbers_, firstUnreadableNumber_);
