@@ -94,6 +94,21 @@ TEST(PackedScenes, ModelsOfPetWorldStandTogether) {
     }
 }
 
+TEST(PackedScenes, OnlyTheTableOfCopiesTellsThatModelsStandTogether) {
+    const auto models = [](const char* categories) {
+        return readMolecule("a.json", std::string(R"({"data_a": {"atom_site": {"type_symbol": ["C", "C"],
+"label_asym_id": ["A", "A"], "Cartn_x": [0, 5], "Cartn_y": [0, 0], "Cartn_z": [0, 0],
+"pdbx_PDB_model_num": [1, 2]}, )") + categories +
+                                          "}}")
+            .file.models;
+    };
+    EXPECT_EQ(models(R"("pdbx_struct_assembly_gen": {"assembly_id": [1, 1], "PDB_model_num": [1, 2]})"), 1);
+    EXPECT_EQ(models(R"("pdbx_struct_assembly_gen": {"assembly_id": [1]},
+"pdbx_validate_torsion": {"PDB_model_num": [1]})"),
+              2);
+    EXPECT_EQ(models(R"("pdbx_validate_torsion": {"PDB_model_num": [1]})"), 2);
+}
+
 TEST(PackedScenes, LargeTextsOfPetWorldAreNotSplitIntoModels) {
     for (const bool atomsFirst : {false, true}) {
         const test::TemporaryFolder folder;
