@@ -52,8 +52,8 @@ bool isPublic6(const std::uint8_t* bytes) {
 
 /// Whether a host is a domain, or in it.
 bool isBelow(std::string_view host, std::string_view domain) {
-    return host == domain || (host.size() > domain.size() && host.ends_with(domain) &&
-                              host[host.size() - domain.size() - 1] == '.');
+    return host == domain ||
+           (host.size() > domain.size() && host.ends_with(domain) && host[host.size() - domain.size() - 1] == '.');
 }
 
 /// Host and port of an address, in lower case. Empty: not one that scenes may name.

@@ -202,7 +202,8 @@ std::vector<std::string> idleOptions(const PictureDescription& options, const Re
         if (const std::string on = option(needs).print(drawn); on.empty() || on == "off")
             said.push_back("--" + key + " changes nothing without --" + needs);
     }
-    if (const AnyPalette& palette = options.look.palette; palette != Palette::automatic && !takesPalette(scene, palette))
+    if (const AnyPalette& palette = options.look.palette;
+        palette != Palette::automatic && !takesPalette(scene, palette))
         said.push_back("--palette " + paletteName(palette) + " changes nothing: nothing is coloured by " +
                        (isRamp(palette) ? "numbers" : "categories"));
     if (options.words.seenOnly && options.words.labels.empty())

@@ -164,10 +164,7 @@ std::vector<Option> colors() {
          .help = "Colours of categories (chains, copies, entities): " + paletteNames(false) +
                  ";\nof numbers: " + paletteNames(true),
          .parse = [](T text, P& d) { d.look.palette = parsePalette(text); },
-         .print =
-             [](const P& d) {
-                 return paletteName(d.look.palette);
-             },
+         .print = [](const P& d) { return paletteName(d.look.palette); },
          .save = differing},
     };
     return under(Topic::color, Facet::scene, std::move(rows));

@@ -18,8 +18,8 @@ void checkInterrupt();
 
 /// Whether this thread answers Python's signals.
 bool answersSignals();
-/// Runs work in another thread, and answers signals meanwhile. @throws what the work throws; the exception of a signal's
-/// handler within a fraction of a second, and then the work ends at its next checkInterrupt()
+/// Runs work in another thread, and answers signals meanwhile. @throws what the work throws; the exception of a
+/// signal's handler within a fraction of a second, and then the work ends at its next checkInterrupt()
 void runBeside(std::function<void()> work);
 
 /// Runs work without Python's lock. @param work  owns what it uses, and no Python object: after a signal it may outlive

@@ -289,9 +289,8 @@ void addReading(py::module_& m) {
         return interruptible([inputs, options] { return openInputs(inputs, options); });
     });
     m.def("open_bytes", [](const std::string& name, const py::bytes& bytes, const std::string& options) {
-        return interruptible([name, text = std::string(bytes), options]() mutable {
-            return openBytes(name, std::move(text), options);
-        });
+        return interruptible(
+            [name, text = std::string(bytes), options]() mutable { return openBytes(name, std::move(text), options); });
     });
     m.def("from_arrays",
           [](const Floats& positions, const std::vector<std::string>& elements, const std::optional<Integers>& bonds,

@@ -188,8 +188,7 @@ std::vector<std::uint32_t> distinctPlaces(const gemmi::Fractional& at, const std
     if (std::none_of(kept.begin(), kept.end(), repeats)) return kept;
     kept.clear();
     for (std::uint32_t i = 0; i < operations.size(); ++i)
-        if (std::none_of(kept.begin(), kept.end(),
-                         [&](std::uint32_t known) { return same(images[i], images[known]); }))
+        if (std::none_of(kept.begin(), kept.end(), [&](std::uint32_t known) { return same(images[i], images[known]); }))
             kept.push_back(i);
     return kept;
 }
@@ -226,7 +225,7 @@ private:
     std::map<std::vector<std::uint32_t>, std::string> groups_;
 };
 
-constexpr float kSameSite = 0.1f;         // Å
+constexpr float kSameSite = 0.1f;        // Å
 constexpr std::size_t kMostOnSite = 26;  // A to Z
 
 /// Atoms by place, to find those on one site. However many there are, and wherever, few are looked at around one.
@@ -269,8 +268,7 @@ private:
     /// Cubes that share a key cost time, and change nothing.
     static std::uint64_t keyOf(const glm::i64vec3& cube) {
         std::uint64_t key = 0;
-        for (int axis = 0; axis < 3; ++axis)
-            key = (key ^ static_cast<std::uint64_t>(cube[axis])) * 0x9e3779b97f4a7c15u;
+        for (int axis = 0; axis < 3; ++axis) key = (key ^ static_cast<std::uint64_t>(cube[axis])) * 0x9e3779b97f4a7c15u;
         return key ^ key >> 32;
     }
 

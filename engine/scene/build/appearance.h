@@ -100,7 +100,7 @@ struct Legend {
     std::vector<LegendEntry> entries;
     AnyPalette ramp = {};    ///< palette of the first `stops` entries, which are evenly spaced
     std::size_t stops = 0;   ///< the other entries are classes
-    std::string title = {};             ///< as a user words it, with the markup of labels; empty: by the scheme
+    std::string title = {};  ///< as a user words it, with the markup of labels; empty: by the scheme
 };
 
 /// Atoms drawn as one kind of mesh.
