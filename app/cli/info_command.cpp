@@ -199,7 +199,7 @@ std::string infoText(const std::string& name, const Json& json) {
          listed(json,
                 {{"assemblies", "assemblies"}, {"oper_list", "operators"}, {"biomt_operators", "BIOMT operators"}}));
     if (json.contains("assembly_list")) assemblies(out, json["assembly_list"]);
-    if (json.contains("packed")) line(out, "packed scene", compartments(json));
+    if (json.contains("packed")) line(out, "scene", compartments(json));
     line(out, "bonds",
          listed(json["bonds_known"], {{"total", "total"},
                                       {"file", "from the file"},

@@ -219,7 +219,7 @@ void Drawing::rebuildScene(const std::optional<Bounds>& frame, const Molecule* n
 
 RenderSettings Drawing::settingsFor(const PictureDescription& picture, const Camera& camera, const Size& size) const {
     RenderSettings result = makeSettings(picture, camera, size, radius());
-    if (scene_ && facts_ && drawnByLevels(*scene_, facts_->molecule())) result.occlusion.directions = 0;
+    if (scene_ && facts_ && tooManyToOcclude(*scene_, facts_->molecule())) result.occlusion.directions = 0;
     if (reach() > result.view.radius) reachTo(result.view, reach());
     return result;
 }

@@ -96,7 +96,7 @@ Representation buildScene(const ResidueFacts& facts, const PictureDescription& p
     Representation scene = represent(facts, drawn, look, frame ? frame : sharedFrame(facts, picture.drawn, look));
     if (!look.ownFrame && !molecule.othersMissing.empty())
         scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);
-    if (picture.occlusion.directions > 0 && drawnByLevels(scene, molecule))
+    if (picture.occlusion.directions > 0 && tooManyToOcclude(scene, molecule))
         scene.warnings.push_back("no ambient occlusion: the scene has " + std::to_string(spheresInCopies(scene)) +
                                  " spheres");
     return scene;
@@ -119,8 +119,9 @@ RenderSettings makeSettings(const PictureDescription& picture, const Camera& cam
     return settings;
 }
 
-bool drawnByLevels(const Representation& scene, const Molecule& molecule) {
-    return !molecule.file.packed.empty() && spheresInCopies(scene) >= RenderSettings().levelsFrom;
+bool tooManyToOcclude(const Representation& scene, const Molecule& molecule) {
+    constexpr std::uint64_t kMost = 1'000'000;
+    return !molecule.file.packed.empty() && spheresInCopies(scene) > kMost;
 }
 
 Bounds guideBounds(const SceneGuide& guide) {

@@ -42,8 +42,8 @@ inline void reachTo(View& view, double radius) {
 /// scene file adds are Drawing's. @param radius  that the camera takes in, Å
 RenderSettings makeSettings(const PictureDescription& picture, const Camera& camera, const Size& size, double radius);
 
-/// Whether a packed scene has so many spheres that levels stand for them, which show no ambient occlusion.
-bool drawnByLevels(const Representation& scene, const Molecule& molecule);
+/// Whether a packed scene has so many spheres that their ambient occlusion would take minutes.
+bool tooManyToOcclude(const Representation& scene, const Molecule& molecule);
 
 /// Bounds of a scene without atoms.
 Bounds guideBounds(const SceneGuide& guide);

@@ -72,18 +72,18 @@ TEST(PackedScene, OptionsOverrideIt) {
     EXPECT_EQ(spheresInCopies(buildScene(ResidueFacts(cell), hidden)), 8u);
 }
 
-TEST(PackedScene, OfABillionAtomsIsDrawnByLevels) {
+TEST(PackedScene, OfABillionAtomsHasLevelsAndNoOcclusion) {
     const Molecule cell = readMolecule("cell.cif", packedCell(7000, 50'000));
     ASSERT_EQ(cell.atoms.size(), 21'000u);
     const Representation scene = buildScene(ResidueFacts(cell), PictureDescription());
     EXPECT_EQ(spheresInCopies(scene), 1'050'000'000u);
     EXPECT_EQ(scene.spheres.size(), 21'000u) << "of one copy";
-    EXPECT_TRUE(drawnByLevels(scene, cell));
+    EXPECT_TRUE(tooManyToOcclude(scene, cell));
     EXPECT_TRUE(canHaveLevels(scene));
     ASSERT_FALSE(scene.warnings.empty());
     EXPECT_EQ(scene.warnings.back(), "no ambient occlusion: the scene has 1050000000 spheres");
     const Molecule small = readMolecule("cell.cif", packedCell(10, 100));
-    EXPECT_FALSE(drawnByLevels(buildScene(ResidueFacts(small), PictureDescription()), small));
+    EXPECT_FALSE(tooManyToOcclude(buildScene(ResidueFacts(small), PictureDescription()), small));
 }
 
 }  // namespace
