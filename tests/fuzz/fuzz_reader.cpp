@@ -10,7 +10,9 @@
 
 #include "engine/error.h"
 #include "engine/molecule/read.h"
+#include "engine/threads.h"
 #ifdef NACRE_FUZZ_RENDER
+#include "engine/mesh/surface.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/renderer.h"
 #endif
@@ -48,6 +50,7 @@ void draw(const nacre::Molecule& molecule, std::size_t choice) {
     if (drawn.empty() || drawn.size() > 20000) return;
     nacre::RepresentationOptions look;
     look.style = static_cast<nacre::Style>(choice % 5);
+    look.surface.resolution = nacre::kCoarsestSurface;
     if (choice / 5 % 2 && !molecule.assemblies.empty()) look.assembly = molecule.assemblies.front().id;
     nacre::Representation scene = nacre::represent(molecule, drawn, look);
     nacre::RenderSettings settings;
@@ -84,6 +87,7 @@ bool read(const std::string& bytes, int model) {
 
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
     options.maxBytes = std::size_t{16} << 20;
+    nacre::setThreadsPerTask(1);  // starting others takes longer than their work
     const std::string start = "--format=";
     for (int i = 1; i < *count; ++i) {
         const std::string argument = (*arguments)[i];
