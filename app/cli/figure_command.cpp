@@ -7,6 +7,7 @@
 #include "app/annotation/painter.h"
 #include "app/cli/batch_lines.h"
 #include "app/cli/commands.h"
+#include "app/cli/picture_grid.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/progress.h"
 #include "app/drawing/complete.h"
@@ -15,43 +16,11 @@
 #include "app/images/image_file.h"
 #include "engine/error.h"
 #include "engine/scene/color/palettes.h"
-#include "engine/srgb.h"
 
 namespace nacre::app {
 namespace {
 
 constexpr std::size_t kMostPanels = 26;
-
-/// Panels in rows from the top, with gaps in the background's colour between them.
-class Figure {
-public:
-    Figure(const PictureDescription& panel, std::size_t panels, std::size_t columns, double gap)
-        : cell_(panel.size), columns_(std::min(panels, columns)), gap_(static_cast<std::uint32_t>(std::lround(gap))) {
-        const auto side = [&](std::size_t count, std::uint32_t pixels) {
-            return static_cast<std::uint32_t>(count * (pixels + gap_) - gap_);
-        };
-        picture_.width = side(columns_, cell_.width);
-        picture_.height = side((panels + columns_ - 1) / columns_, cell_.height);
-        picture_.rgba.resize(std::size_t{4} * picture_.width * picture_.height);
-        const auto& [r, g, b, a] = panel.background;
-        const float ground[4] = {srgbToLinear(r) * a, srgbToLinear(g) * a, srgbToLinear(b) * a, a};
-        for (std::size_t i = 0; i < picture_.rgba.size(); ++i) picture_.rgba[i] = ground[i % 4];
-    }
-    void put(std::size_t index, const Picture& panel) {
-        const std::size_t left = index % columns_ * (cell_.width + gap_),
-                          top = index / columns_ * (cell_.height + gap_);
-        for (std::size_t y = 0; y < panel.height; ++y)
-            std::copy_n(&panel.rgba[4 * y * panel.width], 4 * panel.width,
-                        &picture_.rgba[4 * ((top + y) * picture_.width + left)]);
-    }
-    const Picture& picture() const { return picture_; }
-
-private:
-    Size cell_;
-    std::size_t columns_;
-    std::uint32_t gap_;
-    Picture picture_;
-};
 
 /// Paints a panel's letter at its upper left.
 void paintLetter(const WordPainter& painter, const std::string& letter, const PictureDescription& panel,
@@ -117,8 +86,9 @@ void figureCommand(const FigureOptions& options) {
     Canvas canvas(panels.front().device);
     WordPainter painter;
     std::optional<PictureDescription> first;
-    Figure figure(panels.front(), panels.size(), static_cast<std::size_t>(options.columns),
-                  options.gapPoints * dpi / 72);
+    PictureGrid figure(panels.front().size, panels.size(), static_cast<std::size_t>(options.columns),
+                       static_cast<std::uint32_t>(std::lround(options.gapPoints * dpi / 72)),
+                       panels.front().background);
     for (std::size_t i = 0; i < panels.size(); ++i) {
         PictureDescription& panel = panels[i];
         if (first) shareCamera(*first, panel);

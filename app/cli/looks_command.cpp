@@ -4,6 +4,7 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
+#include "app/cli/picture_grid.h"
 #include "app/cli/progress.h"
 #include "app/drawing/drawing.h"
 #include "app/files/json_text.h"
@@ -15,35 +16,6 @@
 namespace nacre::app {
 namespace {
 
-/// Cells side by side, rows from the top, with a white line between them.
-class Sheet {
-public:
-    Sheet(const Size& cell, std::size_t cells, std::size_t columns)
-        : cell_(cell), columns_(std::min(cells, columns)), line_(std::max(cell.width / 64, 1u)) {
-        const auto side = [&](std::size_t count, std::uint32_t pixels) {
-            return static_cast<std::uint32_t>(count * (pixels + line_) - line_);
-        };
-        picture_.width = side(columns_, cell.width);
-        picture_.height = side((cells + columns_ - 1) / columns_, cell.height);
-        picture_.rgba.assign(std::size_t{4} * picture_.width * picture_.height, 1.0f);
-    }
-
-    void put(std::size_t index, const Picture& picture) {
-        const std::size_t left = index % columns_ * (cell_.width + line_),
-                          top = index / columns_ * (cell_.height + line_);
-        for (std::size_t y = 0; y < picture.height; ++y)
-            std::copy_n(&picture.rgba[4 * y * picture.width], 4 * picture.width,
-                        &picture_.rgba[4 * ((top + y) * picture_.width + left)]);
-    }
-    const Picture& picture() const { return picture_; }
-
-private:
-    Size cell_;
-    std::size_t columns_;
-    std::uint32_t line_;
-    Picture picture_;
-};
-
 void drawSheet(const LooksOptions& options) {
     OutputFile file(options.picture.output, ".png");
     Progress progress;
@@ -51,7 +23,9 @@ void drawSheet(const LooksOptions& options) {
     progress.begin("drawing");
     Canvas canvas(options.picture.device);
     Drawing drawing;
-    Sheet sheet(options.picture.size, looks().size(), static_cast<std::size_t>(options.columns));
+    const Size& cell = options.picture.size;
+    PictureGrid sheet(cell, looks().size(), static_cast<std::size_t>(options.columns), std::max(cell.width / 64, 1u),
+                      {1, 1, 1, 1});
     std::size_t done = 0;
     for (const Look& look : looks()) {
         PictureDescription one = options.picture;
