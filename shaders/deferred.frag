@@ -64,13 +64,12 @@ void showTriangle(uint index, inout Shown shown) {
     uvec4 record = shapes[view.spheres + 2u * view.cylinders + index];
     // Not an indexed array: drivers keep those in memory, and one crashes on them (docs/tilers.md).
     uvec4 v0 = shapes[record.x], v1 = shapes[record.y], v2 = shapes[record.z];
-    float step = uintBitsToFloat(record.w);
-    Hit hit = triangleHitThrough(cornerOf(v0, step), cornerOf(v1, step), cornerOf(v2, step),
-                                 joinsOf(v0.w, v1.w, v2.w), planePoint(gl_FragCoord.xy));
+    Facet f = facetFrom(v0, v1, v2, record, view.primitives + view.cylinders);
+    Hit hit = facetHitThrough(f, planePoint(gl_FragCoord.xy));
     smoothNormal(hit, uvec3(v0.z, v1.z, v2.z));
     shown.look = hit.corner == 0u ? v0.w : hit.corner == 1u ? v1.w : v2.w;
     shown.corners = uvec3(v0.w, v1.w, v2.w);
-    shown.occlusion = meshOcclusion(hit, record.xyz - (view.primitives + view.cylinders));
+    shown.occlusion = meshOcclusion(hit, f.vertices);
     shown.hit = hit;
 }
 

@@ -12,8 +12,8 @@ float radius() { return max(endA.w, endB.w); }
 layout(location = 0) flat in vec3 cornerA;
 layout(location = 1) flat in vec3 cornerB;
 layout(location = 2) flat in vec3 cornerC;
-layout(location = 3) flat in uint joins;
-float radius() { return cornerA.z + cornerB.z + cornerC.z == 0.125 && joins > 7u ? 0.0 : 1.0; }
+layout(location = 3) flat in uint division;
+float radius() { return cornerA.z + cornerB.z + cornerC.z == 0.125 && division == 0xffffffffu ? 0.0 : 1.0; }
 #else
 layout(location = 0) flat in vec4 sphere;
 float radius() { return sphere.w; }

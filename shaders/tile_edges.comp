@@ -92,10 +92,10 @@ void keepSphere(vec4 sphere, uint number, bool live) {
 }
 
 #ifdef TRIANGLES
-void keepFacet(vec3 a, vec3 b, vec3 c, uint joins, uint number, bool live) {
+void keepFacet(vec3 a, vec3 b, vec3 c, uint division, uint number, bool live) {
     if (!kPlain) {
         for (int i = 0; i < kSamples; ++i) {
-            Hit hit = triangleHitThrough(a, b, c, joins, planePoint(corner + sampleAt(i)));
+            Hit hit = triangleHitThrough(a, b, c, division, planePoint(corner + sampleAt(i)));
             keep(i, live && hit.inside, hit.order, sightOf(hit, number));
         }
         return;
@@ -106,7 +106,7 @@ void keepFacet(vec3 a, vec3 b, vec3 c, uint joins, uint number, bool live) {
     vec3 sides = vec3(edgeSide(pb, pc), edgeSide(pc, pa), edgeSide(pa, pb));
     float sum = sides.x + sides.y + sides.z;
     float unit = 1.0 / (sum == 0.0 ? 1.0 : sum);
-    vec3 heights = vec3(a.z, b.z, c.z), joined = vec3(joins & 1u, joins >> 1 & 1u, joins >> 2);
+    vec3 heights = vec3(a.z, b.z, c.z);
     mat3 shares;  // at the pixel, and their gradients along the plane's axes
     shares[0] = sides * unit;
     shares[1] = vec3(b.y - c.y, c.y - a.y, a.y - b.y) * unit;
@@ -116,7 +116,7 @@ void keepFacet(vec3 a, vec3 b, vec3 c, uint joins, uint number, bool live) {
     for (int k = 0; k < 3; ++k) {
         vec3 inSpace = kPerspective ? shares[k] * heights : shares[k];
         depth[k] = dot(shares[k], heights);
-        alike[k] = inSpace + joined * inSpace.yzx + joined.zxy * inSpace.zxy;
+        alike[k] = claimsOf(inSpace, division);
     }
     // Ties up to rounding resolve to the first.
     alike[0] += vec3(2e-6, 1e-6, 0.0) * (kPerspective ? abs(a.z) : 1.0);
@@ -175,7 +175,7 @@ void sampleList(uint at, uint end, uint lane) {
             do {
                 uint from = lowestOf(facets);
                 vec3 ca = handedCorner(e.a.xyz, from), cb = handedCorner(e.b, from), cc = handedCorner(e.c, from);
-                keepFacet(ca, cb, cc, subgroupShuffle(e.joins, from), subgroupShuffle(e.number, from), facets != 0u);
+                keepFacet(ca, cb, cc, subgroupShuffle(e.division, from), subgroupShuffle(e.number, from), facets != 0u);
                 facets &= facets - 1u;
             } while (facets != 0u);
             at += uint(kLanes);

@@ -27,7 +27,7 @@ layout(location = 0) flat out uint number;
 layout(location = 0) flat out vec3 cornerA;
 layout(location = 1) flat out vec3 cornerB;
 layout(location = 2) flat out vec3 cornerC;
-layout(location = 3) flat out uint joins;
+layout(location = 3) flat out uint division;
 #endif
 invariant gl_Position;
 
@@ -51,7 +51,7 @@ void main() {
     cornerA = a;
     cornerB = b;
     cornerC = c;
-    joins = joinsOf(f.a.w, f.b.w, f.c.w);
+    division = f.division;
 #endif
 #ifdef LOOK
     normals = uvec3(f.a.z, f.b.z, f.c.z);

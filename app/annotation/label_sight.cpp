@@ -96,7 +96,7 @@ LabelSight::LabelSight(const Representation& r) {
     };
     const auto addFacet = [&](const Triangle& t, const glm::dmat4x3& to) {
         const auto at = [&](std::uint32_t v) {
-            return glm::vec3(to * glm::dvec4(positionOf(r.meshVertices[v], t.step), 1.0));
+            return glm::vec3(to * glm::dvec4(positionOf(r.meshVertices[v], t.step()), 1.0));
         };
         facets_.push_back({at(t.a), at(t.b), at(t.c), r.meshLooks[r.meshVertices[t.a].look].atom});
     };

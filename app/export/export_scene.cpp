@@ -102,7 +102,7 @@ private:
                 group.places.emplace(v, static_cast<std::uint32_t>(group.mesh.positions.size()));
             if (added) {
                 const MeshVertex& vertex = scene_.meshVertices[v];
-                addVertex(group.mesh, positionOf(vertex, t.step), normalOf(vertex),
+                addVertex(group.mesh, positionOf(vertex, t.step()), normalOf(vertex),
                           scene_.meshLooks[vertex.look].color);
                 if (baked_) group.occlusion.push_back(baked_->ofVertex(v));
             }

@@ -10,6 +10,7 @@
 #include "engine/frame/picture.h"
 #include "engine/passes/view_constants.h"
 #include "engine/scene/build/atom_groups.h"
+#include "engine/scene/build/mesh_caps.h"
 #include "engine/scene/instances/mesh_levels.h"
 
 namespace nacre {
@@ -140,12 +141,7 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const Sc
         const auto channel = [&](int shift) { return static_cast<float>(copyColors[i] >> shift & 0xff) / 255.0f; };
         c.copyColors[i] = linearColor({channel(0), channel(8), channel(16)}, 1);
     }
-    if (e.clip.capColor)
-        for (int i = 0; i < 3; ++i)
-            c.capColor |=
-                static_cast<std::uint32_t>(std::lround((*e.clip.capColor)[static_cast<std::size_t>(i)] * 255.0f))
-                << 8 * i;
-    if (e.clip.capColor) c.capColor |= 0xff000000u;
+    c.capColor = packedCapColor(e.clip);
     addShadow(c, settings);
     addOutlines(c, settings);
     addHalos(c, settings);

@@ -132,6 +132,30 @@ void checkSurfaceSize(const std::vector<SurfaceBall>& balls, double step) {
     if (farthest / step > kFarthestCell) throw Error("cannot make surface", "", "its atoms are too far apart");
 }
 
+void setMargins(Mesh& mesh, const std::vector<SurfaceBall>& balls, const glm::dvec3& shift) {
+    const auto last = std::max_element(balls.begin(), balls.end(), [](auto& a, auto& b) { return a.atom < b.atom; });
+    std::vector<std::uint32_t> ballOf(last->atom + 1);
+    for (std::uint32_t i = 0; i < balls.size(); ++i) ballOf[balls[i].atom] = i;
+    const auto height = [&](std::uint32_t atom, std::uint32_t vertex) {
+        const SurfaceBall& ball = balls[ballOf[atom]];
+        return glm::distance(ball.center, glm::dvec3(mesh.positions[vertex]) - shift) - ball.radius;
+    };
+    constexpr float kFar = 1e9f;
+    mesh.margins.assign(mesh.positions.size(), kFar);
+    for (const glm::uvec3& t : mesh.triangles)
+        for (int i = 0; i < 3; ++i)
+            for (const std::uint32_t other : {t[(i + 1) % 3], t[(i + 2) % 3]}) {
+                const std::uint32_t own = mesh.atoms[t[i]], next = mesh.atoms[other];
+                if (own == next) continue;
+                const auto margin = static_cast<float>(height(next, t[i]) - height(own, t[i]));
+                mesh.margins[t[i]] = std::min(mesh.margins[t[i]], std::max(margin, 0.0f));
+            }
+    float widest = 0;
+    for (const float margin : mesh.margins)
+        if (margin < kFar) widest = std::max(widest, margin);
+    for (float& margin : mesh.margins) margin = std::min(margin, widest);
+}
+
 }  // namespace
 
 NodeRange::NodeRange(const GridBlock& block, const glm::dvec3& low, const glm::dvec3& high) {
@@ -176,7 +200,9 @@ Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, con
     Mesh mesh = joined(meshes);
     if (!options.cavities) dropCavities(mesh);  // by connectivity, which creases interrupt
     if (options.kind != SurfaceKind::gaussian && (accessible || probe == 0))
-        putCreases(mesh, balls, middle - origin, step);
+        putCreases(mesh, balls, middle - origin, step);  // along borders
+    else
+        setMargins(mesh, balls, middle - origin);
     return mesh;
 }
 

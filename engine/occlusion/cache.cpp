@@ -91,7 +91,7 @@ std::string occlusionCacheName(const Representation& representation, std::string
     hash.add(representation.cylinders.data(), representation.cylinders.size() * sizeof(Cylinder));
     hash.add(std::uint64_t{representation.triangles.size()}).add(std::uint64_t{representation.meshVertices.size()});
     for (const Triangle& t : representation.triangles)
-        hash.add(t.a).add(t.b).add(t.c).add(std::bit_cast<std::uint32_t>(t.step));
+        hash.add(t.a).add(t.b).add(t.c).add(std::bit_cast<std::uint32_t>(t.step()));
     for (const MeshVertex& v : representation.meshVertices) hash.add(v.xz).add(v.yz).add(v.normal);
     for (const TranslucentRun& run : translucentRuns(representation)) hash.add(run.first).add(run.count);
     hash.add(std::bit_cast<std::uint64_t>(representation.radius));

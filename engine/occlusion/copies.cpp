@@ -41,8 +41,8 @@ std::vector<VertexRun> vertexRuns(const Representation& r) {
         while (model != r.triangleModels.end() && i >= model->first + model->count) ++model;
         const std::uint32_t list = copies != r.copies.triangles.end() ? copies->list : 0;
         const std::uint32_t of = model != r.triangleModels.end() ? model->model : 0;
-        if (runs.empty() || runs.back().list != list || runs.back().model != of || runs.back().step != t.step)
-            runs.push_back({t.a, t.a + 1, list, of, t.step});
+        if (runs.empty() || runs.back().list != list || runs.back().model != of || runs.back().step != t.step())
+            runs.push_back({t.a, t.a + 1, list, of, t.step()});
         VertexRun& run = runs.back();
         run.first = std::min({run.first, t.a, t.b, t.c});
         run.end = std::max({run.end, t.a + 1, t.b + 1, t.c + 1});

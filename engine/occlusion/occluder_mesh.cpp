@@ -45,7 +45,7 @@ OccluderMesh plainMesh(const Representation& r, std::span<const Triangle> triang
             if (number == kNew) {
                 number = static_cast<std::uint32_t>(vertices.size());
                 vertices.push_back(vertex);
-                mesh.positions.push_back(positionOf(r.meshVertices[vertex], t.step));
+                mesh.positions.push_back(positionOf(r.meshVertices[vertex], t.step()));
             }
             return number;
         };

@@ -51,7 +51,7 @@ std::vector<bool> seenOfVertices(const OcclusionLayout& layout, const Representa
     const std::size_t count = r.triangles.size() + r.coarseTriangles.size();
     for (std::size_t i = 0; i < count; ++i) {
         const Triangle& t = drawnTriangle(r, i);
-        const auto at = [&](std::uint32_t vertex) { return positionOf(r.meshVertices[vertex], t.step); };
+        const auto at = [&](std::uint32_t vertex) { return positionOf(r.meshVertices[vertex], t.step()); };
         const glm::vec3 a = at(t.a), b = at(t.b), c = at(t.c), ab = b - a, ac = c - a, normal = glm::cross(ab, ac);
         if (hidden.hides(a, b, c)) continue;
         const float length = glm::length(normal), facing = glm::dot(normal, towards);

@@ -123,10 +123,10 @@ std::vector<TileLists::MeshPart> TileLists::meshParts(const TileScenery& s) {
     for (const TileCall& call : s.triangleCalls) {
         const std::span<const Triangle> triangles = s.trianglesOf(call);
         for (std::uint32_t first = 0, end = 0; end < call.count; first = end) {
-            const float step = triangles[first].step;
+            const float step = triangles[first].step();
             if (const std::uint32_t mesh = endOfMesh(s, call.first + first); mesh != 0)
                 end = std::min(call.count, mesh - call.first);  // a mesh has one step
-            while (end < call.count && triangles[end].step == step) ++end;
+            while (end < call.count && triangles[end].step() == step) ++end;
             if (parts.empty() || parts.back().rows != call.rows || parts.back().step != step)
                 parts.push_back({call.rows, step, {}});
             parts.back().calls.push_back({call.rows, call.first + first, end - first, call.number});
@@ -213,7 +213,7 @@ void TileLists::addDoubt(const TileView& view, const TileScenery& s, std::size_t
     const Triangle& t = front_.doubt(index, rows, number);
     if (placed) return addTriangle(view, number, corners_[t.a], corners_[t.b], corners_[t.c], kept);
     const CornerPlace place(view, rows);
-    const auto corner = [&](std::uint32_t v) { return place(positionOf(s.vertices[v], t.step)); };
+    const auto corner = [&](std::uint32_t v) { return place(positionOf(s.vertices[v], t.step())); };
     addTriangle(view, number, corner(t.a), corner(t.b), corner(t.c), kept);
 }
 

@@ -5,6 +5,5 @@
 /// @param index  among the triangles of a copy
 Facet facetOf(uint index) {
     uvec4 record = shapes[view.spheres + 2u * view.cylinders + index];
-    return Facet(shapes[record.x], shapes[record.y], shapes[record.z],
-                 record.xyz - (view.primitives + view.cylinders), uintBitsToFloat(record.w));
+    return facetFrom(shapes[record.x], shapes[record.y], shapes[record.z], record, view.primitives + view.cylinders);
 }

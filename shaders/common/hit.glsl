@@ -291,12 +291,24 @@ vec2 nearestOnEdge(vec2 from, vec2 to) {
     return vec2(distance, share);
 }
 
+/// Each corner's claim to a point of a triangle; the point has the look of the largest. Linear in the shares: borders are
+/// straight, and meet at the edges of neighbours.
+/// @param division  which corners have equal looks: bits 0 a and b, 1 b and c, 2 c and a; then 7 bits for
+/// each corner: what its weight lacks to 1, in 128ths
+vec3 claimsOf(vec3 shares, uint division) {
+    vec3 weights = 1.0 - vec3(division >> 3 & 0x7fu, division >> 10 & 0x7fu, division >> 17 & 0x7fu) * (1.0 / 128.0);
+    vec3 joined = vec3(division & 1u, division >> 1 & 1u, division >> 2 & 1u);
+    precise vec3 own = shares * weights;
+    precise vec3 claims = own + joined * own.yzx + joined.zxy * own.zxy;
+    return claims;
+}
+
 layout(constant_id = kFrontsOnlyId) const bool kFrontsOnly = false;
 /// A triangle from projected() corners. Depth is interpolated as a weighted mean of the corners', so a hit is never in
 /// front of or behind all of them. Triangles within kCapRise behind the near plane are its caps (mesh_caps.h). The inner
 /// side of a mesh without caps looks like one, at its own depth. Not of TRANSLUCENT ones, which are transparent.
-/// @param joins  which corners have equal looks: 1 a and b, 2 b and c, 4 c and a
-Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint joins, vec2 q) {
+/// @param division  as in claimsOf()
+Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint division, vec2 q) {
     Hit hit = noHit();
     precise vec2 pa = a.xy - q, pb = b.xy - q, pc = c.xy - q;
     precise float ofA = edgeSide(pb, pc), ofB = edgeSide(pc, pa), ofC = edgeSide(pa, pb);
@@ -338,8 +350,7 @@ Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint joins, vec2 q) {
         bool kept = !kClip || (Z >= view.clipNear && Z <= view.clipFar);
         drawContour(hit, kept ? min(ab.x, min(bc.x, ca.x)) : 1e9, view.contourWidth, Z);
     }
-    vec3 joined = vec3(joins & 1u, joins >> 1 & 1u, joins >> 2);  // a and b, b and c, c and a
-    precise vec3 alike = hit.shares + joined * hit.shares.yzx + joined.zxy * hit.shares.zxy;
+    precise vec3 alike = claimsOf(hit.shares, division);
     hit.corner = alike.x >= max(alike.y, alike.z) ? 0u : alike.y >= alike.z ? 1u : 2u;
     return hit;
 }

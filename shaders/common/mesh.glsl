@@ -12,16 +12,20 @@ struct Facet {
     uvec4 a, b, c;
     uvec3 vertices;  // their numbers
     float step;      // that they are in
+    uint division;   // among the looks of its corners, for triangleHitThrough()
 };
 
-/// Which corners have equal colours, for triangleHitThrough().
-uint joinsOf(uint lookA, uint lookB, uint lookC) {
-    return uint(lookA == lookB) | uint(lookB == lookC) << 1 | uint(lookC == lookA) << 2;
+/// @param packed  word w of the triangle
+uint divisionOf(uint lookA, uint lookB, uint lookC, uint packed) {
+    return uint(lookA == lookB) | uint(lookB == lookC) << 1 | uint(lookC == lookA) << 2 | (packed & 0x1fffffu) << 3;
+}
+/// @param record  of a triangle: places of its vertices a, b, c, which follow `before`
+Facet facetFrom(uvec4 a, uvec4 b, uvec4 c, uvec4 record, uint before) {
+    return Facet(a, b, c, record.xyz - before, stepOf(record.w), divisionOf(a.w, b.w, c.w, record.w));
 }
 
 Hit facetHitThrough(Facet f, vec2 q) {
-    return triangleHitThrough(cornerOf(f.a, f.step), cornerOf(f.b, f.step), cornerOf(f.c, f.step),
-                              joinsOf(f.a.w, f.b.w, f.c.w), q);
+    return triangleHitThrough(cornerOf(f.a, f.step), cornerOf(f.b, f.step), cornerOf(f.c, f.step), f.division, q);
 }
 
 /// Interpolates the vertex normals at a hit, turned towards the viewer. @param packed  vertex normals

@@ -16,9 +16,9 @@ Hit primitiveHitAt(vec2 fragment) { return facetHitThrough(facet, planePoint(fra
 layout(location = 0) flat in vec3 cornerA;  // projected()
 layout(location = 1) flat in vec3 cornerB;
 layout(location = 2) flat in vec3 cornerC;
-layout(location = 3) flat in uint joins;
+layout(location = 3) flat in uint division;
 Hit primitiveHitAt(vec2 fragment) {
-    return triangleHitThrough(cornerA, cornerB, cornerC, joins, planePoint(fragment));
+    return triangleHitThrough(cornerA, cornerB, cornerC, division, planePoint(fragment));
 }
 #else
 #ifdef FETCHED

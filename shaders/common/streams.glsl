@@ -35,8 +35,8 @@ vec4 shapeAt(uint i) { return uintBitsToFloat(shapeBits(i)); }
 /// @param index  of the primitive in its copy: after the cylinders' records, two each, records are consecutive
 Facet facetOf(uint index) {
     uvec4 record = shapeBits(index + view.cylinders);
-    return Facet(shapeBits(record.x), shapeBits(record.y), shapeBits(record.z),
-                 record.xyz - (view.primitives + view.cylinders), uintBitsToFloat(record.w));
+    return facetFrom(shapeBits(record.x), shapeBits(record.y), shapeBits(record.z), record,
+                     view.primitives + view.cylinders);
 }
 bool isTriangle(uint index) { return index >= view.spheres + view.cylinders; }
 #endif

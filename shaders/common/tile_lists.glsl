@@ -64,7 +64,7 @@ struct Entry {
     bool meets;  // overlaps the rectangle
     vec4 a;      // view space: centre and radius
     vec3 b, c;   // with a, a triangle's corners, as they are projected
-    uint joins;  // of a triangle's corners
+    uint division;  // of a triangle among its corners
 #ifdef CYLINDERS
     Stick stick;
 #endif
@@ -81,7 +81,7 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
     uint index = place(number);
     e.cylinder = e.facet = false;
     e.b = e.c = vec3(0.0);
-    e.joins = 0u;
+    e.division = 0u;
 #ifdef TRIANGLES
     e.facet = isTriangle(index);
     Facet f = facetOf(e.facet ? index : view.spheres + view.cylinders);
@@ -124,7 +124,7 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
         e.a = vec4(cornerOf(f.a, f.step), 0.0);
         e.b = cornerOf(f.b, f.step);
         e.c = cornerOf(f.c, f.step);
-        e.joins = joinsOf(f.a.w, f.b.w, f.c.w);
+        e.division = f.division;
         e.meets = facetMeets(e.a.xyz, e.b, e.c, middle, reach);
         begins = facetBegins(e.a.xyz, e.b, e.c);
 #ifdef RIMS

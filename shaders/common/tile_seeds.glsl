@@ -20,7 +20,7 @@ void beginAll(uint seeds[kPixels]) {
     }
     for (int i = 0; i < kPixels; ++i) {
         place(max(seeds[i], 1u));  // selects its copy
-        float step = uintBitsToFloat(record[i].w);
+        float step = stepOf(record[i].w);
         begin(i, seeds[i], triangleHitThrough(cornerOf(a[i], step), cornerOf(b[i], step), cornerOf(c[i], step), 0u,
                                               through[i]));
     }

@@ -62,9 +62,9 @@ TEST(OccluderMesh, OfLargeTrianglesIsTheMesh) {
     EXPECT_EQ(same.positions.size(), r.meshVertices.size());
     for (std::uint32_t i = 0; i < count; ++i) {
         const Triangle& t = r.triangles[i];
-        EXPECT_EQ(same.positions[same.triangles[i].x], positionOf(r.meshVertices[t.a], t.step));
-        EXPECT_EQ(same.positions[same.triangles[i].y], positionOf(r.meshVertices[t.b], t.step));
-        EXPECT_EQ(same.positions[same.triangles[i].z], positionOf(r.meshVertices[t.c], t.step));
+        EXPECT_EQ(same.positions[same.triangles[i].x], positionOf(r.meshVertices[t.a], t.step()));
+        EXPECT_EQ(same.positions[same.triangles[i].y], positionOf(r.meshVertices[t.b], t.step()));
+        EXPECT_EQ(same.positions[same.triangles[i].z], positionOf(r.meshVertices[t.c], t.step()));
     }
     // A part of it has edges without another side.
     EXPECT_TRUE(same.closed);

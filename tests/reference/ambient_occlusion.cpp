@@ -130,7 +130,7 @@ void OcclusionScene::addMesh(const Representation& scene) {
     unsigned next = 0;
     for (const Triangle& t : scene.triangles)
         for (const std::uint32_t v : {t.a, t.b, t.c}) {
-            const glm::vec3 p = positionOf(scene.meshVertices[v], t.step);
+            const glm::vec3 p = positionOf(scene.meshVertices[v], t.step());
             *points++ = p.x;
             *points++ = p.y;
             *points++ = p.z;

@@ -203,7 +203,7 @@ std::vector<glm::vec3> drawnPlaces(const Representation& r, double error) {
     for (const PrimitiveRun& run : drawnRuns(r, error))
         for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
             const Triangle& t = drawnTriangle(r, i);
-            for (const std::uint32_t v : {t.a, t.b, t.c}) places.push_back(positionOf(r.meshVertices[v], t.step));
+            for (const std::uint32_t v : {t.a, t.b, t.c}) places.push_back(positionOf(r.meshVertices[v], t.step()));
         }
     return places;
 }

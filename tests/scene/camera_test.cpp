@@ -112,5 +112,54 @@ TEST(Camera, ViewCarriesTheRotation) {
     EXPECT_EQ(viewOf(camera, 1.0, 10, 10).rotation, rotationMatrix({10, 20, 30}));
 }
 
+void expectSameView(const View& a, const View& b) {
+    expectSame(a.rotation, b.rotation, 1e-12);
+    EXPECT_NEAR(a.pixelsPerAngstrom, b.pixelsPerAngstrom, 1e-9 * a.pixelsPerAngstrom);
+    EXPECT_NEAR(a.eyeDistance, b.eyeDistance, 1e-9 * std::max(a.eyeDistance, 1.0));
+    EXPECT_NEAR(glm::distance(a.pan, b.pan), 0, 1e-12);
+}
+
+Camera anyCamera(Projection projection) {
+    Camera camera;
+    camera.projection = projection;
+    camera.rotationDegrees = {20, -70, 130};
+    camera.orientation = glm::normalize(glm::dquat(0.3, 0.5, -0.7, 0.2));
+    camera.pan = {3, -1.5};
+    camera.zoom = 1.7;
+    camera.fovDegrees = 40;
+    return camera;
+}
+
+TEST(Camera, AnAbsoluteOneMakesItsViewWhateverIsDrawn) {
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+        const Camera camera = anyCamera(projection);
+        const View view = viewOf(camera, 20, 640, 480);
+        const Camera absolute = absoluteCamera(view, camera.fovDegrees, {1, 2, 3});
+        EXPECT_EQ(absolute.center, glm::dvec3(1, 2, 3));
+        for (const double radius : {5.0, 20.0, 35.0}) expectSameView(viewOf(absolute, radius, 640, 480), view);
+        // The shorter side shows as much in a picture of another size.
+        EXPECT_NEAR(viewOf(absolute, 20, 480, 960).pixelsPerAngstrom, view.pixelsPerAngstrom, 1e-9);
+        EXPECT_NEAR(viewOf(absolute, 20, 1280, 960).pixelsPerAngstrom, 2 * view.pixelsPerAngstrom, 1e-9);
+    }
+}
+
+TEST(Camera, ARelativeOneMakesTheSameViewByZoomAndRadius) {
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+        const View view = viewOf(anyCamera(projection), 20, 640, 480);
+        const Camera absolute = absoluteCamera(view, 40, {});
+        double radius = 12;  // of another scene
+        const Camera relative = relativeCamera(absolute, radius);
+        EXPECT_FALSE(relative.scale || relative.eyeDistance);
+        expectSameView(viewOf(relative, radius, 640, 480), view);
+        if (projection == Projection::orthographic) {
+            EXPECT_EQ(radius, 12);
+        }
+        // It zooms on from there.
+        Camera nearer = relative;
+        nearer.zoom *= 2;
+        EXPECT_NEAR(viewOf(nearer, radius, 640, 480).pixelsPerAngstrom, 2 * view.pixelsPerAngstrom, 1e-9);
+    }
+}
+
 }  // namespace
 }  // namespace nacre

@@ -50,7 +50,7 @@ TEST(Chunks, HoldTheirPrimitives) {
         const Triangle& t = r.triangles[i];
         const Chunk& c = chunks.triangles[i / Chunk::kPrimitives];
         for (const std::uint32_t v : {t.a, t.b, t.c})
-            EXPECT_LE(glm::length(positionOf(r.meshVertices[v], t.step) - c.center), c.radius) << i;
+            EXPECT_LE(glm::length(positionOf(r.meshVertices[v], t.step()) - c.center), c.radius) << i;
     }
     for (std::size_t i = 0; i < r.spheres.size(); ++i) {
         const Chunk& c = chunks.spheres[i / Chunk::kPrimitives];

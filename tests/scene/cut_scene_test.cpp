@@ -50,9 +50,32 @@ TEST(CutScene, LeavesTheChosenAtomsAndNothingElseInFront) {
             const auto numberOf = [&](std::uint32_t v) { return r.meshLooks[r.meshVertices[v].look].atom; };
             const bool whole = isChosen(numberOf(t.a)) && isChosen(numberOf(t.b)) && isChosen(numberOf(t.c));
             for (const std::uint32_t v : {t.a, t.b, t.c})
-                if (whole || !isChosen(numberOf(v))) judge(positionOf(r.meshVertices[v], t.step), numberOf(v), 0.01);
+                if (whole || !isChosen(numberOf(v))) judge(positionOf(r.meshVertices[v], t.step()), numberOf(v), 0.01);
         }
         EXPECT_TRUE(front && other) << static_cast<int>(style);
+    }
+}
+
+TEST(CutScene, GivesCapsTheirColour) {
+    const Molecule dna = sampleMolecule("dna");
+    Clip clip;
+    clip.near = 0;
+    for (const bool colored : {false, true}) {
+        if (colored) clip.capColor = {1, 0, 0.5f};
+        Representation r = represent(dna, drawnAtoms(dna), {Style::surface});
+        const View view = viewOf({}, r.radius, 100, 100);
+        ASSERT_TRUE(cutScene(r, view, clip, std::vector<bool>(dna.atoms.size())));
+        std::size_t onPlane = 0, inColor = 0;
+        for (const Triangle& t : r.triangles) {
+            const auto isCap = [&](std::uint32_t v) {
+                return std::abs(depthOf(view, positionOf(r.meshVertices[v], t.step()))) < 0.004;
+            };
+            if (!isCap(t.a) || !isCap(t.b) || !isCap(t.c)) continue;
+            ++onPlane;
+            inColor += r.meshLooks[r.meshVertices[t.a].look].color == 0xff8000ffu;
+        }
+        EXPECT_GT(onPlane, 100u);
+        EXPECT_EQ(inColor, colored ? onPlane : 0u);
     }
 }
 

@@ -58,7 +58,7 @@ TEST(MapScene, AContourHasTheColoursOfAnotherMap) {
     for (const Triangle& t : scene.triangles)
         for (const std::uint32_t v : {t.a, t.b, t.c})
             EXPECT_LE(apart(scene.meshLooks[scene.meshVertices[v].look].color,
-                            expected(static_cast<double>(positionOf(scene.meshVertices[v], t.step).x))),
+                            expected(static_cast<double>(positionOf(scene.meshVertices[v], t.step()).x))),
                       2);
     ASSERT_EQ(scene.legends.size(), 1u);
     EXPECT_EQ(scene.legends[0].entries.front().label, "-6");
@@ -98,7 +98,7 @@ TEST(MapScene, ASliceIsFlatAndHasItsOwnColours) {
     addSlice(region, {2, 0.25, 1}, values, scene);
     ASSERT_EQ(scene.triangles.size(), 2u * (kNodes - 1) * (kNodes - 1));
     for (const MeshVertex& v : scene.meshVertices) {
-        const glm::dvec3 at = glm::dvec3(positionOf(v, scene.triangles[0].step)) + scene.center;
+        const glm::dvec3 at = glm::dvec3(positionOf(v, scene.triangles[0].step())) + scene.center;
         EXPECT_NEAR(at.z, kFirst.z + 0.25 * (kNodes - 1), 1e-4);
         EXPECT_LE(apart(scene.meshLooks[v.look].color, expected(at.x)), 2);
     }
@@ -128,7 +128,7 @@ TEST(MapScene, AMoleculesSurfaceHasTheColoursOfAMap) {
     for (const Triangle& t : scene.triangles) {
         const MeshVertex& v = scene.meshVertices[t.a];
         const SphereLook& look = scene.meshLooks[v.look];
-        EXPECT_LE(apart(look.color, expected(static_cast<double>(positionOf(v, t.step).x))), 2);
+        EXPECT_LE(apart(look.color, expected(static_cast<double>(positionOf(v, t.step()).x))), 2);
         EXPECT_EQ(opacitySteps(look.color), kOpacitySteps / 2);
         EXPECT_FALSE(isCopyTint(look.color));
         EXPECT_GT(look.atom, 0u);

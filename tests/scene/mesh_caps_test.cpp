@@ -24,7 +24,7 @@ std::vector<Corners> trianglesOf(const Representation& r, const glm::dmat3& rota
         for (std::uint32_t i = mesh.first; i < mesh.first + mesh.count; ++i) {
             const Triangle& t = r.triangles[i];
             const auto at = [&](std::uint32_t v) {
-                return rotation * glm::dvec3(positionOf(r.meshVertices[v], t.step));
+                return rotation * glm::dvec3(positionOf(r.meshVertices[v], t.step()));
             };
             corners.push_back({at(t.a), at(t.b), at(t.c)});
         }
@@ -104,7 +104,7 @@ TEST(MeshCapsOf, SurfacesHaveTheNearestAtoms) {
     const Representation caps = meshCaps(r, view, clip);
     int wrong = 0;
     for (const MeshVertex& vertex : caps.meshVertices) {
-        const glm::dvec3 place = glm::dvec3(positionOf(vertex, caps.triangles.front().step)) + r.center;
+        const glm::dvec3 place = glm::dvec3(positionOf(vertex, caps.triangles.front().step())) + r.center;
         double least = 1e9;
         std::uint32_t nearest = 0;
         for (const SurfaceAtom& atom : r.surfaceAtoms) {

@@ -93,7 +93,7 @@ TEST(MeshScene, MeshesStandWithTheAtomsAndHaveTheirColours) {
                 const SphereLook& look = scene.meshLooks[vertex.look];
                 EXPECT_EQ(look.color, packedColor(0x336699));
                 const glm::dvec3 atom = glm::dvec3(molecule.atoms[look.atom - 1].position) - scene.center;
-                ASSERT_LT(glm::length(glm::dvec3(positionOf(vertex, t.step)) - atom), 4.0);
+                ASSERT_LT(glm::length(glm::dvec3(positionOf(vertex, t.step())) - atom), 4.0);
             }
         // The view holds all of it, and not much more.
         EXPECT_GE(scene.radius, meshReach(scene));

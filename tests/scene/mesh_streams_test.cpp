@@ -44,7 +44,7 @@ TEST(MeshStreams, VerticesKeepTheirPlacesAndNormals) {
         appendMesh(mesh, shift, lookOf, r);
         ASSERT_EQ(r.meshVertices.size(), 500u);
         ASSERT_EQ(r.triangles.size(), 498u);
-        const float step = r.triangles[0].step;
+        const float step = r.triangles[0].step();
         EXPECT_LE(step, reach * 1.25 / (1 << 19));  // 20 bits either way of the middle
         for (std::size_t i = 0; i < 500; ++i) {
             const glm::dvec3 off =
@@ -65,10 +65,10 @@ TEST(MeshStreams, LooksAreSharedAndStepsArePowersOfTwo) {
     EXPECT_EQ(r.meshLooks[r.meshVertices[102].look].atom, 3u);
     for (const Triangle& t : r.triangles) {
         int exponent = 0;
-        EXPECT_EQ(std::frexp(t.step, &exponent), 0.5f);
+        EXPECT_EQ(std::frexp(t.step(), &exponent), 0.5f);
     }
     EXPECT_GE(r.triangles.back().a, 100u);
-    EXPECT_LT(r.triangles.front().step, r.triangles.back().step);
+    EXPECT_LT(r.triangles.front().step(), r.triangles.back().step());
 }
 
 TEST(MeshStreams, WhatIsNotFiniteOrHasNoAreaIsLeftOut) {

@@ -74,7 +74,8 @@ double standOff(const Representation& r, const std::array<glm::dvec3, 3>& axes) 
     for (const glm::dvec3& axis : axes) longest = std::max(longest, glm::length(axis));
     for (const Triangle& t : r.triangles) {
         glm::dvec3 middle{};
-        for (const std::uint32_t v : {t.a, t.b, t.c}) middle += glm::dvec3(positionOf(r.meshVertices[v], t.step)) / 3.0;
+        for (const std::uint32_t v : {t.a, t.b, t.c})
+            middle += glm::dvec3(positionOf(r.meshVertices[v], t.step())) / 3.0;
         glm::dvec3 unit{};
         for (int i = 0; i < 3; ++i) {
             const glm::dvec3& axis = axes[static_cast<std::size_t>(i)];
@@ -96,7 +97,7 @@ TEST(Primitives, EllipsoidsKeepTheirErrorAndTheirNormals) {
         EXPECT_LE(off, ellipsoidError(count) + 1e-5) << count;
         EXPECT_GE(off, 0.9 * ellipsoidError(count)) << count << ": no finer than stated";
         for (const MeshVertex& v : r.meshVertices) {
-            const glm::dvec3 at(positionOf(v, r.triangles[0].step));
+            const glm::dvec3 at(positionOf(v, r.triangles[0].step()));
             const glm::dvec3 exact = glm::normalize(glm::dvec3(at.x / 9, at.y / 4, at.z / 1));
             EXPECT_GT(glm::dot(exact, glm::dvec3(normalOf(v))), 0.9999);
         }
@@ -112,7 +113,7 @@ TEST(Primitives, EllipsoidsKeepTheirErrorAndTheirNormals) {
 double volumeOf(const Representation& r) {
     double volume = 0;
     for (const Triangle& t : r.triangles) {
-        const auto at = [&](std::uint32_t v) { return glm::dvec3(positionOf(r.meshVertices[v], t.step)); };
+        const auto at = [&](std::uint32_t v) { return glm::dvec3(positionOf(r.meshVertices[v], t.step())); };
         volume += glm::dot(at(t.a), glm::cross(at(t.b), at(t.c))) / 6;
     }
     return volume;
@@ -136,7 +137,7 @@ TEST(Primitives, ASectorIsAsLargeAsItsAngle) {
     const Representation r = drawn(p);
     double area = 0;
     for (const Triangle& t : r.triangles) {
-        const auto at = [&](std::uint32_t v) { return glm::dvec3(positionOf(r.meshVertices[v], t.step)); };
+        const auto at = [&](std::uint32_t v) { return glm::dvec3(positionOf(r.meshVertices[v], t.step())); };
         area += glm::length(glm::cross(at(t.b) - at(t.a), at(t.c) - at(t.a))) / 2;
     }
     EXPECT_NEAR(area, std::numbers::pi / 2, 2e-3);

@@ -92,7 +92,7 @@ TEST(SceneViews, AmongCopiesKeepsThoseBeforeIt) {
         EXPECT_EQ(r.cylinders.size(), sticks);
         EXPECT_EQ(r.triangles.size(), triangles);
         for (const Sphere& sphere : r.spheres) EXPECT_LT(glm::length(sphere.center), 6);
-        for (const Triangle& t : r.triangles) EXPECT_LT(glm::length(positionOf(r.meshVertices[t.a], t.step)), 8);
+        for (const Triangle& t : r.triangles) EXPECT_LT(glm::length(positionOf(r.meshVertices[t.a], t.step())), 8);
     }
 }
 

@@ -41,7 +41,7 @@ TEST(TranslucentAtoms, AreTrianglesAndTheOthersStay) {
         for (const std::uint32_t corner : {t.a, t.b, t.c}) {
             const MeshVertex& v = part.meshVertices[corner];
             if (part.meshLooks[v.look].atom != 4) continue;
-            const float away = glm::distance(positionOf(v, t.step), glm::vec3(1, 2, 3));
+            const float away = glm::distance(positionOf(v, t.step()), glm::vec3(1, 2, 3));
             farthest = std::max(farthest, static_cast<double>(away));
         }
     EXPECT_NEAR(farthest, std::hypot(1.5, 0.25), 1e-3);  // to the middle of the stick

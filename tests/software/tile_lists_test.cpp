@@ -50,7 +50,7 @@ double distanceToSegment(const Ray& ray, const glm::dvec3& a, const glm::dvec3& 
 double distanceTo(const Ray& ray, const glm::vec4* rows, const Representation& mesh, std::size_t triangle) {
     const Triangle& t = mesh.triangles[triangle];
     const auto from = [&](std::uint32_t i) {
-        return placed(rows, positionOf(mesh.meshVertices[i], t.step)) - ray.origin;
+        return placed(rows, positionOf(mesh.meshVertices[i], t.step())) - ray.origin;
     };
     const glm::dvec3 a = from(t.a), b = from(t.b), c = from(t.c);
     const double ab = glm::dot(ray.direction, glm::cross(a, b)), bc = glm::dot(ray.direction, glm::cross(b, c)),
@@ -239,7 +239,7 @@ TEST_P(TileListsTest, EveryListGoesFromNearToFar) {
                 if (number >= call.number + call.first && number < call.number + call.first + call.count) {
                     const Triangle& t = s.mesh.triangles[number - call.number];
                     const auto z = [&](std::uint32_t k) {
-                        return placed(call.rows, positionOf(s.mesh.meshVertices[k], t.step)).z;
+                        return placed(call.rows, positionOf(s.mesh.meshVertices[k], t.step())).z;
                     };
                     return s.view.origin - std::max({z(t.a), z(t.b), z(t.c)});
                 }

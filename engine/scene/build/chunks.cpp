@@ -23,8 +23,8 @@ class BallOfTriangle {
 public:
     explicit BallOfTriangle(const Representation& r) : vertices_(r.meshVertices) {}
     Chunk operator()(const Triangle& t) const {
-        const glm::vec3 a = positionOf(vertices_[t.a], t.step), b = positionOf(vertices_[t.b], t.step),
-                        c = positionOf(vertices_[t.c], t.step);
+        const glm::vec3 a = positionOf(vertices_[t.a], t.step()), b = positionOf(vertices_[t.b], t.step()),
+                        c = positionOf(vertices_[t.c], t.step());
         const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
         return {(low + high) * 0.5f, glm::length(high - low) * 0.5f};
     }

@@ -22,7 +22,7 @@ void refuseCrowd(const Representation& r) {
     const auto side = [](const Cylinder& c) { return 2.0 * static_cast<double>(c.radius) * glm::distance(c.a, c.b); };
     // Averaged over all directions, half of its area.
     const auto facet = [&](const Triangle& t) {
-        const auto at = [&](std::uint32_t v) { return glm::dvec3(positionOf(r.meshVertices[v], t.step)); };
+        const auto at = [&](std::uint32_t v) { return glm::dvec3(positionOf(r.meshVertices[v], t.step())); };
         return 0.25 * glm::length(glm::cross(at(t.b) - at(t.a), at(t.c) - at(t.a)));
     };
     double covered = 0;

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <map>
 #include <unordered_map>
 
 #include "engine/scene/color/colors.h"
@@ -15,7 +16,7 @@ namespace {
 
 // Å behind the plane: caps of cartoons stand before those of surfaces around them. Below half of kCapRise.
 constexpr double kCartoonDepth = 0.001, kSurfaceDepth = 0.002;
-constexpr double kCellSide = 0.25;    // Å: colours change from cell to cell
+constexpr double kCellSide = 0.5;     // Å: owners are found at the corners of cells
 constexpr double kMostPerSide = 600;  // cells
 constexpr double kNearAtoms = 5;      // Å from the plane, and around a point: atoms that may own it
 
@@ -69,7 +70,7 @@ private:
         return glm::dvec2(first.place) + glm::dvec2(second.place - first.place) * share;
     }
     void cut(const Triangle& t, bool mirrored) {
-        const std::array<Corner, 3> corners{cornerOf(t.a, t.step), cornerOf(t.b, t.step), cornerOf(t.c, t.step)};
+        const std::array<Corner, 3> corners{cornerOf(t.a, t.step()), cornerOf(t.b, t.step()), cornerOf(t.c, t.step())};
         std::array<bool, 3> before{};
         for (std::size_t i = 0; i < 3; ++i) before[i] = corners[i].place.z > 0;
         if (before[0] == before[1] && before[1] == before[2]) return;
@@ -94,10 +95,14 @@ public:
     void add(const glm::dvec2& at, double height, double radius, const SphereLook& look) {
         cells_[keyOf(cellOf(at))].push_back({at, height, radius, look});
     }
+    struct Owned {
+        SphereLook look;
+        double margin = std::numeric_limits<double>::infinity();  ///< Å by which the nearest of another atom is farther
+    };
     /// @param otherwise  where none is near
-    SphereLook at(const glm::dvec2& point, const SphereLook& otherwise) const {
+    Owned at(const glm::dvec2& point, const SphereLook& otherwise) const {
         const glm::ivec2 middle = cellOf(point);
-        double least = std::numeric_limits<double>::infinity();
+        double least = std::numeric_limits<double>::infinity(), next = least;
         const SphereLook* found = &otherwise;
         for (int x = middle.x - 1; x <= middle.x + 1; ++x)
             for (int y = middle.y - 1; y <= middle.y + 1; ++y) {
@@ -106,10 +111,16 @@ public:
                 for (const Owner& owner : cell->second) {
                     const glm::dvec2 way = owner.at - point;
                     const double distance = std::sqrt(glm::dot(way, way) + owner.height * owner.height) - owner.radius;
-                    if (distance < least) least = distance, found = &owner.look;
+                    const bool another = owner.look.atom != found->atom || owner.look.color != found->color;
+                    if (distance < least) {
+                        if (another) next = least;
+                        least = distance, found = &owner.look;
+                    } else if (another) {
+                        next = std::min(next, distance);
+                    }
                 }
             }
-        return *found;
+        return {*found, next - least};
     }
 
 private:
@@ -146,7 +157,12 @@ public:
                 passing[static_cast<std::size_t>(row)].push_back(&s);
         for (int row = 0; row < rows; ++row) fillRow(row, passing[static_cast<std::size_t>(row)]);
     }
-    std::vector<glm::dvec2> corners;  ///< of quadrilaterals, four each, anticlockwise
+    /// The lap leads from a corner to its vertex.
+    struct Corner {
+        glm::dvec2 at, lap;
+    };
+    std::vector<Corner> corners;  ///< of quadrilaterals, four each, anticlockwise
+    double side() const { return side_; }
 
 private:
     using Segments = std::vector<const Segment*>;
@@ -222,8 +238,7 @@ private:
     }
 
     void add(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
-        corners.insert(corners.end(), {a + glm::dvec2(-lap_, -lap_), b + glm::dvec2(lap_, -lap_),
-                                       c + glm::dvec2(lap_, lap_), d + glm::dvec2(-lap_, lap_)});
+        corners.insert(corners.end(), {{a, {-lap_, -lap_}}, {b, {lap_, -lap_}}, {c, {lap_, lap_}}, {d, {-lap_, lap_}}});
     }
     int columnOf(double x) const { return std::clamp(static_cast<int>((x - low_.x) / side_), 0, columns_ - 1); }
 
@@ -250,21 +265,28 @@ void addCap(const Representation& scene, const MeshRun& mesh, const glm::dmat4x3
     } else {
         for (const Segment& s : segments) owners.add(s.from, 0, 0, s.look);
     }
-    const float step = scene.triangles[mesh.first].step;
+    const float step = scene.triangles[mesh.first].step();
     const Filler filler(segments, 2 * static_cast<double>(step));
     const double z = height - (mesh.surface ? kSurfaceDepth : kCartoonDepth);
     const glm::dmat3 back = glm::transpose(view.rotation);
     Mesh cap;
+    const double widestMargin = 3 * filler.side();  // margins change by twice the way at most, a cell's diagonal
     std::vector<SphereLook> looks;
     std::unordered_map<std::uint64_t, std::uint32_t> numbers;
-    for (const glm::dvec2& corner : filler.corners) {
-        const SphereLook look = owners.at(corner, segments.front().look);
-        const auto [number, isNew] =
-            numbers.emplace(std::uint64_t{look.color} << 32 | look.atom, static_cast<std::uint32_t>(looks.size()));
-        if (isNew) looks.push_back(look);
-        cap.positions.emplace_back(back * glm::dvec3(corner, z));
+    std::map<std::pair<double, double>, std::pair<std::uint32_t, float>> known;  // look and margin; cells share corners
+    for (const auto& [at, lap] : filler.corners) {
+        const auto [owned, found] = known.try_emplace({at.x, at.y});
+        if (found) {
+            const auto [look, margin] = owners.at(at, segments.front().look);
+            const auto [number, isNew] =
+                numbers.emplace(std::uint64_t{look.color} << 32 | look.atom, static_cast<std::uint32_t>(looks.size()));
+            if (isNew) looks.push_back(look);
+            owned->second = {number->second, static_cast<float>(std::min(margin, widestMargin))};
+        }
+        cap.positions.emplace_back(back * glm::dvec3(at + lap, z));
         cap.normals.emplace_back(back[2]);
-        cap.atoms.push_back(number->second);
+        cap.atoms.push_back(owned->second.first);
+        cap.margins.push_back(owned->second.second);
     }
     for (std::uint32_t i = 0; i + 3 < cap.positions.size(); i += 4) {
         cap.triangles.emplace_back(i, i + 1, i + 2);
@@ -280,7 +302,7 @@ bool meetsPlane(const Representation& scene, const MeshRun& mesh, const glm::dma
                 double height) {
     const glm::dvec3 axis(view.rotation[0].z, view.rotation[1].z, view.rotation[2].z);
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    const float step = scene.triangles[mesh.first].step;
+    const float step = scene.triangles[mesh.first].step();
     for (std::uint32_t v = mesh.firstVertex; v < mesh.endVertex; ++v) {
         const double z = glm::dot(axis, place * glm::dvec4(positionOf(scene.meshVertices[v], step), 1.0));
         low = std::min(low, z);
@@ -290,6 +312,14 @@ bool meetsPlane(const Representation& scene, const MeshRun& mesh, const glm::dma
 }
 
 }  // namespace
+
+std::uint32_t packedCapColor(const Clip& clip) {
+    if (!clip.capColor) return 0;
+    std::uint32_t color = 0xff000000u;
+    for (std::size_t i = 0; i < 3; ++i)
+        color |= static_cast<std::uint32_t>(std::lround((*clip.capColor)[i] * 255.0f)) << 8 * i;
+    return color;
+}
 
 bool needsCaps(const Representation& scene, const Clip& clip) {
     return clip.near > -Clip::kNone && std::any_of(scene.meshes.begin(), scene.meshes.end(),

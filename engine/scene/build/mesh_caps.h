@@ -8,6 +8,9 @@
 
 namespace nacre {
 
+/// Clip::capColor, packed; 0: empty.
+std::uint32_t packedCapColor(const Clip& clip);
+
 /// Whether there is a near clipping plane, and a mesh that gets caps: closed and opaque.
 bool needsCaps(const Representation& scene, const Clip& clip);
 

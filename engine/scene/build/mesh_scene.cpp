@@ -120,7 +120,7 @@ double meshReach(const Representation& representation) {
     double farthest = 0;
     for (const Triangle& t : representation.triangles)
         for (const std::uint32_t v : {t.a, t.b, t.c})
-            farthest = std::max<double>(farthest, glm::length(positionOf(representation.meshVertices[v], t.step)));
+            farthest = std::max<double>(farthest, glm::length(positionOf(representation.meshVertices[v], t.step())));
     return farthest;
 }
 

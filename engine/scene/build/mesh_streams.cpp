@@ -38,7 +38,8 @@ std::uint32_t packNormal(glm::vec3 n) {
 
 void checkMesh(const Mesh& mesh) {
     const std::size_t count = mesh.positions.size();
-    if (mesh.normals.size() != count || mesh.atoms.size() != count)
+    if (mesh.normals.size() != count || mesh.atoms.size() != count ||
+        (!mesh.margins.empty() && mesh.margins.size() != count))
         throw std::invalid_argument("a mesh has as many normals and atoms as positions");
     const auto check = [&](const std::vector<glm::uvec3>& triangles) {
         for (const glm::uvec3& t : triangles)
@@ -166,6 +167,15 @@ void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<S
         v.look = look->second;
         r.meshVertices.push_back(v);
     }
+    const float widest = mesh.margins.empty() ? 0 : *std::max_element(mesh.margins.begin(), mesh.margins.end());
+    const auto lackOf = [&](std::uint32_t i) -> Triangle::Weights {
+        if (!(widest > 0)) return 0;
+        const float lack = (1 - mesh.margins[i] / widest) * (Triangle::kWeightMask + 1);
+        return static_cast<Triangle::Weights>(std::clamp(std::lround(lack), 0L, long{Triangle::kWeightMask}));
+    };
+    const auto weightsOf = [&](const glm::uvec3& t) {
+        return lackOf(t.x) | lackOf(t.y) << Triangle::kWeightBits | lackOf(t.z) << 2 * Triangle::kWeightBits;
+    };
     const auto samePlace = [&](std::uint32_t i, std::uint32_t k) {
         const MeshVertex &a = r.meshVertices[base + order.places[i]], &b = r.meshVertices[base + order.places[k]];
         return a.xz == b.xz && a.yz == b.yz;
@@ -177,7 +187,8 @@ void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<S
         for (const glm::uvec3& t : triangles)
             if (isFinite(t.x) && isFinite(t.y) && isFinite(t.z) && !samePlace(t.x, t.y) && !samePlace(t.y, t.z) &&
                 !samePlace(t.z, t.x))
-                stream.push_back({base + order.places[t.x], base + order.places[t.y], base + order.places[t.z], step});
+                stream.push_back(
+                    {base + order.places[t.x], base + order.places[t.y], base + order.places[t.z], step, weightsOf(t)});
         orderByTranslucency(r, stream.begin() + static_cast<std::ptrdiff_t>(first), stream.end());
         return static_cast<std::uint32_t>(first);
     };

@@ -1,6 +1,7 @@
 #pragma once
 // Meshes as streams: quantised vertices, triangles that index them, and looks that vertices share.
 
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <glm/vec3.hpp>
@@ -25,8 +26,26 @@ struct MeshVertex {
 
 /// Three vertices, counter-clockwise seen from outside. 16 bytes.
 struct Triangle {
+    static constexpr std::uint32_t kWeightBits = 7, kWeightMask = (1u << kWeightBits) - 1;
+    /// What the corners' weights in the division of the triangle among their looks (Mesh::margins) lack to 1, in
+    /// 128ths: kWeightBits for a, then b, then c.
+    using Weights = std::uint32_t;
+
     std::uint32_t a = 0, b = 0, c = 0;  ///< indices into Representation::meshVertices
-    float step = 1;                     ///< Å: a power of two, so that positions are exact
+    std::uint32_t stepAndWeights = std::bit_cast<std::uint32_t>(1.0f);
+
+    Triangle() = default;
+    /// @param step  Å: a power of two, so that positions are exact. Its bits below the exponent are 0.
+    Triangle(std::uint32_t a_, std::uint32_t b_, std::uint32_t c_, float step, Weights weights = 0)
+        : a(a_), b(b_), c(c_), stepAndWeights(std::bit_cast<std::uint32_t>(step) | weights) {}
+    float step() const { return std::bit_cast<float>(stepAndWeights & ~weightsMask()); }
+    /// @param corner  0 a, 1 b, 2 c
+    float weight(int corner) const {
+        return 1 - static_cast<float>(stepAndWeights >> corner * kWeightBits & kWeightMask) / (kWeightMask + 1);
+    }
+
+private:
+    static constexpr std::uint32_t weightsMask() { return (1u << 3 * kWeightBits) - 1; }
 };
 
 /// A mesh of a representation: its triangles and coarser levels.

@@ -191,7 +191,7 @@ void placePart(const Representation& part, std::uint32_t list, Representation& w
     });
     run(whole.copies.triangles, whole.triangles.size(), part.triangles.size(), [&](const auto& add) {
         for (const Triangle& t : part.triangles)
-            for (const std::uint32_t v : {t.a, t.b, t.c}) add(positionOf(part.meshVertices[v], t.step), 0.0f);
+            for (const std::uint32_t v : {t.a, t.b, t.c}) add(positionOf(part.meshVertices[v], t.step()), 0.0f);
     });
     const std::size_t wires = whole.wires.size();
     appendPart(whole, part);

@@ -79,7 +79,7 @@ std::optional<ColorRange> colorSurfaces(const ValueColoring& coloring, Represent
     std::vector<double> values;
     for (const MeshRun& run : scene.meshes) {
         if (!run.surface || run.count == 0) continue;
-        const float step = scene.triangles[run.first].step;
+        const float step = scene.triangles[run.first].step();
         for (std::uint32_t v = run.firstVertex; v < run.endVertex; ++v) {
             vertices.push_back(v);
             values.push_back(

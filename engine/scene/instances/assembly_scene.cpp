@@ -312,7 +312,7 @@ void AssemblyScene::finish(Representation& r) {
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
             copies.triangles.push_back(runOf(list, first, count, [&](std::size_t i, const auto& add) {
                 const Triangle& t = r.triangles[i];
-                for (const std::uint32_t v : {t.a, t.b, t.c}) add(positionOf(r.meshVertices[v], t.step), 0.0f);
+                for (const std::uint32_t v : {t.a, t.b, t.c}) add(positionOf(r.meshVertices[v], t.step()), 0.0f);
             }));
         });
     keepWholeMeshes(r);

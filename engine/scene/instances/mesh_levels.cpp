@@ -71,7 +71,7 @@ void dropVertices(Representation& r) {
     }
     r.meshVertices.resize(places.back());
     for (auto* stream : {&r.triangles, &r.coarseTriangles})
-        for (Triangle& t : *stream) t = {places[t.a], places[t.b], places[t.c], t.step};
+        for (Triangle& t : *stream) t.a = places[t.a], t.b = places[t.b], t.c = places[t.c];
     for (MeshRun& mesh : r.meshes) {
         mesh.firstVertex = places[mesh.firstVertex];
         mesh.endVertex = places[mesh.endVertex];

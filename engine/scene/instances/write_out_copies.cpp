@@ -29,9 +29,10 @@ Mesh meshOfRun(const Representation& r, const PrimitiveRun& run) {
         for (const std::uint32_t v : {t.a, t.b, t.c}) {
             if (places[v] == UINT32_MAX) {
                 places[v] = static_cast<std::uint32_t>(mesh.positions.size());
-                mesh.positions.push_back(positionOf(r.meshVertices[v], t.step));
+                mesh.positions.push_back(positionOf(r.meshVertices[v], t.step()));
                 mesh.normals.push_back(normalOf(r.meshVertices[v]));
                 mesh.atoms.push_back(r.meshVertices[v].look);
+                mesh.margins.push_back(t.weight(corner));
             }
             corners[corner++] = places[v];
         }

@@ -121,7 +121,7 @@ private:
         Polygon polygon;
         bool spared = true;
         for (const std::uint32_t v : {t.a, t.b, t.c}) {
-            polygon.push_back({positionOf(vertices[v], t.step), normalOf(vertices[v]), vertices[v].look});
+            polygon.push_back({positionOf(vertices[v], t.step()), normalOf(vertices[v]), vertices[v].look});
             spared = spared && isSpared(looks[vertices[v].look].atom);
         }
         if (!spared) {
@@ -148,7 +148,9 @@ private:
 bool cutScene(Representation& scene, const View& view, const Clip& clip, const std::vector<bool>& chosen) {
     if (!clip.on()) return true;
     if (!scene.copies.transforms.empty()) return false;
-    const Representation caps = meshCaps(scene, view, clip);
+    Representation caps = meshCaps(scene, view, clip);
+    if (const std::uint32_t color = packedCapColor(clip))
+        for (SphereLook& look : caps.meshLooks) look.color = color;
     SceneCutter cutter(scene, view, clip, chosen);
     cutter.cutSpheres();
     cutter.cutSticks(scene.cylinders, scene.cylinderLooks);

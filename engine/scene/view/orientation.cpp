@@ -184,7 +184,7 @@ void forEachVertex(const Representation& scene, std::size_t mostCopies, Add&& ad
             return last.a == vertex || last.b == vertex || last.c == vertex;
         };
         for (const std::uint32_t vertex : {triangle.a, triangle.b, triangle.c})
-            if (!before(vertex)) add(scene.meshVertices[vertex], triangle.step, place);
+            if (!before(vertex)) add(scene.meshVertices[vertex], triangle.step(), place);
     };
     forEachCopy(scene.copies, scene.copies.triangles, scene.triangles.size(), mostCopies, addTriangle);
 }

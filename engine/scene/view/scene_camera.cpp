@@ -163,7 +163,7 @@ void dropOutside(Representation& r, const SceneView& seen) {
     keepTriangles(r, [&](const Triangle& t) {
         double low = Clip::kNone, high = -Clip::kNone;
         for (const std::uint32_t v : {t.a, t.b, t.c}) {
-            const double at = depth(positionOf(r.meshVertices[v], t.step));
+            const double at = depth(positionOf(r.meshVertices[v], t.step()));
             low = std::min(low, at);
             high = std::max(high, at);
         }

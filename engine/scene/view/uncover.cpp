@@ -59,7 +59,9 @@ public:
     void eachTriangle(bool first, const Visit& visit) const {
         each(scene_.copies.triangles, scene_.triangles.size(), first, [&](std::size_t i, const glm::dmat4x3& place) {
             const Triangle& t = scene_.triangles[i];
-            const auto corner = [&](std::uint32_t v) { return at(place, positionOf(scene_.meshVertices[v], t.step)); };
+            const auto corner = [&](std::uint32_t v) {
+                return at(place, positionOf(scene_.meshVertices[v], t.step()));
+            };
             visit(i, std::array{corner(t.a), corner(t.b), corner(t.c)});
         });
     }
@@ -268,7 +270,7 @@ void Covers::dropScraps() {
     for (const Triangle& t : scene_.triangles)
         for (const std::uint32_t v : {t.a, t.b, t.c}) {
             const MeshVertex& vertex = scene_.meshVertices[v];
-            widen(scene_.meshLooks[vertex.look].atom, positionOf(vertex, t.step));
+            widen(scene_.meshLooks[vertex.look].atom, positionOf(vertex, t.step()));
         }
     for (const std::uint32_t atom : seen) {
         if (!stays(atom)) continue;
