@@ -208,10 +208,7 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     if (options_.models) look.drawing.settings.occlusion.cache.clear();
     if (motion_ && !look.options.look.ownFrame) look.drawing.startMoving(molecule_);
     if (!look.canvas) look.canvas = std::make_unique<Canvas>(look.options.device);
-    look.cut = look.drawing.hasCaps(look.drawing.settings.effects.clip) ||
-               std::ranges::any_of(
-                   keys_, [&](const Key& key) { return key.look == number && look.drawing.hasCaps(key.clip); });
-    options_.sweep || look.cut ? look.drawing.show(*look.canvas) : look.drawing.handOver(*look.canvas);
+    options_.sweep ? look.drawing.show(*look.canvas) : look.drawing.handOver(*look.canvas);
     return look;
 }
 
@@ -233,7 +230,7 @@ void MovieScenes::moveTo(Look& look, int frame) {
     look.model = frame;
     look.drawing.moment = {frame, motion_->time()};
     look.drawing.moveTo(molecule_);
-    if (!look.cut) look.drawing.handOver(*look.canvas);
+    look.drawing.handOver(*look.canvas);
 }
 
 /// Parts of the scene that stay are not made again.
@@ -286,7 +283,6 @@ Picture MovieScenes::drawKeys(double place, int model) {
                 viewThrough(path_->at(static_cast<double>(from) + share), settings.view, look.drawing.run.center);
             moveClip(clip, a.clip, b.clip, share, settings.view.radius);
         }
-        if (look.cut) look.drawing.showCut(*look.canvas, settings);
         return look.drawing.drawAs(settings, look.canvas->renderer, look.wordMemory.get());
     };
     if (a.look == b.look || share == 0) return draw(a.look);
@@ -326,7 +322,6 @@ Picture MovieScenes::draw(std::uint64_t frame) {
         settings.effects.clip = firstClip_;
     }
     view = viewAt(options_, view, time);
-    if (look.cut) look.drawing.showCut(*look.canvas, settings);
     return look.drawing.drawAs(settings, look.canvas->renderer, look.wordMemory.get());
 }
 

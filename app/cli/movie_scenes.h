@@ -55,7 +55,6 @@ private:
         int model = 0;                                  ///< prepared for this model; 0: none yet
         std::map<Style, std::optional<Bounds>> frames;  ///< shared camera of the models
         bool framed = false;                            ///< the current model has a shared camera
-        bool cut = false;                               ///< a plane cuts its meshes: their caps are for one view
         std::shared_ptr<WordMemory> wordMemory = std::make_shared<WordMemory>();
     };
     struct Key {

@@ -18,6 +18,7 @@
 #include "engine/error.h"
 #include "engine/milliseconds.h"
 #include "engine/scene/build/map_scene.h"
+#include "engine/scene/build/mesh_caps.h"
 #include "engine/scene/view/cut_scene.h"
 #include "engine/scene/view/orientation.h"
 #include "engine/scene/view/visible_depths.h"
@@ -289,10 +290,7 @@ void Drawing::finish(const PictureDescription& picture) {
     for (std::string& idle : idleOptions(picture, *scene_, settings.effects, scene_->radius))
         warnings.push_back(std::move(idle));
     makeRoom(picture);
-    if (by_ == CameraBy::description) {
-        if (picture.aim.spares) spare(*picture.aim.spares);
-        cap(settings);
-    }
+    if (by_ == CameraBy::description && picture.aim.spares) spare(*picture.aim.spares);
     setStats();
 }
 
@@ -376,32 +374,9 @@ Drawing Drawing::copy() const {
     return other;
 }
 
-Representation Drawing::joinedScene() const { return joined(*scene_); }
-
-Representation Drawing::joined(Representation scene) const {
-    joinPart(scene, caps_);
-    return withMaps(std::move(scene), maps_);
-}
+Representation Drawing::joinedScene() const { return withMaps(*scene_, maps_); }
 
 // --- clipping planes
-
-/// Updates the caps for a view and its clipping planes.
-void Drawing::cap(const RenderSettings& drawn) {
-    const Clip& clip = drawn.effects.clip;
-    const bool none = caps_.triangles.empty();
-    if (!needsCaps(*scene_, clip)) {
-        if (!none) number_ = nextNumber();
-        caps_ = {};
-        capsOf_ = 0;
-        return;
-    }
-    if (capsOf_ == number_ && capsClip_ == clip && capsView_.rotation == drawn.view.rotation) return;
-    caps_ = meshCaps(*scene_, drawn.view, clip);
-    capsClip_ = clip;
-    capsView_ = drawn.view;
-    if (!none || !caps_.triangles.empty()) number_ = nextNumber();
-    capsOf_ = number_;
-}
 
 /// Cuts the scene itself, and leaves the renderer nothing to clip.
 void Drawing::spare(const Selection& spared) {
@@ -414,11 +389,6 @@ void Drawing::spare(const Selection& spared) {
     clip.near = -Clip::kNone;
     clip.far = Clip::kNone;
     number_ = nextNumber();
-}
-
-void Drawing::showCut(Canvas& canvas, const RenderSettings& drawn) {
-    cap(drawn);
-    show(canvas);
 }
 
 // --- on a canvas
@@ -434,7 +404,7 @@ void Drawing::show(Canvas& canvas) {
 
 void Drawing::handOver(Canvas& canvas) {
     canvas.scene = 0;
-    canvas.renderer.setScene(joined(std::move(*scene_)));
+    canvas.renderer.setScene(withMaps(std::move(*scene_), maps_));
     canvas.scene = number_;
     scene_.reset();
     ++counts_.uploads;

@@ -16,7 +16,6 @@
 #include "app/picture/description.h"
 #include "engine/molecule/residue_facts.h"
 #include "engine/renderer.h"
-#include "engine/scene/build/mesh_caps.h"
 
 namespace nacre::app {
 
@@ -90,10 +89,6 @@ public:
 
     /// Puts the scene on a canvas, if it is not there. Keeps the scene's bake.
     void show(Canvas& canvas);
-    /// As above, with caps on cut meshes for another view or clipping. @param drawn  settings of that picture
-    void showCut(Canvas& canvas, const RenderSettings& drawn);
-    /// Whether a near plane may cut meshes. Not after handOver().
-    bool hasCaps(const Clip& clip) const { return needsCaps(*scene_, clip); }
     /// As above for the last time: moves the scene to the canvas.
     void handOver(Canvas& canvas);
     /// A picture in full size, with its words. @param said  gets warnings of these, if given
@@ -171,8 +166,6 @@ private:
     void finish(const PictureDescription& picture);
     void placePictureWords(const PictureDescription& picture);
     void makeRoom(const PictureDescription& picture);
-    Representation joined(Representation scene) const;
-    void cap(const RenderSettings& drawn);
     void spare(const Selection& spared);
     void setStats();
 
@@ -183,11 +176,7 @@ private:
     MapLayers maps_;
     std::optional<Bounds> kept_;  ///< by keepFrame()
     bool reframed_ = false;
-    Representation caps_;       ///< of meshes that the near plane cuts
-    View capsView_;             ///< of caps_
-    Clip capsClip_;             ///< of caps_
-    std::uint64_t capsOf_ = 0;  ///< number_ with caps_
-    Clip spareClip_;            ///< by which spare() cut the scene
+    Clip spareClip_;  ///< by which spare() cut the scene
     std::shared_ptr<MovingPicture> moving_;
     std::uint64_t sceneNumber_ = 0;  ///< of scene_
     std::uint64_t number_ = 0;       ///< of scene_ with maps_

@@ -106,10 +106,7 @@ std::pair<std::uint64_t, std::vector<std::string>> movie(const Structure& struct
             // A rotation returns to its start at 1, which the last frame does not reach.
             settings.view =
                 app::viewAt(motion, settings.view, static_cast<double>(frame) / static_cast<double>(frames));
-            if (drawing.hasCaps(settings.effects.clip))
-                drawing.showCut(canvas, settings);
-            else
-                models ? drawing.handOver(canvas) : drawing.show(canvas);
+            models ? drawing.handOver(canvas) : drawing.show(canvas);
             return drawing.drawAs(settings, canvas.renderer, &memory);
         };
         app::writeMovie(*file, {frames, picture, [&](app::MovieStage, std::uint64_t) { return between(), true; }});

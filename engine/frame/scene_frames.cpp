@@ -114,19 +114,26 @@ void SceneFrames::count(PreparedFrame& prepared) {
 }
 
 void SceneFrames::releaseScene() {
+    cappedScenes_.clear();
+    releaseViews();
+}
+
+void SceneFrames::releaseViews() {
     shown_ = nullptr;
     for (int held = 0; held < 2; ++held)  // a view holds the light's view, and the translucent one
         views_.eachFree([](passes::SceneView& view) { view.clear(); });
 }
 
 PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInputs& inputs) {
-    releaseScene();
+    releaseViews();
     const gpu::Caps& caps = device_.caps();
     RenderSettings settings = drawnSettings(request);
     PreparedFrame prepared;
-    shown_ = scene_;
+    using Pace = CappedScenes::Pace;
+    shown_ = cappedScenes_.show(device_, scene_, settings.effects.clip, inputs.view,
+                                request.part == Part::motion ? Pace::live : Pace::complete);
     SceneFacts& facts = prepared.facts;
-    facts = sceneFacts(*scene_);
+    facts = sceneFacts(*shown_);
     if (LevelScenes::draws(scene_->representation, settings)) {
         settings.occlusion.directions = 0;
         const Samples::Where where = chooseSamples(request, facts, caps).where;
@@ -153,10 +160,10 @@ PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInput
     if (layered) {
         uploadRows();
         const auto over = nextView(views_);
-        viewTranslucent(*over, view, scene_->translucent);
+        viewTranslucent(*over, view, shown_->translucent);
         view.translucent = over;
     }
-    passes::selectTriangles(view.copies.triangles, scene_->translucent,
+    passes::selectTriangles(view.copies.triangles, shown_->translucent,
                             layered ? passes::Triangles::opaque : passes::Triangles::solid);
     addViewFacts(facts, view);
 

@@ -2,6 +2,7 @@
 // Frames of the renderer's scene, for pictures and for the window: gathers facts, has them decided, and prepares what
 // the choice needs.
 
+#include "engine/frame/capped_scenes.h"
 #include "engine/frame/declared_frames.h"
 #include "engine/frame/geometry.h"
 #include "engine/frame/level_scenes.h"
@@ -69,6 +70,7 @@ private:
     /// Removes hidden spheres from a view.
     void dropHidden(passes::SceneView& view, const FrameChoice& choice, const FrameInputs& inputs);
     static void count(PreparedFrame& prepared);
+    void releaseViews();
 
     const gpu::Device& device_;
     const std::shared_ptr<const Scene>& scene_;  ///< changes between frames
@@ -79,6 +81,7 @@ private:
     std::unique_ptr<passes::TileFrames> tiles_, layerTiles_;  // null in builds without them
     std::unique_ptr<passes::HiddenSpheres> hidden_;           // likewise
     LevelScenes levelScenes_;
+    CappedScenes cappedScenes_;
     layout::EffectConstants lastEffects_{};
     std::shared_ptr<const gpu::Buffer> effects_;  // for the effects
     gpu::FrameBuffers effectBuffers_, copyRows_, covers_;
