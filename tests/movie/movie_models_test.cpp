@@ -28,6 +28,36 @@ TEST(Movie, GoesThroughModels) {
     EXPECT_NE(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "f/frame_00003.png"));
 }
 
+TEST(Movie, GoesThroughARangeOfModelsInStrides) {
+    const TemporaryFolder folder;
+    std::ofstream xyz(folder / "m.xyz");
+    for (int model = 0; model < 7; ++model) xyz << "2\nm\nC 0 0 0\nO " << 1.2 + model * 0.2 << " 0 0\n";
+    xyz.close();
+    const auto models = [&](const std::string& options) {
+        const Outcome outcome = nacreIn(folder, "movie m.xyz -o f.png --models --report - " + options + kSmall);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        std::string shown;
+        for (std::size_t at = 0; (at = outcome.out.find("\"model\": ", at)) != std::string::npos; ++at)
+            if (shown.empty() || shown.back() != outcome.out[at + 9]) shown += outcome.out[at + 9];
+        return shown;
+    };
+    EXPECT_EQ(models("--fps 10"), "1234567");
+    EXPECT_EQ(models("--fps 10 --frames 2-6:2"), "246");
+    EXPECT_EQ(models("--fps 10 --frames 3-5"), "345");
+    EXPECT_EQ(models("--fps 10 --frames 5-"), "567");
+    EXPECT_EQ(models("--fps 10 --frames 2-:4"), "26");
+    // Titles have the model's number, not the frame's.
+    const auto movie = [&](const char* title) {
+        nacreIn(folder, std::string("movie m.xyz -o t.png --models --frames 4-4 --fps 10 --title ") + title + kSmall);
+        return framesOf(folder / "t.png");
+    };
+    EXPECT_EQ(movie("'m {frame}'"), movie("'m 4'"));
+    EXPECT_NE(movie("'m {frame}'"), movie("'m 1'"));
+    const Outcome beyond = nacreIn(folder, "movie m.xyz -o f.png --models --frames 2-9" + kSmall);
+    EXPECT_EQ(beyond.code, 1);
+    EXPECT_NE(beyond.err.find("there is no frame 9; it has 7"), std::string::npos) << beyond.err;
+}
+
 // The camera that all models share, or one for each; bonds and atoms are each model's own.
 TEST(Movie, ModelsAreThePicturesThatRenderDraws) {
     const TemporaryFolder folder;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/picture/appearance_values.h"
+#include "app/picture/words.h"
 #include "engine/srgb.h"
 
 namespace nacre::app {
@@ -135,6 +136,14 @@ TEST(Srgb, ATableGivesTheSameBytes) {
     for (const float special :
          {-1.0f, -0.0f, 0.0f, 1.0f, std::nextafter(1.0f, 0.0f), infinite, -infinite, std::nanf("")})
         EXPECT_TRUE(same(std::bit_cast<std::uint32_t>(special))) << special;
+}
+
+TEST(Titles, AreFilledWithFrameAndTime) {
+    EXPECT_EQ(filledTitle("{frame}: {time}, {frame}", {12, 3.5}), "12: 3.5 ps, 12");
+    EXPECT_EQ(filledTitle("{time}", {1, 1500.0}), "1.5 ns");
+    EXPECT_EQ(filledTitle("{time}", {1, {}}), "?");
+    EXPECT_TRUE(titleMoves("at {time}") && titleMoves("{frame}"));
+    EXPECT_FALSE(titleMoves("frame time"));
 }
 
 }  // namespace
