@@ -1,6 +1,7 @@
 #include "engine/molecule/trajectory/trajectory.h"
 
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
 #include "engine/molecule/read.h"
@@ -59,22 +60,43 @@ TrajectoryFrame Trajectory::read(std::size_t frame) {
     return result;
 }
 
-std::unique_ptr<Trajectory> openTrajectory(const std::string& path) {
-    auto file = std::make_unique<TrajectoryFile>(path);
-    std::array<std::byte, 8> start{};
-    if (file->size() < start.size()) file->fail(file->size() ? "it is not a trajectory" : "it is empty");
-    file->read(0, start);
+namespace {
+
+using Opener = std::unique_ptr<Trajectory> (*)(OwnedFile);
+using FileStart = std::array<std::byte, 8>;
+
+/// The reader of a format that holds positions alone; null: it is none of these.
+Opener openerOf(const FileStart& start) {
     const auto big = numberAt<std::uint32_t>(start.data(), kBigEndianSwapped);
     constexpr std::uint32_t kXtc = 1995, kLargeXtc = 2023, kTrr = 1993, kDcdHeader = 84;
-    if (big == kXtc || big == kLargeXtc) return openXtc(std::move(file));
-    if (big == kTrr) return openTrr(std::move(file));
+    if (big == kXtc || big == kLargeXtc) return openXtc;
+    if (big == kTrr) return openTrr;
     const std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
-    if (text.starts_with("CDF")) return openNetcdf(std::move(file));
-    if (text.starts_with("\x89HDF")) return openH5md(std::move(file));
-    if (text.substr(4) == "CORD")
-        for (const bool swapped : {false, true})
-            if (numberAt<std::uint32_t>(start.data(), swapped) == kDcdHeader) return openDcd(std::move(file), swapped);
-    return openModels(path);
+    if (text.starts_with("CDF")) return openNetcdf;
+    if (text.starts_with("\x89HDF")) return openH5md;
+    if (text.substr(4) != "CORD") return nullptr;
+    if (numberAt<std::uint32_t>(start.data(), false) == kDcdHeader)
+        return [](OwnedFile file) { return openDcd(std::move(file), false); };
+    if (numberAt<std::uint32_t>(start.data(), true) == kDcdHeader)
+        return [](OwnedFile file) { return openDcd(std::move(file), true); };
+    return nullptr;
+}
+
+}  // namespace
+
+std::unique_ptr<Trajectory> openTrajectory(const std::string& path) {
+    auto file = std::make_unique<TrajectoryFile>(path);
+    FileStart start{};
+    if (file->size() < start.size()) file->fail(file->size() ? "it is not a trajectory" : "it is empty");
+    file->read(0, start);
+    const Opener open = openerOf(start);
+    return open ? open(std::move(file)) : openModels(path);
+}
+
+bool isTrajectoryFile(const std::string& path) {
+    FileStart start{};
+    std::ifstream file(path, std::ios::binary);
+    return file.read(reinterpret_cast<char*>(start.data()), start.size()) && openerOf(start);
 }
 
 std::optional<PeriodicBox> boxOf(const glm::dvec3& lengths, const glm::dvec3& angles) {
