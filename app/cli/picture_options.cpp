@@ -55,9 +55,11 @@ void addPicture(CommandSpec& command, PictureDescription& picture, Topics topics
         if (!has(topics, option.topic)) continue;
         OptionSpec& spec = command.add({writtenName(option), option.syntax,
                                         option.standard == "=" ? option.print(picture) : option.standard, option.help,
-                                        [&option, &picture, given](const std::string& text) {
-                                            setOption(option, text, picture);
-                                            if (given) given->push_back({std::string(option.key), text});
+                                        [&row = option, &picture, given, topics](const std::string& text) {
+                                            const bool view = row.positional && has(topics, Topic::view) && isViewFile(text);
+                                            const Option& set = view ? nacre::app::option("view") : row;
+                                            setOption(set, text, picture);
+                                            if (given) given->push_back({std::string(set.key), text});
                                         }});
         spec.required = option.required;
         spec.repeatable = option.kind == Option::Kind::list;

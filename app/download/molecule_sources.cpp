@@ -7,6 +7,7 @@
 #include "app/download/database_id.h"
 #include "app/download/load_map.h"
 #include "app/download/load_molecule.h"
+#include "app/files/cache_folder.h"
 #include "app/files/printable.h"
 #include "app/input/input_files.h"
 #include "app/input/read_input.h"
@@ -46,8 +47,8 @@ Sources windowSources(const InputOptions& first) {
     all.read = [first, allowed, progress](const PictureDescription& view) {
         InputOptions input = inputOf(view, first);
         input.alone = input.alone || !input.trajectory.path.empty();
-        input.trajectory = {};                                              // trajectories start at their first frame
-        if (view.input.path != lasting(first.path)) input.namedBy.clear();  // opened by the user
+        input.trajectory = {};  // trajectories start at their first frame
+        input.namedBy = view.input.namedBy;
         input.allowDownload = *allowed;
         progress->share = -1;
         progress->cancelled = false;
@@ -95,7 +96,14 @@ Sources phoneSources(const InputOptions& first, const std::function<std::string(
 
 std::string lasting(const std::string& input) {
     if (input.empty() || input.find(':') != std::string::npos || input == "-") return input;
-    return std::filesystem::absolute(input).lexically_normal().string();
+    std::filesystem::path path = input;
+    if (const std::string home = environmentVariable("HOME"); input.starts_with("~/") && !home.empty())
+        path = std::filesystem::path(home) / input.substr(2);
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+        if (const std::string meant = meantInput(input); meant.starts_with("sample:") || parseDatabaseId(meant))
+            return meant;
+    return std::filesystem::absolute(path).lexically_normal().string();
 }
 
 }  // namespace nacre::app

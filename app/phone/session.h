@@ -85,7 +85,7 @@ public:
     void forgetTouch() { panel_->input().forgetTouch(); }
     /// As PanelInput::typed().
     void typed(const std::string& name, const std::string& text);
-    void open(const std::string& path) { viewer().reading().open(path, host_.clock()); }
+    void open(const std::string& path) { viewer().open(path, host_.clock()); }
     /// Shows an error until it is dismissed.
     void fail(const std::string& text);
 

@@ -90,6 +90,13 @@ Look lookFromText(const std::string& json, const std::string& name) {
     return look;
 }
 
+std::optional<Look> lookAlone(const std::string& path) {
+    const std::string text = readViewText(path);
+    Look look = lookFromText(text, path);
+    if (look.options.size() != parseJson<OrderedJson>(text).size()) return std::nullopt;
+    return look;
+}
+
 Look lookOf(const std::string& nameOrFile) {
     std::vector<std::string> names;
     std::string list;

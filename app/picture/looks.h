@@ -2,6 +2,7 @@
 // Named looks: matching light, outlines, fog, background and colours. A look is data: options and values in the format
 // of saved views; others are default. Contents and camera are never part of a look.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ Look lookOf(const std::string& nameOrFile);
 
 /// As above from such a file's text. @param name  of the file @throws Error
 Look lookFromText(const std::string& json, const std::string& name);
+
+/// A look from a file that holds nothing else; empty if it does. @throws Error
+std::optional<Look> lookAlone(const std::string& path);
 
 /// Replaces a view's look. Colours stay unless the look sets them.
 void applyLook(const Look& look, PictureDescription& view);

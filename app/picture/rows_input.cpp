@@ -29,6 +29,28 @@ void takeThumbnail(T text, P& d) {
 }
 
 /// Options that set several others go first, so that explicit options override them.
+std::string printInputs(const P& d) {
+    std::string text = d.input.name + "=" + d.input.path;
+    for (const FurtherInput& further : d.input.further) text += "\n" + further.name + "=" + further.path;
+    return text;
+}
+
+/// Before the options that override what a saved view says.
+std::vector<Option> positional() {
+    std::vector<Option> rows{
+        {.key = "input",
+         .help = "A structure file (" + formatTitles() +
+                 ";\neach also compressed), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a "
+                 "download:\npdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT. Several form one picture: NAME=INPUT names one "
+                 "for\nselections, /NAME; without a name the file's name is used. A saved view is drawn as --view draws it",
+         .parse = [](T text, P& d) { addInput(d.input, std::string(text)); },
+         .print = printInputs,
+         .kind = list,
+         .positional = true},
+    };
+    return under(Topic::input, Facet::input, std::move(rows));
+}
+
 std::vector<Option> severalAtOnce() {
     return {
         {.key = "view",
@@ -77,12 +99,6 @@ std::vector<Option> severalAtOnce() {
     };
 }
 
-std::string printInputs(const P& d) {
-    std::string text = d.input.name + "=" + d.input.path;
-    for (const FurtherInput& further : d.input.further) text += "\n" + further.name + "=" + further.path;
-    return text;
-}
-
 void parseInputName(T text, P& d) {
     if (!isInputName(std::string(text)))
         throw std::invalid_argument("'" + std::string(text) + "' is not a valid name: use letters, digits, - and _");
@@ -102,15 +118,6 @@ void parseFit(T text, P& d) {
 
 std::vector<Option> named() {
     std::vector<Option> rows{
-        {.key = "input",
-         .help = "A structure file (" + formatTitles() +
-                 ";\neach also compressed), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a "
-                 "download:\npdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT. Several form one picture: NAME=INPUT names one "
-                 "for\nselections, /NAME; without a name the file's name is used",
-         .parse = [](T text, P& d) { addInput(d.input, std::string(text)); },
-         .print = printInputs,
-         .kind = list,
-         .positional = true},
         {.key = "input",
          .parse = parseFile<&P::input, &InputOptions::path>,
          .print = printText<&P::input, &InputOptions::path>,
@@ -292,6 +299,6 @@ std::vector<Option> moving() {
 
 }  // namespace
 
-std::vector<Option> inputRows() { return joined({severalAtOnce(), named(), cache(), reading(), moving()}); }
+std::vector<Option> inputRows() { return joined({positional(), severalAtOnce(), named(), cache(), reading(), moving()}); }
 
 }  // namespace nacre::app

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -301,6 +302,22 @@ void appendMaps(MapOptions& maps, const MapOptions& more) {
 }
 
 }  // namespace
+
+bool isViewFile(const std::string& path) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) return false;
+    if (path.ends_with(".view.json")) return true;
+    const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+    if (error || bytes > kMostViewBytes) return false;
+    char first = 0;
+    if (std::ifstream file(path, std::ios::binary); !(file >> first) || first != '{') return false;
+    const auto object = parseJson<Json>(readViewText(path));
+    if (!object.is_object() || object.empty()) return false;
+    std::size_t known = 0;
+    for (const Option& option : options())
+        known += option.save != Option::Save::never && object.contains(option.savedKey()) ? 1 : 0;
+    return isStatistics(object) || 2 * known > object.size();
+}
 
 PictureDescription parseSavedView(const std::string& json, const std::string& name) {
     PictureDescription view;

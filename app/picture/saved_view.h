@@ -15,6 +15,10 @@
 
 namespace nacre::app {
 
+/// Whether a file is a saved view, a look, or what --stats writes: by its name, or an object most of whose keys are
+/// options'. Reads no other file than a small JSON object.
+bool isViewFile(const std::string& path);
+
 /// Parses a saved view, or the output of --stats. @param name  of the file, for messages @throws Error with the key
 PictureDescription parseSavedView(const std::string& json, const std::string& name);
 constexpr std::size_t kMostViewBytes = std::size_t{1} << 20;

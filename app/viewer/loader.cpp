@@ -28,6 +28,7 @@ Loader::~Loader() {
 void Loader::launch(Job job) {
     if (thread_.joinable()) thread_.join();
     last_ = job.view;
+    lastFirst_ = job.first;
     const auto task =
         std::make_shared<std::packaged_task<Document()>>([this, job = std::move(job)]() mutable { return load(job); });
     running_ = task->get_future();

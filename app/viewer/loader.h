@@ -68,6 +68,8 @@ public:
     void read(const PictureDescription& view) { start({view, nullptr}); }
     /// As above for a first look: in its best style (firstLook()), if the view leaves that open.
     void open(const PictureDescription& view) { start({view, nullptr, true}); }
+    /// Repeats the last reading, which failed.
+    void again() { start({last_, nullptr, lastFirst_}); }
     /// Rebuilds the current document for another view.
     void build(const PictureDescription& view, const Document& shown);
     bool busy() const { return running_.valid() && !cancelled_; }
@@ -100,6 +102,7 @@ private:
     Sources sources_;
     std::function<void()> wake_;
     PictureDescription last_;
+    bool lastFirst_ = false;  // it was a first look
     std::optional<Job> next_;
     bool cancelled_ = false;  // the running work
     std::future<Document> running_;

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/picture/input_names.h"
-#include "engine/volume/read_map.h"
+#include "app/viewer/file_kind.h"
 
 namespace nacre::app {
 namespace {
@@ -23,21 +23,24 @@ Reading::Reading(Stage& stage, Sources sources, std::function<void()> wake)
     : stage_(stage), loader_(std::move(sources), std::move(wake)) {
     const PictureDescription& view = stage.view();
     // Saved views keep their look.
-    if (!view.input.path.empty()) view.input.hash.empty() ? loader_.open(view) : loader_.read(view);
+    opening_ = view.input.hash.empty();
+    if (!view.input.path.empty()) opening_ ? loader_.open(view) : loader_.read(view);
 }
 
-/// Density maps among some files: drawn with the current document, or with the one being read.
-std::vector<std::string> Reading::divideMaps(std::vector<std::string>& paths) {
-    const auto maps =
-        std::stable_partition(paths.begin(), paths.end(), [](const std::string& path) { return !isMapFile(path); });
-    std::vector<std::string> taken(maps, paths.end());
-    paths.erase(maps, paths.end());
-    return taken;
-}
+/// Files by what becomes of them.
+struct Reading::Files {
+    std::vector<std::string> structures, maps, trajectories;
+
+    explicit Files(const std::vector<std::string>& paths) {
+        for (const std::string& path : paths) {
+            const FileKind kind = kindOf(path);
+            (kind == FileKind::map ? maps : kind == FileKind::trajectory ? trajectories : structures).push_back(path);
+        }
+    }
+};
 
 /// Adds maps to the current document.
 void Reading::addMaps(const std::vector<std::string>& maps, double now) {
-    if (!stage_.shown()) return stage_.messages.fail("open a molecule first, and then its density map", now);
     std::vector<std::string>& files = stage_.wanted().maps.files;
     if (files.size() + maps.size() > kMostMaps)
         return stage_.messages.fail("more than " + std::to_string(kMostMaps) + " maps are not shown together", now);
@@ -47,45 +50,72 @@ void Reading::addMaps(const std::vector<std::string>& maps, double now) {
     build();
 }
 
-void Reading::open(const std::vector<std::string>& all, double now) {
-    std::vector<std::string> paths = all;
-    const std::vector<std::string> maps = divideMaps(paths);
-    if (paths.empty()) return maps.empty() ? void() : addMaps(maps, now);
+/// Moves the atoms of the current document by a trajectory.
+void Reading::addTrajectory(const std::string& path, double now) {
+    if (!stage_.document.view.input.further.empty())
+        return stage_.messages.fail("a trajectory moves one structure: open that alone first", now);
+    stage_.remember();
+    stage_.wanted().input.trajectory = {};
+    stage_.wanted().input.trajectory.path = path;
+    restore(stage_.view(), true);
+}
+
+/// Adds what belongs to the current document. @returns whether that was all
+bool Reading::join(const Files& files, double now) {
+    stage_.messages.dismissFailure();
+    if (files.trajectories.size() > 1)
+        return stage_.messages.fail("one trajectory at a time moves a structure", now), true;
+    if (!stage_.shown() && files.structures.empty() && !files.trajectories.empty())
+        return stage_.messages.fail("a trajectory has positions alone: open its structure first", now), true;
+    if (!stage_.shown() || !files.structures.empty()) return false;
+    if (!files.maps.empty()) addMaps(files.maps, now);
+    if (!files.trajectories.empty()) addTrajectory(files.trajectories.front(), now);
+    return true;
+}
+
+void Reading::open(const std::vector<std::string>& paths, double now) {
+    const Files files(paths);
+    if (join(files, now)) return;
+    const std::vector<std::string>& shown = files.structures.empty() ? files.maps : files.structures;
+    if (shown.empty()) return;
     PictureDescription fresh = stage_.view();
     PictureDescription first;
-    first.input.path = paths.front();
-    first.maps.files = maps;
+    first.input.path = shown.front();
+    if (!files.trajectories.empty()) first.input.trajectory.path = files.trajectories.front();
+    first.maps.files = files.maps;
     takeInput(first, fresh);
+    fresh.view.clear();
     fresh.look.rules.clear();
     fresh.words.labels.clear();
     fresh.words.measures.clear();
     fresh.words.title.clear();
     first.camera.projection = fresh.camera.projection;
     fresh.camera = first.camera;
-    if (beginWith(fresh, {paths.begin() + 1, paths.end()}, now)) loader_.open(fresh);
+    if (beginWith(fresh, {files.structures.begin() + (files.structures.empty() ? 0 : 1), files.structures.end()}, now)) {
+        opening_ = true;
+        loader_.open(fresh);
+    }
 }
 
-void Reading::add(const std::vector<std::string>& all, double now) {
-    if (!stage_.shown()) return open(all, now);
-    std::vector<std::string> paths = all;
-    const std::vector<std::string> maps = divideMaps(paths);
-    if (!maps.empty()) addMaps(maps, now);
-    if (paths.empty()) return;
+void Reading::add(const std::vector<std::string>& paths, double now) {
+    if (!stage_.shown()) return open(paths, now);
+    const Files files(paths);
+    if (join(files, now)) return;
     PictureDescription more = stage_.view();
+    more.maps.files.insert(more.maps.files.end(), files.maps.begin(), files.maps.end());
     more.input.model = 1;  // models of one are nothing to the others
     more.input.trajectory = {};
     more.look.assembly.clear();
     more.camera.pan = {};
     more.camera.zoom = 1;
-    if (beginWith(more, paths, now)) loader_.read(more);
+    if (beginWith(more, files.structures, now)) loader_.read(more);
 }
 
 /// Adds molecules to a view about to be read. @returns whether there is room
 bool Reading::beginWith(PictureDescription& view, const std::vector<std::string>& paths, double now) {
     question_.reset();
-    stage_.messages.dismissFailure();
     stage_.remember();
-    restoring_ = false;
+    restoring_ = placed_ = opening_ = false;
     stage_.schedule.overlayChanged();
     const std::size_t before = view.input.further.size() + 1;
     if (before + paths.size() > kMostInputs) {
@@ -99,7 +129,15 @@ bool Reading::beginWith(PictureDescription& view, const std::vector<std::string>
 
 void Reading::restore(const PictureDescription& view, bool another) {
     restoring_ = another;
+    placed_ = another && view.camera.center;
+    if (another) opening_ = false;
     another ? loader_.read(view) : loader_.build(view, stage_.document);
+}
+
+void Reading::again() {
+    if (std::exchange(failure_, {}).empty()) return;
+    stage_.messages.dismissFailure();
+    loader_.again();
 }
 
 void Reading::readModel(int model) {
@@ -131,13 +169,14 @@ bool Reading::another() const {
 std::optional<Document> Reading::take(double now) {
     try {
         std::optional<Document> document = loader_.take();
-        if (document) question_.reset();
+        if (document) question_.reset(), failure_.clear();
         return document;
     } catch (const Question& question) {
         question_ = question;
         asked_ = loader_.view();
         stage_.schedule.overlayChanged();
     } catch (const std::exception& error) {
+        failure_ = error.what();
         if (std::exchange(restoring_, false) && stage_.shown()) takeInput(stage_.document.view, stage_.wanted());
         stage_.messages.fail(error.what(), now);
     }
@@ -153,6 +192,10 @@ Reading::Arrival Reading::arrive(Document document) {
     arrival.step = arrival.another && stage_.shown() && view.input.path == before.input.path &&
                    view.input.model != before.input.model;
     arrival.restored = std::exchange(restoring_, false);
+    const Camera& camera = view.camera;
+    const bool plain = camera.orientation == glm::dquat(1, 0, 0, 0) && camera.rotationDegrees == glm::dvec3(0);
+    arrival.opened = arrival.another && std::exchange(opening_, false) && plain && !camera.isPlaced() &&
+                     !document.molecule->guide;
     stage_.document = std::move(document);
     if (!arrival.another) return arrival;
     const PictureDescription& there = stage_.document.view;
@@ -163,7 +206,7 @@ Reading::Arrival Reading::arrive(Document document) {
         wanted.look.color = there.look.color;
     }
     const bool first = std::exchange(first_, false);
-    if (first && stage_.view().camera.scale) stage_.motion.set(there.camera);
+    if ((first && stage_.view().camera.scale) || std::exchange(placed_, false)) stage_.motion.set(there.camera);
     if (stage_.document.molecule->guide && !arrival.step && !arrival.restored) {
         wanted.background = there.background;
         if (first) stage_.motion.set(there.camera);

@@ -14,7 +14,8 @@ class Reading {
 public:
     Reading(Stage& stage, Sources sources, std::function<void()> wake);
 
-    /// Replaces the document; several files form one.
+    /// Replaces the document; several files form one, as they would if added one by one. Maps and trajectories alone
+    /// join the document; a map without one is shown alone.
     void open(const std::vector<std::string>& paths, double now);
     void open(const std::string& path, double now) { open(std::vector{path}, now); }
     /// Adds to the document.
@@ -28,6 +29,9 @@ public:
     void build() { loader_.build(stage_.view(), stage_.document); }
     /// Cancels reading.
     void cancel(double now);
+    /// Whether the error that is shown is that of the last reading, which again() repeats.
+    bool failed() const { return !failure_.empty() && failure_ == stage_.messages.failure(); }
+    void again();
 
     /// A question for the user before the molecule is read; null: none.
     const Question* question() const { return question_ ? &*question_ : nullptr; }
@@ -45,6 +49,7 @@ public:
         bool another = false;   ///< other molecules were read
         bool step = false;      ///< these are another model of the same file
         bool restored = false;  ///< it belongs to the current view
+        bool opened = false;    ///< as a first look, without a camera of its own
     };
     /// The document when it is ready, to be shown.
     std::optional<Document> take(double now);
@@ -52,8 +57,10 @@ public:
     Arrival arrive(Document document);
 
 private:
-    static std::vector<std::string> divideMaps(std::vector<std::string>& paths);
+    struct Files;
     void addMaps(const std::vector<std::string>& maps, double now);
+    void addTrajectory(const std::string& path, double now);
+    bool join(const Files& files, double now);
     bool beginWith(PictureDescription& view, const std::vector<std::string>& paths, double now);
 
     Stage& stage_;
@@ -62,6 +69,9 @@ private:
     PictureDescription asked_;  // the view of question_
     bool restoring_ = false;    // the document being read belongs to the current view
     bool first_ = true;         // nothing was shown yet
+    bool opening_ = false;      // the document being read gets a first look
+    std::string failure_;       // of the last reading
+    bool placed_ = false;       // the document being restored has a camera of its own
 };
 
 }  // namespace nacre::app

@@ -7,10 +7,13 @@
 #include <limits>
 #include <utility>
 
+#include "app/drawing/complete.h"
 #include "app/drawing/focus.h"
 #include "app/picture/input_names.h"
+#include "app/picture/looks.h"
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"
+#include "app/viewer/file_kind.h"
 #include "app/viewer/picture_words.h"
 #include "engine/error.h"
 
@@ -87,6 +90,8 @@ void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
             undo(now);
         } else if (g.kind == Gesture::Kind::redo) {
             redo(now);
+        } else if (g.kind == Gesture::Kind::menu) {
+            picking_.ask(g.at, now);
         } else if (g.kind != Gesture::Kind::doubleTap) {
             picking_.tap(g.at, now);
         } else if (auto residue = picking_.doubleTap(g.at, now)) {
@@ -110,6 +115,43 @@ void Viewer::pause() {
 void Viewer::resume(double now) {
     stage_.schedule.setVisible(true);
     stage_.schedule.windowChanged(now);
+}
+
+// --- files
+
+void Viewer::open(const std::vector<std::string>& paths, bool beside, double now) {
+    const auto view =
+        std::find_if(paths.begin(), paths.end(), [](const auto& path) { return kindOf(path) == FileKind::view; });
+    if (view == paths.end()) return beside ? reading_.add(paths, now) : reading_.open(paths, now);
+    messages().dismissFailure();
+    try {
+        if (paths.size() > 1) throw Error("cannot open", *view, "a saved view opens alone: choose one file");
+        showFile(*view, now);
+    } catch (const std::exception& error) {
+        messages().fail(error.what(), now);
+    }
+}
+
+/// Shows a saved view; one without a structure, or a look, changes what is open. @throws Error, UsageError
+void Viewer::showFile(const std::string& path, double now) {
+    PictureDescription to;
+    applySavedView(path, to);
+    if (to.input.path.empty()) {
+        if (!stage_.shown())
+            throw Error("cannot open", path, "it names no structure: open one first, then this file changes it");
+        to = view();
+        if (const auto look = lookAlone(path)) {
+            applyLook(*look, to);
+        } else {
+            to.look.rules.clear();
+            to.words = {};
+            applySavedView(path, to);
+        }
+    }
+    takeInput(to);
+    takeMap(to);
+    takeSeveral(to);
+    show(withWholePaths(std::move(to)), now);
 }
 
 // --- current state
@@ -163,10 +205,12 @@ void Viewer::restore(const PictureDescription& saved, double now, double seconds
     CameraMotion& motion = stage_.motion;
     Camera camera = motion.camera();
     stage_.wanted() = to;
-    camera.projection = to.camera.projection;
-    camera.fovDegrees = to.camera.fovDegrees;
-    motion.set(camera);
-    motion.fly(to.camera, now, seconds);
+    if (!another || !to.camera.center) {  // else it takes the camera when it arrives
+        camera.projection = to.camera.projection;
+        camera.fovDegrees = to.camera.fovDegrees;
+        motion.set(camera);
+        motion.fly(to.camera, now, seconds);
+    }
     playback_.stop();
     camera_.forgetClip();
     stage_.messages.dismissFailure();
@@ -180,6 +224,7 @@ void Viewer::restore(const PictureDescription& saved, double now, double seconds
 void Viewer::takeDocument(double now) {
     std::optional<Document> document = reading_.take(now);
     if (!document) return;
+    if (document->molecule != stage_.document.molecule) frames_.setMarks({});
     try {
         frames_.setScene(document->drawing);
     } catch (const Error& error) {
@@ -190,6 +235,7 @@ void Viewer::takeDocument(double now) {
         picking_.drop();
         if (!arrival.step) stage_.messages.clear();
     }
+    if (arrival.opened) camera_.alignToAxes();
     camera_.arrived(!arrival.another, now);
     playback_.arrived(arrival);
     words_.place(now);
@@ -225,6 +271,8 @@ void Viewer::followFocus(double now) {
 }
 
 std::string Viewer::explanation() const {
+    if (stage_.shown() && stage_.document.molecule->guide)
+        return "Styles, colours and view are those of the scene's file.";
     return stage_.shown() ? explanationText(stage_.document.view, stage_.document.drawing.scene()) : std::string();
 }
 

@@ -57,6 +57,12 @@ public:
     void pause();
     void resume(double now);
 
+    /// Opens files of any kind (file_kind.h): a saved view is shown, a look is given to what is open, everything else is
+    /// as in Reading. Reports what cannot be opened.
+    /// @param beside  adds structures to what is open
+    void open(const std::vector<std::string>& paths, bool beside, double now);
+    void open(const std::string& path, double now) { open(std::vector{path}, false, now); }
+
     // Current state
     const PictureDescription& view() const { return stage_.view(); }
     const Document* document() const { return stage_.shown() ? &stage_.document : nullptr; }
@@ -83,6 +89,7 @@ public:
 
 private:
     void apply(const std::vector<Gesture>& gestures, double now);
+    void showFile(const std::string& path, double now);
     void aimAt(ViewerCommand command, double now);
     bool changeLook(ViewerCommand command, PictureDescription& look, double now);
     void restore(const PictureDescription& saved, double now, double seconds = CameraMotion::kFlightSeconds);
