@@ -73,6 +73,31 @@ std::string readAll(int file) {
     return text;
 }
 
+/// Starts the program in a group of processes of its own, which a signal to this one does not reach; and so that a
+/// request to stop reaches it even where this one was started to ignore that. @returns an error number, or 0
+int spawn(pid_t& pid, std::vector<std::string>& words, int out, int err) {
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&actions, out, 1);
+    posix_spawn_file_actions_adddup2(&actions, err, 2);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    sigset_t heard;
+    sigemptyset(&heard);
+    sigaddset(&heard, SIGTERM);
+    posix_spawnattr_setsigdefault(&attributes, &heard);
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const int failed = posix_spawn(&pid, argv[0], &actions, &attributes, argv.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&actions);
+    return failed;
+}
+
 }  // namespace
 
 std::vector<std::string> movieArguments(const RecordingWish& wish, const PictureDescription& shown,
@@ -111,9 +136,19 @@ std::vector<std::string> movieArguments(const RecordingWish& wish, const Picture
     return words;
 }
 
-Recorder::~Recorder() {
+Recorder::~Recorder() { finish(); }
+
+void Recorder::finish() {
     stop();
-    if (thread_.joinable()) thread_.join();
+    if (!thread_.joinable()) return;
+    {
+        std::unique_lock lock(mutex_);
+        const auto ended = [&] { return !state_.running; };
+        // Its encoder is in the same group of processes, and has the pipes open.
+        if (!ended_.wait_for(lock, std::chrono::duration<double>(patience_), ended) && child_ > 0)
+            kill(-child_, SIGKILL);
+    }
+    thread_.join();
 }
 
 void Recorder::start(const RecordingWish& wish, PictureDescription shown, std::vector<PictureDescription> keys,
@@ -132,18 +167,8 @@ void Recorder::start(const RecordingWish& wish, PictureDescription shown, std::v
     words.insert(words.end(), fixed.begin(), fixed.end());
 
     Pipe reports, complaints;
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, reports.ends[1], 1);
-    posix_spawn_file_actions_adddup2(&actions, complaints.ends[1], 2);
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
     pid_t pid = -1;
-    const int failed = posix_spawn(&pid, argv[0], &actions, nullptr, argv.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failed != 0) {
+    if (const int failed = spawn(pid, words, reports.ends[1], complaints.ends[1]); failed != 0) {
         std::error_code ignored;
         fs::remove_all(folder_, ignored);
         throw Error("cannot record", words[0], std::strerror(failed));
@@ -165,7 +190,7 @@ void Recorder::stop() {
     const std::lock_guard lock(mutex_);
     if (child_ <= 0 || state_.stopping) return;
     state_.stopping = true;
-    kill(child_, SIGINT);
+    kill(child_, SIGTERM);
 }
 
 RecordingState Recorder::state() const {
@@ -220,6 +245,7 @@ void Recorder::follow(int reports, int complaints) {
         state_.message = done ? "saved " + state_.path : complaint.empty() ? "the movie could not be made" : complaint;
         state_.stopping = false;
     }
+    ended_.notify_all();
     std::error_code error;
     fs::remove_all(folder_, error);
     if (wake_) wake_();

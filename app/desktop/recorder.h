@@ -2,6 +2,7 @@
 // Records movies of the window's contents by running `nacre movie` beside the window: the same code and files, while
 // the window stays responsive.
 
+#include <condition_variable>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -22,9 +23,10 @@ class Recorder {
 public:
     /// @param wake     called on another thread when state() changes
     /// @param program  nacre; empty: this one
-    explicit Recorder(std::function<void()> wake, std::string program = {})
-        : wake_(std::move(wake)), program_(std::move(program)) {}
-    /// Stops recording, and waits for its end.
+    /// @param patience  seconds that a stopped recording may take to finish its file
+    explicit Recorder(std::function<void()> wake, std::string program = {}, double patience = 10)
+        : wake_(std::move(wake)), program_(std::move(program)), patience_(patience) {}
+    /// finish()
     ~Recorder();
     Recorder(const Recorder&) = delete;
 
@@ -33,6 +35,8 @@ public:
                const std::vector<std::string>& fixed);
     /// Ends the movie after the current frame, and keeps all frames so far.
     void stop();
+    /// Stops recording, and waits until its file is finished; kills a program that takes longer than `patience`.
+    void finish();
     RecordingState state() const;
 
 private:
@@ -40,9 +44,11 @@ private:
 
     std::function<void()> wake_;
     std::string program_;
+    double patience_;
     std::string folder_;  // of the views
     int child_ = -1;
     mutable std::mutex mutex_;
+    std::condition_variable ended_;
     RecordingState state_;
     std::thread thread_;
 };

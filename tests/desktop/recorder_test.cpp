@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <thread>
 
 #include "engine/error.h"
+#include "tests/desktop/environment.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -85,6 +87,36 @@ TEST(Recorder, KeepsWhatIsWholeWhenItIsStopped) {
     EXPECT_FALSE(state.failed);
     EXPECT_NE(state.message.find("of 6000 frames are in it"), std::string::npos) << state.message;
     EXPECT_EQ(contentOf(r.wish.path).substr(0, 4), "GIF8");
+}
+
+TEST(Recorder, StopsWhereInterruptsAreIgnored) {
+    // As of a program that a shell starts in the background.
+    std::signal(SIGINT, SIG_IGN);
+    std::signal(SIGTERM, SIG_IGN);
+    Recording r;
+    r.wish.seconds = 600;
+    r.recorder.start(r.wish, r.shown, {}, {"--cache", "off"});
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+    r.wait([](const RecordingState& s) { return s.frame > 2 || !s.running; });
+    r.recorder.finish();
+    EXPECT_FALSE(r.recorder.state().running);
+    EXPECT_FALSE(r.recorder.state().failed);
+    EXPECT_EQ(contentOf(r.wish.path).substr(0, 4), "GIF8");
+}
+
+TEST(Recorder, EndsAProgramThatDoesNotStop) {
+    const test::FakePrograms programs;
+    programs.add("stubborn", "trap '' INT TERM; echo '{\"frame\": 1, \"frames\": 9}'; while :; do sleep 1; done");
+    RecordingWish wish;
+    wish.path = "film.gif";
+    PictureDescription shown;
+    shown.input.path = "sample:glucose";
+    Recorder recorder({}, programs / "stubborn", 0.2);
+    recorder.start(wish, shown, {}, {});
+    while (recorder.state().frame == 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    recorder.finish();
+    EXPECT_FALSE(recorder.state().running);
 }
 
 TEST(Recorder, SaysWhyItCannot) {
