@@ -146,11 +146,6 @@ void drawAnnotations(PanelFrame& f) {
     const Annotations a = f.viewer.picking().annotations();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();  // beneath panel and help
     const auto placeOf = [&](const glm::dvec2& points) { return place(points * f.s.pixelsPerPoint); };
-    for (const glm::dvec2& points : a.selected) {
-        const ImVec2 at = placeOf(points);
-        for (const auto& [half, color] : {std::pair(f.ui.px(2.5f), kMarkEdge), {f.ui.px(1.5f), kSelected}})
-            list.AddRectFilled(ImVec2(at.x - half, at.y - half), ImVec2(at.x + half, at.y + half), color);
-    }
     constexpr std::pair<ImU32, float> kPens[] = {{kMarkEdge, 5.0f}, {kMark, 2.0f}};
     for (std::size_t i = 1; i < a.atoms.size(); ++i)
         for (const auto& [color, points] : kPens)

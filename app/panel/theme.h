@@ -24,8 +24,7 @@ struct Theme {
 const Theme& darkTheme();
 const Theme& lightTheme();
 
-inline constexpr ImU32 kMark = IM_COL32(255, 190, 30, 255), kMarkEdge = IM_COL32(20, 22, 26, 230),
-                       kSelected = IM_COL32(255, 90, 200, 255);
+inline constexpr ImU32 kMark = IM_COL32(255, 190, 30, 255), kMarkEdge = IM_COL32(20, 22, 26, 230);
 
 inline constexpr float kTextPoints = 15;
 /// Minimum height of a widget for touch, points.

@@ -10,6 +10,7 @@
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
+#include "engine/scene/color/colors.h"
 
 namespace nacre::app {
 namespace {
@@ -23,6 +24,34 @@ Representation standIn(RepresentationOptions look, Style style) {
     look.assembly.clear();
     const Molecule m = sampleMolecule(style == Style::cartoon ? "dna" : "glucose");
     return represent(m, drawnAtoms(m), look);
+}
+
+/// A colour between two, by a share of the second; its highest byte stays.
+std::uint32_t mixed(std::uint32_t color, std::uint32_t with, double share) {
+    std::uint32_t result = color & 0xff000000u;
+    for (int shift = 0; shift < 24; shift += 8) {
+        const double from = color >> shift & 255, to = with >> shift & 255;
+        result |= static_cast<std::uint32_t>(std::lround(from + share * (to - from))) << shift;
+    }
+    return result;
+}
+
+/// Colours the marked atoms of a scene.
+void applyMarks(const Highlights& marks, Representation& scene) {
+    if (!marks.any()) return;
+    constexpr std::uint32_t kMarkColor = 0xa02dff;  // a pink that no element or chain has
+    constexpr double kSelectedShare = 0.85, kHoveredShare = 0.35;
+    const auto mark = [&](std::uint32_t& color, std::uint32_t atom) {  // from 1
+        const std::uint32_t i = atom - 1;
+        const bool selected = i < marks.selected.size() && marks.selected[i];
+        const bool hovered = i - marks.firstHovered < marks.hovered && i >= marks.firstHovered;
+        if (!selected && !hovered) return;
+        if (isCopyTint(color)) color = 0xffffffffu;
+        color = mixed(color, kMarkColor, selected ? kSelectedShare : kHoveredShare);
+    };
+    for (SphereLook& look : scene.sphereLooks) mark(look.color, look.atom);
+    for (SphereLook& look : scene.meshLooks) mark(look.color, look.atom);
+    for (CylinderLook& look : scene.cylinderLooks) mark(look.colorA, look.atomA), mark(look.colorB, look.atomB);
 }
 
 }  // namespace
@@ -87,6 +116,7 @@ const RenderSettings& Frames::compose(PictureDescription picture) {
 
 Picture Frames::draw(Renderer& renderer, PictureDescription picture) {
     picture.debug = debug_;
+    unmark(renderer);
     return stage_.document.drawing.drawAs(compose(std::move(picture)), renderer);
 }
 
@@ -135,8 +165,10 @@ std::uint32_t Frames::refinedSamples() const {
 
 bool Frames::put(Representation scene, void (Screen::*how)(Representation)) {
     try {
+        applyMarks(marks_, scene);
         (screen_.*how)(std::move(scene));
         sceneThere_ = true;
+        marksDue_ = false;
     } catch (const Error&) {
         if (!noticeLoss()) throw;
         sceneThere_ = false;
@@ -144,12 +176,41 @@ bool Frames::put(Representation scene, void (Screen::*how)(Representation)) {
     return sceneThere_;
 }
 
+void Frames::setMarks(Highlights marks) {
+    constexpr double kSlow = 60;  // milliseconds of a frame: a mark that follows the pointer would hold it up
+    if (screen_.frameMilliseconds() > kSlow) marks.hovered = 0;
+    if (marks == marks_) return;
+    marks_ = std::move(marks);
+    marksDue_ = true;
+    stage_.schedule.overlayChanged();
+}
+
+void Frames::showMarks(double now) {
+    marksDue_ = false;
+    Representation scene = stage_.document.drawing.joinedScene();
+    applyMarks(marks_, scene);
+    try {
+        if (!screen_.recolorScene(std::move(scene))) restartOcclusion();
+    } catch (const Error&) {
+        if (!noticeLoss()) throw;
+    }
+    stage_.schedule.pictureChanged(now);
+}
+
+void Frames::unmark(Renderer& renderer) {
+    if (!marks_.any() || !sceneThere_) return;
+    if (!renderer.setScene(stage_.document.drawing.joinedScene())) restartOcclusion();
+    marksDue_ = true;
+}
+
 /// Puts the document's scene on a screen that lacks it.
 void Frames::putScene(double now) {
     restartOcclusion();
     if (sceneThere_) return;
     try {
-        screen_.setScene(stage_.document.drawing.joinedScene());
+        Representation scene = stage_.document.drawing.joinedScene();
+        applyMarks(marks_, scene);
+        screen_.setScene(std::move(scene));
         sceneThere_ = true;
         sceneRetry_.succeeded();
     } catch (const Error& error) {
@@ -203,6 +264,7 @@ double Frames::update(double now, bool playing, const std::function<const Overla
     if (!sceneThere_ && sceneRetry_.due(now)) putScene(now);
     if (stage_.shown() && sceneThere_ && occlusion_ < 1 && occlusionRetry_.due(now))
         advanceOcclusion(now, moving || playing);
+    if (marksDue_ && stage_.shown() && sceneThere_ && !lost_ && bakedShare() > 0) showMarks(now);
     if (lost_) return now;
     if (!frameRetry_.due(now)) return frameRetry_.at();
     stage_.schedule.setSamples(refinedSamples());

@@ -42,6 +42,14 @@ struct ViewerOptions {
     bool errorsStay = false;     ///< the shell shows Messages::failure() until it is dismissed
 };
 
+/// Atoms that are told apart by colour in the window, not in files: by atom, from 0.
+struct Highlights {
+    std::vector<bool> selected;                  ///< may be shorter than the molecule
+    std::uint32_t firstHovered = 0, hovered = 0;  ///< a run of atoms: those that a click would select
+    bool any() const { return hovered > 0 || !selected.empty(); }
+    friend bool operator==(const Highlights&, const Highlights&) = default;
+};
+
 class Frames {
 public:
     Frames(Screen& screen, Stage& stage, const ViewerOptions& options)
@@ -95,6 +103,11 @@ public:
     bool moveScene(const Representation& scene) {
         return !sceneThere_ || put(withMaps(scene, stage_.document.drawing.maps()), &Screen::moveScene);
     }
+    /// Colours these atoms from the next frame on that has ambient occlusion.
+    void setMarks(Highlights marks);
+    const Highlights& marks() const { return marks_; }
+    /// Takes the marks from the scene of the window's renderer until the next update().
+    void unmark(Renderer& renderer);
     /// Prepares the first frame of the document being read.
     void expectScene(const PictureDescription& coming);
     /// Finished share of the ambient occlusion.
@@ -122,6 +135,7 @@ public:
 
 private:
     bool put(Representation scene, void (Screen::*how)(Representation));
+    void showMarks(double now);
     void setUp(RenderSettings& settings) const;
     void putScene(double now);
     void advanceOcclusion(double now, bool moving);
@@ -144,6 +158,8 @@ private:
     WindowFrame frame_;  // the last one
     bool drew_ = false, lost_ = false, tellsScale_ = false;
     bool sceneThere_ = true;       // the document's scene is on the screen
+    Highlights marks_;
+    bool marksDue_ = false;  // they are not on the screen
     std::vector<Style> expected_;  // of the document last read or being read
     Retry sceneRetry_, occlusionRetry_, frameRetry_;
     std::string loss_;  // of the device, until it is replaced

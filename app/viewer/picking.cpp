@@ -21,7 +21,7 @@ std::string hoverText(const Molecule& molecule, std::uint32_t atom) {
 constexpr double kFingerPoints = 12;      // tolerance of a pick
 constexpr double kHoverPoints = 2;        // and a pointer that rests
 constexpr double kHoverSeconds = 0.08;    // time at rest before the atom under it is looked up
-constexpr std::size_t kMostMarks = 3000;  // of a selection: of more atoms, some
+constexpr std::size_t kMostHovered = 300'000;  // atoms: more take too long to colour while the pointer moves
 
 /// A selection as it is typed: `/name` is one of several molecules. @throws std::invalid_argument
 Selection selectionOf(const std::string& text, const PictureDescription& view) {
@@ -87,6 +87,13 @@ void Picking::tap(glm::dvec2 at, double now) {
     picks_.push_back(*atom - 1);
 }
 
+void Picking::ask(glm::dvec2 at, double now) {
+    if (!stage_.shown()) return;
+    tap(at, now);
+    asked_ = at;
+    stage_.schedule.overlayChanged();
+}
+
 void Picking::measure(Measuring what) {
     measuring_ = what;
     if (picks_.size() > mostPicks() || what == Measuring::off) picks_.clear();
@@ -107,13 +114,16 @@ std::optional<Selection> Picking::doubleTap(glm::dvec2 at, double now) {
 
 void Picking::pointerLeft() {
     pointer_.reset();
-    if (std::exchange(hovered_, 0) != 0) stage_.schedule.overlayChanged();
+    if (std::exchange(hovered_, 0) == 0) return;
+    stage_.schedule.overlayChanged();
+    mark();
 }
 
 /// The picture may have changed under the pointer: hides the old name, and looks up the atom when both are at rest.
 double Picking::advance(double now) {
     if (std::exchange(seen_, stage_.changes()) != stage_.changes()) {
         hovered_ = 0;
+        mark();
         if (pointer_) pointer_->asked = false;
     }
     if (!pointer_ || pointer_->asked) return std::numeric_limits<double>::infinity();
@@ -122,8 +132,10 @@ double Picking::advance(double now) {
     pointer_->asked = true;
     if (!stage_.motion.moving())
         if (const std::uint32_t atom = frames_.atomAt(pointer_->at, kHoverPoints, now).value_or(0);
-            std::exchange(hovered_, atom) != atom)
+            std::exchange(hovered_, atom) != atom) {
             stage_.schedule.overlayChanged();
+            mark();
+        }
     return std::numeric_limits<double>::infinity();
 }
 
@@ -137,42 +149,48 @@ void Picking::select(const std::string& text) {
 }
 
 /// Which atoms are marked for those that are chosen: each that something is drawn of. A residue of which a ribbon or a
-/// surface is drawn without them is marked once, where that is.
-std::vector<std::uint32_t> Picking::markedAtoms(const std::vector<bool>& chosen) const {
+/// surface is drawn without them is marked where that is.
+std::vector<bool> Picking::markedAtoms(const std::vector<bool>& chosen) const {
     const Molecule& m = *stage_.document.molecule;
     const std::vector<bool> seen = seenAtoms(stage_.document.drawing.scene(), m.atoms.size());
     std::vector<bool> marked(m.atoms.size());
-    std::vector<std::uint32_t> atoms;
     for (const std::uint32_t atom : drawnAtoms(m, stage_.view().drawn)) {
         if (!chosen[atom]) continue;
         const Residue& residue = m.residues[m.atoms[atom].residue];
         std::uint32_t at = seen[atom] ? atom : residue.firstAtom;
         while (at < residue.firstAtom + residue.atomCount && !seen[at]) ++at;
-        if (at == residue.firstAtom + residue.atomCount || marked[at]) continue;
-        marked[at] = true;
-        atoms.push_back(at);
+        if (at < residue.firstAtom + residue.atomCount) marked[at] = true;
     }
-    return atoms;
+    return marked;
 }
 
-/// Positions of the selected atoms in the current scene.
+/// Marks the selected atoms in the current scene, and what a click would select.
 void Picking::placeSelection() {
-    selectedPlaces_.clear();
     selected_.error.clear();
     selected_.count = 0;
-    if (selected_.text.empty() || !stage_.shown()) return;
-    const Document& document = stage_.document;
-    try {
-        const std::vector<bool> chosen = selectAtoms(*document.placed, selectionOf(selected_.text, document.view));
-        selected_.count = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
-        const std::vector<std::uint32_t> shown = markedAtoms(chosen);
-        const std::size_t step = shown.size() / kMostMarks + 1;
-        for (std::size_t i = 0; i < shown.size(); i += step)
-            selectedPlaces_.push_back(glm::dvec3(document.placed->atoms[shown[i]].position) -
-                                      document.drawing.scene().center);
-    } catch (const std::exception& error) {
-        selected_.error = error.what();
+    marked_.clear();
+    if (!selected_.text.empty() && stage_.shown()) try {
+            const Document& document = stage_.document;
+            const std::vector<bool> chosen = selectAtoms(*document.placed, selectionOf(selected_.text, document.view));
+            selected_.count = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
+            if (selected_.count > 0) marked_ = markedAtoms(chosen);
+        } catch (const std::exception& error) {
+            selected_.error = error.what();
+        }
+    mark();
+}
+
+void Picking::mark() {
+    Highlights marks{marked_};
+    if (hovers() && hovered_ <= stage_.document.molecule->atoms.size() &&
+        stage_.document.molecule->atoms.size() <= kMostHovered) {
+        const Molecule& m = *stage_.document.molecule;
+        const Residue& residue = m.residues[m.atoms[hovered_ - 1].residue];
+        const bool one = measuring_ != Measuring::off || residue.atomCount == m.atoms.size();
+        marks.firstHovered = one ? hovered_ - 1 : residue.firstAtom;
+        marks.hovered = one ? 1 : residue.atomCount;
     }
+    frames_.setMarks(std::move(marks));
 }
 
 // --- texts
@@ -185,7 +203,6 @@ Annotations Picking::annotations() const {
     if (!stage_.shown()) return a;
     const Document& document = stage_.document;
     const View view = frames_.settings().view;
-    for (const glm::dvec3& place : selectedPlaces_) a.selected.push_back(frames_.pointOf(place, view));
     if (const DrawnContact* contact = hovers() ? document.drawing.scene().contactOf(hovered_) : nullptr)
         a.hover = contactText(*document.molecule, contact->interaction);
     else if (const std::uint32_t note = hovers() ? document.drawing.scene().noteOf(hovered_) : 0; note > 0)

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/viewer/frames.h"
@@ -16,7 +17,6 @@ struct Annotations {
     std::string measurement;           ///< their measurement, or how many more atoms it needs
     std::string message;               ///< of the last command, or an error
     std::string error;                 ///< an error, until it is dismissed (ViewerOptions::errorsStay)
-    std::vector<glm::dvec2> selected;  ///< selected atoms; at most some of many
     std::string hover;                 ///< under the pointer
     std::string coarse;                ///< notice of reduced resolution during motion
 };
@@ -41,6 +41,10 @@ public:
     void tap(glm::dvec2 at, double now);
     /// Its first tap was no pick. @returns the residue to aim at; empty: the whole molecule
     std::optional<Selection> doubleTap(glm::dvec2 at, double now);
+    /// Selects the residue there, and asks the shell for a menu of actions.
+    void ask(glm::dvec2 at, double now);
+    /// Where a menu was asked for since the last call; empty: nowhere.
+    std::optional<glm::dvec2> takeAsked() { return std::exchange(asked_, std::nullopt); }
     void pointerMoved(glm::dvec2 at, double now) { pointer_ = Pointer{at, now}; }
     /// The pointer left the picture.
     void pointerLeft();
@@ -74,7 +78,8 @@ private:
         double since;
         bool asked = false;  ///< the atom under it was looked up
     };
-    std::vector<std::uint32_t> markedAtoms(const std::vector<bool>& chosen) const;
+    std::vector<bool> markedAtoms(const std::vector<bool>& chosen) const;
+    void mark();
     bool hovers() const { return hovered_ > 0 && seen_ == stage_.changes(); }
 
     std::string measurement(const std::vector<glm::dvec3>& places) const;
@@ -84,10 +89,11 @@ private:
     Measuring measuring_ = Measuring::off;
     std::vector<std::uint32_t> picks_, picksBefore_;  // atoms, from 0
     SelectedAtoms selected_;
-    std::vector<glm::dvec3> selectedPlaces_;  // from the scene's centre
-    std::optional<Pointer> pointer_;          // over the molecule
-    std::uint32_t hovered_ = 0;               // atom, from 1
-    std::uint64_t seen_ = 0;                  // Stage::changes() at that time
+    std::vector<bool> marked_;         // atoms, from 0; empty: none is selected
+    std::optional<Pointer> pointer_;   // over the molecule
+    std::optional<glm::dvec2> asked_;  // points
+    std::uint32_t hovered_ = 0;        // atom, from 1
+    std::uint64_t seen_ = 0;           // Stage::changes() at that time
 };
 
 }  // namespace nacre::app

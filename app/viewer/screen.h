@@ -11,6 +11,8 @@ public:
     virtual void setScene(Representation scene) = 0;
     /// See Renderer::moveScene.
     virtual void moveScene(Representation scene) { setScene(std::move(scene)); }
+    /// The same scene in other colours. @returns whether its ambient occlusion stays
+    virtual bool recolorScene(Representation) { return true; }
     /// See Renderer::expectScene.
     virtual void expectScene(Representation, const RenderSettings&, const WindowFrame&) {}
     virtual double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) = 0;

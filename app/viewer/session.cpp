@@ -29,6 +29,10 @@ public:
     void moveScene(Representation scene) override {
         if (Renderer* r = session_.renderer()) r->moveScene(std::move(scene));
     }
+    bool recolorScene(Representation scene) override {
+        Renderer* r = session_.renderer();
+        return !r || r->setScene(std::move(scene));
+    }
     void expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame) override {
         if (Renderer* r = session_.renderer()) r->expectScene(std::move(like), settings, frame);
     }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <thread>
 
@@ -17,6 +18,8 @@ class OneAtomScreen : public Screen {
 public:
     std::uint32_t atom = 0;
     int asked = 0;
+    std::vector<Representation> recolored;
+    bool recolorScene(Representation scene) override { return recolored.push_back(std::move(scene)), true; }
     void setScene(Representation) override {}
     double advanceOcclusion(const RenderSettings&, const OcclusionPace&) override { return 1; }
     FrameOutcome present(const RenderSettings&, const WindowFrame&) override { return FrameOutcome::shown; }
@@ -59,6 +62,11 @@ struct Stand {
         viewer.mouseButton(MouseButton::left, false, {300, 200}, {}, now += 0.05);
     }
 };
+
+std::size_t marked(const Viewer& viewer) {
+    const std::vector<bool>& selected = viewer.frames().marks().selected;
+    return static_cast<std::size_t>(std::count(selected.begin(), selected.end(), true));
+}
 
 TEST(Pointing, ANameIsLookedForOnceThePointerRests) {
     Stand s;
@@ -106,13 +114,13 @@ TEST(Pointing, AClickSelectsTheResidueAndOneBesideNothing) {
     s.screen.atom = 1;
     s.click();
     EXPECT_EQ(s.viewer.picking().selection().text, "chain A and resi 1");
-    EXPECT_EQ(s.viewer.picking().annotations().selected.size(), s.viewer.picking().selection().count);
+    EXPECT_EQ(marked(s.viewer), s.viewer.picking().selection().count);
     EXPECT_GT(s.viewer.picking().selection().count, 10u);
     s.rest(1);
     s.screen.atom = 0;
     s.click();
     EXPECT_EQ(s.viewer.picking().selection().text, "");
-    EXPECT_TRUE(s.viewer.picking().annotations().selected.empty());
+    EXPECT_EQ(marked(s.viewer), 0u);
 }
 
 TEST(Pointing, ADashIsReadItsResiduesAreSelectedAndFlownTo) {
@@ -136,16 +144,46 @@ TEST(Pointing, ADashIsReadItsResiduesAreSelectedAndFlownTo) {
     EXPECT_EQ(s.viewer.picking().annotations().hover, "");
 }
 
+TEST(Pointing, WhatAClickSelectsIsMarkedInTheFrame) {
+    Stand s;
+    s.screen.atom = 42;
+    s.viewer.mouseMove({300, 200}, s.now);
+    s.rest(1);
+    const Molecule& m = *s.viewer.document()->molecule;
+    const Residue& residue = m.residues[m.atoms[41].residue];
+    ASSERT_FALSE(s.screen.recolored.empty());
+    const std::vector<SphereLook> plain = s.viewer.document()->drawing.scene().sphereLooks;
+    const auto differing = [&](std::uint32_t first, std::uint32_t count) {
+        std::size_t others = 0, own = 0;
+        for (std::size_t i = 0; i < plain.size(); ++i) {
+            const bool in = plain[i].atom > first && plain[i].atom <= first + count;
+            (in ? own : others) += s.screen.recolored.back().sphereLooks[i].color != plain[i].color;
+        }
+        EXPECT_EQ(others, 0u);
+        return own;
+    };
+    EXPECT_EQ(differing(residue.firstAtom, residue.atomCount), residue.atomCount) << "the residue is tinted";
+    const auto hovered = s.screen.recolored.back().sphereLooks;
+    s.click();
+    s.rest(1);
+    EXPECT_EQ(differing(residue.firstAtom, residue.atomCount), residue.atomCount);
+    EXPECT_NE(s.screen.recolored.back().sphereLooks[41].color, hovered[41].color) << "more strongly";
+    s.screen.atom = 0;
+    s.click();
+    s.rest(1);
+    EXPECT_EQ(differing(0, 0), 0u) << "and no more";
+}
+
 TEST(Pointing, ARibbonIsMarkedWhereItIs) {
     Stand s(Style::cartoon);
     s.viewer.picking().select("chain A");
     EXPECT_EQ(s.viewer.picking().selection().count, 243u);
-    const std::size_t ofAll = s.viewer.picking().annotations().selected.size();
+    const std::size_t ofAll = marked(s.viewer);
     EXPECT_GE(ofAll, 12u);                              // nucleotides
     EXPECT_LE(ofAll, 36u);                              // their backbones and bases
     s.viewer.picking().select("chain A and name OP1");  // nothing is drawn of them alone
     EXPECT_EQ(s.viewer.picking().selection().count, 11u);
-    EXPECT_EQ(s.viewer.picking().annotations().selected.size(), 11u);
+    EXPECT_EQ(marked(s.viewer), 11u);
 }
 
 TEST(Pointing, ADoubleClickZoomsToTheResidue) {
@@ -172,7 +210,7 @@ TEST(Pointing, ATypedSelectionIsCountedOrSaysWhatIsWrong) {
     s.viewer.picking().select("chain A and si");
     EXPECT_FALSE(s.viewer.picking().selection().any());
     EXPECT_NE(s.viewer.picking().selection().error, "");
-    EXPECT_TRUE(s.viewer.picking().annotations().selected.empty());
+    EXPECT_EQ(marked(s.viewer), 0u);
 }
 
 TEST(Pointing, WhatAPanelCoversMovesTheMoleculeAside) {
