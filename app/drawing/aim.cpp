@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <limits>
+#include <string_view>
 
 #include "engine/error.h"
 #include "engine/scene/view/orientation.h"
@@ -11,9 +12,35 @@
 namespace nacre::app {
 namespace {
 
+/// Sugars of glycans, and what crystals are grown from: less often meant by "the ligand" than others.
+constexpr std::string_view kMinorLigands[] = {"NAG", "NDG", "MAN", "BMA", "FUC", "FUL", "GAL", "GLA", "GLC", "BGC",
+                                              "XYS", "XYP", "SIA", "SLB", "A2G", "NGA", "GOL", "EDO", "PEG", "PGE",
+                                              "1PE", "PG4", "SO4", "PO4", "ACT", "ACY", "DMS", "MPD", "FMT", "CIT",
+                                              "TRS", "MES", "EPE", "BME", "IPA", "EOH", "MRD", "NH4", "IMD"};
+
+/// Atoms of the largest ligand that something is drawn of and that is not a minor one; the first of equal ones.
+std::vector<bool> mainLigand(const ResidueFacts& facts, const Representation& scene) {
+    const Molecule& m = facts.molecule();
+    std::vector<bool> none(m.atoms.size()), best;
+    std::pair<bool, std::uint32_t> rank{false, 0};
+    for (std::uint32_t r = 0; r < m.residues.size(); ++r) {
+        const Residue& residue = m.residues[r];
+        const bool major = std::ranges::find(kMinorLigands, residue.name.view()) == std::end(kMinorLigands);
+        if (facts.kinds()[r] != ResidueKind::ligand || std::pair(major, residue.atomCount) <= rank) continue;
+        std::vector<bool> own = none;
+        std::fill_n(own.begin() + residue.firstAtom, residue.atomCount, true);
+        if (chosenBalls(scene, own).empty()) continue;
+        rank = {major, residue.atomCount};
+        best = std::move(own);
+    }
+    return best;
+}
+
 std::vector<glm::dvec4> selectedBalls(const Selection& selection, const char* what, const ResidueFacts& facts,
                                       const Representation& scene) {
-    const std::vector<bool> chosen = selectAtoms(facts, selection);
+    std::vector<bool> chosen = selectAtoms(facts, selection);
+    if (selection.text == "ligand")
+        if (std::vector<bool> main = mainLigand(facts, scene); !main.empty()) chosen = std::move(main);
     std::vector<glm::dvec4> balls = chosenBalls(scene, chosen);
     if (!balls.empty()) return balls;
     const bool any = std::find(chosen.begin(), chosen.end(), true) != chosen.end();

@@ -1,6 +1,7 @@
 // Style, colours, looks and light of the whole molecule.
 
 #include <algorithm>
+#include <utility>
 
 #include "app/panel/panel_state.h"
 #include "app/panel/words.h"
@@ -75,6 +76,7 @@ void drawLookPage(PanelFrame& f) {
     if (f.ui.choose("Style preset", names, name, -1))
         for (const Preset& preset : presets())
             if (name == preset.name) applyPreset(preset, look);
+    if (look.aim.zoomTo) f.s.aim.emplace(std::exchange(look.aim, f.viewer.view().aim));
     f.ui.heading("Background");
     const float side = f.ui.forFingers() ? f.ui.px(kFingerPoints) : f.ui.rowHeight();
     bool named = false;

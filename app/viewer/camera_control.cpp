@@ -113,6 +113,19 @@ void CameraControl::arrived(bool fly, double now) {
     if (aim_.any()) take(std::exchange(aim_, {}), fly, now);
 }
 
+void CameraControl::alignToAxes() {
+    const Document& document = stage_.document;
+    if (document.molecule->atoms.empty()) return;
+    const PixelSize size = frames_.freeSize();
+    Camera camera = stage_.motion.camera();
+    Aim axes;
+    axes.principal = true;
+    camera.orientation = aimed(camera, axes, *document.placed, {document.drawing.scene(), document.drawing.radius()},
+                               {size.width, size.height})
+                             .camera.orientation;
+    stage_.motion.set(camera);
+}
+
 void CameraControl::fit(double now) {
     const Drawing& drawing = stage_.document.drawing;
     if (stage_.shown() && drawing.reframed()) {
@@ -153,6 +166,8 @@ void CameraControl::take(Aim aim, bool fly, double now) {
         double& near = stage_.wanted().effects.clip.near;
         if (to.clipNear || (aim.zoomTo && clipped_)) near = to.clipNear.value_or(-Clip::kNone);
         if (to.clipBefore) near = std::max(*to.clipBefore, to.clipNear.value_or(-Clip::kNone));
+        if (to.clipNear && !clipped_)
+            stage_.messages.say("Atoms in front are cut away; F shows the whole molecule", now);
         clipped_ = to.clipNear.has_value();
         stage_.changed(now);
     } catch (const Error& error) {

@@ -22,6 +22,8 @@ public:
     void aim(const Aim& aim, double now);
     /// As above for the current document. @param fly  animate
     void take(Aim aim, bool fly, double now);
+    /// A document that was opened shows its broadest side, as the command `orient` does.
+    void alignToAxes();
     /// Flies to the whole molecule.
     void fit(double now);
     /// A new document or scene is there: applies an aim that waited for it. @param fly  animate

@@ -1,6 +1,9 @@
 #include "app/viewer/presets.h"
 
+#include <algorithm>
+
 #include "app/picture/appearance_values.h"
+#include "app/picture/looks.h"
 #include "engine/molecule/chain_summary.h"
 
 namespace nacre::app {
@@ -18,12 +21,7 @@ std::span<const Preset> presets() {
         {"Surface", {surface, ColorScheme::chainCarbons}, kWhite},
         {"Chains", {spacefill, ColorScheme::chain}, kWhite},
         {"Chains and ligands", {spacefill, ColorScheme::chain, {parseColorBy("ligand or ion=element")}}, kWhite},
-        {"Ligand in its pocket",
-         {licorice,
-          ColorScheme::chain,
-          {parseHide("not (ligand or ion or byres within 6 of ligand)"), parseShow("ligand or ion=spacefill"),
-           parseColorBy("ligand or ion=element")}},
-         kWhite},
+        {"Ligand in its pocket", {}, kWhite, true},
         {"Licorice", {licorice, ColorScheme::element}, kWhite},
         {"N to C", {spacefill, ColorScheme::rainbow}, kWhite},
         {"Predicted confidence", {cartoon, ColorScheme::plddt}, kWhite},
@@ -40,12 +38,20 @@ void applyPreset(const Preset& preset, PictureDescription& view) {
     view.look.assembly = assembly;
     view.look.palette = palette;
     view.background = preset.background;
+    if (!preset.pocket) return;
+    view.words.labels.clear();
+    applyPocket("ligand", view);
 }
 
 void firstLook(const Molecule& molecule, PictureDescription& view) {
     RepresentationOptions& look = view.look;
     if (molecule.guide) return;  // a scene says how it is drawn
-    if (look.style || !look.rules.empty() || look.color != Coloring()) return;
+    // Colours that tell several molecules apart are no look of their own.
+    const bool several = !view.input.further.empty();
+    const bool styled = std::any_of(look.rules.begin(), look.rules.end(), [&](const Rule& rule) {
+        return !several || rule.action != Rule::Action::color;
+    });
+    if (look.style || styled || look.color != Coloring()) return;
     std::size_t aminoAcids = 0;
     for (const ChainSummary& chain : summariseChains(molecule)) aminoAcids += chain.aminoAcids;
     const bool predicted = aminoAcids > 0 && molecule.file.confidence;

@@ -11,10 +11,11 @@ struct Preset {
     const char* name;
     RepresentationOptions look;
     std::array<float, 4> background;
+    bool pocket = false;  ///< applyPocket() of the ligand
 };
 
 std::span<const Preset> presets();
-/// Changes styles and colours; camera and file stay.
+/// Changes styles and colours; file and camera stay, but a pocket has an aim.
 void applyPreset(const Preset& preset, PictureDescription& view);
 
 /// The default style of a molecule: proteins from kFewestOfCartoon amino acids on as cartoons with their ligands as

@@ -1,5 +1,7 @@
 // Executes the viewer's commands.
 
+#include <utility>
+
 #include "app/picture/looks.h"
 #include "app/picture/options.h"
 #include "app/viewer/presets.h"
@@ -86,7 +88,12 @@ bool Viewer::changeLook(ViewerCommand command, PictureDescription& look, double 
 void Viewer::run(ViewerCommand command, double now) {
     using C = ViewerCommand;
     if (camera_.run(command, now)) return;
-    if (PictureDescription look = view(); changeLook(command, look, now)) return setLook(look, now);
+    if (PictureDescription look = view(); changeLook(command, look, now)) {
+        const Aim aim = std::exchange(look.aim, view().aim);
+        setLook(look, now);
+        if (aim.zoomTo) camera_.aim(aim, now);
+        return;
+    }
     switch (command) {
         case C::orient:
         case C::lookAt:
