@@ -76,16 +76,16 @@ void addLabels(const ResidueFacts& facts, const PictureDescription& d, const Exp
 std::vector<std::string> notesOf(const PictureDescription& d) {
     std::vector<std::string> notes;
     const auto add = [&](bool there, const char* what) {
-        if (there) notes.push_back(std::string(what) + " are left out: MolViewSpec has no words for them");
+        if (there) notes.push_back("MolViewSpec cannot store " + std::string(what));
     };
     const Effects& e = d.effects;
     add(e.contours.width > 0 || e.halos.width > 0, "outlines and halos");
     add(e.fog.range != Fog::Range::off || e.shadow.strength > 0, "fog and shadows");
     add(e.clip.on(), "clipping planes");
     add(e.depthOfField.strength > 0, "depth of field and its focus");
-    add(d.words.legend || d.words.scaleBar != ScaleBar::off, "legend and scale bar");
+    add(d.words.legend || d.words.scaleBar != ScaleBar::off, "legends and scale bars");
     add(d.look.contacts.of.has_value(), "interactions");
-    add(!d.input.further.empty(), "further INPUTs");
+    add(!d.input.further.empty(), "more than one structure");
     add(!d.input.trajectory.path.empty(), "trajectories");
     add(!d.primitives.empty(), "geometry");
     return notes;
@@ -97,10 +97,10 @@ std::vector<std::string> notesOf(const PictureDescription& d, const Molecule& mo
     std::vector<std::string> notes = notesOf(d);
     if (std::any_of(layers.begin(), layers.end(),
                     [](const SceneLayer& layer) { return layer.style == Style::licorice; }))
-        notes.push_back("the widths of licorice are left out: MolViewSpec has no words for them");
+        notes.push_back("MolViewSpec cannot store the thickness of sticks: viewers use their own");
     if (std::any_of(d.words.labels.begin(), d.words.labels.end(), hasFields))
-        notes.push_back("labels with fields are left out");
-    if (torsions > 0) notes.push_back("torsions are left out: MolViewSpec has no words for them");
+        notes.push_back("MolViewSpec cannot store labels that name each residue");
+    if (torsions > 0) notes.push_back("MolViewSpec cannot store torsion angles");
     for (const SceneVolume& volume : volumes) {
         if (volume.map->periodic)
             notes.push_back(volume.map->name + " is shown as far as its file reaches, not around the atoms");
