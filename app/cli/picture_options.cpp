@@ -53,14 +53,14 @@ void takeAddress(const std::string& text, ServeOptions& options) {
 void addPicture(CommandSpec& command, PictureDescription& picture, Topics topics, std::vector<OptionValue>* given) {
     for (const Option& option : options()) {
         if (!has(topics, option.topic)) continue;
-        OptionSpec& spec = command.add({writtenName(option), option.syntax,
-                                        option.standard == "=" ? option.print(picture) : option.standard, option.help,
-                                        [&row = option, &picture, given, topics](const std::string& text) {
-                                            const bool view = row.positional && has(topics, Topic::view) && isViewFile(text);
-                                            const Option& set = view ? nacre::app::option("view") : row;
-                                            setOption(set, text, picture);
-                                            if (given) given->push_back({std::string(set.key), text});
-                                        }});
+        OptionSpec& spec = command.add(
+            {writtenName(option), option.syntax, option.standard == "=" ? option.print(picture) : option.standard,
+             option.help, [&row = option, &picture, given, topics](const std::string& text) {
+                 const bool view = row.positional && has(topics, Topic::view) && isViewFile(text);
+                 const Option& set = view ? nacre::app::option("view") : row;
+                 setOption(set, text, picture);
+                 if (given) given->push_back({std::string(set.key), text});
+             }});
         spec.required = option.required;
         spec.repeatable = option.kind == Option::Kind::list;
         spec.pair = option.kind == Option::Kind::pair;

@@ -19,7 +19,7 @@ PortalAnswer openByPortal(const std::string&) { return {}; }
 PortalAnswer saveByPortal(const std::string&, const std::string&) { return {}; }
 #endif
 
-constexpr const char *kOpen = "Open structures", *kSave = "Save image";
+constexpr const char* kOpen = "Open";
 
 bool preferKdialog() {
     const char* desktop = std::getenv("XDG_CURRENT_DESKTOP");
@@ -44,11 +44,11 @@ std::vector<std::string> askToOpen() {
                                                  std::string("--title=") + kOpen}));
 }
 
-std::vector<std::string> askToSave(const std::string& suggested) {
-    if (PortalAnswer answer = saveByPortal(kSave, suggested); answer.there) return answer.paths;
-    return linesOf(preferKdialog() ? runProgram({"kdialog", "--title", kSave, "--getsavefilename", suggested})
+std::vector<std::string> askToSave(const std::string& title, const std::string& suggested) {
+    if (PortalAnswer answer = saveByPortal(title, suggested); answer.there) return answer.paths;
+    return linesOf(preferKdialog() ? runProgram({"kdialog", "--title", title, "--getsavefilename", suggested})
                                    : runProgram({"zenity", "--file-selection", "--save", "--confirm-overwrite",
-                                                 std::string("--title=") + kSave, "--filename=" + suggested}));
+                                                 "--title=" + title, "--filename=" + suggested}));
 }
 
 }  // namespace
@@ -61,8 +61,8 @@ FileDialog::~FileDialog() {
 
 void FileDialog::open(Chosen chosen) { run(askToOpen, std::move(chosen)); }
 
-void FileDialog::save(const std::string& suggested, Chosen chosen) {
-    run([suggested] { return askToSave(suggested); }, std::move(chosen));
+void FileDialog::save(const std::string& title, const std::string& suggested, Chosen chosen) {
+    run([=] { return askToSave(title, suggested); }, std::move(chosen));
 }
 
 void FileDialog::run(std::function<std::vector<std::string>()> ask, Chosen chosen) {

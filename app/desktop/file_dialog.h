@@ -22,7 +22,7 @@ public:
     /// dialog is open
     void open(Chosen chosen);
     /// As above for a file to be written. @param suggested  its name, or a path
-    void save(const std::string& suggested, Chosen chosen);
+    void save(const std::string& title, const std::string& suggested, Chosen chosen);
 
 private:
     void run(std::function<std::vector<std::string>()> ask, Chosen chosen);

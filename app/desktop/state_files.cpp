@@ -1,5 +1,8 @@
 #include "app/desktop/state_files.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
@@ -24,7 +27,16 @@ std::string pathOf(const char* variable, const char* underHome, const char* name
 }
 
 std::string viewPath() { return pathOf("XDG_STATE_HOME", ".local/state", "view.json"); }
+std::string windowPath() { return pathOf("XDG_STATE_HOME", ".local/state", "window.json"); }
 std::string pipelinePath() { return pathOf("XDG_CACHE_HOME", ".cache", "pipelines.bin"); }
+
+/// Where files are saved: empty, the current folder; from a desktop's menu that is none of the user's, so their own.
+fs::path savingFolder() {
+    std::error_code error;
+    const bool own = access(".", W_OK) == 0 && fs::current_path(error) != "/";
+    const char* home = std::getenv("HOME");
+    return own || !home ? fs::path() : fs::path(home);
+}
 
 constexpr std::uintmax_t kLargestList = 4u << 20;
 
@@ -58,6 +70,39 @@ std::vector<std::uint32_t> pixelsOf(const std::string& hex, std::size_t count) {
 
 }  // namespace
 
+constexpr const char* kBrightnesses[] = {"system", "dark", "light"};
+
+WindowState loadWindowState() {
+    WindowState state;
+    const std::string path = windowPath();
+    std::error_code error;
+    if (path.empty() || fs::file_size(path, error) > kLargestList || error) return state;
+    std::ifstream in(path);
+    const auto json = parseJson<nlohmann::json>(std::string(std::istreambuf_iterator<char>(in), {}));
+    if (!json.is_object()) return state;
+    const auto side = [&](const char* key) {
+        const auto value = json.find(key);
+        return value != json.end() && value->is_number_unsigned() ? value->get<std::uint64_t>() : 0;
+    };
+    constexpr std::uint64_t kLeast = 200, kMost = 16384;  // points; others are none that a person left
+    const std::uint64_t width = side("width"), height = side("height");
+    if (std::min(width, height) >= kLeast && std::max(width, height) <= kMost)
+        state.width = static_cast<std::uint32_t>(width), state.height = static_cast<std::uint32_t>(height);
+    for (std::size_t i = 0; i < std::size(kBrightnesses); ++i)
+        if (json.value("theme", nlohmann::json()) == kBrightnesses[i])
+            state.brightness = static_cast<Panel::Brightness>(i);
+    state.panelOpen = json.value("panel", nlohmann::json()) != false;
+    return state;
+}
+
+void saveWindowState(const WindowState& state) {
+    nlohmann::ordered_json json;
+    if (state.width > 0) json["width"] = state.width, json["height"] = state.height;
+    json["theme"] = kBrightnesses[static_cast<std::size_t>(state.brightness)];
+    json["panel"] = state.panelOpen;
+    keepText(windowPath(), jsonText(json));
+}
+
 std::string recentPath() { return pathOf("XDG_STATE_HOME", ".local/state", "recent.json"); }
 std::optional<PictureDescription> loadState() { return loadView(viewPath()); }
 void saveState(const PictureDescription& view) { keepView(viewPath(), view); }
@@ -69,12 +114,18 @@ std::string freeName(const std::string& input, const std::string& extension) {
         fs::path(input.substr(input.find(':') == std::string::npos ? 0 : input.find(':') + 1)).filename().string();
     if (const std::size_t dot = stem.find('.', 1); dot != std::string::npos) stem.resize(dot);
     if (stem.empty() || stem == "-") stem = "nacre";
+    const fs::path folder = savingFolder();
     for (int n = 1;; ++n) {
         std::string name = stem;
         if (n > 1) name.append("-").append(std::to_string(n));
-        name += extension;
-        if (!fs::exists(name)) return name;
+        const fs::path path = folder / (name + extension);
+        if (!fs::exists(path)) return path.string();
     }
+}
+
+std::string savedMessage(const std::string& path) {
+    std::error_code error;
+    return "saved " + fs::absolute(path, error).lexically_normal().string();
 }
 
 RecentFiles::RecentFiles(std::string path) : path_(std::move(path)) {

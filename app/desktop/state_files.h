@@ -17,6 +17,16 @@ namespace nacre::app {
 std::optional<PictureDescription> loadState();
 void saveState(const PictureDescription& view);
 
+/// How the window was when it was last closed. $XDG_STATE_HOME/nacre/window.json
+struct WindowState {
+    std::uint32_t width = 0, height = 0;  ///< points; 0: not known
+    Panel::Brightness brightness = Panel::Brightness::system;
+    bool panelOpen = true;
+    friend bool operator==(const WindowState&, const WindowState&) = default;
+};
+WindowState loadWindowState();
+void saveWindowState(const WindowState& state);
+
 /// $XDG_STATE_HOME/nacre/recent.json, by default ~/.local/state/nacre/recent.json; empty if there is no such folder
 std::string recentPath();
 
@@ -24,8 +34,11 @@ std::string recentPath();
 std::vector<std::byte> loadPipelineCache();
 void savePipelineCache(const std::vector<std::byte>& data);
 
-/// A name in the current folder that no file has yet: "1bna.png", "1bna-2.png", ...
+/// A name that no file has yet: "1bna.png", "1bna-2.png", ... in the current folder, or in the user's where that is
+/// not writable.
 std::string freeName(const std::string& input, const std::string& extension);
+/// "saved /home/me/1bna.png", for a file of any path.
+std::string savedMessage(const std::string& path);
 
 class RecentFiles {
 public:

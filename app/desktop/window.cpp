@@ -62,6 +62,8 @@ std::optional<SpecialKey> specialKey(int key) {
             return SpecialKey::pageUp;
         case GLFW_KEY_PAGE_DOWN:
             return SpecialKey::pageDown;
+        case GLFW_KEY_F11:
+            return SpecialKey::f11;
         case GLFW_KEY_F12:
             return SpecialKey::f12;
         default:
@@ -178,6 +180,32 @@ double Window::refreshRate() const {
 }
 
 void Window::show() { glfwShowWindow(window_); }
+void Window::toggleFullScreen() {
+    if (glfwGetWindowMonitor(window_)) {
+        const auto& [x, y, width, height] = restored_;
+        return glfwSetWindowMonitor(window_, nullptr, x, y, width, height, GLFW_DONT_CARE);
+    }
+    auto& [x, y, width, height] = restored_;
+    glfwGetWindowPos(window_, &x, &y);
+    glfwGetWindowSize(window_, &width, &height);
+    // The monitor that has the window's middle.
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    for (int i = 0; i < count; ++i) {
+        int left = 0, top = 0, wide = 0, high = 0;
+        glfwGetMonitorWorkarea(monitors[i], &left, &top, &wide, &high);
+        const int midX = x + width / 2 - left, midY = y + height / 2 - top;
+        if (midX >= 0 && midX < wide && midY >= 0 && midY < high) monitor = monitors[i];
+    }
+    if (!monitor) return;
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+bool Window::isFullScreen() const { return glfwGetWindowMonitor(window_) != nullptr; }
+
+void Window::hide() { glfwHideWindow(window_); }
 
 std::string Window::clipboard() const {
     const char* text = glfwGetClipboardString(window_);

@@ -1,6 +1,7 @@
 #pragma once
 // A window of the desktop's window system, by GLFW.
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -41,6 +42,10 @@ public:
     double refreshRate() const;     ///< of that display, per second
     /// The window is hidden at first.
     void show();
+    void hide();
+    /// Covers the monitor that shows it, or returns to its place.
+    void toggleFullScreen();
+    bool isFullScreen() const;
     void setTitle(const std::string& title);
     std::string clipboard() const;
     void setClipboard(const std::string& text);
@@ -60,6 +65,7 @@ private:
     GLFWwindow* window_ = nullptr;
     WindowEvents events_;
     std::string title_;
+    std::array<int, 4> restored_{};  // position and size before full screen
 };
 
 }  // namespace nacre::app

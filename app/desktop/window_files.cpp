@@ -31,8 +31,10 @@ void WindowSession::rememberFile() {
         settings.supersample = 2;
         settings.debug = DebugView::none;
         settings.effects.contours.width = settings.effects.halos.width = 0;
-        const std::string name = std::filesystem::path(document->view.input.path).filename().string();
-        recent_.add(document->view.input.path, name, renderer().render(settings));
+        const PictureDescription& view = document->view;
+        const std::string& input = view.view.empty() ? view.input.path : view.view;
+        viewer().frames().unmark(renderer());
+        recent_.add(input, std::filesystem::path(input).filename().string(), renderer().render(settings));
     } catch (const Error&) {
         // A missing picture must not prevent quitting.
     }
@@ -45,7 +47,7 @@ std::string WindowSession::pictureName(const char* extension) {
 void WindowSession::savePicture(const PictureWish& wish) {
     try {
         writePictureTo(wish);
-        viewer().messages().say("saved " + wish.path, now());
+        viewer().messages().say(savedMessage(wish.path), now());
     } catch (const std::exception& error) {
         viewer().messages().fail(error.what(), now());
     }
@@ -118,40 +120,44 @@ void WindowSession::tellRecording() {
         viewer().messages().say(state.message, now());
 }
 
-/// As JSON, in the current folder under an unused name.
-void WindowSession::saveView() {
+/// Asks where to write a file of an ending, which is added to names without it.
+void WindowSession::askWhere(const char* title, const char* extension,
+                             void (WindowSession::*write)(const std::string& path)) {
     if (!viewer().document()) return;
-    try {
-        const std::string path = freeName(viewer().document()->view.input.path, ".view.json");
-        OutputFile file(path);
-        writeText(file, savedViewJson(withPathsIn(path, viewer().picking().savedView())));
-        viewer().noteSaved();
-        viewer().messages().say("saved " + path, now());
-    } catch (const Error& error) {
-        viewer().messages().fail(error.what(), now());
-    }
+    viewer().schedule().overlayChanged();
+    panel_->askWhere(title, freeName(viewer().document()->view.input.path, extension), [=, this](std::string path) {
+        if (!path.ends_with(extension)) path += extension;
+        try {
+            (this->*write)(path);
+            if (quitsOnceSaved_) window_.close();
+        } catch (const std::exception& error) {
+            viewer().messages().fail(error.what(), now());
+        }
+    });
 }
 
-/// As MolViewSpec, likewise. Reports what the format cannot express.
-void WindowSession::saveScene() {
-    const Document* document = viewer().document();
-    if (!document) return;
-    try {
-        const std::string path = freeName(document->view.input.path, ".mvsj");
-        OutputFile file(path);
-        PictureDescription view = viewer().picking().savedView();
-        const RenderSettings shown = viewer().frames().settings();
-        view.background = shown.background;
-        const mvs::WrittenScene written =
-            mvs::writeScene(*document->placed, view, sceneVolumes(view),
-                            cameraOf(shown.view, document->drawing.scene().center, !document->molecule->guide), path);
-        writeText(file, written.json);
-        std::string told = "saved " + path;
-        for (const std::string& note : written.notes) told += "; " + note;
-        viewer().messages().say(told, now());
-    } catch (const Error& error) {
-        viewer().messages().fail(error.what(), now());
-    }
+/// @throws Error
+void WindowSession::writeView(const std::string& path) {
+    OutputFile file(path);
+    writeText(file, savedViewJson(withPathsIn(path, viewer().picking().savedView())));
+    viewer().noteSaved();
+    viewer().messages().say(savedMessage(path), now());
+}
+
+/// As MolViewSpec. Reports what the format cannot express. @throws Error
+void WindowSession::writeScene(const std::string& path) {
+    const Document& document = *viewer().document();
+    OutputFile file(path);
+    PictureDescription view = viewer().picking().savedView();
+    const RenderSettings shown = viewer().frames().settings();
+    view.background = shown.background;
+    const mvs::WrittenScene written =
+        mvs::writeScene(*document.placed, view, sceneVolumes(view),
+                        cameraOf(shown.view, document.drawing.scene().center, !document.molecule->guide), path);
+    writeText(file, written.json);
+    std::string told = savedMessage(path);
+    for (const std::string& note : written.notes) told += "; " + note;
+    viewer().messages().say(told, now());
 }
 
 /// Captures the next frame, drawn at once, in the current folder under an unused name; in RenderDoc's folder if that

@@ -10,10 +10,12 @@
 #include "app/desktop/end_signals.h"
 #include "app/desktop/processes.h"
 #include "app/desktop/state_files.h"
+#include "app/download/database_id.h"
 #include "app/download/molecule_sources.h"
 #include "app/files/cache_folder.h"
 #include "app/files/messages.h"
 #include "app/files/printable.h"
+#include "app/viewer/file_kind.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -36,16 +38,19 @@ struct WindowSession::Chosen {
     std::mutex mutex;
     std::vector<std::string> paths;
     std::string savePath;
+    PathChosen whereChosen;  ///< receives savePath
 };
 
 WindowSession::WindowSession(const ViewOptions& options)
     : options_(options),
-      window_({options.first.size.width, options.first.size.height}, events()),
+      remembered_(loadWindowState()),
+      window_(firstSize(), events()),
       recent_(recentPath()),
       dark_(systemIsDark()),
       panel_(makePanel()),
       session_(host(), windowSources(options.first.input), firstView(), viewerOptions(), Window::wake),
       chosen_(std::make_shared<Chosen>()) {
+    if (!remembered_.panelOpen) panel_->togglePanel();
     scale_ = window_.pixelsPerPoint();
     opening_ = now();
     session_.open(opening_);
@@ -56,13 +61,17 @@ WindowSession::WindowSession(const ViewOptions& options)
     }
     viewer().frames().setDebugView(options.first.debug, now());
     viewer().camera().aim(options.first.aim, now());
-    viewer().reading().throwEarlyFailure();
+    // What may succeed later is tried again in the window.
+    if (!parseDatabaseId(options.first.input.path)) viewer().reading().throwEarlyFailure();
     window_.show();
     resized();
 }
 
 void WindowSession::loop() {
     while (!window_.closing() && !EndSignals::came()) step(std::numeric_limits<double>::infinity());
+    keepWindowState();
+    window_.hide();
+    recorder_.finish();
     saveState(viewer().view());
     rememberFile();
     if (!options_.first.stats.empty()) writeStats();
@@ -107,27 +116,61 @@ double WindowSession::step(double longest) {
 void WindowSession::takeChosen() {
     std::vector<std::string> paths;
     std::string savePath;
+    PathChosen whereChosen;
     {
         const std::lock_guard lock(chosen_->mutex);
         paths.swap(chosen_->paths);
         savePath.swap(chosen_->savePath);
+        if (!savePath.empty()) whereChosen.swap(chosen_->whereChosen);
     }
-    if (!savePath.empty()) panel_->setSavePath(savePath);
-    if (!paths.empty()) openFiles(std::move(paths));
+    if (!savePath.empty() && whereChosen) whereChosen(savePath);
+    if (paths.empty()) return;
+    const bool beside = panel_->opensTogether();
+    panel_->closeTop();
+    openFiles(std::move(paths), beside);
 }
 
-/// From a dialog, or dropped on the window.
-void WindowSession::openFiles(std::vector<std::string> paths) {
-    const bool together = panel_->opensTogether();
-    panel_->closeTop();
+void WindowSession::openFiles(std::vector<std::string> paths, bool beside) {
     for (std::string& path : paths) path = lasting(path);
-    if (together) return viewer().reading().add(paths, now());
-    rememberFile();
-    viewer().reading().open(paths, now());
+    if (!beside) rememberFile();
+    viewer().open(paths, beside, now());
+}
+
+/// Structures may join what is open: the user decides.
+void WindowSession::dropFiles(const std::vector<std::string>& paths) {
+    const bool beside = panel_->opensTogether();
+    while (panel_->closeTop()) {
+    }
+    const bool structures =
+        std::any_of(paths.begin(), paths.end(), [](const auto& path) { return kindOf(path) == FileKind::structure; });
+    if (!viewer().document() || !structures || beside) return openFiles(paths, beside);
+    panel_->askToOpen(paths);
+    viewer().schedule().overlayChanged();
 }
 
 std::unique_ptr<Panel> WindowSession::makePanel() {
-    return std::make_unique<Panel>(window_.pixelsPerPoint(), panelHost());
+    auto panel = std::make_unique<Panel>(window_.pixelsPerPoint(), panelHost());
+    panel->setBrightness(panel_ ? panel_->brightness() : remembered_.brightness);
+    return panel;
+}
+
+/// As given, else as the window was left.
+PixelSize WindowSession::firstSize() const {
+    if (remembered_.width > 0 && !options_.first.given.contains("size")) return {remembered_.width, remembered_.height};
+    return {options_.first.size.width, options_.first.size.height};
+}
+
+void WindowSession::keepWindowState() {
+    WindowState state = remembered_;
+    if (!window_.isFullScreen()) {
+        const auto points = [this](std::uint32_t pixels) {
+            return static_cast<std::uint32_t>(std::lround(pixels / window_.pixelsPerPoint()));
+        };
+        state.width = points(window_.size().width), state.height = points(window_.size().height);
+    }
+    state.brightness = panel_->brightness();
+    state.panelOpen = panel_->panelOpen();
+    saveWindowState(state);
 }
 
 PanelHost WindowSession::panelHost() {
@@ -136,13 +179,11 @@ PanelHost WindowSession::panelHost() {
     host.browses = !FileDialog::available();
     if (!host.browses) {
         host.openDialog = [this] { openDialog(); };
-        host.saveDialog = [this](const std::string& suggested) { saveDialog(suggested); };
+        host.saveDialog = [this](const std::string& title, const std::string& suggested, PathChosen chosen) {
+            saveDialog(title, suggested, std::move(chosen));
+        };
     }
-    host.open = [this](const std::string& input) {
-        rememberFile();
-        viewer().reading().open(lasting(input), now());
-    };
-    host.add = [this](const std::string& input) { viewer().reading().add(lasting(input), now()); };
+    host.open = [this](const std::vector<std::string>& inputs, bool beside) { openFiles(inputs, beside); };
     host.recent = [this]() -> const std::vector<RecentFile>& { return recent_.files(); };
     if (options_.restore)
         if (const auto saved = loadState(); saved && !saved->input.path.empty() && saved->input.path != "-") {
@@ -159,6 +200,10 @@ PanelHost WindowSession::panelHost() {
     host.stopRecording = [this] { recorder_.stop(); };
     host.videos = hasProgram("ffmpeg");
     host.quit = [this] { window_.close(); };
+    host.saveAndQuit = [this] {
+        saveView();
+        quitsOnceSaved_ = true;
+    };
     host.copyPicture = [this] { run(ViewerCommand::copyPicture); };
     host.clipboard = [this] { return (clipboard_ = window_.clipboard()).c_str(); };
     host.setClipboard = [this](const char* text) { window_.setClipboard(text); };
@@ -194,6 +239,7 @@ PictureDescription WindowSession::firstView() const {
     view.aim = {};  // the viewer receives the aim separately
     view.aim.uncover = options_.first.aim.uncover;
     view.input.path = lasting(view.input.path);
+    view.view = lasting(view.view);
     for (FurtherInput& further : view.input.further) further.path = lasting(further.path);
     return view;
 }
@@ -212,10 +258,6 @@ void WindowSession::input(InputQueue::Kind kind, std::function<void()> handle) {
     if (inputAt_ == 0) inputAt_ = now();
     inputs_.add(panel_->input(), kind, std::move(handle));
     if (kind == InputQueue::Kind::key) viewer().schedule().overlayChanged();
-}
-
-void WindowSession::command(const KeyEvent& key) {
-    if (const auto command = commandOf(key)) run(*command);
 }
 
 WindowEvents WindowSession::events() {
@@ -259,29 +301,19 @@ WindowEvents WindowSession::events() {
                 viewer().wheel(steps, pointer_ / scale_, now());
         });
     };
-    // The key may take the focus from the panel: the receiver is the one before the key.
-    e.special = [this](SpecialKey key, bool down, bool repeated, Modifiers with) {
+    const auto command = [this](const std::optional<ViewerCommand>& of) {
+        if (of) run(*of);
+    };
+    e.special = [this, command](SpecialKey key, bool down, bool repeated, Modifiers with) {
         if (repeated && !inputs_.empty()) return;  // a held key must not run ahead of the frames
-        input(Kind::key, [this, key, down, with] {
-            const bool owned = panel_->input().ownsKeys();
-            if (owned || !down || key == SpecialKey::tab) panel_->input().key(key, down, with);
-            if (down && !owned) command({keyOf(key), with});
-        });
+        input(Kind::key, [=, this] { command(panel_->input().press(key, down, with)); });
     };
-    e.character = [this](char32_t c) {
-        input(Kind::key, [this, c] {
-            if (panel_->input().ownsKeys()) return panel_->input().character(c);
-            const bool capital = c >= U'A' && c <= U'Z';
-            command({capital ? c - U'A' + U'a' : c, {capital, false}});
-        });
-    };
-    e.shortcut = [this](KeyEvent key) {
-        input(Kind::key, [this, key] {
-            if (!panel_->input().ownsKeys() || !panel_->input().shortcut(key.key)) command(key);
-        });
+    e.character = [this, command](char32_t c) { input(Kind::key, [=, this] { command(panel_->input().type(c)); }); };
+    e.shortcut = [this, command](const KeyEvent& key) {
+        input(Kind::key, [=, this] { command(panel_->input().press(key)); });
     };
     e.closing = [this] { quit(); };
-    e.dropped = [this](const std::vector<std::string>& paths) { openFiles(paths); };
+    e.dropped = [this](const std::vector<std::string>& paths) { dropFiles(paths); };
     return e;
 }
 
@@ -307,6 +339,10 @@ void WindowSession::run(ViewerCommand command) {
             return panel_->togglePanel();
         case ViewerCommand::help:
             return panel_->toggleHelp();
+        case ViewerCommand::palette:
+            return panel_->showPalette();
+        case ViewerCommand::fullScreen:
+            return window_.toggleFullScreen();
         case ViewerCommand::openFile:
             return panel_->showStart();
         case ViewerCommand::record:
@@ -343,6 +379,7 @@ void WindowSession::run(ViewerCommand command) {
 /// Asks first if anything would be lost. A second request confirms.
 void WindowSession::quit() {
     std::string unsaved;
+    quitsOnceSaved_ = false;
     if (recorder_.state().running) unsaved += "The movie is still being recorded. ";
     if (const std::size_t keys = panel_->unrecordedViews())
         unsaved +=
@@ -363,8 +400,12 @@ void WindowSession::openDialog() {
     });
 }
 
-void WindowSession::saveDialog(const std::string& suggested) {
-    dialog_.save(suggested, [chosen = chosen_](const std::vector<std::string>& paths) {
+void WindowSession::saveDialog(const std::string& title, const std::string& suggested, PathChosen whereChosen) {
+    {
+        const std::lock_guard lock(chosen_->mutex);
+        chosen_->whereChosen = std::move(whereChosen);
+    }
+    dialog_.save(title, suggested, [chosen = chosen_](const std::vector<std::string>& paths) {
         {
             const std::lock_guard lock(chosen->mutex);
             chosen->savePath = paths.front();

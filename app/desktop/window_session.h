@@ -34,6 +34,8 @@ public:
 
 private:
     std::unique_ptr<Panel> makePanel();
+    PixelSize firstSize() const;
+    void keepWindowState();
     PanelHost panelHost();
     SessionHost host();
     Renderer& renderer() { return *session_.renderer(); }
@@ -43,15 +45,15 @@ private:
     static double now();
     static const double kStarted;  ///< start of the program
     void input(InputQueue::Kind kind, std::function<void()> handle);
-    void command(const KeyEvent& key);
     void rescaled();
     void resized();
     void run(ViewerCommand command);
     void quit();
     void openDialog();
-    void saveDialog(const std::string& suggested);
+    void saveDialog(const std::string& title, const std::string& suggested, PathChosen chosen);
     void takeChosen();
-    void openFiles(std::vector<std::string> paths);
+    void openFiles(std::vector<std::string> paths, bool beside);
+    void dropFiles(const std::vector<std::string>& paths);
     void rememberFile();
     std::string pictureName(const char* extension);
     void savePicture(const PictureWish& wish);
@@ -59,12 +61,16 @@ private:
     void copyPicture();
     void record(const RecordingWish& wish, const std::vector<PictureDescription>& keys);
     void tellRecording();
-    void saveView();
-    void saveScene();
+    void askWhere(const char* title, const char* extension, void (WindowSession::*write)(const std::string& path));
+    void saveView() { askWhere("Save view", ".view.json", &WindowSession::writeView); }
+    void writeView(const std::string& path);
+    void saveScene() { askWhere("Save as MolViewSpec", ".mvsj", &WindowSession::writeScene); }
+    void writeScene(const std::string& path);
     void captureFrame();
     void writeStats();
 
     ViewOptions options_;
+    WindowState remembered_;  // from the last time
     Window window_;
     RecentFiles recent_;
     bool dark_;
@@ -74,6 +80,7 @@ private:
     Recorder recorder_{Window::wake};
     std::string told_;  // state of the recording as last shown
     bool wasRecording_ = false;
+    bool quitsOnceSaved_ = false;
     struct Chosen;  // files chosen in the dialog, from its thread
     std::shared_ptr<Chosen> chosen_;
     std::string clipboard_;
@@ -86,7 +93,6 @@ private:
     double sceneShown_ = 0;          // when the first frame with a scene was presented
     InputQueue inputs_;
     bool panelDrag_ = false;
-    std::string remembered_;  // first of the recent files
 };
 
 }  // namespace nacre::app

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/panel/panel_state.h"
-#include "engine/molecule/read.h"
+#include "app/viewer/file_kind.h"
 #include "engine/molecule/text.h"
 
 namespace nacre::app {
@@ -27,7 +27,7 @@ void list(Browser& b) {
         std::error_code unknown;
         const std::string name = each->path().filename().string();
         const bool folder = each->is_directory(unknown);
-        if (name.starts_with('.') || (!folder && (b.saving || !formatOfFileName(name)))) continue;
+        if (name.starts_with('.') || (!folder && (b.saving() || !mayOpen(name)))) continue;
         b.entries.push_back({name, folder});
     }
     if (failed) b.error = "Cannot read " + b.folder + ": " + failed.message();
@@ -41,17 +41,16 @@ void list(Browser& b) {
 void go(PanelFrame& f, const fs::path& folder) {
     Browser& b = f.s.browser;
     b.folder = folder.lexically_normal().string();
-    if (!b.saving) b.typed.clear();
+    if (!b.saving()) b.typed.clear();
     b.listed = false;
     f.s.restless = 3;
 }
 
 void take(PanelFrame& f, const fs::path& path) {
-    const bool saving = f.s.browser.saving;
     f.s.browser.open = false;
     f.s.restless = 3;
-    if (saving)
-        f.s.setSavePath(path.string());
+    if (f.s.browser.saving())
+        std::exchange(f.s.browser.chosen, nullptr)(path.string());
     else
         openInput(f, path.string());
 }
@@ -90,7 +89,7 @@ std::optional<fs::path> drawEntries(PanelFrame& f, const std::string& sought) {
             clicked = path;
         ImGui::PopID();
     }
-    if (id == 0 && b.error.empty()) f.ui.caption(b.saving ? "No folders here." : "No structure files here.");
+    if (id == 0 && b.error.empty()) f.ui.caption(b.saving() ? "No folders here." : "No structure files here.");
     if (b.more > 0) f.ui.caption(std::to_string(b.more) + " more are not listed.");
     std::error_code unknown;
     if (clicked) fs::is_directory(*clicked, unknown) ? go(f, *clicked) : take(f, *clicked);
@@ -99,41 +98,42 @@ std::optional<fs::path> drawEntries(PanelFrame& f, const std::string& sought) {
 
 }  // namespace
 
-void PanelState::browse(const std::string& suggested, bool toSave) {
+void PanelState::browse(const std::string& what, const std::string& suggested, PathChosen chosen) {
     std::error_code failed;
     const fs::path from = fs::absolute(suggested.empty() ? "." : suggested, failed);
     browser = {};
     browser.open = true;
-    browser.saving = toSave;
+    browser.title = what;
+    browser.chosen = std::move(chosen);
     browser.folder = (suggested.empty() ? from : from.parent_path()).lexically_normal().string();
-    if (toSave) browser.typed = from.filename().string();
-    restless = 3;
+    if (browser.saving()) browser.typed = from.filename().string();
+    opened();
 }
 
 void drawBrowse(PanelFrame& f) {
     Browser& b = f.s.browser;
     if (!b.listed) list(b);
-    if (beginCard(f, "Browse", b.saving ? "Save image as" : "Open a file", kBrowsePoints)) b.open = false;
+    if (beginCard(f, "Browse", b.title.c_str(), kBrowsePoints)) b.open = false;
     f.ui.name(b.folder);
     drawPlaces(f);
     const fs::path folder(b.folder);
-    const bool entered =
-        f.ui.field(b.saving ? "File name" : "Name or folder", b.saving ? "picture.png" : "type to search", b.typed, -1,
-                   ImGuiInputTextFlags_EnterReturnsTrue);
+    focusField(f);
+    const bool entered = f.ui.field(b.saving() ? "File name" : "Name or folder", b.saving() ? "name" : "type to search",
+                                    b.typed, -1, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::BeginChild("Files", ImVec2(0, std::min(f.ui.px(kListPoints), f.s.window.height() / 2)), false,
                       ImGuiWindowFlags_NavFlattened);
     if (folder.has_relative_path() && f.ui.row(Icon::up, "Parent folder", -1)) go(f, folder.parent_path());
-    const std::optional<fs::path> first = drawEntries(f, b.saving ? "" : lowerCase(b.typed));
+    const std::optional<fs::path> first = drawEntries(f, b.saving() ? "" : lowerCase(b.typed));
     ImGui::EndChild();
     if (!b.error.empty()) f.ui.warning(b.error);
     std::error_code unknown;
     const fs::path typed = folder / b.typed;
-    if (b.saving && !b.typed.empty() && fs::is_regular_file(typed, unknown))
+    if (b.saving() && !b.typed.empty() && fs::is_regular_file(typed, unknown))
         f.ui.warning("A file of this name exists and is replaced.");
-    if (f.ui.button(Icon::none, b.saving ? "Choose" : "Open", 0, true) || entered) {
+    if (f.ui.button(Icon::none, b.saving() ? "Choose" : "Open", 0, true) || entered) {
         if (!b.typed.empty() && fs::is_directory(typed, unknown))
             go(f, typed);
-        else if (!b.typed.empty() && (b.saving || fs::exists(typed, unknown)))
+        else if (!b.typed.empty() && (b.saving() || fs::exists(typed, unknown)))
             take(f, typed);
         else if (first && !b.typed.empty())
             fs::is_directory(*first, unknown) ? go(f, *first) : take(f, *first);

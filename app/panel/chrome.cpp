@@ -161,17 +161,24 @@ void drawPanel(PanelFrame& f) {
     drawTools(f);
     drawTabs(f);
     if (!low) {
-        ImGui::BeginChild("Page", ImVec2(0, 0), false, ImGuiWindowFlags_NavFlattened);
+        ImGui::BeginChild("Page", ImVec2(0, 0), false,
+                          ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar);
         followFinger(f);
     }
-    f.look = f.viewer.view();
-    const PictureDescription before = f.look;
+    beginLook(f);
     for (const Page& page : kPages)
         if (s.page == page.label) page.draw(f);
     if (!low) ImGui::EndChild();
     ImGui::End();
     if (s.sheet) ImGui::PopStyleVar();
-    if (difference(f.look, before) != 0) {
+    takeLook(f);
+}
+
+void beginLook(PanelFrame& f) { f.look = f.before = f.viewer.view(); }
+
+void takeLook(PanelFrame& f) {
+    PanelState& s = f.s;
+    if (difference(f.look, f.before) != 0) {
         f.viewer.setLook(f.look, f.now, s.editing);
         s.editing = ImGui::IsAnyItemActive();
     }

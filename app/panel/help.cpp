@@ -83,6 +83,7 @@ void drawList(PanelFrame& f) {
 
 void drawHelp(PanelFrame& f) {
     if (beginCard(f, "Help", "Help", kHelpPoints)) f.s.help = false;
+    focusField(f);
     if (f.ui.typable()) f.ui.field("Search the help", "a key, or what it does", f.s.helpSearch);
     // Height of its contents in the last frame, limited by the window.
     float& content = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("##content"), 0);

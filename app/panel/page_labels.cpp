@@ -46,7 +46,7 @@ void drawLabelsPage(PanelFrame& f) {
     chooseOption(f, "scale-bar");
     f.ui.heading("Measurements");
     Picking& picking = f.viewer.picking();
-    constexpr const char* kModes[] = {"Measure nothing", "Measure distances", "Measure angles", "Measure torsions"};
+    constexpr const char* kModes[] = {"Off", "Distances", "Angles", "Torsion angles"};
     Measuring measuring = picking.measuring();
     if (f.ui.choose("Measure", kModes, measuring)) picking.measure(measuring);
     if (measuring != Measuring::off)

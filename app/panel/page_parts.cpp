@@ -1,6 +1,9 @@
 // The page of parts: models, assemblies, and rows of chains, ligands, ions and water.
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/geometric.hpp>
 #include <string>
 
 #include "app/drawing/scenes.h"
@@ -8,6 +11,7 @@
 #include "app/panel/words.h"
 #include "app/picture/input_names.h"
 #include "app/viewer/picture_words.h"
+#include "engine/molecule/matched_atoms.h"
 #include "engine/scene/color/colors.h"
 
 namespace nacre::app {
@@ -38,6 +42,55 @@ void drawFit(PanelFrame& f, const std::string& input, const std::string& onto) {
     nameInputs(view);
 }
 
+/// How well each molecule lies on the first: "812 pairs of atoms, RMSD 0.41 Å"; empty: it is not laid there.
+std::vector<std::string> fitTexts(const ResidueFacts& facts, const InputOptions& input) {
+    const Molecule& m = facts.molecule();
+    std::vector<std::string> texts(input.further.size() + 1);
+    for (const FitOptions& fit : input.fits) {
+        const std::vector<bool> moving = selectAtoms(m, fit.moving);
+        const auto first = std::find(moving.begin(), moving.end(), true) - moving.begin();
+        if (static_cast<std::size_t>(first) == moving.size()) continue;
+        const AtomPairs pairs = matchAtoms(facts, moving, selectAtoms(m, fit.fixed), Placing::settled);
+        double squares = 0;
+        for (std::size_t i = 0; i < pairs.first.size(); ++i) {
+            const glm::dvec3 apart =
+                glm::dvec3(m.atoms[pairs.first[i]].position) - glm::dvec3(m.atoms[pairs.second[i]].position);
+            squares += glm::dot(apart, apart);
+        }
+        const double count = static_cast<double>(std::max<std::size_t>(pairs.first.size(), 1));
+        char text[80];
+        std::snprintf(text, sizeof text, "%zu pairs of atoms, RMSD %.2f Å", pairs.first.size(),
+                      std::sqrt(squares / count));
+        const int model = m.chains[m.residues[m.atoms[static_cast<std::size_t>(first)].residue].chain].model;
+        texts.at(static_cast<std::size_t>(model - 1)) = text;
+    }
+    return texts;
+}
+
+/// Takes a structure out of several, with the rules that name it.
+void removeInput(PanelFrame& f, std::size_t number) {
+    PictureDescription& view = f.s.wanted.emplace(f.look);
+    InputOptions& input = view.input;
+    const std::vector<std::string> names = inputNames(inputOf(view));
+    if (number == 0) {
+        const FurtherInput next = input.further.front();
+        input.path = next.path, input.name = next.name, input.hash = next.hash, input.opened = next.opened;
+    }
+    input.further.erase(input.further.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(number, 1) - 1));
+    const bool alone = input.further.empty();
+    // A name means nothing once one is left.
+    const auto gone = [&](const Selection& selection) {
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if ((alone || i == number) && selection.text.find("/" + names[i]) != std::string::npos) return true;
+        return false;
+    };
+    std::erase_if(view.look.rules, [&](const Rule& rule) { return gone(rule.selection); });
+    std::erase_if(view.words.labels, [&](const Label& label) { return gone(label.selection); });
+    std::erase_if(input.fits, [&](const FitOptions& fit) { return gone(fit.moving) || gone(fit.fixed); });
+    view.words.measures.clear();  // they count atoms of all
+    f.viewer.picking().select("");
+}
+
 void drawAssemblies(PanelFrame& f, const Molecule& molecule) {
     if (molecule.assemblies.empty()) return;
     f.ui.heading("Assembly");
@@ -62,16 +115,60 @@ void drawAssemblies(PanelFrame& f, const Molecule& molecule) {
         assembly = molecule.file.packed.empty() ? "" : kNoAssembly;
 }
 
+/// For each atom the colour in which it is drawn, of carbons and meshes; 0: none.
+std::vector<std::uint32_t> drawnColors(const Molecule& m, const Representation& scene) {
+    std::vector<std::uint32_t> colors(m.atoms.size());
+    const auto take = [&](std::uint32_t atom, std::uint32_t color, bool mesh) {
+        if (atom == 0 || atom > m.atoms.size() || isCopyTint(color)) return;
+        constexpr int kCarbon = 6;
+        if (mesh || m.atoms[atom - 1].element == kCarbon) colors[atom - 1] = color | 0xff000000u;
+    };
+    for (const SphereLook& look : scene.meshLooks) take(look.atom, look.color, true);
+    for (const SphereLook& look : scene.sphereLooks) take(look.atom, look.color, false);
+    for (const CylinderLook& look : scene.cylinderLooks)
+        take(look.atomA, look.colorA, false), take(look.atomB, look.colorB, false);
+    return colors;
+}
+
+/// The one colour of each part in the scene; empty: it has several, or is not drawn.
+void findPartColors(PanelFrame& f) {
+    PanelState& s = f.s;
+    const Drawing& drawing = f.viewer.document()->drawing;
+    if (s.colorsOf == drawing.sceneNumber() && s.partColors.size() == s.parts.size()) return;
+    s.colorsOf = drawing.sceneNumber();
+    s.partColors.assign(s.parts.size(), std::nullopt);
+    constexpr std::size_t kMostWork = 20'000'000;  // atoms to test
+    if (s.molecule->atoms.size() * s.parts.size() > kMostWork) return;
+    const std::vector<std::uint32_t> colors = drawnColors(*s.molecule, drawing.scene());
+    for (std::size_t i = 0; i < s.parts.size(); ++i) {
+        Selection selection = parseSelection(s.parts[i].selection);
+        if (s.molecule->modelsAreInputs) nameInputs(s.molecule->inputs, selection);
+        const std::vector<bool> chosen = selectAtoms(*s.facts, selection);
+        std::optional<std::uint32_t>& color = s.partColors[i];
+        for (std::size_t atom = 0; atom < chosen.size(); ++atom) {
+            if (!chosen[atom] || colors[atom] == 0) continue;
+            if (color && *color != colors[atom]) {
+                color.reset();
+                break;
+            }
+            color = colors[atom];
+        }
+    }
+}
+
 void drawStyleChoice(PanelFrame& f, const Part& part, float width) {
     PartLook of = lookOf(f.look, part);
     if (chooseStyle(f.ui, ("Style of " + part.name).c_str(), "Default", of.style, width)) setLookOf(f.look, part, of);
 }
 
-/// A field of colour that opens swatches, schemes and a picker.
-void drawColorChoice(PanelFrame& f, const Part& part) {
+/// A field of the colour that is drawn, which opens swatches, schemes and a picker.
+void drawColorChoice(PanelFrame& f, const Part& part, std::size_t number) {
     PartLook of = lookOf(f.look, part);
-    const bool own = of.coloring && of.coloring->scheme == ColorScheme::uniform;
-    const ImU32 shown = own ? of.coloring->color | 0xff000000u : ImGui::GetColorU32(f.ui.theme().field);
+    std::optional<std::uint32_t> drawn;
+    if (number < f.s.partColors.size()) drawn = f.s.partColors[number];
+    if (of.coloring && of.coloring->scheme == ColorScheme::uniform) drawn = of.coloring->color;
+    const bool own = drawn.has_value();
+    const ImU32 shown = own ? *drawn | 0xff000000u : ImGui::GetColorU32(f.ui.theme().field);
     const std::string name = "Colour of " + part.name;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (f.ui.swatch(name.c_str(), shown, false)) ImGui::OpenPopup("Colour");
@@ -97,7 +194,7 @@ void drawPart(PanelFrame& f, const Part& part, std::size_t number) {
     PartLook of = lookOf(f.look, part);
     const float x = ImGui::GetCursorPosX(), side = f.ui.rowHeight(), room = ImGui::GetContentRegionAvail().x;
     const bool tight = f.ui.forFingers() || room < f.ui.px(240);
-    const float styles = tight ? 0 : f.ui.px(104), gap = f.ui.px(4);
+    const float styles = tight ? 0 : f.ui.px(88), gap = f.ui.px(4);
     const std::string eye = (of.seen ? "Hide " : "Show ") + part.name;
     if (f.ui.sign(of.seen ? Icon::eye : Icon::eyeOff, eye.c_str())) {
         of.seen = !of.seen;
@@ -107,7 +204,7 @@ void drawPart(PanelFrame& f, const Part& part, std::size_t number) {
     const float nameWidth = room - 2 * side - styles - 4 * gap;
     const bool open = f.s.sequence.part == part.selection;
     if (part.kind == Part::Kind::chain || tight) {
-        if (f.ui.row(open ? Icon::up : Icon::down, part.name, nameWidth)) {
+        if (f.ui.row(open ? Icon::up : Icon::down, part.name, nameWidth, false, part.label)) {
             f.s.sequence.part = open ? "" : part.selection;
             f.s.sequence.residues.clear();
             if (part.kind == Part::Kind::chain) f.s.sequence.residues = sequenceOf(*f.s.facts, part.chain);
@@ -116,16 +213,41 @@ void drawPart(PanelFrame& f, const Part& part, std::size_t number) {
         }
         f.ui.controls.back().value = countOf(part) + (open ? ", open" : "");
     } else {
-        f.ui.name(part.name + " " + countOf(part), nameWidth);
+        const bool structure = part.kind == Part::Kind::all && !part.input.empty();
+        f.ui.name(structure ? part.name : part.name + " " + countOf(part), nameWidth);
     }
     if (!tight) {
         ImGui::SameLine(x + side + nameWidth + 2 * gap);
         drawStyleChoice(f, part, styles);
     }
     ImGui::SameLine(x + room - side);
-    drawColorChoice(f, part);
+    drawColorChoice(f, part, number);
     if (tight && open) drawStyleChoice(f, part, -1);
     ImGui::PopID();
+}
+
+/// One of several structures as a whole: its row, a sign that removes it, and how it lies on the first.
+void drawStructure(PanelFrame& f, const std::string& input, std::size_t number) {
+    constexpr std::size_t kFirstRow = 100'000;  // beyond those of parts
+    f.ui.heading(input.c_str());
+    Part whole{Part::Kind::all, input, "/" + input};
+    whole.input = whole.label = input;
+    for (const Part& part : f.s.parts)
+        if (part.input == input) whole.atoms += part.atoms;
+    drawPart(f, whole, kFirstRow + number);
+    if (number > 0) drawFit(f, input, f.s.parts.front().input);
+    if (number < f.s.fits.size() && !f.s.fits[number].empty()) f.ui.caption(f.s.fits[number]);
+    if (f.ui.button(Icon::close, ("Remove " + input).c_str())) removeInput(f, number);
+}
+
+/// All models of a file at once, or one after another.
+void drawEnsemble(PanelFrame& f) {
+    const Document& document = *f.viewer.document();
+    const bool several = f.viewer.playback().models() > 1 && !f.viewer.playback().hasTrajectory();
+    if (!several || document.molecule->modelsAreInputs) return;
+    bool all = f.look.input.model == kAllModels;
+    if (!f.ui.toggle("All models together", all)) return;
+    f.s.wanted.emplace(f.look).input.model = all ? kAllModels : 1;
 }
 
 }  // namespace
@@ -140,6 +262,7 @@ void drawPartsPage(PanelFrame& f) {
         f.s.parts = partsOf(*f.s.facts, several ? inputNames(inputOf(document->view)) : std::vector<std::string>());
         f.s.sequence.part.clear();
         f.s.sequence.colors.clear();
+        f.s.fits = several ? fitTexts(*f.s.facts, document->view.input) : std::vector<std::string>();
         f.s.reading.clear();
         for (const ReadNote& note : readingOf(*f.s.molecule)) f.s.reading.push_back(sentenceOf(note));
     }
@@ -151,13 +274,12 @@ void drawPartsPage(PanelFrame& f) {
     drawAssemblies(f, *document->molecule);
     Part::Kind last = Part::Kind::all;
     std::string input;
-    std::size_t number = 0;
+    std::size_t number = 0, structure = 0;
+    drawEnsemble(f);
+    findPartColors(f);
     for (const Part& part : f.s.parts) {
         const bool another = part.input != input;
-        if (another && !part.input.empty()) {
-            f.ui.title(part.input);
-            if (number > 0) drawFit(f, part.input, f.s.parts.front().input);
-        }
+        if (another && !part.input.empty()) drawStructure(f, part.input, structure++);
         input = part.input;
         if (number == 0 || another || part.kind != last) {
             constexpr const char* kHeadings[] = {"Molecule", "Chains", "Ligands", "Ions", "Water"};

@@ -17,6 +17,12 @@ constexpr std::pair<const char*, const char*> kSelections[] = {{"Ligands", "liga
                                                                {"Side chains", "sidechain"},
                                                                {"Near the ligand", "byres within 5 of (ligand)"}};
 
+}  // namespace
+
+std::string selectedText(std::size_t atoms) {
+    return std::to_string(atoms) + (atoms == 1 ? " atom selected" : " atoms selected");
+}
+
 void drawSelectionActions(PanelFrame& f, const std::string& selection) {
     std::vector<Rule>& rules = f.look.look.rules;
     const auto add = [&](Rule rule) {
@@ -27,7 +33,6 @@ void drawSelectionActions(PanelFrame& f, const std::string& selection) {
         f.s.aim.emplace();
         (*f.s.aim).*which = parseSelection(selection);
     };
-    f.ui.heading("Actions");
     if (f.ui.button(Icon::fit, "Zoom to")) aim(&Aim::zoomTo);
     if (f.ui.word("Turn to front")) aim(&Aim::lookAt);
     drawContactActions(f, selection);
@@ -44,8 +49,6 @@ void drawSelectionActions(PanelFrame& f, const std::string& selection) {
         add(rule);
     }
 }
-
-}  // namespace
 
 void drawSelectPage(PanelFrame& f) {
     const Document* document = f.viewer.document();
@@ -82,17 +85,27 @@ void drawSelectPage(PanelFrame& f) {
         s.ruleError.clear();
     }
     const SelectedAtoms& selection = picking.selection();
-    if (!selection.error.empty() && goesOn)
+    if (const std::string meant =
+            selection.error.empty() || !document ? "" : meantSelection(s.selection, *document->molecule);
+        !meant.empty()) {
+        if (f.ui.button(Icon::none, ("Did you mean " + meant + "?").c_str())) {
+            s.selection = s.selected = meant;
+            picking.select(meant);
+        }
+    } else if (!selection.error.empty() && goesOn)
         f.ui.caption("Not complete: possible continuations are above.");
     else if (!selection.error.empty())
         f.ui.warning(selection.error);
     else if (selection.any() && selection.count == 0)
         f.ui.caption("No atoms match.");
     else if (selection.any())
-        f.ui.caption(std::to_string(selection.count) + (selection.count == 1 ? " atom selected" : " atoms selected"));
+        f.ui.caption(selectedText(selection.count));
     else
         f.ui.caption("Nothing selected.");
-    if (selection.any() && selection.count > 0) drawSelectionActions(f, selection.text);
+    if (selection.any() && selection.count > 0) {
+        f.ui.heading("Actions");
+        drawSelectionActions(f, selection.text);
+    }
     if (!f.s.ruleError.empty()) f.ui.warning(f.s.ruleError);
     drawContactList(f);
     drawRules(f);

@@ -85,12 +85,34 @@ void PanelState::toggle() {
 }
 
 bool PanelState::closeTop() {
+    if (!dropped.empty()) return dropped.clear(), restless = 2, true;
+    if (std::exchange(context, std::nullopt)) return restless = 2, true;
+    if (std::exchange(palette.open, false)) return restless = 2, true;
     for (bool* open : {&quitting, &browser.open, &help, &saving, &recording, &start})
         if (std::exchange(*open, false)) {
             restless = 2;
             return true;
         }
     return false;
+}
+
+const char* PanelState::topCard() const {
+    return asks               ? "Question"
+           : !dropped.empty() ? "Dropped"
+           : context          ? "Actions"
+           : palette.open     ? "Commands"
+           : quitting         ? "Quit"
+           : browser.open     ? "Browse"
+           : help             ? "Help"
+           : saving           ? "Save"
+           : recording        ? "Record"
+           : start || empty   ? "Start"
+                              : "";
+}
+
+void PanelState::askWhere(const std::string& what, const std::string& suggested, PathChosen chosen) {
+    if (host.browses || !host.saveDialog) return browse(what, suggested, std::move(chosen));
+    host.saveDialog(what, suggested, std::move(chosen));
 }
 
 void PanelState::setBrightness(Panel::Brightness to) {
@@ -120,7 +142,8 @@ Panel::Panel(double pixelsPerPoint, PanelHost host, PanelHand hand) {
     io.IniFilename = nullptr;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    io.KeyRepeatDelay = FLT_MAX;  // the system repeats keys
+    io.KeyRepeatDelay = FLT_MAX;            // the system repeats keys
+    io.ConfigInputTextCursorBlink = false;  // a window at rest draws nothing
     state_ = std::make_unique<PanelState>(std::move(host), pixelsPerPoint, hand == PanelHand::fingers);
     input_ = std::make_unique<PanelInput>(context_, *state_);
     addPanelFont(state_->ui.px(1));
@@ -153,11 +176,16 @@ OverlayGlyphs Panel::glyphs() const {
 bool Panel::glyphsChanged() const { return state_->glyphsChanged; }
 void Panel::setInsets(const Insets& insets) { state_->insets = insets, state_->restless = 2; }
 void Panel::togglePanel() { state_->toggle(); }
-void Panel::toggleHelp() { state_->help = !state_->help, state_->restless = 2; }
-void Panel::showStart() { state_->start = true, state_->restless = 2; }
-void Panel::showSave() { state_->saving = true, state_->restless = 2; }
+void Panel::toggleHelp() { state_->help = !state_->help, state_->opened(); }
+void Panel::showStart() { state_->start = true, state_->opened(); }
+void Panel::showPalette() { state_->palette = {}, state_->palette.open = true, state_->opened(); }
+void Panel::showSave() { state_->saving = true, state_->opened(); }
 void Panel::setSavePath(const std::string& path) { state_->setSavePath(path); }
-void Panel::showRecord() { state_->recording = static_cast<bool>(state_->host.record), state_->restless = 2; }
+void Panel::showRecord() { state_->recording = static_cast<bool>(state_->host.record), state_->opened(); }
+void Panel::askToOpen(const std::vector<std::string>& paths) { state_->dropped = paths, state_->opened(); }
+void Panel::askWhere(const std::string& title, const std::string& suggested, PathChosen chosen) {
+    state_->askWhere(title, suggested, std::move(chosen));
+}
 void Panel::showPage(std::string_view label) { state_->page = label, state_->restless = 2; }
 bool Panel::opensTogether() const { return state_->start && state_->together; }
 void Panel::keepView(const Viewer& viewer) { app::keepView(*state_, viewer); }
@@ -168,7 +196,7 @@ bool Panel::asksToQuit() const { return state_->quitting; }
 void Panel::askToQuit(const std::string& unsaved) {
     state_->quitting = true;
     state_->unsaved = unsaved;
-    state_->restless = 2;
+    state_->opened();
 }
 
 bool Panel::helpOpen() const { return state_->help; }
@@ -182,6 +210,8 @@ void Panel::setBrightness(Brightness brightness) {
     state_->setBrightness(brightness);
 }
 
+Panel::Brightness Panel::brightness() const { return state_->brightness; }
+
 const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     const Turn turn(context_);
     PanelState& s = *state_;
@@ -192,8 +222,17 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     input_->beginFrame(io.DeltaTime);
     s.window = {s.insets.left, s.insets.top, std::max(io.DisplaySize.x - s.insets.right, s.insets.left + 1),
                 std::max(io.DisplaySize.y - s.insets.bottom, s.insets.top + 1)};
-    const bool empty = !viewer.document() && !viewer.reading().loader().busy() && !viewer.reading().question();
-    const bool over = empty || s.over();
+    if (const auto at = viewer.picking().takeAsked()) {
+        s.context = ImVec2(static_cast<float>(at->x * s.pixelsPerPoint), static_cast<float>(at->y * s.pixelsPerPoint));
+        s.opened();
+    }
+    s.asks = viewer.reading().question() != nullptr;
+    s.empty = !viewer.document() && !viewer.reading().loader().busy() && !s.asks;
+    const bool empty = s.empty, over = s.over() && !s.asks && !s.context;
+    if (std::string top = s.topCard(); s.focusedCard != top) {
+        s.focusedCard = std::move(top);
+        if (over) s.opened();
+    }
     placePanel(s);
     // A phone has no room for panel and help at once.
     const bool open = panelOpen() && !empty && !(over && s.ui.forFingers());
@@ -216,21 +255,26 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     if (!over) drawPlayBar(f);
     if (empty || s.start) drawStart(f);
     if (s.saving && viewer.document()) drawSave(f);
-    if (s.browser.open) drawBrowse(f);
     if (s.recording && viewer.document()) drawRecord(f);
     if (s.help) drawHelp(f);
+    if (s.browser.open) drawBrowse(f);
     if (s.quitting) drawQuit(f);
+    if (s.palette.open) drawPalette(f);
+    if (s.context) drawContext(f);
+    if (!s.dropped.empty()) drawDropped(f);
     drawRecording(f);
     previewMovie(f);
     drawReading(f);
     if (!viewer.messages().failure().empty() && !(empty || s.start)) drawFailure(f);
     if (viewer.reading().question()) drawQuestion(f);
     s.scroll = 0;
+    if (s.opening > 0) --s.opening;
     s.ui.typed.reset();  // its field vanished before taking it
     drawWords(f);
     drawAnnotations(f);
     ImGui::Render();
-    if (ImGui::IsAnyItemActive()) s.restless = std::max(s.restless, 1);
+    // A field that has the focus waits for keys, which ask for frames.
+    if (ImGui::IsAnyItemActive() && !io.WantTextInput) s.restless = std::max(s.restless, 1);
     if (!ImGui::IsAnyItemActive()) s.editing = false;
     input_->endFrame();
     collect(overlay_);

@@ -36,14 +36,17 @@ struct PictureWish {
     int dpi = 0;  ///< stored in the file; 0: none
 };
 
+using PathChosen = std::function<void(const std::string& path)>;
+
 /// Functions of the shell for its panel. Empty ones are not offered.
 struct PanelHost {
-    std::function<void(ViewerCommand)> run;                  ///< runs a command that the user clicked
-    std::function<void()> openDialog;                        ///< opens the system's dialog, and then the chosen file
-    std::function<void(const std::string&)> saveDialog;      ///< opens the save dialog at a path; calls setSavePath()
-    bool browses = false;                                    ///< no system dialogs: the panel shows its own
-    std::function<void(const std::string&)> open;            ///< opens an input; empty: the viewer's open()
-    std::function<void(const std::string&)> add;             ///< adds it to what is open
+    std::function<void(ViewerCommand)> run;  ///< runs a command that the user clicked
+    std::function<void()> openDialog;        ///< opens the system's dialog, and then the chosen file
+    /// Opens the system's dialog for a file to write. `chosen` is called later, not if the user cancels.
+    std::function<void(const std::string& title, const std::string& suggested, PathChosen chosen)> saveDialog;
+    bool browses = false;  ///< no system dialogs: the panel shows its own
+    /// Opens inputs, or adds them to what is open; empty: Viewer::open()
+    std::function<void(const std::vector<std::string>& inputs, bool beside)> open;
     std::function<const std::vector<RecentFile>&()> recent;  ///< the latest first
     std::string lastView;                                    ///< last session, for the start screen; empty: none
     std::function<void()> goOn;                              ///< restores it
@@ -55,8 +58,9 @@ struct PanelHost {
     std::function<void(const RecordingWish&, const std::vector<PictureDescription>&)> record;
     std::function<RecordingState()> recording;
     std::function<void()> stopRecording;
-    std::function<void()> quit;  ///< without asking
-    bool videos = false;         ///< the encoder of .mp4 and .webm is available
+    std::function<void()> quit;         ///< without asking
+    std::function<void()> saveAndQuit;  ///< asks where the view is saved, then quits
+    bool videos = false;                ///< the encoder of .mp4 and .webm is available
     std::function<const char*()> clipboard;
     std::function<void(const char*)> setClipboard;
     /// Shows the system's keyboard for a field; typed() gets the result. For touch.
@@ -92,11 +96,16 @@ public:
     void toggleHelp();
     void showStart();
     void showSave();
+    void showPalette();
     void showRecord();
     /// Sets the path for a picture from a dialog; its ending decides the format.
     void setSavePath(const std::string& path);
-    /// Whether files from a dialog or a drop are added to what is open.
+    /// Whether files from a dialog are added to what is open.
     bool opensTogether() const;
+    /// Asks whether dropped files replace what is open.
+    void askToOpen(const std::vector<std::string>& paths);
+    /// Asks where a file is written. @param suggested  a whole path @param chosen  not called if the user cancels
+    void askWhere(const std::string& title, const std::string& suggested, PathChosen chosen);
     /// Adds the current view as a keyframe of a movie; drops keyframes of other molecules.
     void keepView(const Viewer& viewer);
     std::size_t keptViews() const;
@@ -122,6 +131,7 @@ public:
     void showPage(std::string_view label);
     enum class Brightness { system, dark, light };
     void setBrightness(Brightness brightness);
+    Brightness brightness() const;
 
 private:
     ImGuiContext* context_ = nullptr;

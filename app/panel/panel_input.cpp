@@ -127,17 +127,14 @@ void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
     await(key == SpecialKey::tab || key == SpecialKey::enter || key == SpecialKey::escape);
     if (key == SpecialKey::tab && !popup) {
         // Focuses the panel, then its next control. A card keeps the focus.
-        const char* card = s_.browser.open ? "Browse"
-                           : s_.help       ? "Help"
-                           : s_.saving     ? "Save"
-                           : s_.recording  ? "Record"
-                           : s_.quitting   ? "Quit"
-                           : s_.start      ? "Start"
-                                           : "";
-        const auto next = down ? nextStop(s_.ui.controls, with.shift, card) : std::nullopt;
+        const auto next = down ? nextStop(s_.ui.controls, with.shift, s_.topCard()) : std::nullopt;
         if (!next) return;
         s_.keyboard = true;
         s_.ui.focusNext = {*next, s_.ui.controls[*next].name};
+        return;
+    }
+    if (s_.palette.open && (key == SpecialKey::up || key == SpecialKey::down)) {
+        if (down) s_.palette.chosen += key == SpecialKey::up ? -1 : 1;
         return;
     }
     if (key == SpecialKey::escape && down && !popup && !io.WantTextInput) s_.keyboard = false;
@@ -165,6 +162,31 @@ void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
     hold(key, down && !held);
 }
 
+/// Whether Escape leaves a dialog, and not a list that is open in it.
+bool PanelInput::escapes() const {
+    const Turn turn(context_);
+    return s_.over() && !popupOpen();
+}
+
+std::optional<ViewerCommand> PanelInput::press(SpecialKey special, bool down, Modifiers with) {
+    const bool owned = ownsKeys(), leaves = special == SpecialKey::escape && escapes();
+    if (!leaves && (owned || !down || special == SpecialKey::tab)) key(special, down, with);
+    if (!down || (owned && !leaves)) return std::nullopt;
+    return commandOf({keyOf(special), with});
+}
+
+std::optional<ViewerCommand> PanelInput::type(char32_t c) {
+    if (ownsKeys()) return character(c), std::nullopt;
+    const bool capital = c >= U'A' && c <= U'Z';
+    return commandOf({capital ? c - U'A' + U'a' : c, {capital, false}});
+}
+
+std::optional<ViewerCommand> PanelInput::press(const KeyEvent& event) {
+    if (ownsKeys() && shortcut(event.key)) return std::nullopt;
+    const std::optional<ViewerCommand> command = commandOf(event);
+    return s_.over() && command != ViewerCommand::quit ? std::nullopt : command;
+}
+
 bool PanelInput::ownsPointer() const {
     const Turn turn(context_);
     const ImVec2 at = ImGui::GetIO().MousePos;
@@ -173,7 +195,11 @@ bool PanelInput::ownsPointer() const {
 
 bool PanelInput::ownsKeys() const {
     const Turn turn(context_);
-    return ImGui::GetIO().WantTextInput || s_.keyboard || popupOpen();
+    return ImGui::GetIO().WantTextInput || s_.keyboard || popupOpen() || s_.over();
+}
+
+bool PanelInput::answered(bool focus) const {
+    return frames_ >= (focus && focusMoves_ ? 2 : 1) && (!focus || s_.opening == 0);
 }
 
 bool PanelInput::touch(const TouchEvent& event) {

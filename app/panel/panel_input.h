@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "app/viewer/events.h"
+#include "app/viewer/commands.h"
 #include "engine/results.h"
 
 struct ImGuiContext;
@@ -34,11 +34,17 @@ public:
     bool shortcut(char32_t letter);
     /// Text typed on the system's keyboard for the field of this name.
     void typed(const std::string& name, const std::string& text);
+    /// A key for what has the keys: a dialog that is open, a field, a control; else the picture.
+    /// @returns its command, if it is the picture's: for the shell to run
+    std::optional<ViewerCommand> press(SpecialKey key, bool down, Modifiers with = {});
+    /// As above for a character, and for a letter with Ctrl.
+    std::optional<ViewerCommand> type(char32_t c);
+    std::optional<ViewerCommand> press(const KeyEvent& shortcut);
     /// Whether the pointer or the keys belong to the panel, not the molecule.
     bool ownsPointer() const;
     bool ownsKeys() const;
     /// Whether frames show the effect of all clicks and keys. @param focus  also of the keyboard focus
-    bool answered(bool focus) const { return frames_ >= (focus && focusMoves_ ? 2 : 1); }
+    bool answered(bool focus) const;
     /// A finger, in points. @returns whether it belongs to the panel; that stays until it is lifted
     bool touch(const TouchEvent& event);
     /// Drops the finger, for example after a pause.
@@ -55,6 +61,7 @@ private:
         bool scrolls;
         bool holds;  ///< the widget follows it, like a held mouse button
     };
+    bool escapes() const;
     void await(bool focusMoves);
     void hold(SpecialKey key, bool down);
     void pressButtons();

@@ -37,7 +37,10 @@ struct Browser {
         std::string name;
         bool folder;
     };
-    bool open = false, saving = false;
+    bool open = false;
+    std::string title;
+    PathChosen chosen;  ///< of a file to write; empty: one is opened
+    bool saving() const { return static_cast<bool>(chosen); }
     std::string folder, typed;
     bool listed = false;  ///< the entries are up to date
     std::vector<Entry> entries;
@@ -56,6 +59,13 @@ struct SequenceState {
     bool extends = false;                            ///< extends the selection
     std::vector<std::uint32_t> colors;               ///< by residue of the molecule
     std::pair<RepresentationOptions, bool> colored;  ///< settings of these colours
+};
+
+/// Commands and options, found by words (palette.cpp).
+struct CommandPalette {
+    bool open = false;
+    std::string sought;
+    int chosen = 0;  ///< of the rows that are found
 };
 
 /// An image to save.
@@ -103,11 +113,23 @@ struct PanelState {
     Panel::Brightness brightness = Panel::Brightness::system;
     bool help = false, licences = false, start = false, saving = false, recording = false, developers = false;
     bool quitting = false;
+    bool empty = false;                ///< nothing is open: the start screen stays
+    bool asks = false;                 ///< the viewer has a question
+    std::vector<std::string> dropped;  ///< files that replace what is open or join it, as the user decides
     Browser browser;
-    bool over() const { return help || saving || recording || start || quitting || browser.open; }
-    /// @param suggested  a file, whose folder is shown; empty: the current folder
-    /// @param toSave  to save an image there; else to open a file
-    void browse(const std::string& suggested, bool toSave);
+    CommandPalette palette;
+    std::optional<ImVec2> context;  ///< pixels: where the menu of a right click is
+    bool over() const { return *topCard() != 0; }
+    /// The card that has the keys: the window's name; "" for none.
+    const char* topCard() const;
+    int opening = 0;          ///< frames until the top card's field has the focus
+    std::string focusedCard;  ///< the top card of the last frame
+    /// A card was opened: keys wait until it has the focus.
+    void opened() { opening = 4, restless = 5; }
+    /// @param what  title of the card  @param suggested  a file, whose folder is shown; empty: the current folder
+    /// @param chosen  receives the path of a file to write; empty: a file is opened
+    void browse(const std::string& what, const std::string& suggested, PathChosen chosen);
+    void askWhere(const std::string& what, const std::string& suggested, PathChosen chosen);
     void setSavePath(const std::string& path);
     bool closeTop();
     void toggle();
@@ -150,6 +172,9 @@ struct PanelState {
     std::shared_ptr<const Molecule> molecule;
     std::optional<ResidueFacts> facts;  ///< once there is a molecule
     std::vector<Part> parts;
+    std::vector<std::optional<std::uint32_t>> partColors;  ///< by part: as drawn; empty: several
+    std::uint64_t colorsOf = 0;                            ///< number of the scene that has them
+    std::vector<std::string> fits;                         ///< by structure: how it lies on the first
     std::vector<std::string> reading;  ///< sentences about the molecule: what was read, guessed and left out
     SequenceState sequence;
     int rule = -1;             ///< rule being edited
@@ -168,13 +193,16 @@ struct PanelFrame {
     const PanelHost& host;
     Viewer& viewer;
     double now;
-    PictureDescription look{};  ///< the viewer's, modified by pages
+    PictureDescription look{}, before{};  ///< the viewer's: modified by pages, and as it was
 };
 
 // Layout around the pages (chrome.cpp)
 // The displayed name of an input: a file's without its folder.
 std::string shortName(const std::string& input);
 void drawMenuButton(PanelFrame& f);
+/// Begins a change of PanelFrame::look; takeLook() hands it to the viewer, with what else was asked for.
+void beginLook(PanelFrame& f);
+void takeLook(PanelFrame& f);
 void drawPanel(PanelFrame& f);
 // Pages
 void drawLookPage(PanelFrame& f);
@@ -183,6 +211,9 @@ void drawMaps(PanelFrame& f);
 void drawPartsPage(PanelFrame& f);
 void drawSequence(PanelFrame& f, const Part& part);
 void drawSelectPage(PanelFrame& f);
+std::string selectedText(std::size_t atoms);
+/// What can be done with selected atoms.
+void drawSelectionActions(PanelFrame& f, const std::string& selection);
 void drawRules(PanelFrame& f);
 /// Actions for interactions and pockets of a selection, and the interactions found (contacts.cpp).
 void drawContactActions(PanelFrame& f, const std::string& selection);
@@ -196,12 +227,19 @@ void drawAnnotations(PanelFrame& f);
 // Cards over everything else
 void drawStart(PanelFrame& f);
 void drawBrowse(PanelFrame& f);
+/// Gives the keyboard to the next field of a card that was opened.
+void focusField(PanelFrame& f);
+/// As above for the last button.
+void focusButton(PanelFrame& f);
 /// Opens or adds the input chosen on the start screen.
 void openInput(PanelFrame& f, const std::string& input);
 void drawSave(PanelFrame& f);
 void drawRecord(PanelFrame& f);
 void drawHelp(PanelFrame& f);
 void drawQuit(PanelFrame& f);
+void drawDropped(PanelFrame& f);
+void drawPalette(PanelFrame& f);
+void drawContext(PanelFrame& f);
 void drawRecording(PanelFrame& f);
 /// Flies through the keyframes with the movie's timing, then returns to the movie page.
 void previewMovie(PanelFrame& f);

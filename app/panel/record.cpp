@@ -96,12 +96,14 @@ void drawRecord(PanelFrame& f) {
     if (video && !f.host.videos) f.ui.caption("MP4 and WebM need the program ffmpeg, which is not installed.");
     if (f.s.movie.format > 0) f.ui.toggle("Transparent background", f.s.movie.transparent);
     f.ui.heading("Save as");
-    f.ui.field("Movie path", "movie.mp4", f.s.movie.path);
+    focusField(f);
+    const bool entered =
+        f.ui.field("Movie path", "movie.mp4", f.s.movie.path, -1, ImGuiInputTextFlags_EnterReturnsTrue);
     f.ui.folderOf(f.s.movie.path.c_str());
     ImGui::Spacing();
     const bool can = !f.s.movie.path.empty() && (!views || f.s.movie.keys.size() > 1) && (!video || f.host.videos);
     ImGui::BeginDisabled(!can);
-    if (f.ui.button(Icon::record, "Record", 0, true)) {
+    if (f.ui.button(Icon::record, "Record", 0, true) || (entered && can)) {
         const PixelSize sizes[] = {even(f.viewer.frames().size()), {1920, 1080}, {1280, 720}, {1080, 1080}};
         RecordingWish wish;
         wish.motion = static_cast<RecordingWish::Motion>(f.s.movie.motion);

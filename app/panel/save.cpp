@@ -70,18 +70,21 @@ void drawSave(PanelFrame& f) {
     const bool dialog = f.host.saveDialog || f.host.browses;
     const float choose = dialog ? f.ui.buttonWidth("Choose ...") + f.ui.px(2) : 0;
     const float gap = dialog ? ImGui::GetStyle().ItemSpacing.x : 0;
-    f.ui.field("Path", "picture.png", f.s.save.path, ImGui::GetContentRegionAvail().x - choose - gap);
+    focusField(f);
+    const bool entered =
+        f.ui.field("Path", "picture.png", f.s.save.path, ImGui::GetContentRegionAvail().x - choose - gap,
+                   ImGuiInputTextFlags_EnterReturnsTrue);
     if (dialog) {
         ImGui::SameLine();
         if (f.ui.button(Icon::none, "Choose ...", choose))
-            f.host.browses ? f.s.browse(f.s.save.path, true) : f.host.saveDialog(f.s.save.path);
+            f.s.askWhere("Save image", f.s.save.path, [&s = f.s](const std::string& path) { s.setSavePath(path); });
     }
     f.ui.folderOf(f.s.save.path.c_str());
     ImGui::Spacing();
     wish.transparent = f.s.save.transparent && f.s.save.format != kJpeg;
     wish.path = f.s.save.path;
     if (f.s.save.preset == kPaper) wish.dpi = f.s.save.dpi;
-    if (f.ui.button(Icon::save, "Save", 0, true) && !wish.path.empty()) {
+    if ((f.ui.button(Icon::save, "Save", 0, true) || entered) && !wish.path.empty()) {
         f.s.saving = false;
         f.host.savePicture(wish);
         f.s.restless = 3;

@@ -66,6 +66,7 @@ void drawInput(PanelFrame& f) {
     const char* hint = !f.host.downloads ? "/home/me/1bna.pdb"
                        : narrow          ? "pdb:1BNA"
                                          : "pdb:1BNA, pubchem:aspirin, afdb:P69905";
+    focusField(f);
     const bool entered =
         f.ui.field("ID or path", hint, f.s.input, narrow ? -1 : beside, ImGuiInputTextFlags_EnterReturnsTrue);
     if (!narrow) ImGui::SameLine();
@@ -80,12 +81,7 @@ void drawInput(PanelFrame& f) {
 void openInput(PanelFrame& f, const std::string& input) {
     if (input.empty()) return;
     const bool beside = std::exchange(f.s.start, false) && f.s.together;
-    if (beside)
-        f.host.add(input);
-    else if (f.host.open)
-        f.host.open(input);
-    else
-        f.viewer.reading().open(input, f.now);
+    f.host.open ? f.host.open({input}, beside) : f.viewer.open({input}, beside, f.now);
 }
 
 void drawStart(PanelFrame& f) {
@@ -99,10 +95,10 @@ void drawStart(PanelFrame& f) {
         ImGui::Spacing();
     }
     if (empty) f.s.together = false;
-    if (f.host.add && !empty) f.ui.toggle("Add to current scene", f.s.together);
+    if (f.host.open && !empty) f.ui.toggle("Add to current scene", f.s.together);
     const bool dialog = f.host.openDialog || f.host.browses;
     if (dialog && f.ui.button(Icon::open, "Open a file ...", 0, true))
-        f.host.browses ? f.s.browse("", false) : f.host.openDialog();
+        f.host.browses ? f.s.browse("Open a file", "", nullptr) : f.host.openDialog();
     if (f.host.goOn && empty) {
         const std::string words = "Continue with " + f.host.lastView;
         const float wide = f.ui.buttonWidth(words.c_str()) + f.ui.px(23);

@@ -9,10 +9,8 @@
 #include <utility>
 
 namespace nacre::app {
-namespace {
-
-/// Gives the keyboard's focus to the item that was drawn last, and scrolls to it.
-void focusLastItem() {
+/// A field that was typed into lets go.
+void Widgets::focusLast() {
     ImGuiContext& g = *ImGui::GetCurrentContext();
     if (g.LastItemData.ID == 0) return;
     ImGui::ClearActiveID();  // a field that was typed into
@@ -27,8 +25,6 @@ void focusLastItem() {
     ImGui::ScrollToItem();
 }
 
-}  // namespace
-
 std::string shortened(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     std::vector<std::size_t> starts;  // of characters
@@ -38,6 +34,16 @@ std::string shortened(const std::string& text, float width) {
         const std::size_t head = (kept + 1) / 2, tail = kept / 2;
         std::string tried = text.substr(0, starts[std::min(head, starts.size() - 1)]) + "…" +
                             text.substr(starts[starts.size() - std::max<std::size_t>(tail, 1)]);
+        if (ImGui::CalcTextSize(tried.c_str()).x <= width) return tried;
+    }
+    return "…";
+}
+
+std::string cutAtEnd(const std::string& text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    for (std::size_t kept = text.size(); kept > 0; --kept) {
+        if ((static_cast<unsigned char>(text[kept]) & 0xc0) == 0x80) continue;  // within a character
+        const std::string tried = text.substr(0, text.find_last_not_of(' ', kept - 1) + 1) + "…";
         if (ImGui::CalcTextSize(tried.c_str()).x <= width) return tried;
     }
     return "…";
@@ -59,7 +65,7 @@ void Widgets::note(const char* role, const std::string& name, const std::string&
     c.window = window;
     controls.push_back(std::move(c));
     if (!focusNext || focusNext->first + 1 != controls.size()) return;
-    if (focusNext->second == name) focusLastItem();
+    if (focusNext->second == name) focusLast();
     focusNext.reset();
 }
 
@@ -113,16 +119,17 @@ bool Widgets::button(Icon icon, const char* label, float width, bool primary, bo
     return pressed;
 }
 
-bool Widgets::row(Icon icon, const std::string& label, float width, bool faint) {
+bool Widgets::row(Icon icon, const std::string& label, float width, bool faint, const std::string& text) {
     const float height = rowHeight(), side = px(15), gap = px(6);
     const float wide = width < 0 ? ImGui::GetContentRegionAvail().x : width;
     const auto [pressed, low, ink] = press("##row", label.c_str(), ImVec2(wide, height), Face::clear);
     const ImU32 color = faint ? ImGui::GetColorU32(theme_->faint) : ink;
     drawIcon(*ImGui::GetWindowDrawList(), icon, ImVec2(low.x + px(2) + side / 2, low.y + height / 2), side, color);
-    const std::string whole = visualText(label), shown = shortened(whole, wide - side - gap - px(4));
+    const std::string whole = visualText(text.empty() ? label : text);
+    const std::string shown = cutAtEnd(whole, wide - side - gap - px(4));
     write(ImVec2(low.x + px(2) + side + gap, low.y + (height - ImGui::GetFontSize()) / 2), color, shown);
     note("button", label);
-    if (shown != whole) explain(whole);
+    if (shown != whole || !text.empty()) explain(label);
     return pressed;
 }
 

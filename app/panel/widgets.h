@@ -40,7 +40,8 @@ public:
         return button(icon, label);
     }
     /// One line of a list: icon and text from the left, truncated if needed. @param width  as for button()
-    bool row(Icon icon, const std::string& label, float width, bool faint = false);
+    /// @param shown  in place of the label, if not empty
+    bool row(Icon icon, const std::string& label, float width, bool faint = false, const std::string& shown = {});
     /// An icon above a word, in a toolbar or as a tab. @param value  its state: "on", "selected"
     bool tool(Icon icon, const char* label, ImVec2 size, bool on = false, bool enabled = true,
               const char* role = "button");
@@ -111,6 +112,8 @@ public:
     std::function<void(const std::string& name, const std::string& text)> askText;
     std::optional<std::pair<std::string, std::string>> typed;
 
+    /// Gives the keyboard's focus to the last item.
+    static void focusLast();
     /// Focus ring around the last item, if it is custom-drawn and focused by keys.
     void ringFocus() const;
     /// Tooltip of that item.
@@ -144,5 +147,7 @@ private:
 
 /// A text, shortened in its middle to a width in pixels of the current font.
 std::string shortened(const std::string& text, float width);
+/// As above at its end.
+std::string cutAtEnd(const std::string& text, float width);
 
 }  // namespace nacre::app

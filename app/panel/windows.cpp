@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/panel/panel_state.h"
+#include "engine/molecule/text.h"
 
 namespace nacre::app {
 namespace {
@@ -29,14 +30,14 @@ void drawScrim(PanelFrame& f, const char* below) {
     ImGui::PopStyleVar(2);
 }
 
-/// Advice about an error, one sentence, chosen by its text.
+/// What to do about an error, where it does not say so itself; may be empty.
 std::string adviceFor(const std::string& error) {
     const auto says = [&](std::initializer_list<const char*> words) {
-        for (const char* word : words)
-            if (error.find(word) != std::string::npos) return true;
-        return false;
+        return std::any_of(words.begin(), words.end(),
+                           [&](const char* word) { return error.find(word) != std::string::npos; });
     };
-    if (says({"resolve", "connect", "timed out", "timeout", "network", "certificate"}))
+    if (says({"check your connection", "did you mean", "open one first", "open its structure first"})) return {};
+    if (says({"resolve", "timed out", "timeout", "network", "certificate"}))
         return "Check that this computer is online, then try again.";
     if (says({"no such file", "No such file", "does not exist"}))
         return "Check the name, or whether the file was moved or renamed.";
@@ -44,10 +45,10 @@ std::string adviceFor(const std::string& error) {
         return "Check the identifier: a PDB ID has four characters, such as 1BNA.";
     if (says({"ermission"})) return "Ask the owner of the file or folder, or choose another one.";
     if (says({"memory"})) return "Close other programs, or show less of the molecule.";
-    if (says({"cannot read molecule", "cannot read"}))
+    if (says({"cannot read molecule"}))
         return "The file may be damaged, or not a structure file: PDB, mmCIF, BinaryCIF, SDF, MOL2, XYZ and others are "
                "read.";
-    return "Everything else is unchanged.";
+    return {};
 }
 
 }  // namespace
@@ -99,6 +100,14 @@ bool beginCard(PanelFrame& f, const char* name, const char* title, float points,
     return closed;
 }
 
+void focusField(PanelFrame& f) {
+    if (f.s.opening > 1 && !f.ui.forFingers() && f.ui.window == f.s.topCard()) ImGui::SetKeyboardFocusHere();
+}
+
+void focusButton(PanelFrame& f) {
+    if (f.s.opening > 1 && !f.ui.forFingers() && f.ui.window == f.s.topCard()) f.ui.focusLast();
+}
+
 void beginProgress(PanelFrame& f, const char* name) {
     const Rectangle room = f.s.freeRoom();
     beginGrown(f, name, ImVec2(room.middle().x, room.top + f.ui.px(16)), ImVec2(0.5f, 0),
@@ -120,10 +129,18 @@ void drawReading(PanelFrame& f) {
 
 void tellFailure(PanelFrame& f) {
     Messages& messages = f.viewer.messages();
-    f.ui.warning("An error occurred");
-    f.ui.paragraph(messages.failure());
-    f.ui.caption(adviceFor(messages.failure()));
-    if (f.ui.button(Icon::none, "Close")) messages.dismissFailure();
+    const bool reading = f.viewer.reading().failed();
+    // "cannot read molecule: a.pdb: it is empty": what, then where and why.
+    std::string what = messages.failure();
+    const std::size_t colon = what.find(": ");
+    const std::string why = colon == std::string::npos ? "" : what.substr(colon + 2);
+    what = upperCase(what.substr(0, 1)) + what.substr(1, colon == std::string::npos ? colon : colon - 1);
+    f.ui.warning(what);
+    if (!why.empty()) f.ui.paragraph(why);
+    if (const std::string advice = adviceFor(messages.failure()); !advice.empty()) f.ui.caption(advice);
+    const bool again = reading && f.ui.button(Icon::none, "Try again");
+    if (f.ui.word("Close", reading)) messages.dismissFailure();
+    if (again) f.viewer.reading().again();
 }
 
 /// As above in a card of its own, until it is dismissed.
@@ -153,6 +170,7 @@ void drawQuestion(PanelFrame& f) {
     ImGui::Spacing();
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
     const bool yes = f.ui.button(Icon::none, question.yes().c_str(), half, true);
+    focusButton(f);
     ImGui::SameLine();
     const bool no = f.ui.button(Icon::none, "Cancel", half);
     endGrown(f);
@@ -161,24 +179,45 @@ void drawQuestion(PanelFrame& f) {
     f.s.restless = 2;
 }
 
+/// The first button loses nothing, and has the focus.
 void drawQuit(PanelFrame& f) {
     constexpr float kQuitPoints = 400;
+    const bool records = f.host.recording && f.host.recording().running;
+    const bool saves = !records && f.viewer.hasUnsavedWork() && f.host.saveAndQuit;
+    const char* stay = records ? "Keep recording" : "Cancel";
+    const char* quit = records ? "Keep finished frames and quit" : "Quit";
     bool done = beginCard(f, "Quit", "Quit Nacre?", kQuitPoints);
     f.ui.paragraph(f.s.unsaved);
     ImGui::Spacing();
-    const bool saves = f.viewer.hasUnsavedWork();
-    const bool first = saves && f.ui.button(Icon::save, "Save view and quit", 0, true);
-    if (saves) f.ui.wrapLine(f.ui.buttonWidth("Quit"));
-    const bool quits = f.ui.button(Icon::none, "Quit", 0, !saves);
-    f.ui.wrapLine(f.ui.buttonWidth("Cancel"));
-    done |= f.ui.button(Icon::none, "Cancel") || first || quits;
+    const bool first = f.ui.button(saves ? Icon::save : Icon::none, saves ? "Save view and quit" : stay, 0, true);
+    focusButton(f);
+    const bool quits = f.ui.word(quit);
+    done |= (saves && f.ui.word(stay)) || first || quits;
     endGrown(f);
-    if (first) f.host.run(ViewerCommand::saveView);
-    // A view that could not be saved is a reason to stay.
-    if (quits || (first && f.viewer.messages().failure().empty())) f.host.quit();
     if (!done) return;
     f.s.quitting = false;
     f.s.restless = 2;
+    if (quits) f.host.quit();
+    if (first && saves) f.host.saveAndQuit();
+}
+
+void drawDropped(PanelFrame& f) {
+    constexpr float kDroppedPoints = 400;
+    const std::vector<std::string> paths = f.s.dropped;
+    const std::string title =
+        "Open " + (paths.size() == 1 ? shortName(paths.front()) : std::to_string(paths.size()) + " files");
+    bool done = beginCard(f, "Dropped", title.c_str(), kDroppedPoints);
+    f.ui.paragraph("Replace the current scene, or add to it?");
+    ImGui::Spacing();
+    const bool replaces = f.ui.button(Icon::open, "Replace", 0, true);
+    focusButton(f);
+    const bool adds = f.ui.word("Add");
+    done |= f.ui.word("Cancel") || replaces || adds;
+    endGrown(f);
+    if (!done) return;
+    f.s.dropped.clear();
+    f.s.restless = 2;
+    if (replaces || adds) f.host.open(paths, adds);
 }
 
 }  // namespace nacre::app

@@ -39,10 +39,11 @@ std::string printInputs(const P& d) {
 std::vector<Option> positional() {
     std::vector<Option> rows{
         {.key = "input",
-         .help = "A structure file (" + formatTitles() +
-                 ";\neach also compressed), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a "
-                 "download:\npdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT. Several form one picture: NAME=INPUT names one "
-                 "for\nselections, /NAME; without a name the file's name is used. A saved view is drawn as --view draws it",
+         .help =
+             "A structure file (" + formatTitles() +
+             ";\neach also compressed), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a "
+             "download:\npdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT. Several form one picture: NAME=INPUT names one "
+             "for\nselections, /NAME; without a name the file's name is used. A saved view is drawn as --view draws it",
          .parse = [](T text, P& d) { addInput(d.input, std::string(text)); },
          .print = printInputs,
          .kind = list,
@@ -299,6 +300,8 @@ std::vector<Option> moving() {
 
 }  // namespace
 
-std::vector<Option> inputRows() { return joined({positional(), severalAtOnce(), named(), cache(), reading(), moving()}); }
+std::vector<Option> inputRows() {
+    return joined({positional(), severalAtOnce(), named(), cache(), reading(), moving()});
+}
 
 }  // namespace nacre::app

@@ -122,7 +122,7 @@ std::vector<Option> colors() {
                           {"By chain, atoms by element", "chain-carbons",
                            "Carbon has the colour of its chain, other elements their own: oxygen red, nitrogen blue.",
                            "Carbons by chain"},
-                          {"By input", "input", "Each input has its own colour.", "Molecule"},
+                          {"By structure", "input", "Each structure has its own colour.", "Structure"},
                           {"By copy of the assembly", "copy", "Each copy of the assembly has its own colour.", "Copy"},
                           {"By copy, chains shaded", "copy-chain",
                            "Each copy of the assembly has its own colour, and each of its chains a shade of it.",

@@ -71,6 +71,9 @@ constexpr Binding kBindings[] = {
     {C::redo, control(U'y'), "Ctrl Y", "Redo"},
     {C::captureFrame, key(SpecialKey::f12), "F12", "Capture a frame for RenderDoc", false},
     {C::panel, key(U'm'), "M", "Show or hide the panel"},
+    {C::fullScreen, key(SpecialKey::f11), "F11", "Full screen, or back"},
+    {C::palette, control(U'k'), "Ctrl K", "Find a command or option"},
+    {C::palette, key(U'/'), "/", "Find a command or option"},
     {C::help, key(U'?'), "?", "This help"},
     {C::quit, control(U'q'), "Ctrl Q", "Quit"},
 };
@@ -82,6 +85,7 @@ constexpr PointerBinding kPointer[] = {
     {"Ctrl wheel", nullptr, "Contour level of the first density map"},
     {"Ctrl drag", "twist", "Roll"},
     {"click", "tap, long press", "Identify an atom and select its residue, or measure"},
+    {"right click", nullptr, "Actions for a residue, its chain, or the picture"},
     {"double click", "double tap", "Zoom to a residue; off the molecule, to all of it"},
     {nullptr, "three fingers", "To the left: undo; to the right: redo"},
 };

@@ -66,6 +66,8 @@ enum class ViewerCommand {
     record,
     captureFrame,
     panel,
+    fullScreen,
+    palette,
     help,
     quit,
 };

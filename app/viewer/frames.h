@@ -44,7 +44,7 @@ struct ViewerOptions {
 
 /// Atoms that are told apart by colour in the window, not in files: by atom, from 0.
 struct Highlights {
-    std::vector<bool> selected;                  ///< may be shorter than the molecule
+    std::vector<bool> selected;                   ///< may be shorter than the molecule
     std::uint32_t firstHovered = 0, hovered = 0;  ///< a run of atoms: those that a click would select
     bool any() const { return hovered > 0 || !selected.empty(); }
     friend bool operator==(const Highlights&, const Highlights&) = default;
@@ -157,9 +157,9 @@ private:
     double occlusion_ = 1;
     WindowFrame frame_;  // the last one
     bool drew_ = false, lost_ = false, tellsScale_ = false;
-    bool sceneThere_ = true;       // the document's scene is on the screen
+    bool sceneThere_ = true;  // the document's scene is on the screen
     Highlights marks_;
-    bool marksDue_ = false;  // they are not on the screen
+    bool marksDue_ = false;        // they are not on the screen
     std::vector<Style> expected_;  // of the document last read or being read
     Retry sceneRetry_, occlusionRetry_, frameRetry_;
     std::string loss_;  // of the device, until it is replaced

@@ -131,6 +131,7 @@ std::vector<Gesture> MouseGestures::button(MouseButton button, bool down, glm::d
     const Held held = *held_;
     held_.reset();
     if (held.moved) return {{Kind::released, at}};
+    if (button == MouseButton::right) return {{Kind::menu, held.start}};
     if (button != MouseButton::left || held.drag != Drag::rotate) return {};
     const bool twice = last_ && now - last_->when <= kDoubleClickSeconds && glm::distance(last_->at, at) <= 2 * kSlop;
     last_.reset();

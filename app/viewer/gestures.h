@@ -19,6 +19,7 @@ struct Gesture {
         tap,        ///< at `at`; also the first tap of a double tap
         doubleTap,
         longPress,
+        menu,      ///< a click with the right button
         released,  ///< the last finger of a rotation or transformation was lifted
         undo,      ///< three fingers swiped left
         redo,      ///< three fingers swiped right

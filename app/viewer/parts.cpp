@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "engine/molecule/residue_facts.h"
+#include "engine/molecule/text.h"
 
 namespace nacre::app {
 namespace {
@@ -19,14 +20,6 @@ constexpr const char* kWords[] = {"all",    "altloc ", "and ",        "around ",
                                   "strand", "water",   "within 5 of "};
 
 bool isWordByte(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '\''; }
-
-/// As a selection takes it: plain, or in quotes.
-std::string quoted(const std::string& name) {
-    const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0;
-    });
-    return plain ? name : "'" + name + "'";
-}
 
 bool startsAlike(const std::string& word, const std::string& beginning) {
     return word.size() > beginning.size() &&
@@ -71,6 +64,61 @@ std::string named(const std::string& identifier, const std::map<std::string, std
     return found == names.end() ? identifier : identifier + ", " + found->second;
 }
 
+/// Words of a name, without signs: "HEMOGLOBIN (ALPHA CHAIN)" is three.
+std::vector<std::string> wordsOf(const std::string& name) {
+    std::vector<std::string> words(1);
+    for (const char c : name) {
+        const bool in = std::isalnum(static_cast<unsigned char>(c)) != 0 || (c & 0x80) != 0 || c == '-' || c == '\'';
+        if (in)
+            words.back() += c;
+        else if (!words.back().empty())
+            words.emplace_back();
+    }
+    if (words.back().empty()) words.pop_back();
+    return words;
+}
+
+/// The number of words that all names begin with, or end with; at least one word of each is left.
+std::size_t sharedWords(const std::vector<std::vector<std::string>>& names, bool atEnd) {
+    const auto word = [&](const std::vector<std::string>& name, std::size_t n) {
+        return lowerCase(name[atEnd ? name.size() - 1 - n : n]);
+    };
+    std::size_t shared = 0;
+    while (std::all_of(names.begin(), names.end(), [&](const auto& name) {
+        return name.size() > shared + 1 && names.front().size() > shared + 1 &&
+               word(name, shared) == word(names.front(), shared);
+    }))
+        ++shared;
+    return shared;
+}
+
+/// Labels parts; chains by what tells their names apart.
+/// @param from  the first of a molecule
+void labelParts(std::vector<Part>& parts, std::size_t from) {
+    std::vector<std::vector<std::string>> names;
+    std::vector<Part*> chains;
+    for (std::size_t i = from; i < parts.size(); ++i) {
+        Part& part = parts[i];
+        part.label = part.name;
+        const std::size_t comma = part.name.find(", ");
+        if (part.kind != Part::Kind::chain || !part.name.starts_with("Chain ")) continue;
+        part.label = part.name.substr(6, comma == std::string::npos ? comma : comma - 6);
+        if (comma == std::string::npos) continue;
+        names.push_back(wordsOf(part.name.substr(comma + 2)));
+        chains.push_back(&part);
+    }
+    const bool differ =
+        std::any_of(names.begin(), names.end(), [&](const auto& name) { return name != names.front(); });
+    const std::size_t begin = differ ? sharedWords(names, false) : 0, end = differ ? sharedWords(names, true) : 0;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        std::string text;
+        const std::size_t last = std::max(names[i].size() - std::min(end, names[i].size()), begin + 1);
+        for (std::size_t w = begin; w < std::min(last, names[i].size()); ++w)
+            text += (text.empty() ? "  " : " ") + names[i][w];
+        chains[i]->label += text;
+    }
+}
+
 bool isPolymer(ResidueKind kind) { return kind == ResidueKind::protein || kind == ResidueKind::nucleic; }
 
 /// Of a packed scene: its compartments, if there are several, and its entities.
@@ -110,13 +158,13 @@ void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const st
              [&](const Residue& r) { return m.chains[r.chain].name; }))
         parts.push_back({Part::Kind::chain,
                          name.empty() ? "Polymer" : "Chain " + named(name, input.empty() ? m.file.chainNames : kNone),
-                         of + (name.empty() ? "polymer" : "chain " + quoted(name) + " and polymer"), group.residues,
+                         of + (name.empty() ? "polymer" : "chain " + quotedName(name) + " and polymer"), group.residues,
                          group.atoms, m.residues[group.first].chain, input});
     for (const auto& [kind, partKind, word] : {std::tuple(ResidueKind::ligand, Part::Kind::ligand, " and ligand"),
                                                {ResidueKind::ion, Part::Kind::ion, " and ion"}})
         for (const auto& [name, group] : groupsOf(m, ofKind(kind), residueName))
             if (!name.empty())
-                parts.push_back({partKind, nameOf(name, m.file.componentNames), of + "resn " + quoted(name) + word,
+                parts.push_back({partKind, nameOf(name, m.file.componentNames), of + "resn " + quotedName(name) + word,
                                  group.residues, group.atoms, 0, input});
     if (parts.size() == before) {
         Part all{Part::Kind::all, "All atoms", input.empty() ? "all" : "/" + input};
@@ -125,6 +173,7 @@ void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const st
             if (ours(r)) ++all.residues, all.atoms += m.residues[r].atomCount;
         parts.push_back(all);
     }
+    labelParts(parts, before);
 }
 
 }  // namespace
@@ -141,6 +190,7 @@ std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::stri
     Part water{Part::Kind::water, "Water", "water"};
     for (std::uint32_t r = 0; r < m.residues.size(); ++r)
         if (kinds[r] == ResidueKind::water) ++water.residues, water.atoms += m.residues[r].atomCount;
+    water.label = water.name;
     if (water.residues > 0) parts.push_back(water);
     return parts;
 }
@@ -174,6 +224,13 @@ void setLookOf(PictureDescription& view, const Part& part, const PartLook& look)
         add(Rule::Action::hide);
 }
 
+std::string quotedName(const std::string& name) {
+    const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0;
+    });
+    return plain ? name : "'" + name + "'";
+}
+
 std::vector<std::uint32_t> sequenceOf(const ResidueFacts& facts, std::uint32_t chain) {
     const Molecule& m = facts.molecule();
     std::vector<std::uint32_t> residues;
@@ -200,10 +257,37 @@ std::string residuesText(const Molecule& m, std::uint32_t first, std::uint32_t l
     };
     const std::string& chain = m.chains[m.residues[first].chain].name;
     std::string text = input.empty() ? "" : "/" + input + " and ";
-    if (!chain.empty()) text += "chain " + quoted(chain) + " and ";
+    if (!chain.empty()) text += "chain " + quotedName(chain) + " and ";
     text += "resi " + number(first);
     if (last != first) text += "-" + number(last);
     return text;
+}
+
+std::string meantSelection(const std::string& typed, const Molecule& molecule) {
+    const std::size_t from = typed.find_first_not_of(' '), to = typed.find_last_not_of(' ');
+    if (from == std::string::npos) return {};
+    const std::string text = typed.substr(from, to - from + 1), capital = upperCase(text);
+    const std::size_t digits = capital.find_first_of("0123456789");
+    const bool numbered =
+        digits != std::string::npos && capital.find_first_not_of("0123456789", digits) == std::string::npos;
+    const std::string name = numbered ? capital.substr(0, capital.find_last_not_of(" -0123456789") + 1) : capital;
+    const std::string number = numbered ? capital.substr(digits) : "";
+    const auto is = [&](const Residue& residue) {
+        const std::string own(residue.name.view());
+        const bool named = upperCase(own) == name || (name.size() == 1 && std::string(1, letterOf(residue)) == name);
+        return (name.empty() || named) && (number.empty() || std::to_string(residue.number) == number) &&
+               !(name.empty() && number.empty());
+    };
+    // A component goes by its name in the file, "heme".
+    for (const auto& [id, called] : molecule.file.componentNames)
+        if (upperCase(called) == capital) return "resn " + quotedName(id);
+    for (const Residue& residue : molecule.residues)
+        if (is(residue) && (numbered || name.size() > 1))
+            return (name.empty() ? "" : "resn " + quotedName(std::string(residue.name.view()))) +
+                   (name.empty() || number.empty() ? "" : " and ") + (number.empty() ? "" : "resi " + number);
+    for (const Chain& chain : molecule.chains)
+        if (chain.name == text || chain.name == capital) return "chain " + quotedName(chain.name);
+    return {};
 }
 
 std::vector<std::string> completions(const std::string& typed, const Molecule& m, std::size_t most) {
@@ -218,10 +302,10 @@ std::vector<std::string> completions(const std::string& typed, const Molecule& m
     std::set<std::string> names;
     if (before == "chain")
         for (const Chain& chain : m.chains)
-            if (!chain.name.empty()) names.insert(quoted(chain.name));
+            if (!chain.name.empty()) names.insert(quotedName(chain.name));
     if (before == "resn")
         for (const Residue& residue : m.residues)
-            if (!residue.name.view().empty()) names.insert(quoted(std::string(residue.name.view())));
+            if (!residue.name.view().empty()) names.insert(quotedName(std::string(residue.name.view())));
     std::vector<std::string> found;
     const auto offer = [&](const std::string& candidate) {
         if (found.size() < most && startsAlike(candidate, word)) found.push_back(head + candidate);

@@ -19,6 +19,8 @@ struct Part {
     std::size_t residues = 0, atoms = 0;
     std::uint32_t chain = 0;  ///< index into Molecule::chains, for a chain
     std::string input = {};   ///< name of its molecule, if there are several
+    /// Short enough for a row: "A  alpha" of "Chain A, Hemoglobin subunit alpha" beside a subunit beta.
+    std::string label = {};
 };
 
 constexpr std::size_t kMostParts = 200;
@@ -35,6 +37,8 @@ struct PartLook {
     std::optional<Coloring> coloring;  ///< empty: same as molecule
 };
 PartLook lookOf(const PictureDescription& view, const Part& part);
+/// As a selection takes a name: plain, or in quotes.
+std::string quotedName(const std::string& name);
 /// Sets a part's look by rules for exactly its selection, after all others.
 void setLookOf(PictureDescription& view, const Part& part, const PartLook& look);
 
@@ -46,6 +50,10 @@ char letterOf(const Residue& residue);
 /// Consecutive residues as a selection: "chain A and resi 10-15". @param input  as Part::input
 std::string residuesText(const Molecule& molecule, std::uint32_t first, std::uint32_t last,
                          const std::string& input = {});
+
+/// The selection that a text which is none may mean: "heme" the component of that name, "Asp25", "D25" and "ASP" its
+/// residues, "25" a number, "A" a chain. Empty: none that is in the molecule.
+std::string meantSelection(const std::string& typed, const Molecule& molecule);
 
 /// Completions of a typed selection: keywords, names of chains and residues of the molecule.
 /// @returns whole texts, most likely first, at most `most`

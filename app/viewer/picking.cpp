@@ -18,9 +18,9 @@ std::string hoverText(const Molecule& molecule, std::uint32_t atom) {
     return tip + (tip.empty() ? "" : "; ") + atomText(molecule, atom);
 }
 
-constexpr double kFingerPoints = 12;      // tolerance of a pick
-constexpr double kHoverPoints = 2;        // and a pointer that rests
-constexpr double kHoverSeconds = 0.08;    // time at rest before the atom under it is looked up
+constexpr double kFingerPoints = 12;           // tolerance of a pick
+constexpr double kHoverPoints = 2;             // and a pointer that rests
+constexpr double kHoverSeconds = 0.08;         // time at rest before the atom under it is looked up
 constexpr std::size_t kMostHovered = 300'000;  // atoms: more take too long to colour while the pointer moves
 
 /// A selection as it is typed: `/name` is one of several molecules. @throws std::invalid_argument

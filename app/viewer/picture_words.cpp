@@ -55,11 +55,22 @@ std::string originText(const FileSummary& file) {
 }
 
 std::string explanationText(const PictureDescription& picture, const Representation& scene) {
-    std::string colors = colorMeaning(picture.look.color);
-    const auto& rules = picture.look.rules;
-    if (!colors.empty() && std::any_of(rules.begin(), rules.end(), [](const Rule& rule) { return rule.on; }))
-        colors.replace(colors.size() - 1, 1, "; rules change some parts.");
-    return meaningOf("style", styleName(scene.style)) + " " + colors;
+    const std::string style = meaningOf("style", styleName(scene.style));
+    const std::string colors = colorMeaning(picture.look.color);
+    const auto acts = [&](Rule::Action action) {
+        return std::ranges::any_of(picture.look.rules,
+                                   [&](const Rule& rule) { return rule.on && rule.action == action; });
+    };
+    std::string rules;
+    if (acts(Rule::Action::hide)) rules = "Some atoms are hidden.";
+    const bool styled = acts(Rule::Action::show), colored = acts(Rule::Action::color);
+    if (styled || colored)
+        rules += std::string(rules.empty() ? "" : " ") + "Some parts have " +
+                 (!colored ? "a style"
+                  : styled ? "a style and colours"
+                           : "colours") +
+                 " of their own.";
+    return style + (colors.empty() ? "" : " " + colors) + (rules.empty() ? "" : " " + rules);
 }
 
 }  // namespace nacre::app

@@ -48,9 +48,8 @@ void firstLook(const Molecule& molecule, PictureDescription& view) {
     if (molecule.guide) return;  // a scene says how it is drawn
     // Colours that tell several molecules apart are no look of their own.
     const bool several = !view.input.further.empty();
-    const bool styled = std::any_of(look.rules.begin(), look.rules.end(), [&](const Rule& rule) {
-        return !several || rule.action != Rule::Action::color;
-    });
+    const bool styled = std::any_of(look.rules.begin(), look.rules.end(),
+                                    [&](const Rule& rule) { return !several || rule.action != Rule::Action::color; });
     if (look.style || styled || look.color != Coloring()) return;
     std::size_t aminoAcids = 0;
     for (const ChainSummary& chain : summariseChains(molecule)) aminoAcids += chain.aminoAcids;

@@ -85,13 +85,15 @@ void Reading::open(const std::vector<std::string>& paths, double now) {
     first.maps.files = files.maps;
     takeInput(first, fresh);
     fresh.view.clear();
+    fresh.given.clear();
     fresh.look.rules.clear();
     fresh.words.labels.clear();
     fresh.words.measures.clear();
     fresh.words.title.clear();
     first.camera.projection = fresh.camera.projection;
     fresh.camera = first.camera;
-    if (beginWith(fresh, {files.structures.begin() + (files.structures.empty() ? 0 : 1), files.structures.end()}, now)) {
+    if (beginWith(fresh, {files.structures.begin() + (files.structures.empty() ? 0 : 1), files.structures.end()},
+                  now)) {
         opening_ = true;
         loader_.open(fresh);
     }
@@ -193,9 +195,10 @@ Reading::Arrival Reading::arrive(Document document) {
                    view.input.model != before.input.model;
     arrival.restored = std::exchange(restoring_, false);
     const Camera& camera = view.camera;
-    const bool plain = camera.orientation == glm::dquat(1, 0, 0, 0) && camera.rotationDegrees == glm::dvec3(0);
-    arrival.opened = arrival.another && std::exchange(opening_, false) && plain && !camera.isPlaced() &&
-                     !document.molecule->guide;
+    const bool plain = camera.orientation == glm::dquat(1, 0, 0, 0) && camera.rotationDegrees == glm::dvec3(0) &&
+                       !view.given.contains("rotate");
+    arrival.opened =
+        arrival.another && std::exchange(opening_, false) && plain && !camera.isPlaced() && !document.molecule->guide;
     stage_.document = std::move(document);
     if (!arrival.another) return arrival;
     const PictureDescription& there = stage_.document.view;

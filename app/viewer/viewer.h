@@ -57,8 +57,8 @@ public:
     void pause();
     void resume(double now);
 
-    /// Opens files of any kind (file_kind.h): a saved view is shown, a look is given to what is open, everything else is
-    /// as in Reading. Reports what cannot be opened.
+    /// Opens files of any kind (file_kind.h): a saved view is shown, a look is given to what is open, everything else
+    /// is as in Reading. Reports what cannot be opened.
     /// @param beside  adds structures to what is open
     void open(const std::vector<std::string>& paths, bool beside, double now);
     void open(const std::string& path, double now) { open(std::vector{path}, false, now); }

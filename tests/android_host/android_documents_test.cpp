@@ -112,14 +112,14 @@ TEST_F(AndroidHost, SaysWhyADocumentCannotBeOpened) {
     document.refuses = true;
     Host refused(folder_, document);
     refused.open(320, 200);
-    EXPECT_TRUE(eventually([&] { return !toldOf(refused, "An error occurred").empty(); }));
+    EXPECT_TRUE(eventually([&] { return !toldOf(refused, "Close").empty(); }));
     EXPECT_FALSE(takeLog().empty());
     refused.destroy();
     document.refuses = false;
     document.bytes = "no molecule at all";
     Host senseless(folder_, document);
     senseless.open(320, 200);
-    EXPECT_TRUE(eventually([&] { return !toldOf(senseless, "An error occurred").empty(); }));
+    EXPECT_TRUE(eventually([&] { return !toldOf(senseless, "Cannot read molecule").empty(); }));
 }
 
 // A provider may take any time, as one that fetches from a network does. The activity does not wait for it.

@@ -58,6 +58,20 @@ TEST(RecentFiles, WhatIsNoListIsNone) {
     EXPECT_EQ(files.files()[0].width, 0u);
 }
 
+TEST(WindowState, IsKeptAndNonsenseIsNot) {
+    const TemporaryFolder folder;
+    const Variable state("XDG_STATE_HOME", folder.path());
+    EXPECT_EQ(loadWindowState(), WindowState());
+    const WindowState left{900, 700, Panel::Brightness::dark, false};
+    saveWindowState(left);
+    EXPECT_EQ(loadWindowState(), left);
+    for (const char* text : {"", "[]", R"({"width": -3, "height": 1e9, "theme": 7, "panel": "no"})",
+                             R"({"width": 1, "height": 700})", "\xff"}) {
+        std::ofstream(folder / "nacre/window.json") << text;
+        EXPECT_EQ(loadWindowState(), WindowState()) << text;
+    }
+}
+
 TEST(Processes, TakeInputAndGiveOutputWithoutAShell) {
     EXPECT_EQ(runProgram({"cat"}, "three $HOME words"), "three $HOME words");
     EXPECT_EQ(runProgram({"printf", "%s", "$(id);"}), "$(id);");

@@ -104,7 +104,9 @@ TEST(Portal, WhoCancelsHasChosenNothing) {
 
 using Ask = std::function<void(FileDialog&, const FileDialog::Chosen&)>;
 void askToOpen(FileDialog& dialog, const FileDialog::Chosen& chosen) { dialog.open(chosen); }
-void askToSave(FileDialog& dialog, const FileDialog::Chosen& chosen) { dialog.save("my picture.png", chosen); }
+void askToSave(FileDialog& dialog, const FileDialog::Chosen& chosen) {
+    dialog.save("Save image", "my picture.png", chosen);
+}
 
 using Paths = std::vector<std::string>;
 Paths answerOf(const Ask& ask) {

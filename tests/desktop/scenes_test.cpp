@@ -48,7 +48,7 @@ TEST(Window, ADroppedSceneIsShownAndSaved) {
     EXPECT_TRUE(session.waitUntil([&] { return isBlue(session); })) << session.errors();
     // Saved, it says the same from where it is seen now, and nacre reads it.
     session.drag(150, 150, 190, 150);
-    session.typeAtOnce({"Control_L+S"});
+    session.typeAtOnce({"Control_L+S", "Return"});
     std::string saved;
     EXPECT_TRUE(session.waitUntil([&] {
         for (const auto& entry : std::filesystem::directory_iterator(session.folder().path()))

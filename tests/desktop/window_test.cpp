@@ -42,7 +42,7 @@ Image readImage(const std::string& path) {
 
 /// Hides the panel and saves the view. @returns the JSON's path
 std::string saveView(XSession& session) {
-    session.type("s", true);
+    session.typeAtOnce({"S", "Return"});  // under the name that the dialog suggests
     std::string saved;
     EXPECT_TRUE(session.waitUntil([&] {
         for (const auto& entry : std::filesystem::directory_iterator(session.folder().path()))
@@ -173,7 +173,7 @@ TEST(Window, KeepsOcclusionForTheNextTime) {
 }
 
 TEST(Window, DragRotatesWheelZooms) {
-    XSession session("sample:dna --size 300x360");
+    XSession session("sample:dna --size 300x360 --rotate 0,0,0");
     session.type("m");
     session.drag(100, 180, 150, 180);
     session.settle();
@@ -247,6 +247,8 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
         bad << "HEADER nothing\n";
     }
     ASSERT_TRUE(session.drop({session.folder() / "two%20words.xyz"}));
+    session.settle();
+    session.type("Return");  // it replaces what is open
     EXPECT_TRUE(session.waitForTitle("two words.xyz")) << session.title();
     session.settle();
     // A view that is saved beside its molecule goes where both go, to whoever has neither its folder nor its name.
@@ -262,6 +264,8 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
     EXPECT_EQ(contentOf(elsewhere / "v.png"), contentOf(elsewhere / "r.png"));
     const WindowPicture before = session.picture();
     ASSERT_TRUE(session.drop({session.folder() / "bad.pdb"}));
+    session.settle();
+    session.type("Return");
     // What went wrong stands over the picture until it is read.
     EXPECT_TRUE(session.waitUntil([&] { return session.picture() != before; }));
     session.sleep(4.3);  // longer than a message
@@ -272,10 +276,46 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
     // Several stand together.
     std::ofstream(session.folder() / "salt.xyz") << "2\nsalt\nNa 5 0 0\nCl 5 2.8 0\n";
     ASSERT_TRUE(session.drop({session.folder() / "salt.xyz", session.folder() / "two%20words.xyz"}));
+    session.settle();
+    session.type("Return");
     EXPECT_TRUE(session.waitForTitle("salt.xyz + two words.xyz")) << session.title();
     EXPECT_EQ(session.quit(), 0) << session.errors();
     // The next window without INPUT goes on there.
     EXPECT_NE(contentOf(session.folder() / "state/nacre/view.json").find("two words.xyz"), std::string::npos);
+}
+
+TEST(Window, ASavedViewOpensFromTheCommandLineAndByADrop) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "salt.xyz") << "2\nsalt\nNa 5 0 0\nCl 5 2.8 0\n";
+    std::string view;
+    {
+        XSession session((folder / "salt.xyz") + " --size 300x300 --zoom 0.7 --style ball-and-stick");
+        session.type("m");
+        view = saveView(session);
+        std::filesystem::copy(view, folder / "v.view.json");
+        EXPECT_EQ(session.quit(), 0) << session.errors();
+    }
+    view = folder / "v.view.json";
+    {
+        XSession session("'" + view + "' --size 300x300");
+        EXPECT_EQ(session.title(), "salt.xyz - Nacre");
+        session.type("m");
+        expectAsRendered(session, view);
+        EXPECT_EQ(session.quit(), 0) << session.errors();
+    }
+    XSession session("sample:dna --size 300x300");
+    session.type("m");
+    ASSERT_TRUE(session.drop({view}));
+    EXPECT_TRUE(session.waitForTitle("salt.xyz")) << session.title();
+    expectAsRendered(session, view);
+    EXPECT_EQ(session.quit(), 0) << session.errors();
+    EXPECT_NE(contentOf(session.folder() / "state/nacre/recent.json").find("v.view.json"), std::string::npos);
+}
+
+TEST(Window, AnEntryThatCannotBeDownloadedIsAnErrorInTheWindow) {
+    XSession session("pdb:4hhb --offline --size 400x400");
+    EXPECT_EQ(session.title(), "Nacre");
+    EXPECT_EQ(session.quit(), 0) << session.errors();
 }
 
 TEST(Window, ALogOutKeepsWhatClosingKeeps) {

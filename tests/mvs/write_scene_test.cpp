@@ -103,7 +103,7 @@ TEST(WrittenScenes, HaveMeasurementsAndTellOfTorsions) {
     d.words.measures = {{points({"N", "ZN"}), ""}, {points({"N", "CA", "C"}), ""}, {points({"N", "CA", "C", "O"}), ""}};
     const WrittenScene written = writeScene(molecule(), d, {}, camera(), "out.mvsj");
     ASSERT_EQ(written.notes.size(), 1u);
-    EXPECT_NE(written.notes[0].find("torsions"), std::string::npos);
+    EXPECT_NE(written.notes[0].find("torsion"), std::string::npos);
     const Primitives& p = readBack(written).guide->primitives;
     ASSERT_EQ(p.labels.size(), 2u);
     EXPECT_EQ(p.labels[0].text, "7 Å");

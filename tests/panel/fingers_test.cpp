@@ -108,7 +108,7 @@ TEST(Fingers, TypeOnTheSystemsKeyboard) {
     std::pair<std::string, std::string> asked;
     Bench b("sample:dna", {1400, 1300}, 1, PanelHand::fingers, sampleSources(), [&](PanelHost& host) {
         host.askText = [&](const std::string& name, const std::string& text) { asked = {name, text}; };
-        host.open = [&](const std::string& input) { asked = {"opened", input}; };
+        host.open = [&](const std::vector<std::string>& inputs, bool) { asked = {"opened", inputs.front()}; };
     });
     const auto tap = [&](const std::string& name) {
         const Control* c = b.find(name);

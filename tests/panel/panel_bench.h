@@ -78,7 +78,7 @@ struct Bench {
             viewer.run(c, now);
         };
         h.openDialog = [] {};
-        h.add = [this](const std::string& input) { viewer.reading().add(input, now); };
+        h.open = [this](const std::vector<std::string>& inputs, bool beside) { viewer.open(inputs, beside, now); };
         h.recent = [this]() -> const std::vector<RecentFile>& { return recent; };
         h.freeName = [](const char* extension) { return std::string("picture") + extension; };
         h.savePicture = [](const PictureWish&) {};
@@ -87,7 +87,7 @@ struct Bench {
         h.lastView = "1bna.pdb";
         h.goOn = [] {};
         h.downloads = h.captures = true;
-        h.saveDialog = [](const std::string&) {};
+        h.saveDialog = [](const std::string&, const std::string&, const PathChosen&) {};
         h.fontWith = [](const std::vector<char32_t>&) {
             return FontFile{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"};
         };

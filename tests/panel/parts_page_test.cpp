@@ -121,7 +121,9 @@ TEST(Panel, ADragAcrossTheSequenceSelectsResidues) {
     b.settle();
     EXPECT_EQ(b.viewer.picking().selection().text, "chain A and resi 3-5");
     EXPECT_GT(b.viewer.picking().selection().count, 50u);
-    EXPECT_EQ(b.viewer.picking().annotations().selected.size(), b.viewer.picking().selection().count);
+    const std::vector<bool>& marked = b.viewer.frames().marks().selected;
+    EXPECT_EQ(static_cast<std::size_t>(std::count(marked.begin(), marked.end(), true)),
+              b.viewer.picking().selection().count);
 }
 
 TEST(Panel, KeysGoAlongTheSequence) {

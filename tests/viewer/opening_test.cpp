@@ -72,7 +72,8 @@ struct Files {
 
 TEST(Opening, ASavedViewIsShownWithItsStructure) {
     Files f("sample:dna");
-    f.open({f.write("v.json", R"({"input": "sample:glucose", "style": "licorice", "background": "black", "zoom": 2})")});
+    f.open(
+        {f.write("v.json", R"({"input": "sample:glucose", "style": "licorice", "background": "black", "zoom": 2})")});
     EXPECT_EQ(f.viewer.messages().failure(), "");
     EXPECT_EQ(f.shown(), "sample:glucose");
     EXPECT_EQ(f.viewer.view().look.style, Style::licorice);
@@ -148,11 +149,12 @@ TEST(Opening, ATrajectoryMovesWhatIsOpen) {
 
 TEST(Opening, AMapAloneIsShown) {
     Files f;
-    const std::string map = f.write("m.dx",
-                                    "object 1 class gridpositions counts 3 3 3\norigin 0 0 0\ndelta 1 0 0\ndelta 0 1 0\n"
-                                    "delta 0 0 1\nobject 2 class gridconnections counts 3 3 3\nobject 3 class array type "
-                                    "double rank 0 items 27 data follows\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 9 0\n0 0 0\n0 0 0\n"
-                                    "0 0 0\n0 0 0\n");
+    const std::string map =
+        f.write("m.dx",
+                "object 1 class gridpositions counts 3 3 3\norigin 0 0 0\ndelta 1 0 0\ndelta 0 1 0\n"
+                "delta 0 0 1\nobject 2 class gridconnections counts 3 3 3\nobject 3 class array type "
+                "double rank 0 items 27 data follows\n0 0 0\n0 0 0\n0 0 0\n0 0 0\n0 9 0\n0 0 0\n0 0 0\n"
+                "0 0 0\n0 0 0\n");
     f.open({map});
     EXPECT_EQ(f.viewer.messages().failure(), "");
     EXPECT_EQ(f.shown(), map);

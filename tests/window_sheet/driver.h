@@ -72,6 +72,12 @@ public:
         events_.button(MouseButton::left, false, {});
         for (int i = 0; i < 4; ++i) session_.step(0.02);
     }
+    void rightClick(glm::dvec2 at) {
+        events_.pointer(at);
+        session_.step(0.02);
+        for (const bool down : {true, false}) events_.button(MouseButton::right, down, {});
+        for (int i = 0; i < 6; ++i) session_.step(0.02);
+    }
     void moveTo(glm::dvec2 at) { events_.pointer(at); }
     void type(const std::string& text) {
         for (const char c : text) {
@@ -85,9 +91,14 @@ public:
         events_.special(key, false, false, {});
         session_.step(0.02);
     }
-    void drop(const std::string& path) {
+    void offer(const std::string& path) {
         events_.dropped({path});
+        pause(0.3);
+    }
+    void drop(const std::string& path) {
+        offer(path);
         settle();
+        if (find("Replace")) click("Replace"), settle();
     }
     bool rests = true;  ///< the picture is taken once nothing moves
     void run(ViewerCommand command) { viewer().run(command, seconds()); }

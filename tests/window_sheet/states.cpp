@@ -134,6 +134,40 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"start, wide", kWide, "", [](Driver&) {}},
         {"start, not found", kUsual, "", failure},
         {"open, over a molecule", kUsual, p, [](Driver& d) { d.panel().showStart(); }},
+        {"commands", kUsual, p,
+         [](Driver& d) {
+             d.panel().showPalette();
+             d.pause(0.3);
+             d.type("color");
+         }},
+        {"actions on a residue", kUsual, p,
+         [](Driver& d) {
+             d.rightClick({640, 300});
+         }},
+        {"actions beside the molecule", kUsual, p,
+         [](Driver& d) {
+             d.rightClick({960, 60});
+         }},
+        {"dropped", kUsual, "sample:dna", [=](Driver& d) { d.offer(p); }},
+        {"select, a chain", kUsual, p,
+         [=](Driver& d) {
+             d.viewer().picking().select("chain A");
+             page("Select")(d);
+             d.settle();
+         }},
+        {"select, not understood", kUsual, p,
+         [=](Driver& d) {
+             page("Select")(d);
+             d.click("Selection");
+             d.type("heme");
+         }},
+        {"preset, pocket", kUsual, p,
+         [](Driver& d) {
+             d.click("Style preset");
+             d.click("Ligand in its pocket");
+             d.settle();
+             d.pause(0.6);
+         }},
         {"look", kUsual, p, page("Look")},
         {"look, light", kUsual, p, light},
         {"start, dark", kUsual, "", dark},
@@ -344,7 +378,12 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"playing, options", kUsual, several, [](Driver& d) { d.click("Playback options"); }},
         {"playing, options, narrow, light", kNarrow, several,
          [=](Driver& d) { light(d), d.click("Playback options"); }},
-        {"view is saved", kUsual, "sample:dna", [](Driver& d) { d.type("S"); }},
+        {"view is saved", kUsual, "sample:dna",
+         [](Driver& d) {
+             d.type("S");
+             d.pause(0.3);
+             d.press(SpecialKey::enter);
+         }},
         {"start, 420 pixels", {210, 380}, "", [](Driver&) {}},
         {"look, 420 pixels", {210, 380}, p, page("Look")},
         {"parts, 420 pixels", {210, 380}, p, page("Parts")},

@@ -1,0 +1,137 @@
+// Every command and option by its words: typed, chosen with the arrows or a click. "outlines 2" sets an option.
+
+#include <algorithm>
+
+#include "app/panel/panel_state.h"
+#include "app/picture/options.h"
+#include "app/viewer/presets.h"
+#include "engine/molecule/text.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr float kPalettePoints = 520;
+constexpr std::size_t kMostRows = 10;
+constexpr Topics kSettable = kAppearance | Topic::camera | Topic::background | Topic::lighting | Topic::occlusion |
+                             Topic::effects | Topic::words;
+
+struct Row {
+    std::string name, about;  ///< as shown; `about` to its right
+    std::string words;        ///< that are searched besides
+    std::function<void(PanelFrame&)> run;
+};
+
+Row rowOf(const Binding& binding) {
+    return {binding.what, binding.keys, "", [command = binding.command](PanelFrame& f) { f.host.run(command); }};
+}
+
+/// A choice of an option's control.
+Row rowOf(const Option& option, const Option::Control::Choice& choice) {
+    return {std::string(option.control.label ? option.control.label : option.key) + ": " + choice.label,
+            "--" + std::string(option.key) + " " + choice.value, option.help + " " + choice.meaning,
+            [&option, &choice](PanelFrame& f) { option.parse(choice.value, f.look); }};
+}
+
+std::vector<Row> allRows() {
+    std::vector<Row> rows;
+    for (const Binding& binding : keyBindings())
+        if (binding.listed && binding.command != ViewerCommand::palette) rows.push_back(rowOf(binding));
+    for (const std::string_view page : Panel::pages())
+        rows.push_back({"Page: " + std::string(page), "", "show open tab", [page](PanelFrame& f) { f.s.page = page; }});
+    for (const Preset& preset : presets())
+        rows.push_back({std::string("Preset: ") + preset.name, "", "look style", [&preset](PanelFrame& f) {
+                            applyPreset(preset, f.look);
+                            if (f.look.aim.zoomTo) f.s.aim.emplace(std::exchange(f.look.aim, f.viewer.view().aim));
+                        }});
+    for (const Option& option : options())
+        for (const auto& choice : option.control.choices) rows.push_back(rowOf(option, choice));
+    return rows;
+}
+
+/// "contours 2": an option by its key, label or help, with the rest as its value.
+void addSettings(const std::string& sought, std::vector<Row>& rows) {
+    const std::size_t space = sought.rfind(' ');
+    if (space == std::string::npos || space + 1 == sought.size()) return;
+    const std::string what = sought.substr(0, space), value = sought.substr(space + 1);
+    for (const Option& option : options()) {
+        if (!has(kSettable, option.topic) || !option.parse || !option.print || option.kind == Option::Kind::list)
+            continue;
+        const std::string label = option.control.label ? option.control.label : "";
+        if (option.key != what && lowerCase(label) != what) continue;
+        PictureDescription tried;
+        try {
+            option.parse(value, tried);
+        } catch (const std::exception&) {
+            continue;
+        }
+        rows.push_back({(label.empty() ? std::string(option.key) : label) + ": " + value,
+                        "--" + std::string(option.key) + " " + value, "",
+                        [&option, value](PanelFrame& f) { option.parse(value, f.look); }});
+    }
+}
+
+/// The rows that have all words: those that begin with them first, then those that have them in their name.
+std::vector<Row> foundRows(const std::string& typed) {
+    static const std::vector<Row> kRows = allRows();
+    const std::string sought = lowerCase(typed);
+    std::vector<std::pair<int, const Row*>> found;
+    for (const Row& row : kRows) {
+        const std::string name = lowerCase(row.name), all = name + " " + lowerCase(row.about + " " + row.words);
+        bool every = true, inName = true;
+        for (std::size_t from = 0; from < sought.size();) {
+            const std::size_t end = std::min(sought.find(' ', from), sought.size());
+            const std::string word = sought.substr(from, end - from);
+            every &= all.find(word) != std::string::npos;
+            inName &= name.find(word) != std::string::npos;
+            from = end + 1;
+        }
+        if (every) found.emplace_back(name.starts_with(sought) ? 0 : inName ? 1 : 2, &row);
+    }
+    std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Row> rows;
+    addSettings(sought, rows);
+    for (const auto& [rank, row] : found) rows.push_back(*row);
+    return rows;
+}
+
+}  // namespace
+
+void drawPalette(PanelFrame& f) {
+    CommandPalette& palette = f.s.palette;
+    bool done = beginCard(f, "Commands", "Commands and options", kPalettePoints);
+    focusField(f);
+    const bool entered = f.ui.field("Find", "outlines, save, by chain, contours 2", palette.sought, -1,
+                                    ImGuiInputTextFlags_EnterReturnsTrue);
+    if (f.ui.edited()) palette.chosen = 0;
+    std::vector<Row> rows = foundRows(palette.sought);
+    const std::size_t all = rows.size();
+    rows.resize(std::min(all, kMostRows));
+    palette.chosen = std::clamp(palette.chosen, 0, std::max(static_cast<int>(rows.size()) - 1, 0));
+    std::optional<std::size_t> run;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const bool chosen = static_cast<int>(i) == palette.chosen;
+        if (f.ui.row(chosen ? Icon::play : Icon::none, rows[i].name, -1, !chosen)) run = i;
+        ImGui::PushFont(fontOf(TextSize::caption));
+        const ImVec2 high = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(rows[i].about.c_str());
+        const float room = high.x - ImGui::GetItemRectMin().x - f.ui.px(40);
+        if (ImGui::CalcTextSize(rows[i].name.c_str()).x * 1.3f + size.x < room)
+            f.ui.write(ImVec2(high.x - size.x - f.ui.px(6), high.y - f.ui.rowHeight() / 2 - size.y / 2),
+                       ImGui::GetColorU32(f.ui.theme().faint), rows[i].about);
+        ImGui::PopFont();
+        ImGui::PopID();
+    }
+    if (rows.empty()) f.ui.caption("Nothing matches these words.");
+    if (all > rows.size()) f.ui.caption(std::to_string(all - rows.size()) + " more");
+    if (entered && !rows.empty()) run = static_cast<std::size_t>(palette.chosen);
+    endGrown(f);
+    if (!run && !done) return;
+    palette.open = false;
+    f.s.restless = 3;
+    if (!run) return;
+    beginLook(f);
+    rows[*run].run(f);
+    takeLook(f);
+}
+
+}  // namespace nacre::app
