@@ -222,6 +222,10 @@ RenderSettings Drawing::settingsFor(const PictureDescription& picture, const Cam
     RenderSettings result = makeSettings(picture, camera, size, radius());
     if (scene_ && facts_ && tooManyToOcclude(*scene_, facts_->molecule())) result.occlusion.directions = 0;
     if (reach() > result.view.radius) reachTo(result.view, reach());
+    // Of more shapes it would hold up a camera that a hand moves: then finish() places it, in files.
+    constexpr std::size_t kManyPerFrame = 30'000;
+    if (by_ == CameraBy::hand && scene_ && scene_->sphereLooks.size() + scene_->triangles.size() <= kManyPerFrame)
+        placeFog(*scene_, result);
     return result;
 }
 
@@ -281,7 +285,7 @@ void Drawing::finish(const PictureDescription& picture) {
     const Molecule& molecule = facts_->molecule();
     focusLens(molecule, picture, scene_->center, settings);
     run.clip = clipText(settings.effects.clip);
-    if (by_ == CameraBy::description) placeFog(*scene_, settings);
+    placeFog(*scene_, settings);
     moment = momentOf(molecule, picture);
     warnings = molecule.guide ? molecule.guide->warnings : std::vector<std::string>();
     append(warnings, scene_->warnings);

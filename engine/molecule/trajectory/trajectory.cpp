@@ -96,7 +96,9 @@ std::unique_ptr<Trajectory> openTrajectory(const std::string& path) {
 bool isTrajectoryFile(const std::string& path) {
     FileStart start{};
     std::ifstream file(path, std::ios::binary);
-    return file.read(reinterpret_cast<char*>(start.data()), start.size()) && openerOf(start);
+    if (!file.read(reinterpret_cast<char*>(start.data()), start.size())) return false;
+    const Opener open = openerOf(start);
+    return open && open != openH5md;
 }
 
 std::optional<PeriodicBox> boxOf(const glm::dvec3& lengths, const glm::dvec3& angles) {

@@ -48,7 +48,7 @@ protected:
 /// holds only those. Any other file is read as a structure whose models are the frames. @throws Error
 std::unique_ptr<Trajectory> openTrajectory(const std::string& path);
 
-/// Whether a file begins as one of the five formats that hold positions alone; false if it cannot be read.
+/// Whether a file begins as DCD, XTC, TRR or NetCDF, which hold positions alone; false if it cannot be read.
 bool isTrajectoryFile(const std::string& path);
 
 /// The models of a molecule's file in order, if each has the molecule's own atoms (Molecule::others); else null.
