@@ -231,7 +231,10 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     const bool empty = s.empty, over = s.over() && !s.asks && !s.context;
     if (std::string top = s.topCard(); s.focusedCard != top) {
         s.focusedCard = std::move(top);
-        if (over) s.opened();
+        if (over)
+            s.opened();
+        else if (!s.keyboard)
+            ImGui::SetWindowFocus(nullptr);  // no ring about a control that nobody went to
     }
     placePanel(s);
     // A phone has no room for panel and help at once.

@@ -67,6 +67,7 @@ void PanelInput::button(MouseButton button, bool down) {
     const auto i = static_cast<std::size_t>(button == MouseButton::left ? 0 : button == MouseButton::right ? 1 : 2);
     down_[i] = down;
     if (down) pressed_[i] = true;
+    if (down) s_.opening = 0;  // what is pressed has the focus
     const ImVec2 at = ImGui::GetIO().MousePos;
     const bool popup = popupOpen();
     if (down && !popup && !s_.occupies({at.x, at.y})) s_.closeTop();  // a click outside
@@ -198,9 +199,7 @@ bool PanelInput::ownsKeys() const {
     return ImGui::GetIO().WantTextInput || s_.keyboard || popupOpen() || s_.over();
 }
 
-bool PanelInput::answered(bool focus) const {
-    return frames_ >= (focus && focusMoves_ ? 2 : 1) && (!focus || s_.opening == 0);
-}
+bool PanelInput::answered(bool focus) const { return s_.opening == 0 && frames_ >= (focus && focusMoves_ ? 2 : 1); }
 
 bool PanelInput::touch(const TouchEvent& event) {
     const Turn turn(context_);

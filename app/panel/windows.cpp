@@ -79,6 +79,7 @@ void endGrown(PanelFrame& f) {
     float& before = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("##end"), 0);
     if (std::abs(end - before) > 0.5f) f.s.restless = std::max(f.s.restless, 2);
     before = end;
+    if (f.s.opening > 0 && f.ui.window == f.s.topCard()) ImGui::SetScrollY(0);  // the focus may be below
     ImGui::End();
 }
 

@@ -288,6 +288,7 @@ std::string Viewer::title() const {
         for (const FurtherInput& further : view.input.further) title += " + " + nameOf(further.path);
     }
     if (reading_.question()) title = "question";
+    if (title.empty() && reading_.failed()) title = "not opened";
     if (reading_.loader().busy()) title += title.empty() ? "reading" : ", building";
     if (stage_.shown() && frames_.occlusion() < 1 && !playback_.playing())
         title += ", occlusion " + std::to_string(static_cast<int>(100 * frames_.occlusion())) + " %";

@@ -83,6 +83,7 @@ struct Bench {
         h.freeName = [](const char* extension) { return std::string("picture") + extension; };
         h.savePicture = [](const PictureWish&) {};
         h.copyPicture = [] {};
+        h.saveAndQuit = [] {};
         h.statistics = [] { return std::string("a device\ntiles, 3 frames"); };
         h.lastView = "1bna.pdb";
         h.goOn = [] {};

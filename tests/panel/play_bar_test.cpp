@@ -162,6 +162,7 @@ TEST(Films, AreAskedForAsTheCardSays) {
     EXPECT_EQ(*std::min_element(zooms.begin(), zooms.end()), 1);
     EXPECT_NEAR(zooms.back(), far, 1e-6);
     EXPECT_GT(std::count_if(zooms.begin(), zooms.end(), [&](double z) { return z > 1 && z < far; }), 60);
+    b.settle();
     b.click("Record");
     ASSERT_EQ(b.films.size(), 3u);
     EXPECT_EQ(b.keys, 2u);
