@@ -151,6 +151,83 @@ TEST(Camera, AnInterfaceIsSeenFromItsSide) {
     EXPECT_THROW(cameraPicture({{"interface", "A"}}), std::invalid_argument);
 }
 
+/// Depth of an atom's centre, Å from the scene's centre away from the viewer.
+double depthIn(const Drawing& drawing, const Molecule& molecule, std::size_t atom) {
+    const glm::dvec3 place = glm::dvec3(molecule.atoms[atom].position) - drawing.run.center;
+    return -(drawing.settings.view.rotation * place).z;
+}
+
+TEST(Clipping, PlanesCountFromTheMiddleOfWhatIsZoomedTo) {
+    const Molecule molecule = sampleMolecule("dna");
+    const std::vector<bool> chosen = selectAtoms(ResidueFacts(molecule), parseSelection("chain A and resi 2"));
+    for (const char* rotate : {"0,0,0", "0,90,0", "40,200,10"}) {
+        Drawing drawing;
+        drawing.prepare(molecule, cameraPicture({{"zoom-to", "chain A and resi 2"},
+                                                 {"rotate", rotate},
+                                                 {"clip", "-2,3"},
+                                                 {"style", "ball-and-stick"}}));
+        double low = 1e9, high = -1e9;
+        for (std::size_t i = 0; i < chosen.size(); ++i) {
+            if (!chosen[i]) continue;
+            low = std::min(low, depthIn(drawing, molecule, i));
+            high = std::max(high, depthIn(drawing, molecule, i));
+        }
+        const Clip& clip = drawing.settings.effects.clip;
+        EXPECT_DOUBLE_EQ(clip.far - clip.near, 5) << rotate;
+        EXPECT_NEAR(clip.near + 2, (low + high) / 2, 2) << rotate;
+    }
+}
+
+TEST(Clipping, APlaneStandsInFrontOfASelection) {
+    const Molecule molecule = sampleMolecule("dna");
+    const std::vector<bool> chosen = selectAtoms(ResidueFacts(molecule), parseSelection("chain A and resi 6"));
+    Drawing drawing;
+    drawing.prepare(molecule, cameraPicture({{"clip", "chain A and resi 6"}, {"rotate", "20,30,0"}}));
+    double nearest = 1e9;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i]) nearest = std::min(nearest, depthIn(drawing, molecule, i));
+    const double near = drawing.settings.effects.clip.near;
+    EXPECT_LT(near, nearest - 1);
+    EXPECT_GT(near, nearest - 3);
+    EXPECT_EQ(drawing.settings.effects.clip.far, Clip::kNone);
+}
+
+TEST(Clipping, SparesASelection) {
+    const Molecule molecule = sampleMolecule("dna");
+    Drawing drawing;
+    drawing.prepare(molecule, cameraPicture({{"clip", "0"}, {"clip-spare", "chain A"}, {"style", "spacefill"}}));
+    std::size_t spared = 0, ofChain = 0, others = 0;
+    const std::vector<bool> chosen = selectAtoms(ResidueFacts(molecule), parseSelection("chain A"));
+    for (std::size_t i = 0; i < chosen.size(); ++i) ofChain += chosen[i];
+    for (const SphereLook& look : drawing.scene().sphereLooks) {
+        const bool isSpared = chosen[look.atom - 1];
+        spared += isSpared;
+        if (isSpared) continue;
+        ++others;
+        EXPECT_GE(depthIn(drawing, molecule, look.atom - 1), 0);
+    }
+    EXPECT_EQ(spared, ofChain);
+    EXPECT_GT(others, 50u);
+    EXPECT_FALSE(drawing.settings.effects.clip.on());
+    // A view saved of it cuts as before.
+    EXPECT_EQ(drawing.placed().effects.clip.near, 0);
+    EXPECT_TRUE(drawing.placed().aim.spares);
+}
+
+TEST(AutomaticFog, EndsWithWhatIsSeenOfAClosedShell) {
+    const Molecule shell = sampleMolecule("buckyball");
+    Drawing closed, whole;
+    closed.prepare(shell, cameraPicture({{"fog", "auto"}, {"style", "spacefill"}}));
+    const Fog& fog = closed.settings.effects.fog;
+    ASSERT_EQ(fog.range, Fog::Range::given);
+    EXPECT_LT(fog.start, -closed.settings.view.radius * 0.7);  // its nearest atoms are clear
+    EXPECT_LT(fog.end, closed.settings.view.radius * 0.5);     // its rim is not
+    EXPECT_GT(fog.end, fog.start + 2);
+    // Through an open scene the eye reaches its far side.
+    whole.prepare(shell, cameraPicture({{"fog", "auto"}, {"style", "licorice"}}));
+    EXPECT_EQ(whole.settings.effects.fog.range, Fog::Range::automatic);
+}
+
 nlohmann::json viewOfStats(const TemporaryFolder& folder, const std::string& arguments) {
     const test::Outcome outcome = nacreIn(folder, "render " + arguments + " -o a.png --size 160x120 --stats s.json");
     EXPECT_EQ(outcome.code, 0) << arguments << ": " << outcome.err;

@@ -23,8 +23,9 @@ void addRecord(std::string& file, const void* data, std::size_t bytes) {
     file.append(reinterpret_cast<const char*>(&length), 4);
 }
 
-/// A DCD file, as CHARMM writes it, of four atoms in a row that drift apart and away.
-std::string drifting(int frames) {
+/// A DCD file, as CHARMM writes it, of four atoms. @param place  of an atom along an axis, by the frame from 0
+template <typename Place>
+std::string framesFile(int frames, const Place& place) {
     std::string file;
     std::int32_t head[21] = {};
     std::memcpy(head, "CORD", 4);
@@ -40,11 +41,17 @@ std::string drifting(int frames) {
     for (int f = 0; f < frames; ++f)
         for (int axis = 0; axis < 3; ++axis) {
             float values[4];
-            for (int i = 0; i < 4; ++i)
-                values[i] = static_cast<float>(axis == 0 ? (1.5 + 0.5 * f) * i : axis == 1 ? 2.0 * f : 0.3 * i);
+            for (int i = 0; i < 4; ++i) values[i] = static_cast<float>(place(f, i, axis));
             addRecord(file, values, sizeof values);
         }
     return file;
+}
+
+/// Four atoms in a row that drift apart and away.
+std::string drifting(int frames) {
+    return framesFile(frames, [](int f, int i, int axis) {
+        return axis == 0 ? (1.5 + 0.5 * f) * i : axis == 1 ? 2.0 * f : 0.3 * i;
+    });
 }
 
 nlohmann::json viewOf(const TemporaryFolder& folder, const std::string& options) {
@@ -152,6 +159,52 @@ TEST(SavedTrajectory, IsFoundBesideItsViewByItsHash) {
     file.close();
     EXPECT_NE(app::trajectoryHash(folder / "long.dcd"), before);
     EXPECT_EQ(before.substr(0, 9), "41943040-");
+}
+
+std::string pictureOf(const TemporaryFolder& folder, const std::string& options) {
+    const Outcome outcome = nacreIn(folder,
+                                    "render a.xyz --trajectory t.dcd -o p.png -q --size 96x96 --style spacefill "
+                                    "--occlusion off " +
+                                        options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return contentOf(folder / "p.png");
+}
+
+TEST(Frames, StillsAreFittedToTheFirst) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.xyz") << "4\nnames\nC 9 9 9\nO 9 9 8\nN 9 9 7\nS 9 9 6\n";
+    // A quarter turn about z and a shift per frame.
+    constexpr double kPlaces[4][3] = {{0, 0, 0}, {4, 0, 0}, {0, 3, 0}, {1, 1, 2}};
+    std::ofstream(folder / "t.dcd", std::ios::binary) << framesFile(4, [&](int f, int i, int axis) {
+        const double x = kPlaces[i][0], y = kPlaces[i][1];
+        const double turned[4][2] = {{x, y}, {-y, x}, {-x, -y}, {y, -x}};
+        return axis == 2 ? kPlaces[i][2] : turned[f][axis] + 2 * f;
+    });
+    const std::string first = pictureOf(folder, "--frame 1");
+    EXPECT_FALSE(pictureOf(folder, "--frame 3") == first);
+    EXPECT_FALSE(pictureOf(folder, "--frame 2 --fit-frames 'elem C+O'") == pictureOf(folder, "--frame 2"));
+    for (const char* frame : {"2", "3", "4"}) {
+        const nlohmann::json view = viewOf(folder, std::string("--fit-frames all --frame ") + frame);
+        EXPECT_NEAR(view["center"][0].get<double>(), 2, 1e-4) << frame;
+        // Positions agree up to the rounding of floats: so do nearly all pixels.
+        pictureOf(folder, std::string("--fit-frames all --frame ") + frame);
+        std::vector<unsigned char> a(96 * 96 * 3), b = a;
+        std::ofstream(folder / "first.png", std::ios::binary) << first;
+        OIIO::ImageInput::open(folder / "first.png")->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, a.data());
+        OIIO::ImageInput::open(folder / "p.png")->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, b.data());
+        std::size_t differ = 0;
+        for (std::size_t i = 0; i < a.size(); ++i) differ += std::abs(a[i] - b[i]) > 8;
+        EXPECT_LT(differ, a.size() / 100) << frame;
+    }
+}
+
+TEST(Frames, TitlesNameThem) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.xyz") << "4\nnames\nC 9 9 9\nC 9 9 8\nC 9 9 7\nC 9 9 6\n";
+    std::ofstream(folder / "t.dcd", std::ios::binary) << drifting(5);
+    const std::string third = pictureOf(folder, "--frame 3 --title 'frame 3 of five'");
+    EXPECT_TRUE(pictureOf(folder, "--frame 3 --title 'frame {frame} of five'") == third);
+    EXPECT_FALSE(pictureOf(folder, "--frame 3 --title 'frame {time} of five'") == third);
 }
 
 }  // namespace
