@@ -52,11 +52,12 @@ void tuneHeap() {
 
 }  // namespace
 
-Device::Device(const DeviceOptions& options) {
+Device::Device(const DeviceOptions& options, Caching caching) {
     createInstance(options);
     physical_ = pickDevice(instance_, options.device);
     createDevice(options);
-    pipelineCache_ = makePipelineCache(device_, physical_, options.pipelineCache);
+    if (caching == Caching::usual && !graph::has(graph::Quirk::noPipelineCache, identityOf(physical_)))
+        pipelineCache_ = makePipelineCache(device_, physical_, options.pipelineCache);
     nameOwn();
     DeviceOptions wanted = options;
     wanted.capture = capture_.loaded();
@@ -69,7 +70,7 @@ void Device::nameOwn() const {
     // crashes.
     name(*device_, "device");
     name(*queue_, "queue");
-    name(*pipelineCache_, "pipelines");
+    if (*pipelineCache_) name(*pipelineCache_, "pipelines");
 }
 
 void Device::createInstance(const DeviceOptions& options) {
@@ -202,6 +203,16 @@ void Device::finish(Single& single, Ends ends) const {
     single.commands.reset();  // releases their resources
     device_.resetFences(*single.done);
     if (!kept_->commands) *kept_ = std::move(single);
+}
+
+bool Device::awaitSubmitted(double seconds) const {
+    // A fence of an empty submission signals behind all earlier ones. One that did not may still be pending.
+    if (**drained_ && device_.waitForFences(**drained_, true, 0) != vk::Result::eSuccess) return false;
+    if (!**drained_) *drained_ = vk::raii::Fence(device_, vk::FenceCreateInfo());
+    device_.resetFences(**drained_);
+    queue_.submit({}, **drained_);
+    const auto nanoseconds = static_cast<std::uint64_t>(1e9 * seconds);
+    return device_.waitForFences(**drained_, true, nanoseconds) == vk::Result::eSuccess;
 }
 
 void Device::settle() const noexcept {

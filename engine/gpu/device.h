@@ -19,18 +19,22 @@
 
 namespace nacre::gpu {
 
+/// Whether pipelines are kept in the driver's cache, where the driver has no quirk against it.
+enum class Caching { usual, none };
+
 /// Instance, device and its single queue (graphics and compute).
 class Device {
 public:
     /// @throws Error without a loader, driver or device that meets the requirements, or if validation is not installed
-    explicit Device(const DeviceOptions& options);
+    explicit Device(const DeviceOptions& options, Caching caching = Caching::usual);
     Device(const Device&) = delete;
 
     const vk::raii::Device& operator*() const { return device_; }
     const vk::raii::Device* operator->() const { return &device_; }
     const vk::raii::Instance& instance() const { return instance_; }
     const vk::raii::PhysicalDevice& physical() const { return physical_; }
-    const vk::raii::PipelineCache& pipelineCache() const { return pipelineCache_; }
+    /// Null where the driver has none that works.
+    const vk::raii::PipelineCache* pipelineCache() const { return *pipelineCache_ ? &pipelineCache_ : nullptr; }
     const vk::raii::Queue& queue() const { return queue_; }
     std::uint32_t queueFamily() const { return queueFamily_; }
     const Caps& caps() const { return caps_; }
@@ -73,6 +77,8 @@ public:
     Error errorOf(const vk::SystemError& failure) const;
     /// Waits until nothing is in flight, or the device is lost.
     void settle() const noexcept;
+    /// Waits until everything that was submitted is done, at most so long. @returns whether it is
+    bool awaitSubmitted(double seconds) const;
 
     /// The swapchain reports when a presented image is free, and takes back images that were not presented.
     bool maintainsSwapchains() const { return maintainsSwapchains_; }
@@ -111,6 +117,7 @@ private:
     vk::raii::Device device_{nullptr};
     vk::raii::Queue queue_{nullptr};
     std::unique_ptr<Single> kept_ = std::make_unique<Single>();
+    std::unique_ptr<vk::raii::Fence> drained_ = std::make_unique<vk::raii::Fence>(nullptr);
     vk::raii::PipelineCache pipelineCache_{nullptr};
     std::uint32_t queueFamily_ = 0;
     bool debugUtils_ = false, tellsOfFaults_ = false;

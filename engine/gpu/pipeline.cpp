@@ -1,6 +1,7 @@
 #include "engine/gpu/pipeline.h"
 
 #include <algorithm>
+#include <mutex>
 #include <stdexcept>
 
 #include "engine/gpu/pipeline_worker.h"
@@ -63,6 +64,14 @@ std::uint32_t toCount(std::span<const T> table) {
     return static_cast<std::uint32_t>(table.size());
 }
 
+/// Excludes other threads from the driver's compiler, where it is not thread-safe.
+std::unique_lock<std::mutex> lockCompiler(const Device& device) {
+    static std::mutex compiling;
+    std::unique_lock lock(compiling, std::defer_lock);
+    if (device.caps().has(graph::Quirk::oneCompiler)) lock.lock();
+    return lock;
+}
+
 /// A pipeline with its name; drivers give no reason for a failure.
 template <typename Make>
 vk::raii::Pipeline named(const Device& device, const std::string& name, Make&& make) {
@@ -79,6 +88,7 @@ vk::raii::Pipeline named(const Device& device, const std::string& name, Make&& m
 
 vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d) {
     const std::string name = fullName(d);
+    const std::unique_lock alone = lockCompiler(device);
     const vk::raii::ShaderModule vertex = makeModule(device, d.vertex, name + ", vertex shader");
     const vk::raii::ShaderModule fragment = makeModule(device, d.fragment, name + ", fragment shader");
     const vk::SpecializationInfo constants = d.constants.info();
@@ -109,7 +119,7 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
     constexpr vk::DynamicState kDynamic[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, kDynamic);
     const vk::raii::PipelineCache* cache =
-        device.caps().has(graph::Quirk::cacheMixesRenderPasses) ? nullptr : &device.pipelineCache();
+        device.caps().has(graph::Quirk::cacheMixesRenderPasses) ? nullptr : device.pipelineCache();
     const RenderingChain rendering(d.rendering);
     vk::GraphicsPipelineCreateInfo info({}, stages, &input, &assembly, nullptr, &viewport, &raster, &samples, &depth,
                                         &blend, &dynamic, d.layout, d.renderPass, d.subpass);
@@ -120,11 +130,13 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
 
 vk::raii::Pipeline makePipeline(const Device& device, const ComputePipeline& d) {
     const std::string name(d.name);
+    const std::unique_lock alone = lockCompiler(device);
     const vk::raii::ShaderModule module = makeModule(device, d.code, name + ", shader");
     const vk::SpecializationInfo info = d.constants.info();
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &info);
     return named(device, name, [&] {
-        return vk::raii::Pipeline(*device, device.pipelineCache(), vk::ComputePipelineCreateInfo({}, stage, d.layout));
+        return vk::raii::Pipeline(*device, vk::Optional<const vk::raii::PipelineCache>(device.pipelineCache()),
+                                  vk::ComputePipelineCreateInfo({}, stage, d.layout));
     });
 }
 

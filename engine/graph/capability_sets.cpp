@@ -28,6 +28,14 @@ constexpr Fact kMali[] = {
      "contributed by Arm, promoted to EXT"},
     {"a tested depth buffer need not be stored again", "VK_EXT_load_store_op_none, vulkan.gpuinfo.org, Arm drivers"},
 };
+constexpr Fact kMaliLate[] = {
+    {"positions alone go through memory: varyings are made when a tile is drawn, so that thresholds are those of GPUs "
+     "that keep them on the chip",
+     "Arm, 'Arm GPUs built on the 5th Generation architecture': deferred vertex shading"},
+    {"256 bits per pixel on the tile, hardware depth beside them", kMesaTiles},
+    {"MIN is a blend shader, and R32F does not blend: encoded depth is R32F that is written in raster order",
+     "Mesa, src/panfrost/lib/pan_blend.c: can_fixed_function_equation"},
+};
 constexpr Fact kMaliOld[] = {
     {kStoredVaryings, kArmVertices},
     {"128 bits per pixel on the tile, hardware depth beside them", kMesaTiles},
@@ -109,6 +117,9 @@ std::vector<CapabilitySet> makeSets() {
     PlanCaps mali = plan("mali", 32, true);
     mali.rasterOrder = mali.blendsByShader = true;
     mali.geometry = kStored;
+    PlanCaps maliLate = mali;
+    maliLate.name = "mali-late";
+    maliLate.geometry = kDirect;
     PlanCaps maliOld = plan("mali-old", 16, false);
     maliOld.geometry = kStored;
     maliOld.blendsByShader = true;
@@ -142,6 +153,7 @@ std::vector<CapabilitySet> makeSets() {
     desktop.transient = false;
     return {
         {{mali, kTiler, encodedInOrder()}, kMali},
+        {{maliLate, kTiler, encodedInOrder()}, kMaliLate},
         {{maliOld, kTiler, kHalf}, kMaliOld},
         {{adreno, kTiler, kHalf}, kAdreno},
         {{noSubpass, kTiler, kHalf}, kAdrenoNoSubpass},

@@ -12,10 +12,15 @@ constexpr std::uint32_t kAnyNumber = 0xffffu;
 
 constexpr const char* kStreams = "the command streams that Mesa 25.0.7 writes over its no-op kernel drivers (drm-shim)";
 constexpr const char* kAngle = "ANGLE, vk_renderer.cpp: supportsDynamicRenderingLocalRead";
-constexpr Fact kPixelLocal{"from BXE on: subpasses map to pixel local storage",
+constexpr Fact kPixelLocal{"from the C-series on: subpasses map to pixel local storage",
                            "Imagination, 'PowerVR Performance Recommendations', Vulkan"};
 
 constexpr VkDriverId kKosmicKrisp = static_cast<VkDriverId>(28);  // headers of 1.3.239 have no name for it
+/// Imagination numbers its drivers by build: 25.1 is "25.1@6794074".
+constexpr std::uint32_t kImagination251 = 6794074;
+constexpr const char* kPixel10 = "github.com/flutter/flutter issue 179812, and driver_info_vk.cc";
+constexpr const char* kLateVertices =
+    "Arm, 'Arm GPUs built on the 5th Generation architecture': deferred vertex shading";
 constexpr const char* kImpeller = "Flutter's Impeller, driver_info_vk.cc: it refuses Vulkan there";
 
 /// For any vendor.
@@ -44,7 +49,9 @@ constexpr KnownDriver kRows[] = {
       "Mesa, src/vulkan/runtime/vk_render_pass.c and src/kosmickrisp/vulkan/kk_cmd_draw.c"}},
     {named(kQualcomm, "Adreno", 500, 599),
      "adreno-no-subpass",
-     {"Adreno 540's driver loses depth from subpass to subpass", "github.com/SaschaWillems/Vulkan issue 484"}},
+     {"Adreno 540's driver loses depth from subpass to subpass. Others report that gl_FragDepth is wrong there: the "
+      "self-test decides, and a device without a correct path is refused",
+      "github.com/SaschaWillems/Vulkan issue 484; github.com/hrydgard/ppsspp issues 10421, 11535 and 11620"}},
     {named(kQualcomm, "Adreno", 600, 630),
      "adreno-no-subpass",
      {"Flutter's Impeller reads no input attachments up to Adreno 630: they crash",
@@ -61,11 +68,20 @@ constexpr KnownDriver kRows[] = {
     {named(kArm, "Mali-G", 71, 71),
      "mali-old",
      {"the first Bifrost: 8 KiB of tile buffer", "Mesa, src/panfrost/lib/pan_props.c"}},
+    {named(kArm, "Mali-G", 620, 625), "mali-late", {"G620 and G625 shade vertices late", kLateVertices}},
+    {named(kArm, "Mali-G", 720, 999), "mali-late", {"G720, G725 and G925 shade vertices late", kLateVertices}},
+    {named(kArm, "G1-"), "mali-late", {"Mali G1-Ultra, -Premium and -Pro shade vertices late", kLateVertices}},
     {named(kArm, ""), "mali", {"from G72 on: 16 KiB of tile buffer and more", "Mesa, src/panfrost/lib/pan_props.c"}},
-    {named(kImagination, "BX"), "powervr", kPixelLocal},
+    {named(kImagination, "BX"),
+     "no-subpass",
+     {"B-series: Impeller gave up Vulkan there after reports of wrong pictures",
+      "github.com/flutter/flutter pull request 191808"}},
+    {{kImagination, {}, "DXT", 0, kAnyNumber, kImagination251},
+     "no-subpass",
+     {"Pixel 10 with a driver before 25.1", kPixel10}},
     {named(kImagination, "CX"), "powervr", kPixelLocal},
     {named(kImagination, "DX"), "powervr", kPixelLocal},
-    {named(kImagination, ""), "no-subpass", {"PowerVR before BXE", kImpeller}},
+    {named(kImagination, ""), "no-subpass", {"PowerVR before the B-series", kImpeller}},
     {named(kHuawei, ""), "no-subpass", {"Maleoon", kImpeller}},
     {{kSamsung, {}, "Xclipse", 0, kAnyNumber, 0, VK_API_VERSION_1_3},
      "no-subpass",
@@ -94,9 +110,12 @@ constexpr KnownQuirk kQuirks[] = {
     {{kArm, VK_DRIVER_ID_ARM_PROPRIETARY, "", 0, kAnyNumber, VK_MAKE_VERSION(52, 0, 0)},
      Quirk::noLocalRead,
      {"Arm's driver before r52", kAngle}},
-    {{kQualcomm, VK_DRIVER_ID_QUALCOMM_PROPRIETARY, "", 0, kAnyNumber, VK_MAKE_VERSION(512, 801, 0)},
+    {{kQualcomm, VK_DRIVER_ID_QUALCOMM_PROPRIETARY},
      Quirk::noLocalRead,
-     {"Qualcomm's driver before 512.801", "ANGLE, vk_renderer.cpp; crbug.com/415738891"}},
+     {"Qualcomm's driver: wrong before 512.801, and from there on nobody has measured whether it keeps its coarse "
+      "depth "
+      "test (LRZ) where plates are drawn beside masked colour attachments, which Turnip does not",
+      "ANGLE, vk_renderer.cpp; crbug.com/415738891; Mesa, src/freedreno/vulkan/tu_lrz.cc"}},
     {{kImagination, VK_DRIVER_ID_IMAGINATION_PROPRIETARY},
      Quirk::noLocalRead,
      {"PowerVR", "ANGLE, vk_renderer.cpp; issuetracker.google.com/372273294"}},
@@ -108,6 +127,17 @@ constexpr KnownQuirk kQuirks[] = {
      Quirk::cacheMixesRenderPasses,
      {"SwiftShader keys shaders by the address of the render pass",
       "wrong shaders with a pipeline cache, by SwiftShader of Debian's Chromium"}},
+    {{kImagination, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "DXT", 0, kAnyNumber, kImagination251},
+     Quirk::noPipelineCache,
+     {"vkCreatePipelineCache crashes on Pixel 10", "github.com/godotengine/godot issue 115171"}},
+    {{kImagination, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "Rogue"},
+     Quirk::oneCompiler,
+     {"Rogue's compiler crashes when several threads make pipelines",
+      "github.com/godotengine/godot pull request 123614"}},
+    {{kImagination, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "BXM", 8, 8},
+     Quirk::oneCompiler,
+     {"BXM-8-256's compiler crashes when several threads make pipelines",
+      "github.com/godotengine/godot pull request 123614"}},
     {by(VK_DRIVER_ID_MESA_LLVMPIPE),
      Quirk::heapPerTile,
      {"lavapipe calls malloc() and free() for each tile: a tenth of a frame with glibc's defaults",

@@ -57,6 +57,8 @@ enum class Quirk : std::uint8_t {
     /// Keys shaders of a pipeline cache by the address of the render pass, and confuses a destroyed render pass with a
     /// new one at the same address: no cache is used.
     cacheMixesRenderPasses,
+    noPipelineCache,  ///< vkCreatePipelineCache crashes
+    oneCompiler,      ///< its compiler is not thread-safe: one pipeline at a time in the whole process
 };
 struct KnownQuirk {
     DriverPattern of;

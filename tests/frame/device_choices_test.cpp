@@ -71,8 +71,23 @@ TEST(PathChoice, OfASoftwareDeviceIsTilesWhereComputeCanDrawThem) {
     EXPECT_TRUE(wantsSelfTest(capabilitySet("mali")));
 }
 
+TEST(GeometryChoice, FetchesByNumberOnlyWhereVertexOutputsGoThroughMemory) {
+    RenderSettings settings;
+    settings.view.width = settings.view.height = 640;
+    settings.supersample = 1;
+    SceneFacts facts;
+    facts.spheres = 1000;
+    const auto geometry = [&](const char* set) {
+        return choose({settings, Part::whole, Ending::readBack}, facts, capabilitySet(set)).geometry;
+    };
+    EXPECT_EQ(geometry("mali"), Geometry::fetched);
+    EXPECT_EQ(geometry("mali-late"), Geometry::instanced);
+    EXPECT_EQ(geometry("powervr"), Geometry::fetched);
+    EXPECT_EQ(geometry("adreno"), Geometry::instanced);
+}
+
 TEST(CapabilitySets, AllHaveFactsWithSources) {
-    EXPECT_EQ(capabilitySets().size(), 11u);
+    EXPECT_EQ(capabilitySets().size(), 12u);
     for (const CapabilitySet& set : capabilitySets()) {
         EXPECT_FALSE(set.facts.empty()) << set.plan.name;
         for (const Fact& fact : set.facts) EXPECT_GT(std::string(fact.source).size(), 10u) << fact.what;

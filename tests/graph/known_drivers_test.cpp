@@ -10,7 +10,8 @@
 namespace nacre::graph {
 namespace {
 
-constexpr std::uint32_t kQualcommId = 0x5143, kArmId = 0x13B5;
+constexpr std::uint32_t kQualcommId = 0x5143, kArmId = 0x13B5, kImagination = 0x1010;
+constexpr auto kOfImagination = VK_DRIVER_ID_IMAGINATION_PROPRIETARY;
 
 DriverIdentity identity(std::uint32_t vendor, VkDriverId driver, std::string_view device) {
     DriverIdentity of;
@@ -33,6 +34,7 @@ struct Told {
     const char* set;
     Visibility visibility;
     std::uint32_t vulkan = VK_API_VERSION_1_1;
+    std::uint32_t version = 0;
 };
 
 // As the drivers name their devices.
@@ -52,9 +54,17 @@ constexpr Told kTold[] = {
     {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G710", "mali", Visibility::rasterOrder},
     {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G72", "mali", Visibility::rasterOrder},
     {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Immortalis-G715", "mali", Visibility::rasterOrder},
-    {0x1010, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "PowerVR B-Series BXM-8-256", "powervr", Visibility::encoded},
-    {0x1010, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "PowerVR CXTP-48-1536", "powervr", Visibility::encoded},
-    {0x1010, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "PowerVR D-Series DXT-48-1536", "powervr", Visibility::encoded},
+    {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G615 MC2", "mali", Visibility::rasterOrder},
+    {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G620 MC4", "mali-late", Visibility::rasterOrder},
+    {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G720-Immortalis MC12", "mali-late", Visibility::rasterOrder},
+    {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G925-Immortalis MC12", "mali-late", Visibility::rasterOrder},
+    {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G1-Ultra MC12", "mali-late", Visibility::rasterOrder},
+    {kImagination, kOfImagination, "PowerVR B-Series BXM-8-256", "no-subpass", Visibility::fragdepth},
+    {kImagination, kOfImagination, "PowerVR CXTP-48-1536", "powervr", Visibility::encoded},
+    {kImagination, kOfImagination, "PowerVR D-Series DXT-48-1536 MC1", "no-subpass", Visibility::fragdepth,
+     VK_API_VERSION_1_3, 6660496},  // 24.3
+    {kImagination, kOfImagination, "PowerVR D-Series DXT-48-1536 MC1", "powervr", Visibility::encoded,
+     VK_API_VERSION_1_3, 6794074},  // 25.1
     {0x1010, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "PowerVR Rogue GE8320", "no-subpass", Visibility::fragdepth},
     {0x19E5, VkDriverId{}, "Maleoon 910", "no-subpass", Visibility::fragdepth},
     {0x144D, VK_DRIVER_ID_SAMSUNG_PROPRIETARY, "Samsung Xclipse 920", "no-subpass", Visibility::fragdepth},
@@ -66,6 +76,7 @@ TEST(KnownDrivers, TellTilersByVendorDriverAndDevice) {
         SCOPED_TRACE(told.device);
         DriverIdentity of = identity(told.vendor, told.driver, told.device);
         of.vulkan = told.vulkan;
+        of.version = told.version;
         const DeviceClass found = classOf(of);
         EXPECT_EQ(found.set->plan.name, told.set);
         EXPECT_EQ(found.kind, DeviceKind::tiler);  // without lazily allocated memory
@@ -112,7 +123,7 @@ TEST(KnownDrivers, AVersionIsPartOfAnIdentity) {
     EXPECT_FALSE(told(kApart, kQualcommId, kOwn, "Adreno (TM) 730", 512, 502));
     EXPECT_FALSE(told(kApart, kQualcommId, kTurnip, "Turnip Adreno (TM) 660", 25, 0));
     EXPECT_TRUE(told(kNoLocalRead, kQualcommId, kOwn, "Adreno (TM) 740", 512, 800));
-    EXPECT_FALSE(told(kNoLocalRead, kQualcommId, kOwn, "Adreno (TM) 740", 512, 801));
+    EXPECT_TRUE(told(kNoLocalRead, kQualcommId, kOwn, "Adreno (TM) 830", 512, 801));
     EXPECT_TRUE(told(kNoLocalRead, kQualcommId, kTurnip, "Turnip Adreno (TM) 740", 25, 0));
     EXPECT_TRUE(told(kNoLocalRead, kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G710", 51, 0));
     EXPECT_FALSE(told(kNoLocalRead, kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G710", 52, 0));
@@ -129,6 +140,19 @@ TEST(KnownDrivers, AVersionIsPartOfAnIdentity) {
     EXPECT_TRUE(
         told(Quirk::cacheMixesRenderPasses, 0x1AE0, VK_DRIVER_ID_GOOGLE_SWIFTSHADER, "SwiftShader Device", 5, 0));
     EXPECT_FALSE(told(Quirk::cacheMixesRenderPasses, 0x10005, VK_DRIVER_ID_MESA_LLVMPIPE, "llvmpipe", 25, 0));
+    constexpr const char* kPixel10 = "PowerVR D-Series DXT-48-1536 MC1";
+    const auto imagination = [](Quirk quirk, const char* device, std::uint32_t build) {
+        DriverIdentity of = identity(kImagination, kOfImagination, device);
+        of.version = build;
+        return has(quirk, of);
+    };
+    EXPECT_TRUE(imagination(Quirk::noPipelineCache, kPixel10, 6660496));
+    EXPECT_FALSE(imagination(Quirk::noPipelineCache, kPixel10, 6794074));
+    EXPECT_FALSE(imagination(Quirk::noPipelineCache, "PowerVR Rogue GE8320", 5000000));
+    EXPECT_TRUE(imagination(Quirk::oneCompiler, "PowerVR Rogue GE8320", 5000000));
+    EXPECT_TRUE(imagination(Quirk::oneCompiler, "PowerVR B-Series BXM-8-256", 6000000));
+    EXPECT_FALSE(imagination(Quirk::oneCompiler, "PowerVR B-Series BXM-4-64", 6000000));
+    EXPECT_FALSE(imagination(Quirk::oneCompiler, kPixel10, 6660496));
     for (const KnownQuirk& row : knownQuirks()) EXPECT_GT(std::string(row.fact.source).size(), 10u) << row.fact.what;
 }
 
