@@ -58,7 +58,7 @@ if(NOT CMAKE_CROSSCOMPILING)
     find_path(RENDERDOC_INCLUDE_DIR renderdoc_app.h)
 endif()
 
-find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+find_program(GLSLANG_VALIDATOR NAMES glslangValidator glslang NAMES_PER_DIR REQUIRED)  # glslang: from release 14 on
 find_program(SPIRV_OPT spirv-opt REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 

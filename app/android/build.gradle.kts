@@ -1,9 +1,12 @@
-// The Android app: `gradle assembleRelease` in this folder, with VCPKG_ROOT set (see third_party/README.md).
+// The Android app: `./gradlew assembleRelease` in this folder, with VCPKG_ROOT set (see third_party/README.md).
+// `./gradlew assembleDebug -PvalidationLayers=FOLDER` packs Khronos' validation layer as well: FOLDER is what
+// android-binaries-*.zip of github.com/KhronosGroup/Vulkan-ValidationLayers holds, with a folder for each ABI.
 plugins {
     id("com.android.application") version "8.10.1"
 }
 
 val vcpkg = System.getenv("VCPKG_ROOT") ?: throw GradleException("VCPKG_ROOT names no vcpkg: see third_party/README.md")
+val validationLayers = providers.gradleProperty("validationLayers")
 
 android {
     namespace = "org.nacre.viewer"
@@ -42,6 +45,11 @@ android {
     packaging {
         jniLibs {
             useLegacyPackaging = false  // stored and aligned: mapped from the APK as they are
+        }
+    }
+    sourceSets {
+        getByName("debug") {
+            validationLayers.orNull?.let { jniLibs.srcDir(it) }
         }
     }
     buildTypes {

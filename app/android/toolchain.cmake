@@ -10,6 +10,10 @@ elseif(ANDROID_ABI STREQUAL "x86_64")
 else()
     message(FATAL_ERROR "Nacre is built for arm64-v8a and x86_64, not for '${ANDROID_ABI}'")
 endif()
+# One tree of libraries for all build types, and a folder in it for each ABI: vcpkg removes what is not of its triplet.
+if(NOT DEFINED VCPKG_INSTALLED_DIR)
+    set(VCPKG_INSTALLED_DIR ${CMAKE_CURRENT_LIST_DIR}/.vcpkg/${VCPKG_TARGET_TRIPLET})
+endif()
 # vcpkg builds with the same NDK, for the same oldest system.
 set(ENV{ANDROID_NDK_HOME} ${ANDROID_NDK})
 set(VCPKG_OVERLAY_TRIPLETS ${CMAKE_CURRENT_LIST_DIR}/triplets)

@@ -14,3 +14,7 @@ set_tests_properties(apple/syntax PROPERTIES TIMEOUT 300)
 # The projects and property lists that CMake makes for Apple's systems.
 add_test(NAME apple/project COMMAND python3 ${apple_tests}/project_test.py ${CMAKE_SOURCE_DIR})
 set_tests_properties(apple/project PROPERTIES TIMEOUT 300)
+
+# The toolchains of both phones, with stand-ins for the NDK and vcpkg.
+add_test(NAME toolchains COMMAND python3 -B ${CMAKE_CURRENT_SOURCE_DIR}/toolchains/toolchains_test.py ${CMAKE_SOURCE_DIR})
+set_tests_properties(toolchains PROPERTIES TIMEOUT 1800)

@@ -1,0 +1,17 @@
+# vcpkg's name of the building machine: its toolchain looks for glslang and SPIRV-Tools in that folder. Included before
+# project(), which reads the toolchain.
+if(NOT DEFINED VCPKG_HOST_TRIPLET)
+    cmake_host_system_information(RESULT host_processor QUERY OS_PLATFORM)
+    if(host_processor MATCHES "^(arm64|aarch64|ARM64)$")
+        set(VCPKG_HOST_TRIPLET arm64)
+    else()
+        set(VCPKG_HOST_TRIPLET x64)
+    endif()
+    if(CMAKE_HOST_WIN32)
+        string(APPEND VCPKG_HOST_TRIPLET -windows)
+    elseif(CMAKE_HOST_APPLE)
+        string(APPEND VCPKG_HOST_TRIPLET -osx)
+    else()
+        string(APPEND VCPKG_HOST_TRIPLET -linux)
+    endif()
+endif()
