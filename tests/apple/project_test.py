@@ -7,10 +7,12 @@ import json
 import pathlib
 import plistlib
 import re
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import zlib
 
 SOURCE = pathlib.Path(sys.argv[1])
 APPLE = SOURCE / "app/apple"
@@ -61,6 +63,7 @@ class Projects(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         root = pathlib.Path(cls.folder.name)
         cls.ios = configure(root / "ios", "-D", "IOS=ON")
+        cls.debug = configure(root / "ios_debug", "-D", "IOS=ON", "-D", "CMAKE_BUILD_TYPE=Debug")
         molten = root / "MoltenVK"
         molten.mkdir()
         (molten / "libMoltenVK.dylib").write_text("")
@@ -127,6 +130,27 @@ class Projects(unittest.TestCase):
         manifest = plistlib.loads((APPLE / "ios/PrivacyInfo.xcprivacy").read_bytes())
         self.assertIs(manifest["NSPrivacyTracking"], False)
         self.assertEqual(manifest["NSPrivacyCollectedDataTypes"], [])
+        reasons = {a["NSPrivacyAccessedAPIType"]: a["NSPrivacyAccessedAPITypeReasons"]
+                   for a in manifest["NSPrivacyAccessedAPITypes"]}
+        self.assertEqual(reasons, {"NSPrivacyAccessedAPICategoryFileTimestamp": ["C617.1"],
+                                   "NSPrivacyAccessedAPICategorySystemBootTime": ["35F9.1"]})
+
+    def test_the_phone_has_an_icon(self):
+        self.assertIn("Nacre.app/Contents/Resources/Assets.xcassets", self.ios.ninja)
+        catalog = next(pathlib.Path(self.folder.name).glob("ios/**/Assets.xcassets/AppIcon.appiconset"))
+        image = json.loads((catalog / "Contents.json").read_text())["images"][0]
+        data = (catalog / image["filename"]).read_bytes()
+        width, height, depth, kind = struct.unpack(">IIBB", data[16:26])
+        self.assertEqual((width, height, depth, kind), (1024, 1024, 8, 2), "opaque, and of the size that is named")
+        rows = zlib.decompress(data[data.index(b"IDAT") + 4:-16])
+        pixel = lambda x, y: tuple(rows[y * (3 * width + 1) + 1 + 3 * x:][:3])
+        self.assertEqual(pixel(0, 0), (0x17, 0x19, 0x1f), "the background")
+        self.assertEqual(pixel(512, 427), (0xe0, 0x40, 0x30), "the oxygen in the middle")
+        self.assertEqual(pixel(299, 640), (0xe8, 0xe8, 0xe8), "a hydrogen")
+
+    def test_debug_builds_can_be_captured(self):
+        self.assertIs(self.debug.plist["MetalCaptureEnabled"], True)
+        self.assertNotIn("MetalCaptureEnabled", self.ios.plist)
 
     def test_the_mac_takes_moltenvk_along(self):
         self.assertEqual(self.manifest["ICD"],
