@@ -10,6 +10,7 @@
 #include "engine/gpu/execute.h"
 #include "engine/gpu/pipeline.h"
 #include "engine/gpu/resources.h"
+#include "tests/phone_layer/floor.h"
 #include "tests/renderer/scenes.h"
 #include "tests/support/temporary_folder.h"
 
@@ -36,6 +37,25 @@ TEST(Phone, IsTakenForWhatItSaysItIs) {
     EXPECT_TRUE(device.timestamps);
     EXPECT_FALSE(device.localRead);
     EXPECT_EQ(renderer->maxSize(), 4096u);
+}
+
+TEST(PhoneProfile, IsSeenByTheProgram) {
+    const phone::Profile* profile = phone::profile();
+    if (!profile) GTEST_SKIP() << "no profile";
+    ValidatedRenderer renderer(Visibility::automatic, ValidatedRenderer::fresh);
+    const DeviceInfo& device = renderer->stats().device;
+    const auto limit =
+        std::ranges::find_if(device.limits, [](const auto& l) { return l.first == "max_image_dimension_2d"; });
+    ASSERT_NE(limit, device.limits.end());
+    std::uint32_t asked = 4096;
+    for (const phone::ProfileLimit& l : profile->limits)
+        if (l.limit == &VkPhysicalDeviceLimits::maxImageDimension2D) asked = l.least;
+    EXPECT_EQ(limit->second, asked);
+    EXPECT_EQ(renderer->maxSize(), asked);
+    const Representation r = scene("sample:glucose", Style::ballAndStick);
+    renderer->setScene(r);
+    const Picture first = renderer->render(settings(r, 64, Projection::orthographic));
+    EXPECT_GT(std::ranges::count_if(first.rgba, [](float v) { return v > 0; }), 1000);
 }
 
 TEST(Phone, WhatIsTooMuchForItIsTold) {

@@ -32,6 +32,23 @@ TEST(Requirements, EveryExtensionIsThere) {
     EXPECT_TRUE(phone::isFloorExtension(VK_KHR_SWAPCHAIN_EXTENSION_NAME));
 }
 
+TEST(Requirements, HoldOnEveryProfileOfPhones) {
+    for (const phone::Profile& profile : phone::kProfiles) {
+        SCOPED_TRACE(profile.name);
+        EXPECT_GT(profile.limits.size(), 20u);
+        EXPECT_LE(gpu::kRequiredVulkan, profile.vulkan);
+        for (const phone::ProfileLimit& has : profile.limits)
+            for (const gpu::RequiredLimit& required : gpu::requiredLimits())
+                if (required.limit == has.limit) {
+                    EXPECT_LE(required.least, has.least) << required.name << ": " << required.why;
+                }
+        for (const std::string_view name : gpu::requiredExtensions()) {
+            const bool core = name == VK_KHR_CREATE_RENDERPASS_2_EXTENSION_NAME && profile.vulkan >= VK_API_VERSION_1_2;
+            EXPECT_TRUE(core || std::ranges::find(profile.extensions, name) != profile.extensions.end()) << name;
+        }
+    }
+}
+
 TEST(Requirements, SomeRungOfEncodedDepthBlendsOnEveryPhone) {
     EXPECT_TRUE(std::any_of(graph::encodedFormats().begin(), graph::encodedFormats().end(), [](const auto& rung) {
         return phone::floorFormat(rung.format) & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;

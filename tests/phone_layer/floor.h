@@ -1,5 +1,5 @@
 #pragma once
-// The least device that has to do, as numbers.
+// The least device that has to do, as numbers; and devices of profiles, which have more (profiles.h).
 //
 // Limits, features and extensions: the profile VP_ANDROID_baseline_2022, version 2 (Khronos' Vulkan-Profiles). Where
 // the Vulkan 1.1 specification's required limits are lower than the profile's, the lower number stands, since it is
@@ -10,8 +10,12 @@
 
 #include <vulkan/vulkan.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <string_view>
 #include <vector>
+
+#include "tests/phone_layer/profiles.h"
 
 namespace nacre::phone {
 
@@ -67,8 +71,18 @@ inline const AtMost kLimits[] = {NACRE_LIMIT(maxImageDimension1D, 4096),
                                  NACRE_LIMIT(maxColorAttachments, 4)};
 #undef NACRE_LIMIT
 
-/// Lowers a device's limits to the floor, and raises its alignments.
+/// The profile that the phone meets besides: NACRE_PHONE_PROFILE; null: none.
+inline const Profile* profile() {
+    const char* wanted = std::getenv("NACRE_PHONE_PROFILE");
+    const auto found = std::find_if(std::begin(kProfiles), std::end(kProfiles),
+                                    [&](const Profile& p) { return wanted && p.name == wanted; });
+    if (wanted && found == std::end(kProfiles)) std::abort();
+    return found == std::end(kProfiles) ? nullptr : found;
+}
+
+/// Lowers a device's limits to the floor, or to the profile's where those are higher, and raises its alignments.
 inline void applyFloor(VkPhysicalDeviceLimits& limits) {
+    const VkPhysicalDeviceLimits has = limits;
     for (const AtMost& l : kLimits) limits.*l.limit = std::min(limits.*l.limit, l.value);
     for (std::uint32_t i = 0; i < 3; ++i) {
         constexpr std::uint32_t kGroup[] = {128, 128, 64};
@@ -81,6 +95,9 @@ inline void applyFloor(VkPhysicalDeviceLimits& limits) {
     limits.bufferImageGranularity = 4096;
     limits.pointSizeRange[1] = std::min(limits.pointSizeRange[1], 511.0f);
     limits.maxSamplerAnisotropy = 1;
+    if (const Profile* p = profile())
+        for (const ProfileLimit& l : p->limits)
+            limits.*l.limit = std::min(has.*l.limit, std::max(limits.*l.limit, l.least));
 }
 
 /// The profile's features; whatever else a driver has is hidden.
@@ -99,6 +116,8 @@ inline VkPhysicalDeviceFeatures floorFeatures(const VkPhysicalDeviceFeatures& ha
     f.shaderStorageBufferArrayDynamicIndexing = has.shaderStorageBufferArrayDynamicIndexing;
     f.shaderInt16 = has.shaderInt16;
     f.largePoints = has.largePoints;
+    if (const Profile* p = profile())
+        for (const auto feature : p->features) f.*feature = has.*feature;
     return f;
 }
 
@@ -113,7 +132,8 @@ inline bool isFloorExtension(std::string_view name) {
           // What that one needs; part of Vulkan 1.1 otherwise.
           VK_KHR_MULTIVIEW_EXTENSION_NAME, VK_KHR_MAINTENANCE_2_EXTENSION_NAME})
         if (name == known) return true;
-    return false;
+    const Profile* p = profile();
+    return p && std::ranges::find(p->extensions, name) != p->extensions.end();
 }
 
 /// What optimal tiling of a format is good for at least.
