@@ -18,6 +18,7 @@
 #include "engine/milliseconds.h"
 #include "engine/occlusion/scene_occlusion.h"
 #include "engine/self_test.h"
+#include "engine/self_test/start_guard.h"
 
 namespace nacre {
 
@@ -39,6 +40,7 @@ void checkView(const View& view) {
 }  // namespace
 
 struct Renderer::Impl {
+    StartGuard start;
     gpu::Device device;
     gpu::LossGuard guarded{device};
     gpu::Executor executor{device};
@@ -52,9 +54,11 @@ struct Renderer::Impl {
     /// Decides the bake that pictures that are started read.
     std::tuple<const Scene*, int, std::uint64_t, OcclusionMaps, std::uint32_t> startedWith{};
 
-    explicit Impl(const DeviceOptions& options) : device(options) {
-        const std::string selfTest = testPath(options);
+    explicit Impl(const DeviceOptions& options)
+        : start(options.surface.create ? options.selfTests : std::string()),
+          device(options, start.mode() == StartMode::usual ? gpu::Caching::usual : gpu::Caching::none) {
         stats.device = gpu::infoOf(device.caps(), device.physical());
+        const std::string selfTest = testPath(options, stats.device);
         addChoices(stats.device, device.caps());
         stats.device.selfTest = selfTest;
         occlusion.setAutomaticMaps(chooseOcclusionMaps(device.caps()));
@@ -62,17 +66,26 @@ struct Renderer::Impl {
     }
     ~Impl() { device.settle(); }
 
-    /// Finds the correct and fastest path, if a self-test decides. @returns the test's result as text
-    std::string testPath(const DeviceOptions& options) {
+    /// Finds the correct and fastest path, if a self-test decides. A window does not wait for a test: it draws by the
+    /// path of the device's capabilities until somebody has tested (lacksSelfTest()).
+    /// @returns the test's result as text @throws Error if no path is right
+    std::string testPath(const DeviceOptions& options, const DeviceInfo& info) {
         const gpu::Caps& caps = device.caps();
         if (options.selfTests.empty() || !wantsSelfTest(caps) || device.capture().loaded()) return {};
+        if (start.mode() == StartMode::plainPath) {
+            device.choose(plainestPath("earlier starts by other paths ended the program"));
+            return {};
+        }
         std::optional<SelfTest> test = keptSelfTest(options.selfTests, caps.driverKey);
         if (!test) {
+            if (options.surface.create) return {};
             if (options.onSelfTest) options.onSelfTest();
-            test = testPaths(options, caps.driverKey);
+            test = testPaths(options, info);
         }
         const graph::TestedPath byCaps = nacre::choosePath(caps);
-        device.choose(nacre::choosePath(*test, byCaps.visibility, byCaps.why));
+        const graph::TestedPath path = nacre::choosePath(*test, byCaps.visibility, byCaps.why);
+        if (path.visibility == Visibility::automatic) throw Error("unsuitable device", caps.deviceName, path.why);
+        device.choose(path);
         return describe(*test);
     }
 
@@ -264,7 +277,9 @@ void Renderer::awaitFrame() {
 FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame& frame) {
     return impl_->unlessLost(FrameOutcome::lost, [&] {
         const FrameOutcome outcome = impl_->shownIn().present(settings, impl_->occlusion.atlas(), frame);
-        if (outcome == FrameOutcome::shown) ++impl_->stats.windowFrames;
+        constexpr std::uint64_t kFramesOfStart = 3;  // when the third is submitted, the first is done
+        if (outcome == FrameOutcome::shown && ++impl_->stats.windowFrames == kFramesOfStart)
+            impl_->start.done(impl_->stats.device.driverKey);
         impl_->noteFrame(impl_->shownIn().counts());
         impl_->stats.windowMilliseconds = impl_->shownIn().milliseconds();
         return outcome;
@@ -334,9 +349,15 @@ void Renderer::beginCapture(const std::string& stem) { impl_->device.capture().b
 std::string Renderer::endCapture() { return impl_->device.capture().end(); }
 
 std::vector<std::byte> Renderer::pipelineCache() const {
-    const auto data = impl_->guarded([&] { return impl_->device.pipelineCache().getData(); });
+    const vk::raii::PipelineCache* cache = impl_->device.pipelineCache();
+    if (!cache) return {};
+    const auto data = impl_->guarded([&] { return cache->getData(); });
     const auto bytes = std::as_bytes(std::span(data));
     return {bytes.begin(), bytes.end()};
+}
+
+bool Renderer::awaitSubmitted(double seconds) const {
+    return impl_->unlessLost(true, [&] { return impl_->device.awaitSubmitted(seconds); });
 }
 
 const std::string& Renderer::deviceLoss() const { return impl_->guarded.loss(); }

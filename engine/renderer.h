@@ -112,6 +112,9 @@ public:
     /// The driver's compiled pipelines, for DeviceOptions::pipelineCache of a later run.
     std::vector<std::byte> pipelineCache() const;
 
+    /// Waits until the device has done everything that was submitted, at most so long. @returns whether it has
+    bool awaitSubmitted(double seconds) const;
+
     /// One line about the loss of the device; empty while it works.
     const std::string& deviceLoss() const;
 

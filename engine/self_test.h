@@ -1,8 +1,10 @@
 #pragma once
-// Self-test of a device: drivers can draw wrongly in ways that no feature flag reports. At the first start on a device
-// and driver, each path draws a few spheres and sticks, which are compared with the expected picture. Right paths are
-// timed, and the result is kept.
+// Self-test of a device: drivers can draw wrongly in ways that no feature flag reports. Each path draws spheres, sticks
+// and triangles, which are compared with the expected picture. Correct paths are timed, and the result is kept for each
+// device and driver. Pictures without a window wait for it. A window opens without it, and tests while it is idle.
 
+#include <array>
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +24,7 @@ struct PathResult {
     };
     Visibility visibility{};
     Outcome outcome{};
-    double milliseconds = 0;                               ///< per frame, if right
+    std::array<double, 3> milliseconds{};                  ///< per frame of scenes of three sizes, if right
     int tries = 0;                                         ///< unfinished attempts
     int subpasses = 0, carried = 0;                        ///< planned, and after merging by the driver; 0: unknown
     std::uint64_t transientBytes = 0, committedBytes = 0;  ///< of images that should stay on the tile
@@ -34,11 +36,19 @@ struct PathResult {
 /// Paths in the order of the test.
 using SelfTest = std::vector<PathResult>;
 
-/// Tests each path of a device without a known result, and keeps the results.
-/// @param options  name the device; their window is ignored. @param key  DeviceInfo::driverKey  @throws Error if there
-/// is no device
-/// @param every  also those that `automatic` takes by capabilities alone: tiles
-SelfTest testPaths(const DeviceOptions& options, const std::string& key, bool every = false);
+enum class TestedPaths {
+    automatic,  ///< those that a test decides between
+    every,      ///< also those that `automatic` takes by capabilities alone: tiles
+};
+
+/// Tests each path of a device without a known result, and keeps the results. A path that is being tested is noted
+/// before its device is made.
+/// @param options  name the device; their window is ignored
+/// @param stop  set by another thread: returns early, without the path that is being tested; may be null
+SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, TestedPaths paths = TestedPaths::automatic,
+                   const std::atomic<bool>* stop = nullptr);
+/// Whether a device is to be tested, and is not yet.
+bool lacksSelfTest(const DeviceOptions& options, const DeviceInfo& device);
 /// The kept results of a device; nothing if any path is missing. @param folder  DeviceOptions::selfTests
 std::optional<SelfTest> keptSelfTest(const std::string& folder, const std::string& key);
 
@@ -46,13 +56,13 @@ std::optional<SelfTest> keptSelfTest(const std::string& folder, const std::strin
 void forgetSelfTest(const std::string& folder, const std::string& key);
 
 /// The path of `automatic`: chosen by capabilities, unless it draws wrongly or another path takes less than four fifths
-/// of its time.
+/// of its time for scenes of every size. @returns `automatic` if no path is right
 graph::TestedPath choosePath(const SelfTest& test, Visibility byCaps, const std::string& whyByCaps);
 
-/// "encoded 1.20 ms (3 subpasses as 1, 0 of 41 kB committed), fragdepth wrong"
+/// "encoded 1.20 2.05 6.30 ms (3 subpasses as 1, 0 of 41 kB committed), fragdepth wrong"
 std::string describe(const SelfTest& test);
 
-/// Sets a device's `visibility`, `why` and `selfTest` from the kept results.
+/// Sets a device's `visibility`, `why` and `selfTest` from the kept results. Visibility "none": no path is right.
 void addSelfTest(DeviceInfo& device, const std::string& folder);
 
 }  // namespace nacre

@@ -39,7 +39,7 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
             device.selfTests = folder;
             forgetSelfTest(folder, devices[i].driverKey);
             progress.begin("testing device " + std::to_string(i));
-            devices[i].selfTest = describe(testPaths(device, devices[i].driverKey, true));
+            devices[i].selfTest = describe(testPaths(device, devices[i], TestedPaths::every));
         }
         // A software device uses the path of its caps.
         if (devices[i].type != "software") addSelfTest(devices[i], folder);

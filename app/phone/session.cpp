@@ -1,8 +1,10 @@
 #include "app/phone/session.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <limits>
+#include <thread>
 #include <utility>
 
 #include "app/download/molecule_sources.h"
@@ -122,6 +124,7 @@ void PhoneSession::setInsets(const Insets& insets) {
 
 void PhoneSession::setSeen(bool seen) {
     seen_ = seen;
+    session_.setIdleTests(seen);
     if (!seen) return viewer().pause();
     if (session_.renderer()) return viewer().resume(now());
     if (!host_.windowMayGo) {
@@ -149,6 +152,17 @@ void PhoneSession::awaitDevice() {
     if (!session_.opening()) return;
     session_.awaitOpened();
     takeDevice();
+}
+
+bool PhoneSession::awaitSubmitted(double seconds) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto left = [&] {
+        return seconds - std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    };
+    const Renderer* held = session_.renderer();
+    const bool done = !held || held->awaitSubmitted(seconds);
+    while (testing() && left() > 0) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return done && !testing();
 }
 
 void PhoneSession::releaseWindow() {

@@ -64,6 +64,9 @@ public:
     /// device is made on another thread, and step() throws that
     void setSeen(bool seen);
     bool seen() const { return seen_; }
+    /// Where systems stop the work of invisible apps: waits for what was submitted, and for a test of the device to
+    /// stop, at most so long. Call after setSeen(false). @returns whether nothing is left
+    bool awaitSubmitted(double seconds);
     /// The window vanishes, or is replaced from now on.
     void releaseWindow();
     /// Frees memory that can be recreated; while the window is invisible, that is the device and everything on it.
@@ -100,6 +103,8 @@ public:
     /// Draws, if there is something to draw. @returns when to call again without further events; never: infinity.
     /// @throws Error
     double step();
+    /// Whether the device's paths are being tested, which takes seconds of an idle screen, once per driver.
+    bool testing() const { return session_.testing(); }
 
     /// The current picture, for a file. Only with a device and a document. @throws Error
     /// @param samples  per pixel side, or RenderSettings::kEdges
@@ -107,7 +112,7 @@ public:
     /// "1bna", for the names of shared files.
     std::string shareName() const;
     /// Restores this session; in the format of `nacre render --view`.
-    std::string state() const { return savedViewJson(viewer().view()); }
+    std::string state() const { return savedViewJson(viewer().restartView()); }
 
 protected:
     double now() const { return host_.clock(); }

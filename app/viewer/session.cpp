@@ -139,6 +139,7 @@ bool Session::takeOpened(double now) {
 
 void Session::opened(std::unique_ptr<Renderer> renderer, double now) {
     renderer_ = std::move(renderer);
+    framesBefore_ = 0;
     viewer_.frames().setOcclusionBytes(occlusionBytes(occlusionBytes_, renderer_->stats().device.budgetBytes));
     renderer_->setScene({});
     if (host_.prepare) host_.prepare(*renderer_);
@@ -154,7 +155,7 @@ double Session::step(double now, const std::function<const Overlay*()>& overlay)
         return now;
     }
     keepPipelines();
-    return wake;
+    return testWhileIdle(now, wake);
 }
 
 std::string Session::statistics() const {
@@ -200,6 +201,31 @@ void Session::replace(double now) {
         throw Error("drawing was given up", std::to_string(losses_) + " times within minutes", loss);
     if (host_.lost) host_.lost(loss);
     open(now);
+}
+
+void Session::setIdleTests(bool on) {
+    idleTests_ = on;
+    if (!on) idleTest_.stop();
+}
+
+/// Frames and a test at the same time would slow each other down, and falsify the test's times.
+/// @returns when to call step() again
+double Session::testWhileIdle(double now, double wake) {
+    constexpr double kIdleSeconds = 1;
+    if (!renderer_) return wake;
+    const std::uint64_t frames = renderer_->stats().windowFrames;
+    if (std::exchange(framesBefore_, frames) != frames) {
+        frameAt_ = now;
+        idleTest_.stop();
+    }
+    const bool idle = idleTests_ && std::isinf(wake) && frames >= kFramesOfWarmUp && !renderer_->captures();
+    if (!idle) return wake;
+    const DeviceOptions options = host_.device();
+    const DeviceInfo& device = renderer_->stats().device;
+    if (!idleTest_.wanted(options, device)) return wake;
+    if (now < frameAt_ + kIdleSeconds) return frameAt_ + kIdleSeconds;
+    idleTest_.begin(options, device);
+    return wake;
 }
 
 /// The pipelines of the first refined picture suffice for all later ones.

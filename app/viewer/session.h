@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/viewer/idle_test.h"
 #include "app/viewer/screen.h"
 #include "app/viewer/viewer.h"
 
@@ -62,6 +63,11 @@ public:
     /// Drops the renderer and everything on the device.
     void close();
 
+    /// Tests the device's paths from now on while the picture rests, or never. Initially it does.
+    void setIdleTests(bool on);
+    /// Whether a test is running.
+    bool testing() const { return idleTest_.running(); }
+
     /// Draws, if there is something to draw. Replaces a lost device, but throws after more than kMostLosses with less
     /// than kForgottenAfter seconds between them.
     /// @param overlay called before a frame is drawn; may be empty
@@ -78,6 +84,7 @@ private:
     void opened(std::unique_ptr<Renderer> renderer, double now);
     void replace(double now);
     void keepPipelines();
+    double testWhileIdle(double now, double wake);
 
     SessionHost host_;
     std::function<void()> wake_;
@@ -87,7 +94,10 @@ private:
     std::unique_ptr<Renderer> renderer_;
     std::unique_ptr<OwnScreen> screen_;
     Viewer viewer_;
-    bool pipelinesKept_ = false;
+    bool pipelinesKept_ = false, idleTests_ = true;
+    std::uint64_t framesBefore_ = 0;  // shown when step() was last called
+    double frameAt_ = 0;              // time of the last frame
+    IdleTest idleTest_;
     int losses_ = 0;        // recent ones
     double lostAt_ = -1e9;  // time of the last one
 };

@@ -65,6 +65,10 @@ public:
 
     // Current state
     const PictureDescription& view() const { return stage_.view(); }
+    /// As above, for a restart. Where an earlier style decides the scale, the camera is absolute.
+    PictureDescription restartView() const {
+        return stage_.document.drawing.reframed() ? stage_.placed(view()) : view();
+    }
     const Document* document() const { return stage_.shown() ? &stage_.document : nullptr; }
     /// Applies a complete view, and reads its molecule. @param seconds  duration of the flight
     void show(const PictureDescription& view, double now, double seconds = CameraMotion::kFlightSeconds);

@@ -588,6 +588,8 @@ OcclusionMaps chooseOcclusionMaps(const FrameCaps& device) {
                                                                             : OcclusionMaps::fragdepth;
 }
 
+graph::TestedPath plainestPath(const char* why) { return {Visibility::fragdepth, why}; }
+
 bool wantsSelfTest(const FrameCaps& device) {
     return device.visibility == Visibility::automatic && device.kind != DeviceKind::software;
 }

@@ -246,6 +246,9 @@ MotionSamples chooseMotionSamples(const graph::FrameCaps& device);
 /// How a bake's depth maps are drawn.
 OcclusionMaps chooseOcclusionMaps(const graph::FrameCaps& device);
 
+/// The path that asks least of a driver: one subpass, and nothing read from the tile.
+graph::TestedPath plainestPath(const char* why);
+
 /// Whether a device's paths are tested before one is chosen. Software devices need no test: the program's own tests
 /// cover their paths.
 bool wantsSelfTest(const graph::FrameCaps& device);

@@ -132,8 +132,10 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
     if (result != VK_SUCCESS) return result;
     device = *made_;
     made("Device", 1);
-#define NACRE_NEXT_DEVICE(call, how, of) \
-    call##Hook::next = reinterpret_cast<PFN_vk##call>(nextDeviceCall(device, "vk" #call));
+// A device without a window has no calls of swapchains, which another one beside it may have.
+#define NACRE_NEXT_DEVICE(call, how, of)                            \
+    if (const auto next##call = nextDeviceCall(device, "vk" #call)) \
+        call##Hook::next = reinterpret_cast<PFN_vk##call>(next##call);
     NACRE_DEVICE_CALLS(NACRE_NEXT_DEVICE)
     return VK_SUCCESS;
 }

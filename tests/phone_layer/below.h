@@ -16,6 +16,12 @@ inline bool isPhone(std::string_view name) {
 inline bool molten() { return isPhone("moltenvk"); }
 inline bool adreno() { return isPhone("adreno"); }
 inline bool mali() { return isPhone("mali"); }
+inline bool powervr() { return isPhone("powervr"); }
+/// A fault of the driver: NACRE_PHONE_WRONG.
+inline bool isWrong(std::string_view how) {
+    const char* wrong = std::getenv("NACRE_PHONE_WRONG");
+    return wrong && how == wrong;
+}
 
 // What lies below. Looked up in time: later the loader would give this layer's own.
 #define NACRE_BELOW(X)                        \
@@ -51,6 +57,9 @@ inline bool mali() { return isPhone("mali"); }
     X(GetQueryPoolResults)          \
     X(CreateShaderModule)           \
     X(CreateGraphicsPipelines)      \
+    X(CreateComputePipelines)       \
+    X(CreatePipelineCache)          \
+    X(QueuePresentKHR)              \
     X(GetImageMemoryRequirements)   \
     X(GetImageMemoryRequirements2)  \
     X(GetBufferMemoryRequirements)  \

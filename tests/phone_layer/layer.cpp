@@ -2,13 +2,16 @@
 // and the memory types of tile-based GPUs: one that the host sees coherently and does not cache, one that it caches and
 // must invalidate, one that is lazily allocated. What the host may not see yet, it does not see here. Under the
 // validation layer a program that asks for more is told. The environment variable NACRE_PHONE names the phone:
-// "android" (of Arm's make), "mali" (the same, in raster order), "adreno" (adreno.h) or "moltenvk" (1.4, restarts.h);
+// "android" (of Arm's make), "mali" (the same, in raster order), "adreno" (adreno.h), "powervr" (whose compiler is not
+// thread-safe) or "moltenvk" (1.4, restarts.h);
 // NACRE_PHONE_DRIVER its driver's UUID, NACRE_PHONE_WRONG a fault of that, NACRE_PHONE_TILE the tile of the former
 // (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader which the program hands over,
 // as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h), NACRE_PHONE_PIPELINES one that
 // gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one that gets the corners of each
 // draw, and each timestamp; NACRE_PHONE_NO_CLOCK takes the queue's clock away; NACRE_PHONE_WORK one that gets what each
-// submission takes of its device (clock.h).
+// submission takes of its device (clock.h). NACRE_PHONE_PROFILE is a profile that it meets (profiles.h). Where
+// NACRE_PHONE_FIRST is set, a second device before the first present ends the program: a start that keeps its user
+// waiting.
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -16,6 +19,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -73,10 +77,14 @@ VKAPI_ATTR void VKAPI_CALL DestroyInstance(VkInstance of, const VkAllocationCall
 // --- what the device says of itself
 
 VkPhysicalDeviceProperties seen(VkPhysicalDeviceProperties p) {
-    p.apiVersion = VK_MAKE_API_VERSION(0, 1, 1, 106);
+    const std::uint32_t asked = profile() ? profile()->vulkan : VK_MAKE_API_VERSION(0, 1, 1, 106);
+    p.apiVersion = std::min(p.apiVersion, asked);
     p.deviceType = VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
-    p.vendorID = molten() ? 0x106b : adreno() ? 0x5143 : 0x13b5;
-    const char* name = molten() ? "the least iPhone" : adreno() ? "Adreno (TM) 660" : "the least phone";
+    p.vendorID = molten() ? 0x106b : adreno() ? 0x5143 : powervr() ? 0x1010 : 0x13b5;
+    const char* name = molten()    ? "the least iPhone"
+                       : adreno()  ? "Adreno (TM) 660"
+                       : powervr() ? "PowerVR Rogue GE8320"
+                                   : "the least phone";
     std::strncpy(p.deviceName, name, sizeof(p.deviceName) - 1);
     if (adreno()) p.driverVersion = VK_MAKE_VERSION(512, 502, 0);
     applyFloor(p.limits);
@@ -102,9 +110,11 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties2(VkPhysicalDevice of, VkP
                 4;
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES)
             tellDriver(*reinterpret_cast<VkPhysicalDeviceIDProperties*>(s));
-        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES && (molten() || adreno()))
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES && (molten() || adreno() || powervr()))
             reinterpret_cast<VkPhysicalDeviceDriverProperties*>(s)->driverID =
-                molten() ? VK_DRIVER_ID_MOLTENVK : VK_DRIVER_ID_QUALCOMM_PROPRIETARY;
+                molten()    ? VK_DRIVER_ID_MOLTENVK
+                : powervr() ? VK_DRIVER_ID_IMAGINATION_PROPRIETARY
+                            : VK_DRIVER_ID_QUALCOMM_PROPRIETARY;
 }
 
 VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures(VkPhysicalDevice of, VkPhysicalDeviceFeatures* f) {
@@ -216,6 +226,36 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateShaderModule(VkDevice of, const VkShaderMod
 
 // --- a driver that is wrong
 
+/// Threads in the compiler of a driver that stands one.
+std::atomic<int> compiling{0};
+struct InCompiler {
+    InCompiler() {
+        if (!powervr()) return;
+        if (++compiling > 1) {
+            std::fprintf(stderr, "phone: two threads make pipelines\n");
+            std::abort();
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));  // so that another one would be caught
+    }
+    ~InCompiler() {
+        if (powervr()) --compiling;
+    }
+};
+
+VKAPI_ATTR VkResult VKAPI_CALL CreateComputePipelines(VkDevice of, VkPipelineCache cache, std::uint32_t count,
+                                                      const VkComputePipelineCreateInfo* infos,
+                                                      const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+    const InCompiler in;
+    return nextCreateComputePipelines(of, cache, count, infos, allocator, pipelines);
+}
+
+/// NACRE_PHONE_WRONG=cache: the driver crashes here.
+VKAPI_ATTR VkResult VKAPI_CALL CreatePipelineCache(VkDevice of, const VkPipelineCacheCreateInfo* info,
+                                                   const VkAllocationCallbacks* allocator, VkPipelineCache* cache) {
+    if (isWrong("cache")) std::abort();
+    return nextCreatePipelineCache(of, info, allocator, cache);
+}
+
 /// NACRE_PHONE_WRONG=min: it blends by MIN as if that were MAX, and says nothing. =dispatch: it dispatches nothing.
 VKAPI_ATTR VkResult VKAPI_CALL CreateGraphicsPipelines(VkDevice of, VkPipelineCache cache, std::uint32_t count,
                                                        const VkGraphicsPipelineCreateInfo* infos,
@@ -223,9 +263,8 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateGraphicsPipelines(VkDevice of, VkPipelineCa
     if (const char* file = std::getenv("NACRE_PHONE_PIPELINES"))
         for (std::uint32_t i = 0; i < count; ++i)
             std::ofstream(file, std::ios::app) << std::this_thread::get_id() << '\n';
-    const char* wrong = std::getenv("NACRE_PHONE_WRONG");
-    if (!wrong || std::string_view(wrong) != "min")
-        return nextCreateGraphicsPipelines(of, cache, count, infos, allocator, pipelines);
+    const InCompiler in;
+    if (!isWrong("min")) return nextCreateGraphicsPipelines(of, cache, count, infos, allocator, pipelines);
     std::vector<VkGraphicsPipelineCreateInfo> made(infos, infos + count);
     std::vector<VkPipelineColorBlendStateCreateInfo> states(count);
     std::vector<std::vector<VkPipelineColorBlendAttachmentState>> attachments(count);
@@ -283,10 +322,28 @@ VKAPI_ATTR void VKAPI_CALL CmdDrawIndexed(VkCommandBuffer commands, std::uint32_
     nextCmdDrawIndexed(commands, indices, instances, firstIndex, offset, firstInstance);
 }
 
+// --- the first picture
+
+std::atomic<int> presents{0}, devices{0};
+
+VKAPI_ATTR VkResult VKAPI_CALL QueuePresentKHR(VkQueue queue, const VkPresentInfoKHR* info) {
+    ++presents;
+    return nextQueuePresentKHR(queue, info);
+}
+
+/// A device is made.
+void startDevice() {
+    if (++devices > 1 && presents == 0 && std::getenv("NACRE_PHONE_FIRST")) {
+        std::fprintf(stderr, "phone: a second device before the first picture is shown\n");
+        std::abort();
+    }
+}
+
 // --- device and loader
 
 VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* made) {
+    startDevice();
     const auto* below =
         test::nextLayer<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
     const auto instanceCall = below->pfnNextGetInstanceProcAddr;
@@ -314,7 +371,9 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceC
     const VkResult result = create(of, &real, allocator, made);
     if (result != VK_SUCCESS) return result;
     device = *made;
-#define NACRE_FIND_DEVICE(name) next##name = reinterpret_cast<PFN_vk##name>(nextDeviceCall(device, "vk" #name));
+// A device without a window has no calls of swapchains, which another one beside it may have.
+#define NACRE_FIND_DEVICE(name) \
+    if (const auto call = nextDeviceCall(device, "vk" #name)) next##name = reinterpret_cast<PFN_vk##name>(call);
     NACRE_DEVICE_BELOW(NACRE_FIND_DEVICE)
     NACRE_FIND_DEVICE(CmdClearAttachments)
     return result;

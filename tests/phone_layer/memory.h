@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <mutex>
 #include <set>
 #include <vector>
 
@@ -17,6 +18,8 @@
 namespace nacre::phone {
 
 inline std::uint32_t cachedType = 0, lazyType = 0;  // indices of the memory types that are added
+
+inline std::mutex memoryMutex;  // of what follows: several threads may have a device each
 
 /// Memory that the host caches.
 struct Cache {
@@ -74,6 +77,7 @@ inline VKAPI_ATTR VkResult VKAPI_CALL AllocateMemory(VkDevice of, const VkMemory
     const bool cached = real.memoryTypeIndex == cachedType, lazy = real.memoryTypeIndex == lazyType;
     if (cached || lazy) real.memoryTypeIndex = 0;
     const VkResult result = nextAllocateMemory(of, &real, allocator, memory);
+    const std::lock_guard lock(memoryMutex);
     if (result == VK_SUCCESS && cached)
         caches[*memory] = {nullptr, std::vector<std::uint8_t>(info->allocationSize), {}};
     if (result == VK_SUCCESS && lazy) lazies[*memory] = info->allocationSize;
@@ -81,6 +85,7 @@ inline VKAPI_ATTR VkResult VKAPI_CALL AllocateMemory(VkDevice of, const VkMemory
 }
 
 inline VKAPI_ATTR void VKAPI_CALL GetDeviceMemoryCommitment(VkDevice, VkDeviceMemory memory, VkDeviceSize* bytes) {
+    const std::lock_guard lock(memoryMutex);
     if (!lazies.count(memory)) std::abort();  // only lazily allocated memory may be asked about
     *bytes = committed(lazies[memory]);
 }
@@ -89,6 +94,7 @@ inline VKAPI_ATTR void VKAPI_CALL GetDeviceMemoryCommitment(VkDevice, VkDeviceMe
 inline VKAPI_ATTR VkResult VKAPI_CALL MapMemory(VkDevice of, VkDeviceMemory memory, VkDeviceSize offset,
                                                 VkDeviceSize size, VkMemoryMapFlags flags, void** data) {
     const VkResult result = nextMapMemory(of, memory, offset, size, flags, data);
+    const std::lock_guard lock(memoryMutex);
     const auto it = caches.find(memory);
     if (result != VK_SUCCESS || it == caches.end()) return result;
     if (offset != 0) std::abort();  // nobody does
@@ -99,6 +105,7 @@ inline VKAPI_ATTR VkResult VKAPI_CALL MapMemory(VkDevice of, VkDeviceMemory memo
 
 inline VKAPI_ATTR void VKAPI_CALL FreeMemory(VkDevice of, VkDeviceMemory memory,
                                              const VkAllocationCallbacks* allocator) {
+    const std::lock_guard lock(memoryMutex);
     caches.erase(memory);
     lazies.erase(memory);
     nextFreeMemory(of, memory, allocator);
@@ -106,12 +113,14 @@ inline VKAPI_ATTR void VKAPI_CALL FreeMemory(VkDevice of, VkDeviceMemory memory,
 
 inline VKAPI_ATTR VkResult VKAPI_CALL BindBufferMemory(VkDevice of, VkBuffer buffer, VkDeviceMemory memory,
                                                        VkDeviceSize offset) {
+    const std::lock_guard lock(memoryMutex);
     if (const auto it = caches.find(memory); it != caches.end()) it->second.buffer = buffer;
     return nextBindBufferMemory(of, buffer, memory, offset);
 }
 
 inline VKAPI_ATTR VkResult VKAPI_CALL FlushMappedMemoryRanges(VkDevice of, std::uint32_t count,
                                                               const VkMappedMemoryRange* ranges) {
+    const std::lock_guard lock(memoryMutex);
     for (std::uint32_t i = 0; i < count; ++i)
         if (const auto it = caches.find(ranges[i].memory); it != caches.end())
             std::copy(it->second.host.begin(), it->second.host.end(), it->second.device);
@@ -121,6 +130,7 @@ inline VKAPI_ATTR VkResult VKAPI_CALL FlushMappedMemoryRanges(VkDevice of, std::
 /// Only what a barrier made available to the host is there to be seen.
 inline VKAPI_ATTR VkResult VKAPI_CALL InvalidateMappedMemoryRanges(VkDevice of, std::uint32_t count,
                                                                    const VkMappedMemoryRange* ranges) {
+    const std::lock_guard lock(memoryMutex);
     for (std::uint32_t i = 0; i < count; ++i)
         if (const auto it = caches.find(ranges[i].memory); it != caches.end()) {
             if (!toHost.count(it->second.buffer) && !allToHost) {
@@ -138,6 +148,7 @@ inline VKAPI_ATTR void VKAPI_CALL CmdPipelineBarrier(VkCommandBuffer commands, V
                                                      std::uint32_t bufferCount, const VkBufferMemoryBarrier* buffers,
                                                      std::uint32_t imageCount, const VkImageMemoryBarrier* images) {
     if (to & VK_PIPELINE_STAGE_HOST_BIT) {
+        const std::lock_guard lock(memoryMutex);
         for (std::uint32_t i = 0; i < memoryCount; ++i)
             allToHost = allToHost || (memory[i].dstAccessMask & VK_ACCESS_HOST_READ_BIT);
         for (std::uint32_t i = 0; i < bufferCount; ++i)

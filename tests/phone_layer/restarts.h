@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <mutex>
 #include <vector>
 
 #include "engine/gpu/local_read.h"
@@ -38,6 +39,7 @@ struct Encoding {
     VkRect2D area{};
 };
 
+inline std::recursive_mutex restartsMutex;  // of what follows: several threads may have a device each
 inline std::map<VkImage, VkImageUsageFlags> imageUsage;
 inline std::map<VkImageView, VkImageUsageFlags> viewUsage;
 inline std::map<VkFramebuffer, std::vector<VkImageView>> framebufferViews;
@@ -67,6 +69,7 @@ inline void fillWithNoise(VkCommandBuffer commands, const Encoding& e, VkClearAt
 
 inline VKAPI_ATTR VkResult VKAPI_CALL CreateImage(VkDevice of, const VkImageCreateInfo* info,
                                                   const VkAllocationCallbacks* allocator, VkImage* image) {
+    const std::lock_guard lock(restartsMutex);
     const VkResult result = nextCreateImage(of, info, allocator, image);
     if (result == VK_SUCCESS) imageUsage[*image] = info->usage;
     return result;
@@ -74,6 +77,7 @@ inline VKAPI_ATTR VkResult VKAPI_CALL CreateImage(VkDevice of, const VkImageCrea
 
 inline VKAPI_ATTR VkResult VKAPI_CALL CreateImageView(VkDevice of, const VkImageViewCreateInfo* info,
                                                       const VkAllocationCallbacks* allocator, VkImageView* view) {
+    const std::lock_guard lock(restartsMutex);
     const VkResult result = nextCreateImageView(of, info, allocator, view);
     if (result == VK_SUCCESS) viewUsage[*view] = imageUsage[info->image];
     return result;
@@ -81,6 +85,7 @@ inline VKAPI_ATTR VkResult VKAPI_CALL CreateImageView(VkDevice of, const VkImage
 
 inline VKAPI_ATTR VkResult VKAPI_CALL CreateFramebuffer(VkDevice of, const VkFramebufferCreateInfo* info,
                                                         const VkAllocationCallbacks* allocator, VkFramebuffer* made) {
+    const std::lock_guard lock(restartsMutex);
     const VkResult result = nextCreateFramebuffer(of, info, allocator, made);
     if (result == VK_SUCCESS)
         framebufferViews[*made].assign(info->pAttachments, info->pAttachments + info->attachmentCount);
@@ -88,6 +93,7 @@ inline VKAPI_ATTR VkResult VKAPI_CALL CreateFramebuffer(VkDevice of, const VkFra
 }
 
 inline void planEncoders(const VkRenderPassCreateInfo2& info, VkRenderPass made) {
+    const std::lock_guard lock(restartsMutex);
     PlannedPass& pass = plannedPasses[made] = {};
     pass.attachments.assign(info.pAttachments, info.pAttachments + info.attachmentCount);
     for (std::uint32_t s = 0; s < info.subpassCount; ++s) {
@@ -114,6 +120,7 @@ inline void beginEncoder(VkCommandBuffer commands, Encoding& e, bool noise) {
 
 inline VKAPI_ATTR void VKAPI_CALL CmdBeginRenderPass2KHR(VkCommandBuffer commands, const VkRenderPassBeginInfo* info,
                                                          const VkSubpassBeginInfo* begin) {
+    const std::lock_guard lock(restartsMutex);
     nextCmdBeginRenderPass2KHR(commands, info, begin);
     Encoding& e = encodings[commands] = {};
     e.pass = &plannedPasses[info->renderPass];
@@ -126,6 +133,7 @@ inline VKAPI_ATTR void VKAPI_CALL CmdBeginRenderPass2KHR(VkCommandBuffer command
 
 inline VKAPI_ATTR void VKAPI_CALL CmdNextSubpass2KHR(VkCommandBuffer commands, const VkSubpassBeginInfo* begin,
                                                      const VkSubpassEndInfo* end) {
+    const std::lock_guard lock(restartsMutex);
     nextCmdNextSubpass2KHR(commands, begin, end);
     Encoding& e = encodings[commands];
     ++e.subpass;
@@ -133,6 +141,7 @@ inline VKAPI_ATTR void VKAPI_CALL CmdNextSubpass2KHR(VkCommandBuffer commands, c
 }
 
 inline VKAPI_ATTR void VKAPI_CALL CmdBeginRenderingKHR(VkCommandBuffer commands, const VkRenderingInfo* info) {
+    const std::lock_guard lock(restartsMutex);
     nextCmdBeginRenderingKHR(commands, info);
     Encoding& e = encodings[commands] = {};
     e.area = info->renderArea;
@@ -147,6 +156,7 @@ inline VKAPI_ATTR void VKAPI_CALL CmdSetRenderingAttachmentLocationsKHR(VkComman
 
 inline VKAPI_ATTR void VKAPI_CALL
 CmdSetRenderingInputAttachmentIndicesKHR(VkCommandBuffer commands, const VkRenderingInputAttachmentIndexInfoKHR* info) {
+    const std::lock_guard lock(restartsMutex);
     Encoding& e = encodings[commands];
     if (info->colorAttachmentCount == e.inputs) return;
     e.inputs = info->colorAttachmentCount;

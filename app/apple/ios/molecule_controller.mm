@@ -23,6 +23,7 @@ NSString* const kView = @"view";          // of the state: JSON
 NSString* const kBookmark = @"bookmark";  // of the state: the right to the file
 
 constexpr double kHot = 0.94;
+constexpr double kBackgroundPatience = 2;  // seconds; the system ends apps that take more than 5
 
 /// As ResolutionControl::setHeat: the system slows down from "serious" on.
 double heatOf(NSProcessInfoThermalState state) {
@@ -252,7 +253,10 @@ double heatOf(NSProcessInfoThermalState state) {
 - (void)enterBackground {
     _background = YES;
     _clock.suspended = YES;
-    if (_session) _session->setSeen(false);
+    if (!_session) return;
+    _session->setSeen(false);
+    // Metal refuses what runs after this method has returned, and MoltenVK then reports a lost device.
+    _session->awaitSubmitted(kBackgroundPatience);
 }
 
 - (void)didReceiveMemoryWarning {

@@ -1,0 +1,38 @@
+#pragma once
+// Survives a driver that ends the program while a window starts: each start is noted in a file before the first device
+// is made, and the note is removed after the first frames. A start that finds a note of one that died takes fewer
+// risks.
+
+#include <string>
+
+namespace nacre {
+
+/// Ways to start, each with fewer risks than the one before.
+enum class StartMode {
+    usual,
+    withoutCache,  ///< no pipeline cache
+    plainPath,     ///< also by the path that asks least of a driver
+};
+constexpr int kStartModes = 3;
+
+/// One start. Destroyed before done(): the start was given up, but the program lives.
+class StartGuard {
+public:
+    /// @param folder  DeviceOptions::selfTests; empty: guards nothing @throws Error if every mode ended the program
+    explicit StartGuard(std::string folder);
+    StartGuard(const StartGuard&) = delete;
+    ~StartGuard() { end(false, {}); }
+
+    StartMode mode() const { return mode_; }
+    /// Frames were shown. @param driverKey  another than that of earlier starts clears what they have found out
+    void done(const std::string& driverKey) { end(true, driverKey); }
+
+private:
+    void end(bool well, const std::string& driverKey);
+
+    std::string folder_;
+    StartMode mode_ = StartMode::usual;
+    bool open_ = false;
+};
+
+}  // namespace nacre
