@@ -86,16 +86,18 @@ public:
             const std::lock_guard lock(mutex_);
             if (!first.input.path.empty()) view_ = first;
         }
-        thread_.post([this, first, density = density_, system = platform_.system()] {
-            PhoneHost host;
-            host.wake = [this] { thread_.post([] {}); };
-            host.log = [](const std::string& text) { logError(text); };
-            host.cache = cache_;
-            host.system = system;
-            platform_.lend(host);
-            session_ = std::make_unique<AndroidSession>(std::move(host), first, density, folder_ + "/view.json");
-            session_->onMotion([this](bool moving) { platform_.animate(moving); });
-        });
+        thread_.post(
+            [this, first, density = density_, system = platform_.system(), validate = wantsValidation(activity)] {
+                PhoneHost host;
+                host.wake = [this] { thread_.post([] {}); };
+                host.log = [](const std::string& text) { logError(text); };
+                host.cache = cache_;
+                host.system = system;
+                host.validate = validate;
+                platform_.lend(host);
+                session_ = std::make_unique<AndroidSession>(std::move(host), first, density, folder_ + "/view.json");
+                session_->onMotion([this](bool moving) { platform_.animate(moving); });
+            });
         setHttpFetch([this](const std::string& url, const HttpTake& take) { platform_.fetch(url, take); }, this);
         if (document_) document_->open();
     }
@@ -200,7 +202,7 @@ private:
         if (read_) tellControls();
         if (wantsBack_.exchange(session_->wantsBack()) != wantsBack_) platform_.wantsBack(wantsBack_);
         const std::lock_guard lock(mutex_);
-        view_ = session_->viewer().view();
+        view_ = session_->viewer().restartView();
         return wake;
     }
 
@@ -214,14 +216,14 @@ private:
         platform_.controlsChanged();
     }
 
-    /// Without a device there is nothing to show.
+    /// Without a device there is nothing to show but the reason.
     void fail(const char* why) {
         logError(why);
         if (session_) {
             session_->setSeen(false);
             session_->lowMemory();
         }
-        if (!ended_) ANativeActivity_finish(activity_);
+        if (!ended_ && !platform_.giveUp(why)) ANativeActivity_finish(activity_);
     }
 
     static int takeInput(int, int, void* app) {
@@ -260,6 +262,10 @@ private:
             post([mouse = *mouse, when = secondsOf(event)](AndroidSession& s) {
                 s.mouse(mouse.button, mouse.touch, mouse.with, when);
             });
+            return true;
+        }
+        if (isExploring(event)) {
+            platform_.explore(hoverOf(event, 1)->at);
             return true;
         }
         if (const auto hover = hoverOf(event, density_)) {

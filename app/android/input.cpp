@@ -123,6 +123,10 @@ std::optional<HoverEvent> hoverOf(const AInputEvent* event, double pixelsPerPoin
     return HoverEvent{placeOf(event, pixelsPerPoint)};
 }
 
+bool isExploring(const AInputEvent* event) {
+    return hoverOf(event, 1) && AMotionEvent_getToolType(event, 0) == AMOTION_EVENT_TOOL_TYPE_FINGER;
+}
+
 std::optional<WheelEvent> wheelOf(const AInputEvent* event, double pixelsPerPoint) {
     if (actionOf(event) != AMOTION_EVENT_ACTION_SCROLL) return std::nullopt;
     return WheelEvent{AMotionEvent_getAxisValue(event, AMOTION_EVENT_AXIS_VSCROLL, 0), placeOf(event, pixelsPerPoint)};

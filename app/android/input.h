@@ -26,7 +26,10 @@ struct HoverEvent {
     std::optional<glm::dvec2> at;  ///< points; empty: it left
 };
 
-/// A mouse or pen that hovers without touching.
+/// A finger that explores by touch, which a screen reader makes a hovering one.
+bool isExploring(const AInputEvent* event);
+
+/// A mouse or pen that hovers without touching; for a finger that explores, too.
 std::optional<HoverEvent> hoverOf(const AInputEvent* event, double pixelsPerPoint);
 
 struct WheelEvent {

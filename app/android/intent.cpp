@@ -71,6 +71,18 @@ int descriptorOf(const Java& java, jobject resolver, jobject uri) {
 
 }  // namespace
 
+bool wantsValidation(ANativeActivity* activity) {
+    try {
+        const Java java(activity->env);
+        const jobject intent = java.object(activity->clazz, "getIntent", "()Landroid/content/Intent;");
+        return intent && java.boolean(intent, "getBooleanExtra", "(Ljava/lang/String;Z)Z", java.string("validate"),
+                                      jboolean{JNI_FALSE});
+    } catch (const JavaError& error) {
+        logError(error.what());
+        return false;
+    }
+}
+
 IntentDocument::IntentDocument(ANativeActivity* activity, jobject uri, OpenedFiles files, Post post)
     : env_(activity->env), work_(std::make_shared<Work>()) {
     work_->machine = activity->vm;
@@ -82,6 +94,9 @@ IntentDocument::IntentDocument(ANativeActivity* activity, jobject uri, OpenedFil
             const jobject intent = java.object(activity->clazz, "getIntent", "()Landroid/content/Intent;");
             if (!intent) return;
             uri = java.object(intent, "getData", "()Landroid/net/Uri;");
+            if (!uri)  // shared with this app
+                uri = java.object(intent, "getParcelableExtra", "(Ljava/lang/String;)Landroid/os/Parcelable;",
+                                  java.string("android.intent.extra.STREAM"));
         }
         if (!uri) return;
         work_->uri = env_->NewGlobalRef(uri);

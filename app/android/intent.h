@@ -14,6 +14,10 @@
 
 namespace nacre::app {
 
+/// Whether the intent switches the validation layer on: `adb shell am start -n org.nacre.viewer/.NacreActivity --ez
+/// validate true`. Call on the main thread.
+bool wantsValidation(ANativeActivity* activity);
+
 class IntentDocument {
 public:
     using Post = std::function<void(std::function<void(AndroidSession&)>)>;

@@ -20,7 +20,8 @@ jint fromJava(JNIEnv*, jint value) { return value; }
 jlong fromJava(JNIEnv*, jlong value) { return value; }
 
 jstring toJava(const Java& java, const std::string& text) { return java.string(text); }
-jboolean toJava(const Java&, bool value) { return value ? JNI_TRUE : JNI_FALSE; }
+jboolean toJava(bool value) { return value ? JNI_TRUE : JNI_FALSE; }
+jboolean toJava(const Java&, bool value) { return toJava(value); }
 
 /// Posts a call of one of the session's functions.
 template <auto kCall, typename... Values>
@@ -77,6 +78,7 @@ Platform::Platform(ANativeActivity* activity, Told told)
         native("insets", "(JIIII)V", tell<&S::covered, jint, jint, jint, jint>),
         native("textScale", "(JF)V", tell<&S::setTextScale, jfloat>),
         native("refreshes", "(JFF)V", tell<&S::displayRefreshes, jfloat, jfloat>),
+        native("trim", "(JI)V", tell<&S::trimMemory, jint>),
         native("tick", "(JJ)V", tell<&S::tick, jlong>),
         native("typed", "(JLjava/lang/String;Ljava/lang/String;)V", tell<&S::typed, jstring, jstring>),
         native("received", "(J[BIJ)Z", received)};
@@ -133,14 +135,17 @@ std::optional<std::string> Platform::cacheFolder() const {
     }
 }
 
+/// @returns whether Java was called, and threw nothing
 template <typename Call>
-void Platform::call(const Call& call) const {
-    if (!there_) return;
+bool Platform::call(const Call& call) const {
+    if (!there_) return false;
     try {
         const AttachedThread thread(machine_);
         call(Java(thread.env()));
+        return true;
     } catch (const JavaError& error) {
         logError(error.what());
+        return false;
     }
 }
 
@@ -158,14 +163,26 @@ void Platform::fetch(const std::string& url, const HttpTake& take) const {
 }
 
 template <typename... Values>
-void Platform::ask(const char* method, const char* signature, const Values&... values) const {
-    call([&](const Java& java) { java.nothing(object_, method, signature, toJava(java, values)...); });
+bool Platform::ask(const char* method, const char* signature, const Values&... values) const {
+    return call([&](const Java& java) { java.nothing(object_, method, signature, toJava(java, values)...); });
 }
 
 void Platform::wantsBack(bool wanted) const { ask("wantsBack", "(Z)V", wanted); }
 void Platform::animate(bool on) const { ask("animate", "(Z)V", on); }
 
 void Platform::controlsChanged() const { ask("controlsChanged", "()V"); }
+
+bool Platform::giveUp(const std::string& why) const { return ask("giveUp", "(Ljava/lang/String;)V", why); }
+
+void Platform::explore(std::optional<glm::dvec2> at) const {
+    if (!there_) return;
+    try {
+        const glm::vec2 pixel(at.value_or(glm::dvec2(0)));
+        Java(env_).nothing(object_, "explore", "(FFZ)V", pixel.x, pixel.y, toJava(at.has_value()));
+    } catch (const JavaError& error) {
+        logError(error.what());
+    }
+}
 
 void Platform::lend(PhoneHost& host) const {
     if (!there_) return;

@@ -42,6 +42,10 @@ public:
     /// As HttpFetch.
     void fetch(const std::string& url, const HttpTake& take) const;
     void controlsChanged() const;
+    /// Shows why nothing can be drawn, and then ends the activity. @returns false if there is nothing to show it with
+    bool giveUp(const std::string& why) const;
+    /// A finger explores by touch. On the main thread. @param at  pixels of the window; empty: it left
+    void explore(std::optional<glm::dvec2> at) const;
     /// Whether the app handles Back, to close what lies over the picture; otherwise the system does.
     void wantsBack(bool wanted) const;
     /// Whether frames are drawn continuously: requests the display's ticks.
@@ -49,9 +53,9 @@ public:
 
 private:
     template <typename... Values>
-    void ask(const char* method, const char* signature, const Values&... values) const;
+    bool ask(const char* method, const char* signature, const Values&... values) const;
     template <typename Call>
-    void call(const Call& call) const;
+    bool call(const Call& call) const;
     void share(const PictureBytes& picture, const std::string& name) const;
 
     std::thread::id main_ = std::this_thread::get_id();

@@ -84,13 +84,20 @@ void AndroidSession::started() {
 void AndroidSession::paused() {
     viewer().pause();
     forgetTouch();
-    keepView(viewFile_, viewer().view());
+    keepView(viewFile_, viewer().restartView());
     settle();
 }
 
 void AndroidSession::stopped() {
     started_ = false;
     settle();
+}
+
+/// From API level 34 on the system sends these two levels alone, and never calls onLowMemory.
+void AndroidSession::trimMemory(int level) {
+    constexpr int kUiHidden = 20, kBackground = 40;
+    if (level >= kBackground) return lowMemory();
+    if (level >= kUiHidden && !seen()) releaseWindow();  // its images; the device stays for a quick return
 }
 
 // --- frames

@@ -31,6 +31,8 @@ public:
     void started();
     void paused();
     void stopped();
+    /// As ComponentCallbacks2.onTrimMemory, which names a level.
+    void trimMemory(int level);
     /// The frame rate of the window's display, and its maximum, per second.
     void displayRefreshes(double rate, double most);
     /// The display begins a frame. @param nanoseconds  of the steady clock

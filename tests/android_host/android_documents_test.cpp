@@ -148,6 +148,17 @@ TEST_F(AndroidHost, ADocumentThatIsOpenedComesToTheActivityThatIsThere) {
     EXPECT_TRUE(eventually([&] { return host.view().input.path.ends_with("second.pdb"); }));
 }
 
+TEST_F(AndroidHost, ADocumentThatAnotherAppSharesIsOpened) {
+    Document document;
+    document.sent = true;
+    document.name = "shared.pdb";
+    document.bytes = pdbOf("FE", 1);
+    Host host(folder_, document);
+    host.lowMemory();
+    host.open(120, 120);
+    EXPECT_TRUE(eventually([&] { return host.view().input.path.ends_with("shared.pdb"); }));
+}
+
 TEST_F(AndroidHost, AnActivityThatEndsTakesTheNetworkFromNoOther) {
     Host host(folder_, std::nullopt, kQuick, 80);
     host.java().serve("https://files.rcsb.org/download/1xyz.cif.gz",
@@ -169,12 +180,14 @@ TEST_F(AndroidHost, AnActivityThatEndsTakesTheNetworkFromNoOther) {
     EXPECT_TRUE(eventually([&] { return host.view().input.path == "pdb:1xyz"; }));
 }
 
-TEST_F(AndroidHost, WithoutADeviceTheActivityEnds) {
+TEST_F(AndroidHost, WithoutADeviceTheUserIsToldWhy) {
     setVulkanBroken(true);
     {
         Host host(folder_, std::nullopt, kQuick);
         host.open(160, 160);
-        EXPECT_TRUE(eventually([&] { return host.finishAsked(); }));
+        EXPECT_TRUE(eventually([&] { return !host.java().gaveUp().empty(); }));
+        EXPECT_NE(host.java().gaveUp().find("Vulkan"), std::string::npos) << host.java().gaveUp();
+        EXPECT_FALSE(host.finishAsked()) << "the dialog's answer ends the activity";
         EXPECT_FALSE(takeLog().empty());
         host.tap(80, 80);
         // Before the first step, too, the view to keep is the one that was to be shown.

@@ -180,8 +180,9 @@ TEST_F(AndroidHost, ALostDeviceIsReplacedAndOneThatGoesOnBeingLostIsTold) {
     EXPECT_TRUE(logSays("the device was lost"));
     loseDevices(10);
     host.redraw();
-    EXPECT_TRUE(eventually([&] { return host.finishAsked(); }));
+    EXPECT_TRUE(eventually([&] { return host.java().gaveUp().starts_with("drawing was given up"); }));
     loseDevices(0);
+    EXPECT_FALSE(host.finishAsked()) << "the dialog's answer ends the activity";
     EXPECT_TRUE(logSays("drawing was given up"));
 }
 

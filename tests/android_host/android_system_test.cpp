@@ -130,5 +130,51 @@ TEST_F(AndroidHost, APenThatHoversNamesTheAtomBelow) {
     EXPECT_TRUE(eventually([&] { return !saysSomething(host.picture()); }));
 }
 
+// A screen reader makes the finger that explores a hovering one: its places go to the controls, not to the picture.
+TEST_F(AndroidHost, AFingerThatExploresByTouchGoesToTheScreenReader) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
+    host.open(300, 200);
+    expectAsRendered(host, kMenu, "", 1);
+    host.pointer(AMOTION_EVENT_TOOL_TYPE_FINGER, AMOTION_EVENT_ACTION_HOVER_ENTER, 144, 86);
+    EXPECT_EQ(host.java().explored(), std::pair(144.0, 86.0));
+    sleep(1);
+    EXPECT_FALSE(saysSomething(host.picture()));
+}
+
+TEST_F(AndroidHost, MemoryIsGivenBackInTheBackground) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
+    host.open(120, 160);
+    expectAsRendered(host, kMenu, "", 1);
+    const auto leaveAndReturn = [&](int level) {
+        const int before = devicesMade();
+        host.pause();
+        host.stop();
+        host.destroyWindow();
+        host.java().trim(level);
+        host.view();  // waits
+        host.start();
+        host.resume();
+        host.createWindow(120, 160);
+        expectAsRendered(host, kMenu, "", 1);
+        return devicesMade() - before;
+    };
+    EXPECT_EQ(leaveAndReturn(20), 0) << "hidden: the device stays";
+    EXPECT_EQ(leaveAndReturn(40), 1) << "in the background: it is made again";
+}
+
+TEST_F(AndroidHost, AnIntentSwitchesTheValidationLayerOn) {
+    for (const bool wanted : {false, true}) {
+        intentValidates = wanted;
+        Host host(folder_, std::nullopt, kQuick);
+        host.lowMemory();
+        host.open(120, 160);
+        ASSERT_TRUE(eventually([&] { return host.frames() > 0; }));
+        EXPECT_EQ(validationAsked(), wanted);
+    }
+    intentValidates = false;
+}
+
 }  // namespace
 }  // namespace nacre::test

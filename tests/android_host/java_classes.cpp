@@ -30,10 +30,14 @@ constexpr struct {
     {kActivity, "pickDocument", "()V"},
     {kActivity, "sharePicture", "([IIILjava/lang/String;)V"},
     {kActivity, "controlsChanged", "()V"},
+    {kActivity, "giveUp", "(Ljava/lang/String;)V"},
+    {kActivity, "explore", "(FFZ)V"},
     {kActivity, "fetch", "(Ljava/lang/String;J)V"},
     {kActivity, "askText", "(Ljava/lang/String;Ljava/lang/String;)V"},
     {kActivity, "shareText", "(Ljava/lang/String;Ljava/lang/String;)V"},
     {"android/content/Intent", "getData", "()Landroid/net/Uri;"},
+    {"android/content/Intent", "getParcelableExtra", "(Ljava/lang/String;)Landroid/os/Parcelable;"},
+    {"android/content/Intent", "getBooleanExtra", "(Ljava/lang/String;Z)Z"},
     {"android/net/Uri", "getLastPathSegment", "()Ljava/lang/String;"},
     {"android/content/ContentResolver", "openInputStream", "(Landroid/net/Uri;)Ljava/io/InputStream;"},
     {"android/content/ContentResolver", "openFileDescriptor",
@@ -91,7 +95,12 @@ Object* callObject(JNIEnv* env, Object* of, const std::string& name, va_list arg
     if (name == "getCacheDir") return machine.make("java/io/File", machine.cacheFolder);
     if (name == "getPath") return machine.make("java/lang/String", of->text);
     if (name == "getIntent") return machine.make("android/content/Intent");
-    if (name == "getData") return machine.document ? machine.make("android/net/Uri", machine.document->uri) : nullptr;
+    if (name == "getData" || name == "getParcelableExtra") {
+        const bool sent = name == "getParcelableExtra";
+        if (sent && in(va_arg(arguments, jobject))->text != "android.intent.extra.STREAM") Faults::add("another extra");
+        const bool has = machine.document && machine.document->sent == sent;
+        return has ? machine.make("android/net/Uri", machine.document->uri) : nullptr;
+    }
     if (name == "getContentResolver") return machine.make("android/content/ContentResolver");
     if (name == "toString") return machine.make("java/lang/String", of->text);
     if (name == "getLastPathSegment")
@@ -154,6 +163,8 @@ void callVoid(JNIEnv* env, Object*, const std::string& name, va_list arguments) 
     if (name == "wantsBack") machine.wantsBack = va_arg(arguments, int) != 0;
     if (name == "animate") machine.animated = va_arg(arguments, int) != 0;
     if (name == "controlsChanged") ++machine.controlChanges;
+    if (name == "giveUp") machine.gaveUp = in(va_arg(arguments, jobject))->text;
+    if (name == "explore") machine.explored = {va_arg(arguments, double), va_arg(arguments, double)};
     if (name != "askText") return;
     machine.asked.first = in(va_arg(arguments, jobject))->text;
     machine.asked.second = in(va_arg(arguments, jobject))->text;

@@ -171,7 +171,7 @@ void fillCalls(JNINativeInterface& f) {
         return callInt(env, in(of), nameOf(env, of, id, 'I').name, arguments);
     };
     f.CallBooleanMethodV = [](JNIEnv* env, jobject of, jmethodID id, va_list) -> jboolean {
-        nameOf(env, of, id, 'Z');  // moveToFirst
+        if (nameOf(env, of, id, 'Z').name == "getBooleanExtra") return intentValidates ? JNI_TRUE : JNI_FALSE;
         return machineOf(env).document->name.empty() ? JNI_FALSE : JNI_TRUE;
     };
     f.CallVoidMethodV = [](JNIEnv* env, jobject of, jmethodID id, va_list arguments) {
@@ -340,6 +340,15 @@ void JavaMachine::typed(const std::string& name, const std::string& text) {
 void JavaMachine::displayRefreshes(float rate, float most) { callNative<void>(*impl_, "refreshes(JFF)V", rate, most); }
 
 bool JavaMachine::wantsBack() const { return impl_->wantsBack; }
+std::string JavaMachine::gaveUp() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->gaveUp;
+}
+std::pair<double, double> JavaMachine::explored() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->explored;
+}
+void JavaMachine::trim(int level) { callNative<void>(*impl_, "trim(JI)V", level); }
 void JavaMachine::back() { callNative<void>(*impl_, "back(J)V"); }
 bool JavaMachine::animated() const { return impl_->animated; }
 void JavaMachine::tick() {

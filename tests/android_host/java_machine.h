@@ -18,11 +18,15 @@ struct Document {
     std::string uri = "content://org.example.files/document/7";
     std::string name;  ///< empty: the provider keeps none
     std::string bytes;
+    bool sent = false;                    ///< by ACTION_SEND, else to be viewed
     bool hasDescriptor = true;            ///< else it comes as a stream
     bool refuses = false;                 ///< throws SecurityException
     double seconds = 0;                   ///< that it takes to open
     std::shared_future<void> opens = {};  ///< when it does, if it has to be waited for
 };
+
+/// Whether intents switch the validation layer on.
+inline bool intentValidates = false;
 
 class JavaMachine {
 public:
@@ -53,6 +57,12 @@ public:
     /// Whether Back is the app's; and the user's Back then.
     bool wantsBack() const;
     void back();
+    /// Why the app cannot draw, as it tells the user; empty: it can.
+    std::string gaveUp() const;
+    /// Where a finger explored the window last, pixels.
+    std::pair<double, double> explored() const;
+    /// As the system asks for memory: 20 once the window is hidden, 40 in the background.
+    void trim(int level);
     /// Whether native code wants to be told of the display's pictures; and one of them, now.
     bool animated() const;
     void tick();

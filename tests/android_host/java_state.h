@@ -72,6 +72,8 @@ struct JavaMachine::Impl {
     jlong attached = 0;  // what native code has itself called by
     std::atomic<int> controlChanges{0};
     std::atomic<bool> wantsBack{false}, animated{false};
+    std::string gaveUp;                  // under the mutex
+    std::pair<double, double> explored;  // likewise
     std::string cacheFolder;
     std::pair<std::string, std::string> asked;  // under the mutex
     std::map<std::string, std::string> web;     // likewise

@@ -22,7 +22,7 @@ std::map<VkPhysicalDevice, VkInstance> owners;  // several threads have an insta
 std::map<VkInstance, VkDebugUtilsMessengerEXT> messengers;
 std::mutex faultsMutex;
 std::vector<std::string> faults;
-std::atomic<bool> broken{false};
+std::atomic<bool> broken{false}, validated{false};
 std::atomic<int> refused{0}, losses{0}, made{0};
 
 template <typename Function>
@@ -75,6 +75,8 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, 
         }
     VkInstanceCreateInfo changed = *info;
     std::vector<const char*> layers(info->ppEnabledLayerNames, info->ppEnabledLayerNames + info->enabledLayerCount);
+    for (const char* layer : layers)
+        if (std::strcmp(layer, "VK_LAYER_KHRONOS_validation") == 0) validated = true;
     // What draws into windows is watched; headless renders, which only say what to expect, are tested elsewhere.
     if (window) layers.push_back("VK_LAYER_KHRONOS_validation");
     changed.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
@@ -325,6 +327,7 @@ PFN_vkVoidFunction loaderFunction(VkInstance instance, const char* name) {
 }
 
 void setVulkanBroken(bool now) { broken = now; }
+bool validationAsked() { return validated; }
 void refuseFrames(int count) { refused = count; }
 void loseDevices(int count) { losses = count; }
 int devicesMade() { return made; }

@@ -16,6 +16,9 @@ int fenceWaitsOfSubmission();
 /// No device from now on, as on a machine without a driver.
 void setVulkanBroken(bool broken);
 
+/// Whether the app has asked for the validation layer.
+bool validationAsked();
+
 /// So many devices, one after the other, are lost when the next frame of a window is asked for.
 void loseDevices(int count);
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "app/android/src/main/java"
-MOST_BYTES = 27000  # of the classes, before they are packed
+MOST_BYTES = 30000  # of the classes, before they are packed
 
 CONTEXT = """public String getPackageName() { return null; } public java.io.File getCacheDir() { return null; }
         public final <T> T getSystemService(Class<T> type) { return null; }"""
@@ -63,7 +63,7 @@ STUBS = {
     "android.content.Intent": """public class Intent { public Intent(String action) { }
         public static final String ACTION_OPEN_DOCUMENT = "o", ACTION_SEND = "s", CATEGORY_OPENABLE = "c", EXTRA_STREAM = "e";
         public static final int FLAG_GRANT_READ_URI_PERMISSION = 1;
-        public Intent addCategory(String c) { return this; } public Intent setType(String t) { return this; }
+        public <T extends android.os.Parcelable> T getParcelableExtra(String n) { return null; } public Intent addCategory(String c) { return this; } public Intent setType(String t) { return this; }
         public Intent putExtra(String n, android.os.Parcelable v) { return this; } public Intent addFlags(int f) { return this; }
         public android.net.Uri getData() { return null; }
         public static Intent createChooser(Intent target, CharSequence title) { return target; } }""",
@@ -84,6 +84,7 @@ STUBS = {
     "android.app.NativeActivity": """import android.content.Intent; import android.os.Bundle;
         public class NativeActivity extends android.content.Context { public static final int RESULT_OK = -1;
         protected void onCreate(Bundle state) { } protected void onDestroy() { } protected void onActivityResult(int a, int b, Intent c) { }
+        public void onTrimMemory(int level) { } public boolean isFinishing() { return false; } public boolean isDestroyed() { return false; } public void finish() { }
         protected void onNewIntent(Intent i) { } public void setIntent(Intent i) { }
         public void onConfigurationChanged(android.content.res.Configuration c) { }
         public android.window.OnBackInvokedDispatcher getOnBackInvokedDispatcher() { return null; }
@@ -97,12 +98,14 @@ STUBS = {
     "android.widget.EditText": """public class EditText extends android.view.View { public EditText(android.content.Context c) { }
         public void setSingleLine() { } public void setText(CharSequence t) { } public void setSelection(int i) { }
         public android.text.Editable getText() { return null; } }""",
-    "android.content.DialogInterface": """public interface DialogInterface {
+    "android.content.DialogInterface": """public interface DialogInterface { interface OnDismissListener { void onDismiss(DialogInterface d); }
         interface OnClickListener { void onClick(DialogInterface d, int which); } }""",
     "android.app.Dialog": """public class Dialog implements android.content.DialogInterface { public void show() { }
         public android.view.Window getWindow() { return null; } }""",
     "android.app.AlertDialog": """import android.content.DialogInterface; public class AlertDialog extends Dialog { public static class Builder {
         public Builder(android.content.Context c) { } public Builder setTitle(CharSequence t) { return this; }
+        public Builder setMessage(CharSequence t) { return this; }
+        public Builder setOnDismissListener(DialogInterface.OnDismissListener l) { return this; } public AlertDialog show() { return null; }
         public Builder setView(android.view.View v) { return this; } public AlertDialog create() { return null; }
         public Builder setPositiveButton(int t, DialogInterface.OnClickListener l) { return this; }
         public Builder setNegativeButton(int t, DialogInterface.OnClickListener l) { return this; } } }""",
@@ -132,7 +135,7 @@ STUBS = {
         public void setClickable(boolean b) { } public void addAction(int a) { } public void setAccessibilityFocused(boolean b) { } }""",
     "android.view.accessibility.AccessibilityEvent": """public final class AccessibilityEvent {
         public static final int TYPE_WINDOW_CONTENT_CHANGED = 2048, TYPE_VIEW_ACCESSIBILITY_FOCUSED = 32768,
-        TYPE_VIEW_ACCESSIBILITY_FOCUS_CLEARED = 65536;
+        TYPE_VIEW_ACCESSIBILITY_FOCUS_CLEARED = 65536, TYPE_VIEW_HOVER_ENTER = 128, TYPE_VIEW_HOVER_EXIT = 256;
         public static AccessibilityEvent obtain(int type) { return null; } public void setSource(android.view.View v, int id) { }
         public void setPackageName(CharSequence s) { } public void setClassName(CharSequence s) { } }""",
 }

@@ -47,9 +47,12 @@ def check_manifest(apk):
     for attribute in ("extractNativeLibs", "allowBackup"):
         line = next((l for l in tree.splitlines() if f"android:{attribute}(" in l), "")
         expect(line.endswith("0x0"), f"{attribute} is false")
-    for text in ("android.intent.action.VIEW", "chemical/x-pdb", "chemical/x-mmcif", "chemical/x-mdl-sdfile",
+    for text in ("android.intent.action.VIEW", "android.intent.action.SEND", "chemical/*", "chemical/x-pdb", "chemical/x-mmcif", "chemical/x-mdl-sdfile",
                  "application/octet-stream", r".*\\.pdb", r".*\\.cif", r".*\\.sdf", "content"):
         expect(f'"{text}"' in tree, f"the manifest names {text}")
+    filters = [f for f in tree.split("E: intent-filter")[1:] if "action.VIEW" in f and "application/octet-stream" in f]
+    expect(any("pathPattern" not in f for f in filters), "a document without a name in its address is offered")
+    expect("E: profileable" in tree, "profilers attach")
     # A path of the file system needs a permission that is not asked for.
     expect('"file"' not in tree, "no file: address is offered to be opened")
     activity = [l.strip() for l in tree.splitlines()]

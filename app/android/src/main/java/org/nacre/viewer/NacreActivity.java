@@ -53,6 +53,7 @@ public final class NacreActivity extends NativeActivity
     static native void textScale(long app, float scale);
     static native void refreshes(long app, float rate, float most);
     static native void tick(long app, long nanoseconds);
+    static native void trim(long app, int level);
     static native void typed(long app, String name, String text);
     static native boolean received(long transfer, byte[] bytes, int count, long all);
 
@@ -77,7 +78,22 @@ public final class NacreActivity extends NativeActivity
     protected void onNewIntent(Intent intent) {
         super.onNewIntent(intent);
         setIntent(intent);
-        if (app != 0 && intent.getData() != null) opened(app, intent.getData());
+        Uri document = documentOf(intent);
+        if (app != 0 && document != null) opened(app, document);
+    }
+
+    /** What another app hands over, to be opened or as shared; null: nothing. */
+    private static Uri documentOf(Intent intent) {
+        if (intent.getData() != null) return intent.getData();
+        Object shared = intent.getParcelableExtra(Intent.EXTRA_STREAM);
+        return shared instanceof Uri ? (Uri) shared : null;
+    }
+
+    /** The window is hidden, or the app may be ended for its memory: onLowMemory is not called from API level 34 on. */
+    @Override
+    public void onTrimMemory(int level) {
+        super.onTrimMemory(level);
+        if (app != 0) trim(app, level);
     }
 
     @Override
@@ -207,6 +223,20 @@ public final class NacreActivity extends NativeActivity
 
     void copyText(String text) {
         runOnUiThread(() -> getSystemService(ClipboardManager.class).setPrimaryClip(ClipData.newPlainText("Nacre", text)));
+    }
+
+    /** Says why nothing can be drawn. The activity ends with the answer. */
+    void giveUp(String why) {
+        runOnUiThread(() -> {
+            if (isFinishing() || isDestroyed()) return;
+            new AlertDialog.Builder(this).setTitle("Nacre cannot draw here").setMessage(why)
+                    .setPositiveButton(android.R.string.ok, null).setOnDismissListener(it -> finish()).show();
+        });
+    }
+
+    /** A finger explores by touch. Pixels of the window. On the main thread. */
+    void explore(float x, float y, boolean inside) {
+        if (nodes != null) nodes.explore(x, y, inside);
     }
 
     void pickDocument() {

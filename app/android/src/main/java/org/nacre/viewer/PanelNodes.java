@@ -7,15 +7,21 @@ import android.view.accessibility.AccessibilityEvent;
 import android.view.accessibility.AccessibilityNodeInfo;
 import android.view.accessibility.AccessibilityNodeProvider;
 
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
 /** Controls of the panel as a screen reader's nodes: the panel itself is drawn by native code. */
 final class PanelNodes extends AccessibilityNodeProvider {
     private static final String FIELD = "\t", LINE = "\n";
-    private static final int ROLE = 0, NAME = 1, VALUE = 2, ENABLED = 3, LEFT = 4;
+    private static final int ROLE = 0, NAME = 1, VALUE = 2, ENABLED = 3, LEFT = 4, TOP = 5, RIGHT = 6, BOTTOM = 7;
+    private static final int NONE = -1;
 
     private final NacreActivity activity;
     private final View view;
-    private String[][] controls = {};
-    private int focused = -1;
+    private final Map<String, Integer> ids = new HashMap<>(); // a control keeps its number, wherever its row stands
+    private final Map<Integer, String[]> controls = new LinkedHashMap<>(); // by number
+    private int focused = NONE, hovered = NONE;
 
     PanelNodes(NacreActivity activity, View view) {
         this.activity = activity;
@@ -29,12 +35,62 @@ final class PanelNodes extends AccessibilityNodeProvider {
         });
     }
 
-    /** The table anew: a control a line. */
+    /** The table anew: a control a line. Those of one name are told apart by their order. */
     private void read() {
         String text = activity.app() == 0 ? "" : NacreActivity.controls(activity.app());
-        String[] lines = text.isEmpty() ? new String[0] : text.split(LINE);
-        controls = new String[lines.length][];
-        for (int i = 0; i < lines.length; ++i) controls[i] = lines[i].split(FIELD, -1);
+        controls.clear();
+        if (text.isEmpty()) return;
+        Map<String, Integer> met = new HashMap<>();
+        for (String line : text.split(LINE)) {
+            String[] control = line.split(FIELD, -1);
+            String name = control[ROLE] + FIELD + control[NAME];
+            String key = name + FIELD + met.merge(name, 1, Integer::sum);
+            Integer id = ids.get(key);
+            if (id == null) {
+                id = ids.size();
+                ids.put(key, id);
+            }
+            controls.put(id, control);
+        }
+    }
+
+    private static int number(String[] control, int field) {
+        return Integer.parseInt(control[field]);
+    }
+
+    /** The smallest control at a place: the picture lies below all others. */
+    private int idAt(float x, float y) {
+        int found = NONE;
+        long least = Long.MAX_VALUE;
+        for (Map.Entry<Integer, String[]> entry : controls.entrySet()) {
+            String[] control = entry.getValue();
+            int left = number(control, LEFT), top = number(control, TOP);
+            int right = number(control, RIGHT), bottom = number(control, BOTTOM);
+            long area = (long) (right - left) * (bottom - top);
+            if (x < left || x >= right || y < top || y >= bottom || area >= least) continue;
+            found = entry.getKey();
+            least = area;
+        }
+        return found;
+    }
+
+    /** A finger explores by touch: the reader says what it comes to. Pixels of the window. */
+    void explore(float x, float y, boolean inside) {
+        read();
+        int before = hovered;
+        hovered = inside ? idAt(x, y) : NONE;
+        if (hovered == before) return;
+        if (hovered != NONE) send(hovered, AccessibilityEvent.TYPE_VIEW_HOVER_ENTER);
+        if (before != NONE) send(before, AccessibilityEvent.TYPE_VIEW_HOVER_EXIT);
+    }
+
+    private void send(int id, int type) {
+        AccessibilityEvent event = AccessibilityEvent.obtain(type);
+        event.setSource(view, id);
+        event.setPackageName(view.getContext().getPackageName());
+        String[] control = controls.get(id);
+        if (control != null) event.setClassName(classOf(control[ROLE]));
+        view.getParent().requestSendAccessibilityEvent(view, event);
     }
 
     void changed() {
@@ -47,11 +103,11 @@ final class PanelNodes extends AccessibilityNodeProvider {
             read();
             AccessibilityNodeInfo host = AccessibilityNodeInfo.obtain(view);
             view.onInitializeAccessibilityNodeInfo(host);
-            for (int i = 0; i < controls.length; ++i) host.addChild(view, i);
+            for (int child : controls.keySet()) host.addChild(view, child);
             return host;
         }
-        if (id < 0 || id >= controls.length) return null;
-        String[] control = controls[id];
+        String[] control = controls.get(id);
+        if (control == null) return null;
         AccessibilityNodeInfo node = AccessibilityNodeInfo.obtain(view, id);
         node.setParent(view);
         node.setPackageName(view.getContext().getPackageName());
@@ -59,8 +115,8 @@ final class PanelNodes extends AccessibilityNodeProvider {
         node.setContentDescription(control[VALUE].isEmpty() ? control[NAME] : control[NAME] + ", " + control[VALUE]);
         int[] origin = new int[2];
         view.getLocationOnScreen(origin);
-        Rect place = new Rect(Integer.parseInt(control[LEFT]), Integer.parseInt(control[LEFT + 1]),
-                Integer.parseInt(control[LEFT + 2]), Integer.parseInt(control[LEFT + 3]));
+        Rect place = new Rect(number(control, LEFT), number(control, TOP), number(control, RIGHT),
+                number(control, BOTTOM));
         place.offset(origin[0], origin[1]);
         node.setBoundsInScreen(place);
         node.setVisibleToUser(true);
@@ -113,33 +169,29 @@ final class PanelNodes extends AccessibilityNodeProvider {
 
     @Override
     public boolean performAction(int id, int action, Bundle arguments) {
-        if (id < 0 || id >= controls.length) return false;
+        String[] control = controls.get(id);
+        if (control == null) return false;
         switch (action) {
             case AccessibilityNodeInfo.ACTION_CLICK:
-                if (activity.app() != 0) NacreActivity.press(activity.app(), controls[id][ROLE], controls[id][NAME]);
+                if (activity.app() != 0) NacreActivity.press(activity.app(), control[ROLE], control[NAME]);
                 return true;
             case AccessibilityNodeInfo.ACTION_SCROLL_FORWARD:
             case AccessibilityNodeInfo.ACTION_SCROLL_BACKWARD:
                 if (activity.app() != 0)
-                    NacreActivity.adjust(activity.app(), controls[id][NAME],
+                    NacreActivity.adjust(activity.app(), control[NAME],
                             action == AccessibilityNodeInfo.ACTION_SCROLL_FORWARD);
                 return true;
             case AccessibilityNodeInfo.ACTION_ACCESSIBILITY_FOCUS:
                 focused = id;
                 break;
             case AccessibilityNodeInfo.ACTION_CLEAR_ACCESSIBILITY_FOCUS:
-                focused = -1;
+                focused = NONE;
                 break;
             default:
                 return false;
         }
-        AccessibilityEvent event = AccessibilityEvent.obtain(focused == id
-                ? AccessibilityEvent.TYPE_VIEW_ACCESSIBILITY_FOCUSED
+        send(id, focused == id ? AccessibilityEvent.TYPE_VIEW_ACCESSIBILITY_FOCUSED
                 : AccessibilityEvent.TYPE_VIEW_ACCESSIBILITY_FOCUS_CLEARED);
-        event.setSource(view, id);
-        event.setPackageName(view.getContext().getPackageName());
-        event.setClassName(classOf(controls[id][ROLE]));
-        view.getParent().requestSendAccessibilityEvent(view, event);
         return true;
     }
 }
