@@ -157,8 +157,8 @@ Json pathsJson(const BenchOptions& options, double radius, const std::vector<Tim
                          {"geometry", geometryJson(stats.geometry, stats.storesVaryings)},
                          {"tile_bytes_per_pixel", stats.tileBytesPerPixel},
                          {"memory_bytes", {{"loaded", stats.loadedBytes}, {"stored", stats.storedBytes}}},
-                         {"passes", passes}});
-        if (stats.lists.tiles > 0) paths.back()["lists"] = listsJson(stats.lists);
+                         {"passes", passes},
+                         {"lists", stats.lists.tiles > 0 ? listsJson(stats.lists) : Json()}});
     }
     return paths;
 }
@@ -226,10 +226,12 @@ void tellOfFirstFrame(const BenchOptions& options, const Representation& scene, 
     Seen seen(ids.begin(), ids.end());
     seen.erase(0);
     report["covered_pixels"] = stats.coveredPixels;
-    report["spheres"] = {{"submitted", stats.spheres}};
+    report["spheres"] = {{"submitted", stats.spheres},
+                         {"kept", stats.lists.entries > 0 ? Json(stats.lists.keptSpheres) : Json()},
+                         {"visible", nullptr}};
     report["cylinders"] = {{"submitted", stats.cylinders}};
     report["triangles"] = {{"submitted", stats.triangles}};
-    if (stats.lists.entries > 0) report["spheres"]["kept"] = stats.lists.keptSpheres;
+    report["atoms"]["visible"] = report["floor"] = nullptr;
     if (!scene.copies.transforms.empty() || seen.empty()) return;
     report["atoms"]["visible"] = seen.size();
     const Representation part = visiblePart(scene, seen);

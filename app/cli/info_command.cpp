@@ -55,10 +55,12 @@ void line(std::ostream& out, const char* label, const std::string& text) {
     if (!text.empty()) out << "  " << std::left << std::setw(12) << label << printable(text) << '\n';
 }
 
+std::string textOf(const Json& value) { return value.is_null() ? "" : value.get<std::string>(); }
+
 std::string listed(const Json& json, std::initializer_list<std::pair<const char*, const char*>> entries) {
     std::string text;
     for (const auto& [key, words] : entries)
-        if (json.contains(key) && json[key].get<std::int64_t>() != 0)
+        if (json.contains(key) && !json[key].is_null() && json[key].get<std::int64_t>() != 0)
             text +=
                 (text.empty() ? "" : ", ") + std::string(words) + " " + std::to_string(json[key].get<std::int64_t>());
     return text;
@@ -84,7 +86,7 @@ void sequences(std::ostream& out, const Json& chains) {
     std::map<std::string, Names> namesBySequence;
     std::vector<const Json*> first;
     for (const Json& chain : chains) {
-        if (!chain.contains("sequence")) continue;
+        if (chain["sequence"].is_null()) continue;
         auto& names = namesBySequence[chain["sequence"]];
         if (names.inOrder.empty()) first.push_back(&chain);
         const std::string name = chain["name"].get<std::string>().empty() ? "(blank)" : chain["name"];
@@ -110,7 +112,7 @@ void assemblies(std::ostream& out, const Json& list) {
         if (++shown > kMostNames) return line(out, "", "and " + std::to_string(list.size() - kMostNames) + " more");
         std::string text = "--assembly " + entry["id"].get<std::string>() + ": " + entry["copies"].dump() +
                            (entry["copies"] == 1 ? " copy, " : " copies, ") + entry["atoms"].dump() + " atoms";
-        if (entry.contains("details")) text += ", " + entry["details"].get<std::string>();
+        if (!entry["details"].is_null()) text += ", " + entry["details"].get<std::string>();
         line(out, "", text);
     }
 }
@@ -119,7 +121,7 @@ void assemblies(std::ostream& out, const Json& list) {
 std::string compartments(const Json& json) {
     std::map<std::string, int> entities;
     int all = 0;
-    const Json names = json.contains("entity_names") ? json["entity_names"] : Json::object();
+    const Json& names = json["entity_names"];
     for (const Json& name : names) {
         const auto path = name.get<std::string>();
         const std::size_t point = path.find_last_of('.');
@@ -145,16 +147,18 @@ std::string plainNumber(double value) {
 
 /// "guessed 12 bonds: from distances"
 std::string readingLine(const Json& entry) {
-    ReadNote note{ReadAction::read, entry["what"], entry.value("why", ""), entry["count"], entry.value("line", 0u)};
+    const Json& why = entry["why"];
+    const Json& from = entry["line"];
+    ReadNote note{ReadAction::read, entry["what"], why.is_null() ? "" : why.get<std::string>(), entry["count"],
+                  from.is_null() ? 0 : from.get<std::uint64_t>()};
     for (const ReadAction action : {ReadAction::guessed, ReadAction::leftOut})
         if (entry["action"] == readActionName(action)) note.action = action;
     return sentenceOf(note);
 }
 
 /// "A, B: HIV-1 protease; C: DNA": those of one name together.
-std::string namesOf(const Json& json, const char* key) {
+std::string namesOf(const Json& names) {
     std::map<std::string, std::string> byName;
-    const Json names = json.value(key, Json::object());
     for (const auto& [identifier, name] : names.items()) {
         std::string& of = byName[name.get<std::string>()];
         of += (of.empty() ? "" : ", ") + identifier;
@@ -169,10 +173,8 @@ std::string namesOf(const Json& json, const char* key) {
 std::string infoText(const std::string& name, const Json& json) {
     std::ostringstream out;
     out << printable(name) << " (" << json["format"].get<std::string>() << ")\n";
-    line(out, "title", json.value("title", ""));
-    line(out, "organism", json.value("organism", ""));
-    line(out, "method", json.value("method", ""));
-    if (json.contains("resolution")) line(out, "resolution", plainNumber(json["resolution"].get<double>()) + " Å");
+    for (const char* key : {"title", "organism", "method"}) line(out, key, textOf(json[key]));
+    if (!json["resolution"].is_null()) line(out, "resolution", plainNumber(json["resolution"].get<double>()) + " Å");
     line(out, "atoms", std::to_string(json["atoms"].get<std::int64_t>()));
     line(out, "of these",
          listed(json, {{"hetatm", "hetero"},
@@ -187,19 +189,19 @@ std::string infoText(const std::string& name, const Json& json) {
                        {"bytes", "bytes"}}));
     line(out, "chains",
          listed(json, {{"chains", "identifiers"}, {"chains_auth", "by author"}, {"chains_label", "by label"}}));
-    if (json.contains("chain_list")) {
+    if (!json["chain_list"].is_null()) {
         sequences(out, json["chain_list"]);
-        line(out, "chain names", namesOf(json, "chain_names"));
+        line(out, "chain names", namesOf(json["chain_names"]));
         line(out, "ligands", namesAndCounts(json["ligands"]));
-        line(out, "their names", namesOf(json, "component_names"));
+        line(out, "their names", namesOf(json["component_names"]));
         line(out, "ions", namesAndCounts(json["ions"]));
         line(out, "water", listed(json, {{"waters", "molecules"}}));
     }
     line(out, "assemblies",
          listed(json,
                 {{"assemblies", "assemblies"}, {"oper_list", "operators"}, {"biomt_operators", "BIOMT operators"}}));
-    if (json.contains("assembly_list")) assemblies(out, json["assembly_list"]);
-    if (json.contains("packed")) line(out, "scene", compartments(json));
+    assemblies(out, json["assembly_list"]);
+    if (!json["packed"].is_null()) line(out, "scene", compartments(json));
     line(out, "bonds",
          listed(json["bonds_known"], {{"total", "total"},
                                       {"file", "from the file"},
@@ -214,9 +216,9 @@ std::string infoText(const std::string& name, const Json& json) {
     line(out, "of these",
          listed(json["bonds_known"],
                 {{"between_residues", "between residues"}, {"disulfides", "disulfides"}, {"to_metals", "to metals"}}));
-    if (json.contains("bbox")) line(out, "box", json["bbox"][0].dump() + " to " + json["bbox"][1].dump() + " Å");
-    if (json.contains("box_vectors")) line(out, "cell", json["box_vectors"].dump() + " Å");
-    if (json.contains("partial_charge"))
+    if (!json["bbox"].is_null()) line(out, "box", json["bbox"][0].dump() + " to " + json["bbox"][1].dump() + " Å");
+    if (!json["box_vectors"].is_null()) line(out, "cell", json["box_vectors"].dump() + " Å");
+    if (!json["partial_charge"].is_null())
         line(out, "charge", plainNumber(json["partial_charge"].get<double>()) + " e, the sum of partial charges");
     const char* label = "reading";
     for (const Json& entry : json["reading"]) {
@@ -245,24 +247,64 @@ void addInteractionsOf(const Molecule& molecule, const InputOptions& input, cons
     if (options.frequencies) {
         const ContactFrequencies frequencies = contactFrequencies(molecule, contacts, input.trajectory);
         if (options.csv) info.text = frequencyCsv(molecule, frequencies);
-        if (options.json) {
+        if (options.asJson()) {
             info.json["interactions_of"] = frequencies.of;
             info.json["interaction_frequencies"] = frequencyList(molecule, frequencies);
         }
-        if (!options.csv && !options.json) info.text += frequencyText(molecule, frequencies);
+        if (!options.csv && !options.asJson()) info.text += frequencyText(molecule, frequencies);
         return;
     }
     const std::vector<Interaction> interactions = interactionsOf(molecule, contacts, options.picture.look.assembly);
     if (options.csv) info.text = interactionCsv(molecule, interactions);
-    if (options.json) info.json["interactions"] = interactionList(molecule, interactions);
-    if (!options.csv && !options.json) info.text += interactionText(molecule, interactions);
+    if (options.asJson()) info.json["interactions"] = interactionList(molecule, interactions);
+    if (!options.csv && !options.asJson()) info.text += interactionText(molecule, interactions);
 }
 
 void putBytes(const std::string& path, Json& json) {
     std::error_code error;
     const auto bytes = std::filesystem::file_size(path, error);
-    if (!error) json["bytes"] = bytes;
+    json["bytes"] = error ? Json() : Json(bytes);
 }
+
+/// The keys of every entry: those of molecules, and `map`.
+Json emptyEntry(const std::string& name) {
+    Json entry{{"file", name}, {"bytes", nullptr}};
+    const Json keys = infoJson(Molecule());
+    for (const auto& [key, value] : keys.items()) entry[key] = nullptr;
+    entry["map"] = nullptr;
+    return entry;
+}
+
+/// Text is written as it comes, JSON as a whole list at the end, or an entry per line.
+class InfoWriter {
+public:
+    InfoWriter(const InfoOptions& options, std::ostream& out) : options_(options), out_(out) {}
+
+    void add(const std::string& name, const InfoOfInput& info) {
+        Json entry = emptyEntry(name);
+        entry.update(info.json);
+        if (options_.jsonLines) {
+            out_ << printableJson(entry.dump(-1, ' ', false, Json::error_handler_t::replace)) << '\n';
+        } else if (options_.json) {
+            list_.push_back(std::move(entry));
+        } else {
+            if (!options_.csv)
+                out_ << std::exchange(between_, "\n")
+                     << (info.isMap ? mapInfoText(name, entry) : infoText(name, entry));
+            out_ << info.text;
+        }
+    }
+
+    void finish() {
+        if (!list_.empty()) out_ << jsonText(list_);
+    }
+
+private:
+    const InfoOptions& options_;
+    std::ostream& out_;
+    const char* between_ = "";
+    Json list_ = Json::array();
+};
 
 InfoOfInput infoOfMap(const InputOptions& input) {
     InfoOfInput info{mapInfoJson(readMapInput(input)), {}, true};
@@ -290,7 +332,7 @@ InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
 }
 
 /// Several INPUTs that make one scene.
-void infoTogether(const InfoOptions& options, std::ostream& out) {
+void infoTogether(const InfoOptions& options, InfoWriter& writer) {
     InputOptions input = options.picture.input;
     input.alone = input.describedOnly = true;
     std::string names;
@@ -298,38 +340,28 @@ void infoTogether(const InfoOptions& options, std::ostream& out) {
         addInput(input, path);
         names += (names.empty() ? "" : " + ") + path;
     }
-    const InfoOfInput info = infoOf(input, options);
-    if (options.json) {
-        out << jsonText(info.json);
-        return;
-    }
-    if (!options.csv) out << infoText(names, info.json);
-    out << info.text;
+    writer.add(names, infoOf(input, options));
 }
 
 }  // namespace
 
 void infoCommand(const InfoOptions& options, std::ostream& out) {
-    if (options.together && options.paths.size() > 1) return infoTogether(options, out);
-    const bool several = options.paths.size() > 1;
-    Json list = Json::array();
+    InfoWriter writer(options, out);
     std::optional<Error> failure;  // the last one; earlier ones are printed at once
-    for (const std::string& path : options.paths) try {
-            InputOptions input = options.picture.input;
-            input.alone = input.describedOnly = true;
-            input.path = path;
-            Json json = several ? Json{{"file", path}} : Json::object();
-            InfoOfInput info = infoOf(input, options);
-            json.update(std::move(info.json));
-            if (!options.json && !options.csv)
-                out << (list.empty() ? "" : "\n") << (info.isMap ? mapInfoText(path, json) : infoText(path, json));
-            if (!options.json) out << info.text;
-            list.push_back(std::move(json));
-        } catch (const Error& error) {
-            if (failure) sayError(failure->what());
-            failure = error;
-        }
-    if (options.json && !list.empty()) out << jsonText(several ? list : list.front());
+    if (options.together && options.paths.size() > 1) {
+        infoTogether(options, writer);
+    } else {
+        for (const std::string& path : options.paths) try {
+                InputOptions input = options.picture.input;
+                input.alone = input.describedOnly = true;
+                input.path = path;
+                writer.add(path, infoOf(input, options));
+            } catch (const Error& error) {
+                if (failure) sayError(failure->what());
+                failure = error;
+            }
+    }
+    writer.finish();
     if (failure) throw *failure;
 }
 
@@ -353,12 +385,12 @@ MapJson mapInfoJson(const DensityMap& map) {
                    {"mean", rounded(map.statistics.mean)},
                    {"rms", rounded(map.statistics.rms)}};
     const std::size_t nodes = map.values.size(), known = map.statistics.known;
-    json["reading"] = MapJson::array({{{"action", "read"}, {"what", "values"}, {"count", known}}});
-    if (known < nodes)
-        json["reading"].push_back({{"action", "left out"},
-                                   {"what", "values"},
-                                   {"count", nodes - known},
-                                   {"why", "not known at these nodes"}});
+    const auto note = [&](const char* action, std::size_t count, MapJson why) {
+        json["reading"].push_back(
+            {{"action", action}, {"what", "values"}, {"count", count}, {"why", std::move(why)}, {"line", nullptr}});
+    };
+    note("read", known, nullptr);
+    if (known < nodes) note("left out", nodes - known, "not known at these nodes");
     json["warnings"] = map.warnings;
     return json;
 }

@@ -8,8 +8,8 @@
 
 namespace nacre::app {
 
-/// Output of `info --residues`: each residue in file order {chain, model if there are several, number, insertion ("" =
-/// none), name}, and for proteins `secondary`: helix, strand or coil, from the file or else from hydrogen bonds
+/// Output of `info --residues`: each residue in file order {chain, model, number, insertion ("" = none), name,
+/// secondary}; the last, of proteins only: helix, strand or coil, from the file or else from hydrogen bonds
 /// (kabsch_sander.h).
 nlohmann::ordered_json residueList(const Molecule& molecule);
 /// As text, one line each.

@@ -28,19 +28,17 @@ const char* nameOf(SecondaryStructure secondary) {
 
 Json residueList(const Molecule& molecule) {
     const ResidueFacts facts(molecule);
-    const bool several = std::any_of(molecule.chains.begin(), molecule.chains.end(),
-                                     [&](const Chain& chain) { return chain.model != molecule.chains.front().model; });
     Json list = Json::array();
     for (std::size_t i = 0; i < molecule.residues.size(); ++i) {
         const Residue& residue = molecule.residues[i];
         const Chain& chain = molecule.chains[residue.chain];
-        Json entry{{"chain", chain.name}};
-        if (several) entry["model"] = chain.model;
-        entry["number"] = residue.number;
-        entry["insertion"] = residue.insertionCode ? std::string(1, residue.insertionCode) : "";
-        entry["name"] = residue.name.view();
-        if (facts.kinds()[i] == ResidueKind::protein) entry["secondary"] = nameOf(facts.folds()[i]);
-        list.push_back(std::move(entry));
+        list.push_back(
+            {{"chain", chain.name},
+             {"model", chain.model},
+             {"number", residue.number},
+             {"insertion", residue.insertionCode ? std::string(1, residue.insertionCode) : ""},
+             {"name", residue.name.view()},
+             {"secondary", facts.kinds()[i] == ResidueKind::protein ? Json(nameOf(facts.folds()[i])) : Json()}});
     }
     return list;
 }
@@ -48,14 +46,17 @@ Json residueList(const Molecule& molecule) {
 std::string residueText(const Json& residues) {
     std::ostringstream out;
     out << "  residues\n";
+    const bool several = std::any_of(residues.begin(), residues.end(), [&](const Json& residue) {
+        return residue["model"] != residues.front()["model"];
+    });
     for (const Json& residue : residues) {
         const std::string chain = residue["chain"], name = residue["name"];
         const std::string place =
             std::to_string(residue["number"].get<int>()) + residue["insertion"].get<std::string>();
-        const std::string model = residue.contains("model") ? std::to_string(residue["model"].get<int>()) + "  " : "";
+        const std::string model = several ? residue["model"].dump() + "  " : "";
         out << "    " << model << std::left << std::setw(5) << printable(chain.empty() ? "-" : chain) << std::right
             << std::setw(6) << printable(place) << "  " << std::left << std::setw(4) << printable(name);
-        if (residue.contains("secondary")) out << "  " << residue["secondary"].get<std::string>();
+        if (!residue["secondary"].is_null()) out << "  " << residue["secondary"].get<std::string>();
         out << '\n';
     }
     return out.str();

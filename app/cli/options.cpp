@@ -165,7 +165,8 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     addPicture(info, line.info.picture, static_cast<Topics>(Topic::trajectory));
     info.flag("--residues", line.info.residues, "Each residue, with helix, strand or coil");
     addInteractions(info, line.info);
-    info.flag("--json", line.info.json, "As one JSON object");
+    info.flag("--json", line.info.json, "As a JSON list, an object per INPUT; docs/json.md explains its keys");
+    info.flag("--json-lines", line.info.jsonLines, "As JSON, an object per line and INPUT, each as soon as it is read");
     CommandSpec bench{"bench", "Time frames on each visibility path",
                       "Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json\n"
                       "  nacre bench 1bna.pdb 4hhb.cif.gz --visibility tiles --zoom 10"};

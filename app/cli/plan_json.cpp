@@ -141,11 +141,11 @@ std::string planJson(const PlanReport& report) {
                             {"buffers", buffersJson(report.frame.graph, report.plan)},
                             {"unmerged_images", imagesJson(report.frame.graph, report.unmerged)},
                             {"paper_images", imagesJson(report.paperGraph, report.paper)}};
-    if (!report.costs.empty()) json["costs"] = costsJson(report);
-    if (!report.geometry.empty())
-        json["geometry"] = geometryJson(report.geometry, report.plannedWith.geometry.storesVaryings);
-    if (!report.meshLevels.empty()) json["mesh_levels"] = meshLevelsJson(report.meshLevels);
-    if (!report.copyLevels.empty()) json["copy_levels"] = copyLevelsJson(report.copyLevels);
+    json["costs"] = costsJson(report);
+    json["geometry"] =
+        report.geometry.empty() ? Json() : geometryJson(report.geometry, report.plannedWith.geometry.storesVaryings);
+    json["mesh_levels"] = meshLevelsJson(report.meshLevels);
+    json["copy_levels"] = copyLevelsJson(report.copyLevels);
     json["facts"] = Json::array();
     for (const graph::Fact& fact : report.facts)
         json["facts"].push_back({{"what", fact.what}, {"source", fact.source}});

@@ -92,14 +92,14 @@ Json geometryJson(const std::vector<PassGeometry>& passes, bool stored) {
 Json passesJson(const std::vector<PassCount>& counts, const std::vector<PassTime>& times) {
     Json passes = Json::array();
     for (const PassCount& pass : counts)
-        passes.push_back({{"name", pass.name}, {"shaded_fragments", pass.shadedFragments}});
+        passes.push_back({{"name", pass.name}, {"shaded_fragments", pass.shadedFragments}, {"ms", nullptr}});
     for (const PassTime& time : times) {
         const auto it =
             std::find_if(passes.begin(), passes.end(), [&](const Json& p) { return p["name"] == time.name; });
         if (it != passes.end())
             (*it)["ms"] = time.milliseconds;
         else
-            passes.push_back({{"name", time.name}, {"ms", time.milliseconds}});
+            passes.push_back({{"name", time.name}, {"shaded_fragments", nullptr}, {"ms", time.milliseconds}});
     }
     return passes;
 }
@@ -133,19 +133,20 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                     {"orientation", {q.w, q.x, q.y, q.z}},
                     {"zoom", run.zoom},
                     {"clip", run.clip},
-                    {"pan", {view.pan.x, view.pan.y}}};
-    if (!run.uncovers.empty()) {
-        const Uncovered& u = run.uncovered;
-        json["view"]["uncover"] = run.uncovers;
-        json["uncovered"] = {{"seen_before", u.before},
-                             {"seen", u.after},
-                             {"spheres_left_out", u.spheres},
-                             {"cylinders_left_out", u.cylinders},
-                             {"triangles_left_out", u.triangles}};
-    }
-    json["atoms"] = {
-        {"read", run.atomsRead}, {"drawn", run.atomsDrawn}, {"submitted", frame.spheres}, {"copies", frame.copies}};
-    if (!frame.copyLevels.empty()) json["atoms"]["levels"] = copyLevelsJson(frame.copyLevels);
+                    {"pan", {view.pan.x, view.pan.y}},
+                    {"uncover", run.uncovers.empty() ? Json() : Json(run.uncovers)}};
+    const Uncovered& u = run.uncovered;
+    json["uncovered"] = run.uncovers.empty() ? Json()
+                                             : Json{{"seen_before", u.before},
+                                                    {"seen", u.after},
+                                                    {"spheres_left_out", u.spheres},
+                                                    {"cylinders_left_out", u.cylinders},
+                                                    {"triangles_left_out", u.triangles}};
+    json["atoms"] = {{"read", run.atomsRead},
+                     {"drawn", run.atomsDrawn},
+                     {"submitted", frame.spheres},
+                     {"copies", frame.copies},
+                     {"levels", copyLevelsJson(frame.copyLevels)}};
     json["bonds"] = {{"known", run.bondsKnown}, {"drawn", run.bondsDrawn}, {"cylinders", frame.cylinders}};
     json["mesh"] = {{"triangles", run.triangles},
                     {"vertices", run.vertices},

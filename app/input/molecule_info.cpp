@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "engine/molecule/chain_summary.h"
-#include "engine/molecule/chemistry/chemistry.h"
+#include "engine/molecule/chemistry/drawn_orders.h"
 #include "engine/molecule/element.h"
 
 namespace nacre::app {
@@ -27,15 +27,20 @@ double asWritten(float value) {
     return result;
 }
 
-void put(Json& json, const char* key, const std::optional<std::int64_t>& value) {
-    if (value) json[key] = *value;
+template <typename Value>
+Json orNull(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json();
 }
 
-void putAtomCounts(Json& json, const MoleculeCounts& counts) {
-    json["hetatm"] = counts.hetatm;
-    json["altloc_atoms"] = counts.altlocAtoms;
-    json["insertion_code_atoms"] = counts.insertionCodeAtoms;
-    json["negative_resnum_atoms"] = counts.negativeResnumAtoms;
+Json orNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+/// @param has  whether the format has residues
+void putAtomCounts(Json& json, const MoleculeCounts& counts, bool has) {
+    const auto put = [&](const char* key, std::size_t count) { json[key] = has ? Json(count) : Json(); };
+    put("hetatm", counts.hetatm);
+    put("altloc_atoms", counts.altlocAtoms);
+    put("insertion_code_atoms", counts.insertionCodeAtoms);
+    put("negative_resnum_atoms", counts.negativeResnumAtoms);
 }
 
 template <std::size_t Count>
@@ -49,7 +54,7 @@ Json bondsByKind(const Molecule& molecule) {
     std::array<std::int64_t, 3> sources{};
     std::array<std::int64_t, 5> orders{};
     std::int64_t between = 0, disulfides = 0, metal = 0;
-    const std::vector<std::uint8_t> perceived = perceivedOrders(molecule);
+    const std::vector<std::uint8_t> drawn = drawnOrders(molecule);
     for (std::size_t i = 0; i < molecule.bonds.size(); ++i) {
         const Bond& bond = molecule.bonds[i];
         const Atom &a = molecule.atoms[bond.a], &b = molecule.atoms[bond.b];
@@ -57,7 +62,7 @@ Json bondsByKind(const Molecule& molecule) {
         disulfides += a.residue != b.residue && a.element == kSulfur && b.element == kSulfur;
         metal += isMetal(a.element) || isMetal(b.element);
         ++sources[static_cast<std::size_t>(bond.source)];
-        ++orders[perceived[i] <= 4 ? perceived[i] : 0];
+        ++orders[drawn[i] <= 4 ? drawn[i] : 0];
     }
     return {{"total", molecule.bonds.size()},
             {"file", sources[0]},
@@ -82,22 +87,20 @@ bool hasResidues(const std::string& format) {
 
 /// @param chains  those of the molecule, in its order
 Json chainList(const Molecule& molecule, const std::vector<ChainSummary>& chains) {
-    const bool several = std::any_of(molecule.chains.begin(), molecule.chains.end(),
-                                     [&](const Chain& chain) { return chain.model != molecule.chains.front().model; });
     Json list = Json::array();
     for (std::size_t i = 0; i < chains.size(); ++i) {
         const ChainSummary& chain = chains[i];
-        Json entry{{"name", chain.name}};
-        if (several) entry["model"] = molecule.chains[i].model;
-        if (!chain.sequence.empty()) {
-            entry["polymer"] = chain.nucleotides > chain.aminoAcids ? "nucleic" : "protein";
-            entry["length"] = chain.sequence.size();
-            entry["sequence"] = chain.sequence;
-        }
-        if (!chain.ligands.empty()) entry["ligands"] = chain.ligands;
-        if (!chain.ions.empty()) entry["ions"] = chain.ions;
-        if (chain.waters > 0) entry["waters"] = chain.waters;
-        list.push_back(entry);
+        const bool polymer = !chain.sequence.empty();
+        list.push_back({{"name", chain.name},
+                        {"model", molecule.chains[i].model},
+                        {"polymer", !polymer                               ? Json()
+                                    : chain.nucleotides > chain.aminoAcids ? Json("nucleic")
+                                                                           : Json("protein")},
+                        {"length", chain.sequence.size()},
+                        {"sequence", orNull(chain.sequence)},
+                        {"ligands", chain.ligands},
+                        {"ions", chain.ions},
+                        {"waters", chain.waters}});
     }
     return list;
 }
@@ -110,7 +113,11 @@ Json total(const std::vector<ChainSummary>& chains, std::map<std::string, std::s
     return sum;
 }
 
-void putChains(Json& json, const Molecule& molecule) {
+void putChains(Json& json, const Molecule& molecule, bool has) {
+    if (!has) {
+        for (const char* key : {"chain_list", "ligands", "ions", "waters"}) json[key] = nullptr;
+        return;
+    }
     const std::vector<ChainSummary> chains = summariseChains(molecule);
     std::size_t waters = 0;
     for (const ChainSummary& chain : chains) waters += chain.waters;
@@ -124,10 +131,11 @@ void putChains(Json& json, const Molecule& molecule) {
 Json readingList(const Molecule& molecule) {
     Json list = Json::array();
     for (const ReadNote& note : readingOf(molecule)) {
-        Json entry{{"action", readActionName(note.action)}, {"what", note.what}, {"count", note.count}};
-        if (!note.why.empty()) entry["why"] = note.why;
-        if (note.line > 0) entry["line"] = note.line;
-        list.push_back(entry);
+        list.push_back({{"action", readActionName(note.action)},
+                        {"what", note.what},
+                        {"count", note.count},
+                        {"why", orNull(note.why)},
+                        {"line", note.line > 0 ? Json(note.line) : Json()}});
     }
     return list;
 }
@@ -149,11 +157,8 @@ Json assemblyList(const Molecule& molecule) {
             copies = std::max(copies, part.transforms.size());
             for (const std::uint32_t subchain : part.subchains) atoms += sizes[subchain] * part.transforms.size();
         }
-        Json entry{{"id", assembly.id}};
-        if (!assembly.details.empty()) entry["details"] = assembly.details;
-        entry["copies"] = copies;
-        entry["atoms"] = atoms;
-        list.push_back(entry);
+        list.push_back(
+            {{"id", assembly.id}, {"details", orNull(assembly.details)}, {"copies", copies}, {"atoms", atoms}});
     }
     return list;
 }
@@ -162,42 +167,44 @@ Json assemblyList(const Molecule& molecule) {
 
 Json infoJson(const Molecule& molecule) {
     const FileSummary& file = molecule.file;
+    const MoleculeCounts counts = countMolecule(molecule);
+    const bool residues = hasResidues(file.format);
     Json json;
     json["format"] = file.format;
-    if (!file.title.empty()) json["title"] = file.title;
-    if (!file.organism.empty()) json["organism"] = file.organism;
-    if (!file.method.empty()) json["method"] = file.method;
-    if (file.resolution) json["resolution"] = *file.resolution;
-    const MoleculeCounts counts = countMolecule(molecule);
+    json["title"] = orNull(file.title);
+    json["organism"] = orNull(file.organism);
+    json["method"] = orNull(file.method);
+    json["resolution"] = orNull(file.resolution);
     json["atoms"] = counts.atoms;
-    put(json, "models", file.models);
-    put(json, "records", file.records);
-    put(json, "total_atoms_all_models", file.totalAtomsAllModels);
-    put(json, "total_atoms_all_records", file.totalAtomsAllRecords);
-    put(json, "total_bonds_all_records", file.totalBondsAllRecords);
-    put(json, "bonds", file.bonds);
-    put(json, "bonds_all_models", file.bondsAllModels);
-    put(json, "conect_unique_pairs", file.conectUniquePairs);
-    put(json, "chains", file.chains);
-    put(json, "chains_auth", file.chainsAuth);
-    put(json, "chains_label", file.chainsLabel);
-    if (hasResidues(file.format)) {
-        putAtomCounts(json, counts);
-        putChains(json, molecule);
-    }
-    if (!file.chainNames.empty()) json["chain_names"] = file.chainNames;
-    if (!file.componentNames.empty()) json["component_names"] = file.componentNames;
-    if (!file.entityNames.empty()) json["entity_names"] = file.entityNames;
-    if (!file.packed.empty()) json["packed"] = file.packed;
-    put(json, "biomt_operators", file.biomtOperators);
-    put(json, "assemblies", file.assemblies);
-    put(json, "oper_list", file.operators);
-    if (!molecule.assemblies.empty()) json["assembly_list"] = assemblyList(molecule);
-    if (counts.bbox) json["bbox"] = vectors(*counts.bbox);
-    if (file.box) json["box_vectors"] = vectors(*file.box);
-    if (file.box && file.boxOrigin != glm::vec3(0)) json["box_origin"] = vectors(std::array{file.boxOrigin})[0];
-    if (!molecule.partialCharges.empty())
-        json["partial_charge"] = std::accumulate(molecule.partialCharges.begin(), molecule.partialCharges.end(), 0.0);
+    json["models"] = orNull(file.models);
+    json["records"] = orNull(file.records);
+    json["total_atoms_all_models"] = orNull(file.totalAtomsAllModels);
+    json["total_atoms_all_records"] = orNull(file.totalAtomsAllRecords);
+    json["total_bonds_all_records"] = orNull(file.totalBondsAllRecords);
+    json["bonds"] = orNull(file.bonds);
+    json["bonds_all_models"] = orNull(file.bondsAllModels);
+    json["conect_unique_pairs"] = orNull(file.conectUniquePairs);
+    json["chains"] = orNull(file.chains);
+    json["chains_auth"] = orNull(file.chainsAuth);
+    json["chains_label"] = orNull(file.chainsLabel);
+    putAtomCounts(json, counts, residues);
+    putChains(json, molecule, residues);
+    json["chain_names"] = file.chainNames;
+    json["component_names"] = file.componentNames;
+    json["entity_names"] = file.entityNames;
+    json["packed"] = orNull(file.packed);
+    json["biomt_operators"] = orNull(file.biomtOperators);
+    json["assemblies"] = orNull(file.assemblies);
+    json["oper_list"] = orNull(file.operators);
+    json["assembly_list"] = assemblyList(molecule);
+    json["bbox"] = counts.bbox ? vectors(*counts.bbox) : Json();
+    json["box_vectors"] = file.box ? vectors(*file.box) : Json();
+    json["box_origin"] =
+        file.box && file.boxOrigin != glm::vec3(0) ? Json(vectors(std::array{file.boxOrigin})[0]) : Json();
+    json["partial_charge"] =
+        molecule.partialCharges.empty()
+            ? Json()
+            : Json(std::accumulate(molecule.partialCharges.begin(), molecule.partialCharges.end(), 0.0));
     json["bonds_known"] = bondsByKind(molecule);
     json["reading"] = readingList(molecule);
     json["warnings"] = molecule.warnings;

@@ -67,7 +67,7 @@ TEST_F(AssemblyOption, ThatIsNotThereIsAnErrorThatNamesThoseThatAre) {
 }
 
 TEST_F(AssemblyOption, CanBeReadOffInfo) {
-    const auto json = nlohmann::json::parse(nacreIn(folder, "info two.pdb --json").out);
+    const auto json = nlohmann::json::parse(nacreIn(folder, "info two.pdb --json").out).at(0);
     ASSERT_EQ(json["assembly_list"].size(), 2u);
     EXPECT_EQ(json["assembly_list"][0]["id"], "1");
     EXPECT_EQ(json["assembly_list"][0]["copies"], 2);

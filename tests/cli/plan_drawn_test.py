@@ -45,7 +45,7 @@ class PlanAndPicture(unittest.TestCase):
         self.assertEqual(picture["choice"], plan["choice"])
         choice = plan["choice"]
         if not re.search("blocks|then|lens", choice["samples"]["is"] + choice["effects"]["is"]):  # else of the last frame
-            passes = picture["geometry"]["passes"], plan.get("geometry", {"passes": []})["passes"]
+            passes = picture["geometry"]["passes"], (plan["geometry"] or {"passes": []})["passes"]
             self.assertEqual(*([p["name"] for p in side] for side in passes))
             if choice["host"]["is"] == "nothing":
                 self.assertEqual(*passes)

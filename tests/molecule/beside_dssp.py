@@ -131,7 +131,7 @@ def states_of_dssp(path):
 def states_of_nacre(program, path):
     ran = subprocess.run([program, "info", path, "--residues", "--json"], check=True, capture_output=True, text=True)
     return {
-        (r["chain"], r["number"], r["insertion"] or ""): r["secondary"] for r in json.loads(ran.stdout)["residues"]
+        (r["chain"], r["number"], r["insertion"] or ""): r["secondary"] for r in json.loads(ran.stdout)[0]["residues"] if r["secondary"]
     }
 
 

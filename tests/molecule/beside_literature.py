@@ -36,7 +36,7 @@ def partners(program, path, ligand, rules):
     run = subprocess.run([program, "info", path, "--interactions", f"resn '{name}' and chain '{chain}' and resi {number}",
                           "--interaction-rules", rules, "--json", "-q"], check=True, capture_output=True, text=True)
     found = {}
-    for contact in json.loads(run.stdout)["interactions"]:
+    for contact in json.loads(run.stdout)[0]["interactions"]:
         b = contact["b"]
         found.setdefault(contact["kind"], []).append((b["number"], b["chain"]))
     return found

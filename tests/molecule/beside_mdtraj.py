@@ -29,7 +29,7 @@ def triplets_of_program(program, path, rules):
     run = subprocess.run([program, "info", path, "--interactions", "all", "--interaction-rules", rules, "--json", "-q"],
                          check=True, capture_output=True, text=True)
     found = set()
-    for contact in json.loads(run.stdout)["interactions"]:
+    for contact in json.loads(run.stdout)[0]["interactions"]:
         if contact["kind"] == "hydrogen-bond":
             donor, acceptor = ("a", "b") if contact["donor"] == "a" else ("b", "a")
             (d, h), a = contact[donor]["ids"], contact[acceptor]["ids"][0]

@@ -39,7 +39,7 @@ def info(name):
     if done.returncode:
         faults.append(f"{name}: {done.stderr.strip()}")
         return None
-    return json.loads(done.stdout)
+    return json.loads(done.stdout)[0]
 
 
 def expect(name, got, wanted, within=1e-5):

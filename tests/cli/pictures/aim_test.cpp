@@ -44,9 +44,9 @@ TEST(Aim, ViewsAreToldSoThatTheyCanBeRepeated) {
     EXPECT_NEAR(repeated["pixels_per_angstrom"].get<double>(), aimed["pixels_per_angstrom"].get<double>(), 1e-9);
     // What hides it is left out there, too; `off` leaves it.
     EXPECT_EQ(aimed["uncover"], "chain A and resi 3");
-    EXPECT_FALSE(viewOf(folder, "--view v.json --uncover off").contains("uncover"));
+    EXPECT_TRUE(viewOf(folder, "--view v.json --uncover off").at("uncover").is_null());
     EXPECT_FALSE(test::contentOf(folder / "a.png") == picture);
-    EXPECT_FALSE(viewOf(folder, "sample:dna --zoom-to 'chain A' --clip off").contains("uncover"));
+    EXPECT_TRUE(viewOf(folder, "sample:dna --zoom-to 'chain A' --clip off").at("uncover").is_null());
     // Labels of what is left out are left out with a word.
     EXPECT_NE(nacreIn(folder,
                       "render sample:dna -o a.png --size 64x48 --occlusion off --orient principal "
