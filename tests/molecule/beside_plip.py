@@ -3,8 +3,8 @@
 
 plip (Debian's with the corrections of plip_corrected.py) reads each PDB file (those of interactions/ of the test data if none is named), PROGRAM reads the same text with
 --interaction-rules plip, once for each ligand that plip reports. Contacts are the same if their kind and atoms are:
-of charged groups and rings, if they share atoms on both sides. Fails if, summed over the files, fewer than 92 % of the
-contacts of plip are found, or fewer than 92 % of ours are plip's, for any kind.
+of charged groups and rings, if they share atoms on both sides. Fails if, summed over the files, fewer than 95 % of the
+contacts of plip are found, or fewer than 95 % of ours are plip's, for any kind.
 """
 
 import argparse
@@ -21,7 +21,7 @@ import xml.etree.ElementTree
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
 import test_data  # noqa: E402
 
-LEAST_SHARE = 0.92  # which nitrogen of an imidazole has the hydrogen, two programs choose apart
+LEAST_SHARE = 0.95
 CORRECTED = pathlib.Path(__file__).parent / "plip_corrected.py"
 KINDS = {
     "hydrophobic_interaction": "hydrophobic",
@@ -96,7 +96,7 @@ def contacts_of_program(program, path, members):
     run = subprocess.run([program, "info", path, "--interactions", " or ".join(terms), "--interaction-rules", "plip",
                           "--json", "-q"], check=True, capture_output=True, text=True)
     found = []
-    for contact in json.loads(run.stdout)["interactions"]:
+    for contact in json.loads(run.stdout)[0]["interactions"]:
         a, b = contact["a"]["ids"], contact["b"]["ids"]
         if contact["kind"] in ("hydrogen-bond", "water-bridge", "halogen-bond"):
             a, b = (a, b) if contact["donor"] == "a" else (b, a)

@@ -4,7 +4,7 @@
 Orders: of each ligand of each file of the test data (or those named), perceived from its coordinates alone. Files that
 state orders are judged by what they state, as RDKit and as Open Babel read them; ligands of structures by Open Babel's
 perception from the same coordinates, and by RDKit's view of that. A bond is right if it is single, double, triple or
-aromatic as one of them has it. Fails below 96.5 % of all bonds.
+aromatic as one of them has it. Fails below 97.2 % of all bonds.
 
 Hydrogens: RDKit adds them to heavy atoms of stated orders; those whose place the neighbours determine (no atom of one
 neighbour that can turn) are compared. Fails above an RMS of 0.1 Å, or with fewer than 10 files.
@@ -28,7 +28,7 @@ try:
 except ImportError:
     test_data.cannot_judge("python3-rdkit or python3-openbabel is not installed")
 
-LEAST_SHARE, MOST_RMS, LEAST_FILES = 0.965, 0.1, 10
+LEAST_SHARE, MOST_RMS, LEAST_FILES = 0.972, 0.1, 10
 LIGAND = 4  # ResidueKind::ligand
 LARGEST = 200  # heavy atoms
 STATED = (".sdf", ".mol2", ".mol", ".cml")
@@ -72,7 +72,7 @@ def rdkit_view(babel):
 
 def compare(name, bonds, judges, counts, details):
     for (a, b), kind in bonds.items():
-        answers = {judge[(a, b)] for judge in judges if (a, b) in judge}
+        answers = {judge[(a, b)] for judge in judges if (a, b) in judge} - {"?"}  # of metals
         if not answers:
             continue
         counts["bonds"] += 1

@@ -1,4 +1,4 @@
-// Donors, acceptors, charges and rings as PLIP 2.2 has them: of the receptor by the names of amino acids, of ligands by
+// Donors, acceptors, charges and rings as PLIP 2.4 has them: of the receptor by the names of amino acids, of ligands by
 // functional groups of heavy atoms; polar hydrogens by neutral valence.
 
 #include <algorithm>
@@ -24,6 +24,7 @@ public:
         // The program takes sodium's symbol for the PDBQT type of a nitrogen: it reports no sodium.
         std::erase_if(features_.metals, [&](std::uint32_t metal) { return element(metal) == kSodium; });
         countMetalBonds();
+        matchFiveRings();
         addUnits();
         for (std::uint32_t i = 0; i < chemistry_.present.size(); ++i) {
             if (!chemistry_.present[i] || features_.waterOxygen[i]) continue;
@@ -176,10 +177,41 @@ private:
                 return static_cast<std::uint8_t>(std::clamp(valence, 0, 1));
             }
         }
+        if (!fiveRings_.empty() && fiveRings_[atom]) return fiveRings_[atom] == kUnmatched ? 1 : 0;
         if (const auto guanine = hydrogensOfGuanine(atom)) return *guanine;
         for (const Neighbour& n : chemistry_.of(atom))  // nitro groups and N-oxides
             if (e == kOxygen && element(n.atom) == kNitrogen && chemistry_.orders(n.atom) >= 4) return 0;
         return static_cast<std::uint8_t>(std::clamp(valence - chemistry_.orders(atom), 0, 3));
+    }
+
+    /// An aromatic ring of five, all of which want a double bond (imidazole, pyrrole): Open Babel gives one to the
+    /// first atom and its first bonded neighbour, then to the two that follow that neighbour. The hydrogen goes to the
+    /// atom that is left, which may be a carbon.
+    void matchFiveRings() {
+        std::vector<std::uint8_t> rings(molecule_.atoms.size());
+        for (const Ring& ring : chemistry_.rings)
+            for (const std::uint32_t atom : ring.atoms)
+                rings[atom] = static_cast<std::uint8_t>(rings[atom] < 2 ? rings[atom] + 1 : 2);
+        const auto wants = [&](std::uint32_t atom) {
+            const auto around = chemistry_.of(atom);
+            const bool twofold = std::any_of(around.begin(), around.end(), [&](const Neighbour& n) {
+                return rings[n.atom] == 0 && chemistry_.order[n.bond] > 1;
+            });
+            if (rings[atom] != 1 || twofold || receptor(atom)) return false;
+            return element(atom) == kCarbon || (element(atom) == kNitrogen && around.size() == 2);
+        };
+        for (const Ring& ring : chemistry_.rings) {
+            if (ring.atoms.size() != 5 || !ring.aromatic || !std::all_of(ring.atoms.begin(), ring.atoms.end(), wants))
+                continue;
+            const std::uint32_t first = *std::min_element(ring.atoms.begin(), ring.atoms.end());
+            const Neighbour* last = nullptr;
+            for (const Neighbour& n : chemistry_.of(first))
+                if (rings[n.atom] == 1 && std::find(ring.atoms.begin(), ring.atoms.end(), n.atom) != ring.atoms.end() &&
+                    (!last || comesLater(molecule_, n, *last)))
+                    last = &n;
+            fiveRings_.resize(molecule_.atoms.size());
+            for (const std::uint32_t atom : ring.atoms) fiveRings_[atom] = atom == last->atom ? kUnmatched : kMatched;
+        }
     }
 
     /// Open Babel moves the hydrogen of guanine's N1 to N3, and that of isocytosines likewise: from the nitrogen beside
@@ -371,9 +403,12 @@ private:
         return false;
     }
 
+    static constexpr std::uint8_t kMatched = 1, kUnmatched = 2;
     const Molecule& molecule_;
     const Chemistry& chemistry_;
     Features features_;
+    std::vector<std::uint8_t>
+        fiveRings_;  // by atom: kMatched, kUnmatched, or 0: in no such ring; empty: there are none
     std::vector<std::uint8_t> metalBonds_;  // by atom
     std::vector<std::uint8_t> ownMetal_;    // of these, to metals of the same residue
 };
