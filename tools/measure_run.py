@@ -93,7 +93,8 @@ class Run:
 
     def bench(self, *arguments, path="tiles"):
         """What `nacre bench` reports of a frame by one path."""
-        report = self.json(self.nacre, "bench", *arguments, "--visibility", path, "--json")
+        style = () if "--style" in arguments else ("--style", "spacefill")
+        report = self.json(self.nacre, "bench", *arguments, *style, "--visibility", path, "--json")
         return {"wall": report["times"]["frame"]["min"], "cpu": report["times"]["frame_processor"]["min"],
                 "pixels": report["covered_pixels"], "atoms": report["atoms"]["drawn"],
                 "open": report["times"]["load"] + report["times"]["scene"], "resident": report["memory"]["resident_peak"]}

@@ -26,8 +26,8 @@ class Table:
 
 
 COMMANDS = ("`nacre --help`", "`nacre info 1crn.pdb`", "`nacre render sample:dna`", "`nacre render sample:dna --supersample 1`",
-            "`nacre render sample:dna --supersample 1 --size 64x64`", "`nacre render 4hhb.cif.gz`",
-            "`nacre render 4hhb.cif.gz --cache off`", "`nacre render 4hhb.cif.gz --cache off --style cartoon`",
+            "`nacre render sample:dna --supersample 1 --size 64x64`", "`nacre render 4hhb.cif.gz --style spacefill`",
+            "`nacre render 4hhb.cif.gz --cache off --style spacefill`", "`nacre render 4hhb.cif.gz --cache off --style cartoon`",
             "`nacre render 4hhb.cif.gz --cache off --style surface`")
 EFFECTS = {"plain": "", "`--halos 6`": "", "`--contours 2 --contour-weights 3`": "",
            "`--style surface --surface-opacity 0.5`": "--style surface", "`--depth-of-field 10`": "",
@@ -70,7 +70,7 @@ def commands(run):
 
 def effects(run):
     for row, plain in EFFECTS.items():
-        picture = run.words(f"nacre render 4hhb.cif.gz --size 1024x1024 -o {run.folder}/a.png")
+        picture = run.words(f"nacre render 4hhb.cif.gz --style spacefill --size 1024x1024 -o {run.folder}/a.png")
         base = picture + run.words(plain)
         if row == "plain":
             best = least([run.timed(*base) for _ in range(4)])
@@ -151,7 +151,7 @@ def bakes(run):
 
 def baked(run):
     for row, file in BAKED.items():
-        words = [run.nacre, "render", run.file(file), "--cache", "off", "--supersample", "1", "-o", run.folder / "a.png"]
+        words = [run.nacre, "render", run.file(file), "--style", "spacefill", "--cache", "off", "--supersample", "1", "-o", run.folder / "a.png"]
         best = run.turns({"with": lambda: run.timed(*words, "--occlusion", "128"), "without": lambda: run.timed(*words, "--occlusion", "off")})
         yield row, {"s": best["with"]["cpu"] - best["without"]["cpu"]}
 
@@ -241,7 +241,7 @@ TABLES = {
 # Rows of the page's first table, each another table's figure.
 SUMMARY = {
     "first picture of a sample, warm, s on the clock": ("commands", "`nacre render sample:dna`", "clock, s"),
-    "first picture of 4HHB, warm, s of CPU time": ("commands", "`nacre render 4hhb.cif.gz`", "CPU, s"),
+    "first picture of 4HHB, warm, s of CPU time": ("commands", "`nacre render 4hhb.cif.gz --style spacefill`", "CPU, s"),
     "frame of 4HHB, 640x960, ms": ("frames", "`tiles`", "4HHB"),
     "the same as a multiple of Jmol's": ("jmol", "4HHB, 640x960", "ratio"),
     "occlusion of 4HHB, 128 directions, ms of CPU time": ("bakes", "4HHB", "bake, ms"),

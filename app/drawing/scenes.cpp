@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/drawing/default_look.h"
 #include "app/drawing/map_layers.h"
 #include "app/files/output_file.h"
 #include "app/input/color_file.h"
@@ -76,14 +77,15 @@ RepresentationOptions placedLook(const ResidueFacts& facts, const PictureDescrip
 }
 
 MovingScene buildMovingScene(const ResidueFacts& facts, const PictureDescription& picture) {
-    const RepresentationOptions look = placedLook(facts, picture);
-    return {facts, someDrawnAtoms(facts.molecule(), picture.input.path, picture.drawn), withTables(look),
-            sharedFrame(facts, picture.drawn, look)};
+    RepresentationOptions look = placedLook(facts, picture);
+    const std::vector<std::uint32_t> drawn = someDrawnAtoms(facts.molecule(), picture.input.path, picture.drawn);
+    takeDefaultLook(facts, drawn, picture, look);
+    return {facts, drawn, withTables(look), sharedFrame(facts, picture.drawn, look)};
 }
 
 Representation buildScene(const ResidueFacts& facts, const PictureDescription& picture,
                           const std::optional<Bounds>& shared) {
-    const RepresentationOptions look = withTables(placedLook(facts, picture));
+    RepresentationOptions look = withTables(placedLook(facts, picture));
     const Molecule& molecule = facts.molecule();
     const bool orNothing = picture.drawsBeside();
     const std::optional<Bounds> frame = shared ? shared : frameWithoutAtoms(molecule, picture);
@@ -92,6 +94,7 @@ Representation buildScene(const ResidueFacts& facts, const PictureDescription& p
     if (orNothing && molecule.atoms.empty()) return emptyScene(facts, {}, frame, look.center);
     const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, picture.input.path, picture.drawn);
     if (molecule.guide) return guidedScene(facts, drawn, look);
+    takeDefaultLook(facts, drawn, picture, look);
     if (orNothing && appearanceOf(facts, drawn, look).seen == 0) return emptyScene(facts, drawn, frame, look.center);
     Representation scene = represent(facts, drawn, look, frame ? frame : sharedFrame(facts, picture.drawn, look));
     if (!look.ownFrame && !molecule.othersMissing.empty())

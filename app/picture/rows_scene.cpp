@@ -64,7 +64,7 @@ std::vector<Option> whole() {
          .save = differing},
         {.key = "style",
          .syntax = "NAME",
-         .standard = "spacefill, beside maps licorice; ball-and-stick under 100 atoms with bonds",
+         .standard = "cartoon for proteins, beside maps licorice; ball-and-stick under 100 atoms with bonds; spacefill",
          .help = "spacefill, ball-and-stick, licorice, line, cartoon or backbone (with ligands as licorice),\nsurface, "
                  "carbohydrate (symbols of sugars) or auto: the default",
          .parse = parseAnyStyle,
@@ -106,7 +106,7 @@ std::vector<Option> colors() {
     std::vector<Option> rows{
         {.key = "color",
          .syntax = "SCHEME|COLOR",
-         .standard = "element; chain-carbons for cartoons",
+         .standard = "element; chain-carbons for cartoons; plddt for predictions without --style",
          .help = schemeNames() + ";\nor a colour as for --background; element:COLOR colours only the carbons;\n"
                                  "b-factor:10..60:viridis gives the range and the palette, chain:muted a palette,\n"
                                  "b-factor:white:red a ramp of these colours",
@@ -134,7 +134,9 @@ std::vector<Option> colors() {
                           {"By kind of molecule", "entity", "Each kind of molecule has its own colour."},
                           {"Rainbow, start to end", "rainbow",
                            "Colours run along each chain from its start to its end.", "Along the chain"},
-                          {"By charge", "charge", "Colours show which residues are charged."},
+                          {"By charge", "charge",
+                           "Colours show the charges of atoms that the file states, else which residues are charged.",
+                           "Charge (e)"},
                           {"By B factor", "b-factor",
                            "Colours show the B factor: how much atoms move, or how uncertain their places are.",
                            "B factor (Å²)"},

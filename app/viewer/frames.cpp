@@ -219,7 +219,7 @@ void Frames::putScene(double now) {
 }
 
 void Frames::expectScene(const PictureDescription& coming) {
-    std::vector<Style> styles{Style::spacefill, Style::cartoon};  // of which firstLook() chooses
+    std::vector<Style> styles{Style::spacefill, Style::cartoon};  // of which takeDefaultLook() chooses
     if (coming.look.style) styles = {*coming.look.style};
     if (styles == expected_) return;
     expected_ = styles;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/drawing/default_look.h"
 #include "app/drawing/scenes.h"
 #include "app/input/read_input.h"
 #include "app/picture/options.h"
-#include "app/viewer/presets.h"
 #include "engine/error.h"
 #include "engine/threads.h"
 
@@ -59,7 +59,9 @@ Document Loader::load(Job& job) const {
         if (document.motion && !job.view.input.trajectory.path.empty())
             movePositions(*molecule, document.motion->positions(0));
     }
-    if (job.first) firstLook(*document.molecule, document.view);
+    if (job.first)
+        takeDefaultLook(*document.molecule, drawnAtoms(*document.molecule, document.view.drawn), document.view,
+                        document.view.look);
     if (sources_.maps) sources_.maps(document.view);
     // Copies of an assembly do not move.
     const bool moves = (job.moves || document.motion) && document.view.look.assembly.empty();

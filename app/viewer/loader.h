@@ -66,7 +66,7 @@ public:
 
     /// Starts reading a file. Running work is finished and dropped.
     void read(const PictureDescription& view) { start({view, nullptr}); }
-    /// As above for a first look: in its best style (firstLook()), if the view leaves that open.
+    /// As above for a first look: in its best style (takeDefaultLook()), if the view leaves that open.
     void open(const PictureDescription& view) { start({view, nullptr, true}); }
     /// Repeats the last reading, which failed.
     void again() { start({last_, nullptr, lastFirst_}); }

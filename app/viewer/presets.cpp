@@ -4,7 +4,6 @@
 
 #include "app/picture/appearance_values.h"
 #include "app/picture/looks.h"
-#include "engine/molecule/chain_summary.h"
 
 namespace nacre::app {
 
@@ -12,7 +11,7 @@ std::span<const Preset> presets() {
     using enum Style;
     constexpr std::array<float, 4> kWhite{1, 1, 1, 1}, kBlack{0, 0, 0, 1};
     static const Preset kPresets[] = {
-        {"Elements", {{}, ColorScheme::element}, kWhite},
+        {"Elements", {spacefill, ColorScheme::element}, kWhite},
         {"Cartoon", {cartoon, ColorScheme::chainCarbons}, kWhite},
         {"Cartoon, N to C", {cartoon, ColorScheme::rainbow, {parseColorBy("ligand or ion=element")}}, kWhite},
         {"Helices and strands",
@@ -41,21 +40,6 @@ void applyPreset(const Preset& preset, PictureDescription& view) {
     if (!preset.pocket) return;
     view.words.labels.clear();
     applyPocket("ligand", view);
-}
-
-void firstLook(const Molecule& molecule, PictureDescription& view) {
-    RepresentationOptions& look = view.look;
-    if (molecule.guide) return;  // a scene says how it is drawn
-    // Colours that tell several molecules apart are no look of their own.
-    const bool several = !view.input.further.empty();
-    const bool styled = std::any_of(look.rules.begin(), look.rules.end(),
-                                    [&](const Rule& rule) { return !several || rule.action != Rule::Action::color; });
-    if (look.style || styled || look.color != Coloring()) return;
-    std::size_t aminoAcids = 0;
-    for (const ChainSummary& chain : summariseChains(molecule)) aminoAcids += chain.aminoAcids;
-    const bool predicted = aminoAcids > 0 && molecule.file.confidence;
-    if (predicted) look.color = ColorScheme::plddt;
-    if (predicted || (aminoAcids >= kFewestOfCartoon && view.maps.files.empty())) setStyle(Style::cartoon, look);
 }
 
 }  // namespace nacre::app

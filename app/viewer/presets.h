@@ -18,10 +18,4 @@ std::span<const Preset> presets();
 /// Changes styles and colours; file and camera stay, but a pocket has an aim.
 void applyPreset(const Preset& preset, PictureDescription& view);
 
-/// The default style of a molecule: proteins from kFewestOfCartoon amino acids on as cartoons with their ligands as
-/// sticks; predictions with confidence as a cartoon coloured by it. Everything else, and any view that sets styles,
-/// colours or selections, stays unchanged.
-constexpr std::size_t kFewestOfCartoon = 10;  // shorter peptides show their atoms
-void firstLook(const Molecule& molecule, PictureDescription& view);
-
 }  // namespace nacre::app

@@ -26,7 +26,8 @@ def run(*words):
 
 
 def stats(folder, *words):
-    return json.loads(run("render", *words, "-o", f"{folder}/a.png", "--occlusion", "off", "--cache", "off", "--stats", "-"))
+    return json.loads(run("render", *words, "-o", f"{folder}/a.png", "--style", "spacefill", "--occlusion", "off",
+                          "--cache", "off", "--stats", "-"))
 
 
 def page(name):

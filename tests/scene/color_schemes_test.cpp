@@ -124,6 +124,21 @@ TEST(ColorSchemes, DistanceIsFromTheCentreOfTheAtoms) {
     EXPECT_EQ(result.colors[2], result.colors[0]);
 }
 
+TEST(ColorSchemes, PartialChargesHaveZeroInTheMiddle) {
+    test::MoleculeText text;
+    text.residue("LIG").atom("C1", "C", {-3, 0, 0}).atom("O2", "O", {0, 0, 0}).atom("C3", "C", {3, 0, 0});
+    EXPECT_EQ(colored(text.molecule, ColorScheme::charge).stops, 0u);  // by residue, and formal charges
+    text.molecule.partialCharges = {0, -0.8f, 0.4f};
+    const ColoredAtoms result = colored(text.molecule, ColorScheme::charge);
+    EXPECT_EQ(result.warning, "");
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(result.colors[i], paletteColor(Palette::redWhiteBlue, std::array{0.5, 0.0, 0.75}[i])) << i;
+    EXPECT_EQ(labels(result), "-0.8|-0.4|0.0|0.4|0.8");
+    Coloring narrow = ColorScheme::charge;
+    narrow.range = ColorRange{-0.5, 0.5};
+    EXPECT_EQ(labels(colored(text.molecule, narrow)), "-0.50 or less|-0.25|0.00|0.25|0.50");
+}
+
 TEST(ColorSchemes, RainbowRunsAlongEachChain) {
     test::MoleculeText text;
     for (const int number : {1, 2, 3}) text.residue("ALA", number).atom("CA", "C", {0, 0, 0});

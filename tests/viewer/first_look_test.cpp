@@ -6,7 +6,6 @@
 #include "app/drawing/aim.h"
 #include "app/drawing/scenes.h"
 #include "app/picture/looks.h"
-#include "app/picture/options.h"
 #include "app/viewer/loader.h"
 #include "app/viewer/presets.h"
 #include "tests/molecule/build_molecule.h"
@@ -14,53 +13,6 @@
 
 namespace nacre::app {
 namespace {
-
-TEST(FirstLook, ProteinsAreCartoons) {
-    PictureDescription view;
-    firstLook(test::chainOf(10, -57, -47), view);
-    EXPECT_EQ(view.look.style, Style::cartoon);
-    EXPECT_EQ(view.look.color, Coloring(ColorScheme::chainCarbons));
-    PictureDescription small;  // a peptide
-    firstLook(test::chainOf(9, -57, -47), small);
-    EXPECT_EQ(small.look, RepresentationOptions());
-}
-
-TEST(FirstLook, AtomsAreSeenInTheirDensity) {
-    const Molecule protein = test::chainOf(30, -57, -47);
-    PictureDescription view;
-    setOption(option("map"), "a.mrc", view);
-    firstLook(protein, view);
-    EXPECT_EQ(buildScene(protein, view).style, Style::licorice);
-    setOption(option("map"), "", view);
-    EXPECT_EQ(buildScene(protein, view).style, Style::spacefill);
-}
-
-TEST(FirstLook, PredictionsShowTheirConfidence) {
-    Molecule molecule = test::chainOf(20, -57, -47);
-    molecule.file.confidence = true;
-    PictureDescription view;
-    firstLook(molecule, view);
-    EXPECT_EQ(view.look.style, Style::cartoon);
-    EXPECT_EQ(view.look.color, Coloring(ColorScheme::plddt));
-    Molecule ligand = test::MoleculeText().residue("LIG").atom("C", "C", {}).molecule;
-    ligand.file.confidence = true;
-    PictureDescription other;
-    firstLook(ligand, other);
-    EXPECT_EQ(other.look, RepresentationOptions());
-}
-
-TEST(FirstLook, WhatWasAskedForStays) {
-    const Molecule protein = test::chainOf(300, -57, -47);
-    PictureDescription styled, colored, ruled;
-    styled.look.style = Style::licorice;
-    colored.look.color = ColorScheme::chain;
-    ruled.look.rules.push_back({Rule::Action::hide, parseSelection("resi 5"), {}, {}});
-    for (PictureDescription view : {styled, colored, ruled}) {
-        const RepresentationOptions before = view.look;
-        firstLook(protein, view);
-        EXPECT_EQ(view.look, before);
-    }
-}
 
 TEST(Aim, TheLigandIsTheMainOne) {
     test::MoleculeText text;

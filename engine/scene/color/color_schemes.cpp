@@ -195,6 +195,20 @@ glm::dvec3 centerOf(const Molecule& molecule, Atoms atoms) {
     return middle;
 }
 
+/// By the file's partial charges, over a range with 0 in its middle.
+ColoredAtoms byPartialCharge(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
+    const auto valueOf = [&](std::uint32_t atom) { return static_cast<double>(molecule.partialCharges[atom]); };
+    std::vector<double> sizes;
+    sizes.reserve(atoms.size());
+    for (const std::uint32_t atom : atoms) sizes.push_back(std::abs(valueOf(atom)));
+    // The 98th percentile, the largest of few: ions would leave pale colours for the rest.
+    const auto at = sizes.begin() + static_cast<std::ptrdiff_t>((sizes.size() * 98 + 99) / 100 - 1);
+    std::nth_element(sizes.begin(), at, sizes.end());
+    const double most = *at;
+    return byNumber(atoms, rampOf(coloring, Palette::redWhiteBlue), coloring.range.value_or(ColorRange{-most, most}),
+                    valueOf);
+}
+
 ColoredAtoms byDistance(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
     const glm::dvec3 center = centerOf(molecule, atoms);
     const auto valueOf = [&](std::uint32_t atom) {
@@ -366,6 +380,7 @@ PaletteUse paletteUse(ColorScheme scheme) {
         case ColorScheme::occupancy:
         case ColorScheme::rmsd:
         case ColorScheme::distance:
+        case ColorScheme::charge:
         case ColorScheme::table:
             return PaletteUse::ramp;
         default:
@@ -375,7 +390,7 @@ PaletteUse paletteUse(ColorScheme scheme) {
 
 bool takesRange(ColorScheme scheme) {
     return scheme == ColorScheme::bFactor || scheme == ColorScheme::occupancy || scheme == ColorScheme::rmsd ||
-           scheme == ColorScheme::distance;
+           scheme == ColorScheme::distance || scheme == ColorScheme::charge;
 }
 
 std::string coloringText(const Coloring& coloring) {
@@ -401,6 +416,10 @@ ColoredAtoms colorAtoms(const ResidueFacts& facts, Atoms atoms, const Coloring& 
             return byFitDistance(facts, atoms, coloring);
         case ColorScheme::distance:
             return byDistance(molecule, atoms, coloring);
+        case ColorScheme::charge:
+            if (molecule.partialCharges.size() == molecule.atoms.size())
+                return byPartialCharge(molecule, atoms, coloring);
+            return colorByClass(facts, atoms, coloring);
         case ColorScheme::rainbow:
             return byRainbow(facts, atoms, rampOf(coloring, Palette::rainbow));
         case ColorScheme::copy:
