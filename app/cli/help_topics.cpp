@@ -212,10 +212,16 @@ bool takesNumbers(const Option& option) {
 
 const char* keywordType(const Option& option) {
     if (option.kind == Option::Kind::flag) return "bool";
-    if (option.kind == Option::Kind::list) return "str | Sequence[str]";
-    if (option.syntax == "on|off") return "str | bool";
+    const bool selects = option.syntax.find("SEL") != std::string::npos;
+    if (option.key == "color-from") return "str | Table | Sequence[str | Table]";
+    if (option.kind == Option::Kind::list)
+        return selects ? "str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]" : "str | Sequence[str]";
     if (option.syntax == "WxH" || option.syntax == "X,Y,Z") return "str | Sequence[float]";
-    return option.syntax.find("SEL") == std::string::npos && takesNumbers(option) ? "str | float" : "str";
+    if (selects) return option.syntax.ends_with("|off") ? "str | bool | Mask" : "str | Mask";
+    const bool switches = option.syntax.ends_with("|off") || option.syntax.starts_with("on|off") ||
+                          option.syntax.find("|off|") != std::string::npos;
+    if (takesNumbers(option)) return switches ? "str | float | bool" : "str | float";
+    return switches ? "str | bool" : "str";
 }
 
 }  // namespace

@@ -145,7 +145,8 @@ void parseColoringPart(std::string_view text, Coloring& coloring) {
     const PaletteUse use = paletteUse(coloring.scheme);
     if (const auto range = parseColorRange(text)) {
         if (!takesRange(coloring.scheme))
-            throw std::invalid_argument("'" + name + "' takes no range; b-factor, occupancy, rmsd and distance do");
+            throw std::invalid_argument("'" + name +
+                                        "' takes no range; b-factor, occupancy, rmsd, distance and charge do");
         coloring.range = range;
     } else if (const auto palette = paletteFromName(lowerCase(text))) {
         if (use != (isRamp(*palette) ? PaletteUse::ramp : PaletteUse::kinds))
@@ -204,6 +205,13 @@ std::string singularOf(std::string_view text, std::span<const std::string> words
 /// @param text  what stands before the first colon is no scheme, and all of it is no colour
 [[noreturn]] void refuseColoring(std::string_view text) {
     const std::string_view scheme = text.substr(0, text.find(':'));
+    std::string_view rest = text;
+    if (takeRamp(rest) && rest.empty())
+        throw std::invalid_argument("a ramp of colours goes with a scheme of numbers, such as b-factor:" +
+                                    std::string(text));
+    if (isColor(scheme) && scheme.size() < text.size())
+        throw std::invalid_argument("a colour takes no palette or range: '" + std::string(text) +
+                                    "' (a scheme does, such as b-factor:10..60:viridis)");
     std::vector<std::string> words = allSchemes();
     const std::string wanted = schemeNames() + ", a colour's name, #rrggbb or element:COLOR for carbons in one colour";
     if (const std::string one = singularOf(scheme, words); !one.empty())
@@ -254,6 +262,15 @@ Coloring parseColoring(std::string_view text) {
     refuseColoring(text);
 }
 
+namespace {
+
+/// Letters and hyphens, as the names of palettes.
+bool isWord(std::string_view text) {
+    return !text.empty() && std::ranges::all_of(text, [](char c) { return c == '-' || (c >= 'a' && c <= 'z'); });
+}
+
+}  // namespace
+
 Coloring parseColorSource(std::string_view text) {
     Coloring coloring(ColorScheme::table);
     if (isTableText(text)) {
@@ -288,6 +305,8 @@ Coloring parseColorSource(std::string_view text) {
             coloring.range = parseColorRange(part);
         else if (palette)
             throw std::invalid_argument("values take no palette of kinds: one of " + paletteNames(true));
+        else if (isWord(part) && text.substr(0, colon).find('.') != std::string_view::npos)  // after a file's ending
+            refuse(part, "value=COLUMN, a range such as 10..60, or one of " + paletteNames(true), palettesOf(true));
         else
             break;
         text = text.substr(0, colon);
@@ -320,7 +339,11 @@ namespace {
 std::pair<std::string_view, std::string_view> divide(std::string_view text, const char* wanted) {
     const std::size_t sign = text.rfind('=');
     if (sign == std::string_view::npos) refuse(text, wanted);
-    return {text.substr(0, sign), text.substr(sign + 1)};
+    const auto trimmed = [](std::string_view part) {
+        const std::size_t first = std::min(part.find_first_not_of(' '), part.size());
+        return part.substr(first, part.find_last_not_of(' ') + 1 - first);
+    };
+    return {trimmed(text.substr(0, sign)), trimmed(text.substr(sign + 1))};
 }
 
 }  // namespace

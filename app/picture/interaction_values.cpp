@@ -1,6 +1,9 @@
 #include "app/picture/interaction_values.h"
 
 #include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <utility>
 
 #include "app/picture/color_values.h"
 #include "app/picture/option_values.h"
@@ -18,6 +21,23 @@ std::optional<Selection> parsed(std::string_view text) {
     }
 }
 
+/// Other programs' words.
+constexpr std::pair<std::string_view, std::string_view> kKindSynonyms[] = {
+    {"hbond", "hydrogen-bond"}, {"hbonds", "hydrogen-bond"},    {"h-bond", "hydrogen-bond"},
+    {"polar", "hydrogen-bond"}, {"salt", "salt-bridge"},        {"ionic", "salt-bridge"},
+    {"pi-pi", "pi-stacking"},   {"pi-stack", "pi-stacking"},    {"stacking", "pi-stacking"},
+    {"pi-cation", "cation-pi"}, {"halogen", "halogen-bond"},    {"metal-coordination", "metal"},
+    {"water", "water-bridge"},  {"waterbridge", "water-bridge"}};
+
+[[noreturn]] void refuseKind(std::string_view text, std::span<const std::string> names) {
+    const std::string wanted = "all, or of " + interactionKindNames();
+    for (const auto& [theirs, ours] : kKindSynonyms)
+        if (text == theirs)
+            throw std::invalid_argument("expected " + wanted + ", not '" + std::string(text) + "' (did you mean '" +
+                                        std::string(ours) + "'?)");
+    refuse(text, wanted, names);
+}
+
 }  // namespace
 
 void parseInteractions(std::string_view text, ContactOptions& contacts) {
@@ -30,7 +50,10 @@ void parseInteractions(std::string_view text, ContactOptions& contacts) {
         if (contacts.of && contacts.with) return;
     }
     contacts.with.reset();
-    parseSelection(text.substr(0, text.find(',')));  // throws the error of the first of two
+    const std::string_view first = text.substr(0, text.find(','));
+    parseSelection(first);  // throws the error of the first of two
+    // A comma that continues no list, as in "chain A,B", begins the second.
+    if (first.size() < text.size() && !parsed(std::string(first) + ",A")) parseSelection(text.substr(first.size() + 1));
     contacts.of = parseSelection(text);
 }
 
@@ -57,7 +80,7 @@ std::array<bool, kInteractionKinds> parseInteractionKinds(std::string_view text)
     for (std::size_t from = 0; from <= text.size();) {
         const std::size_t end = std::min(text.find(',', from), text.size());
         const auto kind = interactionKindFromName(text.substr(from, end - from));
-        if (!kind) refuse(text.substr(from, end - from), "all, or of " + interactionKindNames(), names);
+        if (!kind) refuseKind(text.substr(from, end - from), names);
         kinds[static_cast<std::size_t>(*kind)] = true;
         from = end + 1;
     }

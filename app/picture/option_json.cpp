@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/files/json_text.h"
 #include "engine/error.h"
@@ -25,7 +26,32 @@ const Option& wantedOption(const std::string& key, const std::string& who) {
     throw UsageError("\"" + std::string(key) + "\": " + why);
 }
 
-std::string shownJson(const JobJson& value) { return value.dump(-1, ' ', false, JobJson::error_handler_t::replace); }
+/// A value for a message; of a long one the beginning.
+std::string shownJson(const JobJson& value) {
+    constexpr std::size_t kMost = 60, kMostEntries = 8;
+    if (value.is_structured() && value.size() > kMostEntries)
+        return (value.is_array() ? "a list of " : "an object of ") + std::to_string(value.size()) + " entries";
+    const std::string text = value.dump(-1, ' ', true, JobJson::error_handler_t::replace);
+    return text.size() > kMost ? text.substr(0, kMost) + "..." : text;
+}
+
+/// What switches an option on or off, if something does.
+std::optional<std::string> switchText(bool on, const Option& option) {
+    const auto takes = [&](std::string_view word) {
+        const std::string words = "|" + std::string(option.syntax) + "|";
+        return words.find("|" + std::string(word) + "|") != std::string::npos;
+    };
+    if (!takes("off")) return std::nullopt;
+    if (!on) return "off";
+    for (const char* word : {"on", "auto"})
+        if (takes(word)) return word;
+    // "dashed|off": the only word besides.
+    const std::string word = option.syntax.substr(0, option.syntax.find('|'));
+    if (std::ranges::all_of(word, [](char c) { return c >= 'a' && c <= 'z'; }) && option.syntax == word + "|off")
+        return word;
+    const bool number = !option.standard.empty() && option.standard.front() >= '0' && option.standard.front() <= '9';
+    return number ? std::optional(option.standard) : std::nullopt;
+}
 
 /// A text or number, or numbers that belong together: [640, 480] is "640x480" of a size, and "640,480" otherwise.
 std::string jobText(const JobJson& value, const Option& option) {
@@ -34,7 +60,8 @@ std::string jobText(const JobJson& value, const Option& option) {
                       option.syntax.find("DIR") != std::string::npos;
     if (file) refuseKey(option.key, "expected a text, not " + shownJson(value));
     if (value.is_number()) return value.dump();
-    if (value.is_boolean() && option.syntax == "on|off") return value.get<bool>() ? "on" : "off";
+    if (value.is_boolean())
+        if (const auto text = switchText(value.get<bool>(), option)) return *text;
     if (value.is_array() && !value.empty() &&
         std::all_of(value.begin(), value.end(), [](const JobJson& number) { return number.is_number(); })) {
         std::string text;

@@ -18,7 +18,7 @@ struct OptionValue {
     std::string value;  ///< of a flag: empty
 };
 
-/// Parses a JSON object of options. '_' in keys stands for '-'; values are texts, numbers, booleans (flags and on|off),
+/// Parses a JSON object of options. '_' in keys stands for '-'; values are texts, numbers, booleans (flags, and off),
 /// lists of numbers (sizes, angles and the like), lists (repeatable options) and pairs (options with two values).
 /// "rules" is a list as in saved views: [{"show": "ligand=licorice"}, {"hide": "chain B"}]. null means not given.
 /// @param who  accepts no other options, for messages @throws UsageError

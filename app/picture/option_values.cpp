@@ -60,8 +60,12 @@ Length parseLength(std::string_view text) {
             scale = ofInch;
             inches = true;
         }
-    if (text.ends_with("px")) number.remove_suffix(2);
+    const bool pixels = text.ends_with("px");
+    if (pixels) number.remove_suffix(2);
     double value = 0;
+    if (!inches && !pixels && readWhole(number, value))
+        throw std::invalid_argument("a length needs a unit: " + std::string(text) + "mm or " + std::string(text) +
+                                    "px");
     if (!readWhole(number, value) || !(value > 0) || !(value <= kLargestSide))
         refuse(text, "a length such as 85mm, 8.5cm, 3.3in or 1200px");
     return {value * scale, inches};

@@ -61,7 +61,7 @@ TEST(Outputs, PaperBecomesPixels) {
     EXPECT_EQ(drawn("--width 8mm"), (Paper{94, 94, 11811}));  // at 300 dots per inch
     EXPECT_EQ(drawn("--width 8mm --size 40x30 --dpi 127"), (Paper{40, 30, 5000}));
     EXPECT_EQ(drawn("--width 1cm --height 0.5in --dpi 100"), (Paper{39, 50, 3937}));
-    EXPECT_EQ(drawn("--height 60 --size 40x30"), (Paper{80, 60, 0}));
+    EXPECT_EQ(drawn("--height 60px --size 40x30"), (Paper{80, 60, 0}));
     EXPECT_EQ(drawn("--size 40x30 --dpi 254"), (Paper{40, 30, 10000}));
 }
 

@@ -94,7 +94,7 @@ TEST(OptionValues, LengthsArePixelsOrPaper) {
     EXPECT_NEAR(parseLength("8.5cm").pixels(300), 85 / 25.4 * 300, 1e-9);
     EXPECT_NEAR(parseLength("3.3in").pixels(100), 330, 1e-9);
     EXPECT_EQ(parseLength("1200px").pixels(300), 1200);
-    EXPECT_EQ(parseLength("1200").pixels(300), 1200);
+    EXPECT_EQ(reasonOf([&] { parseLength("85"); }), "a length needs a unit: 85mm or 85px");
     for (const char* text : {"", "mm", "85 mm", "-1mm", "0mm", "nanin", "85pt", "1e9cm", "85mmm", "px"})
         EXPECT_NE(reasonOf([&] { parseLength(text); }), "") << text;
     EXPECT_EQ(pointsOf("1.5pt"), 1.5);

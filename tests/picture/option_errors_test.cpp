@@ -1,0 +1,62 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "app/picture/option_json.h"
+#include "app/picture/options.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+std::string errorOf(const char* key, const char* value) {
+    PictureDescription picture;
+    try {
+        setOption(option(key), value, picture);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+void expectError(const char* key, const char* value, const char* words) {
+    const std::string error = errorOf(key, value);
+    EXPECT_NE(error.find(words), std::string::npos) << "--" << key << " " << value << ": " << error;
+}
+
+// What users typed, and what helps them.
+TEST(OptionErrors, NameTheUnknownPart) {
+    expectError("color-from", "pae.csv:0..30:green-white", "not 'green-white'");
+    expectError("color-from", "pae.csv:virids", "did you mean 'viridis'?");
+    expectError("interactions", "ligand,foo", "'foo'");
+    expectError("interaction-kinds", "hbond", "did you mean 'hydrogen-bond'?");
+    expectError("interaction-kinds", "hydrogen-bnd", "did you mean 'hydrogen-bond'?");
+    expectError("color", "cyan:viridis", "a colour takes no palette");
+    expectError("color", "white:red", "b-factor:white:red");
+    expectError("width", "85", "a length needs a unit: 85mm or 85px");
+}
+
+TEST(OptionErrors, SpacesAndListsAreNone) {
+    EXPECT_EQ(errorOf("show", "chain A = licorice"), "");
+    EXPECT_EQ(errorOf("interactions", "chain A,B"), "");
+    EXPECT_EQ(errorOf("interactions", "ligand,protein"), "");
+    for (const char* source : {"pae.csv", "pae.csv:0..30:viridis", "data/a.b:value=x", "csv:chain,value\nA,1"})
+        EXPECT_EQ(errorOf("color-from", source), "") << source;
+}
+
+TEST(OptionErrors, BooleansSwitchWhatCanBeOff) {
+    const auto valueOf = [](const char* json) { return optionValuesOf(json).at(0).value; };
+    EXPECT_EQ(valueOf(R"({"fog": true})"), "auto");
+    EXPECT_EQ(valueOf(R"({"fog": false})"), "off");
+    EXPECT_EQ(valueOf(R"({"gaps": true})"), "dashed");
+    EXPECT_EQ(valueOf(R"({"occlusion": true})"), "128");
+    EXPECT_EQ(valueOf(R"({"carbohydrates": true})"), "on");
+    EXPECT_EQ(valueOf(R"({"interaction_labels": true})"), "distance");
+    EXPECT_THROW(valueOf(R"({"halos": true})"), UsageError);
+    EXPECT_THROW(valueOf(R"({"zoom": false})"), UsageError);
+}
+
+}  // namespace
+}  // namespace nacre::app
