@@ -6,6 +6,7 @@
 #include <atomic>
 #include <deque>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <tuple>
 
@@ -15,6 +16,7 @@
 #include "app/files/messages.h"
 #include "app/files/output_file.h"
 #include "app/files/spare_memory.h"
+#include "app/input/interaction_list.h"
 #include "app/input/read_input.h"
 #include "app/picture/input_names.h"
 #include "app/picture/option_json.h"
@@ -129,6 +131,13 @@ PictureDescription requestOf(const Structure& structure, const std::string& json
     app::completePicture(request);
     app::checkSize(request, app::kMostSamplesHeld);
     return request;
+}
+
+nlohmann::ordered_json interactions(const Structure& structure, const std::string& options) {
+    const RepresentationOptions look = requestOf(structure, options, kPlain).look;
+    if (!look.contacts.of) throw app::UsageError("info(): \"interactions\" is a selection");
+    const Molecule& molecule = *structure.molecule;
+    return app::interactionList(molecule, app::interactionsOf(molecule, look.contacts, look.assembly));
 }
 
 void withScene(const Structure& structure, const PictureDescription& request, const Colors& colors, const Draw& draw) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,6 +47,11 @@ struct Drawn {
 Structure openInputs(const std::vector<std::string>& inputs, const std::string& options);
 /// Opens a file's bytes. @param name  for messages, and a hint to the format
 Structure openBytes(const std::string& name, std::string bytes, const std::string& options);
+
+/// Interactions of `nacre info --interactions --json`. @param options  JSON: interactions, interaction_rules and the
+/// like
+/// @throws app::UsageError, Error
+nlohmann::ordered_json interactions(const Structure& structure, const std::string& options);
 
 /// Draws with the shared renderer, one thread after another.
 /// @param options  JSON, keys as in `nacre render` @throws app::UsageError, Error

@@ -17,8 +17,9 @@
 #include "app/python/pickled.h"
 #include "engine/error.h"
 #include "engine/molecule/bonds/bonds.h"
-#include "engine/molecule/chemistry/chemistry.h"
+#include "engine/molecule/chemistry/drawn_orders.h"
 #include "engine/molecule/element.h"
+#include "engine/molecule/residue_facts.h"
 #include "engine/srgb.h"
 
 namespace py = pybind11;
@@ -62,6 +63,9 @@ py::array namesOf(const Molecule& m, Value&& value) {
     return array;
 }
 
+/// A character as a text; of none an empty one. The text is that of the character's own place.
+std::string_view textOf(const char& character) { return {&character, character != '\0' ? 1u : 0u}; }
+
 py::dict atomsOf(const Structure& structure) {
     const Molecule& m = *structure.molecule;
     py::array_t<float> positions({static_cast<py::ssize_t>(m.atoms.size()), py::ssize_t{3}});
@@ -75,18 +79,26 @@ py::dict atomsOf(const Structure& structure) {
     atoms["name"] = namesOf(m, [](const Atom& a) { return a.name.view(); });
     atoms["residue_name"] = namesOf(m, [&](const Atom& a) { return residue(a).name.view(); });
     atoms["residue_number"] = ofAtoms<std::int32_t>(m, [&](const Atom& a) { return residue(a).number; });
+    atoms["insertion_code"] = namesOf(m, [&](const Atom& a) { return textOf(residue(a).insertionCode); });
+    atoms["altloc"] = namesOf(m, [](const Atom& a) { return textOf(a.alternate); });
     atoms["chain"] = namesOf(m, [&](const Atom& a) -> std::string_view { return m.chains[residue(a).chain].name; });
     atoms["model"] = ofAtoms<std::int32_t>(m, [&](const Atom& a) { return m.chains[residue(a).chain].model; });
     atoms["b_factor"] = ofAtoms<float>(m, [](const Atom& a) { return a.temperatureFactor; });
     atoms["occupancy"] = ofAtoms<float>(m, [](const Atom& a) { return a.occupancy; });
     atoms["charge"] = ofAtoms<std::int8_t>(m, [](const Atom& a) { return a.charge; });
     atoms["hetero"] = ofAtoms<bool>(m, [](const Atom& a) { return a.hetero; });
+    const ResidueFacts facts(m);
+    atoms["secondary_structure"] = namesOf(m, [&](const Atom& a) -> std::string_view {
+        if (facts.kinds()[a.residue] != ResidueKind::protein) return {};
+        const SecondaryStructure fold = facts.folds()[a.residue];
+        return fold == SecondaryStructure::helix ? "helix" : fold == SecondaryStructure::strand ? "strand" : "coil";
+    });
     return atoms;
 }
 
 py::array_t<std::uint32_t> bondsOf(const Structure& structure) {
     const std::vector<Bond>& bonds = structure.molecule->bonds;
-    const std::vector<std::uint8_t> orders = perceivedOrders(*structure.molecule);
+    const std::vector<std::uint8_t> orders = drawnOrders(*structure.molecule);
     std::vector<std::uint32_t> rows;
     for (std::size_t i = 0; i < bonds.size(); ++i) rows.insert(rows.end(), {bonds[i].a, bonds[i].b, orders[i]});
     const auto count = static_cast<py::ssize_t>(bonds.size());
@@ -260,6 +272,10 @@ void addReading(py::module_& m) {
         .def("bonds", &bondsOf)
         .def("info",
              [](const Structure& s) { return py::bytes(app::infoJson(*s.molecule).dump(-1, ' ', true, kReplace)); })
+        .def("interactions",
+             [](const Structure& s, const std::string& options) {
+                 return py::bytes(freely([&] { return interactions(s, options); }).dump(-1, ' ', true, kReplace));
+             })
         .def("select",
              [](const Structure& s, const std::string& selection) {
                  const std::vector<bool> chosen = freely([&] { return selected(s, selection); });

@@ -142,8 +142,8 @@ def test_others_objects_are_refused():
 def test_atoms_as_a_frame(peptide):
     pytest.importorskip("pandas")
     frame = nacre.open(peptide).atoms.to_frame()
-    assert list(frame.columns) == ["x", "y", "z", "element", "name", "residue_name", "residue_number", "chain", "model", "b_factor",
-                                   "occupancy", "charge", "hetero"]
+    assert list(frame.columns) == ["x", "y", "z", "element", "name", "residue_name", "residue_number", "insertion_code", "altloc",
+                                   "chain", "model", "b_factor", "occupancy", "charge", "hetero", "secondary_structure"]
     assert frame.groupby("chain")["b_factor"].mean().to_dict() == {"A": 30, "B": 60}
     assert frame.query("element == 'C'")["name"].tolist() == ["CA", "C", "CB"]
 

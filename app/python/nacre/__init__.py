@@ -116,7 +116,8 @@ class Structure:
     @property
     def atoms(self):
         """Arrays with one entry per atom, in the file's order: position (n, 3) in Å, element, name, residue_name,
-        residue_number, chain, model, b_factor in Å², occupancy, charge, hetero. Read-only. With pandas installed,
+        residue_number, insertion_code, altloc, chain, model, b_factor in Å², occupancy, charge, hetero,
+        secondary_structure ("helix", "strand", "coil"; "" outside proteins). Read-only. With pandas installed,
         atoms.to_frame() is a DataFrame of them.
         """
         if self._atoms is None:
@@ -130,7 +131,7 @@ class Structure:
 
     @property
     def bonds(self):
-        """(n, 3): two atom indices, the smaller first, and the order: 1, 2, 3, or 4 in an aromatic ring. Orders that the
+        """(n, 3): two atom indices, the smaller first, and the order: 1, 2, 3, or 4 in a ring drawn as aromatic. Orders that the
         file does not state are perceived, as in pictures. Read-only."""
         if self._bonds is None:
             self._bonds = self._core.bonds()
@@ -153,13 +154,30 @@ class Structure:
             self._motion = _nacre.Frames(self._core)
         return self._motion
 
-    def info(self):
-        """The summary of `nacre info --json` as a dict: counts, chains with sequences, ligands, assemblies, bonds."""
-        return _json.loads(self._core.info())
+    def info(self, *, interactions=None, interaction_kinds=None, interaction_rules=None, assembly=None):
+        """The summary of `nacre info --json` as a dict: counts, chains with sequences, ligands, assemblies, bonds.
+
+        interactions: a selection or mask, or two of them as "SEL,SEL"; adds "interactions", a list of dicts. The others: as
+        on the command line.
+        """
+        summary = _json.loads(self._core.info())
+        given = {"interactions": interactions, "interaction_kinds": interaction_kinds, "interaction_rules": interaction_rules,
+                 "assembly": assembly}
+        if interactions is None:
+            if any(value is not None for value in given.values()):
+                raise UsageError("info(): give the interactions, a selection")
+            return summary
+        return summary | {"interactions": _json.loads(self._core.interactions(_text(given, len(self))))}
 
     def select(self, selection):
         """A boolean array, one value per atom, for a selection such as "chain A and not water"."""
         return self._core.select(selection)
+
+    def _at(self, options):
+        """The structure at the frame that the options name, and the other options."""
+        options = dict(options)
+        number = options.pop("frame", None)
+        return (self if number is None else self.frame(number)), options
 
     def _given(self, options):
         return _colored(len(self), ({"map": self._maps} if self._maps else {}) | options)
@@ -169,12 +187,14 @@ class Structure:
 
         color may also be an array with one entry per atom: colours (n, 3), integers from 0 to 255 or numbers from 0 to 1;
         or values (n,), shown along palette (a ramp, "viridis") from the smallest to the largest, or between color_limits.
-        Values that are not finite are grey. The same holds for layers(), save(), movie() and export().
+        Values that are not finite are grey. frame is a number from 1, as for frame(). Where an option takes a selection, it
+        takes a mask: show=[(mask, "licorice")]. The same holds for layers(), save(), movie() and export(); movie() has no frame.
 
         Raises UsageError for wrong options and Error for other failures, with the messages of the command line.
         """
-        colors, text = self._given(options)
-        picture, warnings = _nacre.render(self._core, text, colors)
+        structure, options = self._at(options)
+        colors, text = structure._given(options)
+        picture, warnings = _nacre.render(structure._core, text, colors)
         _tell(warnings)
         return picture
 
@@ -212,22 +232,25 @@ class Structure:
         in perspective), infinite on the background; normal (h, w, 3), view space; id (h, w), 1-based atom, 0 on the
         background; occlusion (h, w), 0 closed to 1 open.
         """
-        colors, text = self._given(options)
-        layers, warnings = _nacre.layers(self._core, text, colors)
+        structure, options = self._at(options)
+        colors, text = structure._given(options)
+        layers, warnings = _nacre.layers(structure._core, text, colors)
         _tell(warnings)
         return layers
 
     def save(self, path, **options):
         """Draws a picture into a .png, .tif, .jpg, .webp or .exr file. The file appears whole or not at all."""
-        colors, text = self._given(options)
-        _tell(_nacre.save(self._core, _writable(path), text, colors))
+        structure, options = self._at(options)
+        colors, text = structure._given(options)
+        _tell(_nacre.save(structure._core, _writable(path), text, colors))
 
     def export(self, path, **options):
         """Exports the scene as triangles: a .glb, .ply, .stl or .obj file. options: style, color, show and others about
         the scene.
         """
-        colors, text = self._given(options)
-        _tell(_nacre.export(self._core, _writable(path), text, colors))
+        structure, options = self._at(options)
+        colors, text = structure._given(options)
+        _tell(_nacre.export(structure._core, _writable(path), text, colors))
 
     def movie(self, path=None, *, spin=None, turns=None, rock=None, axis=None, easing=None, map_sweep=None, models=False,
               seconds=None, fps=None, **options):

@@ -14,6 +14,9 @@ class FileMissing(Error, FileNotFoundError):
     def __init__(self, message: str, path: str | None = ...) -> None: ...
 class UsageError(ValueError): ...
 
+Mask = NDArray[np.bool_]
+Table = Mapping[str, Sequence[Any]] | Sequence[Mapping[str, Any]] | Any  # or a DataFrame
+
 class Layers(TypedDict):
     rgba: NDArray[np.float32]
     z: NDArray[np.float32]
@@ -25,28 +28,28 @@ class Layers(TypedDict):
 class Options(TypedDict, total=False):
     look: str
     thumbnail: str
-    pocket: str
+    pocket: str | Mask
     interface: str
     camera: str
     occlusion_models: str
     assembly: str | float
     style: str
-    bond_orders: str
+    bond_orders: str | bool
     aromatic_bonds: str
     color: str
-    color_from: str | Sequence[str]
+    color_from: str | Table | Sequence[str | Table]
     palette: str
     helices: str
     bases: str
     putty: str | bool
-    carbohydrates: str
+    carbohydrates: str | bool
     line_width: str | float
     stick_radius: str | float
     bond_radius: str | float
     tube_radius: str | float
     ball_scale: str | float
     cartoon_scale: str | float
-    gaps: str
+    gaps: str | bool
     surface_form: str
     disulfides: str
     surface: str
@@ -55,14 +58,14 @@ class Options(TypedDict, total=False):
     cavities: str
     surface_opacity: str | float
     cartoon_opacity: str | float
-    interactions: str
+    interactions: str | bool | Mask
     interaction_kinds: str
     interaction_rules: str
     interaction_color: str | Sequence[str]
     interaction_width: str | float
-    show: str | Sequence[str]
-    hide: str | Sequence[str]
-    color_by: str | Sequence[str]
+    show: str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]
+    hide: str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]
+    color_by: str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]
     water: str
     hydrogens: str
     altlocs: str | float
@@ -74,58 +77,58 @@ class Options(TypedDict, total=False):
     map_slice: str | Sequence[str]
     map_opacity: str | Sequence[str]
     map_width: str | float
-    map_around: str
+    map_around: str | Mask
     surface_color_from: str | float
     primitives: str | Sequence[str]
     projection: str
     fov: str | float
     zoom: str | float
     scale: str | float
-    center: str
+    center: str | Mask
     orientation: str
     pan: str
     rotate: str | Sequence[float]
-    orient: str
-    look_at: str
-    zoom_to: str
-    uncover: str
+    orient: str | Mask
+    look_at: str | Mask
+    zoom_to: str | Mask
+    uncover: str | bool | Mask
     background: str
     transparent: bool
     lighting: str | bool
-    occlusion: str | float
+    occlusion: str | float | bool
     occlusion_memory: str | float
-    contours: str | float
+    contours: str | float | bool
     contour_depth: str | float
     contour_weights: str | float
     contour_color: str
-    halos: str | float
+    halos: str | float | bool
     halo_depth: str | float
     halo_strength: str | float
     halo_color: str
-    fog: str
+    fog: str | bool
     fog_strength: str | float
-    shadow: str | float
-    depth_of_field: str | float
+    shadow: str | float | bool
+    depth_of_field: str | float | bool
     focus_depth: str | float
     ambient: str | float
     direct: str | float
     highlight: str | float
     gloss: str | float
     occlusion_strength: str | float
-    clip: str
+    clip: str | bool | Mask
     cap: str
     cap_color: str
-    clip_spare: str
+    clip_spare: str | Mask
     slab: str | float
-    label: str | Sequence[str]
-    label_color: str | Sequence[str]
-    label_offset: str | Sequence[str]
+    label: str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]
+    label_color: str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]
+    label_offset: str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]
     measure: str | Sequence[str]
     title: str | float
-    scale_bar: str
+    scale_bar: str | bool
     legend: str | bool
     legend_title: str | float
-    interaction_labels: str
+    interaction_labels: str | bool
     show_labels: str
     text_size: str
     text_color: str
@@ -133,14 +136,14 @@ class Options(TypedDict, total=False):
     size: str | Sequence[float]
     supersample: str | float
     mesh_error: str | float
-    width: str | float
-    height: str | float
+    width: str
+    height: str
     dpi: str | float
     depth: str
     debug: str
     device: str | float
     visibility: str
-    msaa: str
+    msaa: str | bool
     encoded_format: str
     prepass: str | bool
     transient: str | bool
@@ -149,6 +152,9 @@ class Options(TypedDict, total=False):
 class OwnColors(Options, total=False):
     color: str | ArrayLike  # type: ignore[misc]
     color_limits: Sequence[float]
+
+class Still(OwnColors, total=False):
+    frame: int
 
 class Movie:
     data: bytes
@@ -178,13 +184,14 @@ class Structure:
     @property
     def frames(self) -> int: ...
     def frame(self, number: int) -> Structure: ...
-    def info(self) -> dict[str, Any]: ...
+    def info(self, *, interactions: str | Mask | None = ..., interaction_kinds: str | None = ...,
+             interaction_rules: str | None = ..., assembly: str | None = ...) -> dict[str, Any]: ...
     def select(self, selection: str) -> NDArray[np.bool_]: ...
-    def render(self, **options: Unpack[OwnColors]) -> NDArray[np.uint8] | NDArray[np.uint16]: ...
+    def render(self, **options: Unpack[Still]) -> NDArray[np.uint8] | NDArray[np.uint16]: ...
     def pictures(self, views: Iterable[Mapping[str, Any]], **options: Unpack[OwnColors]) -> Iterator[NDArray[np.uint8] | NDArray[np.uint16]]: ...
-    def layers(self, **options: Unpack[OwnColors]) -> Layers: ...
-    def save(self, path: str | PathLike[str], **options: Unpack[OwnColors]) -> None: ...
-    def export(self, path: str | PathLike[str], **options: Unpack[OwnColors]) -> None: ...
+    def layers(self, **options: Unpack[Still]) -> Layers: ...
+    def save(self, path: str | PathLike[str], **options: Unpack[Still]) -> None: ...
+    def export(self, path: str | PathLike[str], **options: Unpack[Still]) -> None: ...
     def movie(self, path: str | PathLike[str] | None = ..., *, spin: str | Sequence[float] | None = ...,
               turns: float | None = ..., rock: float | None = ..., axis: str | Sequence[float] | None = ...,
               easing: str | None = ..., map_sweep: str | None = ..., models: bool = ..., seconds: float | None = ..., fps: float | None = ...,

@@ -60,15 +60,80 @@ def kind(value):
     return kind.__name__ if kind.__module__ == "builtins" else f"{kind.__module__}.{kind.__name__}"
 
 
-def text(options):
+def shown(value):
+    """A value for messages: of a long one its type."""
+    try:
+        if len(value) > 8 and not isinstance(value, str):
+            return f"{kind(value)} of {len(value)} entries"
+    except TypeError:
+        pass
+    words = repr(value)
+    return words if len(words) <= 60 else words[:60] + "..."
+
+
+def ids(mask, count, name):
+    """The selection of a mask's atoms: "id 1-20,35"."""
+    if mask.shape != (count,):
+        raise UsageError(f'"{name}": a mask has one value for each of the {count} atoms, not the shape {mask.shape}')
+    edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([False], mask, [False])).astype(numpy.int8)))
+    runs = (f"{a + 1}" if a + 1 == b else f"{a + 1}-{b}" for a, b in edges.reshape(-1, 2).tolist())
+    return "id " + ",".join(runs) if len(edges) else "not all"
+
+
+def as_mask(value):
+    """A numpy array of booleans; None if it is something else. Lists are no masks."""
+    if isinstance(value, (str, bytes, list, tuple, dict)) or not hasattr(value, "__array__"):
+        return None
+    array = numpy.asarray(value)
+    return array if array.dtype == bool and array.ndim else None
+
+
+_JOINED_BY_COMMA = {"measure", "interactions", "interface", "map_around"}
+
+
+def selections(value, count, name):
+    """The value with masks as the selections of their atoms, and pairs in a list as one text: (mask, "licorice")."""
+    mask = as_mask(value)
+    if mask is not None:
+        return ids(mask, count, name)
+    if isinstance(value, tuple) and any(as_mask(one) is not None for one in value):
+        value = [value]
+    if not isinstance(value, list):
+        return value
+    joint = "," if name in _JOINED_BY_COMMA else "="
+    return [joint.join(str(selections(part, count, name)) for part in one)
+            if isinstance(one, tuple) and any(isinstance(part, str) for part in one) else selections(one, count, name)
+            for one in value]
+
+
+def tables(value):
+    """The value with tables as JSON: a DataFrame, a dict of columns, a list of rows; or a list of sources."""
+    def table(one):
+        if hasattr(one, "to_dict") and hasattr(one, "columns"):
+            one = one.to_dict("list")
+        return json.dumps(plain(one), default=str).replace("NaN", "null") if isinstance(one, (dict, list)) else one
+
+    if isinstance(value, list) and not (value and all(isinstance(row, dict) for row in value)):
+        return [table(one) for one in value]
+    return table(value)
+
+
+def text(options, count=None):
+    """The options as JSON. @param count  atoms of masks; None: there are no masks"""
     texts = []
     for name, value in options.items():
         try:
+            if name == "color_from":
+                value = tables(value)
+            elif count is not None:
+                value = selections(value, count, name)
             texts.append(f"{json.dumps(name)}: {json.dumps(plain(value), allow_nan=False)}")
         except TypeError as error:
             raise UsageError(f'"{name}": {error}') from None
-        except ValueError:
-            raise UsageError(f'"{name}": expected finite numbers, not {value!r}') from None
+        except ValueError as error:
+            if isinstance(error, UsageError):
+                raise
+            raise UsageError(f'"{name}": expected finite numbers, not {shown(value)}') from None
     return f"{{{', '.join(texts)}}}"
 
 
@@ -113,7 +178,7 @@ def colored(count, options):
     if not of_atoms(color):
         if limits is not None:
             raise UsageError('"color_limits" goes with values in "color", one for each atom')
-        return _nacre.Colors(), text(options)
+        return _nacre.Colors(), text(options, count)
     del options["color"]
     array = numpy.asarray(color)
     if array.dtype.kind not in "biuf":
@@ -124,7 +189,7 @@ def colored(count, options):
             if len(limits) != 2 or not numpy.all(numpy.isfinite(limits)) or limits[0] == limits[1]:
                 raise UsageError('"color_limits": expected two finite numbers that differ')
         palette = options.pop("palette", "viridis")
-        return _nacre.Colors.of_values(array.astype(float).tolist(), palette, limits), text(options)
+        return _nacre.Colors.of_values(array.astype(float).tolist(), palette, limits), text(options, count)
     if array.shape != (count, 3):
         raise UsageError(f'"color": expected {count} values or ({count}, 3) colours, one for each atom, not an array of shape '
                          f"{array.shape}")
@@ -133,4 +198,4 @@ def colored(count, options):
     whole = array.dtype.kind in "iu"
     if not numpy.all(numpy.isfinite(array)) or array.min() < 0 or array.max() > (255 if whole else 1):
         raise UsageError('"color": expected whole numbers from 0 to 255, or others from 0 to 1')
-    return _nacre.Colors(numpy.round(array * (1 if whole else 255)).astype(numpy.uint8)), text(options)
+    return _nacre.Colors(numpy.round(array * (1 if whole else 255)).astype(numpy.uint8)), text(options, count)

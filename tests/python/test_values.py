@@ -1,0 +1,109 @@
+"""What options of pictures take in Python: masks, tables, booleans, frames; interactions; and arrays of atoms."""
+import json
+import os
+import pathlib
+import re
+import subprocess
+
+import numpy as np
+import pytest
+
+import nacre
+
+PROGRAM = os.environ["NACRE_PROGRAM"]
+SMALL = {"size": (48, 32), "occlusion": 4, "occlusion_detail": 8, "cache": "off"}
+ATOM = b"ATOM  %5d  %-3sALA A%4d%s   %8.3f%8.3f%8.3f  1.00  0.00           %s\n"
+
+
+@pytest.fixture(scope="module")
+def dna():
+    return nacre.open("sample:dna")
+
+
+def test_masks_are_selections(dna):
+    mask = dna.select("chain A")
+    drawn = dna.render(show=[(mask, "licorice")], hide=~mask, zoom_to=mask, **SMALL)
+    np.testing.assert_array_equal(drawn, dna.render(show="chain A=licorice", hide="not chain A", zoom_to="chain A", **SMALL))
+    for pairs in ([("chain A", "licorice")], (mask, "licorice")):
+        np.testing.assert_array_equal(dna.render(show=pairs, **SMALL), dna.render(show="chain A=licorice", **SMALL))
+    np.testing.assert_array_equal(dna.render(color_by=[(mask, "red"), (~mask, "blue")], **SMALL),
+                                  dna.render(color_by=["chain A=red", "chain B=blue"], **SMALL))
+    with pytest.raises(nacre.UsageError, match=r'"hide": a mask has one value for each of the 486 atoms, not the shape \(3,\)'):
+        dna.render(hide=np.array([True, False, True]), **SMALL)
+
+
+def test_tables_are_frames_dicts_and_rows(dna):
+    columns = {"chain": ["A", "B"], "value": [1.0, 2.0]}
+    rows = [{"chain": "A", "value": 1.0}, {"chain": "B", "value": 2.0}]
+    wanted = dna.render(color_from=json.dumps(rows), **SMALL)
+    tables = [columns, rows, [columns], {"chain": np.array(["A", "B"]), "value": np.array([1.0, 2.0])}]
+    pandas = pytest.importorskip("pandas")
+    for table in [*tables, pandas.DataFrame(columns)]:
+        np.testing.assert_array_equal(dna.render(color_from=table, **SMALL), wanted)
+    gap = pandas.DataFrame({"chain": ["A", "B"], "value": [1.0, float("nan")]})
+    np.testing.assert_array_equal(dna.render(color_from=gap, **SMALL), dna.render(color_from=rows[:1], **SMALL))
+
+
+def test_booleans_switch_on_and_off(dna):
+    for key, value, text in (("fog", True, "auto"), ("fog", False, "off"), ("occlusion", False, "off"), ("halos", False, "off"),
+                             ("gaps", True, "dashed"), ("bond_orders", False, "off"), ("carbohydrates", True, "on")):
+        options = SMALL | {"style": "licorice"}
+        np.testing.assert_array_equal(dna.render(**options | {key: value}), dna.render(**options | {key: text}), key)
+    with pytest.raises(nacre.UsageError, match='"halos": expected a text or a number, not true'):
+        dna.render(halos=True, **SMALL)
+
+
+def test_long_values_do_not_fill_errors(dna):
+    for options in ({"zoom": np.arange(5000.0)}, {"title": list(range(5000))}, {"show": [[1] * 5000]},
+                    {"clip": np.full(5000, np.nan)}, {"zoom": {str(i): i for i in range(5000)}}):
+        with pytest.raises(nacre.UsageError) as failure:
+            dna.render(**options, **SMALL)
+        assert len(str(failure.value)) < 200, failure.value
+
+
+def test_pictures_are_of_a_frame(tmp_path):
+    models = b"".join(b"MODEL     %4d\n" % i + ATOM % (1, b"CA", 1, b" ", 5.0 * i, 0, 0, b"C") + b"ENDMDL\n" for i in (0, 1, 2))
+    moving = nacre.open(models, name="m.pdb")
+    np.testing.assert_array_equal(moving.layers(frame=3, **SMALL)["z"], moving.frame(3).layers(**SMALL)["z"])
+    np.testing.assert_array_equal(moving.render(frame=2, **SMALL), moving.frame(2).render(**SMALL))
+    moving.save(tmp_path / "a.png", frame=3, **SMALL)
+    moving.frame(3).save(tmp_path / "b.png", **SMALL)
+    assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
+    with pytest.raises(nacre.UsageError, match="frames 1 to 3"):
+        moving.render(frame=4, **SMALL)
+
+
+def test_arrays_tell_conformers_and_folds():
+    text = ATOM % (1, b"CA", 7, b"B", 0, 0, 0, b"C") + (ATOM % (2, b"CB", 7, b"B", 1.5, 0, 0, b"C")).replace(b" CB ALA", b" CB AALA")
+    atoms = nacre.open(text, name="a.pdb").atoms
+    assert atoms["insertion_code"].tolist() == ["B", "B"] and atoms["altloc"].tolist() == ["", "A"]
+    assert atoms["secondary_structure"].tolist() == ["coil", "coil"]
+    assert set(nacre.open("sample:dna").atoms["secondary_structure"]) == {""}
+
+
+def test_interactions_are_the_command_lines(dna):
+    mask = dna.select("chain A")
+    said = subprocess.run([PROGRAM, "info", "sample:dna", "--interactions", "chain A", "--interaction-kinds", "hydrogen-bond", "--json"],
+                          capture_output=True, text=True, check=True).stdout
+    wanted = json.loads(said)[0]["interactions"]
+    for selection in ("chain A", mask):
+        assert dna.info(interactions=selection, interaction_kinds="hydrogen-bond")["interactions"] == wanted
+    assert len(wanted) >= 32 and "interactions" not in dna.info()
+    with pytest.raises(nacre.UsageError, match="hydrogen-bond"):
+        dna.info(interactions="all", interaction_kinds="hbond")
+
+
+def test_examples_of_the_docs_have_the_stubs_types(tmp_path):
+    """mypy over every program in the docs."""
+    mypy = pytest.importorskip("mypy.api")
+    docs = pathlib.Path(os.environ["NACRE_SOURCE"]) / "docs"
+    programs = []
+    for page in [*sorted(docs.glob("*.md")), docs.parent / "README.md"]:
+        for i, code in enumerate(re.findall(r"^```python\n(.*?)^```", page.read_text(), re.M | re.S)):
+            program = tmp_path / f"{page.stem.lower()}_{i}.py"
+            program.write_text(code)
+            programs.append(str(program))
+    assert len(programs) >= 12
+    out, _, code = mypy.run([*programs, "--no-incremental", "--cache-dir", str(tmp_path), "--ignore-missing-imports",
+                             "--enable-incomplete-feature=Unpack", "--scripts-are-modules"])
+    assert code == 0, out
