@@ -1,6 +1,5 @@
 # `cmake --install` puts the engine where find_package(nacre) finds it: the library nacre::nacre, its public headers
-# (engine/*.h but for those of its passes, engine/molecule, engine/mesh, engine/scene) as <nacre/...>, and the program where
-# it was built.
+# (at most 40: those below and what they name) as <nacre/...>, and the program where it was built.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(NACRE_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/nacre)
@@ -12,13 +11,18 @@ foreach(library nacre_molecule nacre_graph nacre)
 endforeach()
 target_compile_features(nacre_molecule PUBLIC cxx_std_20)
 
+set(headers)
+set(left renderer.h error.h threads.h molecule/read.h molecule/drawn_atoms.h molecule/chemistry/hydrogens.h)
+while(left)
+    list(POP_FRONT left header)
+    list(APPEND headers ${header})
+    file(STRINGS engine/${header} named REGEX "^#include \"engine/")
+    list(TRANSFORM named REPLACE "#include \"engine/(.*)\".*" "\\1")
+    list(APPEND left ${named})
+    list(REMOVE_DUPLICATES left)
+    list(REMOVE_ITEM left ${headers})
+endwhile()
 # Headers name each other as engine/..., where they stand here, and as nacre/..., where they are installed.
-file(GLOB headers RELATIVE ${CMAKE_SOURCE_DIR}/engine CONFIGURE_DEPENDS engine/molecule/*.h
-     engine/molecule/selection/*.h engine/molecule/trajectory/*.h engine/molecule/chemistry/*.h engine/volume/*.h
-     engine/mesh/*.h engine/scene/*/*.h)
-foreach(name baked_occlusion coded_picture debug_view device_options devices effects error overlay renderer results settings threads)
-    list(APPEND headers ${name}.h)
-endforeach()
 foreach(header ${headers})
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS engine/${header})
     file(READ engine/${header} text)

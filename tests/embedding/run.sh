@@ -9,6 +9,8 @@ trap 'rm -rf -- "$folder"' EXIT
 
 cmake --install "$build" --prefix "$folder/prefix" >"$folder/log"
 cp -- "$here"/CMakeLists.txt "$here"/embedding.cpp "$folder"
+# The program of docs/library.md, whose parts follow each other.
+sed -n '/^```cpp$/,/^```$/p' "$here/../../docs/library.md" | grep -v '^```' >"$folder/library.cpp"
 cmake -S "$folder" -B "$folder/build" -G Ninja -D CMAKE_PREFIX_PATH="$folder/prefix" -D CMAKE_CXX_COMPILER="$compiler" \
     -D CMAKE_BUILD_TYPE=Release >>"$folder/log" || { cat "$folder/log"; exit 1; }
 cmake --build "$folder/build" >>"$folder/log" || { cat "$folder/log"; exit 1; }
@@ -17,9 +19,14 @@ cmake --build "$folder/build" >>"$folder/log" || { cat "$folder/log"; exit 1; }
 
 # Every header stands by itself under nacre/: none names another that is not installed.
 (cd "$folder/prefix/include" && find nacre -name '*.h' | sort | sed 's/.*/#include <&>/') >"$folder/headers.cpp"
-[[ $(wc -l <"$folder/headers.cpp") -gt 50 ]] || { echo "headers are missing"; exit 1; }
+count=$(wc -l <"$folder/headers.cpp")
+((20 < count && count <= 40)) || { echo "$count headers are installed"; exit 1; }
 ! grep -rq '"engine/' "$folder/prefix/include" || { echo "an installed header names engine/"; exit 1; }
 "$compiler" -std=c++20 -fsyntax-only -I"$folder/prefix/include" "$folder/headers.cpp"
+
+# It says what it drew.
+"$folder/build/library" >"$folder/said" || { echo "the program of docs/library.md failed"; exit 1; }
+grep -q '^36 pictures$' "$folder/said" || { cat "$folder/said"; exit 1; }
 
 printf '3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n' >"$folder/water.xyz"
 "$folder/build/embedding" "$folder/water.xyz" "$folder/water.ppm"

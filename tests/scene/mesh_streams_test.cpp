@@ -8,9 +8,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <random>
-#include <stdexcept>
 #include <utility>
 
+#include "engine/error.h"
 #include "engine/scene/build/representation.h"
 
 namespace nacre::test {
@@ -129,10 +129,10 @@ TEST(MeshStreams, OfAMeshWhoseListsDoNotFitThereIsNone) {
     Mesh mesh = randomMesh(10, 12);
     mesh.triangles.emplace_back(0, 1, 12);
     Representation r;
-    EXPECT_THROW(appendMesh(mesh, glm::dvec3(0), lookOf, r), std::invalid_argument);
+    EXPECT_THROW(appendMesh(mesh, glm::dvec3(0), lookOf, r), Error);
     mesh = randomMesh(10, 12);
     mesh.atoms.pop_back();
-    EXPECT_THROW(appendMesh(mesh, glm::dvec3(0), lookOf, r), std::invalid_argument);
+    EXPECT_THROW(appendMesh(mesh, glm::dvec3(0), lookOf, r), Error);
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <span>
-#include <stdexcept>
 #include <unordered_map>
 
+#include "engine/error.h"
 #include "engine/scene/build/representation.h"
 #include "engine/scene/build/translucency.h"
 
@@ -40,11 +40,11 @@ void checkMesh(const Mesh& mesh) {
     const std::size_t count = mesh.positions.size();
     if (mesh.normals.size() != count || mesh.atoms.size() != count ||
         (!mesh.margins.empty() && mesh.margins.size() != count))
-        throw std::invalid_argument("a mesh has as many normals and atoms as positions");
+        throw Error("cannot draw mesh", "", "it has as many normals, atoms and margins as positions");
     const auto check = [&](const std::vector<glm::uvec3>& triangles) {
         for (const glm::uvec3& t : triangles)
             if (t.x >= count || t.y >= count || t.z >= count)
-                throw std::invalid_argument("a triangle names a vertex that its mesh does not have");
+                throw Error("cannot draw mesh", "", "a triangle names a vertex that it does not have");
     };
     check(mesh.triangles);
     for (const MeshLevel& level : mesh.coarser) check(level.triangles);

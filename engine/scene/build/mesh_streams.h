@@ -91,7 +91,7 @@ glm::vec3 normalOf(const MeshVertex& vertex);
 /// triangles come first (translucency.h), in each level.
 /// @param shift   Å, added to every position: from the mesh's origin to that of the representation
 /// @param lookOf  colour and number of an atom, called once per atom of the mesh
-/// @throws std::invalid_argument if the mesh's lists do not fit each other
+/// @throws Error if the mesh's lists do not fit each other
 void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<SphereLook(std::uint32_t)>& lookOf,
                 Representation& representation);
 
