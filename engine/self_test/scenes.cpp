@@ -103,7 +103,7 @@ public:
         for (const Sphere& s : r.spheres) centers_.push_back(seen(s.center));
         for (const Cylinder& c : r.cylinders) ends_.push_back({seen(c.a), seen(c.b)});
         for (const Triangle& t : r.triangles) {
-            const auto corner = [&](std::uint32_t v) { return seen(positionOf(r.meshVertices[v], t.step)); };
+            const auto corner = [&](std::uint32_t v) { return seen(positionOf(r.meshVertices[v], t.step())); };
             corners_.push_back({corner(t.a), corner(t.b), corner(t.c)});
         }
     }
