@@ -257,8 +257,8 @@ TEST(Topologies, GsdWithChunksOfNoRows) {
     std::string bytes = test::gsdBytes(false);
     std::uint64_t index = 0;
     std::memcpy(&index, bytes.data() + 8, sizeof index);
-    constexpr std::size_t kEntry = 32, kBonds = 4, kRows = 8;
-    std::memset(bytes.data() + index + kBonds * kEntry + kRows, 0, sizeof(std::uint64_t));
+    constexpr std::size_t kEntry = 32, kBondChunk = 4, kRows = 8;
+    std::memset(bytes.data() + index + kBondChunk * kEntry + kRows, 0, sizeof(std::uint64_t));
     const Molecule chain = readMolecule("a.gsd", bytes);
     EXPECT_EQ(chain.atoms.size(), 3u);
     EXPECT_TRUE(chain.bonds.empty());
