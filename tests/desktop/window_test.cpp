@@ -240,6 +240,7 @@ TEST(Window, QuittingAsksWhereWorkIsLost) {
 
 TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
     XSession session("sample:glucose --size 300x300");
+    session.type("m");
     {
         std::ofstream out(session.folder() / "two words.xyz");
         out << "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n";
