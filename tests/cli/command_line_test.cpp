@@ -310,7 +310,9 @@ TEST(CommandLine, RenderWritesWholeFilesAndTheStats) {
     for (const auto& pass : stats["passes"]) {
         EXPECT_NE(pass["name"], "");
         EXPECT_FALSE(pass.at("ms").is_null() && pass.at("shaded_fragments").is_null()) << pass;
-        if (!pass["shaded_fragments"].is_null()) EXPECT_GT(pass["shaded_fragments"], 0) << pass;
+        if (!pass["shaded_fragments"].is_null()) {
+            EXPECT_GT(pass["shaded_fragments"], 0) << pass;
+        }
         if (!pass["ms"].is_null()) ms += pass["ms"].get<double>();
     }
     EXPECT_GT(ms, 0);

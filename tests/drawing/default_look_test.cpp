@@ -17,7 +17,7 @@ PictureDescription pictureWith(std::initializer_list<std::pair<const char*, cons
 }
 
 /// What the picture shows of the molecule.
-RepresentationOptions lookOf(const Molecule& molecule, const PictureDescription& picture) {
+RepresentationOptions takenLook(const Molecule& molecule, const PictureDescription& picture) {
     RepresentationOptions look = picture.look;
     takeDefaultLook(molecule, drawnAtoms(molecule), picture, look);
     return look;
@@ -26,10 +26,10 @@ RepresentationOptions lookOf(const Molecule& molecule, const PictureDescription&
 Molecule protein(int residues) { return test::chainOf(residues, -57, -47); }
 
 TEST(DefaultLook, ProteinsAreCartoonsByChain) {
-    const RepresentationOptions look = lookOf(protein(10), {});
+    const RepresentationOptions look = takenLook(protein(10), {});
     EXPECT_EQ(look.style, Style::cartoon);
     EXPECT_EQ(look.color, Coloring(ColorScheme::chainCarbons));
-    EXPECT_EQ(lookOf(protein(9), {}), RepresentationOptions());  // a peptide
+    EXPECT_EQ(takenLook(protein(9), {}), RepresentationOptions());  // a peptide
     EXPECT_EQ(buildScene(protein(10), {}).style, Style::cartoon);
     EXPECT_EQ(buildMovingScene(protein(10), {}).scene().style, Style::cartoon);
 }
@@ -37,7 +37,7 @@ TEST(DefaultLook, ProteinsAreCartoonsByChain) {
 TEST(DefaultLook, AtomsWithoutBackboneAreNoCartoon) {
     test::MoleculeText text;
     for (int i = 0; i < 200; ++i) text.residue("GLY").atom("BB", "C", {4.f * static_cast<float>(i), 0, 0});
-    EXPECT_EQ(lookOf(text.molecule, {}), RepresentationOptions());
+    EXPECT_EQ(takenLook(text.molecule, {}), RepresentationOptions());
 }
 
 TEST(DefaultLook, AtomsAreSeenInTheirDensity) {
@@ -47,18 +47,18 @@ TEST(DefaultLook, AtomsAreSeenInTheirDensity) {
 TEST(DefaultLook, PredictionsShowTheirConfidence) {
     Molecule molecule = protein(20);
     molecule.file.confidence = true;
-    EXPECT_EQ(lookOf(molecule, {}).style, Style::cartoon);
-    EXPECT_EQ(lookOf(molecule, {}).color, Coloring(ColorScheme::plddt));
-    EXPECT_EQ(lookOf(molecule, pictureWith({{"color", "element"}})).color, Coloring(ColorScheme::element));
+    EXPECT_EQ(takenLook(molecule, {}).style, Style::cartoon);
+    EXPECT_EQ(takenLook(molecule, {}).color, Coloring(ColorScheme::plddt));
+    EXPECT_EQ(takenLook(molecule, pictureWith({{"color", "element"}})).color, Coloring(ColorScheme::element));
     Molecule ligand = test::MoleculeText().residue("LIG").atom("C", "C", {}).molecule;
     ligand.file.confidence = true;
-    EXPECT_EQ(lookOf(ligand, {}), RepresentationOptions());
+    EXPECT_EQ(takenLook(ligand, {}), RepresentationOptions());
 }
 
 TEST(DefaultLook, StylesAndColoursThatAreGivenStay) {
-    EXPECT_EQ(lookOf(protein(30), pictureWith({{"style", "licorice"}})).style, Style::licorice);
+    EXPECT_EQ(takenLook(protein(30), pictureWith({{"style", "licorice"}})).style, Style::licorice);
     for (const char* color : {"element", "chain"}) {
-        const RepresentationOptions look = lookOf(protein(30), pictureWith({{"color", color}}));
+        const RepresentationOptions look = takenLook(protein(30), pictureWith({{"color", color}}));
         EXPECT_EQ(look.style, Style::cartoon);
         EXPECT_EQ(coloringText(look.color), color);
     }
@@ -74,8 +74,8 @@ TEST(DefaultLook, InteractionsEndAtSticks) {
 }
 
 TEST(DefaultLook, HiddenResiduesAreNotCounted) {
-    EXPECT_FALSE(lookOf(protein(12), pictureWith({{"hide", "resi 1-3"}})).style);
-    EXPECT_EQ(lookOf(protein(12), pictureWith({{"hide", "resi 1-2"}})).style, Style::cartoon);
+    EXPECT_FALSE(takenLook(protein(12), pictureWith({{"hide", "resi 1-3"}})).style);
+    EXPECT_EQ(takenLook(protein(12), pictureWith({{"hide", "resi 1-2"}})).style, Style::cartoon);
 }
 
 }  // namespace
