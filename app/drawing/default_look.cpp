@@ -33,7 +33,8 @@ void takeDefaultLook(const ResidueFacts& facts, std::span<const std::uint32_t> d
                      RepresentationOptions& look) {
     const Molecule& molecule = facts.molecule();
     const bool predicted = molecule.file.confidence;
-    if (look.style || molecule.guide || (!picture.maps.files.empty() && !predicted)) return;
+    if (look.style || molecule.guide || !molecule.file.packed.empty()) return;
+    if (!picture.maps.files.empty() && !predicted) return;
     const std::vector<bool> hidden = hiddenBy(look.rules, facts);
     std::size_t aminoAcids = 0;
     for (const std::uint32_t atom : drawn) {

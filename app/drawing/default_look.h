@@ -14,7 +14,8 @@ constexpr std::size_t kFewestOfCartoon = 10;
 
 /// Sets the style of a look without one where it is not that of defaultStyle(): proteins are cartoons with their
 /// ligands, coloured by chain, and predictions by their confidence, unless the picture sets a colour. Residues around
-/// interactions are sticks as well. Beside maps only predictions are cartoons. Scene files have their own styles.
+/// interactions are sticks as well. Beside maps only predictions are cartoons. Scene files have their own styles,
+/// packed scenes are spheres.
 /// @param drawn  indices of drawn atoms, ascending
 /// @param look  of the picture, changed
 void takeDefaultLook(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, const PictureDescription& picture,

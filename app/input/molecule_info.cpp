@@ -149,8 +149,9 @@ std::vector<std::size_t> subchainSizes(const Molecule& molecule) {
 
 /// Copies and atoms are counted from the assembly's parts.
 Json assemblyList(const Molecule& molecule) {
-    const std::vector<std::size_t> sizes = subchainSizes(molecule);
     Json list = Json::array();
+    if (molecule.assemblies.empty()) return list;
+    const std::vector<std::size_t> sizes = subchainSizes(molecule);
     for (const Assembly& assembly : molecule.assemblies) {
         std::size_t copies = 0, atoms = 0;
         for (const AssemblyPart& part : assembly.parts) {

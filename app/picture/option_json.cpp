@@ -49,8 +49,9 @@ std::optional<std::string> switchText(bool on, const Option& option) {
     const std::string word = option.syntax.substr(0, option.syntax.find('|'));
     if (std::ranges::all_of(word, [](char c) { return c >= 'a' && c <= 'z'; }) && option.syntax == word + "|off")
         return word;
-    const bool number = !option.standard.empty() && option.standard.front() >= '0' && option.standard.front() <= '9';
-    return number ? std::optional(option.standard) : std::nullopt;
+    const std::string usual = option.standard == "=" ? option.print(PictureDescription{}) : option.standard;
+    const bool number = !usual.empty() && usual.front() >= '0' && usual.front() <= '9';
+    return number ? std::optional(usual) : std::nullopt;
 }
 
 /// A text or number, or numbers that belong together: [640, 480] is "640x480" of a size, and "640,480" otherwise.
@@ -62,7 +63,8 @@ std::string jobText(const JobJson& value, const Option& option) {
     if (value.is_number()) return value.dump();
     if (value.is_boolean())
         if (const auto text = switchText(value.get<bool>(), option)) return *text;
-    if (value.is_array() && !value.empty() &&
+    constexpr std::size_t kMostNumbers = 16;  // of any option
+    if (value.is_array() && !value.empty() && value.size() <= kMostNumbers &&
         std::all_of(value.begin(), value.end(), [](const JobJson& number) { return number.is_number(); })) {
         std::string text;
         for (const JobJson& number : value)
