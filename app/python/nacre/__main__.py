@@ -18,7 +18,7 @@ def _program():
 
 
 if __name__ == "__main__":
-    path = _program()
-    if path is None:
+    _path = _program()
+    if _path is None:
         sys.exit("nacre: error: no program: not in the package nacre, not along PATH")
-    os.execv(path, [path, *sys.argv[1:]])
+    os.execv(_path, [_path, *sys.argv[1:]])
