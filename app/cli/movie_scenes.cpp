@@ -197,6 +197,7 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     const std::optional<Bounds> frame = file_ && !motion_ ? frameOf(look) : std::nullopt;
     look.framed = frame.has_value();
     look.drawing.forget();
+    if (options_.models && !motion_) look.options.input.model = model;  // for titles
     look.drawing.prepare(molecule_, look.options, frame);
     if (first)
         for (const std::string& warning : look.drawing.warnings) sayWarning(warning);

@@ -166,7 +166,7 @@ struct Molecule {
     std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number
     ReadNotes notes;                        ///< what the reader guessed and left out; readingOf() has the whole list
     bool lacksPositions = false;            ///< a topology alone: a trajectory has to place its atoms
-    bool modelsAreInputs = false;           ///< what chains call models are several molecules that stand together
+    bool modelsAreInputs = false;           ///< Chain::model counts inputs
     std::vector<std::string> inputs;        ///< names of those, in the order of their models; empty: there is one
     OtherModels others;         ///< if they were asked for: the file's other models, for a camera that all share
     std::string othersMissing;  ///< why they are not there though there are some; empty: they are, or none is

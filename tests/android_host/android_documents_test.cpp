@@ -2,12 +2,22 @@
 
 #include <fstream>
 #include <future>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "tests/android_host/host_fixture.h"
 
 namespace nacre::test {
 namespace {
+
+/// The last digits of a rotation may differ.
+void expectSameState(const std::string& one, const std::string& other) {
+    auto a = nlohmann::json::parse(one), b = nlohmann::json::parse(other);
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_NEAR(a.at("orientation").at(i).get<double>(), b.at("orientation").at(i).get<double>(), 1e-12);
+    a.erase("orientation"), b.erase("orientation");
+    EXPECT_EQ(a, b);
+}
 
 TEST_F(AndroidHost, TheStateOutlivesTheProcess) {
     std::string state;
@@ -24,14 +34,14 @@ TEST_F(AndroidHost, TheStateOutlivesTheProcess) {
     Host restored(folder_, std::nullopt, state);
     restored.lowMemory();
     restored.open(160, 200);
-    EXPECT_EQ(restored.saveState(), state);
+    expectSameState(restored.saveState(), state);
     expectAsRendered(restored, kMenu, "", 1);
     restored.destroy();
     Host again(folder_);  // from the launcher: as it was left
-    EXPECT_EQ(again.saveState(), state);
+    expectSameState(again.saveState(), state);
     again.destroy();
     Host damaged(folder_, std::nullopt, "{\"zoom\": \"far\"}");
-    EXPECT_EQ(damaged.saveState(), state);
+    expectSameState(damaged.saveState(), state);
     EXPECT_FALSE(takeLog().empty());
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <future>
 #include <sstream>
+#include <utility>
 
 #include "tests/android_host/host_fixture.h"
 
@@ -116,13 +117,27 @@ TEST_F(AndroidHost, AMotionAsksForTheDisplaysBestRateAndItsTicks) {
     EXPECT_EQ(host.window()->rate, 0);
 }
 
+/// The middle of the widest row of red pixels.
+std::pair<float, float> placeOfAnOxygen(const WindowPicture& p) {
+    std::uint32_t widest = 0;
+    std::pair<float, float> place{0, 0};
+    for (std::uint32_t y = 0; y < p.height; ++y)
+        for (std::uint32_t x = 0, run = 0; x < p.width; ++x) {
+            const std::uint8_t* rgb = &p.rgb[std::size_t{3} * (std::size_t{y} * p.width + x)];
+            run = rgb[0] > 2 * rgb[1] ? run + 1 : 0;
+            if (run > widest) widest = run, place = {static_cast<float>(x) - static_cast<float>(run) / 2, y};
+        }
+    return place;
+}
+
 TEST_F(AndroidHost, APenThatHoversNamesTheAtomBelow) {
     Host host(folder_, std::nullopt, kQuick);
     host.lowMemory();
     host.open(300, 200);
     expectAsRendered(host, kMenu, "", 1);
     EXPECT_FALSE(saysSomething(host.picture()));
-    const auto hover = [&](std::int32_t action) { host.pointer(AMOTION_EVENT_TOOL_TYPE_STYLUS, action, 144, 86); };
+    const auto [x, y] = placeOfAnOxygen(host.picture());
+    const auto hover = [&](std::int32_t action) { host.pointer(AMOTION_EVENT_TOOL_TYPE_STYLUS, action, x, y); };
     hover(AMOTION_EVENT_ACTION_HOVER_ENTER);
     hover(AMOTION_EVENT_ACTION_HOVER_MOVE);
     EXPECT_TRUE(eventually([&] { return saysSomething(host.picture()); }));

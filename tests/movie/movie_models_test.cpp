@@ -48,7 +48,8 @@ TEST(Movie, GoesThroughARangeOfModelsInStrides) {
     EXPECT_EQ(models("--fps 10 --frames 2-:4"), "26");
     // Titles have the model's number, not the frame's.
     const auto movie = [&](const char* title) {
-        nacreIn(folder, std::string("movie m.xyz -o t.png --models --frames 4-4 --fps 10 --title ") + title + kSmall);
+        nacreIn(folder, std::string("movie m.xyz -o t.png --models --center 2,0,0 --frames 4-4 --fps 10 --title ") +
+                            title + kSmall);
         return framesOf(folder / "t.png");
     };
     EXPECT_EQ(movie("'m {frame}'"), movie("'m 4'"));
