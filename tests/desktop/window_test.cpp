@@ -264,13 +264,15 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
         EXPECT_EQ(drawn.code, 0) << drawn.err;
     }
     EXPECT_TRUE(contentOf(elsewhere / "v.png") == contentOf(elsewhere / "r.png"));
+    session.sleep(4.3);  // until the message of the saved view is gone
+    session.settle();
     const WindowPicture before = session.picture();
     ASSERT_TRUE(session.drop({session.folder() / "bad.pdb"}));
     session.settle();
     session.type("Return");
     // What went wrong stands over the picture until it is read.
     EXPECT_TRUE(session.waitUntil([&] { return session.picture() != before; }));
-    session.sleep(4.3);  // longer than a message
+    session.sleep(4.3);
     EXPECT_NE(session.picture(), before);
     session.type("Escape");
     EXPECT_TRUE(session.waitUntil([&] { return session.picture() == before; }));
