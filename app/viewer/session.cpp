@@ -104,8 +104,9 @@ Session::~Session() {
     if (opener_.joinable()) opener_.join();
 }
 
-DeviceOptions Session::deviceOptions() const {
-    DeviceOptions device = host_.device();
+DeviceOptions Session::deviceOptions() {
+    options_ = host_.device();
+    DeviceOptions device = options_;
     device.pipelineCache = host_.loadPipelines();
     return device;
 }
@@ -220,11 +221,10 @@ double Session::testWhileIdle(double now, double wake) {
     }
     const bool idle = idleTests_ && std::isinf(wake) && frames >= kFramesOfWarmUp && !renderer_->captures();
     if (!idle) return wake;
-    const DeviceOptions options = host_.device();
     const DeviceInfo& device = renderer_->stats().device;
-    if (!idleTest_.wanted(options, device)) return wake;
+    if (!idleTest_.wanted(options_, device)) return wake;
     if (now < frameAt_ + kIdleSeconds) return frameAt_ + kIdleSeconds;
-    idleTest_.begin(options, device);
+    idleTest_.begin(options_, device);
     return wake;
 }
 

@@ -80,7 +80,7 @@ public:
 private:
     class OwnScreen;
 
-    DeviceOptions deviceOptions() const;
+    DeviceOptions deviceOptions();
     void opened(std::unique_ptr<Renderer> renderer, double now);
     void replace(double now);
     void keepPipelines();
@@ -92,6 +92,7 @@ private:
     std::thread opener_;
     std::future<std::unique_ptr<Renderer>> opening_;
     std::unique_ptr<Renderer> renderer_;
+    DeviceOptions options_;  // of the renderer, without its pipelines
     std::unique_ptr<OwnScreen> screen_;
     Viewer viewer_;
     bool pipelinesKept_ = false, idleTests_ = true;
