@@ -212,7 +212,7 @@ class ServeTest(ServedTest):
 
     def test_info_health_metrics(self):
         info, = json.loads(self.server.ask("info?input=gly.pdb")[2])
-        self.assertEqual((info["file"], info["atoms"]), ("gly.pdb", 4))
+        self.assertEqual((info["file"], info["atoms"]), ("the input", 4))
         self.assertNotIn(str(self.folder), json.dumps(info))
         self.assertEqual(self.server.ask("health")[2], b"ok\n")
         before = int(re.search(r'status="404"} (\d+)', self.server.ask("metrics")[2].decode() + 'status="404"} 0').group(1))
