@@ -84,7 +84,7 @@ struct Renderer::Impl {
         }
         const graph::TestedPath byCaps = nacre::choosePath(caps);
         const graph::TestedPath path = nacre::choosePath(*test, byCaps.visibility, byCaps.why);
-        if (path.visibility == Visibility::automatic) throw Error("unsuitable device", caps.deviceName, path.why);
+        if (isAutomatic(path.visibility)) throw Error("unsuitable device", caps.deviceName, path.why);
         device.choose(path);
         return describe(*test);
     }

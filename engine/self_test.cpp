@@ -188,7 +188,7 @@ SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, Teste
 }
 
 bool lacksSelfTest(const DeviceOptions& options, const DeviceInfo& device) {
-    return !options.selfTests.empty() && options.visibility == Visibility::automatic && device.type != "software" &&
+    return !options.selfTests.empty() && isAutomatic(options.visibility) && device.type != "software" &&
            !keptSelfTest(options.selfTests, device.driverKey);
 }
 
@@ -271,7 +271,7 @@ void addSelfTest(DeviceInfo& device, const std::string& folder) {
     for (const Visibility path : kPaths)
         if (device.visibility == visibilityName(path)) {
             const graph::TestedPath taken = choosePath(*kept, path, device.why);
-            const bool none = taken.visibility == Visibility::automatic;
+            const bool none = isAutomatic(taken.visibility);
             device.visibility = none ? "none" : visibilityName(taken.visibility);
             device.why = taken.why;
             return;
