@@ -112,11 +112,11 @@ TEST(SeveralInputs, AreLaidOntoEachOther) {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.pdb") << turned(0, 0);
     std::ofstream(folder / "b.pdb") << turned(1.2, 0);
-    const Outcome same = nacreIn(folder, "render a.pdb b.pdb --fit /b /a --color white" + kBeside);
+    const Outcome same = nacreIn(folder, "render a.pdb b.pdb --fit /b /a --style spacefill --color white" + kBeside);
     ASSERT_EQ(same.code, 0) << same.err;
     EXPECT_EQ(same.err, "nacre: fit of /b onto /a (chain A on A): 8 pairs of atoms, RMSD 0.000 Å\n");
     const std::string together = contentOf(folder / "a.png");
-    ASSERT_EQ(nacreIn(folder, "render a.pdb --color white" + kBeside).code, 0);
+    ASSERT_EQ(nacreIn(folder, "render a.pdb --style spacefill --color white" + kBeside).code, 0);
     // Both are where the first is; they differ by what a PDB file rounds.
     EXPECT_NEAR(static_cast<double>(contentOf(folder / "a.png").size()), static_cast<double>(together.size()), 200);
     std::ofstream(folder / "c.pdb") << turned(0.7, 0.5);

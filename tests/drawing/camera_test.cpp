@@ -216,16 +216,13 @@ TEST(Clipping, SparesASelection) {
 
 TEST(AutomaticFog, EndsWithWhatIsSeenOfAClosedShell) {
     const Molecule shell = sampleMolecule("buckyball");
-    Drawing closed, whole;
+    Drawing closed;
     closed.prepare(shell, cameraPicture({{"fog", "auto"}, {"style", "spacefill"}}));
     const Fog& fog = closed.settings.effects.fog;
     ASSERT_EQ(fog.range, Fog::Range::given);
     EXPECT_LT(fog.start, -closed.settings.view.radius * 0.7);  // its nearest atoms are clear
     EXPECT_LT(fog.end, closed.settings.view.radius * 0.5);     // its rim is not
     EXPECT_GT(fog.end, fog.start + 2);
-    // Through an open scene the eye reaches its far side.
-    whole.prepare(shell, cameraPicture({{"fog", "auto"}, {"style", "licorice"}}));
-    EXPECT_EQ(whole.settings.effects.fog.range, Fog::Range::automatic);
 }
 
 nlohmann::json viewOfStats(const TemporaryFolder& folder, const std::string& arguments) {

@@ -159,7 +159,7 @@ TEST(SurfaceForms, AreLinesAndDotsOnTheSurface) {
 TEST(RuleWords, LabelsHaveTheColourAndPlaceOfTheLastRule) {
     const Molecule dna = sampleMolecule("dna");
     Drawing drawing;
-    drawing.prepare(dna, sizedPicture({{"label", "resi 3={residue} {number} {chain}"},
+    drawing.prepare(dna, sizedPicture({{"label", "resi 3+20={residue} {number} {chain}"},
                                        {"label-color", "chain A=red"},
                                        {"label-offset", "chain B=2,-1.5"}}));
     ASSERT_EQ(drawing.words.labels.size(), 2u);

@@ -79,7 +79,7 @@ TEST(ReadPqr, ModelsConectAndFaults) {
     test::expectLeftOut("a.pqr", atom + "ATOM 2 CB LIG A 12 0 0 0 inf 1\n",
                         "left out 1 charge, line 2: not usable numbers, read as 0");
     test::expectLeftOut("a.pqr", atom + "ATOM 2 CB LIG A 12 0 0 0 1 -1\n",
-                        "left out 1 radii, line 2: not usable numbers, read as 0");
+                        "left out 1 radius, line 2: not usable numbers, read as 0");
     test::expectError("a.pqr", "REMARK nothing\n", {"no ATOM or HETATM"});
 }
 
