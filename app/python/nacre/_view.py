@@ -111,7 +111,8 @@ class View:
             if place.path == "options":
                 return 200, "application/schema+json", _nacre.option_schema().encode()
             if place.path == "info":
-                return 200, "application/json", json.dumps(self.structure.info() | {"frames": self.structure.frames}).encode()
+                info = self.structure.info() | {"frames": self.structure.frames}
+                return 200, "application/json", json.dumps([info]).encode()
             if place.path == "picture":
                 return self._draw(query)
             if place.path == "pick":
