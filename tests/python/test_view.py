@@ -36,7 +36,7 @@ def test_what_it_answers(dna, tmp_path):
     status, kind, body = ask(view.url)
     assert (status, kind) == (200, "text/html; charset=utf-8") and b'<body class="cell" ' in body
     assert "style" in json.loads(ask(page + "options")[2])["properties"]
-    assert len(json.loads(ask(page + "info?input=x")[2])["bbox"]) == 2
+    assert len(json.loads(ask(page + "info?input=x")[2])[0]["bbox"]) == 2
     status, kind, body = ask(page + "picture?style=licorice&color=chain&size=96x64&zoom=1.5&orientation=0.6,0.8,0,0&pan=1,2")
     assert (status, kind) == (200, "image/png")
     # It reads back where it was turned to, and that draws the same.
@@ -200,7 +200,7 @@ def test_models_are_frames(tmp_path):
     assert status == 200 and view.frame == 2
     several.frame(2).save(tmp_path / "b.png", size=(32, 32), zoom=1)
     assert data == (tmp_path / "b.png").read_bytes()
-    assert json.loads(view._answer("info?input=x")[2])["frames"] == 3
+    assert json.loads(view._answer("info?input=x")[2])[0]["frames"] == 3
 
 
 def test_vs_code_is_answered_by_widget_messages(dna, monkeypatch, tmp_path):
