@@ -140,15 +140,13 @@ TEST(FileDialog, AsksTheProgramOfTheDesktop) {
     };
     {
         const Variable desktop("XDG_CURRENT_DESKTOP", "GNOME");
-        EXPECT_EQ(asked("zenity", askToOpen),
-                  "--file-selection\n--multiple\n--separator=\n\n--title=Open\n");
+        EXPECT_EQ(asked("zenity", askToOpen), "--file-selection\n--multiple\n--separator=\n\n--title=Open\n");
         EXPECT_EQ(asked("zenity", askToSave),
                   "--file-selection\n--save\n--confirm-overwrite\n--title=Save image\n"
                   "--filename=my picture.png\n");
     }
     const Variable desktop("XDG_CURRENT_DESKTOP", "KDE");
-    EXPECT_EQ(asked("kdialog", askToOpen),
-              "--title\nOpen\n--multiple\n--separate-output\n--getopenfilename\n.\n");
+    EXPECT_EQ(asked("kdialog", askToOpen), "--title\nOpen\n--multiple\n--separate-output\n--getopenfilename\n.\n");
     EXPECT_EQ(asked("kdialog", askToSave), "--title\nSave image\n--getsavefilename\nmy picture.png\n");
 }
 

@@ -29,7 +29,8 @@ TEST(FarAtoms, WhatIsJustWithinReads) {
         EXPECT_EQ(molecule.atoms[0].position.x, 1e9f);
     }
     // Ten times as far in Å.
-    test::expectError("a.gro", "title\n1\n    1LIG      C    1 2.0e8   0.0     0.0   \n 1 1 1\n", {"(line 3)", "invalid x"});
+    test::expectError("a.gro", "title\n1\n    1LIG      C    1 2.0e8   0.0     0.0   \n 1 1 1\n",
+                      {"(line 3)", "invalid x"});
 }
 
 TEST(FarAtoms, NumbersOfBinaryCifTooGo) {

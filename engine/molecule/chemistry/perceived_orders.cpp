@@ -55,8 +55,7 @@ std::vector<std::uint8_t> perceivedOrders(const ResidueFacts& facts) {
 }
 
 std::vector<std::uint8_t> drawnOrders(const ResidueFacts& facts) {
-    return ordersOf(facts,
-                    [&](const Chemistry& chemistry) { return drawnAromaticBonds(facts.molecule(), chemistry); });
+    return ordersOf(facts, [&](const Chemistry& chemistry) { return drawnAromaticBonds(facts.molecule(), chemistry); });
 }
 
 }  // namespace nacre

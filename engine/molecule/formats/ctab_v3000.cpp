@@ -102,8 +102,7 @@ private:
             std::uint32_t record = 0;
             return index.find(id, record) == IdIndex::Found::one ? builder_.atomOfRecord(record) : -1;
         };
-        if (const int order = bondOrderOfCtab(*type))
-            builder_.addBond(atomOf(*a), atomOf(*b), order, lines_.number());
+        if (const int order = bondOrderOfCtab(*type)) builder_.addBond(atomOf(*a), atomOf(*b), order, lines_.number());
     }
 
     MoleculeBuilder& builder_;

@@ -179,9 +179,9 @@ private:
         const Words words = splitWords(lines.line());
         ids_.push_back(parseInteger(words[0]).value_or(-1));
         if (words.count < 6)
-            return builder_.leaveOutAtom("an atom line needs a number, a name, three coordinates and a type: '" +
-                                             printable(lines.line()) + "'",
-                                         lines.number());
+            return builder_.leaveOutAtom(
+                "an atom line needs a number, a name, three coordinates and a type: '" + printable(lines.line()) + "'",
+                lines.number());
         const auto position = builder_.position({words[2], words[3], words[4]}, lines.number());
         if (!position) return;
         Atom atom;
