@@ -340,14 +340,20 @@ class FilesTest(ServedTest):
         self.assertEqual(server.stop(), 0)
 
     def test_stopping_gives_up_what_does_not_end(self):
-        """A picture of minutes, in steps of many seconds."""
+        """A picture of minutes, in steps of many seconds, and another that waits for it."""
         name = self.slow_scene(12, 1, 30000)
         place = self.folder / "stopped"
         place.mkdir()
-        server = Server(PROGRAM, self.folder, "--root", str(self.root), "--jobs", "1", "--timeout", "600", TMPDIR=str(place))
+        server = Server(PROGRAM, self.folder, "--root", str(self.root), "--jobs", "1", "--timeout", "600",
+                        "--pictures", "off", TMPDIR=str(place))  # other tests keep the picture that is to wait
         self.addCleanup(server.process.kill)
-        client = Client(server.port, 600).send(f"GET /picture?size=32x32&input={name} {ROOM}\r\n")
+        clients = [Client(server.port, 600).send(f"GET /picture?size=32x32&input={name} {ROOM}\r\n")]
         while server.cpu_seconds() < 3:
+            time.sleep(0.1)
+        clients.append(Client(server.port, 600).send(f"GET /picture?size=32x32&input=one/gly.pdb {ROOM}\r\n"))
+        deadline = time.monotonic() + 60
+        while server.metric("nacre_waiting_requests") < 1:
+            self.assertLess(time.monotonic(), deadline, "no request waits for the slow one")
             time.sleep(0.1)
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         server.process.send_signal(signal.SIGTERM)
@@ -355,7 +361,8 @@ class FilesTest(ServedTest):
         self.assertEqual(server.process.wait(60), 0)
         server.process.stderr.close()
         self.assertIn("stopped while pictures were still drawn", said)
-        self.assertNotIn(b"200 OK", client.rest())
+        for client in clients:
+            self.assertNotIn(b"200 OK", client.rest())
         used = resource.getrusage(resource.RUSAGE_CHILDREN)
         self.assertLess(used.ru_utime + used.ru_stime - before.ru_utime - before.ru_stime, 60)  # all of its run
         self.assertEqual(self.left(place), [])
