@@ -48,8 +48,9 @@ TEST(PhoneProfile, IsSeenByTheProgram) {
         std::ranges::find_if(device.limits, [](const auto& l) { return l.first == "max_image_dimension_2d"; });
     ASSERT_NE(limit, device.limits.end());
     std::uint32_t asked = 4096;
-    for (const phone::ProfileLimit& l : profile->limits)
-        if (l.limit == &VkPhysicalDeviceLimits::maxImageDimension2D) asked = l.least;
+    for (const phone::Profile* p = profile; p; p = p->base)
+        for (const phone::ProfileLimit& l : p->limits)
+            if (l.limit == &VkPhysicalDeviceLimits::maxImageDimension2D) asked = std::max(asked, l.least);
     EXPECT_EQ(limit->second, asked);
     EXPECT_EQ(renderer->maxSize(), asked);
     const Representation r = scene("sample:glucose", Style::ballAndStick);

@@ -75,9 +75,9 @@ inline const AtMost kLimits[] = {NACRE_LIMIT(maxImageDimension1D, 4096),
 inline const Profile* profile() {
     const char* wanted = std::getenv("NACRE_PHONE_PROFILE");
     const auto found = std::find_if(std::begin(kProfiles), std::end(kProfiles),
-                                    [&](const Profile& p) { return wanted && p.name == wanted; });
+                                    [&](const Profile* p) { return wanted && p->name == wanted; });
     if (wanted && found == std::end(kProfiles)) std::abort();
-    return found == std::end(kProfiles) ? nullptr : found;
+    return found == std::end(kProfiles) ? nullptr : *found;
 }
 
 /// Lowers a device's limits to the floor, or to the profile's where those are higher, and raises its alignments.
@@ -95,7 +95,7 @@ inline void applyFloor(VkPhysicalDeviceLimits& limits) {
     limits.bufferImageGranularity = 4096;
     limits.pointSizeRange[1] = std::min(limits.pointSizeRange[1], 511.0f);
     limits.maxSamplerAnisotropy = 1;
-    if (const Profile* p = profile())
+    for (const Profile* p = profile(); p; p = p->base)
         for (const ProfileLimit& l : p->limits)
             limits.*l.limit = std::min(has.*l.limit, std::max(limits.*l.limit, l.least));
 }
@@ -116,7 +116,7 @@ inline VkPhysicalDeviceFeatures floorFeatures(const VkPhysicalDeviceFeatures& ha
     f.shaderStorageBufferArrayDynamicIndexing = has.shaderStorageBufferArrayDynamicIndexing;
     f.shaderInt16 = has.shaderInt16;
     f.largePoints = has.largePoints;
-    if (const Profile* p = profile())
+    for (const Profile* p = profile(); p; p = p->base)
         for (const auto feature : p->features) f.*feature = has.*feature;
     return f;
 }
@@ -133,7 +133,7 @@ inline bool isFloorExtension(std::string_view name) {
           VK_KHR_MULTIVIEW_EXTENSION_NAME, VK_KHR_MAINTENANCE_2_EXTENSION_NAME})
         if (name == known) return true;
     const Profile* p = profile();
-    return p && std::ranges::find(p->extensions, name) != p->extensions.end();
+    return p && p->has(name);
 }
 
 /// What optimal tiling of a format is good for at least.
