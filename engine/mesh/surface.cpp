@@ -192,7 +192,7 @@ Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, con
         for (std::size_t i = next++; i < list.size(); i = next++) {
             const glm::ivec3 first = list[i].first * kBlockCells;
             meshes[i] = cutter.cut({first, first + kBlockCells, step}, *list[i].second);
-            // Atoms that are apart have more surface than those of a protein, which the estimate goes by.
+            // The estimate assumes the surface per atom of a protein. Separate atoms have more.
             if ((triangles += meshes[i].mesh.triangles.size()) > kMostSurfaceTriangles)
                 refuseTriangles(triangles * list.size() / (i + 1) / 1'000'000);
         }

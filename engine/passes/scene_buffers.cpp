@@ -72,8 +72,8 @@ std::vector<MeshVertex> placedVertices(const Representation& r) {
     return vertices;
 }
 
-/// Each byte's linear value: linearFromSrgb() of shaders/common/srgb.glsl in the steps of lavapipe, for the same bits.
-/// Linear values of sRGB bytes. GPUs that fuse products and sums may differ in the last bit.
+/// Linear values of sRGB bytes: linearFromSrgb() of shaders/common/srgb.glsl in the steps of lavapipe, for the same
+/// bits. GPUs that fuse products and sums may differ in the last bit.
 std::array<float, 256> linearBytes() {
     std::array<float, 256> linear;
     for (std::size_t i = 0; i < linear.size(); ++i) {

@@ -71,7 +71,7 @@ class BoundsTest(unittest.TestCase):
                                     "-o", "a.png", cpu=15), "too many")
 
     def test_surfaces_are_bounded_while_they_are_made(self):
-        """Atoms that are apart have ten times the surface of a protein's, which the estimate goes by."""
+        """The estimate assumes the surface per atom of a protein. Separate atoms have ten times as much."""
         (self.folder / "apart.pdb").write_text(atoms(27000, lambda n: (n % 30 * 6, n // 30 % 30 * 6, n // 900 * 6)))
         self.refused(self.run_nacre("render", "apart.pdb", "--style", "surface", "--surface-resolution", "0.13", "--size", "16x16", "-o", "a.png",
                                     memory=4 << 30, cpu=120), "million triangles, more than the limit")

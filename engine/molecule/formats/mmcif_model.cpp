@@ -48,8 +48,8 @@ std::size_t nextCategory(std::string_view document) {
     return document.size();
 }
 
-/// Whether the table of copies names a model for each row: PetWorld's models stand together. Other tables have such a
-/// column as well.
+/// Whether the table of copies names a model in each row, as PetWorld's does: then all models belong to one scene. Only
+/// that table counts: others also have a column of this name.
 bool modelsStandTogether(std::string_view document) {
     constexpr std::string_view kText = "_pdbx_struct_assembly_gen.PDB_model_num";
     constexpr std::string_view kPacked = "\xB9_pdbx_struct_assembly_gen", kPackedColumn = "\xADPDB_model_num";
