@@ -113,8 +113,7 @@ constexpr KnownQuirk kQuirks[] = {
     {{kQualcomm, VK_DRIVER_ID_QUALCOMM_PROPRIETARY},
      Quirk::noLocalRead,
      {"Qualcomm's driver: wrong before 512.801, and from there on nobody has measured whether it keeps its coarse "
-      "depth "
-      "test (LRZ) where plates are drawn beside masked colour attachments, which Turnip does not",
+      "depth test (LRZ) where plates are drawn beside masked colour attachments, which Turnip does not",
       "ANGLE, vk_renderer.cpp; crbug.com/415738891; Mesa, src/freedreno/vulkan/tu_lrz.cc"}},
     {{kImagination, VK_DRIVER_ID_IMAGINATION_PROPRIETARY},
      Quirk::noLocalRead,

@@ -407,8 +407,7 @@ private:
     const Molecule& molecule_;
     const Chemistry& chemistry_;
     Features features_;
-    std::vector<std::uint8_t>
-        fiveRings_;  // by atom: kMatched, kUnmatched, or 0: in no such ring; empty: there are none
+    std::vector<std::uint8_t> fiveRings_;   // by atom: kMatched, kUnmatched, or 0 in no such ring; empty without any
     std::vector<std::uint8_t> metalBonds_;  // by atom
     std::vector<std::uint8_t> ownMetal_;    // of these, to metals of the same residue
 };
