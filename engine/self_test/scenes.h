@@ -29,7 +29,6 @@ struct TimedScene {
     Representation representation;
     Projection projection{};
 };
-constexpr std::size_t kTimedScenes = 3;
 /// Of three sizes: a few large spheres, some thousand triangles in perspective, and many small spheres.
 std::vector<TimedScene> timedScenes();
 
