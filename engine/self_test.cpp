@@ -250,11 +250,9 @@ graph::TestedPath choosePath(const SelfTest& test, Visibility byCaps, const std:
         if (r.visibility == byCaps || isTimedBySmallScenes(r.visibility)) candidates.push_back(&r);
     }
     if (candidates.empty()) return {Visibility::automatic, "no path draws right: " + describe(test)};
-    const PathResult* fastest = candidates.front();
-    for (const PathResult* r : candidates)
-        if (slowestShare(*r, chosen ? *chosen : *candidates.front()) <
-            slowestShare(*fastest, chosen ? *chosen : *candidates.front()))
-            fastest = r;
+    const PathResult& base = chosen ? *chosen : *candidates.front();
+    const PathResult* fastest =
+        *std::ranges::min_element(candidates, {}, [&](const PathResult* r) { return slowestShare(*r, base); });
     // Frequencies of phones' GPUs differ by a tenth to a seventh between steps (Adreno 650: 305 to 587 MHz in six,
     // Mali-G610 of RK3588: 300 to 1000 MHz in eight). One step between two tests makes a path look 1.2 times as fast.
     constexpr double kFasterByItself = 0.8;
