@@ -222,10 +222,10 @@ public:
             bytes.resize(count * size);
             return bytes.data();
         });
-        for (std::size_t i = 0; read && i < count; ++i)
-            texts.emplace_back(std::string_view(bytes)
-                                   .substr(i * size, size)
-                                   .substr(0, std::string_view(bytes).substr(i * size, size).find('\0')));
+        for (std::size_t i = 0; read && i < count; ++i) {
+            const std::string_view text = std::string_view(bytes).substr(i * size, size);
+            texts.emplace_back(text.substr(0, text.find('\0')));
+        }
         return texts;
     }
 
