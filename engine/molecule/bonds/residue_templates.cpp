@@ -57,6 +57,16 @@ constexpr BaseSource kBases[] = {
     {"C DC", false, "N3=C4 C4-N4"}, {"U DU", false, "N3-C4 C4=O4"},      {"DT T", false, "N3-C4 C4=O4 C5-C7"},
 };
 
+// Crystals at modest resolution have haems whose geometry tells neither bonds nor orders: 4HHB's reach 2.4 Å. Orders as
+// in the chemical component dictionary; the metal is bonded by distance.
+constexpr Source kCofactors[] = {
+    {"HEM",
+     "CHA-C1A CHA=C4D CHB-C4A CHB=C1B CHC-C4B CHC=C1C CHD=C4C CHD-C1D C1A=C2A C1A-NA C2A-C3A C2A-CAA C3A=C4A C3A-CMA "
+     "C4A-NA CAA-CBA CBA-CGA CGA=O1A CGA-O2A C1B-C2B C1B-NB C2B=C3B C2B-CMB C3B-C4B C3B-CAB C4B=NB CAB=CBB C1C-C2C "
+     "C1C-NC C2C=C3C C2C-CMC C3C-C4C C3C-CAC C4C-NC CAC=CBC C1D-C2D C1D=ND C2D=C3D C2D-CMD C3D-C4D C3D-CAD C4D-ND "
+     "CAD-CBD CBD-CGD CGD=O1D CGD-O2D"},
+};
+
 template <typename Visit>
 void forEachWord(std::string_view text, const Visit& visit) {
     while (!text.empty()) {
@@ -107,15 +117,25 @@ Table makeTable() {
             addBonds(residue, source.bonds);
         });
     }
+    for (const Source& source : kCofactors) {
+        ResidueTemplate& residue = table[source.names];
+        residue.polymer = false;
+        addBonds(residue, source.bonds);
+    }
     return table;
 }
 
 }  // namespace
 
-const ResidueTemplate* residueTemplate(const Name& residueName) {
+const ResidueTemplate* bondTemplate(const Name& residueName) {
     static const Table table = makeTable();
     const auto found = table.find(residueName);
     return found == table.end() ? nullptr : &found->second;
+}
+
+const ResidueTemplate* residueTemplate(const Name& residueName) {
+    const ResidueTemplate* found = bondTemplate(residueName);
+    return found && found->polymer ? found : nullptr;
 }
 
 Name currentAtomName(const Name& name) {

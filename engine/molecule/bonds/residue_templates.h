@@ -1,5 +1,5 @@
 #pragma once
-// Bonds of polymer residues, by atom name.
+// Bonds of polymer residues and of haem, by atom name.
 
 #include <cstdint>
 #include <vector>
@@ -16,13 +16,16 @@ struct ResidueTemplate {
     };
     std::vector<Name> atoms;  ///< heavy atoms, wwPDB version 3 names; at most kMaxTemplateAtoms
     std::vector<Bond> bonds;
+    bool polymer = true;
 };
 
-constexpr std::size_t kMaxTemplateAtoms = 32;
+constexpr std::size_t kMaxTemplateAtoms = 48;
 
 /// Template of a residue: the 20 amino acids (also under common names of their protonation states), MSE, SEC, PYL, and
 /// the nucleotides A C G U I, DA DC DG DT DU DI, T. Null for any other.
 const ResidueTemplate* residueTemplate(const Name& residueName);
+/// As above, also of haem (HEM).
+const ResidueTemplate* bondTemplate(const Name& residueName);
 
 /// wwPDB version 3 name of an atom with an older name ("O5*", "O1P", "C5M"); other names stay.
 Name currentAtomName(const Name& name);

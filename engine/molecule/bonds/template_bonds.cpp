@@ -92,7 +92,7 @@ void addTemplateBonds(BondWork& work) {
             const auto sameName = [&](const Residue& earlier) { return earlier.name == name; };
             const auto begin = molecule.residues.begin() + group.firstResidue;
             if (std::any_of(begin, molecule.residues.begin() + r, sameName)) continue;  // done with its first part
-            const ResidueTemplate* residue = residueTemplate(name);
+            const ResidueTemplate* residue = bondTemplate(name);
             if (residue && named.fill(molecule, group, name, *residue)) addInside(work, named, *residue);
         }
         if (g + 1 == work.groups.size()) continue;
