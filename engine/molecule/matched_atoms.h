@@ -21,7 +21,8 @@ enum class Placing : std::uint8_t { free, settled };
 
 /// If both selections have atoms of proteins or nucleic acids, pairs those alone, chain by chain. The chains whose
 /// sequences score best are the first pair; of equal ones the pair whose superposition brings most residues together
-/// (of equal ones the lowest RMSD). Other chains with at least 30 % equal residues are paired where that
+/// (of equal ones the lowest RMSD). Other chains are paired if at least 30 % of the shorter one's residues are
+/// equal (of less than 57 residues more, up to 80 %: C. Sander and R. Schneider, Proteins 9 (1991) 56), and that
 /// superposition brings them to within 8 Å RMSD, nearest first. Settled molecules stay as they are, and the nearest
 /// like chains are paired.
 ///

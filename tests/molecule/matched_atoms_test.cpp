@@ -180,6 +180,26 @@ TEST(MatchedAtoms, ResiduesKnowHowFarTheirCounterpartsAre) {
     EXPECT_TRUE(std::isnan(residueDistances(fixed)[0]));
 }
 
+// 3PQR's chain B is the C-terminal peptide of transducin, 11 residues (SEQRES); 1U19 has rhodopsins alone. The end of
+// any long chain agrees with so short a one in 3 residues of 11.
+TEST(MatchedAtoms, APeptideIsNoCounterpartOfAProtein) {
+    NACRE_NEEDS_DATA();
+    const Molecule joined = together(
+        {readMoleculeFile(test::dataFile("1u19-rhodopsin.cif.gz")), readMoleculeFile(test::dataFile("3pqr.pdb"))});
+    const std::vector<double> distances = residueDistances(joined);
+    std::size_t paired = 0, peptide = 0;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const Chain& chain = joined.chains[joined.residues[i].chain];
+        if (chain.model != 2 || joined.residues[i].name == Name("HOH")) continue;
+        if (chain.name == "A") paired += !std::isnan(distances[i]);
+        if (chain.name != "B") continue;
+        EXPECT_TRUE(std::isnan(distances[i])) << joined.residues[i].number;
+        ++peptide;
+    }
+    EXPECT_GE(paired, 320u);
+    EXPECT_EQ(peptide, 11u);
+}
+
 // Biopython's Superimposer after its PairwiseAligner: 139 pairs, 1.5697 Å.
 TEST(MatchedAtoms, OfHemoglobinsChains) {
     NACRE_NEEDS_DATA();
