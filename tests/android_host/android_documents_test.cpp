@@ -25,7 +25,9 @@ TEST_F(AndroidHost, TheStateOutlivesTheProcess) {
         Host host(folder_, std::nullopt, kQuick);
         host.lowMemory();
         host.open(160, 200);
+        const std::string before = host.saveState();
         host.key(AKEYCODE_3, AKEY_EVENT_ACTION_DOWN);
+        ASSERT_TRUE(eventually([&] { return host.saveState() != before; }));
         host.drag(80, 100, 80, 160);
         state = host.saveState();
         host.pause();
