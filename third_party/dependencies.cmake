@@ -76,8 +76,9 @@ if(NACRE_APPS OR NACRE_TESTS)
     add_library(nlohmann::headers INTERFACE IMPORTED)
     target_include_directories(nlohmann::headers SYSTEM INTERFACE ${NLOHMANN_JSON_INCLUDE_DIR})
 endif()
-if(NACRE_APPS AND NACRE_PYTHON AND NOT CMAKE_CROSSCOMPILING AND NOT NACRE_SANITIZE)
-    # The system's interpreter, whose packages are Debian's; without pybind11 there is no module.
+if(NACRE_APPS AND NACRE_PYTHON AND NOT CMAKE_CROSSCOMPILING AND (NOT NACRE_SANITIZE OR NACRE_SANITIZE STREQUAL thread))
+    # The system's interpreter, whose packages are Debian's; without pybind11 there is no module. It is no program of
+    # AddressSanitizer's; its threads are judged by ThreadSanitizer.
     find_program(Python_EXECUTABLE python3 HINTS /usr/bin NO_DEFAULT_PATH)
     find_package(Python COMPONENTS Interpreter Development.Module)
     if(Python_Development.Module_FOUND)
