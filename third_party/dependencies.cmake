@@ -41,7 +41,7 @@ target_include_directories(xxhash::xxhash SYSTEM INTERFACE ${XXHASH_INCLUDE_DIR}
 target_link_libraries(xxhash::xxhash INTERFACE ${XXHASH_LIBRARY})
 
 # Trajectories in HDF5 (H5MD); not on phones, and left out where it is not installed.
-if(NOT CMAKE_CROSSCOMPILING AND NOT IOS)
+if(NOT ANDROID AND NOT IOS)
     find_path(HDF5_INCLUDE_DIR hdf5.h PATH_SUFFIXES hdf5/serial)
     find_library(HDF5_LIBRARY NAMES hdf5_serial hdf5 PATH_SUFFIXES hdf5/serial)
 endif()
@@ -76,9 +76,9 @@ if(NACRE_APPS OR NACRE_TESTS)
     add_library(nlohmann::headers INTERFACE IMPORTED)
     target_include_directories(nlohmann::headers SYSTEM INTERFACE ${NLOHMANN_JSON_INCLUDE_DIR})
 endif()
-if(NACRE_APPS AND NACRE_PYTHON AND NOT CMAKE_CROSSCOMPILING AND (NOT NACRE_SANITIZE OR NACRE_SANITIZE STREQUAL thread))
-    # The system's interpreter, whose packages are Debian's; without pybind11 there is no module. It is no program of
-    # AddressSanitizer's; its threads are judged by ThreadSanitizer.
+if(NACRE_APPS AND NACRE_PYTHON AND (NOT CMAKE_CROSSCOMPILING OR Python_INCLUDE_DIR) AND (NOT NACRE_SANITIZE OR NACRE_SANITIZE STREQUAL thread))
+    # The system's interpreter, whose packages are Debian's; without pybind11 there is no module. A cross build names the
+    # headers. The interpreter is no program of AddressSanitizer's; its threads are judged by ThreadSanitizer.
     find_program(Python_EXECUTABLE python3 HINTS /usr/bin NO_DEFAULT_PATH)
     find_package(Python COMPONENTS Interpreter Development.Module)
     if(Python_Development.Module_FOUND)

@@ -16,4 +16,8 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(arm64_libraries ${NACRE_ARM64_ROOT}/usr/lib/aarch64-linux-gnu)
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-Wl,-rpath-link,${arm64_libraries} -Wl,-rpath-link,${arm64_libraries}/blas \
 -Wl,-rpath-link,${arm64_libraries}/lapack -Wl,--allow-shlib-undefined")
+# The Python module: this machine's interpreter is asked, for headers and the name of the other one's modules.
+set(Python_INCLUDE_DIR ${NACRE_ARM64_ROOT}/usr/include/python3.11)
+set(PYTHON_MODULE_EXTENSION .cpython-311-aarch64-linux-gnu.so CACHE INTERNAL "")
+set(PYBIND11_PYTHON_EXECUTABLE_LAST /usr/bin/python3 CACHE INTERNAL "")
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64-static -L ${NACRE_ARM64_ROOT})
