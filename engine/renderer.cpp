@@ -32,6 +32,7 @@ occlusion::SceneToBake toBake(const std::shared_ptr<const Scene>& scene) {
 void checkView(const View& view) {
     if (view.width == 0 || view.height == 0) throw Error("cannot draw", "", "the view has no pixels");
     double sum = view.radius + view.eyeDistance + view.pixelsPerAngstrom + view.pan.x + view.pan.y;
+    sum += view.shift.x + view.shift.y + view.shift.z;
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) sum += view.rotation[column][row];
     if (!std::isfinite(sum)) throw Error("cannot draw", "", "the view has a number that is not finite");
@@ -225,6 +226,16 @@ std::size_t Renderer::started() const { return impl_->pictures.started(); }
 Picture Renderer::renderPart(const RenderSettings& settings, const PictureRect& part) {
     return impl_->drawFinished(settings,
                                [&](const passes::Atlas& atlas) { return impl_->pictures.part(settings, atlas, part); });
+}
+
+std::array<Picture, 2> Renderer::renderEyes(const RenderSettings& settings) {
+    return impl_->drawFinished(settings,
+                               [&](const passes::Atlas& atlas) { return impl_->pictures.eyes(settings, atlas); });
+}
+
+std::array<LayerPicture, 2> Renderer::layersOfEyes(const RenderSettings& settings) {
+    return impl_->drawFinished(
+        settings, [&](const passes::Atlas& atlas) { return impl_->pictures.layersOfEyes(settings, atlas); });
 }
 
 LayerPicture Renderer::layers(const RenderSettings& settings) {

@@ -68,6 +68,10 @@ public:
     /// A rectangle of render()'s picture, equal to the byte. The whole picture may exceed the device's limits.
     /// @param part  its x and y are multiples of PictureRect::kStep; View::quarterTurns is 0 @throws Error
     Picture renderPart(const RenderSettings& settings, const PictureRect& part);
+    /// The pictures of both eyes, left and right: render() of the view and of its other one (View::other), to the byte.
+    std::array<Picture, 2> renderEyes(const RenderSettings& settings);
+    /// Likewise of layers().
+    std::array<LayerPicture, 2> layersOfEyes(const RenderSettings& settings);
     /// One sample per pixel, without anti-aliasing; `supersample` is ignored.
     LayerPicture layers(const RenderSettings& settings);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "engine/debug_view.h"
@@ -90,6 +91,14 @@ struct RenderSettings {
     }
 };
 
+/// What one of two eyes sees in a window. The left one's view has View::other.
+struct WindowEye {
+    View view;
+    std::int32_t x = 0, y = 0;  ///< its top left corner in the upright window, which may be outside
+    /// Shares of its red, green and blue in each channel of the window, in linear light; parts that overlap add.
+    std::array<std::array<float, 3>, 3> channels{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+};
+
 /// Settings of a window's frame.
 struct WindowFrame {
     enum class Quality {
@@ -103,6 +112,7 @@ struct WindowFrame {
     std::uint32_t sample = 0;          ///< the sample of this frame; 0 starts again
     const Overlay* overlay = nullptr;  ///< read during the call only
     double meshError = 2;              ///< factor of RenderSettings::meshError for live frames
+    std::optional<std::array<WindowEye, 2>> eyes{};  ///< left and right, in place of the settings' view
 };
 
 }  // namespace nacre

@@ -5,23 +5,39 @@
 #include "common/layout.h"
 #include "common/srgb.glsl"
 
+#ifdef EYES
+layout(set = 0, binding = 0) uniform sampler2DArray picture;
+#else
 layout(set = 0, binding = 0) uniform sampler2D picture;
+#endif
 layout(location = 0) out vec4 color;
 layout(constant_id = kSamplesId) const int kSamples = 0;     // n; 0: bilinear
 layout(constant_id = kCodedId) const bool kCoded = false;  // the target takes sRGB-coded colour
 
-layout(push_constant) uniform Push { vec4 scale; };  // xy: 1 / pixels of the target; z: weight of the picture
+layout(push_constant) uniform Push {
+    vec4 scale;  // xy: 1 / pixels of the part of the target; z: weight of the picture
+    vec4 red, green, blue;  // shares of the picture's channels in the target's; red.w, green.w: its corner;
+                            // blue.w: layer of the picture, with EYES
+};
+
+#ifdef EYES
+vec3 AT(vec2 place) { return vec3(place, blue.w); }
+ivec3 AT(ivec2 texel) { return ivec3(texel, int(blue.w)); }
+#else
+#define AT(place) place
+#endif
 
 void main() {
     vec3 sum = vec3(0.0);
+    vec2 place = gl_FragCoord.xy - vec2(red.w, green.w);
     if (kSamples > 0) {
-        ivec2 first = ivec2(gl_FragCoord.xy) * kSamples;
+        ivec2 first = ivec2(place) * kSamples;
         for (int j = 0; j < kSamples; ++j)
-            for (int i = 0; i < kSamples; ++i) sum += texelFetch(picture, first + ivec2(i, j), 0).rgb;
+            for (int i = 0; i < kSamples; ++i) sum += texelFetch(picture, AT(first + ivec2(i, j)), 0).rgb;
         sum /= float(kSamples * kSamples);
     } else {
-        sum = textureLod(picture, gl_FragCoord.xy * scale.xy, 0.0).rgb;
+        sum = textureLod(picture, AT(place * scale.xy), 0.0).rgb;
     }
-    sum *= scale.z;
+    sum = vec3(dot(red.rgb, sum), dot(green.rgb, sum), dot(blue.rgb, sum)) * scale.z;
     color = vec4(kCoded ? srgbFromLinear(sum) : sum, 1.0);
 }

@@ -146,6 +146,7 @@ public:
         chooseGeometry();
         chooseEnding();
         chooseOverflow();
+        chooseViews();
         return choice_;
     }
     Samples samples() {
@@ -197,6 +198,8 @@ private:
     bool prepassOf(Visibility path) const;
     void chooseEnding();
     void chooseOverflow();
+    const char* lackOfViews() const;
+    void chooseViews();
 
     const FrameRequest& request_;
     const RenderSettings settings_;
@@ -410,6 +413,28 @@ void Chooser::chooseOverflow() {
                 "taken where a tile's list has more than " + std::to_string(overflow.longestList) + " entries");
 }
 
+/// Why each eye's view is a frame of its own; null: one frame draws both.
+const char* Chooser::lackOfViews() const {
+    if (device_.plan.maxViews < 2) return "the driver has no multiview, or none to be trusted";
+    if (choice_.drawnByTiles()) return "tiles have lists of what one eye sees";
+    if (choice_.refinement != Refinement::none) return "samples at edges are found for each eye";
+    if (debugs()) return "debug views show one eye";
+    if (rims() || settings_.effects.contours.width > 0) return "outlines and halos are drawn for each eye";
+    if (choice_.has(Kind::shadow)) return "shadows are looked up for each eye";
+    if (choice_.layers() > 0) return "translucent layers are found for each eye";
+    if (hasLens(settings_)) return "each eye looks through its own lens";
+    if (scene_.leveled) return "levels of detail are found for each eye";
+    if (request_.counted) return "fragments are counted for each eye";
+    return nullptr;
+}
+
+void Chooser::chooseViews() {
+    if (!request_.eyes) return;
+    const char* lack = lackOfViews();
+    if (!lack) choice_.views = 2, choice_.host = HostWork::none;  // of what one eye sees
+    because("views", lack ? lack : "parallel eyes: a draw call draws both, and both depths stay on the tile");
+}
+
 /// A name by its place in a list.
 template <typename Enum, std::size_t n>
 std::string nameIn(const char* const (&names)[n], Enum value) {
@@ -508,12 +533,15 @@ std::vector<Decision> describe(const FrameChoice& choice) {
                                     {"ending", nameIn(kEndings, choice.ending), {}}};
     if (choice.overflow.longestList > 0)
         decisions.push_back({"long lists", choice.drawsEdges() ? "blocks" : visibilityName(choice.overflow.path), {}});
+    if (choice.views > 1) decisions.push_back({"views", "both eyes in one frame", {}});
     return decisions;
 }
 
 std::vector<Decision> explain(const FrameRequest& request, const SceneFacts& scene, const FrameCaps& device) {
     std::vector<Decision> reasons;
-    std::vector<Decision> decisions = describe(Chooser(request, scene, device, &reasons).choose());
+    const FrameChoice choice = Chooser(request, scene, device, &reasons).choose();
+    std::vector<Decision> decisions = describe(choice);
+    if (request.eyes && choice.views == 1) decisions.push_back({"views", "a frame for each eye", {}});
     for (Decision& decision : decisions) {
         const auto found = std::ranges::find(reasons, decision.what, &Decision::what);
         if (found != reasons.end()) decision.why = found->why;
@@ -530,6 +558,7 @@ std::vector<Decision> explain(const FrameRequest& request, const SceneFacts& sce
         const bool kept = same != chosen.end() && same->how == decision.how;
         decision.why = kept ? same->why : "a tile's list is too long";
     }
+    if (request.eyes && drawn.views == 1) decisions.push_back(chosen.back());  // why each eye has a frame
     return decisions;
 }
 

@@ -53,6 +53,7 @@ struct FrameRequest {
     Ending ending = Ending::left;  ///< of a picture's last frame
     int quarterTurns = 0;          ///< of the view
     bool counted = false;          ///< fragments are counted
+    bool eyes = false;             ///< of both eyes of the view, if the frame can draw both (View::other)
 };
 
 /// Counts that are known before a frame.
@@ -60,6 +61,7 @@ struct SceneFacts {
     // Of the scene:
     bool hasCylinders = false, hasWires = false, hasTranslucent = false;
     std::uint64_t meshTriangles = 0;  ///< of the finest level
+    bool leveled = false;             ///< each view has its own levels of detail
     // Of what the view submits, in all copies:
     std::uint64_t spheres = 0, triangles = 0;  ///< without triangles of translucent layers
     double radiusPixels = 0;                   ///< mean radius of the spheres in the picture
@@ -175,6 +177,7 @@ struct FrameChoice {
     Refinement refinement{};
     EffectList effects;
     Ending ending{};
+    std::uint32_t views = 1;  ///< that each draw call draws
     DebugView debug = DebugView::none;
     ColorFormat color{};
     Geometry geometry{};

@@ -31,9 +31,9 @@ auto membersOf(const ScreenTarget& t) {
     return std::tuple(std::string_view(image), format, output, std::string_view(pass), clear, window);
 }
 auto membersOf(const FrameShape& s) {
-    const auto& [choice, extent, atlas, targets, name, picture, window, overlay, merge, transient] = s;
-    return std::tuple(choice, extent, atlas, targets.size(), std::string_view(name), picture, window, overlay, merge,
-                      transient);
+    const auto& [choice, extent, atlas, targets, name, picture, window, overlay, eye, merge, transient] = s;
+    return std::tuple(choice, extent, atlas, targets.size(), std::string_view(name), picture, window, overlay, eye,
+                      merge, transient);
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ void declarePath(Frame& frame, const FrameShape& shape) {
 Frame declareFrame(const FrameShape& shape, std::shared_ptr<const ShownScene> shown) {
     const FrameChoice& choice = shape.choice;
     Frame frame;
-    frame.graph = graph::Graph(shape.name);
+    frame.graph = graph::Graph(shape.name, choice.views);
     frame.shown = std::move(shown);
     if (choice.ending == Ending::sumToWindow) return frame;
     frame.depth = frame.nearest =

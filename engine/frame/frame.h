@@ -53,6 +53,7 @@ struct FrameShape {
     PictureEnd picture{};         ///< for endings in a picture's image, and through the lens
     graph::Extent window{};       ///< its image's size, for endings in a window
     bool overlay = false;         ///< the window has an overlay
+    bool eye = false;             ///< it is one of two that the window's sum shows
     bool merge = true, transient = true;
 
     /// Whether the frame's target is the picture's image itself.

@@ -14,7 +14,7 @@ LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes:
         return run(prepare({settings, part, Ending::readBack}, {atlas, settings.view, name}), settings).pixels;
     };
     std::vector<gpu::Buffer> pixels;
-    if (frames_.facts().hasTranslucent) {
+    if (frames_.facts(settings).hasTranslucent) {
         pixels = drawPart(Part::color, "screen");
         for (gpu::Buffer& layer : drawPart(Part::solid, "solid")) pixels.push_back(std::move(layer));
     } else {
@@ -24,6 +24,26 @@ LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes:
                           reinterpret_cast<const float*>(pixels[1].mapped),
                           reinterpret_cast<const std::uint32_t*>(pixels[2].mapped), settings.background,
                           stats_.coveredPixels);
+}
+
+std::array<LayerPicture, 2> PictureFrames::layersOfEyes(const RenderSettings& settings, const passes::Atlas& atlas) {
+    const FrameRequest request{settings, Part::layers, Ending::readBack, 0, settings.tuning.countFragments, true};
+    if (!drawsBoth(request)) {
+        RenderSettings left = settings, right = settings;
+        left.view.other.reset();
+        right.view = otherView(settings.view);
+        LayerPicture first = layers(left, atlas);
+        return {std::move(first), layers(right, atlas)};
+    }
+    const std::vector<gpu::Buffer> pixels = run(prepare(request, {atlas, settings.view}), settings).pixels;
+    std::array<LayerPicture, 2> eyes;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto of = [&](std::size_t layer) { return pixels[layer].mapped + i * pixels[layer].size / 2; };
+        eyes[i] = assembleLayers(settings.view.width, settings.view.height, reinterpret_cast<const float*>(of(0)),
+                                 reinterpret_cast<const float*>(of(1)), reinterpret_cast<const std::uint32_t*>(of(2)),
+                                 settings.background, stats_.coveredPixels);
+    }
+    return eyes;
 }
 
 std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, double y, double reach) {

@@ -39,8 +39,8 @@ Representation LevelScenes::shownBy(const Representation& whole, const RenderSet
                                     bool edges) {
     const ScreenView seen = screenViewOf(view, settings);
     const float samples = edges ? RenderSettings::kBlockSamples : 1;
-    copies_.draw(seen, {levels_, whole.copies, view.rotation}, static_cast<float>(settings.levelError) / samples,
-                 edges ? gridOf(seen.width, seen.height) : 1, edges);
+    copies_.draw(seen, {levels_, whole.copies, view.rotation, view.shift},
+                 static_cast<float>(settings.levelError) / samples, edges ? gridOf(seen.width, seen.height) : 1, edges);
     Representation r;
     r.spheres.assign(copies_.spheres().begin(), copies_.spheres().end());
     r.sphereLooks.assign(copies_.looks().begin(), copies_.looks().end());

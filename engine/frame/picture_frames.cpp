@@ -14,8 +14,10 @@ namespace {
 
 std::string pixelsOf(const ScreenTarget& target) { return std::string(target.image) + " pixels"; }
 
-std::uint64_t pixelBytes(const ScreenTarget& target, graph::Extent extent) {
-    return std::uint64_t{extent.width} * extent.height * graph::bytesPerTexel(target.format);
+/// Of all views.
+std::uint64_t pixelBytes(const ScreenTarget& target, const FrameShape& shape) {
+    return std::uint64_t{shape.extent.width} * shape.extent.height * shape.choice.views *
+           graph::bytesPerTexel(target.format);
 }
 
 /// A target as the host reads it: behind a lens there is the picture.
@@ -38,8 +40,9 @@ void declareEnding(Frame& frame, const FrameShape& shape, const PictureImage& pi
             continue;
         }
         const ScreenTarget target = readTarget(shape, i);
-        frame.pixels.push_back(frame.graph.importBuffer(pixelsOf(target), pixelBytes(target, shape.extent)));
-        passes::readBack(frame.graph, frame.targets[i], {target.format, shape.extent}, frame.pixels.back());
+        frame.pixels.push_back(frame.graph.importBuffer(pixelsOf(target), pixelBytes(target, shape)));
+        passes::readBack(frame.graph, frame.targets[i], {target.format, shape.extent, 1, shape.choice.views},
+                         frame.pixels.back());
     }
 }
 
@@ -48,7 +51,7 @@ std::vector<gpu::Buffer> bindPixels(const gpu::Device& device, DeclaredFrame& de
     std::vector<gpu::Buffer> pixels;
     for (std::size_t i = 0; i < declared.frame.pixels.size(); ++i) {
         const ScreenTarget target = readTarget(declared.shape, i);
-        pixels.push_back(gpu::makeBuffer(device, pixelBytes(target, declared.shape.extent),
+        pixels.push_back(gpu::makeBuffer(device, pixelBytes(target, declared.shape),
                                          vk::BufferUsageFlagBits::eTransferDst, gpu::Access::readback,
                                          pixelsOf(target)));
         declared.imports.bind(declared.frame.pixels[i], pixels.back());
@@ -75,8 +78,13 @@ PreparedFrame PictureFrames::prepare(const FrameRequest& request, FrameInputs in
     if (counted.counted) inputs.fragments = std::make_shared<passes::FragmentCounter>(device_);
     PreparedFrame prepared = frames_.prepare(counted, inputs);
     if (request.part == Part::whole || request.part == Part::layers || request.part == Part::color)
-        asked_ = Asked{request.settings.ofFrame(), request.part,    request.ending,
-                       counted.quarterTurns,       counted.counted, prepared.facts,
+        asked_ = Asked{request.settings.ofFrame(),
+                       request.part,
+                       request.ending,
+                       counted.quarterTurns,
+                       counted.counted,
+                       counted.eyes,
+                       prepared.facts,
                        prepared.choice()};
     return prepared;
 }
@@ -130,8 +138,9 @@ const std::string& PictureFrames::planText() {
 
 std::vector<Decision> PictureFrames::decisions() const {
     if (!asked_) return {};
-    return explain({asked_->settings, asked_->part, asked_->ending, asked_->quarterTurns, asked_->counted},
-                   asked_->facts, device_.caps(), asked_->drawn);
+    return explain(
+        {asked_->settings, asked_->part, asked_->ending, asked_->quarterTurns, asked_->counted, asked_->eyes},
+        asked_->facts, device_.caps(), asked_->drawn);
 }
 
 /// @throws Error if the view exceeds the device's limits
@@ -200,6 +209,46 @@ Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atl
     return picture;
 }
 
+bool PictureFrames::drawsBoth(const FrameRequest& request) const {
+    return request.settings.view.other && choose(request, frames_.facts(request.settings), device_.caps()).views > 1;
+}
+
+std::array<Picture, 2> PictureFrames::eyes(const RenderSettings& settings, const passes::Atlas& atlas) {
+    const FrameRequest request{
+        settings, Part::whole, Ending::readBack, settings.view.quarterTurns, settings.tuning.countFragments, true};
+    std::array<Picture, 2> eyes;
+    if (!drawsBoth(request)) {
+        RenderSettings one = settings;
+        one.view.other.reset();
+        eyes[0] = picture(one, atlas);
+        one.view = otherView(settings.view);
+        eyes[1] = picture(one, atlas);
+        asked_->eyes = true;
+        return eyes;
+    }
+    const std::uint32_t n = samplesPerSide(settings);
+    const View view = scaled(settings.view, n);
+    checkSize(view);
+    stats_.frames = 1;
+    PreparedFrame prepared = prepare(request, {atlas, view});
+    stats_.samples = prepared.choice().samples.count;
+    const Drawn drawn = run(std::move(prepared), settings);
+    const Wanted wanted = wantedOf(settings);
+    const ResolvedPart part{imageExtent(view).width, n, wanted.inner};
+    const bool fine = settings.fine && settings.debug == DebugView::none;
+    const std::size_t bytes = drawn.pixels[0].size / 2;
+    std::uint64_t covered = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::byte* pixels = drawn.pixels[0].mapped + i * bytes;
+        eyes[i] = emptyPicture(wanted.inner.width, wanted.inner.height);
+        covered += fine ? resolvePixels(reinterpret_cast<const float*>(pixels), part, eyes[i])
+                        : resolvePixels(reinterpret_cast<const std::uint32_t*>(pixels), part, eyes[i]);
+        putOver(eyes[i], settings.background);
+    }
+    stats_.coveredPixels = covered;
+    return eyes;
+}
+
 CodedPicture PictureFrames::coded(RenderSettings settings, const passes::Atlas& atlas, bool alpha) {
     settings.fine = false;
     const Wanted wanted = wantedOf(settings);
@@ -212,7 +261,18 @@ CodedPicture PictureFrames::coded(RenderSettings settings, const passes::Atlas& 
 }
 
 void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& atlas) {
-    draw(settings, atlas, wantedOf(settings), Ending::left);
+    const FrameRequest both{settings, Part::whole, Ending::left, 0, settings.tuning.countFragments, true};
+    if (!settings.view.other) return void(draw(settings, atlas, wantedOf(settings), Ending::left));
+    if (drawsBoth(both)) {
+        run(prepare(both, {atlas, scaled(settings.view, samplesPerSide(settings))}), settings);
+        return;
+    }
+    RenderSettings one = settings;
+    for (const View& view : {settings.view, otherView(settings.view)}) {
+        one.view = view;
+        one.view.other.reset();
+        draw(one, atlas, wantedOf(one), Ending::left);
+    }
 }
 
 }  // namespace nacre

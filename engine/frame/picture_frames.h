@@ -30,6 +30,9 @@ public:
     /// As Renderer::renderPart.
     Picture part(const RenderSettings& settings, const passes::Atlas& atlas, const PictureRect& part);
     LayerPicture layers(const RenderSettings& settings, const passes::Atlas& atlas);
+    /// As Renderer::renderEyes and layersOfEyes.
+    std::array<Picture, 2> eyes(const RenderSettings& settings, const passes::Atlas& atlas);
+    std::array<LayerPicture, 2> layersOfEyes(const RenderSettings& settings, const passes::Atlas& atlas);
     /// Draws a picture's frames without reading the last one back.
     void frame(const RenderSettings& settings, const passes::Atlas& atlas);
     /// As Renderer::atomAt.
@@ -67,6 +70,8 @@ private:
     static Wanted wantedOf(const RenderSettings& settings);
     static std::uint32_t samplesPerSide(const RenderSettings& settings);
     void checkSize(const View& view) const;
+    /// Whether one frame draws both eyes of the view.
+    bool drawsBoth(const FrameRequest& request) const;
 
     PreparedFrame prepare(const FrameRequest& request, FrameInputs inputs);
     Drawn run(PreparedFrame prepared, const RenderSettings& settings);
@@ -107,7 +112,7 @@ private:
         Part part{};
         Ending ending{};
         int quarterTurns = 0;
-        bool counted = false;
+        bool counted = false, eyes = false;
         SceneFacts facts;
         FrameChoice drawn;  ///< what was chosen, and holds for the lists
     };

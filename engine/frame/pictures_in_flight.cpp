@@ -12,7 +12,7 @@ bool PictureFrames::submit(const RenderSettings& settings, const passes::Atlas& 
     };
     const FrameRequest request{settings, Part::whole, Ending::readBack, settings.view.quarterTurns};
     if (settings.tuning.countFragments || settings.tuning.timePasses || settings.supersample > 1 ||
-        !isOneFrame(choose(request, frames_.facts(), device_.caps())))
+        !isOneFrame(choose(request, frames_.facts(settings), device_.caps())))
         return false;
     Started next;
     next.background = settings.background;

@@ -215,6 +215,10 @@ std::shared_ptr<passes::SceneView> viewScene(const Scene& scene, const RenderSet
     const graph::Extent image = imageExtent(view);
     layout::ViewConstants& c = seen->constants;
     c = passes::viewConstants(view, image.width / 2.0, image.height / 2.0);
+    if (view.other) {
+        const glm::vec2 axis = passes::viewConstants(otherView(view), image.width / 2.0, image.height / 2.0).axisPixel;
+        seen->otherAxis = view.quarterTurns % 2 ? axis.y : axis.x;
+    }
     c.spheres = scene.buffers.sphereCount;
     c.cylinders = scene.buffers.cylinderCount;
     c.primitives = scene.buffers.primitives();

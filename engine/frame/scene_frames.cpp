@@ -25,6 +25,12 @@ SceneFacts SceneFrames::sceneFacts(const Scene& scene) {
     return factsOf(scene.representation, scene.chunks, scene.translucent);
 }
 
+SceneFacts SceneFrames::facts(const RenderSettings& settings) const {
+    SceneFacts facts = sceneFacts(*scene_);
+    facts.leveled = LevelScenes::draws(scene_->representation, settings);
+    return facts;
+}
+
 void SceneFrames::addViewFacts(SceneFacts& facts, const passes::SceneView& view) {
     facts.spheres = view.copies.sphereCount();
     facts.triangles = view.copies.triangleCount();
@@ -141,6 +147,7 @@ PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInput
         shown_ = levelScenes_.show(device_, scene_, settings, inputs.view, several);
         prepared.counts.copyLevels = levelScenes_.counts();
         facts = sceneFacts(*shown_);
+        facts.leveled = true;
     }
     const passes::Atlas used = settings.occlusion.directions > 0 ? inputs.atlas : passes::Atlas{};
     prepared.atlas = used.image ? used.image : &white_;
@@ -154,7 +161,13 @@ PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInput
     view.effectConstants = uploadEffects(settings, settings.effects.rims() && request.part == Part::block);
     const bool layered = drawsLayers(request, facts);
     const auto uploadRows = [&] {
-        view.copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(view.copies.rows))));
+        std::vector<glm::vec4> rows = view.copies.rows;
+        for (std::size_t i = 0; i < view.copies.otherShifts.size(); ++i)  // of the other view, behind the first's
+            for (std::size_t row = 0; row < 3; ++row) {
+                rows.push_back(view.copies.rows[3 * i + row]);
+                if (row == 0) rows.back().w = view.copies.otherShifts[i];
+            }
+        view.copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(rows))));
     };
     prepared.counts.meshLevels = view.copies.triangleLevels(shown_->representation);
     if (layered) {

@@ -57,7 +57,7 @@ public:
     void releaseScene();
 
     /// Facts of the scene, without those of a view.
-    SceneFacts facts() const { return sceneFacts(*scene_); }
+    SceneFacts facts(const RenderSettings& settings) const;
 
 private:
     static SceneFacts sceneFacts(const Scene& scene);

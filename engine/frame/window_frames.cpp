@@ -34,6 +34,24 @@ View throughSampleOf(const RenderSettings& settings, View view, std::uint32_t sa
     return view;
 }
 
+/// A part of an upright window in its image.
+vk::Rect2D turned(const vk::Rect2D& r, graph::Extent upright, int quarterTurns) {
+    const auto [x, y] = std::pair(r.offset.x, r.offset.y);
+    const auto right = static_cast<std::int32_t>(upright.width - r.extent.width) - x;
+    const auto below = static_cast<std::int32_t>(upright.height - r.extent.height) - y;
+    const vk::Extent2D across(r.extent.height, r.extent.width);
+    switch (quarterTurns & 3) {
+        case 1:
+            return {{below, x}, across};
+        case 2:
+            return {{right, below}, r.extent};
+        case 3:
+            return {{y, right}, across};
+        default:
+            return r;
+    }
+}
+
 /// A window is opaque: composites the background over white.
 graph::Clear clearOf(const std::array<float, 4>& background) {
     const float a = background[3];
@@ -101,18 +119,27 @@ graph::Image WindowFrames::addPicture(graph::Graph& frame, graph::Image picture,
     return window;
 }
 
-/// The pass that adds a sample of each pixel to the sum. @returns the sum, to be bound
-graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, bool first) const {
+/// The pass that adds a sample of each pixel to the sum; for each view one. @returns the sum, to be bound
+/// @param eye  of the picture of one eye, or of both
+graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, bool first, bool eye,
+                                  std::uint32_t views) const {
     graph::Image sum =
         frame.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState, first);
-    std::optional<graph::Clear> clear;
-    if (first) clear = graph::Clear{0.0f};
-    constexpr passes::Resampling kAdded{1, false, 1, true};
-    frame.graphics("sum of samples")
-        .samples(sample)
-        .color(sum, clear)
-        .record({[=](gpu::PassContext& c) { passes::resample(c, c.view(sample), kAdded); },
-                 [=](gpu::PipelineContext& c) { passes::wantResampling(c, kAdded); }});
+    for (std::uint32_t i = 0; i < views; ++i) {
+        std::optional<graph::Clear> clear;
+        if (first && i == 0) clear = graph::Clear{0.0f};
+        const auto how = [=, this] {
+            passes::Resampling added{1, false, 1, true};
+            if (eye) added = ofEyes_[views > 1 ? i : eye_];
+            if (views > 1) added.layer = i;
+            return added;
+        };
+        frame.graphics(i == 0 ? "sum of samples" : "sum of the other eye's samples")
+            .samples(sample)
+            .color(sum, clear)
+            .record({[=](gpu::PassContext& c) { passes::resample(c, c.view(sample), how()); },
+                     [=](gpu::PipelineContext& c) { passes::wantResampling(c, how()); }});
+    }
     return sum;
 }
 
@@ -154,7 +181,8 @@ void WindowFrames::declareEnding(Frame& frame, const FrameShape& shape) {
     graph::Graph& g = frame.graph;
     const Ending ending = shape.choice.ending;
     if (ending == Ending::firstSample || ending == Ending::nextSample)
-        frame.sum = addSum(g, frame.targets[0], ending == Ending::firstSample);
+        frame.sum = addSum(g, frame.targets[0], ending == Ending::firstSample, shape.eye, shape.choice.views);
+    if (shape.eye) return;
     if (ending == Ending::sumToWindow)
         frame.sum = g.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState);
     if (ending == Ending::copiedToWindow || ending == Ending::scaledToWindow)
@@ -177,19 +205,23 @@ void WindowFrames::makeSum() {
 /// The scene as the frame shows it, and the frame's shape.
 /// @param radiusBefore  as FrameInputs has it
 PreparedFrame WindowFrames::prepare(const RenderSettings& settings, const passes::Atlas& atlas,
-                                    const WindowFrame& frame, std::optional<double> radiusBefore) {
+                                    const WindowFrame& frame, std::optional<double> radiusBefore,
+                                    std::optional<std::size_t> eye) {
     PreparedFrame prepared;
-    View view = settings.view;
+    View view = eye ? (*frame.eyes)[*eye].view : settings.view;
     view.quarterTurns = swapchain_.quarterTurns();
-    const Ending ending = endingOf(frame);
+    Ending ending = endingOf(frame);
+    if (eye && (*eye > 0 || frame.quality == Quality::live))
+        ending = *eye > 0 ? Ending::nextSample : Ending::firstSample;
     const graph::Clear clear = clearOf(settings.background);
     target_ = {"colour", pictureFormat(), passes::Output::color, "impostor colour", clear};
     RenderSettings drawn = settings.ofFrame();
+    if (eye) drawn.view = (*frame.eyes)[*eye].view;
     const auto prepareAs = [&](Part part, const char* name) {
         FrameInputs inputs{atlas, view, name};
         inputs.window = {&target_, 1};
         inputs.radiusBefore = radiusBefore;
-        prepared = frames_.prepare({drawn, part, ending, view.quarterTurns}, inputs);
+        prepared = frames_.prepare({drawn, part, ending, view.quarterTurns, false, eye && view.other}, inputs);
     };
     if (ending == Ending::sumToWindow) {
         prepared.shape.name = "kept screen";
@@ -203,9 +235,10 @@ PreparedFrame WindowFrames::prepare(const RenderSettings& settings, const passes
         const bool direct = ending == Ending::window;
         if (direct) target_ = {"window", swapchain_.format(), target_.output, target_.pass, clear, true};
         view = scaled(view, frame.scale);
-        prepareAs(Part::motion, direct ? "screen" : "scaled screen");
+        prepareAs(Part::motion, direct ? "screen" : eye ? "eye" : "scaled screen");
     }
     prepared.shape.window = swapchain_.extent();
+    prepared.shape.eye = eye.has_value();
     prepared.shape.overlay = frame.overlay && !frame.overlay->batches.empty();
     return prepared;
 }
@@ -235,36 +268,71 @@ void WindowFrames::prepareRest(const RenderSettings& settings, const passes::Atl
     executor_.prepare(wanted.frame.graph, wanted.plan);
 }
 
-/// Draws the frame into the image that the slot has.
-void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
-                          const WindowFrame& frame) {
-    const PreparedFrame prepared = prepare(settings, atlas, frame, counts_.radiusPixels);
+/// Records a prepared frame.
+void WindowFrames::draw(gpu::FrameSlot& slot, const PreparedFrame& prepared, const WindowFrame& frame) {
     if (prepared.view) counts_ = prepared.counts;
-    slot.held = prepared.view;
     DeclaredFrame& declared = this->declared(prepared);
     if (prepared.choice().attachmentSamples() > 1) restWanted_ = std::exchange(multisampled_, &declared) != &declared;
     if (prepared.view)
         SceneFrames::bind(declared, prepared);
     else
         declared.imports.clear();
-    declared.imports.bind(declared.frame.targets.back(), swapchain_.image(*slot.image));
+    if (!prepared.shape.eye) declared.imports.bind(declared.frame.targets.back(), swapchain_.image(*slot.image));
     share_ = 1;
     if (declared.frame.sum) {
         if (prepared.view) makeSum();
         declared.imports.bind(*declared.frame.sum, sum_);
         share_ = 1.0f / static_cast<float>(prepared.view ? frame.sample + 1 : summed_);
     }
+    executor_.record(slot.commands, *declared.recording, declared.imports, slot.descriptors, nullptr, &retired_);
+    if (slot.timed) slot.timer.lap(*slot.commands, declared.frame.graph.name());
+}
+
+/// Adds the pictures of both eyes to the sum, each in its part of the window.
+void WindowFrames::drawEyes(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
+                            const WindowFrame& frame) {
+    const bool live = frame.quality == Quality::live;
+    for (std::size_t i = 0; i < ofEyes_.size(); ++i) {
+        const auto& [view, x, y, channels] = (*frame.eyes)[i];
+        ofEyes_[i] = {live && frame.scale != 1.0 ? 0u : 1u, false, 1, true};
+        ofEyes_[i].part = turned({{x, y}, {view.width, view.height}}, swapchain_.upright(), swapchain_.quarterTurns());
+        ofEyes_[i].channels = channels;
+    }
+    slot.held = {};
+    for (eye_ = 0; eye_ < ofEyes_.size(); ++eye_) {
+        const PreparedFrame prepared = prepare(settings, atlas, frame, counts_.radiusPixels, eye_);
+        slot.held[eye_] = prepared.view;
+        draw(slot, prepared, frame);
+        if (prepared.choice().views > 1) break;
+    }
+    summed_ = live ? 1 : frame.sample + 1;
+}
+
+/// Draws the frame into the image that the slot has.
+void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
+                          const WindowFrame& frame) {
+    WindowFrame shown = frame;
+    const bool eyes = frame.eyes && frame.quality != Quality::kept;
+    PreparedFrame prepared;
+    if (!eyes) {
+        prepared = prepare(settings, atlas, shown, counts_.radiusPixels);
+        slot.held = {prepared.view, nullptr};
+    }
     slot_ = &slot;
     overlaid_ = frame.overlay;
-    if (prepared.shape.overlay) overlay_.upload(slot, *frame.overlay);
+    if (frame.overlay && !frame.overlay->batches.empty()) overlay_.upload(slot, *frame.overlay);
     device_.log().begin();
     slot.commands.reset();
     slot.commands.begin();
     // Resolution and bake are paced by live frames alone. Over Metal each stamp is an encoder of its own.
     slot.timed = frame.quality == Quality::live;
     if (slot.timed) slot.timer.begin(*slot.commands);
-    executor_.record(slot.commands, *declared.recording, declared.imports, slot.descriptors, nullptr, &retired_);
-    if (slot.timed) slot.timer.lap(*slot.commands, declared.frame.graph.name());
+    if (eyes) {
+        drawEyes(slot, settings, atlas, frame);
+        shown.quality = Quality::kept;
+        prepared = prepare(settings, atlas, shown, {});
+    }
+    draw(slot, prepared, shown);
     slot.commands.end();
     ring_.submit(slot, swapchain_.drawn(*slot.image));
     slot.retired = std::exchange(retired_, {});  // used by earlier submissions
@@ -294,6 +362,7 @@ FrameOutcome WindowFrames::present(const RenderSettings& settings, const passes:
         if (frame.quality == Quality::refined) summed_ = 0;  // after a failure half way the state is unknown
         submit(slot, settings, atlas, frame);
         if (frame.quality == Quality::refined) summed_ = frame.sample + 1;
+        if (frame.quality == Quality::live && frame.eyes) summed_ = 0;  // the sum shows them
         swapchain_.present(index);
         if (!std::exchange(preparedOthers_, true)) prepareOthers();
         if (std::exchange(restWanted_, false)) prepareRest(settings, atlas);

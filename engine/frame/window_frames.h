@@ -8,6 +8,7 @@
 #include "engine/frame/scene_frames.h"
 #include "engine/gpu/frame_ring.h"
 #include "engine/gpu/swapchain.h"
+#include "engine/passes/full_screen.h"
 #include "engine/passes/overlay.h"
 
 namespace nacre {
@@ -38,15 +39,19 @@ private:
     bool resize(graph::Extent wanted);
     void submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                 const WindowFrame& frame);
+    void draw(gpu::FrameSlot& slot, const PreparedFrame& prepared, const WindowFrame& frame);
+    void drawEyes(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
+                  const WindowFrame& frame);
     Ending endingOf(const WindowFrame& frame) const;
     PreparedFrame prepare(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame,
-                          std::optional<double> radiusBefore);
+                          std::optional<double> radiusBefore, std::optional<std::size_t> eye = {});
     DeclaredFrame& declared(const PreparedFrame& prepared);
     void declareEnding(Frame& frame, const FrameShape& shape);
     void makeSum();
     void prepareOthers();
     void prepareRest(const RenderSettings& settings, const passes::Atlas& atlas);
-    graph::Image addSum(graph::Graph& frame, graph::Image sample, bool first) const;
+    graph::Image addSum(graph::Graph& frame, graph::Image sample, bool first, bool eye = false,
+                        std::uint32_t views = 1) const;
     graph::Image addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples) const;
     void addOverlay(graph::Graph& frame, graph::Image& window, std::optional<graph::Image>& samples) const;
     bool coded() const;
@@ -63,7 +68,9 @@ private:
     passes::OverlayPass overlay_;
     // For the passes of the frame that is recorded:
     ScreenTarget target_{};
-    float share_ = 1;  ///< weight of one sample of the shown sum
+    float share_ = 1;                             ///< weight of one sample of the shown sum
+    std::array<passes::Resampling, 2> ofEyes_{};  ///< into the sum
+    std::size_t eye_ = 0;                         ///< of frames that draw one of them
     const Overlay* overlaid_ = nullptr;
     const gpu::FrameSlot* slot_ = nullptr;
     gpu::Image sum_;                               ///< of the refined picture's samples

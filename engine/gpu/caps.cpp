@@ -77,6 +77,7 @@ bool set(const char* variable) {
 ///   NACRE_NO_MERGE=1      every pass is its own render pass: no subpasses, no input attachments
 ///   NACRE_NO_DYNAMIC_RENDERING=1  render passes are VkRenderPasses, whatever the device supports
 ///   NACRE_BAKE_BY_PAIRS=1  the bake tests two texels at a time, as for drivers that load uniforms one by one
+///   NACRE_MULTIVIEW=1     lavapipe draws both eyes in one frame: right where nothing is far beyond the picture's edge
 ///   NACRE_NO_TRANSIENT=1  every attachment has memory and is stored, so that a capture shows it
 void applyEnvironment(graph::PlanCaps& plan) {
     if (set("NACRE_NO_MERGE")) plan.merge = false;
@@ -170,6 +171,13 @@ bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {
         .rasterizationOrderColorAttachmentAccess;
 }
 
+std::uint32_t viewsAtOnce(const vk::raii::PhysicalDevice& device) {
+    using Features = vk::PhysicalDeviceMultiviewFeatures;
+    using Properties = vk::PhysicalDeviceMultiviewProperties;
+    if (!device.getFeatures2<vk::PhysicalDeviceFeatures2, Features>().get<Features>().multiview) return 1;
+    return device.getProperties2<vk::PhysicalDeviceProperties2, Properties>().get<Properties>().maxMultiviewViewCount;
+}
+
 graph::DriverIdentity identityOf(const vk::raii::PhysicalDevice& device) {
     const vk::PhysicalDeviceProperties properties = device.getProperties();
     graph::DriverIdentity identity;
@@ -230,6 +238,9 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.quirks = graph::quirksOf(identity);
     caps.plan.maxColorAttachments = std::min(properties.limits.maxColorAttachments, 8u);
     caps.plan.maxInputAttachments = std::min(properties.limits.maxPerStageDescriptorInputAttachments, 8u);
+    // lavapipe 22.3 draws what it clips in the first view alone (tests/renderer/eyes_test.cpp).
+    const bool losesViews = identity.driver == VK_DRIVER_ID_MESA_LLVMPIPE && !set("NACRE_MULTIVIEW");
+    caps.plan.maxViews = losesViews ? 1 : viewsAtOnce(device);
     caps.plan.placesSamples = properties.limits.standardSampleLocations;
     applyEnvironment(caps.plan);
     caps.encoded = encodedFormatOf(device, options.encoded, caps.plan.rasterOrder);

@@ -63,6 +63,9 @@ bool maintainsSwapchains(const vk::raii::PhysicalDevice& device);
 /// Whether the driver reports how it merges subpasses.
 bool tellsOfMerges(const vk::raii::PhysicalDevice& device);
 
+/// Views that a pass can draw at once; 1: the device has no multiview.
+std::uint32_t viewsAtOnce(const vk::raii::PhysicalDevice& device);
+
 /// Whether fragments can read their own attachment in raster order.
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device);
 

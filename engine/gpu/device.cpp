@@ -100,6 +100,11 @@ void Device::createDevice(const DeviceOptions& options) {
         feature.pNext = const_cast<void*>(info.pNext);
         info.pNext = &feature;
     };
+    vk::PhysicalDeviceMultiviewFeatures views(true);
+    if (viewsAtOnce(physical_) > 1) {
+        views.pNext = const_cast<void*>(info.pNext);
+        info.pNext = &views;
+    }
     vk::PhysicalDeviceFaultFeaturesEXT fault(true);
     tellsOfFaults_ = tellsOfFaults(physical_);
     if (tellsOfFaults_) add(fault, VK_EXT_DEVICE_FAULT_EXTENSION_NAME);

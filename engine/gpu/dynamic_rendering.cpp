@@ -159,7 +159,8 @@ void DynamicRendering::begin() const {
     VkRenderingInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
     info.renderArea.extent = {plan_.extent.width, plan_.extent.height};
-    info.layerCount = plan_.layers;
+    info.layerCount = plan_.viewMask ? 1 : plan_.layers;
+    info.viewMask = plan_.viewMask;
     info.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
     info.pColorAttachments = colors.data();
     VkRenderingAttachmentInfo depth{};
@@ -175,6 +176,7 @@ RenderingFormats DynamicRendering::formatsOf(std::uint32_t s) const {
     };
     RenderingFormats formats;
     formats.colorCount = static_cast<std::uint32_t>(colors_.size());
+    formats.viewMask = plan_.viewMask;
     for (std::size_t i = 0; i < colors_.size(); ++i) {
         formats.colors[i] = plan_.attachments[colors_[i]].format;
         formats.locations[i] = placeOf(subpass.colors, colors_[i]);
@@ -215,7 +217,7 @@ RenderingChain::RenderingChain(const RenderingFormats& formats)
                  formats_.locations.data()},
       info_{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
             &locations_,
-            0,
+            formats.viewMask,
             formats.colorCount,
             formats_.colors.data(),
             formats.depth,

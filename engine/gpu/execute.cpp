@@ -72,8 +72,9 @@ vk::Framebuffer Executor::framebuffer(OwnedRenderPass& pass, const graph::Render
     for (const Framebuffer& f : pass.framebuffers)
         if (f.views == views && f.extent == plan.extent) return *f.handle;
     std::vector<vk::ImageView> handles(views.begin(), views.end());
-    vk::raii::Framebuffer handle(*device_, vk::FramebufferCreateInfo({}, *pass.handle, handles, plan.extent.width,
-                                                                     plan.extent.height, plan.layers));
+    vk::raii::Framebuffer handle(
+        *device_, vk::FramebufferCreateInfo({}, *pass.handle, handles, plan.extent.width, plan.extent.height,
+                                            plan.viewMask ? 1 : plan.layers));
     device_.name(*handle, name);
     pass.framebuffers.push_back({views, plan.extent, std::move(handle), recording.graph_.name()});
     return *pass.framebuffers.back().handle;
@@ -122,6 +123,7 @@ void Executor::recordRenderPass(Recording& recording, std::size_t step, PassCont
     std::optional<DynamicRendering> dynamic;
     context.extent = pass.extent;
     context.samples = pass.samples;
+    context.views = pass.layers;
     context.renderPass = nullptr;
     context.rendering = {};
     context.inputLayout = vk::ImageLayout::eShaderReadOnlyOptimal;
@@ -237,6 +239,7 @@ void Executor::prepare(const graph::Graph& graph, const graph::Plan& plan) {
         const bool dynamic = DynamicRendering::takes(device_, pass);
         context.extent = pass.extent;
         context.samples = pass.samples;
+        context.views = pass.layers;
         for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
             context.renderPass = dynamic ? nullptr : renderPass(pass, recording.renderPasses_[i].name).ofPipelines;
             if (dynamic) context.rendering = DynamicRendering(device_, pass, images, none).formatsOf(s);

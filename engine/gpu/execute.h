@@ -24,6 +24,7 @@ struct PipelineContext {
     RenderingFormats rendering{};  ///< of these
     std::uint32_t colorCount = 0;  ///< colour attachments of the subpass
     std::uint32_t samples = 1;     ///< of them
+    std::uint32_t views = 1;       ///< that each draw call draws
     graph::Extent extent{};
     bool inputIsSampled = false;  ///< inputs are read as textures
 

@@ -18,13 +18,13 @@ struct FrameSlot {
     bool submitted = false;                 ///< `done` is signalled when it completes
     vk::raii::Semaphore acquired{nullptr};  ///< signalled when the window's image can be drawn into
     DescriptorPool descriptors;
-    Timer timer;                         ///< of the commands
-    bool timed = false;                  ///< the timer was used
-    Buffer vertices, indices;            ///< of the overlay over the picture
-    std::shared_ptr<const void> held;    ///< resources in use by the commands
-    Retired retired;                     ///< resources of earlier commands
-    std::optional<std::uint32_t> image;  ///< acquired window image, not yet submitted
-    std::optional<std::uint32_t> drawn;  ///< window image that the commands draw into
+    Timer timer;                                      ///< of the commands
+    bool timed = false;                               ///< the timer was used
+    Buffer vertices, indices;                         ///< of the overlay over the picture
+    std::array<std::shared_ptr<const void>, 2> held;  ///< resources in use by the commands
+    Retired retired;                                  ///< resources of earlier commands
+    std::optional<std::uint32_t> image;               ///< acquired window image, not yet submitted
+    std::optional<std::uint32_t> drawn;               ///< window image that the commands draw into
     explicit FrameSlot(const Device& device) : descriptors(device), timer(device) {}
 };
 

@@ -11,6 +11,15 @@ vk::AttachmentReference2 reference(std::uint32_t attachment, graph::Verb verb, V
     return {attachment, static_cast<vk::ImageLayout>(graph::stateOf(verb, graph::PassKind::graphics).layout), aspect};
 }
 
+/// A view reads what the same view wrote.
+vk::DependencyFlags dependencyFlags(const graph::Dependency& d, const graph::RenderPassPlan& plan) {
+    vk::DependencyFlags flags;
+    if (d.byRegion) flags |= vk::DependencyFlagBits::eByRegion;
+    if (plan.viewMask != 0 && d.byRegion && d.from != VK_SUBPASS_EXTERNAL && d.to != VK_SUBPASS_EXTERNAL)
+        flags |= vk::DependencyFlagBits::eViewLocal;
+    return flags;
+}
+
 struct References {
     std::vector<vk::AttachmentReference2> colors, inputs, resolves;
     vk::AttachmentReference2 depth;
@@ -80,7 +89,7 @@ vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPas
                                 subpass.depthWrite ? graph::Verb::depth : graph::Verb::depthTest, VK_FORMAT_D32_SFLOAT);
         vk::SubpassDescriptionFlags flags;
         if (subpass.ordered) flags = vk::SubpassDescriptionFlagBits::eRasterizationOrderAttachmentColorAccessEXT;
-        vk::SubpassDescription2 description(flags, vk::PipelineBindPoint::eGraphics, 0, r.inputs, r.colors);
+        vk::SubpassDescription2 description(flags, vk::PipelineBindPoint::eGraphics, plan.viewMask, r.inputs, r.colors);
         if (subpass.depth >= 0) description.pDepthStencilAttachment = &r.depth;
         if (subpass.resolve >= 0) {
             const auto to = static_cast<std::uint32_t>(subpass.resolve);
@@ -94,11 +103,11 @@ vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPas
     }
     std::vector<vk::SubpassDependency2> dependencies;
     for (const graph::Dependency& d : plan.dependencies)
-        dependencies.emplace_back(
-            d.from, d.to, vk::PipelineStageFlags(d.fromStages), vk::PipelineStageFlags(d.toStages),
-            vk::AccessFlags(d.fromAccess), vk::AccessFlags(d.toAccess),
-            d.byRegion ? vk::DependencyFlags(vk::DependencyFlagBits::eByRegion) : vk::DependencyFlags());
+        dependencies.emplace_back(d.from, d.to, vk::PipelineStageFlags(d.fromStages),
+                                  vk::PipelineStageFlags(d.toStages), vk::AccessFlags(d.fromAccess),
+                                  vk::AccessFlags(d.toAccess), dependencyFlags(d, plan));
     vk::RenderPassCreateInfo2 info({}, attachments, subpasses, dependencies);
+    if (plan.viewMask != 0) info.setCorrelatedViewMasks(plan.viewMask);
     std::optional<MergeQuestion> question;
     if (device.caps().mergeFeedback && subpasses.size() > 1) question.emplace(info, subpasses);
     vk::raii::RenderPass pass = device->createRenderPass2KHR(info);

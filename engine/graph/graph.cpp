@@ -13,7 +13,7 @@ std::string SourceLine::text() const {
     return line == 0 ? "" : " (declared at " + std::string(path) + ":" + std::to_string(line) + ")";
 }
 
-Graph::Graph(std::string name) : name_(std::move(name)) {
+Graph::Graph(std::string name, std::uint32_t views) : name_(std::move(name)), views_(views) {
     static std::atomic<std::uint32_t> next{1};
     id_ = next++;
 }
@@ -44,6 +44,7 @@ void Graph::check(Image image, const std::string& user) const {
 
 Image Graph::image(std::string name, const ImageDesc& desc) {
     images_.push_back({std::move(name), desc, std::nullopt, false, false});
+    images_.back().desc.layers = std::max(desc.layers, views_);
     versions_.push_back(0);
     return {static_cast<std::uint32_t>(images_.size() - 1), id_};
 }

@@ -179,7 +179,8 @@ private:
 
 class Graph {
 public:
-    explicit Graph(std::string name);
+    /// @param views  that its passes draw at once: each of its own images has a layer per view
+    explicit Graph(std::string name, std::uint32_t views = 1);
 
     /// An image that lives inside one execution. The plan decides memory and usage.
     Image image(std::string name, const ImageDesc& desc);
@@ -203,6 +204,7 @@ public:
     void output(Buffer buffer);
 
     const std::string& name() const { return name_; }
+    std::uint32_t views() const { return views_; }
     const std::vector<PassDecl>& passes() const { return passes_; }
     const std::vector<ImageDecl>& images() const { return images_; }
     const std::vector<BufferDecl>& buffers() const { return buffers_; }
@@ -216,6 +218,7 @@ private:
     std::uint32_t writer(std::uint32_t image) const;
 
     std::string name_;
+    std::uint32_t views_ = 1;
     std::uint32_t id_;
     std::vector<PassDecl> passes_;
     std::vector<ImageDecl> images_;

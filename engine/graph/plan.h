@@ -35,6 +35,7 @@ struct PlanCaps {
     std::uint32_t tileBytesPerPixel = 16;   ///< colour + input attachments of one render pass
     std::uint32_t maxColorAttachments = 4;  ///< of one subpass
     std::uint32_t maxInputAttachments = 4;
+    std::uint32_t maxViews = 6;  ///< that a pass can draw at once (multiview); 1: no more than one
     GeometryCaps geometry;
     friend bool operator==(const PlanCaps&, const PlanCaps&) = default;
 };
@@ -79,6 +80,7 @@ struct Dependency {
 struct RenderPassPlan {
     Extent extent;
     std::uint32_t layers = 1, samples = 1;  ///< samples: of all attachments but those that others are resolved to
+    std::uint32_t viewMask = 0;             ///< a bit per layer: each is a view, and a draw call draws them all
     std::vector<Attachment> attachments;
     std::vector<Subpass> subpasses;
     std::vector<Dependency> dependencies;

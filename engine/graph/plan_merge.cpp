@@ -45,6 +45,7 @@ private:
                 step.renderPass.extent = desc.extent;
                 step.renderPass.samples = desc.samples;
                 step.renderPass.layers = desc.layers;
+                step.renderPass.viewMask = desc.layers > 1 ? (1u << desc.layers) - 1 : 0;
             }
         plan_.steps.push_back(std::move(step));
     }

@@ -33,7 +33,9 @@ std::string subpassUses(const Graph& graph, const RenderPassPlan& pass, const Su
 }
 
 void renderPassText(std::ostream& out, const Graph& graph, const Plan& plan, const RenderPassPlan& pass) {
-    out << "render pass " << pass.extent.width << "x" << pass.extent.height << "\n";
+    out << "render pass " << pass.extent.width << "x" << pass.extent.height;
+    if (pass.viewMask != 0) out << ", " << pass.layers << " views";
+    out << "\n";
     for (const Attachment& a : pass.attachments) attachmentLine(out, graph, a);
     for (std::size_t s = 0; s < pass.subpasses.size(); ++s) {
         out << "  subpass " << s;

@@ -98,6 +98,9 @@ void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& 
         }
         if (use.verb == Verb::input || use.verb == Verb::ordered) ++inputs;
     }
+    if (first && first->layers > caps.maxViews)
+        throw GraphError("pass '" + pass.name + "': '" + caps.name + "' does not draw " +
+                         std::to_string(first->layers) + " views at once");
     if (pass.kind == PassKind::graphics && !first)
         throw GraphError("pass '" + pass.name + "': a graphics pass needs an attachment");
     if (colors > caps.maxColorAttachments || inputs > caps.maxInputAttachments)

@@ -23,8 +23,8 @@ ScreenView finer(ScreenView view, std::uint32_t grid) {
     return view;
 }
 
-glm::vec3 seen(const glm::dmat3& rotation, const glm::dmat4x3& transform, const glm::vec3& p) {
-    return rotation * (transform * glm::dvec4(glm::dvec3(p), 1.0));
+glm::vec3 seen(const SeenCopies::Scenery& s, const glm::dmat4x3& transform, const glm::vec3& p) {
+    return s.rotation * (transform * glm::dvec4(glm::dvec3(p), 1.0)) + s.shift;
 }
 
 /// Inverse of pixelOf().
@@ -87,7 +87,7 @@ void SeenCopies::placeAll(const ScreenView& view, const Scenery& s) {
         for (const Slice& slice : own) {
             const LeveledPart& part = s.levels.parts[slice.part];
             for (const std::uint32_t copy : slice.copies) {
-                const glm::vec3 center = seen(s.rotation, s.copies.transforms[copy], part.center);
+                const glm::vec3 center = seen(s, s.copies.transforms[copy], part.center);
                 const float Z = view.origin - center.z;
                 if (Z + part.radius < view.clipNear || Z - part.radius > view.clipFar) continue;
                 const float nearest = Z - part.radius;
@@ -173,7 +173,7 @@ void SeenCopies::drawPlaced(const ScreenView& view, const Scenery& s, const Plac
     const SphereLevel& level = part.levels[levelOf(part, error / pixels)];
     const glm::dmat4x3& transform = s.copies.transforms[placed.copy];
     const glm::mat3 turn = s.rotation * glm::dmat3(transform[0], transform[1], transform[2]);
-    const glm::vec3 shift = s.rotation * transform[3];
+    const glm::vec3 shift = s.rotation * transform[3] + s.shift;
     if (band.copiesOfStep.size() <= level.step) band.copiesOfStep.resize(level.step + 1);
     ++band.copiesOfStep[level.step];
     for (std::uint32_t first = level.first; first < level.first + level.count; first += kSpheres) {

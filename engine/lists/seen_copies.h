@@ -21,6 +21,7 @@ public:
         const SphereLevels& levels;
         const Copies& copies;
         glm::dmat3 rotation{1.0};  ///< as in View
+        glm::dvec3 shift{0.0};     ///< likewise
     };
     struct LevelCount {
         float error = 0;            ///< Å

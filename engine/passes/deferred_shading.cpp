@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engine/passes/bindings.h"
+#include "engine/passes/eyes.h"
 #include "engine/passes/full_screen.h"
 #include "shaders.h"
 
@@ -65,8 +66,8 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
 }
 
-FullScreenPass fullScreenOf(const SceneView& view, const DeferredPass& deferred) {
-    FullScreenPass pass{shaderOf(deferred).of(view), {}, {}};
+FullScreenPass fullScreenOf(const gpu::PipelineContext& context, const SceneView& view, const DeferredPass& deferred) {
+    FullScreenPass pass{forViews(context, shaderOf(deferred).of(view)), {}, {}};
     if (deferred.rims)
         for (int i = 0; i < 4; ++i)
             pass.constants.set(layout::kClearId + i, deferred.rims->clear.value[static_cast<std::size_t>(i)]);
@@ -77,6 +78,8 @@ FullScreenPass fullScreenOf(const SceneView& view, const DeferredPass& deferred)
         pass.constants.set(layout::kDepthChannelsId, deferred.over->encoding.channels);
         pass.constants.set(layout::kDepthStepsId, deferred.over->encoding.steps);
     }
+    // A driver may lose the view of what it clips, as of the corners of a larger triangle.
+    if (context.views > 1) pass.constants.set(layout::kCornersId, 4);
     setGeometryConstants(pass.constants, view);
     setShadingConstants(pass.constants, view);
     pass.constants.set(layout::kCopiesId, view.copies.rows.size() > 3);
@@ -94,15 +97,21 @@ bool isEmpty(const SceneView& view, const DeferredPass& pass) {
 void draw(gpu::PassContext& context, const SceneView& view, const DeferredPass& pass) {
     if (isEmpty(view, pass)) return;
     const gpu::Layout& layout = layoutOf(context, view, pass);
-    bindFullScreen(context, fullScreenOf(view, pass), layout);
+    bindFullScreen(context, fullScreenOf(context, view, pass), layout);
     bindReads(context, view, layout, pass);
     bindCounter(context, view, layout);
-    drawFullScreen(context, layout, kDraw, view.constants);
+    layout::ViewConstants constants = view.constants;
+    if (context.views > 1) {
+        constants.numberBefore = static_cast<std::uint32_t>(view.copies.rows.size());
+        constants.contourDepth = view.otherAxis;
+    }
+    context.commands.pushConstants<layout::ViewConstants>(*layout.pipeline, kDraw, 0, constants);
+    context.commands.draw(context.views > 1 ? 4 : 3, 1, 0, 0);
 }
 
 void want(gpu::PipelineContext& context, const SceneView& view, const DeferredPass& pass) {
     if (isEmpty(view, pass)) return;
-    wantFullScreen(context, fullScreenOf(view, pass), layoutOf(context, view, pass));
+    wantFullScreen(context, fullScreenOf(context, view, pass), layoutOf(context, view, pass));
 }
 
 }  // namespace nacre::passes

@@ -1,6 +1,9 @@
 #include "engine/passes/full_screen.h"
 
+#include <algorithm>
+
 #include "engine/passes/bindings.h"
+#include "engine/passes/eyes.h"
 #include "shaders.h"
 #include "shaders/common/layout.h"
 
@@ -18,7 +21,7 @@ gpu::GraphicsPipeline pipelineOf(const gpu::PipelineContext& context, const Full
     d.colorsWritten = context.colorCount;
     d.blend = pass.blend;
     d.depth = pass.depth;
-    d.strip = false;
+    d.strip = context.views > 1;
     return d;
 }
 
@@ -49,14 +52,18 @@ namespace {
 
 constexpr Type kPicture[] = {kSampled};
 constexpr auto kFragments = vk::ShaderStageFlagBits::eFragment;
-using Scale = std::array<float, 4>;
+/// As shaders/resample.frag has them.
+struct Resampled {
+    std::array<float, 4> scale, red, green, blue;
+};
 
 const gpu::Layout& resampleLayout(gpu::PipelineContext& context) {
-    return context.pipelines.layout({"resample layout", kPicture, kFragments, sizeof(Scale)});
+    return context.pipelines.layout({"resample layout", kPicture, kFragments, sizeof(Resampled)});
 }
 
 FullScreenPass passOf(const Resampling& how) {
     FullScreenPass pass{shaders::resampleFragment, {}, {}};
+    if (how.layer) pass.fragment = forEyes(pass.fragment, "resample"), pass.detail = "layer";
     pass.blend = how.add ? gpu::Blend::add : gpu::Blend::replace;
     pass.constants.set(layout::kSamplesId, how.samples);
     pass.constants.set(layout::kCodedId, how.coded);
@@ -66,12 +73,25 @@ FullScreenPass passOf(const Resampling& how) {
 }  // namespace
 
 void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling& how) {
-    const Scale scale{1.0f / static_cast<float>(context.extent.width), 1.0f / static_cast<float>(context.extent.height),
-                      how.share, 0};
+    const vk::Rect2D whole({}, {context.extent.width, context.extent.height});
+    const vk::Rect2D part = how.part.extent.width == 0 ? whole : how.part;
+    const auto at = [](auto pixels) { return static_cast<float>(pixels); };
+    const auto row = [&](std::size_t i, float more) {
+        return std::array{how.channels[i][0], how.channels[i][1], how.channels[i][2], more};
+    };
+    const Resampled push{{1 / at(part.extent.width), 1 / at(part.extent.height), how.share, 0},
+                         row(0, at(part.offset.x)),
+                         row(1, at(part.offset.y)),
+                         row(2, at(how.layer.value_or(0)))};
     const gpu::Layout& layout = resampleLayout(context);
     bindFullScreen(context, passOf(how), layout);
     bindTextures(context, layout, vk::Filter::eLinear, {&picture, 1});
-    drawFullScreen(context, layout, kFragments, scale);
+    const auto right = part.offset.x + static_cast<std::int32_t>(part.extent.width);
+    const auto bottom = part.offset.y + static_cast<std::int32_t>(part.extent.height);
+    const std::int32_t x = std::max(part.offset.x, 0), y = std::max(part.offset.y, 0);
+    context.commands.setScissor(0, vk::Rect2D({x, y}, {static_cast<std::uint32_t>(std::max(right - x, 0)),
+                                                       static_cast<std::uint32_t>(std::max(bottom - y, 0))}));
+    drawFullScreen(context, layout, kFragments, push);
 }
 
 void wantResampling(gpu::PipelineContext& context, const Resampling& how) {

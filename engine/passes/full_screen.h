@@ -1,7 +1,11 @@
 #pragma once
 // Shared by passes that draw one triangle over the whole screen; and the simplest of them.
 
+#include <array>
+#include <optional>
+
 #include "engine/gpu/execute.h"
+#include "engine/results.h"
 
 namespace nacre::passes {
 
@@ -35,6 +39,10 @@ struct Resampling {
     bool coded = false;         ///< the target takes sRGB-coded colour
     float share = 1;            ///< factor for the picture's values
     bool add = false;           ///< to the target's contents
+    vk::Rect2D part{};          ///< of the target; without size: all
+    std::optional<std::uint32_t> layer{};  ///< of a picture that has several
+    /// Shares of the picture's channels in each of the target's.
+    std::array<std::array<float, 3>, 3> channels{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 };
 
 /// Scales a picture to another resolution.

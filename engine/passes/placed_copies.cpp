@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <optional>
 
 #include "engine/scene/instances/mesh_levels.h"
 
@@ -17,6 +18,12 @@ struct Edge {
     double at = 0;
 };
 using Edges = std::array<Edge, 4>;
+
+/// The edges of one view, or of two eyes' views.
+struct Borders {
+    Edges edges;
+    std::optional<Edges> other;
+};
 
 /// The planes through the eye and the edges of a picture that is larger by `room` pixels on each side.
 Edges edgesOf(const View& view, double room) {
@@ -31,10 +38,24 @@ Edges edgesOf(const View& view, double room) {
             edge({0, 1, 0}, view.height, -view.pan.y), edge({0, -1, 0}, view.height, view.pan.y)};
 }
 
+/// @param room  as for edgesOf()
+Borders bordersOf(const View& view, double room) {
+    Borders borders{edgesOf(view, room), {}};
+    if (view.other) borders.other = edgesOf(otherView(view), room);
+    return borders;
+}
+
 /// The same edges before a transform is applied.
 Edges before(const Edges& edges, const glm::dmat3& turn, const glm::dvec3& shift) {
     Edges moved = edges;
     for (Edge& e : moved) e = {glm::transpose(turn) * e.out, e.at - glm::dot(e.out, shift)};
+    return moved;
+}
+Borders before(const Borders& borders, const View& view, const glm::dmat4x3& place) {
+    const glm::dmat3 turn = view.rotation * glm::dmat3(place[0], place[1], place[2]);
+    const glm::dvec3 shift = view.seen(place[3]);
+    Borders moved{before(borders.edges, turn, shift), {}};
+    if (borders.other) moved.other = before(*borders.other, turn, shift + glm::dvec3(view.other->shift, 0, 0));
     return moved;
 }
 
@@ -44,10 +65,18 @@ bool mayShow(const Edges& edges, const glm::dvec3& center, double radius) {
                        [&](const Edge& e) { return glm::dot(e.out, center) - e.at <= radius; });
 }
 
+bool mayShow(const Borders& borders, const glm::dvec3& center, double radius) {
+    return mayShow(borders.edges, center, radius) || (borders.other && mayShow(*borders.other, center, radius));
+}
+
 /// Whether all of a ball is inside of the picture's edges.
 bool showsWhole(const Edges& edges, const glm::dvec3& center, double radius) {
     return std::all_of(edges.begin(), edges.end(),
                        [&](const Edge& e) { return glm::dot(e.out, center) - e.at <= -radius; });
+}
+
+bool showsWhole(const Borders& borders, const glm::dvec3& center, double radius) {
+    return showsWhole(borders.edges, center, radius) && (!borders.other || showsWhole(*borders.other, center, radius));
 }
 
 std::uint64_t total(const std::vector<PlacedCopies::Call>& calls) {
@@ -56,14 +85,15 @@ std::uint64_t total(const std::vector<PlacedCopies::Call>& calls) {
     return sum;
 }
 
-void addRows(const View& view, const glm::dmat4x3& transform, std::vector<glm::vec4>& rows) {
+void addRows(const View& view, const glm::dmat4x3& transform, PlacedCopies& placed) {
     const glm::dmat3 turn = view.rotation * glm::dmat3(transform[0], transform[1], transform[2]);
-    const glm::dvec3 shift = view.rotation * transform[3];
-    for (int i = 0; i < 3; ++i) rows.emplace_back(turn[0][i], turn[1][i], turn[2][i], shift[i]);
+    const glm::dvec3 shift = view.seen(transform[3]);
+    for (int i = 0; i < 3; ++i) placed.rows.emplace_back(turn[0][i], turn[1][i], turn[2][i], shift[i]);
+    if (view.other) placed.otherShifts.push_back(static_cast<float>(shift.x + view.other->shift));
 }
 
 /// Chunks of a copy that may be visible; one call for consecutive ones.
-void addChunks(const std::vector<Chunk>& chunks, const Edges& edges, const PlacedCopies::Call& all,
+void addChunks(const std::vector<Chunk>& chunks, const Borders& edges, const PlacedCopies::Call& all,
                std::vector<PlacedCopies::Call>& calls) {
     const std::uint32_t end = all.first + all.count;
     bool goesOn = false;
@@ -80,13 +110,11 @@ void addChunks(const std::vector<Chunk>& chunks, const Edges& edges, const Place
     }
 }
 
-void addCalls(const Copies& copies, const std::vector<PrimitiveRun>& runs, const View& view, const Edges& edges,
+void addCalls(const Copies& copies, const std::vector<PrimitiveRun>& runs, const View& view, const Borders& edges,
               const std::vector<Chunk>* chunks, std::vector<PlacedCopies::Call>& calls) {
     for (const PrimitiveRun& run : runs)
         for (const std::uint32_t copy : copies.lists[run.list]) {
-            const glm::dmat4x3& place = copies.transforms[copy];
-            const Edges here =
-                before(edges, view.rotation * glm::dmat3(place[0], place[1], place[2]), view.rotation * place[3]);
+            const Borders here = before(edges, view, copies.transforms[copy]);
             if (!mayShow(here, run.center, run.radius)) continue;
             const PlacedCopies::Call call{copy, run.first, run.count};
             if (chunks && !showsWhole(here, run.center, run.radius))
@@ -120,15 +148,15 @@ void placeCopies(PlacedCopies& placed, const Representation& r, const View& view
                  double error, bool wires) {
     placed.clear();
     // Impostors reach a little beyond their spheres.
-    const Edges edges = edgesOf(view, 2.0 + room);
+    const Borders edges = bordersOf(view, 2.0 + room);
     const auto* spheres = chunks ? &chunks->spheres : nullptr;
     const auto* cylinders = chunks ? &chunks->cylinders : nullptr;
     const auto* triangles = chunks ? &chunks->triangles : nullptr;
     std::vector<PrimitiveRun> meshes;
     if (!r.triangles.empty()) meshes = drawnRuns(r, error);
     if (r.copies.transforms.empty()) {
-        addRows(view, glm::dmat4x3(1.0), placed.rows);
-        const Edges here = before(edges, view.rotation, {});
+        addRows(view, glm::dmat4x3(1.0), placed);
+        const Borders here = before(edges, view, glm::dmat4x3(1.0));
         const auto add = [&](std::size_t first, std::size_t count, const std::vector<Chunk>* of,
                              std::vector<PlacedCopies::Call>& calls) {
             const PlacedCopies::Call all{0, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)};
@@ -143,13 +171,13 @@ void placeCopies(PlacedCopies& placed, const Representation& r, const View& view
         return;
     }
     placed.rows.reserve(3 * r.copies.transforms.size());
-    for (const glm::dmat4x3& transform : r.copies.transforms) addRows(view, transform, placed.rows);
+    for (const glm::dmat4x3& transform : r.copies.transforms) addRows(view, transform, placed);
     addCalls(r.copies, r.copies.spheres, view, edges, spheres, placed.spheres);
     addCalls(r.copies, r.copies.cylinders, view, edges, cylinders, placed.cylinders);
     addCalls(r.copies, meshes, view, edges, triangles, placed.triangles);
     if (!wires || r.wires.empty()) return;
     const auto still = static_cast<std::uint32_t>(placed.rows.size() / 3);
-    addRows(view, glm::dmat4x3(1.0), placed.rows);
+    addRows(view, glm::dmat4x3(1.0), placed);
     placed.cylinders.push_back(
         {still, static_cast<std::uint32_t>(r.cylinders.size()), static_cast<std::uint32_t>(r.wires.size())});
 }

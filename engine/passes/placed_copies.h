@@ -18,10 +18,11 @@ struct PlacedCopies {
         std::uint32_t copy = 0;  ///< index of its three rows
         std::uint32_t first = 0, count = 0;
     };
-    std::vector<glm::vec4> rows;  ///< three per transform: into view space, as in ViewConstants
+    std::vector<glm::vec4> rows;     ///< three per transform: into view space, as in ViewConstants
+    std::vector<float> otherShifts;  ///< of two views: per transform, the other's row 0, w
     std::vector<Call> spheres, cylinders, triangles;
 
-    void clear() { rows.clear(), spheres.clear(), cylinders.clear(), triangles.clear(); }
+    void clear() { rows.clear(), otherShifts.clear(), spheres.clear(), cylinders.clear(), triangles.clear(); }
     /// Total over all calls.
     std::uint64_t sphereCount() const;
     std::uint64_t cylinderCount() const;
@@ -31,7 +32,7 @@ struct PlacedCopies {
 };
 
 /// Composes rotations and shifts in double precision. Culls runs of copies whose bounding sphere lies outside the
-/// picture, and chunks likewise; the rest keeps the order of the streams.
+/// picture, and chunks likewise; the rest keeps the order of the streams. Of two views, what either shows.
 /// @param chunks  of the representation; null: whole runs only
 /// @param room    margin around a primitive in which it still shows, pixels
 /// @param error   allowed error of meshes, Å (drawnRuns())

@@ -5,6 +5,7 @@
 
 #include "engine/passes/bindings.h"
 #include "engine/passes/corners.h"
+#include "engine/passes/eyes.h"
 
 namespace nacre::passes {
 namespace {
@@ -160,8 +161,8 @@ gpu::GraphicsPipeline pipelineOf(gpu::PipelineContext& context, const SceneView&
                                  const Draw& drawn) {
     gpu::GraphicsPipeline d = context.pipeline();
     d.detail = nameOf(drawn);
-    d.vertex = drawn.shaders.vertex;
-    d.fragment = drawn.shaders.fragment.of(view);
+    d.vertex = forViews(context, drawn.shaders.vertex);
+    d.fragment = forViews(context, drawn.shaders.fragment.of(view));
     setGeometryConstants(d.constants, view, pass.rim);
     d.constants.set(layout::kSnapId, context.device.caps().snapPixels);
     if (pass.rim > 0) d.constants.set(layout::kFogId, view.effects.fog.range != Fog::Range::off);
@@ -245,10 +246,12 @@ void record(gpu::PassContext& context, const SceneView& view, const GeometryPass
     constants.cylinders = scene.cylinderCount;
     constants.primitives = scene.primitives();
     if (pass.rim > 0) constants.contourWidth = pass.rim;
+    if (context.views > 1) constants.contourDepth = view.otherAxis;
     for (const PlacedCopies::Call& call : callsOf(view, drawn.primitive)) {  // copies differ by their push constants
         const glm::vec4* rows = &view.copies.rows[3 * std::size_t{call.copy}];
         constants.row0 = rows[0], constants.row1 = rows[1], constants.row2 = rows[2];
         constants.numberBefore = call.copy * constants.primitives;
+        if (context.views > 1) constants.contourWidth = view.copies.otherShifts[call.copy];
         commands.pushConstants<layout::ViewConstants>(*layout.pipeline, kDraw, 0, constants);
         if (triangle) {
             commands.draw(3 * call.count, 1, 3 * call.first, 0);

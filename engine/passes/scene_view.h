@@ -40,6 +40,7 @@ struct SceneView {
     std::shared_ptr<const void> owner;  ///< keeps the buffers alive while a frame is in flight
     layout::ViewConstants constants{};  ///< those of a copy stay 0
     PlacedCopies copies;
+    float otherAxis = 0;                          ///< of two views: the other's axisPixel, along the picture's rows
     std::shared_ptr<const TileFrame> tiles;       ///< for the `tiles` path
     std::shared_ptr<const gpu::Buffer> copyRows;  ///< copies.rows on the device, for `deferred` shading
     bool coded = false;                           ///< write colour sRGB-coded, else linear

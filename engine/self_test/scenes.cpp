@@ -99,7 +99,7 @@ struct Seen {
 class Rays {
 public:
     Rays(const Representation& r, const View& view) : r_(r), view_(view) {
-        const auto seen = [&](const glm::vec3& p) { return view.rotation * glm::dvec3(p); };
+        const auto seen = [&](const glm::vec3& p) { return view.seen(glm::dvec3(p)); };
         for (const Sphere& s : r.spheres) centers_.push_back(seen(s.center));
         for (const Cylinder& c : r.cylinders) ends_.push_back({seen(c.a), seen(c.b)});
         for (const Triangle& t : r.triangles) {

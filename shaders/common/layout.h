@@ -116,8 +116,8 @@ struct ViewConstants {
     uint patchesInRow;   // of the atlas: of spheres, from bit 16 on of cylinders
     float clipNear;      // Z below this is clipped
     float clipFar;       // Z from this on is clipped
-    float contourWidth;  // of outlines, at z = 0
-    float contourDepth;  // minimum depth jump of an outline, Å
+    float contourWidth;  // of outlines, at z = 0; of two views, which have none: the other's row0.w
+    float contourDepth;  // minimum depth jump of an outline, Å; of two views: the other's axisPixel, along the rows
 };
 
 /// A light's view neither clips nor draws outlines. If the viewer's near plane clips (kCutId), these hold that plane:

@@ -2,6 +2,9 @@
 #ifndef NACRE_VIEW_GLSL
 #define NACRE_VIEW_GLSL
 #extension GL_GOOGLE_include_directive : require
+#ifdef EYES
+#extension GL_EXT_multiview : require
+#endif
 #include "layout.h"
 #include "turn.glsl"
 
@@ -27,8 +30,24 @@ uint copyIndex = 0u;
 #define copyRow2 view.row2
 #endif
 
+// EYES: a draw call draws two views, which differ by a shift and by their axis. The second's are where outlines would
+// be, which such frames have not.
+#if defined(EYES) && !defined(COPY_OF_PIXEL)
+#define copyShift (gl_ViewIndex == 0 ? view.row0.w : view.contourWidth)
+#else
+#define copyShift copyRow0.w
+#endif
+vec2 axisPixel() {
+#ifdef EYES
+    if (gl_ViewIndex > 0)
+        return (kQuarterTurns & 1) == 1 ? vec2(view.axisPixel.x, view.contourDepth)
+                                        : vec2(view.contourDepth, view.axisPixel.y);
+#endif
+    return view.axisPixel;
+}
+
 vec3 toView(vec3 p) {
-    precise vec3 v = vec3(fma(copyRow0.z, p.z, copyRow0.w), fma(copyRow1.z, p.z, copyRow1.w),
+    precise vec3 v = vec3(fma(copyRow0.z, p.z, copyShift), fma(copyRow1.z, p.z, copyRow1.w),
                           fma(copyRow2.z, p.z, copyRow2.w));
     precise vec3 w = vec3(fma(copyRow0.y, p.y, v.x), fma(copyRow1.y, p.y, v.y), fma(copyRow2.y, p.y, v.z));
     precise vec3 x = vec3(fma(copyRow0.x, p.x, w.x), fma(copyRow1.x, p.x, w.y), fma(copyRow2.x, p.x, w.z));
@@ -40,7 +59,7 @@ vec3 toObject(vec3 v) { return copyRow0.xyz * v.x + copyRow1.xyz * v.y + copyRow
 
 /// The point of the plane z = 0 that this pixel looks through, Å.
 vec2 planePoint(vec2 fragment) {
-    precise vec2 q = upright(fragment - view.axisPixel) * view.pixel;
+    precise vec2 q = upright(fragment - axisPixel()) * view.pixel;
     return vec2(q.x, -q.y);
 }
 /// Encoded depth, 0 near to 1 far, of a distance Z.
@@ -86,7 +105,7 @@ float reachOf(float z, float radius) {
 /// Clip position of a point of the plane z = 0 at encoded depth d. w = 1: depth is constant over a polygon.
 vec4 clipPosition(vec2 q, float d) {
     vec2 perPixel = 2.0 / vec2(view.extent & 0xffffu, view.extent >> 16);  // NDC
-    vec2 axis = view.axisPixel * ((kQuarterTurns & 1) == 1 ? perPixel.yx : perPixel) - 1.0;
+    vec2 axis = axisPixel() * ((kQuarterTurns & 1) == 1 ? perPixel.yx : perPixel) - 1.0;
     vec2 perAngstrom = perPixel / view.pixel;  // constant per draw, so drivers can hoist it
     vec2 from = turned(vec2(q.x, -q.y) * perAngstrom);
     return vec4(kWholeImage ? from + axis : from, clamp(d, 0.0, 1.0), 1.0);

@@ -82,6 +82,44 @@ TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
     }
 }
 
+TEST(WindowFrames, TwoEyesByEveryPathAreValid) {
+    const Representation r = scene("sample:glucose", Style::ballAndStick);
+    for (const Visibility path : kPaths) {
+        Renderer renderer(windowOptions(path));
+        renderer.setScene(r);
+        RenderSettings s = settings(r, 96, Projection::perspective);
+        EXPECT_EQ(renderer.present(s, {}), FrameOutcome::resized);
+        const PixelSize size = renderer.windowSize();
+        Camera camera;
+        camera.projection = Projection::perspective;
+        s.view = viewOf(camera, r.radius, size.width, size.height);
+        const Overlay overlay = triangle();
+        for (const bool beside : {true, false}) {
+            View middle = s.view;
+            if (beside) middle.width /= 2;
+            std::array<WindowEye, 2> eyes;
+            eyes[0].view = fromAside(middle, -0.5, middle.eyeDistance);
+            eyes[1].view = fromAside(middle, 0.5, middle.eyeDistance);
+            const View &left = eyes[0].view, &right = eyes[1].view;
+            if (beside) eyes[1].x = static_cast<std::int32_t>(middle.width);
+            if (!beside) eyes[0].channels = {{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+            for (const bool together : {true, false}) {
+                if (together) eyes[0].view.other = {right.shift.x - left.shift.x, right.pan.x - left.pan.x};
+                if (!together) eyes[0].view.other.reset();
+                for (WindowFrame frame : {WindowFrame{}, WindowFrame{Quality::live, 0.5, 1, 0, &overlay},
+                                          WindowFrame{Quality::refined, 1, 16, 0, nullptr},
+                                          WindowFrame{Quality::refined, 1, 16, 1, &overlay},
+                                          WindowFrame{Quality::kept, 1, 1, 0, &overlay}}) {
+                    frame.eyes = eyes;
+                    ASSERT_EQ(renderer.present(s, frame), FrameOutcome::shown);
+                }
+            }
+        }
+        for (const std::string& message : renderer.validationMessages()) ADD_FAILURE() << message;
+    }
+    haveSmallWindows();
+}
+
 TEST(WindowFrames, RestThroughALensTakesNoPassMore) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     Renderer renderer(windowOptions(Visibility::encoded));

@@ -93,6 +93,19 @@ Camera relativeCamera(Camera camera, double& radius) {
     return camera;
 }
 
+View fromAside(View view, double aside, double screen) {
+    view.shift.x -= aside;
+    view.pan.x += aside * view.eyeDistance / screen;
+    return view;
+}
+
+View otherView(View view) {
+    view.shift.x += view.other->shift;
+    view.pan.x += view.other->pan;
+    view.other.reset();
+    return view;
+}
+
 View scaled(View view, double factor) {
     const auto side = [&](std::uint32_t pixels) {
         return static_cast<std::uint32_t>(std::max(std::lround(pixels * factor), 1l));

@@ -45,12 +45,21 @@ struct Camera {
 struct View {
     std::uint32_t width = 0, height = 0;  ///< of the upright picture
     Projection projection = Projection::orthographic;
-    glm::dmat3 rotation{1.0};        ///< column-major as in GLM: v = rotation * (p - C)
+    glm::dmat3 rotation{1.0};        ///< column-major as in GLM: v = rotation * (p - C) + shift
     double radius = 1.0;             ///< R: bounding sphere about the origin, Å
     double eyeDistance = 0.0;        ///< Å; 0 if orthographic
     double pixelsPerAngstrom = 1.0;  ///< at z = 0
     glm::dvec2 pan{0.0};             ///< Å
-    int quarterTurns = 0;            ///< 0..3: clockwise quarter turns of the picture in the image (pre-rotation)
+    glm::dvec3 shift{0.0};           ///< of the scene after its rotation, Å: an eye beside the view axis sees it
+    /// Of two eyes' views this is the left one; the right one differs by these alone.
+    struct OtherEye {
+        double shift = 0, pan = 0;  ///< by which its shift.x and pan.x are larger
+    };
+    std::optional<OtherEye> other{};
+    int quarterTurns = 0;  ///< 0..3: clockwise quarter turns of the picture in the image (pre-rotation)
+
+    /// From the scene, relative to C, to view space.
+    glm::dvec3 seen(const glm::dvec3& p) const { return rotation * p + shift; }
 };
 
 glm::dmat3 rotationMatrix(const glm::dvec3& degrees);
@@ -67,6 +76,13 @@ Camera absoluteCamera(const View& view, double fovDegrees, const glm::dvec3& cen
 /// The same camera, with zoom and radius in place of scale and eye distance. @param radius  of the scene, Å; becomes
 /// that by which viewOf() finds the eye
 Camera relativeCamera(Camera camera, double& radius);
+
+/// The view of an eye beside the axis of a perspective view: parallel to it, with a shifted frustum.
+/// @param aside  Å to the right @param screen  Å from the eyes: points at this distance stay where they are
+View fromAside(View view, double aside, double screen);
+
+/// The right eye's view of two, alone. @param view  has View::other
+View otherView(View view);
 
 /// The same picture with `factor` times the pixels per side, at least one.
 View scaled(View view, double factor);

@@ -96,6 +96,7 @@ View throughLens(const RenderSettings& settings, View view, glm::dvec2 point) {
     const glm::dvec3 right = glm::normalize(glm::dvec3(1, 0, 0) - back.x * back);
     const glm::dmat3 rows(right, glm::cross(back, right), back);
     view.rotation = glm::transpose(rows) * view.rotation;
+    view.shift = glm::transpose(rows) * view.shift;
     view.pan -= turn * z * (isPerspective(view) ? center / focus : 1);
     return view;
 }

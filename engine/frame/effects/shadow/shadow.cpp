@@ -67,9 +67,10 @@ void addShadow(layout::EffectConstants& c, const RenderSettings& settings) {
     if (light.width == 0) return;
     const layout::ViewConstants seen = passes::viewConstants(light, light.width / 2.0, light.height / 2.0);
     const glm::dmat3 turn = light.rotation * glm::transpose(settings.view.rotation);  // from view space
+    const glm::dvec3 aside = turn * settings.view.shift;                              // eyes share the map
     const double perMap = light.pixelsPerAngstrom / light.width;
     const auto row = [&](int i, double scale, double shift) {
-        return glm::vec4(turn[0][i] * scale, turn[1][i] * scale, turn[2][i] * scale, shift);
+        return glm::vec4(turn[0][i] * scale, turn[1][i] * scale, turn[2][i] * scale, shift - aside[i] * scale);
     };
     // u, v and depth in the map as dot products with (x, y, z, 1).
     c.shadowU = row(0, perMap, 0.5);
