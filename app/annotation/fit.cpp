@@ -31,7 +31,7 @@ Hull hullOf(const View& view, const std::vector<glm::dvec4>& balls) {
     Hull hull;
     hull.reach.fill(-std::numeric_limits<double>::infinity());
     for (const glm::dvec4& ball : balls) {
-        const glm::dvec3 v = view.rotation * glm::dvec3(ball);
+        const glm::dvec3 v = view.seen(glm::dvec3(ball));
         const bool perspective = view.projection == Projection::perspective;
         const double magnify = perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1;
         const glm::dvec2 at = glm::dvec2(v.x, -v.y) * magnify;

@@ -15,7 +15,7 @@ public:
     explicit Eye(const View& view)
         : view_(view), eye_(view.projection == Projection::perspective ? view.eyeDistance : 0) {}
 
-    glm::dvec3 turned(const glm::dvec3& place) const { return view_.rotation * place; }
+    glm::dvec3 turned(const glm::dvec3& place) const { return view_.seen(place); }
     double magnified(double z) const { return eye_ > 0 ? eye_ / std::max(eye_ - z, 1e-6) : 1; }
     glm::dvec2 rayTo(const glm::dvec3& p) const { return glm::dvec2(p) * magnified(p.z); }
     glm::dvec3 origin(const glm::dvec2& ray) const { return eye_ > 0 ? glm::dvec3(0, 0, eye_) : glm::dvec3(ray, 0); }

@@ -41,7 +41,7 @@ Room::Room(const View& v, double em, const TextWidth& width) : view(v), size(em)
 }
 
 Room::Seen Room::seen(const glm::dvec3& place) const {
-    const glm::dvec3 v = view.rotation * place;
+    const glm::dvec3 v = view.seen(place);
     const bool perspective = view.projection == Projection::perspective;
     const double before = perspective ? view.eyeDistance - v.z : 1;
     const double magnify = perspective ? view.eyeDistance / before : 1;

@@ -11,6 +11,7 @@
 
 #include "app/cli/stats.h"
 #include "app/drawing/scenes.h"
+#include "app/drawing/stereo.h"
 #include "engine/devices.h"
 #include "engine/error.h"
 #include "engine/renderer.h"
@@ -55,7 +56,11 @@ Json timesJson(std::vector<double> samples) {
 RenderSettings benchFrame(const BenchOptions& options, double radius, int frame) {
     Camera camera = options.picture.camera;
     camera.rotationDegrees.y += 5.0 * frame;
-    return makeSettings(options.picture, camera, options.picture.size, radius);
+    const Stereo& stereo = options.picture.stereo;
+    if (stereo.on()) camera.projection = Projection::perspective;
+    RenderSettings settings = makeSettings(options.picture, camera, eyeSize(stereo, options.picture.size), radius);
+    if (stereo.both()) settings.view = eyesView(settings.view, stereo);
+    return settings;
 }
 
 /// Milliseconds that frames took by the clock, and of all processors together.

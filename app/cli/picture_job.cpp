@@ -74,7 +74,9 @@ void PictureJob::prepare(OpenScene* scene) {
 void PictureJob::drawPicture(Renderer& renderer) {
     const RenderSettings& settings = drawing_.settings;
     const auto draw = [&] {
-        if (settings.fine || drawing_.words.any())
+        if (drawing_.stereo().on())
+            picture_ = drawing_.drawAs(settings, renderer, nullptr, &ofWords_);
+        else if (settings.fine || drawing_.words.any())
             picture_ = renderer.render(settings);
         else
             codes_ = renderer.renderCoded(settings, hasAlpha(formatOf(options_), options_.output));
@@ -126,7 +128,7 @@ void PictureJob::draw(Canvas& canvas) {
     const RenderSettings& settings = drawing_.settings;
     drawing_.handOver(canvas);
     progress_.begin(settings.occlusion.directions ? "ambient occlusion" : "drawing");
-    if (isBanded(renderer, settings)) {
+    if (!drawing_.stereo().on() && isBanded(renderer, settings)) {
         drawInParts(renderer);
     } else {
         drawPicture(renderer);
@@ -149,7 +151,8 @@ void PictureJob::write() {
     if (codes_) {
         writePicture(pictureFile_, *codes_, formatOf(options_).dpi);
     } else if (!written_) {
-        for (const std::string& warning : drawing_.addWords(drawing_.settings, picture_)) sayWarning(warning);
+        if (!drawing_.stereo().on()) ofWords_ = drawing_.addWords(drawing_.settings, picture_);
+        for (const std::string& warning : ofWords_) sayWarning(warning);
         writePicture(pictureFile_, picture_, formatOf(options_));
     }
     if (viewFile_) writeText(*viewFile_, savedViewJson(withPathsIn(options_.saveView, drawing_.placed())));

@@ -46,6 +46,7 @@ private:
     Drawing drawing_;
     Picture picture_;
     std::optional<CodedPicture> codes_;  ///< instead of picture_
+    std::vector<std::string> ofWords_;   ///< warnings
     bool written_ = false;               ///< in parts, during drawing
     std::optional<LayerPicture> layers_;
     FrameStats frame_;

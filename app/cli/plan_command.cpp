@@ -51,7 +51,10 @@ std::optional<Representation> sceneOfInput(const PlanOptions& options) {
 
 RenderSettings planSettings(const PlanOptions& options, double radius) {
     const PictureDescription& picture = options.picture;
-    RenderSettings settings = makeSettings(picture, picture.camera, picture.size, radius);
+    Camera camera = picture.camera;
+    if (picture.stereo.on()) camera.projection = Projection::perspective;
+    RenderSettings settings = makeSettings(picture, camera, eyeSize(picture.stereo, picture.size), radius);
+    if (picture.stereo.both()) settings.view = eyesView(settings.view, picture.stereo);
     settings.supersample = options.edges ? RenderSettings::kEdges : 1;
     return settings;
 }
@@ -66,7 +69,7 @@ struct PlannedFrame {
 PlannedFrame framePlanned(const RenderSettings& settings, Part part, const SceneFacts& scene,
                           const graph::FrameCaps& caps) {
     PlannedFrame planned;
-    planned.choice = choose({settings, part, Ending::readBack}, scene, caps);
+    planned.choice = choose({settings, part, Ending::readBack, 0, false, settings.view.other.has_value()}, scene, caps);
     FrameShape shape;
     shape.choice = planned.choice;
     shape.choice.ending = Ending::left;
@@ -188,7 +191,8 @@ PlanReport planReport(const PlanOptions& options) {
     PlanReport report;
     report.caps = caps.plan.name;
     report.plannedWith = caps.plan;
-    report.decisions = explain({settings, Part::whole, Ending::readBack}, facts, caps);
+    report.decisions =
+        explain({settings, Part::whole, Ending::readBack, 0, false, settings.view.other.has_value()}, facts, caps);
     report.choice = planned.choice;
     if (!options.caps.empty()) report.facts = graph::capabilitySet(options.caps).facts;
     report.extent = {settings.view.width, settings.view.height};

@@ -40,6 +40,7 @@ Json renderPassJson(const PlanReport& report, const graph::RenderPassPlan& pass)
                                        {"load", loadName(a.load)},
                                        {"store", storeName(a.store)},
                                        {"samples", a.samples},
+                                       {"views", pass.layers},
                                        {"transient", a.transient},
                                        {"bytes", bytesOf(g.images()[a.image])}});
     for (const graph::Dependency& d : pass.dependencies)

@@ -49,7 +49,8 @@ void renderPassText(std::ostream& out, const PlanReport& report, const graph::Re
     bool depth = false;
     for (const graph::Attachment& a : pass.attachments) {
         depth = depth || graph::isDepthFormat(a.format);
-        const std::string samples = a.samples > 1 ? ", " + std::to_string(a.samples) + " samples" : std::string();
+        std::string samples = a.samples > 1 ? ", " + std::to_string(a.samples) + " samples" : std::string();
+        if (pass.viewMask != 0) samples += ", " + std::to_string(pass.layers) + " views";
         rows.push_back({g.images()[a.image].name, graph::formatName(a.format) + samples,
                         a.load == graph::Load::clear  ? "clear"
                         : a.load == graph::Load::load ? "load"
@@ -158,10 +159,13 @@ void memoryText(std::ostream& out, const PlanReport& report) {
     }
     rows.push_back({"total"});
     for (const graph::Plan* plan : {&report.plan, &report.unmerged, &report.paper}) cells(rows.back(), plan->total);
-    rows.push_back({"per pixel"});
+    const std::uint32_t views = report.choice.views;
+    rows.push_back({views > 1 ? "per pixel and eye" : "per pixel"});
     const std::uint64_t pixels = std::uint64_t{report.extent.width} * report.extent.height;
-    for (const graph::Plan* plan : {&report.plan, &report.unmerged, &report.paper})
-        cells(rows.back(), {plan->total.loaded / pixels, plan->total.stored / pixels});
+    for (const graph::Plan* plan : {&report.plan, &report.unmerged, &report.paper}) {
+        const std::uint64_t each = pixels * (plan == &report.paper ? 1 : views);
+        cells(rows.back(), {plan->total.loaded / each, plan->total.stored / each});
+    }
     table(out, "  ", rows, 1);
 }
 
@@ -219,6 +223,8 @@ std::string planText(const PlanReport& report) {
         << "visibility " << visibilityName(report.choice.path) << ": " << report.why() << "\n";
     out << "frames in motion: " << report.motion.count << (report.motion.count == 1 ? " sample" : " samples")
         << " per pixel (" << report.motion.why << ")\n";
+    for (const Decision& decision : report.decisions)
+        if (decision.what == "views") out << "stereo: " << decision.how << " (" << decision.why << ")\n";
     if (report.samples > 1)
         out << "pixels of a picture where colours change are the mean of " << report.samples << " samples\n";
     if (report.explained) {

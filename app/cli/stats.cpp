@@ -117,6 +117,13 @@ Json driverJson(const DriverFeedback& driver) {
     return {{"merges", merges}, {"transient_images", transients}};
 }
 
+Json stereoJson(const Stereo& stereo) {
+    if (!stereo.on()) return {};
+    return {{"mode", Stereo::kNames[static_cast<std::size_t>(stereo.mode)]},
+            {"eye_separation", *stereo.eyeSeparation},
+            {"screen_distance", *stereo.screenDistance}};
+}
+
 }  // namespace
 
 std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame) {
@@ -134,6 +141,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                     {"zoom", run.zoom},
                     {"clip", run.clip},
                     {"pan", {view.pan.x, view.pan.y}},
+                    {"stereo", stereoJson(run.stereo)},
                     {"uncover", run.uncovers.empty() ? Json() : Json(run.uncovers)}};
     const Uncovered& u = run.uncovered;
     json["uncovered"] = run.uncovers.empty() ? Json()

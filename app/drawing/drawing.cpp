@@ -26,6 +26,12 @@
 namespace nacre::app {
 namespace {
 
+/// Eyes need perspective. The scale at the picture's centre stays.
+Camera cameraOf(const PictureDescription& picture, Camera camera) {
+    if (picture.stereo.on()) camera.projection = Projection::perspective;
+    return camera;
+}
+
 /// Whether a description shows a frame of a trajectory other than the first, by the first frame's camera and choices.
 bool showsLaterFrame(const PictureDescription& picture) {
     const TrajectoryOptions& frames = picture.input.trajectory;
@@ -95,6 +101,18 @@ Moment momentOf(const Molecule& molecule, const PictureDescription& picture) {
     return moment;
 }
 
+/// Settings of what one eye sees, of a picture of one.
+RenderSettings settingsOfEye(RenderSettings settings, const Stereo& stereo) {
+    if (stereo.on())
+        settings.view = eyeView(settings.view, stereo, stereo.mode == Stereo::Mode::left ? Eye::left : Eye::right);
+    return settings;
+}
+/// Of both eyes.
+RenderSettings settingsOfEyes(RenderSettings settings, const Stereo& stereo) {
+    settings.view = eyesView(settings.view, stereo);
+    return settings;
+}
+
 }  // namespace
 
 Rebuild rebuildFor(const PictureDescription& before, const PictureDescription& after, CameraBy by) {
@@ -152,7 +170,7 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
     description_ = description;
     if (another) rebuildScene(frame, now);
     Aimed aim;
-    aim.camera = description_.camera;
+    aim.camera = cameraOf(description_, description_.camera);
     if (description_.aim.center) aim.camera.center = scene_->center;
     const bool follow = description_.maps.aroundFocus && !description_.maps.files.empty();
     const auto drawMaps = [&] {
@@ -164,8 +182,9 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
     if (!follow) drawMaps();
     if (by_ == CameraBy::description) {
         const double framed = std::max(radius_, follow ? 0 : maps_.frame);
-        aim = aimed(aim.camera, sharedAim(first, description_, frame), *facts_,
-                    {*scene_, framed, follow ? nullptr : &maps_.shown}, description_.size);
+        aim =
+            aimed(aim.camera, sharedAim(first, description_, frame), *facts_,
+                  {*scene_, framed, follow ? nullptr : &maps_.shown}, eyeSize(description_.stereo, description_.size));
         if (description_.given.contains("scale")) {  // also of a close-up
             aim.camera.scale = description_.camera.scale;
             aim.camera.zoom = description_.camera.zoom;
@@ -219,7 +238,7 @@ void Drawing::rebuildScene(const std::optional<Bounds>& frame, const Molecule* n
 }
 
 RenderSettings Drawing::settingsFor(const PictureDescription& picture, const Camera& camera, const Size& size) const {
-    RenderSettings result = makeSettings(picture, camera, size, radius());
+    RenderSettings result = makeSettings(picture, cameraOf(picture, camera), size, radius());
     if (scene_ && facts_ && tooManyToOcclude(*scene_, facts_->molecule())) result.occlusion.directions = 0;
     if (reach() > result.view.radius) reachTo(result.view, reach());
     // Of more shapes it would hold up a camera that a hand moves: then finish() places it, in files.
@@ -230,9 +249,12 @@ RenderSettings Drawing::settingsFor(const PictureDescription& picture, const Cam
 }
 
 void Drawing::setView(const PictureDescription& picture, const Camera& camera) {
-    settings = settingsFor(picture, camera, picture.size);
+    stereo_ = picture.stereo;
+    size_ = picture.size;
+    const Size eye = eyeSize(stereo_, size_);
+    settings = settingsFor(picture, camera, eye);
     depthShift_ =
-        depthOrigin(settings.view) - depthOrigin(viewOf(camera, radius(), picture.size.width, picture.size.height));
+        depthOrigin(settings.view) - depthOrigin(viewOf(cameraOf(picture, camera), radius(), eye.width, eye.height));
 }
 
 void Drawing::takeCamera(Camera& camera) {
@@ -253,10 +275,10 @@ void Drawing::applySceneFile() {
     const SceneCamera* camera = sceneCamera(molecule, description_);
     seenByScene_ = camera != nullptr;
     if (!camera) return;
-    const bool ortho =
-        description_.given.contains("projection") && description_.camera.projection == Projection::orthographic;
-    const SceneView seen =
-        viewOf(*camera, description_.camera, ortho, reach(), description_.size.width, description_.size.height);
+    const bool ortho = description_.given.contains("projection") && !stereo_.on() &&
+                       description_.camera.projection == Projection::orthographic;
+    const Size eye = eyeSize(stereo_, size_);
+    const SceneView seen = viewOf(*camera, description_.camera, ortho, reach(), eye.width, eye.height);
     settings.view = seen.view;
     Clip& clip = settings.effects.clip;
     clip.near = std::max(clip.near, seen.clip.near);
@@ -290,6 +312,8 @@ void Drawing::finish(const PictureDescription& picture) {
     warnings = molecule.guide ? molecule.guide->warnings : std::vector<std::string>();
     append(warnings, scene_->warnings);
     append(warnings, maps_.warnings);
+    if (stereo_.on() && picture.camera.projection == Projection::orthographic && picture.given.contains("projection"))
+        warnings.push_back("--stereo is drawn in perspective, since two orthographic views show no depth");
     placePictureWords(picture);
     for (std::string& idle : idleOptions(picture, *scene_, settings.effects, scene_->radius))
         warnings.push_back(std::move(idle));
@@ -343,6 +367,7 @@ void Drawing::setStats() {
     run.atomsRead = molecule.atoms.size();
     run.bondsKnown = molecule.bonds.size();
     run.center = scene_->center;
+    if (stereo_.on()) run.stereo = app::placed(stereo_, settings.view);
     run.atomsDrawn = scene_->drawnAtoms;
     run.bondsDrawn = scene_->drawnBonds;
     run.triangles = scene_->triangles.size();
@@ -416,14 +441,11 @@ void Drawing::handOver(Canvas& canvas) {
 
 Picture Drawing::draw(Canvas& canvas, std::vector<std::string>* said) {
     show(canvas);
-    Picture picture = canvas.renderer.render(settings);
-    const std::vector<std::string> ofWords = addWords(settings, picture);
-    if (said) said->insert(said->end(), ofWords.begin(), ofWords.end());
-    return picture;
+    return drawAs(settings, canvas.renderer, nullptr, said);
 }
 
 CodedPicture Drawing::drawCoded(Canvas& canvas, bool alpha, std::vector<std::string>* said) {
-    if (words.any()) return coded(draw(canvas, said), alpha);
+    if (words.any() || stereo_.on()) return coded(draw(canvas, said), alpha);
     show(canvas);
     return canvas.renderer.renderCoded(settings, alpha);
 }
@@ -434,15 +456,33 @@ void Drawing::startCoded(Canvas& canvas, bool alpha) {
 }
 
 LayerPicture Drawing::layers(Renderer& renderer) const {
-    LayerPicture layers = renderer.layers(settings);
+    LayerPicture layers = stereo_.both()
+                              ? joinEyes(stereo_, size_, renderer.layersOfEyes(settingsOfEyes(settings, stereo_)))
+                              : renderer.layers(settingsOfEye(settings, stereo_));
     if (depthShift_ != 0)  // the background's infinity stays
         for (float& z : layers.z) z = static_cast<float>(static_cast<double>(z) - depthShift_);
     return layers;
 }
 
-Picture Drawing::drawAs(const RenderSettings& drawn, Renderer& renderer, WordMemory* memory) const {
-    Picture picture = renderer.render(drawn);
-    addWords(drawn, picture, memory);
+Picture Drawing::drawAs(const RenderSettings& drawn, Renderer& renderer, WordMemory* memory,
+                        std::vector<std::string>* said) const {
+    std::vector<std::string> ofWords;
+    Picture picture;
+    if (stereo_.both()) {
+        WordMemory own;  // both eyes have a label at the same side of its atom
+        RenderSettings eye = settingsOfEyes(drawn, stereo_);
+        std::array<Picture, 2> eyes = renderer.renderEyes(eye);
+        for (std::size_t i = 0; i < eyes.size(); ++i) {
+            if (i == 1) eye.view = otherView(eye.view);
+            ofWords = addWords(eye, eyes[i], memory ? memory : &own);
+        }
+        picture = joinEyes(stereo_, size_, eyes);
+    } else {
+        const RenderSettings eye = settingsOfEye(drawn, stereo_);
+        picture = renderer.render(eye);
+        ofWords = addWords(eye, picture, memory);
+    }
+    if (said) append(*said, ofWords);
     return picture;
 }
 

@@ -13,6 +13,7 @@
 #include "app/drawing/map_layers.h"
 #include "app/drawing/moving_picture.h"
 #include "app/drawing/run_stats.h"
+#include "app/drawing/stereo.h"
 #include "app/picture/description.h"
 #include "engine/molecule/residue_facts.h"
 #include "engine/renderer.h"
@@ -95,15 +96,18 @@ public:
     Picture draw(Canvas& canvas, std::vector<std::string>* said = nullptr);
     /// As above, in 8 bits per channel.
     CodedPicture drawCoded(Canvas& canvas, bool alpha, std::vector<std::string>* said = nullptr);
-    /// Whether startCoded() serves: no words are drawn, and 8 bits per channel hold the picture.
-    bool startsCoded() const { return !words.any() && !settings.fine; }
+    /// Whether startCoded() serves: no words are drawn, 8 bits per channel hold the picture, and it is one frame.
+    bool startsCoded() const { return !words.any() && !settings.fine && !stereo().on(); }
     /// Starts a picture of drawCoded(), which the renderer's finishCoded() returns.
     void startCoded(Canvas& canvas, bool alpha);
     /// Layers of the scene on the renderer. Depths of all frames of a trajectory have one origin.
     LayerPicture layers(Renderer& renderer) const;
     /// A picture of the scene on the renderer by other settings: another view or clipping.
-    /// @param memory  of a sequence of pictures
-    Picture drawAs(const RenderSettings& settings, Renderer& renderer, WordMemory* memory = nullptr) const;
+    /// @param memory  of a sequence of pictures @param said  gets warnings of words, if given
+    Picture drawAs(const RenderSettings& settings, Renderer& renderer, WordMemory* memory = nullptr,
+                   std::vector<std::string>* said = nullptr) const;
+    /// Of the last picture. Its `settings` are those of a point midway between the eyes.
+    const Stereo& stereo() const { return stereo_; }
     /// Draws the words into a picture. @param drawn  its settings @returns warnings of them
     std::vector<std::string> addWords(const RenderSettings& drawn, Picture& picture,
                                       WordMemory* memory = nullptr) const;
@@ -181,6 +185,8 @@ private:
     std::uint64_t sceneNumber_ = 0;  ///< of scene_
     std::uint64_t number_ = 0;       ///< of scene_ with maps_
     bool seenByScene_ = false;       ///< from where a scene file's camera stands
+    Stereo stereo_;                  ///< of the last picture
+    Size size_;                      ///< likewise, of both eyes
     bool cutsScene_ = false;         ///< scene_ lacks what that camera's planes cut away
     double radius_ = 0;              ///< that the camera takes in, Å, without maps
     /// Å by which the origin of depths moved back for atoms beyond the reach of the trajectory's first frame.

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/picture/stereo.h"
 #include "engine/results.h"
 #include "engine/scene/build/representation.h"
 #include "engine/scene/view/uncover.h"
@@ -18,6 +19,7 @@ struct RunStats {
     glm::dvec3 center{};                      ///< of the view, Å
     double zoom = 1;                          ///< of the view
     std::string clip;                         ///< in the format of --clip
+    Stereo stereo;                            ///< with its distances, if it is on
     std::string uncovers;                     ///< the selection to uncover; empty: none
     Uncovered uncovered;
     std::vector<Legend> legends;

@@ -96,22 +96,8 @@ float drawStatus(PanelFrame& f, const std::string& text, float bottom, bool stro
     return low.y;
 }
 
-}  // namespace
-
-/// Labels, measurements, legend and the like, as in saved pictures.
-void drawWords(PanelFrame& f) {
-    const PlacedWords& words = f.viewer.words().placed();
-    // As in a picture of the free area, with the molecule beside the legend.
-    RenderSettings settings = f.viewer.frames().pictureSettings(f.viewer.frames().freeSize());
-    const float taken = f.s.legendRoom;
-    settings.view.width += static_cast<std::uint32_t>(taken);
-    settings.view.pan.x -= static_cast<double>(taken) / 2 / settings.view.pixelsPerAngstrom;
-    f.s.legendRoom = words.legends.empty() ? 0 : legendRoom(words, settings.view, f.viewer.words().size());
-    if (f.s.legendRoom != taken) f.s.restless = std::max(f.s.restless, 2);
-    if (!words.any()) return;
-    const Marks marks = layOut(words, settings.view, f.viewer.words().size(), f.viewer.view().words.color,
-                               f.viewer.view().background, textWidth, settings.effects.clip, &f.s.wordMemory);
-    const glm::dvec2 corner = f.viewer.frames().freeCorner();
+/// Draws marks of a part of the window.
+void drawMarks(const Marks& marks, const glm::dvec2& corner) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const auto placeOf = [&](const glm::dvec2& p) { return place(p + corner); };
     const auto haloWidth = static_cast<float>(marks.haloWidth);
@@ -142,16 +128,46 @@ void drawWords(PanelFrame& f) {
         drawText(list, text, corner, text.color ? text.color : marks.color, marks.halo, haloWidth);
 }
 
+}  // namespace
+
+/// Labels, measurements, legend and the like, as in saved pictures.
+void drawWords(PanelFrame& f) {
+    const PlacedWords& words = f.viewer.words().placed();
+    const float taken = f.s.legendRoom;
+    const Clip& clip = f.viewer.frames().settings().effects.clip;
+    const std::vector<FreePart> parts = f.viewer.frames().freeParts();
+    for (const FreePart& part : parts) {
+        // As in a picture of the free area, with the molecule beside the legend.
+        View view = part.view;
+        const double share = static_cast<double>(part.view.width) / f.viewer.frames().freeSize().width;
+        const double own = taken * share;
+        view.width += static_cast<std::uint32_t>(own);
+        view.pan.x -= own / 2 / view.pixelsPerAngstrom;
+        if (&part == &parts.front())
+            f.s.legendRoom = words.legends.empty()
+                                 ? 0
+                                 : legendRoom(words, view, f.viewer.words().size()) / static_cast<float>(share);
+        if (!words.any()) continue;
+        drawMarks(layOut(words, view, f.viewer.words().size(), f.viewer.view().words.color, f.viewer.view().background,
+                         textWidth, clip, &f.s.wordMemory),
+                  part.corner);
+    }
+    if (f.s.legendRoom != taken) f.s.restless = std::max(f.s.restless, 2);
+}
+
 void drawAnnotations(PanelFrame& f) {
     const Annotations a = f.viewer.picking().annotations();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();  // beneath panel and help
     const auto placeOf = [&](const glm::dvec2& points) { return place(points * f.s.pixelsPerPoint); };
     constexpr std::pair<ImU32, float> kPens[] = {{kMarkEdge, 5.0f}, {kMark, 2.0f}};
-    for (std::size_t i = 1; i < a.atoms.size(); ++i)
-        for (const auto& [color, points] : kPens)
-            list.AddLine(placeOf(a.atoms[i - 1]), placeOf(a.atoms[i]), color, f.ui.px(points));
-    for (const glm::dvec2& atom : a.atoms)
-        for (const auto& [color, points] : kPens) list.AddCircle(placeOf(atom), f.ui.px(8), color, 24, f.ui.px(points));
+    for (const std::vector<glm::dvec2>* atoms : {&a.atoms, &a.otherAtoms}) {
+        for (std::size_t i = 1; i < atoms->size(); ++i)
+            for (const auto& [color, points] : kPens)
+                list.AddLine(placeOf((*atoms)[i - 1]), placeOf((*atoms)[i]), color, f.ui.px(points));
+        for (const glm::dvec2& atom : *atoms)
+            for (const auto& [color, points] : kPens)
+                list.AddCircle(placeOf(atom), f.ui.px(8), color, 24, f.ui.px(points));
+    }
     drawHint(f, a.coarse);
     if (!a.error.empty()) return;  // that comes first
     float bottom = f.s.freeRoom().bottom - f.ui.px(14);

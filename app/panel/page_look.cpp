@@ -91,6 +91,7 @@ void drawLookPage(PanelFrame& f) {
     if (f.ui.chooseColor("Custom background", own, side, named)) look.background = {own[0], own[1], own[2], 1};
     f.ui.heading("Light");
     for (const char* key : {"lighting", "occlusion", "projection"}) toggleOption(f, key);
+    chooseOption(f, "stereo");
     drawMaps(f);
     drawEffects(f);
 }

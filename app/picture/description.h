@@ -14,6 +14,7 @@
 #include "app/picture/input_options.h"
 #include "app/picture/map_options.h"
 #include "app/picture/option_values.h"
+#include "app/picture/stereo.h"
 #include "app/picture/words.h"
 #include "engine/debug_view.h"
 #include "engine/device_options.h"
@@ -48,6 +49,7 @@ struct PictureDescription {
     void mapsChanged() { look.usual = maps.files.empty() ? Style::spacefill : Style::licorice; }
 
     Camera camera;
+    Stereo stereo;
     Aim aim = Aim::standard();
     Words words;
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha

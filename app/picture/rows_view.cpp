@@ -13,6 +13,8 @@ using T = std::string_view;
 using enum Option::Kind;
 using enum Option::Save;
 
+constexpr double kLargestLength = 1e9;  // Å
+
 inline constexpr std::array<const char*, 2> kProjections{"ortho", "perspective"};
 
 template <std::size_t count>
@@ -114,6 +116,41 @@ std::vector<Option> cameraRows() {
          .print = printNamed<kProjections, &P::camera, &Camera::projection>,
          .save = always,
          .control = {.label = "Perspective", .choices = {{"off", "ortho"}, {"on", "perspective"}}}},
+        {.key = "stereo",
+         .syntax = "MODE",
+         .standard = "=",
+         .help = "Two eyes in one picture: side-by-side (each with half the width), cross-eyed (the same, exchanged),\n"
+                 "top-bottom, anaglyph (red and cyan glasses); or one: left, right. Always in perspective",
+         .parse = parseNamed<Stereo::kNames, &P::stereo, &Stereo::mode>,
+         .print = printNamed<Stereo::kNames, &P::stereo, &Stereo::mode>,
+         .save = differing,
+         .choices = {Stereo::kNames.begin(), Stereo::kNames.end()},
+         .control = {.label = "Stereo",
+                     .choices = {{"Off", "off"},
+                                 {"Anaglyph", "anaglyph", "For glasses with a red left and a cyan right filter."},
+                                 {"Side by side", "side-by-side", "The left eye's picture is on the left."},
+                                 {"Cross-eyed", "cross-eyed", "The left eye's picture is on the right."},
+                                 {"Top and bottom", "top-bottom", "The left eye's picture is on top."},
+                                 {"Left eye", "left", "What the left eye sees."},
+                                 {"Right eye", "right", "What the right eye sees."}}}},
+        {.key = "eye-separation",
+         .syntax = "A",
+         .standard = "1/30 of the screen distance",
+         .help = "Å between the eyes of --stereo: more gives more depth",
+         .parse = [](T text, P& d) { d.stereo.eyeSeparation = parseNumber(text, 0, kLargestLength); },
+         .print = [](const P& d) { return d.stereo.eyeSeparation ? exactText(*d.stereo.eyeSeparation) : ""; },
+         .save = differing,
+         .number = Option::Number::real,
+         .needs = "stereo"},
+        {.key = "screen-distance",
+         .syntax = "A",
+         .standard = "that of the picture's centre",
+         .help = "Å from the eyes of --stereo to what appears at the screen; nearer parts appear in front of it",
+         .parse = [](T text, P& d) { d.stereo.screenDistance = parseNumber(text, 1e-3, kLargestLength); },
+         .print = [](const P& d) { return d.stereo.screenDistance ? exactText(*d.stereo.screenDistance) : ""; },
+         .save = differing,
+         .number = Option::Number::real,
+         .needs = "stereo"},
         {.key = "fov",
          .syntax = "DEGREES",
          .standard = "=",
@@ -151,7 +188,7 @@ std::vector<Option> cameraRows() {
          .save = differing},
         {.key = "eye-distance",
          .facet = Facet::view,
-         .parse = [](T text, P& d) { d.camera.eyeDistance = parseNumber(text, 1e-3, 1e9); },
+         .parse = [](T text, P& d) { d.camera.eyeDistance = parseNumber(text, 1e-3, kLargestLength); },
          .print = [](const P& d) { return d.camera.eyeDistance ? exactText(*d.camera.eyeDistance) : ""; },
          .save = differing,
          .number = Option::Number::real},

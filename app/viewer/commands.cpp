@@ -51,6 +51,7 @@ constexpr Binding kBindings[] = {
     {C::water, key(U'w'), "W", "Show or hide water"},
     {C::hydrogens, key(U'h'), "H", "Show or hide hydrogens"},
     {C::perspective, key(U'v'), "V", "Perspective or orthographic"},
+    {C::stereo, key(U'x'), "X", "Stereo: off, anaglyph, side by side ..."},
     {C::lighting, key(U'l'), "L", "Lighting on or off"},
     {C::occlusion, key(U'o'), "O", "Ambient occlusion on or off"},
     {C::measure, key(U'u'), "U", "Measure distances, angles, torsions, or nothing"},

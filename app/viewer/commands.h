@@ -47,6 +47,7 @@ enum class ViewerCommand {
     water,
     hydrogens,
     perspective,
+    stereo,
     lighting,
     occlusion,
     measure,

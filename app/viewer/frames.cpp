@@ -36,6 +36,22 @@ std::uint32_t mixed(std::uint32_t color, std::uint32_t with, double share) {
     return result;
 }
 
+/// A view with room around it. @param corner  of the view in the whole, pixels
+View wholePart(View view, const glm::dvec2& corner, std::uint32_t width, std::uint32_t height) {
+    const glm::dvec2 from = glm::dvec2(width, height) / 2.0, to = corner + glm::dvec2(view.width, view.height) / 2.0;
+    view.pan += glm::dvec2(to.x - from.x, from.y - to.y) / view.pixelsPerAngstrom;
+    view.width = width;
+    view.height = height;
+    return view;
+}
+
+/// So that one frame can draw both.
+std::array<WindowEye, 2> paired(std::array<WindowEye, 2> eyes) {
+    View &left = eyes[0].view, &right = eyes[1].view;
+    left.other = {right.shift.x - left.shift.x, right.pan.x - left.pan.x};
+    return eyes;
+}
+
 /// Colours the marked atoms of a scene.
 void applyMarks(const Highlights& marks, Representation& scene) {
     if (!marks.any()) return;
@@ -81,12 +97,59 @@ PixelSize Frames::freeSize() const {
 
 RenderSettings Frames::settings() const {
     RenderSettings s = pictureSettings(freeSize());
-    s.view.width = size_.width;
-    s.view.height = size_.height;
     // From the window's centre to that of the free area.
-    s.view.pan +=
-        glm::dvec2(covered_.left - covered_.right, covered_.bottom - covered_.top) / 2.0 / s.view.pixelsPerAngstrom;
+    s.view = wholePart(s.view, freeCorner(), size_.width, size_.height);
+    if (const Stereo& stereo = stage_.view().stereo; stereo.on() && !stereo.both() && stage_.shown())
+        s.view = eyeView(s.view, stereo, stereo.mode == Stereo::Mode::left ? Eye::left : Eye::right);
     return s;
+}
+
+std::vector<FreePart> Frames::freeParts() const {
+    const Stereo& stereo = stage_.view().stereo;
+    const PixelSize free = freeSize();
+    const glm::ivec2 window(size_.width, size_.height);
+    if (!stereo.both() || stereo.mode == Stereo::Mode::anaglyph || !stage_.shown()) {
+        View view = pictureSettings(free).view;
+        if (stereo.on() && !stereo.both() && stage_.shown())
+            view = eyeView(view, stereo, stereo.mode == Stereo::Mode::left ? Eye::left : Eye::right);
+        return {{view, freeCorner(), {0, 0}, window}};
+    }
+    // The eyes share what is free. Each part reaches as far beyond it as the larger of both has to.
+    const Size size = eyeSize(stereo, {free.width, free.height});
+    const View middle = pictureSettings({size.width, size.height}).view;
+    const int axis = stereo.beside() ? 0 : 1;
+    const int border = static_cast<int>(freeCorner()[axis]) +
+                       (axis == 0 ? static_cast<int>(size.width) : static_cast<int>(size.height));
+    glm::ivec2 whole = window;
+    whole[axis] = std::max(border, window[axis] - border);
+    std::vector<FreePart> parts;
+    for (const Eye eye : kEyes) {
+        const bool second = (eye == Eye::right) != (stereo.mode == Stereo::Mode::crossEyed);
+        FreePart part{eyeView(middle, stereo, eye), freeCorner(), {0, 0}, whole};
+        if (second) part.corner[axis] = border;
+        part.from[axis] = second ? border : border - whole[axis];
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+std::optional<std::array<WindowEye, 2>> Frames::eyes(const RenderSettings& settings) const {
+    const Stereo& stereo = stage_.view().stereo;
+    if (!stereo.both() || !stage_.shown()) return std::nullopt;
+    std::array<WindowEye, 2> eyes;
+    if (stereo.mode == Stereo::Mode::anaglyph) {
+        for (std::size_t i = 0; i < 2; ++i) eyes[i].view = eyeView(settings.view, stereo, kEyes[i]);
+        eyes[0].channels = kAnaglyphLeft, eyes[1].channels = kAnaglyphRight;
+        return paired(eyes);
+    }
+    const std::vector<FreePart> parts = freeParts();
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto& [view, corner, from, size] = parts[i];
+        eyes[i] = {wholePart(view, corner - glm::dvec2(from), static_cast<std::uint32_t>(size.x),
+                             static_cast<std::uint32_t>(size.y)),
+                   from.x, from.y};
+    }
+    return paired(eyes);
 }
 
 RenderSettings Frames::pictureSettings(PixelSize size) const {
@@ -121,7 +184,7 @@ Picture Frames::draw(Renderer& renderer, PictureDescription picture) {
 }
 
 glm::dvec2 Frames::pointOf(const glm::dvec3& place, const View& view) const {
-    const glm::dvec3 v = view.rotation * place;
+    const glm::dvec3 v = view.seen(place);
     const double magnify =
         view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1.0;
     const glm::dvec2 q = (glm::dvec2(v) * magnify + view.pan) * view.pixelsPerAngstrom;
@@ -131,7 +194,16 @@ glm::dvec2 Frames::pointOf(const glm::dvec3& place, const View& view) const {
 std::optional<std::uint32_t> Frames::atomAt(glm::dvec2 at, double reach, double now) {
     if (!stage_.shown() || !sceneThere_) return std::nullopt;
     try {
-        return screen_.atomAt(settings(), at.x * scale_, at.y * scale_, reach * scale_);
+        RenderSettings s = settings();
+        glm::dvec2 pixel = at * scale_;
+        if (const auto both = eyes(s); both && stage_.view().stereo.mode != Stereo::Mode::anaglyph) {
+            const auto isAt = [&](const WindowEye& eye) { return pixel.x >= eye.x && pixel.y >= eye.y; };
+            const std::size_t second = (*both)[0].x + (*both)[0].y > (*both)[1].x + (*both)[1].y ? 0 : 1;
+            const WindowEye& eye = (*both)[isAt((*both)[second]) ? second : 1 - second];
+            s.view = eye.view;
+            pixel -= glm::dvec2(eye.x, eye.y);
+        }
+        return screen_.atomAt(s, pixel.x, pixel.y, reach * scale_);
     } catch (const Error& error) {
         if (!noticeLoss()) stage_.messages.say(error.what(), now);
         return std::nullopt;
@@ -296,7 +368,9 @@ void Frames::draw(const FrameSchedule::Next& next, double now, bool moving,
     if (overlay) frame_.overlay = overlay();
     FrameOutcome outcome = FrameOutcome::lost;
     try {
-        outcome = screen_.present(settings(), frame_);
+        const RenderSettings s = settings();
+        frame_.eyes = eyes(s);
+        outcome = screen_.present(s, frame_);
         frameRetry_.succeeded();
     } catch (const Error& error) {
         return failed(error, frameRetry_, now);

@@ -3,6 +3,7 @@
 // and retried a little later. The shell replaces a lost device.
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -50,6 +51,13 @@ struct Highlights {
     friend bool operator==(const Highlights&, const Highlights&) = default;
 };
 
+/// A free part of the window, as a picture.
+struct FreePart {
+    View view;
+    glm::dvec2 corner;      ///< in the window, pixels
+    glm::ivec2 from, size;  ///< with what is covered, and as large as the other eye's: may reach beyond the window
+};
+
 class Frames {
 public:
     Frames(Screen& screen, Stage& stage, const ViewerOptions& options)
@@ -73,6 +81,10 @@ public:
     RenderSettings settings() const;
     /// As above, centred in a picture of another size.
     RenderSettings pictureSettings(PixelSize size) const;
+    /// The rest, or its half for each eye of a view that has them side by side: left, right.
+    std::vector<FreePart> freeParts() const;
+    /// What both eyes see, if the view has two: settings() is that of a point midway between them. @param settings  it
+    std::optional<std::array<WindowEye, 2>> eyes(const RenderSettings& settings) const;
     /// A picture of the document for a file, with its words. @param picture  its camera, size, shading and words
     /// @throws Error
     Picture draw(Renderer& renderer, PictureDescription picture);

@@ -202,7 +202,6 @@ Annotations Picking::annotations() const {
     a.coarse = frames_.coarseness();
     if (!stage_.shown()) return a;
     const Document& document = stage_.document;
-    const View view = frames_.settings().view;
     if (const DrawnContact* contact = hovers() ? document.drawing.scene().contactOf(hovered_) : nullptr)
         a.hover = contactText(*document.molecule, contact->interaction);
     else if (const std::uint32_t note = hovers() ? document.drawing.scene().noteOf(hovered_) : 0; note > 0)
@@ -213,8 +212,13 @@ Annotations Picking::annotations() const {
     for (const std::uint32_t pick : picks_) {
         const glm::dvec3 place = document.placed->atoms[pick].position;
         places.push_back(place);
-        a.atoms.push_back(frames_.pointOf(place - document.drawing.scene().center, view));
     }
+    const std::vector<FreePart> parts = frames_.freeParts();
+    for (const FreePart& part : parts)
+        for (const glm::dvec3& place : places)
+            (&part == &parts[0] ? a.atoms : a.otherAtoms)
+                .push_back(frames_.pointOf(place - document.drawing.scene().center, part.view) +
+                           part.corner / frames_.pixelsPerPoint());
     if (!picks_.empty()) a.atom = atomText(*document.molecule, picks_.back());
     a.measurement = measurement(places);
     return a;

@@ -12,13 +12,14 @@ namespace nacre::app {
 
 /// Overlay data for a shell, in points from the window's top left.
 struct Annotations {
-    std::vector<glm::dvec2> atoms;  ///< picked, in order; lines connect them
-    std::string atom;               ///< description of the last one
-    std::string measurement;        ///< their measurement, or how many more atoms it needs
-    std::string message;            ///< of the last command, or an error
-    std::string error;              ///< an error, until it is dismissed (ViewerOptions::errorsStay)
-    std::string hover;              ///< under the pointer
-    std::string coarse;             ///< notice of reduced resolution during motion
+    std::vector<glm::dvec2> atoms;       ///< picked, in order; lines connect them
+    std::vector<glm::dvec2> otherAtoms;  ///< the same for the right eye, beside or below the left one
+    std::string atom;                    ///< description of the last one
+    std::string measurement;             ///< their measurement, or how many more atoms it needs
+    std::string message;                 ///< of the last command, or an error
+    std::string error;                   ///< an error, until it is dismissed (ViewerOptions::errorsStay)
+    std::string hover;                   ///< under the pointer
+    std::string coarse;                  ///< notice of reduced resolution during motion
 };
 
 /// The selection: typed text, or clicked atoms.

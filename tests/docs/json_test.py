@@ -76,7 +76,7 @@ class Keys(unittest.TestCase):
             def stats(*words):
                 self.run_in(folder, "render", *words, "-o", "a.png", "--stats", "s.json", *SMALL)
                 return json.loads(pathlib.Path(folder, "s.json").read_text())
-            outputs = [stats("sample:dna", "--style", "cartoon", "--visibility", "fragdepth", "--supersample", "1"), stats("sample:dna", "--zoom-to", "chain A and resi 3")]
+            outputs = [stats("sample:dna", "--style", "cartoon", "--visibility", "fragdepth", "--supersample", "1"), stats("sample:dna", "--zoom-to", "chain A and resi 3", "--stereo", "left")]
             self.assertEqual(set(outputs[0]), set(outputs[1]))
             # Copies that are far away have levels; no sample does.
             outputs.append({"atoms": {"levels": [{"error": 0, "copies": 0, "spheres": 0}]}})

@@ -193,7 +193,7 @@ TEST(Panel, RibbonsAndSurfacesLetThroughWhatASliderSays) {
 }
 
 TEST(Panel, LinesHalosAndFogHaveSlidersAndColours) {
-    Bench b("sample:dna", {1600, 1500});
+    Bench b("sample:dna", {1600, 1600});
     const auto effects = [&]() -> const Effects& { return b.viewer.view().effects; };
     const auto slideTo = [&](const std::string& name, double share) {
         const Control* slider = b.find(name, "slider");

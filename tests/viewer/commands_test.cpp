@@ -26,7 +26,7 @@ TEST(Commands, EveryCommandHasAKeyOfItsOwn) {
         EXPECT_TRUE(bound) << c;
     }
     EXPECT_EQ(commandOf({U'?', {true, false}}), ViewerCommand::help);  // wherever the layout has it
-    EXPECT_EQ(commandOf({U'x', {}}), std::nullopt);
+    EXPECT_EQ(commandOf({U'y', {}}), std::nullopt);
 }
 
 }  // namespace

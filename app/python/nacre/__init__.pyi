@@ -81,6 +81,9 @@ class Options(TypedDict, total=False):
     surface_color_from: str | float
     primitives: str | Sequence[str]
     projection: str
+    stereo: str
+    eye_separation: str | float
+    screen_distance: str | float
     fov: str | float
     zoom: str | float
     scale: str | float

@@ -1,0 +1,38 @@
+#pragma once
+// From two eyes' pictures to one.
+
+#include <array>
+
+#include "app/picture/stereo.h"
+#include "engine/results.h"
+#include "engine/scene/view/camera.h"
+
+namespace nacre::app {
+
+enum class Eye { left, right };
+constexpr std::array<Eye, 2> kEyes{Eye::left, Eye::right};
+
+/// The distances of a view, where none are given.
+Stereo placed(Stereo stereo, const View& view);
+/// What an eye sees. @param view  in perspective, of a point midway between the eyes
+View eyeView(const View& view, const Stereo& stereo, Eye eye);
+
+/// The left eye's view, which has the right one's beside it.
+View eyesView(const View& view, const Stereo& stereo);
+
+/// The share of each linear channel of the left and the right picture in the channels of an anaglyph for red and cyan
+/// glasses: rows of red, green and blue. E. Dubois, A projection method to generate anaglyph stereo images, Proc. IEEE
+/// ICASSP 2001, vol. 3, 1661.
+using AnaglyphMatrix = std::array<std::array<float, 3>, 3>;
+inline constexpr AnaglyphMatrix kAnaglyphLeft{{{0.456100f, 0.500484f, 0.176381f},
+                                               {-0.0400822f, -0.0378246f, -0.0157589f},
+                                               {-0.0152161f, -0.0205971f, -0.00546856f}}};
+inline constexpr AnaglyphMatrix kAnaglyphRight{
+    {{-0.0434706f, -0.0879388f, -0.00155529f}, {0.378476f, 0.73364f, -0.0184503f}, {-0.0721527f, -0.112961f, 1.2264f}}};
+
+/// One picture of both. @param size  of the whole: eyeSize() is that of each @param eyes  left, right
+Picture joinEyes(const Stereo& stereo, const Size& size, const std::array<Picture, 2>& eyes);
+/// As above. @throws Error for an anaglyph: its pixels show two atoms
+LayerPicture joinEyes(const Stereo& stereo, const Size& size, const std::array<LayerPicture, 2>& eyes);
+
+}  // namespace nacre::app
