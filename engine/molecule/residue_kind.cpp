@@ -37,7 +37,8 @@ std::optional<char> variantLetter(const Name& name) {
 }
 
 /// The kind that the name implies; empty for an unknown name.
-std::optional<ResidueKind> kindOfName(const Name& name) {
+std::optional<ResidueKind> kindOfName(const Name& given) {
+    const Name name = threeLetterName(given);
     if (isWater(name)) return ResidueKind::water;
     if (isOneOf(name, {"ACE", "NME", "NH2", "FOR"}) || variantLetter(name)) return ResidueKind::protein;
     if (isOneOf(name, {"SO4", "SUL", "PO4", "2HP", "PI",  "NO3", "NO2", "CO3", "BCT", "NH4",
@@ -213,8 +214,9 @@ std::vector<ResidueKind> residueKinds(const Molecule& molecule) {
 }
 
 char aminoAcidLetter(const Name& residueName) {
-    if (const auto letter = variantLetter(residueName)) return *letter;
-    const gemmi::ResidueInfo info = gemmi::find_tabulated_residue(std::string(residueName.view()));
+    const Name name = threeLetterName(residueName);
+    if (const auto letter = variantLetter(name)) return *letter;
+    const gemmi::ResidueInfo info = gemmi::find_tabulated_residue(std::string(name.view()));
     if (!info.is_amino_acid() || info.one_letter_code == ' ' || info.one_letter_code == 'X') return '\0';
     return static_cast<char>(info.one_letter_code & ~0x20);
 }

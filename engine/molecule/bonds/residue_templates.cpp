@@ -1,6 +1,7 @@
 #include "engine/molecule/bonds/residue_templates.h"
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 #include <unordered_map>
 
@@ -129,13 +130,31 @@ Table makeTable() {
 
 const ResidueTemplate* bondTemplate(const Name& residueName) {
     static const Table table = makeTable();
-    const auto found = table.find(residueName);
+    auto found = table.find(residueName);
+    if (found == table.end()) found = table.find(threeLetterName(residueName));
     return found == table.end() ? nullptr : &found->second;
 }
 
 const ResidueTemplate* residueTemplate(const Name& residueName) {
     const ResidueTemplate* found = bondTemplate(residueName);
     return found && found->polymer ? found : nullptr;
+}
+
+Name threeLetterName(const Name& residueName) {
+    const std::string_view name = residueName.view();
+    if (name.size() != 4) return residueName;
+    constexpr std::string_view kStates =
+        "HISE=HIE HISD=HID HISA=HID HISB=HIE HISH=HIP HISP=HIP HIS1=HID HIS2=HIE CYSH=CYS CYSX=CYX CYS1=CYS CYS2=CYX "
+        "LYSH=LYS LYSN=LYN ASPH=ASH GLUH=GLH ARGN=ARG ";
+    if (const std::size_t at = kStates.find(std::string(name) + "="); at != std::string_view::npos)
+        return Name(kStates.substr(at + name.size() + 1, 3));
+    // "NALA" and "CALA" are the ends of a chain.
+    const std::string_view inner = name.substr(1);
+    const bool end = name[0] == 'N' || name[0] == 'C';
+    return end && std::any_of(std::begin(kAminoAcids), std::end(kAminoAcids),
+                              [&](const Source& source) { return source.names.find(inner) != std::string_view::npos; })
+               ? Name(inner)
+               : residueName;
 }
 
 Name currentAtomName(const Name& name) {

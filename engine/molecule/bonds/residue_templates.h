@@ -21,11 +21,15 @@ struct ResidueTemplate {
 
 constexpr std::size_t kMaxTemplateAtoms = 48;
 
-/// Template of a residue: the 20 amino acids (also under common names of their protonation states), MSE, SEC, PYL, and
-/// the nucleotides A C G U I, DA DC DG DT DU DI, T. Null for any other.
+/// Template of a residue: the 20 amino acids (also under common names of protonation states and chain ends), MSE, SEC,
+/// PYL, and the nucleotides A C G U I, DA DC DG DT DU DI, T. Null for any other.
 const ResidueTemplate* residueTemplate(const Name& residueName);
 /// As above, also of haem (HEM).
 const ResidueTemplate* bondTemplate(const Name& residueName);
+
+/// Name of an amino acid that AMBER, PDB2PQR and GROMOS call by four letters, for its place or protonation ("NALA",
+/// "HISE", "LYSH"); other names stay.
+Name threeLetterName(const Name& residueName);
 
 /// wwPDB version 3 name of an atom with an older name ("O5*", "O1P", "C5M"); other names stay.
 Name currentAtomName(const Name& name);
