@@ -196,7 +196,8 @@ double contourLevel(const DensityMap& map, const MapLevel& level) {
             break;
     }
     if (map.depositedLevel) return *map.depositedLevel;
-    if (!map.periodic) return levelOfTopShare(map, kTopPercent / 100);
+    // Twice the share where positive and negative lobes have it together.
+    if (!map.periodic) return levelOfTopShare(map, (map.difference ? 2 : 1) * kTopPercent / 100, map.difference);
     return s.mean + (map.difference ? kDifferenceSigma : kSigma) * s.rms;
 }
 

@@ -63,28 +63,121 @@ bool startsWith(std::string_view text, std::string_view start) { return text.sub
 
 std::optional<std::int64_t> parseInteger(std::string_view text) { return parseWhole<std::int64_t>(trim(text)); }
 
+namespace {
+
+/// Whether a sign begins an exponent of three digits without its letter: "1.5-100".
+bool isExponent(std::string_view number, std::size_t sign) {
+    constexpr std::size_t kDigits = 3;
+    return sign != std::string_view::npos && number.size() == sign + 1 + kDigits && isDigit(number[sign - 1]) &&
+           number.substr(0, sign).find('.') != std::string_view::npos &&
+           number.find_first_not_of("0123456789", sign + 1) == std::string_view::npos;
+}
+
+}  // namespace
+
 std::optional<double> parseNumber(std::string_view text) {
     text = trim(text);
     if (const auto value = parseWhole<double>(text)) return value;
-    const std::size_t exponent = text.find_first_of("dD");
-    if (exponent == std::string_view::npos || text.size() > 64) return std::nullopt;
+    if (text.size() > 64) return std::nullopt;
     std::string fortran(text);
-    fortran[exponent] = 'e';
+    if (const std::size_t letter = text.find_first_of("dD"); letter != std::string_view::npos)
+        fortran[letter] = 'e';
+    else if (const std::size_t sign = text.find_first_of("+-", 1); isExponent(text, sign))
+        fortran.insert(sign, 1, 'e');
+    else
+        return std::nullopt;
     return parseWhole<double>(fortran);
+}
+
+namespace {
+
+constexpr std::string_view kOfNumbers = "0123456789.+-eEdD";
+
+/// Digits behind the last decimal point, and the exponent: numbers of one line have the same.
+struct NumberTail {
+    std::size_t decimals = 0, size = 0;
+
+    explicit NumberTail(std::string_view word) {
+        const std::string_view tail = word.substr(word.find_last_of('.') + 1);
+        while (decimals < tail.size() && isDigit(tail[decimals])) ++decimals;
+        size = tail.size();
+    }
+    /// @param rest  behind a decimal point
+    bool fits(std::string_view rest) const {
+        if (rest.size() < size) return false;
+        for (std::size_t i = 0; i < size; ++i) {
+            const bool sign = i == decimals + 1 && (rest[i] == '-' || rest[i] == '+');
+            if (i == decimals ? !isLetter(rest[i]) : !sign && !isDigit(rest[i])) return false;
+        }
+        return true;
+    }
+};
+
+/// A word of numbers without signs between them; the word itself where their ends are not certain.
+std::string cutByDecimals(std::string_view word) {
+    const NumberTail tail(word);
+    std::string apart;
+    for (std::size_t begin = 0; begin < word.size();) {
+        const std::size_t point = word.find('.', begin);
+        const bool led = point != std::string_view::npos && point > begin && isDigit(word[point - 1]);
+        if (!led || !tail.fits(word.substr(point + 1))) return std::string(word);
+        const std::size_t end = point + 1 + tail.size;
+        apart.append(begin > 0 ? " " : "").append(word.substr(begin, end - begin));
+        begin = end;
+    }
+    return apart;
+}
+
+/// A word of numbers with blanks before signs that follow a digit.
+std::string cutBySigns(std::string_view word) {
+    std::string apart;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        const bool sign = word[i] == '-' || word[i] == '+';
+        if (sign && i > 0 && (isDigit(word[i - 1]) || word[i - 1] == '.')) {
+            // Three digits without a point are an exponent.
+            std::size_t digits = i + 1;
+            while (digits < word.size() && isDigit(word[digits])) ++digits;
+            const bool pointed = digits < word.size() && word[digits] == '.';
+            if (pointed || digits != i + 4) apart += ' ';
+        }
+        apart += word[i];
+    }
+    return apart;
+}
+
+bool hasTwoPoints(std::string_view word) { return word.find('.') != word.rfind('.'); }
+
+}  // namespace
+
+bool mayTouch(std::string_view word) {
+    const std::size_t point = word.find('.');
+    if (point == std::string_view::npos) return false;
+    for (std::size_t i = point + 1; i < word.size(); ++i) {
+        const bool sign = word[i] == '-' || word[i] == '+';
+        if (word[i] == '.' || (sign && (isDigit(word[i - 1]) || word[i - 1] == '.'))) return true;
+    }
+    return false;
 }
 
 std::string numbersApart(std::string_view line) {
     std::string apart;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const bool sign = line[i] == '-' || line[i] == '+';
-        if (sign && i > 0 && (isDigit(line[i - 1]) || line[i - 1] == '.')) {
-            // Three digits without a point are an exponent.
-            std::size_t digits = i + 1;
-            while (digits < line.size() && isDigit(line[digits])) ++digits;
-            const bool pointed = digits < line.size() && line[digits] == '.';
-            if (pointed || digits != i + 4) apart += ' ';
+    while (!line.empty()) {
+        std::size_t length = 0;
+        while (length < line.size() && !isBlank(line[length])) ++length;
+        const std::string_view word = line.substr(0, length);
+        if (!mayTouch(word) || word.find_first_not_of(kOfNumbers) != std::string_view::npos) {
+            apart += word;
+        } else {
+            const std::string signs = cutBySigns(word);
+            for (std::string_view rest = signs; !rest.empty();) {
+                const std::string_view number = rest.substr(0, rest.find(' '));
+                apart += hasTwoPoints(number) ? cutByDecimals(number) : std::string(number);
+                rest.remove_prefix(number.size());
+                if (!rest.empty()) rest.remove_prefix(1), apart += ' ';
+            }
         }
-        apart += line[i];
+        line.remove_prefix(length);
+        for (; !line.empty() && isBlank(line.front()); line.remove_prefix(1)) apart += line.front();
     }
     return apart;
 }
@@ -145,6 +238,16 @@ Words splitWords(std::string_view line) {
 std::vector<std::string_view> wordsOf(std::string_view line) {
     std::vector<std::string_view> words;
     for (std::string_view word = cutWord(line); !word.empty(); word = cutWord(line)) words.push_back(word);
+    return words;
+}
+
+Words splitWordsApart(std::string_view line, std::size_t first, std::string& apart) {
+    Words words = splitWords(line);
+    for (std::size_t i = first; i < first + 3; ++i) {
+        if (!mayTouch(words[i])) continue;
+        apart = numbersApart(line);
+        return splitWords(apart);
+    }
     return words;
 }
 

@@ -26,13 +26,16 @@ std::string upperCase(std::string_view text);
 bool startsWith(std::string_view text, std::string_view start);
 
 /// All of `text` as a number, surrounding blanks allowed; empty if it is not a number. parseNumber also accepts Fortran
-/// exponents ("1.0D+02") and C's "nan" and "inf", which callers must check.
+/// exponents ("1.0D+02", "1.0-102") and C's "nan" and "inf", which callers must check.
 std::optional<std::int64_t> parseInteger(std::string_view text);
 std::optional<double> parseNumber(std::string_view text);
 
 /// A line with blanks between numbers that touch, as Fortran writes them where they fill their columns: before a sign
-/// that follows a digit ("-5.1E-018-5.1E-018"). An exponent may lack its letter: "1.5-100" is one number.
+/// that follows a digit ("-5.1E-018-5.1E-018"), and where the last number's decimals and exponent show the others' ends
+/// ("1.234510.2345"). An exponent may lack its letter: "1.5-100" is one number.
 std::string numbersApart(std::string_view line);
+/// Whether a word may be several numbers that touch.
+bool mayTouch(std::string_view word);
 
 /// Throws a reader's error. @param name  of the file @param line  1-based; 0: none
 [[noreturn]] void cannotRead(const std::string& name, const std::string& why, std::uint64_t line = 0);
@@ -55,6 +58,8 @@ struct Words {
 Words splitWords(std::string_view line);
 /// All words of a line.
 std::vector<std::string_view> wordsOf(std::string_view line);
+/// The first words of a line with three numbers from word `first` on, which may touch. @param apart  keeps their text
+Words splitWordsApart(std::string_view line, std::size_t first, std::string& apart);
 
 /// Iterates over lines that end in '\n'.
 class LineReader {

@@ -47,22 +47,25 @@ double valueAt(const DensityMap& map, const glm::dvec3& position) {
     return sum;
 }
 
-double levelOfTopShare(const DensityMap& map, double share) {
+double levelOfTopShare(const DensityMap& map, double share, bool ofBothSigns) {
     constexpr std::size_t kBins = std::size_t{1} << 20;
     const MapStatistics& s = map.statistics;
-    if (!(s.max > s.min)) return s.max;
+    const double low = ofBothSigns ? 0 : s.min, high = ofBothSigns ? std::max(-s.min, s.max) : s.max;
+    if (!(high > low)) return high;
     std::vector<std::uint32_t> bins(kBins, 0);
-    const double perBin = static_cast<double>(kBins) / (s.max - s.min);
-    for (const float value : map.values)
-        if (!std::isnan(value))
-            ++bins[std::min(kBins - 1, static_cast<std::size_t>((static_cast<double>(value) - s.min) * perBin))];
+    const double perBin = static_cast<double>(kBins) / (high - low);
+    for (const float value : map.values) {
+        if (std::isnan(value)) continue;
+        const auto size = static_cast<double>(ofBothSigns ? std::abs(value) : value);
+        ++bins[std::min(kBins - 1, static_cast<std::size_t>((size - low) * perBin))];
+    }
     const double wanted = share * static_cast<double>(s.known);
     double above = 0;
     for (std::size_t i = kBins; i-- > 0;) {
         above += bins[i];
-        if (above >= wanted) return s.min + static_cast<double>(i) / perBin;
+        if (above >= wanted) return low + static_cast<double>(i) / perBin;
     }
-    return s.min;
+    return low;
 }
 
 }  // namespace nacre

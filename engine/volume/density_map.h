@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/molecule/read_notes.h"
 #include "engine/volume/map_values.h"
 #include "engine/volume/unit_cell.h"
 
@@ -40,6 +41,7 @@ struct DensityMap {
     bool difference = false;  ///< show positive and negative density; for names like "diff" or "fo-fc"
     std::optional<double> depositedLevel;  ///< recommended by the depositors, in the unit of the values
     std::vector<std::string> warnings;     ///< one sentence each
+    ReadNotes notes;                       ///< what of the file is not in the map
 
     std::size_t index(const glm::ivec3& node) const {
         return (static_cast<std::size_t>(node.z) * size.y + node.y) * size.x + node.x;
@@ -57,8 +59,8 @@ constexpr float kUnknownDensity = std::numeric_limits<float>::quiet_NaN();
 double valueAt(const DensityMap& map, const glm::dvec3& position);
 
 /// The level exceeded by a fraction of the known values. Uses a histogram of 2^20 bins.
-/// @param share  0..1
-double levelOfTopShare(const DensityMap& map, double share);
+/// @param share  0..1 @param ofBothSigns  of absolute values
+double levelOfTopShare(const DensityMap& map, double share, bool ofBothSigns = false);
 
 MapStatistics statisticsOf(const std::vector<float>& values);
 

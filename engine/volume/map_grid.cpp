@@ -239,7 +239,7 @@ void GridValues::read(std::uint64_t line) {
         const char* first = at;
         while (at != end && !isBlank(*at)) ++at;
         const std::string_view word(first, static_cast<std::size_t>(at - first));
-        if (word.find_first_of("+-", 1) == std::string_view::npos || parseNumber(word)) return word;
+        if (!mayTouch(word)) return word;
         apart = numbersApart(word);
         numbers = apart;
         return cutNumber(numbers);

@@ -33,6 +33,7 @@ public:
             step[i] = three(words);
         }
         if (std::abs(atoms) > kMostAtoms) fail("more than a million atoms");
+        const std::uint64_t lineOfAtoms = lines_.number() + 1;
         for (std::int64_t i = 0; i < std::abs(atoms); ++i) next();
         if (atoms < 0) perNode = orbitals();
         if (perNode < 1 || perNode > kMostOrbitals) fail(std::to_string(perNode) + " values at each node");
@@ -42,7 +43,10 @@ public:
         // Orbitals and potentials have positive and negative values. Some programs do not mark orbitals.
         constexpr double kSecondSign = 0.1;  // of the larger extreme; densities fall below zero by less
         const double least = map.statistics.min, most = map.statistics.max;
-        map.difference = map.difference || atoms < 0 || std::min(-least, most) > kSecondSign * std::max(-least, most);
+        map.difference = map.difference || atoms < 0 || -least > kSecondSign * most;
+        addNote(map.notes, ReadAction::leftOut, "atoms", "a map shows its values alone", std::abs(atoms), lineOfAtoms);
+        addNote(map.notes, ReadAction::leftOut, "values", "beyond the first at each node",
+                (perNode - 1) * static_cast<std::int64_t>(map.statistics.known));
         if (perNode > 1)
             map.warnings.push_back("the map has " + std::to_string(perNode) +
                                    " values at each node: the first is drawn");
@@ -53,7 +57,8 @@ private:
     [[noreturn]] void fail(const std::string& why) const { cannotReadMap(name_, why, lines_.number()); }
     Words next() {
         if (!lines_.next()) fail("it is cut short in its header");
-        return splitWords(lines_.line());
+        apart_ = numbersApart(lines_.line());
+        return splitWords(apart_);
     }
     std::int64_t integer(std::string_view word) const {
         const auto value = parseInteger(word);
@@ -81,6 +86,7 @@ private:
     const std::string& name_;
     MapLimits limits_;
     LineReader lines_;
+    std::string apart_;  ///< the current line, its numbers apart
 };
 
 }  // namespace

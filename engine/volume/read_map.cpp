@@ -46,7 +46,8 @@ bool isCube(std::string_view start) {
     }
     for (int i = 0; i < 4; ++i) {
         if (!lines.next()) return false;
-        const Words words = splitWords(lines.line());
+        std::string apart;
+        const Words words = splitWordsApart(lines.line(), 1, apart);
         if (words.count < 4 || words.count > 5 || !parseInteger(words[0])) return false;
         for (std::size_t j = 1; j < 4; ++j)
             if (!parseNumber(words[j])) return false;
