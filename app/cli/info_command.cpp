@@ -156,6 +156,15 @@ std::string readingLine(const Json& entry) {
     return sentenceOf(note);
 }
 
+/// ", which repeats along a and b"; empty for a box that repeats along all of its vectors.
+std::string repeatsOf(const Json& json) {
+    std::string axes;
+    for (std::size_t i = 0; i < 3; ++i)
+        if (json["box_periodic"][i].get<bool>()) axes += (axes.empty() ? "" : " and ") + std::string(1, "abc"[i]);
+    if (axes.empty()) return ", which does not repeat";
+    return axes == "a and b and c" ? "" : ", which repeats along " + axes;
+}
+
 /// "A, B: HIV-1 protease; C: DNA": those of one name together.
 std::string namesOf(const Json& names) {
     std::map<std::string, std::string> byName;
@@ -217,7 +226,7 @@ std::string infoText(const std::string& name, const Json& json) {
          listed(json["bonds_known"],
                 {{"between_residues", "between residues"}, {"disulfides", "disulfides"}, {"to_metals", "to metals"}}));
     if (!json["bbox"].is_null()) line(out, "box", json["bbox"][0].dump() + " to " + json["bbox"][1].dump() + " Å");
-    if (!json["box_vectors"].is_null()) line(out, "cell", json["box_vectors"].dump() + " Å");
+    if (!json["box_vectors"].is_null()) line(out, "cell", json["box_vectors"].dump() + " Å" + repeatsOf(json));
     if (!json["partial_charge"].is_null())
         line(out, "charge", plainNumber(json["partial_charge"].get<double>()) + " e, the sum of partial charges");
     const char* label = "reading";
@@ -391,6 +400,12 @@ MapJson mapInfoJson(const DensityMap& map) {
     };
     note("read", known, nullptr);
     if (known < nodes) note("left out", nodes - known, "not known at these nodes");
+    for (const ReadNote& own : map.notes)
+        json["reading"].push_back({{"action", readActionName(own.action)},
+                                   {"what", own.what},
+                                   {"count", own.count},
+                                   {"why", own.why},
+                                   {"line", own.line > 0 ? MapJson(own.line) : MapJson()}});
     json["warnings"] = map.warnings;
     return json;
 }

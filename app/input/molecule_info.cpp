@@ -50,11 +50,11 @@ Json vectors(const std::array<glm::vec3, Count>& values) {
     return json;
 }
 
-Json bondsByKind(const Molecule& molecule) {
+/// @param drawn  their orders
+Json bondsByKind(const Molecule& molecule, const std::vector<std::uint8_t>& drawn) {
     std::array<std::int64_t, 3> sources{};
     std::array<std::int64_t, 5> orders{};
     std::int64_t between = 0, disulfides = 0, metal = 0;
-    const std::vector<std::uint8_t> drawn = drawnOrders(molecule);
     for (std::size_t i = 0; i < molecule.bonds.size(); ++i) {
         const Bond& bond = molecule.bonds[i];
         const Atom &a = molecule.atoms[bond.a], &b = molecule.atoms[bond.b];
@@ -128,9 +128,9 @@ void putChains(Json& json, const Molecule& molecule, bool has) {
 }
 
 /// Rows of one shape, in a stable order: what was read, guessed and left out.
-Json readingList(const Molecule& molecule) {
+Json readingList(const Molecule& molecule, const std::vector<std::uint8_t>& drawn) {
     Json list = Json::array();
-    for (const ReadNote& note : readingOf(molecule)) {
+    for (const ReadNote& note : readingOf(molecule, drawn)) {
         list.push_back({{"action", readActionName(note.action)},
                         {"what", note.what},
                         {"count", note.count},
@@ -200,14 +200,16 @@ Json infoJson(const Molecule& molecule) {
     json["assembly_list"] = assemblyList(molecule);
     json["bbox"] = counts.bbox ? vectors(*counts.bbox) : Json();
     json["box_vectors"] = file.box ? vectors(*file.box) : Json();
+    json["box_periodic"] = file.box ? Json(file.boxRepeats) : Json();
     json["box_origin"] =
         file.box && file.boxOrigin != glm::vec3(0) ? Json(vectors(std::array{file.boxOrigin})[0]) : Json();
     json["partial_charge"] =
         molecule.partialCharges.empty()
             ? Json()
             : Json(std::accumulate(molecule.partialCharges.begin(), molecule.partialCharges.end(), 0.0));
-    json["bonds_known"] = bondsByKind(molecule);
-    json["reading"] = readingList(molecule);
+    const std::vector<std::uint8_t> drawn = drawnOrders(molecule);
+    json["bonds_known"] = bondsByKind(molecule, drawn);
+    json["reading"] = readingList(molecule, drawn);
     json["warnings"] = molecule.warnings;
     return json;
 }

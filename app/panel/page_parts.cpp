@@ -11,6 +11,7 @@
 #include "app/panel/words.h"
 #include "app/picture/input_names.h"
 #include "app/viewer/picture_words.h"
+#include "engine/molecule/chemistry/drawn_orders.h"
 #include "engine/molecule/matched_atoms.h"
 #include "engine/scene/color/colors.h"
 
@@ -264,7 +265,8 @@ void drawPartsPage(PanelFrame& f) {
         f.s.sequence.colors.clear();
         f.s.fits = several ? fitTexts(*f.s.facts, document->view.input) : std::vector<std::string>();
         f.s.reading.clear();
-        for (const ReadNote& note : readingOf(*f.s.molecule)) f.s.reading.push_back(sentenceOf(note));
+        for (const ReadNote& note : readingOf(*f.s.molecule, drawnOrders(*f.s.facts)))
+            f.s.reading.push_back(sentenceOf(note));
     }
     const FileSummary file = document->molecule->modelsAreInputs ? FileSummary() : document->molecule->file;
     if (!file.title.empty()) f.ui.paragraph(file.title);

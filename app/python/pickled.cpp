@@ -158,8 +158,8 @@ void all(Archive& archive, M& molecule) {
     archive.text(othersMissing);
     auto& [format, title, models, records, totalAtomsAllModels, totalAtomsAllRecords, totalBondsAllRecords, stated,
            bondsAllModels, conectUniquePairs, itsChains, chainsAuth, chainsLabel, biomtOperators, itsAssemblies,
-           operators, resolution, organism, method, chainNames, componentNames, confidence, box, boxOrigin, cell,
-           spaceGroup, packed, entityNames] = file;
+           operators, resolution, organism, method, chainNames, componentNames, confidence, box, boxOrigin, boxRepeats,
+           cell, spaceGroup, packed, entityNames] = file;
     archive.text(format);
     archive.text(title);
     archive.text(organism);
@@ -174,6 +174,7 @@ void all(Archive& archive, M& molecule) {
     archive.plain(confidence);
     maybe(archive, box);
     archive.plain(boxOrigin);
+    archive.plain(boxRepeats);
     maybe(archive, cell);
     archive.text(spaceGroup);
     archive.text(packed);

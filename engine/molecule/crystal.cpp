@@ -29,6 +29,8 @@ Crystal crystalOf(const Molecule& molecule) {
     const FileSummary& file = molecule.file;
     if (!file.cell && !file.box) fail("the file states no unit cell");
     const bool boxed = file.box && !file.cell;  // a periodic box has translations alone
+    const auto& repeats = file.boxRepeats;
+    if (boxed && std::find(repeats.begin(), repeats.end(), true) == repeats.end()) fail("its box does not repeat");
     const gemmi::SpaceGroup* group = spaceGroupOf(boxed ? "P 1" : file.spaceGroup);
     if (!group)
         fail(file.spaceGroup.empty() ? "the file states no space group"
@@ -131,6 +133,10 @@ std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::arr
                                         const std::array<int, 3>& high) {
     const Crystal crystal = crystalOf(molecule);
     double count = static_cast<double>(crystal.operations.size());
+    const bool boxed = molecule.file.box && !molecule.file.cell;
+    const auto repeats = [&](std::size_t axis, int cell) {
+        return cell == 0 || !boxed || molecule.file.boxRepeats[axis];
+    };
     for (std::size_t i = 0; i < 3; ++i) count *= std::max(0.0, static_cast<double>(high[i]) - low[i] + 1);
     if (count > static_cast<double>(kMostSymmetryCopies))
         throw Error("cannot build symmetry", "",
@@ -140,6 +146,7 @@ std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::arr
         for (int i = low[0]; i <= high[0]; ++i)
             for (int j = low[1]; j <= high[1]; ++j)
                 for (int k = low[2]; k <= high[2]; ++k) {
+                    if (!repeats(0, i) || !repeats(1, j) || !repeats(2, k)) continue;
                     const glm::dmat4x3 motion = motionOf(crystal, operation, {i, j, k});
                     if (!isIdentity(motion)) copies.push_back(motion);
                 }

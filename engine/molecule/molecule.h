@@ -135,8 +135,9 @@ struct FileSummary {
     bool confidence = false;                      ///< the file is a prediction whose B factors are confidence (pLDDT)
     std::optional<std::array<glm::vec3, 3>> box;  ///< vectors of the simulation box, Å (GRO)
     glm::vec3 boxOrigin{};                        ///< its corner, Å
-    std::optional<std::array<double, 6>> cell;    ///< of a crystal: three lengths, Å, and three angles, degrees
-    std::string spaceGroup;                       ///< Hermann-Mauguin, "P 21 21 21"; empty: not stated
+    std::array<bool, 3> boxRepeats{true, true, true};  ///< by vector; a slab repeats along two of them
+    std::optional<std::array<double, 6>> cell;         ///< of a crystal: three lengths, Å, and three angles, degrees
+    std::string spaceGroup;                            ///< Hermann-Mauguin, "P 21 21 21"; empty: not stated
     /// Of a packed scene (cellPACK, PetWorld): the assembly that it is, and what its entities are called, by their
     /// identifiers: "7": "root.membrane.spike", with the compartment before the last point. Empty: it is no such scene.
     std::string packed;

@@ -50,15 +50,20 @@ std::string sentenceOf(const ReadNote& note) {
     return note.why.empty() ? text : text + ": " + note.why;
 }
 
-ReadNotes readingOf(const Molecule& molecule) {
+ReadNotes readingOf(const Molecule& molecule, const std::vector<std::uint8_t>& drawnOrders) {
     ReadNotes notes;
     const auto read = [&](std::string_view what, std::size_t count) {
         addNote(notes, ReadAction::read, what, "", static_cast<std::int64_t>(count));
     };
     std::array<std::size_t, 3> bonds{};
-    for (const Bond& bond : molecule.bonds) ++bonds[static_cast<std::size_t>(bond.source)];
+    std::int64_t orders = 0;
+    for (std::size_t i = 0; i < molecule.bonds.size(); ++i) {
+        const Bond& bond = molecule.bonds[i];
+        ++bonds[static_cast<std::size_t>(bond.source)];
+        orders += i < drawnOrders.size() && (drawnOrders[i] != bond.order || bond.source == BondSource::distance);
+    }
     std::set<std::string_view> segments;
-    std::size_t folded = 0, charged = 0, alternates = 0, beads = 0, unknown = 0;
+    std::size_t folded = 0, charged = 0, alternates = 0, unknown = 0;
     for (const Residue& residue : molecule.residues) {
         folded += residue.secondary != SecondaryStructure::none;
         if (const std::string_view segment = residue.segment.view(); !segment.empty()) segments.insert(segment);
@@ -66,7 +71,6 @@ ReadNotes readingOf(const Molecule& molecule) {
     for (const Atom& atom : molecule.atoms) {
         charged += atom.charge != 0;
         alternates += atom.alternate != '\0';
-        beads += atom.radius > 0;
         unknown += atom.element == 0 && atom.radius == 0;
     }
     read("atoms", molecule.atoms.size());
@@ -80,7 +84,7 @@ ReadNotes readingOf(const Molecule& molecule) {
     read("atoms in alternate locations", alternates);
     read("formal charges", charged);
     read("partial charges", molecule.partialCharges.size());
-    read("radii", std::max(molecule.radii.size(), beads));
+    read("radii", molecule.radii.size());
     read("masses", molecule.masses.size());
     read("atom types", molecule.types.size());
     read("unit cells", molecule.file.cell ? 1 : 0);
@@ -88,6 +92,7 @@ ReadNotes readingOf(const Molecule& molecule) {
     read("assemblies", molecule.assemblies.size());
     addNote(notes, ReadAction::guessed, "bonds", "from residue templates", static_cast<std::int64_t>(bonds[1]));
     addNote(notes, ReadAction::guessed, "bonds", "from distances", static_cast<std::int64_t>(bonds[2]));
+    addNote(notes, ReadAction::guessed, "bond orders", "from geometry and valences", orders);
     for (const ReadNote& note : molecule.notes) addNote(notes, note.action, note.what, note.why, note.count, note.line);
     addNote(notes, ReadAction::leftOut, "elements", "not known", static_cast<std::int64_t>(unknown));
     std::stable_sort(notes.begin(), notes.end(),

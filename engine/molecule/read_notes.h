@@ -9,7 +9,8 @@
 
 namespace nacre {
 
-enum class ReadAction : std::uint8_t { read, guessed, leftOut };
+/// `unused` items are left out since nothing shows them (velocities): no warning tells.
+enum class ReadAction : std::uint8_t { read, guessed, leftOut, unused };
 
 /// One kind of item that one thing happened to.
 struct ReadNote {
@@ -28,11 +29,12 @@ void addNote(ReadNotes& notes, ReadAction action, std::string_view what, std::st
 /// "left out 2 atoms, the first on line 17: no coordinates"
 std::string sentenceOf(const ReadNote& note);
 
-/// "read", "guessed" or "left out"
+/// "read", "guessed" or "left out", as `unused` is called as well
 std::string_view readActionName(ReadAction action);
 
 struct Molecule;
 /// The whole list: what was read, guessed and left out, in this order; the reader's notes and counts of the molecule.
-ReadNotes readingOf(const Molecule& molecule);
+/// @param drawnOrders  of its bonds (drawn_orders.h): what differs is a guess
+ReadNotes readingOf(const Molecule& molecule, const std::vector<std::uint8_t>& drawnOrders);
 
 }  // namespace nacre

@@ -63,14 +63,14 @@ void applySecondaryStructure(Molecule& molecule, const std::vector<SecondaryRang
     for (std::uint32_t i = 0; i < molecule.chains.size(); ++i) chains.emplace(molecule.chains[i].name, i);
 
     Steps helices(order.size() + 1), strands(order.size() + 1);
-    std::int64_t missing = 0;
     for (const SecondaryRange& range : ranges) {
         const auto chain = chains.find(range.chain);
         std::int64_t first = kNowhere, last = kNowhere;
         if (chain != chains.end()) first = firstAt(places, {chain->second, range.first, range.firstCode}, 0);
         if (first != kNowhere) last = firstAt(places, {chain->second, range.last, range.lastCode}, first);
         if (last == kNowhere) {
-            ++missing;
+            addNote(molecule.notes, ReadAction::leftOut, "helix or strand records", "of residues that are not there", 1,
+                    range.line);
             continue;
         }
         Steps& steps = range.kind == SecondaryStructure::helix ? helices : strands;
@@ -87,7 +87,6 @@ void applySecondaryStructure(Molecule& molecule, const std::vector<SecondaryRang
         else if (inStrand > 0)
             molecule.residues[order[i]].secondary = SecondaryStructure::strand;
     }
-    addNote(molecule.notes, ReadAction::leftOut, "helix or strand records", "of residues that are not there", missing);
 }
 
 }  // namespace nacre

@@ -15,6 +15,7 @@ struct SecondaryRange {
     std::string chain;
     std::int32_t first = 0, last = 0;  ///< author's residue numbers
     char firstCode = '\0', lastCode = '\0';
+    std::uint64_t line = 0;  ///< 0: not known
 };
 
 /// The range of a HELIX or SHEET line of a PDB file (wwPDB format 3.3); empty for other lines and unreadable ones.

@@ -123,6 +123,18 @@ TEST(Info, ChargesAndBox) {
     EXPECT_TRUE(infoJson(readMoleculeFile(test::dataFile("small/caffeine.cml"))).at("chain_list").is_null());
 }
 
+TEST(Info, BoxesThatRepeatAlongSomeAxes) {
+    const auto textOf = [](const char* pbc) {
+        const auto json = infoJson(
+            readMolecule("a.xyz", std::string("1\nLattice=\"4 0 0 0 5 0 0 0 30\" pbc=\"") + pbc + "\"\nC 0 0 0\n"));
+        EXPECT_EQ(json["box_periodic"].size(), 3u);
+        return infoText("a.xyz", json);
+    };
+    EXPECT_NE(textOf("T T F").find("Å, which repeats along a and b\n"), std::string::npos);
+    EXPECT_NE(textOf("F F F").find("Å, which does not repeat\n"), std::string::npos);
+    EXPECT_EQ(textOf("T T T").find("repeat"), std::string::npos);
+}
+
 // A reader in a loop needs no second form, nor a look at what is there.
 TEST(Info, EveryMoleculeHasTheSameKeys) {
     const auto keysOf = [](const nlohmann::ordered_json& json) {

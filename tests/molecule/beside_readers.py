@@ -76,7 +76,14 @@ class Ase:
             frames.append(salt)
         skewed = frames[0].copy()
         skewed.set_cell(skewed.cell[:] @ [[1, 0, 0], [0.2, 1, 0], [0.1, 0.3, 1]], scale_atoms=True)
-        for name, what, options in (("POSCAR", frames[0], {"format": "vasp", "direct": True}),
+        slab, none = skewed.copy(), skewed.copy()
+        slab.set_pbc([True, True, False])
+        none.set_pbc(False)
+        moving = skewed.copy()
+        moving.set_velocities(moving.get_positions() / 10)
+        for name, what, options in (("slab.extxyz", slab, {}), ("none.extxyz", none, {}), ("slab.xsf", slab, {}),
+                                    ("moving.extxyz", moving, {}), ("moving.vasp", moving, {"format": "vasp"}),
+                                    ("POSCAR", frames[0], {"format": "vasp", "direct": True}),
                                     ("CONTCAR.vasp", skewed, {"format": "vasp", "vasp5": True}),
                                     ("XDATCAR", frames[:1] * 3, {"format": "vasp-xdatcar"}),
                                     ("one.xsf", skewed, {}), ("all.xsf", frames, {}),
@@ -97,6 +104,8 @@ class Ase:
             found.pop("frames")  # it reads the first record alone
         if first.cell.rank == 3:
             found["box"] = first.cell[:]
+            if path.suffix in (".extxyz", ".xsf"):
+                found["periodic"] = list(map(bool, first.pbc))
         return len(first), found
 
 
@@ -197,6 +206,10 @@ def differences(report, count, found):
         if key == "frames":
             if report["models"] != theirs:
                 yield f"{report['models']} frames, not {theirs}"
+            continue
+        if key == "periodic":
+            if report.get("periodic") != theirs:
+                yield f"periodic along {report.get('periodic')}, not {theirs}"
             continue
         if key == "bonds":
             ours = pairs(report["bonds"])

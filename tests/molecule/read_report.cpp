@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/error.h"
+#include "engine/molecule/chemistry/drawn_orders.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/read.h"
 
@@ -30,10 +31,13 @@ int main(int count, char** arguments) try {
     for (const nacre::Name& type : molecule.types) report["types"].push_back(type.view());
     if (molecule.file.box)
         for (const glm::vec3& edge : *molecule.file.box) report["box"].push_back({edge.x, edge.y, edge.z});
+    if (molecule.file.box) report["periodic"] = molecule.file.boxRepeats;
     const glm::vec3& origin = molecule.file.boxOrigin;
     report["box_origin"] = {origin.x, origin.y, origin.z};
     report["models"] = molecule.file.models.value_or(molecule.file.records.value_or(1));
     report["warnings"] = molecule.warnings;
+    for (const nacre::ReadNote& note : nacre::readingOf(molecule, nacre::drawnOrders(molecule)))
+        report["reading"].push_back(nacre::sentenceOf(note));
     std::cout << report.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) << '\n';
     return 0;
 } catch (const std::exception& error) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/molecule/chemistry/drawn_orders.h"
 #include "engine/molecule/crystal.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
@@ -45,7 +46,7 @@ std::string bondsOf(const Molecule& molecule) {
 
 std::int64_t countOf(const Molecule& molecule, ReadAction action, std::string_view what) {
     std::int64_t count = 0;
-    for (const ReadNote& note : readingOf(molecule))
+    for (const ReadNote& note : readingOf(molecule, drawnOrders(molecule)))
         count += note.action == action && note.what == what ? note.count : 0;
     return count;
 }

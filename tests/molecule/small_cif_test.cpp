@@ -38,7 +38,7 @@ TEST(SmallCif, Fields) {
     EXPECT_EQ(m.atoms[1].alternate, 'B');
     EXPECT_EQ(m.atoms[1].occupancy, 0.5f);
     ASSERT_EQ(m.warnings.size(), 1u);
-    EXPECT_EQ(m.warnings[0], "left out 1 atom: no usable coordinates");
+    EXPECT_EQ(m.warnings[0], "left out 1 atom, line 20: no usable coordinates");
     EXPECT_TRUE(m.assemblies.empty());
 }
 
@@ -116,7 +116,8 @@ TEST(SmallCif, WhatIsWrong) {
                       {"no volume"});
     std::string atoms = kAtoms;
     atoms.replace(atoms.find("0.25"), 4, "1e99");
-    test::expectLeftOut("a.cif", file("", kCell, atoms), "left out 2 atoms: no usable coordinates");
+    test::expectLeftOut("a.cif", file("", kCell, atoms),
+                        "left out 2 atoms, the first on line 18: no usable coordinates");
     ReadOptions options;
     options.model = 2;
     test::expectError("a.cif", file(""), {"only model 1"}, options);

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <optional>
 #include <string_view>
 
+#include "engine/molecule/bonds/bond_steps.h"
 #include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/element.h"
+#include "engine/molecule/formats/lammps_types.h"
 #include "engine/molecule/residue_kind.h"
 
 namespace nacre {
@@ -15,6 +20,7 @@ namespace {
 // Half of the distance at which Martini's beads repel each other: 0.47, 0.43 and 0.34 nm.
 constexpr float kRegularBead = 2.35f, kSmallBead = 2.15f, kTinyBead = 1.7f;
 constexpr float kLongestBackboneBond = 5, kLongestChainBond = 6, kLongestRingBond = 3.6f;  // Å
+constexpr float kLongestPhosphateBond = 8.5f;                                              // Å
 constexpr std::uint32_t kLargestGrainResidue = 64, kMostBeads = 8;  // of a residue; of an amino acid
 constexpr std::size_t kFewResidues = 3;
 
@@ -41,6 +47,62 @@ TailBead tailOf(std::string_view name) {
 
 enum class GrainKind : std::uint8_t { none, protein, lipid, sterol, water, single };
 
+/// Beads of formats without residues, or of unknown ones, that readers take for boron and tungsten ("B", "W"), or for
+/// nothing ("BB"). Atoms of these elements have neighbours; beads have none as near as bonds are.
+class LoneBeads {
+public:
+    explicit LoneBeads(const Molecule& molecule) : molecule_(molecule), lone_(molecule.atoms.size()) {
+        const std::string& format = molecule.file.format;
+        const bool crystal = format == "cif-core" || format == "poscar" || format == "xsf" || format == "cml" ||
+                             (format == "xyz" && molecule.file.box);
+        std::vector<std::uint32_t> beads;
+        for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
+            if (isCandidate(molecule.atoms[i])) beads.push_back(i);
+        if (crystal || molecule.lacksPositions || !molecule.masses.empty() || beads.size() <= kFewResidues) return;
+        for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
+            cubes_[cubeOf(molecule.atoms[i].position)].push_back(i);
+        if (std::any_of(beads.begin(), beads.end(), [&](std::uint32_t bead) { return hasNeighbour(bead); })) return;
+        for (const std::uint32_t bead : beads) lone_[bead] = true;
+    }
+    bool operator[](std::uint32_t atom) const { return lone_[atom]; }
+
+private:
+    using Cube = std::array<long, 3>;
+    static constexpr double kCube = 4.5;  // Å, longer than any bond with tolerance
+    static constexpr std::size_t kMostPerCube = 64;
+
+    static bool isCandidate(const Atom& atom) {
+        constexpr Element kBoron = 5, kTungsten = 74;
+        const std::string_view name = atom.name.view();
+        const bool bead = (atom.element == kBoron && name == "B") || (atom.element == kTungsten && name == "W") ||
+                          (atom.element == 0 && name == "BB");
+        return bead && atom.radius == 0;
+    }
+    static Cube cubeOf(const glm::vec3& p) {
+        const auto along = [](float x) { return static_cast<long>(std::floor(static_cast<double>(x) / kCube)); };
+        return {along(p.x), along(p.y), along(p.z)};
+    }
+    /// Also in a crowd.
+    bool hasNeighbour(std::uint32_t atom) const {
+        const Cube at = cubeOf(molecule_.atoms[atom].position);
+        for (int i = 0; i < 27; ++i) {
+            const auto cube = cubes_.find({at[0] + i % 3 - 1, at[1] + i / 3 % 3 - 1, at[2] + i / 9 - 1});
+            if (cube == cubes_.end()) continue;
+            if (cube->second.size() > kMostPerCube) return true;
+            for (const std::uint32_t other : cube->second) {
+                const Atom &a = molecule_.atoms[atom], &b = molecule_.atoms[other];
+                const float longest = covalentRadius(a.element) + covalentRadius(b.element) + kBondTolerance;
+                if (other != atom && glm::distance(a.position, b.position) < longest) return true;
+            }
+        }
+        return false;
+    }
+
+    const Molecule& molecule_;
+    std::vector<bool> lone_;
+    std::map<Cube, std::vector<std::uint32_t>> cubes_;
+};
+
 class GrainFinder {
 public:
     explicit GrainFinder(Molecule& molecule) : molecule_(molecule) {}
@@ -57,13 +119,15 @@ public:
         for (std::size_t i = 0; i < molecule_.residues.size() && singles > kFewResidues; ++i)
             aminoAcids += aminoAcidLetter(molecule_.residues[i].name) != '\0';
         const bool manyWaters = hasManyWaters();
+        const LoneBeads lone(molecule_);
         const bool onePerResidue = singles > kFewResidues && singles * 10 >= aminoAcids * 9;
         std::int64_t count = 0;
         for (std::size_t r = 0; r < kinds.size(); ++r) {
             Residue& residue = molecule_.residues[r];
             if (kinds[r] == GrainKind::none && onePerResidue && isSingle(residue)) kinds[r] = GrainKind::single;
             // A lone atom W may be tungsten, unless there are other grains or many of them.
-            if (kinds[r] == GrainKind::water && grains == 0 && !manyWaters) kinds[r] = GrainKind::none;
+            if (kinds[r] == GrainKind::water && grains == 0 && !manyWaters && !lone[residue.firstAtom])
+                kinds[r] = GrainKind::none;
             if (kinds[r] == GrainKind::none) continue;
             if (kinds[r] == GrainKind::water) residue.entityKind = EntityKind::water;
             for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
@@ -74,10 +138,45 @@ public:
             }
             if (!molecule_.lacksPositions && molecule_.file.bonds.value_or(0) == 0) bond(r, kinds);
         }
+        count += makeBeads(lone);
+        joinGuides();
         addNote(molecule_.notes, ReadAction::guessed, "coarse grains", "from the names of atoms and residues", count);
     }
 
 private:
+    /// Number of beads that were atoms.
+    std::int64_t makeBeads(const LoneBeads& lone) {
+        std::vector<std::uint32_t> beads;
+        for (std::uint32_t i = 0; i < molecule_.atoms.size(); ++i) {
+            Atom& atom = molecule_.atoms[i];
+            if (!lone[i] || atom.radius > 0) continue;
+            atom.element = 0;
+            beads.push_back(i);
+        }
+        if (!beads.empty()) makeGrains(molecule_);
+        return static_cast<std::int64_t>(beads.size());
+    }
+
+    /// Chains of alpha carbons, or of phosphorus, alone.
+    void joinGuides() {
+        if (molecule_.lacksPositions || molecule_.file.bonds.value_or(0) > 0) return;
+        const auto guideOf = [&](const Residue& residue) -> std::string_view {
+            if (residue.atomCount != 1) return {};
+            const std::string_view name = molecule_.atoms[residue.firstAtom].name.view();
+            if (name == "CA" && aminoAcidLetter(residue.name) != '\0') return name;
+            return name == "P" && nucleotideLetter(residue.name) != '\0' ? name : std::string_view();
+        };
+        std::string_view before;
+        for (std::size_t r = 0; r < molecule_.residues.size(); ++r) {
+            const Residue& residue = molecule_.residues[r];
+            const std::string_view guide = guideOf(residue);
+            if (!guide.empty() && guide == before && molecule_.residues[r - 1].chain == residue.chain)
+                join(molecule_.residues[r - 1].firstAtom, residue.firstAtom,
+                     guide == "CA" ? kLongestBackboneBond : kLongestPhosphateBond);
+            before = guide;
+        }
+    }
+
     std::optional<std::uint32_t> find(const Residue& residue, std::string_view name) const {
         for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i)
             if (molecule_.atoms[i].name.view() == name) return i;

@@ -43,7 +43,7 @@ std::vector<std::uint32_t> subchainsOf(std::string_view list, std::optional<std:
 }  // namespace
 
 void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, const MmcifTable& generators,
-                        const MmcifTable& operators) {
+                        const MmcifTable& operators, MmcifAtoms::Models models) {
     std::vector<Assembly> found;
     std::map<std::string, std::size_t, std::less<>> byId;
     std::map<std::string, std::string, std::less<>> faults;
@@ -61,6 +61,7 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
         found.push_back({id, listed ? std::string(ids.get(row, {"details"}).value_or("")) : std::string(), {}});
     }
 
+    const bool packed = models == MmcifAtoms::Models::packed;
     const TransformsById transforms = readOperators(operators);
     AssemblyLimits limits(builder.maxAtoms());
     for (std::size_t row = 0; row < generators.rows(); ++row) {
@@ -70,7 +71,7 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
             addPart(found[assembly->second],
                     expandOperators(generators.get(row, {"oper_expression"}).value_or(""), transforms, limits),
                     subchainsOf(generators.get(row, {"asym_id_list"}).value_or(""),
-                                generators.get(row, {"pdb_model_num"}), builder, limits));
+                                packed ? generators.get(row, {"pdb_model_num"}) : std::nullopt, builder, limits));
         } catch (const AssemblyFault& fault) {
             faults.emplace(assembly->first, fault.what());
         }

@@ -132,16 +132,20 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     atom.name = Name(name);
     atom.radius = radiusOf(cells);
     const bool stated = !cell(cells, symbol).missing() || atom.radius > 0;
-    if (atom.radius > 0)
+    if (atom.radius > 0) {
         atom.name = Name("BEAD");
-    else
+        builder.state("radii");
+    } else {
         atom.element = builder.element(stated ? type : elementOfName(name, residue), line);
+    }
     if (!stated) builder.guess("elements", "from atom names");
     atom.alternate = firstCharacter(text(cells, alternate));
     atom.hetero = text(cells, group) == "HETATM";
     atom.charge = formalCharge(cell(cells, charge));
-    atom.occupancy = property(cell(cells, occupancy), 1.0f, builder);
-    atom.temperatureFactor = property(cell(cells, temperature), 0.0f, builder);
+    if (atom.charge == 0 && !cell(cells, charge).missing() && cell(cells, charge).number() != 0.0)
+        builder.leaveOut("formal charges", "not usable, read as 0", line);
+    atom.occupancy = property(cell(cells, occupancy), 1.0f, builder, line);
+    atom.temperatureFactor = property(cell(cells, temperature), 0.0f, builder, line);
     const auto number = wholeNumber(cell(cells, cell(cells, authSeq).missing() ? labelSeq : authSeq));
     const std::string_view chain = text(cells, authAsym, labelAsym), part = text(cells, labelAsym, authAsym);
     if (together_ == Models::packed)
@@ -215,13 +219,11 @@ std::optional<float> MmcifAtoms::coordinate(const MmcifCell* cells, int axis, st
     return std::nullopt;
 }
 
-float MmcifAtoms::property(const MmcifCell& given, float otherwise, MoleculeBuilder& builder) {
+float MmcifAtoms::property(const MmcifCell& given, float otherwise, MoleculeBuilder& builder, std::uint64_t line) {
     if (given.missing()) return otherwise;
     const auto value = given.number();
     if (value && std::abs(*value) <= 1e9) return static_cast<float>(*value);
-    std::array<char, 32> buffer{};
-    if (badProperties_++ == 0)
-        builder.warn("occupancy or B factor is not a number: '" + printable(given.text(buffer)) + "'");
+    builder.leaveOut("numbers", "occupancies or B factors that are not numbers", line);
     return otherwise;
 }
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 
+#include "engine/molecule/bonds/possible_bonds.h"
 #include "engine/molecule/formats/mmcif_model.h"
 #include "engine/molecule/text.h"
 
@@ -151,13 +152,18 @@ void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections)
         if (!index) index.emplace(molecule);
         const auto first = findAtoms(*index, connections, row, kPartners[0]);
         const auto second = findAtoms(*index, connections, row, kPartners[1]);
-        if (first.empty() || second.empty()) builder.leaveOut("connections", "_struct_conn names absent atoms");
+        const std::uint64_t line = connections.lineOf(row);
+        if (first.empty() || second.empty()) builder.leaveOut("connections", "_struct_conn names absent atoms", line);
+        bool near = first.empty() || second.empty();
         const int order = mmcifBondOrder(connections.get(row, {"pdbx_value_order"}));
         for (const std::uint32_t a : first)
             for (const std::uint32_t b : second) {
                 const char p = molecule.atoms[a].alternate, q = molecule.atoms[b].alternate;
-                if (a != b && (p == q || p == '\0' || q == '\0')) builder.addBond(a, b, order, 0);
+                if (a == b || (p != q && p != '\0' && q != '\0') || !mayBeBonded(molecule, a, b)) continue;
+                near = true;
+                builder.addBond(a, b, order, line);
             }
+        if (!near) builder.leaveOut("connections", "_struct_conn of atoms at a distance that no bond has", line);
     }
 }
 
@@ -183,12 +189,12 @@ void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const Mmcif
         const std::string name(atoms.get(row, {"atom_id"}).value_or(""));
         records.emplace(name, static_cast<std::uint32_t>(row));
         const auto axis = [&](std::size_t i) { return *atoms.get(row, {(*source)[i]}); };
-        const auto position = builder.position({axis(0), axis(1), axis(2)}, 0);
+        const auto position = builder.position({axis(0), axis(1), axis(2)}, atoms.lineOf(row));
         if (!position) continue;
         Atom atom;
         atom.position = *position;
         atom.name = Name(name);
-        atom.element = builder.element(atoms.get(row, {"type_symbol"}).value_or(""), 0);
+        atom.element = builder.element(atoms.get(row, {"type_symbol"}).value_or(""), atoms.lineOf(row));
         atom.hetero = true;
         const auto charge = parseInteger(atoms.get(row, {"charge"}).value_or("0"));
         if (charge && *charge >= -20 && *charge <= 20) atom.charge = static_cast<std::int8_t>(*charge);
@@ -198,11 +204,11 @@ void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const Mmcif
         const auto a = records.find(bonds.get(row, {"atom_id_1"}).value_or(""));
         const auto b = records.find(bonds.get(row, {"atom_id_2"}).value_or(""));
         if (a == records.end() || b == records.end() || a == b) {
-            builder.leaveOut("bonds", "_chem_comp_bond names absent atoms");
+            builder.leaveOut("bonds", "_chem_comp_bond names absent atoms", bonds.lineOf(row));
             continue;
         }
         builder.addBond(builder.atomOfRecord(a->second), builder.atomOfRecord(b->second),
-                        mmcifBondOrder(bonds.get(row, {"value_order", "type"})), 0);
+                        mmcifBondOrder(bonds.get(row, {"value_order", "type"})), bonds.lineOf(row));
     }
     builder.molecule().file.models = 1;
     builder.molecule().file.bonds = static_cast<std::int64_t>(bonds.rows());

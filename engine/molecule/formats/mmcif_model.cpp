@@ -51,13 +51,12 @@ std::size_t nextCategory(std::string_view document) {
 /// Whether the table of copies names a model in each row, as PetWorld's does: then all models belong to one scene. Only
 /// that table counts: others also have a column of this name.
 bool modelsStandTogether(std::string_view document) {
-    constexpr std::string_view kText = "_pdbx_struct_assembly_gen.PDB_model_num";
     constexpr std::string_view kPacked = "\xB9_pdbx_struct_assembly_gen", kPackedColumn = "\xADPDB_model_num";
     constexpr std::string_view kJson = "\"pdbx_struct_assembly_gen\"", kJsonColumn = "\"PDB_model_num\"";
     const auto has = [](std::string_view part, std::string_view column) {
         return part.find(column) != std::string_view::npos;
     };
-    if (has(document, kText)) return true;
+    if (has(document, kModelOfCopies)) return true;
     if (const std::size_t at = document.find(kPacked); at != std::string_view::npos) {
         const std::string_view own = document.substr(at);
         return has(own.substr(0, nextCategory(own)), kPackedColumn);
@@ -197,6 +196,7 @@ void MmcifModel::addRow(const std::vector<MmcifCell>& cells, std::uint64_t line)
     }
     cells_ += cells.size();
     if (cells_ > mostCells_) cannotRead(builders_.front().name(), "a category is too long", line);
+    if (table_->lines.size() == table_->rows()) table_->lines.push_back(line);
     for (const MmcifCell& cell : cells) {
         table_->cells.push_back(kept(cell));
         cellBytes_ += table_->cells.back().size();
@@ -257,7 +257,7 @@ void MmcifModel::finishModels(FileSummary& file) {
         addSecondaryStructure(builder, tables_["struct_conf"], tables_["struct_sheet_range"]);
     }
     addMmcifAssemblies(builders_.front(), tables_["pdbx_struct_assembly"], tables_["pdbx_struct_assembly_gen"],
-                       tables_["pdbx_struct_oper_list"]);
+                       tables_["pdbx_struct_oper_list"], together_);
     namePackedScene(builders_.front().molecule());
 }
 
@@ -354,7 +354,11 @@ void MmcifModel::summariseCrystal(FileSummary& file) {
     std::array<double, 6> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto value = parseNumber(withoutUncertainty(cell.get(0, {kColumns[i]}).value_or("")));
-        if (!value || !(*value > 0 && *value < (i < 3 ? 1e6 : 180))) return;
+        if (!value || !(*value > 0 && *value < (i < 3 ? 1e6 : 180))) {
+            const bool stated = cell.get(0, {kColumns[i]}).has_value();
+            if (stated) builders_.front().leaveOut("unit cells", "no usable lengths and angles", cell.lineOf(0));
+            return;
+        }
         values[i] = *value;
     }
     file.cell = values;

@@ -44,7 +44,10 @@ class MmcifTable {
 public:
     std::vector<std::string> columns;     ///< lower case, without the category
     std::vector<std::string_view> cells;  ///< data() is null where a value is missing
+    std::vector<std::uint64_t> lines;     ///< of the rows
 
+    /// 0 if not known.
+    std::uint64_t lineOf(std::size_t row) const { return row < lines.size() ? lines[row] : 0; }
     std::size_t rows() const { return columns.empty() ? 0 : cells.size() / columns.size(); }
     /// The first of these columns that has a value.
     std::optional<std::string_view> get(std::size_t row, std::initializer_list<const char*> names) const;
@@ -115,7 +118,7 @@ private:
     int modelIndex(std::string_view number);
     std::optional<float> coordinate(const MmcifCell* cells, int axis, std::uint64_t line,
                                     MoleculeBuilder& builder) const;
-    float property(const MmcifCell& cell, float otherwise, MoleculeBuilder& builder);
+    static float property(const MmcifCell& cell, float otherwise, MoleculeBuilder& builder, std::uint64_t line);
     float radiusOf(const MmcifCell* cells) const;
     static void noteSerial(const MmcifCell& given, Molecule& molecule);
     void countChains(const MmcifCell* cells);
@@ -133,7 +136,6 @@ private:
     std::string lastModel_;
     int lastIndex_ = 0;
     std::int64_t rows_ = 0;
-    std::int64_t badProperties_ = 0;
     std::map<std::string, bool, std::less<>> authChains_, labelChains_;
     std::string lastAuth_, lastLabel_;
     std::map<std::string, std::uint32_t, std::less<>> entities_;  ///< label_entity_id -> 1-based position
@@ -199,13 +201,15 @@ void addComponentBonds(MoleculeBuilder& builder, const MmcifTable& bonds);
 
 /// Helices of _struct_conf and strands of _struct_sheet_range.
 void addSecondaryStructure(MoleculeBuilder& builder, const MmcifTable& conformations, const MmcifTable& strands);
+/// The column that names the model of each copy in a packed scene, as PetWorld's: all its models stand together.
+constexpr std::string_view kModelOfCopies = "_pdbx_struct_assembly_gen.PDB_model_num";
 /// Name of a model's chain in a packed scene whose models stand together: "7:A".
 std::string packedChainName(std::string_view model, std::string_view chain);
 
 /// Assemblies of _pdbx_struct_assembly, _pdbx_struct_assembly_gen and _pdbx_struct_oper_list. Unreadable ones are
 /// skipped with a warning.
 void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, const MmcifTable& generators,
-                        const MmcifTable& operators);
+                        const MmcifTable& operators, MmcifAtoms::Models models);
 
 /// The tables of a small-molecule CIF, whose coordinates are fractional.
 struct SmallMoleculeTables {

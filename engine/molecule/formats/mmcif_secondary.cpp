@@ -45,7 +45,7 @@ void addSecondaryStructure(MoleculeBuilder& builder, const MmcifTable& conformat
     const auto add = [&](const MmcifTable& table, std::size_t row, SecondaryStructure kind) {
         const auto first = endOf(table, row, true), last = endOf(table, row, false);
         if (kind == SecondaryStructure::none || !first || !last || first->chain != last->chain) return;
-        ranges.push_back({kind, first->chain, first->number, last->number, first->code, last->code});
+        ranges.push_back({kind, first->chain, first->number, last->number, first->code, last->code, table.lineOf(row)});
     };
     for (std::size_t row = 0; row < conformations.rows(); ++row)
         add(conformations, row, kindOf(conformations.get(row, {"conf_type_id"}).value_or("")));

@@ -11,6 +11,7 @@
 
 #include "engine/molecule/assemblies.h"
 #include "engine/molecule/element.h"
+#include "engine/molecule/formats/cell_sites.h"
 #include "engine/molecule/formats/mmcif_model.h"
 #include "engine/molecule/space_group.h"
 #include "engine/molecule/text.h"
@@ -33,8 +34,10 @@ gemmi::UnitCell readCell(const std::string& name, const MmcifTable& table) {
         const auto given = table.rows() > 0 ? number(table, 0, {kColumns[i]}) : std::nullopt;
         const double high = i < 3 ? 1e6 : 180;
         if (!given || !(*given > 0 && *given < high))
-            cannotRead(name, std::string("_cell_") + kColumns[i] +
-                                 " is missing or impossible, without which fractional coordinates mean nothing");
+            cannotRead(name,
+                       std::string("_cell_") + kColumns[i] +
+                           " is missing or impossible, without which fractional coordinates mean nothing",
+                       table.lineOf(0));
         value[i] = *given;
     }
     gemmi::UnitCell cell;
@@ -86,10 +89,10 @@ Atom readAtom(MoleculeBuilder& builder, const MmcifTable& atoms, std::size_t row
     const auto type = atoms.get(row, {"type_symbol"});
     atom.name = Name(label);
     if (type) {
-        atom.element = builder.element(*type, 0);
+        atom.element = builder.element(*type, atoms.lineOf(row));
     } else {
         atom.element = elementOfLabel(label, formula);
-        if (atom.element == 0) builder.element(label, 0);  // counts it as unknown
+        if (atom.element == 0) builder.element(label, atoms.lineOf(row));  // counts it as unknown
         builder.guess("elements", "from site labels");
     }
     atom.alternate = alternateOf(atoms, row);
@@ -119,30 +122,12 @@ std::optional<gemmi::Fractional> readPosition(MoleculeBuilder& builder, const Mm
         if (text)
             builder.leaveOutAtom(std::string(kColumns[axis]) + " of row " + std::to_string(row + 1) +
                                      " of _atom_site is not a finite number: '" + printable(*text) + "'",
-                                 0);
+                                 atoms.lineOf(row));
         else
-            builder.leaveOut("atoms", "no usable coordinates");
+            builder.leaveOut("atoms", "no usable coordinates", atoms.lineOf(row));
         return std::nullopt;
     }
     return gemmi::Fractional(value[0], value[1], value[2]);
-}
-
-/// A symmetry operation as a transform of Å, shifted by whole cells so that the copy's centre lies in the cell at 0.
-TransformRows transformOf(const gemmi::Op& operation, const gemmi::UnitCell& cell, const gemmi::Fractional& centre) {
-    gemmi::Transform fractional;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) fractional.mat[i][j] = double(operation.rot[i][j]) / gemmi::Op::DEN;
-        fractional.vec.at(i) = double(operation.tran[i]) / gemmi::Op::DEN;
-    }
-    const gemmi::Vec3 moved = fractional.apply(centre);
-    for (int i = 0; i < 3; ++i) fractional.vec.at(i) -= std::floor(moved.at(i));
-    const gemmi::Transform whole = cell.orth.combine(fractional).combine(cell.frac);
-    TransformRows rows{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) rows[4 * i + j] = whole.mat.a[i][j];
-        rows[4 * i + 3] = whole.vec.at(static_cast<int>(i));
-    }
-    return rows;
 }
 
 /// Operations that the file lists, else those of its space group.
@@ -164,66 +149,6 @@ std::vector<gemmi::Op> operationsOf(const SmallMoleculeTables& tables) {
     for (const gemmi::Op operation : group->operations()) operations.push_back(operation);
     return operations;
 }
-
-/// Indices of the operations that give an atom different positions. On a special position (an axis, a mirror plane, a
-/// centre of symmetry) the other operations repeat these.
-std::vector<std::uint32_t> distinctPlaces(const gemmi::Fractional& at, const std::vector<gemmi::Op>& operations,
-                                          const gemmi::UnitCell& cell) {
-    constexpr double kSamePlace = 0.3;            // Å: nearer images are one atom, written with few digits
-    constexpr std::size_t kMostOperations = 192;  // of any space group
-    const auto same = [&](const gemmi::Fractional& a, const gemmi::Fractional& b) {
-        const gemmi::Fractional between(a - b);
-        return cell.orthogonalize_difference(gemmi::Fractional(between).wrap_to_zero()).length() < kSamePlace;
-    };
-    std::vector<std::uint32_t> kept(operations.size());
-    std::iota(kept.begin(), kept.end(), 0u);
-    if (operations.size() > kMostOperations) return kept;
-    std::vector<gemmi::Fractional> images;
-    for (const gemmi::Op& operation : operations) {
-        const std::array<double, 3> image = operation.apply_to_xyz({at.x, at.y, at.z});
-        images.emplace_back(image[0], image[1], image[2]);
-    }
-    // In a group, either some operation repeats the position of the first, or none repeats any.
-    const auto repeats = [&](std::uint32_t i) { return i > 0 && same(images[i], images[0]); };
-    if (std::none_of(kept.begin(), kept.end(), repeats)) return kept;
-    kept.clear();
-    for (std::uint32_t i = 0; i < operations.size(); ++i)
-        if (std::none_of(kept.begin(), kept.end(), [&](std::uint32_t known) { return same(images[i], images[known]); }))
-            kept.push_back(i);
-    return kept;
-}
-
-/// Groups of atoms with the same places in the cell, each a subchain of its own.
-class Sites {
-public:
-    /// The name of the subchain of an atom. Empty: of the atoms that every operation places.
-    std::string nameOf(const std::vector<std::uint32_t>& kept, std::size_t operations) {
-        if (kept.size() >= operations) return "";
-        const auto [at, added] = groups_.try_emplace(kept, "site " + std::to_string(groups_.size() + 1));
-        return at->second;
-    }
-
-    Assembly unitCell(const MoleculeBuilder& builder, const std::vector<gemmi::Op>& operations,
-                      const gemmi::UnitCell& cell, const gemmi::Fractional& centre) const {
-        AssemblyLimits limits(builder.maxAtoms());
-        std::vector<glm::mat4x3> transforms;
-        for (const gemmi::Op& operation : operations) {
-            limits.spend(1, 1);
-            transforms.push_back(toMatrix(transformOf(operation, cell, centre)));
-        }
-        Assembly assembly{"unit-cell", "content of the unit cell", {}};
-        if (const auto general = builder.subchain("")) addPart(assembly, transforms, {*general});
-        for (const auto& [kept, name] : groups_) {
-            std::vector<glm::mat4x3> some;
-            for (const std::uint32_t i : kept) some.push_back(transforms[i]);
-            if (const auto site = builder.subchain(name)) addPart(assembly, some, {*site});
-        }
-        return assembly;
-    }
-
-private:
-    std::map<std::vector<std::uint32_t>, std::string> groups_;
-};
 
 constexpr float kSameSite = 0.1f;        // Å
 constexpr std::size_t kMostOnSite = 26;  // A to Z
@@ -341,8 +266,7 @@ void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& table
     const bool formulated = tables.chemical.rows() > 0;
     const std::vector<Element> formula =
         elementsOfFormula(formulated ? tables.chemical.get(0, {"formula_sum"}).value_or("") : std::string_view());
-    Sites sites;
-    gemmi::Vec3 sum(0, 0, 0);
+    CellSites sites(cell, operations);
     std::size_t placed = 0;
     for (std::size_t row = 0; row < tables.atoms.rows(); ++row) {
         const auto fractional = readPosition(builder, tables.atoms, row);
@@ -356,25 +280,17 @@ void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& table
         }
         if (!near) {
             builder.leaveOutAtom("the position in row " + std::to_string(row + 1) + " of _atom_site is too far away",
-                                 0);
+                                 tables.atoms.lineOf(row));
             continue;
         }
-        const std::string site = sites.nameOf(distinctPlaces(*fractional, operations, cell), operations.size());
-        builder.addAtom(atom, "", 1, '\0', "", site);
-        sum += *fractional;
+        builder.addAtom(atom, "", 1, '\0', "", sites.add(*fractional));
         ++placed;
     }
     separateSharedSites(builder);
     builder.molecule().file.models = 1;
     builder.molecule().file.totalAtomsAllModels = static_cast<std::int64_t>(placed);
     if (!fault.empty()) builder.warn("the unit cell is left out: " + fault);
-    if (placed == 0 || operations.empty()) return;
-    try {
-        const gemmi::Fractional centre(sum / static_cast<double>(placed));
-        builder.molecule().assemblies.push_back(sites.unitCell(builder, operations, cell, centre));
-    } catch (const AssemblyFault& without) {
-        builder.warn(std::string("the unit cell is left out: ") + without.what());
-    }
+    sites.addUnitCell(builder);
 }
 
 }  // namespace nacre

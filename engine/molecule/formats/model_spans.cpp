@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "engine/molecule/formats/mmcif_model.h"
 #include "engine/molecule/formats/text_cutter.h"
 #include "engine/molecule/text.h"
 
@@ -223,7 +224,7 @@ ModelSpans mmcifSpans(const TextSource& text) {
     };
     const auto isTag = [&] { return startsWith(lowerCase(cut.line().substr(0, 11)), "_atom_site."); };
     // The models of a packed scene stand together.
-    const auto isPacked = [&] { return startsWith(cut.line(), "_pdbx_struct_assembly_gen.PDB_model_num"); };
+    const auto isPacked = [&] { return startsWith(cut.line(), kModelOfCopies); };
     for (; !cut.atEnd() && !isTag(); cut.pass())
         if (isPacked()) return {};
     std::size_t columns = 0, number = std::string_view::npos;

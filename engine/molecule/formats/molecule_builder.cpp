@@ -20,15 +20,18 @@ Assembly neighbourCells(const Molecule& molecule) {
     AssemblyPart part;
     for (std::uint32_t i = 0; i < molecule.subchains.size(); ++i) part.subchains.push_back(i);
     const auto& edges = *molecule.file.box;
+    const auto& repeats = molecule.file.boxRepeats;
     for (const int a : {0, -1, 1})
         for (const int b : {0, -1, 1})
             for (const int c : {0, -1, 1}) {
+                if ((a != 0 && !repeats[0]) || (b != 0 && !repeats[1]) || (c != 0 && !repeats[2])) continue;
                 glm::mat4x3 shift(1.0f);
                 shift[3] = static_cast<float>(a) * edges[0] + static_cast<float>(b) * edges[1] +
                            static_cast<float>(c) * edges[2];
                 part.transforms.push_back(shift);
             }
-    return {"3x3x3", "the cell and its neighbours", {part}};
+    const auto times = [&](std::size_t axis) { return repeats[axis] ? "3" : "1"; };
+    return {std::string(times(0)) + "x" + times(1) + "x" + times(2), "the cell and its neighbours", {part}};
 }
 
 constexpr std::size_t kMaxWarningsOfReader = 20;
@@ -154,10 +157,12 @@ std::optional<glm::vec3> MoleculeBuilder::computedPosition(const glm::dvec3& pos
     return glm::vec3(position);
 }
 
-void MoleculeBuilder::takeBox(const std::array<glm::vec3, 3>& box, const glm::vec3& origin) {
+void MoleculeBuilder::takeBox(const std::array<glm::vec3, 3>& box, const glm::vec3& origin, std::uint64_t line) {
     constexpr double kLeastVolume = 1e-6;  // Å^3
     const glm::dvec3 a(box[0]), b(box[1]), c(box[2]);
-    if (!(std::abs(glm::dot(a, glm::cross(b, c))) > kLeastVolume)) return;
+    if (box == std::array<glm::vec3, 3>{}) return;  // there is none
+    if (!(std::abs(glm::dot(a, glm::cross(b, c))) > kLeastVolume))
+        return leaveOut("periodic boxes", "without volume", line);
     molecule_.file.box = box;
     molecule_.file.boxOrigin = origin;
 }

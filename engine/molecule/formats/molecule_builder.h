@@ -45,6 +45,13 @@ public:
 
     void warn(const std::string& sentence);
 
+    /// Counts items that nothing shows ("velocities"); or that the file states, if the molecule does not tell.
+    void pass(std::string_view what, std::int64_t count = 1) {
+        addNote(molecule_.notes, ReadAction::unused, what, "not used", count);
+    }
+    void state(std::string_view what, std::int64_t count = 1) {
+        addNote(molecule_.notes, ReadAction::read, what, "", count);
+    }
     /// Counts items that are left out, or guessed. @param what  plural @param why  no text of the file
     void leaveOut(std::string_view what, std::string_view why, std::uint64_t line = 0) {
         addNote(molecule_.notes, ReadAction::leftOut, what, why, 1, line);
@@ -59,12 +66,14 @@ public:
     std::optional<glm::vec3> position(const std::array<std::string_view, 3>& axes, std::uint64_t line,
                                       double scale = 1);
     std::optional<glm::vec3> computedPosition(const glm::dvec3& position, std::uint64_t line);
-    /// Vectors of a periodic box, unless they have no volume. @param origin  its corner, Å
-    void takeBox(const std::array<glm::vec3, 3>& box, const glm::vec3& origin = {});
-    /// The same of a crystal, whose cells are shown by the assembly "3x3x3".
-    void takeCell(const std::array<glm::vec3, 3>& cell) {
-        takeBox(cell);
-        repeats_ = true;
+    /// Vectors of a periodic box; left out if they have no volume. @param origin  its corner, Å @param line  0: none
+    void takeBox(const std::array<glm::vec3, 3>& box, const glm::vec3& origin = {}, std::uint64_t line = 0);
+    /// The same of a crystal, whose cells are shown by the assembly "3x3x3". @param repeats  along each vector
+    void takeCell(const std::array<glm::vec3, 3>& cell, std::uint64_t line = 0,
+                  const std::array<bool, 3>& repeats = {true, true, true}) {
+        takeBox(cell, {}, line);
+        molecule_.file.boxRepeats = repeats;
+        repeats_ = repeats[0] || repeats[1] || repeats[2];
     }
     /// Leaves out an atom without usable coordinates. @param why  for an error if most atoms are like it
     void leaveOutAtom(const std::string& why, std::uint64_t line);
@@ -72,6 +81,7 @@ public:
     /// out, or there is none. @param record  from 0
     std::int64_t atomOfRecord(std::int64_t record) const;
 
+    static constexpr std::size_t kMostBondsPerAtom = 8;
     /// Maximum of bonds that a reader may keep until it knows all atoms.
     std::size_t mostBonds() const { return kMostBondsPerAtom * maxAtoms_; }
 
@@ -83,7 +93,6 @@ public:
     Molecule finish();
 
 private:
-    static constexpr std::size_t kMostBondsPerAtom = 8;
     using Indices = std::map<std::string, std::uint32_t, std::less<>>;  // no hash: a file could choose names that
                                                                         // collide
     std::uint32_t chainIndex(std::string_view chain);

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/geometric.hpp>
+#include <set>
 #include <utility>
 
 #include "engine/molecule/bonds/bonds.h"
+#include "engine/molecule/bonds/possible_bonds.h"
 #include "engine/molecule/formats/id_index.h"
+#include "engine/molecule/formats/molecule_builder.h"
 #include "engine/molecule/formats/pdb_fields.h"
+#include "engine/molecule/text.h"
 
 namespace nacre::pdb {
 namespace {
@@ -24,19 +29,51 @@ struct Ignored {
     }
 };
 
+/// The numbers of a record, if some have six digits or more: then blanks stand between them, and no columns hold.
+/// Numbers that fill their columns touch as well, but end where columns end.
+std::vector<std::string_view> longNumbers(std::string_view line) {
+    constexpr std::size_t kBegin = 6, kWidth = 5, kTouching = 10;
+    const std::vector<std::string_view> words = wordsOf(line.substr(kBegin));
+    const auto isLong = [&](std::string_view word) {
+        const auto end = static_cast<std::size_t>(word.data() + word.size() - line.data());
+        return word.size() > kWidth && word.size() < kTouching && (end - kBegin) % kWidth != 0;
+    };
+    const auto isNumber = [](std::string_view word) {
+        return word.size() < kTouching && word.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    const bool plain = std::all_of(words.begin(), words.end(), isNumber);
+    return plain && std::any_of(words.begin(), words.end(), isLong) ? words : std::vector<std::string_view>();
+}
+
+constexpr float kManyTimesUsual = 3;
+
+/// The median.
+float usualLength(const Molecule& molecule, const std::vector<Bond>& bonds) {
+    if (bonds.empty()) return 0;
+    std::vector<float> lengths;
+    for (const Bond& bond : bonds)
+        lengths.push_back(glm::distance(molecule.atoms[bond.a].position, molecule.atoms[bond.b].position));
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::nth_element(lengths.begin(), middle, lengths.end());
+    return *middle;
+}
+
 }  // namespace
 
 void ConectTable::add(std::string_view line, std::uint64_t lineNumber) {
     // Columns 32 and on held hydrogen bonds and salt bridges in old files; they are no bonds.
     constexpr std::array<std::size_t, 4> kPartners = {12, 17, 22, 27};
-    const auto from = integer(columns(line, 7, 11), 5);
+    const std::vector<std::string_view> words = longNumbers(line);
+    const auto from = words.empty() ? integer(columns(line, 7, 11), 5) : integer(words[0], 5);
     if (!from || *from < 0) {
         if (unreadable_++ == 0) firstUnreadable_ = lineNumber;
         return;
     }
     const std::size_t before = pairs_.size();
-    for (const std::size_t first : kPartners) {
-        const std::string_view field = trim(columns(line, first, first + 4));
+    for (std::size_t i = 0; i < kPartners.size(); ++i) {
+        const std::string_view field = words.empty()          ? trim(columns(line, kPartners[i], kPartners[i] + 4))
+                                       : i + 1 < words.size() ? words[i + 1]
+                                                              : std::string_view();
         if (field.empty()) continue;
         const auto to = integer(field, 5);
         if (!to) {
@@ -64,9 +101,9 @@ void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& mo
     molecule.file.conectUniquePairs = 0;
     if (empty()) return;
     const IdIndex index(serials);
-    Ignored dangling;
-    Ignored ambiguous;
+    Ignored dangling, ambiguous, impossible, own;
     std::vector<Bond> bonds;
+    std::vector<std::uint32_t> lines;
     for (const Pair& pair : pairs_) {
         std::uint32_t a = 0;
         std::uint32_t b = 0;
@@ -76,19 +113,34 @@ void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& mo
             dangling.note(pair.line);
         } else if (foundA == IdIndex::Found::several || foundB == IdIndex::Found::several) {
             ambiguous.note(pair.line);
-        } else if (a != b) {
+        } else if (a == b) {
+            own.note(pair.line);
+        } else {
             bonds.push_back({std::min(a, b), std::max(a, b), pair.order, BondSource::file});
+            lines.push_back(pair.line);
         }
     }
+    const float farthest = kManyTimesUsual * usualLength(molecule, bonds);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> refused;  // each stands with both of its atoms
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < bonds.size(); ++i) {
+        if (mayBeBonded(molecule, bonds[i].a, bonds[i].b, farthest))
+            bonds[kept++] = bonds[i];
+        else if (refused.emplace(bonds[i].a, bonds[i].b).second)
+            impossible.note(lines[i]);
+    }
+    bonds.resize(kept);
     mergeBonds(bonds, serials.size());
-    if (bonds.size() > kMostBondsPerAtom * serials.size()) {
+    if (bonds.size() > MoleculeBuilder::kMostBondsPerAtom * serials.size()) {
         molecule.warnings.push_back("ignored all " + std::to_string(bonds.size()) +
                                     " bonds of CONECT records: more than its atoms could form");
         return;
     }
-    molecule.file.conectUniquePairs = static_cast<std::int64_t>(bonds.size());
+    molecule.file.conectUniquePairs = static_cast<std::int64_t>(bonds.size() + refused.size());
     molecule.bonds.insert(molecule.bonds.end(), bonds.begin(), bonds.end());
     dangling.report(molecule, "CONECT of atoms that are not there");
+    own.report(molecule, "CONECT of an atom to itself");
+    impossible.report(molecule, "CONECT of atoms at a distance that no bond has");
     ambiguous.report(molecule, "CONECT of serial numbers that several atoms have");
     Ignored{tooMany_, firstTooMany_}.report(molecule, "CONECT beyond what its atoms could form");
     Ignored{unreadable_, firstUnreadable_}.report(molecule, "CONECT without serial numbers");

@@ -30,7 +30,7 @@ public:
 
 private:
     // Each bond is usually listed from both sides.
-    static constexpr std::size_t kPairsPerAtom = 16, kFewPairs = 1000, kMostBondsPerAtom = 8;
+    static constexpr std::size_t kPairsPerAtom = 16, kFewPairs = 1000;
 
     struct Pair {
         std::int32_t from;  // five digits, or hybrid-36, which ends at 87,440,031

@@ -154,28 +154,61 @@ std::optional<std::int64_t> integer(std::string_view field, std::size_t width) {
     return field.empty() ? std::nullopt : hybrid36(field, width);
 }
 
+namespace {
+
+/// Columns of a serial number behind those that are its own: 2 for "ATOM  1000000".
+std::size_t overflowOfSerial(std::string_view line) {
+    constexpr std::size_t kEnd = 11, kMost = 4;
+    if (!isDigit(column(line, 7)) || isDigit(column(line, 6))) return 0;
+    std::size_t extra = 0;
+    while (extra < kMost && isDigit(column(line, kEnd + extra + 1))) ++extra;
+    return isDigit(column(line, kEnd)) ? extra : 0;
+}
+
+}  // namespace
+
 std::optional<std::int64_t> serial(std::string_view line) {
-    // "ATOM 1000000" starts early, "ATOM  100000" ends late.
+    // "ATOM 1000000" starts early, "ATOM  100000" ends late. A name of four characters may begin with a digit.
     const std::size_t first = isDigit(column(line, 6)) ? 6 : 7;
-    const bool wide = isDigit(column(line, 7)) && isDigit(column(line, 11)) && isDigit(column(line, 12));
-    return integer(columns(line, first, wide ? 12 : 11), 5);
+    std::size_t extra = overflowOfSerial(line);
+    if (extra > 1 && pushOfSerial(line, extra) < extra) extra = 1;
+    return integer(columns(line, first, first == 6 && isDigit(column(line, 12)) ? 12 : 11 + extra), 5);
+}
+
+std::size_t pushOfSerial(std::string_view line, std::size_t shift) {
+    constexpr std::size_t kChain = 22, kNumber = 23, kNumberEnd = 26;
+    const std::size_t extra = std::min(overflowOfSerial(line), shift);
+    // The residue's number ends where the push puts it; without a push it would begin in the column of the chain.
+    for (std::size_t push = extra; push > 0; --push) {
+        const bool ends = isDigit(column(line, kNumberEnd + push)) && !isDigit(column(line, kNumberEnd + push + 1));
+        const bool begins = !isDigit(column(line, kChain + push)) || column(line, kNumber + push) == ' ';
+        if (ends && begins) return push;
+    }
+    return 0;
 }
 
 Coordinates coordinates(std::string_view line) {
     // As the format has it: three decimals, and nothing runs in from the left.
-    const Coordinates columned{{columns(line, 31, 38), columns(line, 39, 46), columns(line, 47, 54)}, 0};
-    if (column(line, 35) == '.' && column(line, 43) == '.' && column(line, 51) == '.' && column(line, 30) == ' ')
-        return columned;
+    const bool usual =
+        column(line, 35) == '.' && column(line, 43) == '.' && column(line, 51) == '.' && column(line, 30) == ' ';
+    const Coordinates columned{{columns(line, 31, 38), columns(line, 39, 46), columns(line, 47, 54)}, 0, usual};
+    if (usual) return columned;
     constexpr std::size_t kUsualDecimals = 3, kUsualEnd = 54;
     Coordinates found;
-    std::size_t at = 26;  // after the residue's number, which may be too long as well
+    std::size_t at = 26;  // behind the residue's number, which may be too long, or pushed to the right
     const auto skipDigits = [&] {
         while (at < line.size() && isDigit(line[at])) ++at;
     };
-    if (isDigit(column(line, 26))) skipDigits();
-    if (at < line.size() && isLetter(line[at])) ++at;  // an insertion code
-    for (std::string_view& field : found.fields) {
+    const auto skipBlanks = [&] {
         while (at < line.size() && isSpaceOrNul(line[at])) ++at;
+    };
+    if (overflowOfSerial(line) > 0 && !isDigit(column(line, 26))) skipBlanks();
+    const std::size_t number = at;
+    if (isDigit(column(line, 26)) || number > 26 || isDigit(column(line, 27))) skipDigits();
+    if (at < line.size() && line[at] == '.') at = number;  // it is a coordinate
+    if (at < line.size() && isLetter(line[at])) ++at;      // an insertion code
+    for (std::string_view& field : found.fields) {
+        skipBlanks();
         const std::size_t begin = at;
         if (at < line.size() && (line[at] == '-' || line[at] == '+')) ++at;
         skipDigits();

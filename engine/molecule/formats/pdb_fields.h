@@ -30,6 +30,7 @@ std::optional<double> number(std::string_view field);
 struct Coordinates {
     std::array<std::string_view, 3> fields;
     std::size_t shift = 0;
+    bool pointed = true;  ///< their decimal points tell where they are; else they are in the usual columns
 };
 
 /// By columns 31 to 54, or by the decimal points where numbers are wider than their columns, or stand beside them.
@@ -39,8 +40,11 @@ Coordinates coordinates(std::string_view line);
 /// in base 36, then a000..). Empty for anything else.
 std::optional<std::int64_t> integer(std::string_view field, std::size_t width);
 
-/// Serial number of an atom line, also with six or more digits that overflow into the blanks beside the columns.
+/// Serial number of an atom line, also with six or more digits that run into the columns behind it.
 std::optional<std::int64_t> serial(std::string_view line);
+
+/// By how many columns a long serial number pushes name and residue to the right. @param shift  of the coordinates
+std::size_t pushOfSerial(std::string_view line, std::size_t shift);
 
 /// Element from columns 77-78; 0 if they state none.
 Element statedElement(std::string_view line);

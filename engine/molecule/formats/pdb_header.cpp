@@ -30,7 +30,7 @@ void eachToken(std::string_view text, const std::function<void(std::string_view 
 
 }  // namespace
 
-void Header::add(std::string_view line) {
+void Header::add(std::string_view line, std::uint64_t number) {
     if (startsWith(line, "HEADER")) {
         entry_ = nacre::trim(columns(line, 63, 66));
         return;
@@ -39,7 +39,7 @@ void Header::add(std::string_view line) {
     const bool numbered = !entry_.empty() && nacre::trim(columns(line, 73, 76)) == entry_;
     const std::size_t last = numbered ? 72 : 80;
     if (startsWith(line, "CRYST1")) {
-        takeCrystal(line);
+        takeCrystal(line, number);
     } else if (startsWith(line, "COMPND")) {
         join(compound_, nacre::trim(columns(line, 11, last)), kMostText);
     } else if (startsWith(line, "SOURCE")) {
@@ -54,13 +54,17 @@ void Header::add(std::string_view line) {
     }
 }
 
-void Header::takeCrystal(std::string_view line) {
+void Header::takeCrystal(std::string_view line, std::uint64_t number) {
     static constexpr std::array<std::pair<std::size_t, std::size_t>, 6> kColumns{
         {{7, 15}, {16, 24}, {25, 33}, {34, 40}, {41, 47}, {48, 54}}};
     std::array<double, 6> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto value = parseNumber(columns(line, kColumns[i].first, kColumns[i].second));
-        if (!value || !(*value > 0 && *value < (i < 3 ? 1e6 : 180))) return;
+        if (value && *value == 0) return;  // there is none
+        if (!value || !(*value > 0 && *value < (i < 3 ? 1e6 : 180))) {
+            unusableCell_ = number;
+            return;
+        }
         values[i] = *value;
     }
     // Files without a crystal say 1 1 1 90 90 90.
@@ -69,16 +73,19 @@ void Header::takeCrystal(std::string_view line) {
     spaceGroup_ = nacre::trim(columns(line, 56, 66));
 }
 
-void Header::resolve(FileSummary& file) const {
+void Header::resolve(Molecule& molecule) const {
+    FileSummary& file = molecule.file;
+    if (unusableCell_ > 0)
+        addNote(molecule.notes, ReadAction::leftOut, "unit cells", "no usable lengths and angles", 1, unusableCell_);
     file.cell = cell_;
     file.spaceGroup = spaceGroup_;
-    std::string molecule;
+    std::string called;
     eachToken(compound_, [&](std::string_view key, std::string_view value) {
-        if (key == "MOLECULE") molecule = plainCase(value, true);
+        if (key == "MOLECULE") called = plainCase(value, true);
         if (key != "CHAIN") return;
         while (!value.empty()) {
             const std::size_t end = std::min(value.find(','), value.size());
-            noteName(file.chainNames, nacre::trim(value.substr(0, end)), molecule);
+            noteName(file.chainNames, nacre::trim(value.substr(0, end)), called);
             value.remove_prefix(std::min(end + 1, value.size()));
         }
     });

@@ -13,8 +13,10 @@
 #include <vector>
 
 #include "engine/molecule/element.h"
+#include "engine/molecule/formats/cell_sites.h"
 #include "engine/molecule/formats/molecule_builder.h"
 #include "engine/molecule/read.h"
+#include "engine/molecule/space_group.h"
 #include "engine/molecule/text.h"
 #include "engine/molecule/trajectory/trajectory.h"
 
@@ -52,6 +54,12 @@ std::string_view nextWord(std::string_view& text) {
 struct CmlAtom {
     std::string_view id, element, x, y, z, charge;
     bool fractional = false;
+};
+
+/// An atom that waits for its crystal's cell and symmetry, which may stand behind it.
+struct PendingAtom {
+    Atom atom;  ///< its position may be in parts of the cell
+    bool fractional;
 };
 
 struct CmlBond {
@@ -140,6 +148,12 @@ private:
         inName_ = name == "name" && moleculeDepth_ > 0 && nameText_.empty();
         cellScalar_ = name == "scalar" ? cellScalarOf(attributes) : kNoScalar;
         if (cellScalar_ != kNoScalar) cell_[cellScalar_].clear();  // of an earlier crystal
+        if (name == "symmetry") {
+            spaceGroup_ = attributes["spaceGroup"].substr(0, kLongestScalar);
+            operations_.clear();
+        }
+        inOperation_ = name == "transform3";
+        if (inOperation_) operation_.clear();
         if (name == "molecule") {
             ++molecules_;
             if (++moleculeDepth_ == 1) ++outermost_;
@@ -165,6 +179,7 @@ private:
     void end(std::string_view qualified) {
         --depth_;
         cellScalar_ = kNoScalar;
+        if (std::exchange(inOperation_, false)) addOperation();
         inName_ = false;
         if (withoutPrefix(qualified) == "molecule" && --moleculeDepth_ == 0) finishMolecule();
     }
@@ -178,27 +193,76 @@ private:
                                         std::begin(kScalars));
     }
 
-    /// Positions in parts of the cell, which may stand behind the atoms.
-    void placeFractional() {
-        if (fractional_.empty()) return;
+    /// Three rows of a rotation and a shift, of parts of the cell; perhaps a fourth row.
+    void addOperation() {
+        const std::vector<std::string_view> words = wordsOf(operation_);
+        gemmi::Op operation{};
+        bool usable = (words.size() == 12 || words.size() == 16) && operations_.size() < kMostOperations;
+        for (std::size_t i = 0; usable && i < 12; ++i) {
+            constexpr double kLargest = 10, kTolerance = 0.02;  // 0.333 is a third
+            const double value = parseNumber(words[i]).value_or(HUGE_VAL) * gemmi::Op::DEN;
+            usable = std::abs(value) <= kLargest * gemmi::Op::DEN && std::abs(value - std::round(value)) <= kTolerance;
+            if (!usable) break;
+            const int whole = static_cast<int>(std::lround(value));
+            (i % 4 == 3 ? operation.tran[i / 4] : operation.rot[i / 4][i % 4]) = whole;
+        }
+        if (usable)
+            operations_.push_back(operation);
+        else
+            builder_.leaveOut("symmetry operations", "not of a space group", line());
+    }
+
+    /// Of the crystal: those that it lists, or its space group's; none of a file that states neither.
+    std::vector<gemmi::Op> symmetry() {
+        std::vector<gemmi::Op> operations = operations_;
+        const gemmi::SpaceGroup* group = spaceGroup_.empty() ? nullptr : spaceGroupOf(spaceGroup_);
+        if (operations.empty() && group)
+            for (const gemmi::Op operation : group->operations()) operations.push_back(operation);
+        if (operations.empty() && !spaceGroup_.empty())
+            builder_.leaveOut("space groups", "the name is not known", line());
+        const gemmi::Op identity = gemmi::parse_triplet("x,y,z");
+        if (!operations.empty() && std::find(operations.begin(), operations.end(), identity) == operations.end())
+            operations.insert(operations.begin(), identity);
+        return operations;
+    }
+
+    /// Atoms of a molecule, whose cell and symmetry may stand behind them.
+    void placeAtoms() {
+        if (std::none_of(atoms_.begin(), atoms_.end(), [](const PendingAtom& a) { return a.fractional; })) {
+            for (const PendingAtom& pending : atoms_) builder_.addAtom(pending.atom, "", outermost_, '\0', "");
+            atoms_.clear();
+            return;
+        }
         std::array<double, 6> cell{};
         for (std::size_t i = 0; i < cell.size(); ++i) cell[i] = parseNumber(cell_[i]).value_or(0);
         const auto box = boxOf({cell[0], cell[1], cell[2]}, {cell[3], cell[4], cell[5]});
         if (!box) fail("it has fractional coordinates and no unit cell");
-        for (const std::uint32_t i : fractional_) {
-            glm::vec3& p = builder_.molecule().atoms[i].position;
-            p = (*box)[0] * p.x + (*box)[1] * p.y + (*box)[2] * p.z;
+        const std::vector<gemmi::Op> operations = symmetry();
+        const std::string prefix =
+            outermost_ > 1 && operations.size() > 1 ? std::to_string(outermost_) + " " : std::string();
+        CellSites sites({cell[0], cell[1], cell[2], cell[3], cell[4], cell[5]}, operations, prefix);
+        for (PendingAtom& pending : atoms_) {
+            glm::vec3& p = pending.atom.position;
+            const glm::dvec3 at(p);
+            if (pending.fractional) p = (*box)[0] * p.x + (*box)[1] * p.y + (*box)[2] * p.z;
             for (int axis = 0; axis < 3; ++axis)
                 if (!(std::abs(static_cast<double>(p[axis])) <= kFarthestCoordinate))
                     fail("an atom is not within 1e9 Å");
+            const std::string site =
+                pending.fractional && operations.size() > 1 ? sites.add({at.x, at.y, at.z}) : prefix;
+            builder_.addAtom(pending.atom, "", outermost_, '\0', "", site);
         }
-        fractional_.clear();
-        builder_.takeCell(*box);
+        atoms_.clear();
+        if (operations.size() < 2) return builder_.takeCell(*box);
+        builder_.molecule().file.cell = cell;
+        builder_.molecule().file.spaceGroup = printable(spaceGroup_);
+        sites.addUnitCell(builder_);
     }
 
     void text(std::string_view piece) {
         if (cellScalar_ != kNoScalar && cell_[cellScalar_].size() < kLongestScalar)
             cell_[cellScalar_] += piece.substr(0, kLongestScalar);
+        if (inOperation_ && operation_.size() < kLongestOperation) operation_ += piece.substr(0, kLongestOperation);
         if (inName_ && title_.size() < kLongestTitle) nameText_ += piece.substr(0, kLongestTitle);
         if (nameText_.size() > kLongestTitle) inName_ = false;
     }
@@ -232,13 +296,13 @@ private:
             else
                 builder_.leaveOut("formal charges", "not usable", line());
         }
-        const auto index = static_cast<std::uint32_t>(builder_.molecule().atoms.size());
-        builder_.addAtom(atom, "", outermost_, '\0', "");
-        if (given.fractional) fractional_.push_back(index);
+        const std::size_t index = builder_.molecule().atoms.size() + atoms_.size();
+        if (index >= maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
+        atoms_.push_back({atom, given.fractional});
         if (given.id.empty()) return;
         std::uint32_t& known = atomOfId_[idIndex(given.id)];
         if (known != kNoAtom) fail("two atoms are called '" + printable(given.id) + "'");
-        known = index;
+        known = static_cast<std::uint32_t>(index);
     }
 
     /// Atoms as lists of words in the array's own attributes.
@@ -314,7 +378,7 @@ private:
 
     /// Bonds may precede their atoms, so they wait for the molecule's end.
     void finishMolecule() {
-        placeFractional();
+        placeAtoms();
         for (const CmlBond& bond : pending_) {
             const std::uint32_t a = atomOfId_[bond.a], b = atomOfId_[bond.b];
             if (a == kNoAtom || b == kNoAtom)
@@ -343,10 +407,13 @@ private:
     std::map<std::string, std::uint32_t, std::less<>> indexOfId_;  // no hash that a file could aim at
     std::vector<std::uint32_t> atomOfId_;                          ///< kNoAtom until the atom comes
     std::vector<CmlBond> pending_;
-    static constexpr std::size_t kNoScalar = 6, kLongestScalar = 40;
+    static constexpr std::size_t kNoScalar = 6, kLongestScalar = 40, kLongestOperation = 1000, kMostOperations = 192;
     std::size_t cellScalar_ = kNoScalar;  ///< that is being read
     std::array<std::string, 6> cell_;     ///< three lengths, Å, and three angles, degrees
-    std::vector<std::uint32_t> fractional_;
+    std::string spaceGroup_, operation_;
+    std::vector<gemmi::Op> operations_;  ///< of the crystal
+    bool inOperation_ = false;
+    std::vector<PendingAtom> atoms_;  ///< of the outermost molecule
     std::size_t flat_ = 0, oddOrders_ = 0;
 };
 

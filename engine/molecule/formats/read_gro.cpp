@@ -50,6 +50,7 @@ private:
             if (!value) return;
             atom.position[axis] = *value;
         }
+        velocities_ += !trim(columns(line, kFirstPosition + 3 * width_, line.size())).empty();
         const std::string_view residue = trim(columns(line, 5, 5));
         const std::string_view name = trim(columns(line, 10, 5));
         atom.name = Name(name);
@@ -70,6 +71,7 @@ private:
         const bool there = lines_.next();
         if (!wanted) return;
         const Words words = there ? splitWords(lines_.line()) : Words();
+        builder_.pass("velocities", velocities_);
         builder_.guess("elements", "from atom names", static_cast<std::int64_t>(builder_.molecule().atoms.size()));
         constexpr std::size_t kPlace[9][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 1}};
         std::array<glm::vec3, 3> box{};
@@ -86,6 +88,7 @@ private:
     }
 
     std::size_t width_ = 8;
+    std::int64_t velocities_ = 0;
     std::int32_t lastNumber_ = 0, wraps_ = 0;
 };
 

@@ -65,6 +65,8 @@ public:
         const std::vector<std::uint32_t> bonds = numbers<std::uint32_t>("bonds/group", 2);
         for (std::size_t i = 0; i + 1 < bonds.size(); i += 2)
             builder.addBond(builder.atomOfRecord(bonds[i]), builder.atomOfRecord(bonds[i + 1]), 1, 0);
+        builder.state("radii", std::count_if(molecule.atoms.begin(), molecule.atoms.end(),
+                                             [](const Atom& atom) { return atom.radius > 0; }));
         elements.apply(builder);
         takeBox(builder);
         for (; unread_ > 0; --unread_) builder.leaveOut("lists", "numbers of an unexpected type");
@@ -138,8 +140,7 @@ private:
             return {};
         }
         require(found->place, found->rows, columns * sizeof(Number));
-        constexpr std::uint64_t kMostPerAtom = 8;  // bonds
-        if (found->rows > kMostPerAtom * maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
+        if (found->rows > MoleculeBuilder::kMostBondsPerAtom * maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
         std::vector<Number> values(found->rows * columns);
         std::memcpy(values.data(), bytes_.data() + found->place, values.size() * sizeof(Number));
         return values;

@@ -42,7 +42,7 @@ public:
         if (data_.group().empty())
             readTopology();
         else
-            readConnectivity();
+            readSpecies();
     }
 
     Molecule read(std::int64_t model) {
@@ -59,6 +59,7 @@ public:
             builder.addBond(builder.atomOfRecord(bond.a), builder.atomOfRecord(bond.b), 1, 0);
         if (types_) types_->apply(builder);
         if (places.box) builder.takeBox(*places.box);
+        builder.molecule().file.boxRepeats = data_.repeats();
         FileSummary& file = builder.molecule().file;
         file.format = "h5md";
         file.models = frames();
@@ -77,12 +78,9 @@ private:
         const std::string& group = data_.group();
         const Hdf5Handle species = data_.element(group + "/species");
         const std::vector<double> kinds = H5mdData::valuesOf(species, frame, count_);
-        const std::map<double, std::string> names = H5mdData::enumerationOf(species);
-        const std::vector<std::string> labels =
-            H5mdData::textsOf(data_.element(group + "/species_label"), count_, kMostTopologyBytes);
         const std::vector<double> masses = H5mdData::valuesOf(data_.element(group + "/mass"), frame, count_),
                                   charges = H5mdData::valuesOf(data_.element(group + "/charge"), frame, count_);
-        const bool numbers = labels.empty() && names.empty() && masses.empty() && areAtomicNumbers(kinds);
+        const bool numbers = labels_.empty() && names_.empty() && masses.empty() && areAtomicNumbers(kinds);
         if (numbers) builder.guess("elements", "from numbers of species", static_cast<std::int64_t>(count_));
         types_.emplace();
         for (std::size_t i = 0; i < count_; ++i) {
@@ -90,13 +88,13 @@ private:
             if (!position) continue;
             Atom atom;
             atom.position = *position;
-            std::string type = labels.empty() ? "1" : labels[i];
+            std::string type = labels_.empty() ? "1" : labels_[i];
             std::string label = type;
-            if (labels.empty() && !kinds.empty()) {
-                const auto named = names.find(kinds[i]);
+            if (labels_.empty() && !kinds.empty()) {
+                const auto named = names_.find(kinds[i]);
                 type = std::to_string(static_cast<std::int64_t>(std::clamp(kinds[i], -1e15, 1e15)));
-                label = named == names.end() ? "" : named->second;
-            } else if (labels.empty()) {
+                label = named == names_.end() ? "" : named->second;
+            } else if (labels_.empty()) {
                 label.clear();
             }
             atom.element = numbers         ? static_cast<Element>(kinds[i])
@@ -122,12 +120,18 @@ private:
 
     static float usable(double value) { return std::abs(value) <= 1e6 ? static_cast<float>(value) : 0.0f; }
 
+    void readSpecies() {
+        const std::string& group = data_.group();
+        names_ = H5mdData::enumerationOf(data_.element(group + "/species"));
+        labels_ = H5mdData::textsOf(data_.element(group + "/species_label"), count_, kMostTopologyBytes);
+        readConnectivity();
+    }
+
     void readConnectivity() {
         const Hdf5Handle pairs = data_.element("connectivity/bonds");
         const Hdf5Sizes sizes = pairs.valid() ? H5mdData::sizesOf(pairs) : Hdf5Sizes();
-        constexpr std::size_t kMostPerAtom = 8;
         const std::size_t rank = sizes.size();
-        if (rank < 2 || sizes[rank - 1] != 2 || sizes[rank - 2] > kMostPerAtom * count_) return;
+        if (rank < 2 || sizes[rank - 1] != 2 || sizes[rank - 2] > MoleculeBuilder::kMostBondsPerAtom * count_) return;
         const std::vector<double> ends = H5mdData::rowOf(pairs, 0, 2 * sizes[rank - 2], rank == 3);
         std::vector<std::int64_t> ids;
         for (const double id : H5mdData::valuesOf(data_.element(data_.group() + "/id"), 0, count_))
@@ -245,8 +249,7 @@ private:
             else
                 walk.skip();
         });
-        constexpr std::size_t kMostPerAtom = 8;
-        if (bonds_.size() < kMostPerAtom * count_) bonds_.push_back({ends[0], ends[1]});
+        if (bonds_.size() < MoleculeBuilder::kMostBondsPerAtom * count_) bonds_.push_back({ends[0], ends[1]});
     }
 
     const std::string& name_;
@@ -255,6 +258,8 @@ private:
     std::size_t count_ = 0;
     std::vector<H5Atom> atoms_;  ///< MDTraj's
     std::vector<H5Bond> bonds_;
+    std::map<double, std::string> names_;  ///< of H5MD's species
+    std::vector<std::string> labels_;      ///< of its particles
     std::optional<LammpsTypes> types_;
     std::uint32_t chains_ = 0;
 };
@@ -266,7 +271,7 @@ std::vector<Molecule> readH5md(const std::string& name, std::string_view bytes, 
     if (options.uploaded) cannotRead(name, "the server reads no HDF5");
     if (bytes.size() > kMostH5Bytes)
         cannotRead(name, "HDF5 files above 512 MiB are read as --trajectory of a structure");
-    const std::lock_guard lock(hdf5Calls());
+    const Hdf5Lock lock;
     try {
         H5mdReader reader(name, bytes, options);
         requireModel(name, options.model, reader.frames());

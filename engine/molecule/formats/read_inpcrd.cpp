@@ -27,6 +27,12 @@ public:
         const std::string_view field = trim(columns(lines_.line(), at_, kInpcrdColumns));
         at_ += kInpcrdColumns;
         const auto value = parseNumber(field);
+        if (field.find('*') != std::string_view::npos)
+            cannotRead(
+                name_,
+                "a coordinate is too wide for its columns, and lost: write NetCDF instead (ntxo=2, ioutfm=1), or "
+                "keep the molecules in the box (iwrap=1)",
+                lines_.number());
         if (!value || !(std::abs(*value) <= kFarthestCoordinate))
             cannotRead(name_, "expected a number, not '" + printable(field) + "'", lines_.number());
         return value;
@@ -64,6 +70,7 @@ Molecule readInpcrd(const std::string& name, std::string_view text, const ReadOp
         atom.radius = kUnnamedRadius;
         builder.addAtom(atom);
     }
+    builder.guess("radii", "the same for all atoms", *count);
     // The box is the last line, after velocities if there are any.
     std::string_view last;
     std::size_t left = 0;
@@ -72,6 +79,7 @@ Molecule readInpcrd(const std::string& name, std::string_view text, const ReadOp
     std::array<double, 6> box{0, 0, 0, 90, 90, 90};
     const std::size_t given = (trim(last).empty() ? 0 : last.size() + kInpcrdColumns - 1) / kInpcrdColumns;
     const std::size_t linesOfAtoms = (static_cast<std::size_t>(*count) + 1) / 2;
+    if (left >= linesOfAtoms && left > 1) builder.pass("velocities", *count);
     if ((given == 6 || given == 3) && (left == 1 || left == linesOfAtoms + 1)) {
         for (std::size_t i = 0; i < given; ++i)
             box[i] = parseNumber(columns(last, i * kInpcrdColumns, kInpcrdColumns)).value_or(0);

@@ -13,7 +13,7 @@ namespace {
 
 /// Columns of an atom line; kNoColumn: it has none.
 struct LammpsColumns {
-    std::size_t molecule, type, charge, x;
+    std::size_t molecule, type, charge, x, diameter = ~std::size_t{0};
 };
 constexpr std::size_t kNoColumn = ~std::size_t{0};
 
@@ -21,10 +21,13 @@ struct LammpsStyle {
     std::string_view name;
     LammpsColumns columns;
 };
-constexpr LammpsStyle kStyles[] = {{"atomic", {kNoColumn, 1, kNoColumn, 2}}, {"charge", {kNoColumn, 1, 2, 3}},
-                                   {"bond", {1, 2, kNoColumn, 3}},           {"angle", {1, 2, kNoColumn, 3}},
-                                   {"molecular", {1, 2, kNoColumn, 3}},      {"full", {1, 2, 3, 4}},
-                                   {"sphere", {kNoColumn, 1, kNoColumn, 4}}};
+constexpr LammpsStyle kStyles[] = {{"atomic", {kNoColumn, 1, kNoColumn, 2}},
+                                   {"charge", {kNoColumn, 1, 2, 3}},
+                                   {"bond", {1, 2, kNoColumn, 3}},
+                                   {"angle", {1, 2, kNoColumn, 3}},
+                                   {"molecular", {1, 2, kNoColumn, 3}},
+                                   {"full", {1, 2, 3, 4}},
+                                   {"sphere", {kNoColumn, 1, kNoColumn, 4, 2}}};
 
 class LammpsReader {
 public:
@@ -51,7 +54,11 @@ public:
                 readAtom(line);
             else if (section == "Bonds")
                 readBond(line);
+            else if (const std::string name = lowerCase(section);
+                     name == "velocities" || name == "angles" || name == "dihedrals" || name == "impropers")
+                builder_.pass(name);
         }
+        compareCounts();
         addAtoms();
         FileSummary& file = builder_.molecule().file;
         file.format = "lammps";
@@ -59,20 +66,39 @@ public:
         file.totalAtomsAllModels = static_cast<std::int64_t>(builder_.molecule().atoms.size());
         addBonds();
         types_.apply(builder_);
-        builder_.takeBox(box_, low_);
+        builder_.takeBox(box_, low_, lineOfBox_);
         return builder_.finish();
     }
 
 private:
-    /// "0.0 10.0 xlo xhi", "1.0 0.0 0.0 xy xz yz"; counts are not needed.
+    /// What the header announces, if it is not what the sections have.
+    void compareCounts() {
+        const auto compare = [&](const char* what, const Announced& announced, std::size_t have) {
+            const std::int64_t missing = announced.count - static_cast<std::int64_t>(have);
+            if (announced.line == 0 || missing == 0) return;
+            if (missing > 0)
+                addNote(builder_.molecule().notes, ReadAction::leftOut, what, "announced by the header and not there",
+                        missing, announced.line);
+            else
+                builder_.warn("the header announces " + std::to_string(announced.count) + " " + what +
+                              ", and the file has " + std::to_string(have));
+        };
+        compare("atoms", atoms_, atomLines_);
+        compare("bonds", bondsAnnounced_, bondLines_);
+    }
+
+    /// "12 atoms", "0.0 10.0 xlo xhi", "1.0 0.0 0.0 xy xz yz".
     void header(std::string_view line) {
         const Words words = splitWords(line);
+        if (words[1] == "atoms") atoms_ = {parseInteger(words[0]).value_or(0), lines_.number()};
+        if (words[1] == "bonds") bondsAnnounced_ = {parseInteger(words[0]).value_or(0), lines_.number()};
         const auto number = [&](std::size_t i) {
             const auto value = parseNumber(words[i]);
             return value && std::abs(*value) <= kFarthestCoordinate ? static_cast<float>(*value) : 0.0f;
         };
         for (int axis = 0; axis < 3; ++axis)
             if (words[2] == std::string(1, "xyz"[axis]) + "lo") {
+                lineOfBox_ = lines_.number();
                 low_[axis] = number(0);
                 box_[static_cast<std::size_t>(axis)][axis] = number(1) - number(0);
             }
@@ -107,7 +133,9 @@ private:
     }
 
     void readAtom(std::string_view line) {
-        const Words words = splitWords(line);
+        std::string apart;
+        const Words words = splitWordsApart(line, columns_ ? columns_->x : 2, apart);
+        ++atomLines_;
         if (!columns_) guessStyle(words);
         const LammpsColumns& at = *columns_;
         const auto id = parseInteger(words[0]);
@@ -119,10 +147,17 @@ private:
         if (!position) return;
         atom.position = *position;
         if (rows_.size() >= builder_.maxAtoms()) throw tooManyAtoms(name_, builder_.maxAtoms());
-        const double charge = at.charge == kNoColumn ? 0 : parseNumber(words[at.charge]).value_or(0);
+        const auto number = [&](std::size_t column, const char* what, double least, double most) {
+            const auto value = column == kNoColumn ? std::optional<double>(0) : parseNumber(words[column]);
+            if (value && *value >= least && *value <= most) return static_cast<float>(*value);
+            builder_.leaveOut(what, "not usable, read as 0", lines_.number());
+            return 0.0f;
+        };
+        const float charge = number(at.charge, "partial charges", -1000, 1000);
+        atom.radius = number(at.diameter, "radii", 0, 1e6) / 2;
+        if (atom.radius > 0) builder_.state("radii");
         const auto molecule = at.molecule == kNoColumn ? 1 : parseInteger(words[at.molecule]).value_or(0);
-        rows_.push_back({*id, atom, Name(words[at.type]), static_cast<std::int32_t>(molecule),
-                         std::abs(charge) <= 1000 ? static_cast<float>(charge) : 0.0f});
+        rows_.push_back({*id, atom, Name(words[at.type]), static_cast<std::int32_t>(molecule), charge});
     }
 
     /// By their numbers: the file has them in any order, and trajectories as well.
@@ -141,6 +176,7 @@ private:
     void readBond(std::string_view line) {
         const Words words = splitWords(line);
         const auto a = parseInteger(words[2]), b = parseInteger(words[3]);
+        ++bondLines_;
         if (!a || !b) return builder_.leaveOut("bonds", "not two atoms' numbers", lines_.number());
         if (bonds_.size() < builder_.mostBonds()) bonds_.push_back({*a, *b, lines_.number()});
     }
@@ -155,6 +191,10 @@ private:
         if (!bonds_.empty()) builder_.molecule().file.bonds = static_cast<std::int64_t>(bonds_.size());
     }
 
+    struct Announced {
+        std::int64_t count = 0;
+        std::uint64_t line = 0;  ///< 0: the header does not tell
+    };
     struct LammpsAtom {
         std::int64_t id;
         Atom atom;
@@ -173,6 +213,9 @@ private:
     LammpsTypes types_;
     std::array<glm::vec3, 3> box_{};
     glm::vec3 low_{};  ///< the box's corner
+    std::uint64_t lineOfBox_ = 0;
+    Announced atoms_, bondsAnnounced_;
+    std::size_t atomLines_ = 0, bondLines_ = 0;
     std::vector<LammpsAtom> rows_;
     std::vector<std::int64_t> ids_;
     std::vector<LammpsBond> bonds_;

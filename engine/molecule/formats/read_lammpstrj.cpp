@@ -40,7 +40,13 @@ private:
         return std::nullopt;
     }
 
+    /// "ITEM: BOX BOUNDS xy xz yz pp pp ff": p is periodic. Old files do not tell.
     void readBounds() {
+        std::size_t flags = 0;
+        repeats_.fill(true);
+        for (const std::string_view word : wordsOf(lines_.line()))
+            if (word.size() == 2 && word.find_first_not_of("pfsm") == std::string_view::npos && flags < 3)
+                repeats_[flags++] = word[0] == 'p';
         for (int axis = 0; axis < 3; ++axis) {
             lines_.next();
             const Words words = splitWords(lines_.line());
@@ -63,6 +69,8 @@ private:
                     if (words[i] == name) return i - 2;
             return kNone;
         };
+        columns_ = words.size() - 2;
+        names_.assign(words.begin() + 2, words.end());
         id_ = find({"id"});
         type_ = find({"type"});
         element_ = find({"element"});
@@ -79,7 +87,9 @@ private:
     }
 
     void readAtom(std::string_view line) override {
-        const std::vector<std::string_view> words = wordsOf(line);
+        std::vector<std::string_view> words = wordsOf(line);
+        std::string apart;
+        if (words.size() < columns_) words = wordsOf(apart = numbersApart(line));
         const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : std::string_view(); };
         DumpAtom row;
         row.id = parseInteger(word(id_)).value_or(static_cast<std::int64_t>(rows_.size()));
@@ -90,13 +100,17 @@ private:
         row.type = Name(word(type_ == kNone ? element_ : type_));
         if (element_ != kNone) row.atom.element = builder_.element(word(element_), lines_.number());
         row.molecule = static_cast<std::int32_t>(parseInteger(word(molecule_)).value_or(1));
-        const auto number = [&](std::size_t column) {
-            const double value = parseNumber(word(column)).value_or(0);
-            return std::abs(value) <= 1e6 ? static_cast<float>(value) : 0.0f;
+        const auto number = [&](std::size_t column, const char* what) {
+            if (column == kNone) return 0.0f;
+            const auto value = parseNumber(word(column));
+            if (value && std::abs(*value) <= 1e6) return static_cast<float>(*value);
+            builder_.leaveOut(what, "not usable, read as 0", lines_.number());
+            return 0.0f;
         };
-        row.charge = number(charge_);
-        row.mass = number(mass_);
-        if (element_ == kNone) row.atom.radius = std::max(number(radius_), 0.0f);
+        row.charge = number(charge_, "partial charges");
+        row.mass = number(mass_, "masses");
+        if (element_ == kNone) row.atom.radius = std::max(number(radius_, "radii"), 0.0f);
+        if (row.atom.radius > 0) builder_.state("radii");
         rows_.push_back(row);
     }
 
@@ -126,6 +140,19 @@ private:
         rows_.clear();
         if (element_ == kNone && !molecule.atoms.empty()) types.apply(builder_);
         builder_.takeBox(box, glm::vec3(low_));
+        molecule.file.boxRepeats = repeats_;
+        noteUnused(static_cast<std::int64_t>(molecule.atoms.size()));
+    }
+
+    void noteUnused(std::int64_t atoms) {
+        for (const std::string& name : names_) {
+            if (name == "vx" || name == "fx") builder_.pass(name == "vx" ? "velocities" : "forces", atoms);
+            static constexpr std::string_view kUsed[] = {"id", "type", "element", "mol", "mass", "q",  "radius", "vx",
+                                                         "vy", "vz",   "fx",      "fy",  "fz",   "ix", "iy",     "iz"};
+            const bool place = name.find_first_not_of("xyzsu") == std::string::npos;
+            if (!place && std::find(std::begin(kUsed), std::end(kUsed), name) == std::end(kUsed))
+                builder_.pass("further columns");
+        }
     }
 
     struct DumpAtom {
@@ -137,6 +164,9 @@ private:
     };
     std::size_t id_ = kNone, type_ = kNone, element_ = kNone, molecule_ = kNone, mass_ = kNone, charge_ = kNone,
                 radius_ = kNone;
+    std::size_t columns_ = 0;
+    std::vector<std::string> names_;  ///< of the columns
+    std::array<bool, 3> repeats_{true, true, true};
     std::array<std::size_t, 3> at_{};
     bool scaled_ = false;
     glm::dvec3 low_{}, high_{}, tilt_{};

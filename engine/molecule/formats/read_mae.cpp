@@ -123,7 +123,8 @@ private:
             for (std::size_t i = 0; i < names.size(); ++i) values.push_back(needed());
             if (name == "f_m_ct" && inWanted_) readStructure(MaeRow(names, values));
         } else {
-            readTable(name.substr(0, bracket), std::move(names));
+            readTable(name.substr(0, bracket), std::move(names),
+                      parseInteger(name.substr(bracket + 1, name.find(']') - bracket - 1)));
         }
         for (std::string_view word = needed(); word != "}"; word = needed()) {
             if (word == ":::") continue;
@@ -132,8 +133,10 @@ private:
         }
     }
 
-    /// Rows of an index and the values, up to ":::".
-    void readTable(std::string_view name, std::vector<std::string_view> names) {
+    /// Rows of an index and the values, up to ":::". @param announced  rows
+    void readTable(std::string_view name, std::vector<std::string_view> names, std::optional<std::int64_t> announced) {
+        const std::uint64_t line = words_.line();
+        std::int64_t rows = 0;
         std::vector<std::string_view> values;
         for (std::string_view index = needed(); index != ":::"; index = needed()) {
             values.clear();
@@ -142,7 +145,16 @@ private:
             if (!inWanted_) continue;
             if (name == "m_atom") addAtom(MaeRow(names, values));
             if (name == "m_bond") addBond(MaeRow(names, values));
+            ++rows;
         }
+        if (!inWanted_ || !announced || *announced == rows || (name != "m_atom" && name != "m_bond")) return;
+        const char* what = name == "m_atom" ? "atoms" : "bonds";
+        if (*announced > rows)
+            addNote(builder_.molecule().notes, ReadAction::leftOut, what, "announced by the header and not there",
+                    *announced - rows, line);
+        else
+            builder_.warn("the header announces " + std::to_string(*announced) + " " + what + ", and the file has " +
+                          std::to_string(rows));
     }
 
     void readStructure(const MaeRow& row) {
@@ -173,7 +185,11 @@ private:
         builder_.addAtom(atom, row["s_m_chain_name"], static_cast<std::int32_t>(row.integer("i_m_residue_number")),
                          code.empty() ? '\0' : code[0], row["s_m_pdb_residue_name"]);
         Molecule& molecule = builder_.molecule();
-        const auto charge = row.number("r_m_charge1");
+        auto charge = row.number("r_m_charge1");
+        if (!charge && !row["r_m_charge1"].empty()) {
+            builder_.leaveOut("partial charges", "not usable, read as 0", words_.line());
+            charge = 0;
+        }
         if (charge && molecule.partialCharges.size() + 1 == molecule.atoms.size())
             molecule.partialCharges.push_back(static_cast<float>(*charge));
         const std::int64_t fold = row.integer("i_m_secondary_structure");

@@ -48,7 +48,7 @@ public:
         itemCategory_ = category;
         itemColumns_.push_back(column);
         items_.resize(itemColumns_.size());
-        itemLine_ = line;
+        if (itemColumns_.size() == 1) itemLine_ = line;
     }
     void itemValue(std::string_view raw) { items_.back() = meaning(raw); }
 

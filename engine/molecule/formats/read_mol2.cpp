@@ -176,7 +176,8 @@ private:
 
     /// id name x y z type [residue_id [residue_name [charge [status]]]]
     void addAtom(const Mol2Lines& lines) {
-        const Words words = splitWords(lines.line());
+        std::string apart;
+        const Words words = splitWordsApart(lines.line(), 2, apart);
         ids_.push_back(parseInteger(words[0]).value_or(-1));
         if (words.count < 6)
             return builder_.leaveOutAtom(
@@ -190,8 +191,9 @@ private:
         atom.element = elementOf(words[5], lines.number());
         addToResidue(atom, parseInteger(words[6]).value_or(1), words[7]);
         const auto charge = parseNumber(words[8]);
-        builder_.molecule().partialCharges.push_back(charge && std::abs(*charge) <= 1000 ? static_cast<float>(*charge)
-                                                                                         : 0.0f);
+        const bool usable = charge && std::abs(*charge) <= 1000;
+        if (!usable && words.count > 8) builder_.leaveOut("partial charges", "not usable, read as 0", lines.number());
+        builder_.molecule().partialCharges.push_back(usable ? static_cast<float>(*charge) : 0.0f);
     }
 
     /// "C.ar" is carbon; all lower-case types ("ca", "c3", "hn") are GAFF's, which names the element by the first

@@ -65,12 +65,15 @@ public:
 
 private:
     void record(std::string_view line) {
-        if (startsWith(line, "ATOM ") || startsWith(line, "HETATM")) {
+        if (startsWith(line, "ATOM ") || startsWith(line, "HETATM") || startsWith(line, "ATOM\t")) {
             if (modelInProgress() == wanted_)
                 atom(line);
             else if (modelInProgress() == 1 && sawModelRecord_ && firstModel_.size() < maxAtoms_)
                 firstModel_.emplace_back(pdb::serial(line).value_or(-1), identityOf(line));
             ++atomsInModel_;
+        } else if (startsWith(line, "ANISOU")) {
+            if (modelInProgress() == wanted_)
+                addNote(molecule_.notes, ReadAction::unused, "anisotropic displacements", "not used");
         } else if (startsWith(line, "CONECT")) {
             conectInModel_ = conectInModel_ || conectBefore_ || !sawModelRecord_;
             conect_.add(line, lines_.number());
@@ -90,7 +93,10 @@ private:
             title(line);
             noteConfidence(line);
         } else if (const auto range = secondaryOfPdbLine(line)) {
-            if (secondary_.size() < maxAtoms_) secondary_.push_back(*range);  // a residue has an atom at least
+            if (secondary_.size() < maxAtoms_) {  // a residue has an atom at least
+                secondary_.push_back(*range);
+                secondary_.back().line = lines_.number();
+            }
         } else if (startsWith(line, "REMARK   2 RESOLUTION.")) {
             const std::string_view value = pdb::trim(pdb::columns(line, 23, 40));  // a number, or NOT APPLICABLE
             if (const auto stated = pdb::number(value.substr(0, value.find(' '))); stated && *stated > 0)
@@ -98,7 +104,7 @@ private:
         } else if (startsWith(line, "REMARK 350")) {
             remark350_.add(line);
         } else if (!sawModelRecord_ && atomsInModel_ == 0 && molecule_.atoms.empty()) {
-            header_.add(line);  // header of the file; within a model it applies to that model only
+            header_.add(line, lines_.number());  // header of the file; within a model it applies to that model only
         }
     }
 
@@ -169,11 +175,7 @@ private:
         if (flavour_ == Flavour::pdbqt && pdb::isAutoDockGlue(pdb::columns(after, 78, 80)))
             return addNote(molecule_.notes, ReadAction::leftOut, "atoms", "points that hold broken rings together", 1,
                            lines_.number());
-        // A serial number of six digits pushes all fields if the residue's number ends in column 27.
-        const bool wideSerial = isDigit(pdb::column(line, 7)) && isDigit(pdb::column(line, 12));
-        const bool pushed = where.shift > 0 && wideSerial && isDigit(pdb::column(line, 27)) &&
-                            (where.shift > 1 || !isDigit(pdb::column(line, 23)));
-        const std::string_view before = pushed ? line.substr(1) : line;  // columns 13 to 27
+        const std::string_view before = line.substr(pdb::pushOfSerial(line, where.shift));  // columns 13 to 27
         atom.occupancy = optionalNumber(after, 55, 1);
         atom.temperatureFactor = optionalNumber(after, 61, 0);
         atom.name = pdb::trim(pdb::columns(before, 13, 16));
@@ -300,7 +302,7 @@ private:
         conect_.resolve(serials_, molecule_);
         applySecondaryStructure(molecule_, secondary_);
         remark350_.resolve(molecule_);
-        header_.resolve(file);
+        header_.resolve(molecule_);
         return std::move(molecule_);
     }
 

@@ -1,7 +1,9 @@
 // VASP's POSCAR, CONTCAR and XDATCAR: a title, a scale, three cell vectors, symbols and counts of the species, then
 // positions; an XDATCAR goes on with further configurations.
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <vector>
 
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/molecule_builder.h"
@@ -26,6 +28,7 @@ public:
             ++frames;
             atoms += atoms_;
             readFrame(frames == model_);
+            if (frames == model_) noteVelocities();
         } while (skipToConfiguration());
         requireModel(name_, model_, frames);
         file.format = "poscar";
@@ -41,7 +44,8 @@ private:
     }
 
     glm::dvec3 three(std::string_view line) const {
-        const Words words = splitWords(line);
+        std::string apart;
+        const Words words = splitWordsApart(line, 0, apart);
         glm::dvec3 values;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto value = parseNumber(words[i]);
@@ -64,6 +68,7 @@ private:
         if (!scale) cannotRead(name_, "expected a scale, not '" + printable(scales) + "'", lines_.number());
         scale_ = splitWords(scales).count == 3 ? three(scales) : glm::dvec3(*scale);
         for (glm::dvec3& vector : cell_) vector = three(next());
+        lineOfCell_ = lines_.number() - 2;
         const double volume = std::abs(glm::dot(cell_[0], glm::cross(cell_[1], cell_[2])));
         if (*scale < 0 && volume > 0) scale_ = glm::dvec3(std::cbrt(-*scale / volume));
         for (glm::dvec3& vector : cell_) vector *= scale_;
@@ -91,15 +96,18 @@ private:
     }
 
     void readFrame(bool wanted) {
-        if (wanted) builder_.takeCell({glm::vec3(cell_[0]), glm::vec3(cell_[1]), glm::vec3(cell_[2])});
+        if (wanted) builder_.takeCell({glm::vec3(cell_[0]), glm::vec3(cell_[1]), glm::vec3(cell_[2])}, lineOfCell_);
         std::string_view mode = trim(next());
-        if (!mode.empty() && upperCase(mode[0]) == 'S') mode = trim(next());  // selective dynamics
+        const bool selective = !mode.empty() && upperCase(mode[0]) == 'S';
+        if (selective) mode = trim(next());
+        if (selective && wanted) builder_.pass("flags of selective dynamics", atoms_);
         const bool cartesian = !mode.empty() && (upperCase(mode[0]) == 'C' || upperCase(mode[0]) == 'K');
         for (const Species& species : species_)
             for (std::int64_t i = 0; i < species.count; ++i) {
                 const std::string_view line = next();
                 if (!wanted) continue;
-                const Words words = splitWords(line);
+                std::string apart;
+                const Words words = splitWordsApart(line, 0, apart);
                 const auto given = builder_.position({words[0], words[1], words[2]}, lines_.number());
                 if (!given) continue;
                 const glm::dvec3 p(*given);
@@ -112,6 +120,19 @@ private:
                 atom.name = Name(elementSymbol(species.element));
                 builder_.addAtom(atom);
             }
+    }
+
+    /// Velocities stand behind a blank line, or one that names their kind.
+    void noteVelocities() {
+        LineReader ahead = lines_;
+        if (!ahead.next() || lowerCase(ahead.line()).find("configuration") != std::string::npos) return;
+        std::int64_t rows = 0;
+        for (const auto isNumber = [](std::string_view word) { return parseNumber(word).has_value(); };
+             rows < atoms_ && ahead.next(); ++rows) {
+            const std::vector<std::string_view> words = wordsOf(ahead.line());
+            if (words.size() != 3 || !std::all_of(words.begin(), words.end(), isNumber)) return;
+        }
+        if (rows == atoms_) builder_.pass("velocities", rows);
     }
 
     /// Velocities and the like are skipped. Where the cell varies, each configuration has a header of its own.
@@ -150,6 +171,7 @@ private:
     std::array<glm::dvec3, 3> cell_{};
     std::vector<Species> species_;
     std::int64_t atoms_ = 0;
+    std::uint64_t lineOfCell_ = 0;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // PQR (PDB2PQR, APBS): PDB records with fields separated by blanks, and charge and radius at the end. If numbers run
 // into each other, uses the PDB columns that most writers keep.
+#include <algorithm>
 #include <utility>
 
 #include "engine/molecule/formats/molecule_builder.h"
@@ -17,6 +18,12 @@ struct PqrFields {
     std::string_view serial, name, residue, chain, number;
     std::array<std::string_view, 3> position;
     std::string_view charge, radius;
+
+    /// Whether the position's words have decimal points, as all writers have them.
+    bool hasPoints() const {
+        return std::all_of(position.begin(), position.end(),
+                           [](std::string_view word) { return word.find('.') != std::string_view::npos; });
+    }
 };
 
 class PqrReader {
@@ -68,11 +75,12 @@ private:
     }
 
     /// ATOM serial name residue [chain] number x y z charge radius; empty if the line is not of that kind.
-    static std::optional<PqrFields> fieldsByWords(std::string_view line) {
+    /// @param least  how many of x, y, z, charge and radius have to be numbers
+    static std::optional<PqrFields> fieldsByWords(std::string_view line, std::size_t least) {
         const Words words = splitWords(line.substr(line[0] == 'H' ? 6 : 4));
         if (words.count != 9 && words.count != 10) return std::nullopt;
         const std::size_t numbers = words.count - 5;
-        for (std::size_t i = numbers; i < words.count; ++i)
+        for (std::size_t i = numbers; i < numbers + least; ++i)
             if (!parseNumber(words[i])) return std::nullopt;
         // A name of four letters runs into the chain, or into the next name: columns tell them apart.
         if (words.count == 9 && words[2].size() > 4) return std::nullopt;
@@ -90,9 +98,25 @@ private:
             fields.chain = fields.number.substr(0, 1);
             fields.number.remove_prefix(1);
         }
+        if (fields.number.find_first_of("0123456789") == std::string_view::npos) return std::nullopt;
         fields.position = {words[numbers], words[numbers + 1], words[numbers + 2]};
         fields.charge = words[numbers + 3];
         fields.radius = words[numbers + 4];
+        return fields;
+    }
+
+    /// By blanks, or else by columns. Words that run into each other show where they do by their signs, or by their
+    /// decimal points in the usual columns.
+    /// @param apart  keeps the text of words that ran into each other
+    static PqrFields fieldsOf(std::string_view line, std::string& apart) {
+        if (const auto fields = fieldsByWords(line, 5)) return *fields;
+        const PqrFields columned = fieldsByColumns(line);
+        if (!columned.residue.empty() && !columned.radius.empty()) return columned;
+        apart = numbersApart(line);
+        if (const auto fields = fieldsByWords(apart, 5)) return *fields;
+        PqrFields fields = fieldsByWords(line, 0).value_or(PqrFields{});
+        // Without a chain, one of the words before may be it: "A 1 2.0 3.0" has no z.
+        if (fields.chain.empty() && !fields.hasPoints()) fields.position = {};
         return fields;
     }
 
@@ -105,6 +129,7 @@ private:
         fields.chain = pdb::trim(columns(line, 22, 22));
         fields.number = pdb::trim(columns(line, 23, 27));
         const pdb::Coordinates where = pdb::coordinates(line);
+        if (!where.pointed) return {};
         fields.position = where.fields;
         const Words last = splitWords(columns(line, 55 + where.shift, line.size()));
         fields.charge = last[0];
@@ -113,14 +138,14 @@ private:
     }
 
     void addAtom(std::string_view line) {
-        const PqrFields fields = fieldsByWords(line).value_or(fieldsByColumns(line));
+        std::string apart;
+        const PqrFields fields = fieldsOf(line, apart);
+        if (fields.name.empty())
+            return builder_.leaveOutAtom("an atom line needs nine fields: '" + printable(line) + "'", lines_.number());
+        const auto position = builder_.position(fields.position, lines_.number());
+        if (!position) return;
         Atom atom;
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto value =
-                builder_.coordinate(fields.position[static_cast<std::size_t>(axis)], "xyz"[axis], lines_.number());
-            if (!value) return;
-            atom.position[axis] = *value;
-        }
+        atom.position = *position;
         atom.name = Name(fields.name);
         atom.hetero = line[0] == 'H';
         const std::string_view field = pdb::columns(line, 13, 16);

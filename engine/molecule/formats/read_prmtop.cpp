@@ -135,7 +135,7 @@ private:
 
     /// Triples: both atoms' numbers times three, from 0, and the bond's type.
     void addBonds(const char* flag) {
-        constexpr std::size_t kMostOfAtom = 24;  // of eight bonds
+        constexpr std::size_t kMostOfAtom = 3 * MoleculeBuilder::kMostBondsPerAtom;
         const std::vector<std::int64_t> triples = integers(flag, kMostOfAtom * builder_.molecule().atoms.size());
         const auto line = sections_.find(flag);
         for (std::size_t i = 0; i + 2 < triples.size(); i += 3)

@@ -51,6 +51,9 @@ public:
             if (startsWith(section, "!NTITLE")) readTitle(*count);
             if (startsWith(section, "!NATOM")) readAtoms(*count);
             if (startsWith(section, "!NBOND")) readBonds(*count);
+            if (startsWith(section, "!NTHETA")) builder_.pass("angles", *count);
+            if (startsWith(section, "!NPHI")) builder_.pass("dihedrals", *count);
+            if (startsWith(section, "!NIMPHI")) builder_.pass("impropers", *count);
         }
         return withoutPositions(builder_, "psf");
     }

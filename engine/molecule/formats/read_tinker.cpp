@@ -1,5 +1,6 @@
 // Tinker XYZ and ARC: a count and a title, perhaps a line with the periodic box, then number, name, position, type and
 // bonded atoms; frame after frame.
+#include <algorithm>
 #include <cmath>
 
 #include "engine/molecule/element.h"
@@ -51,7 +52,9 @@ private:
     }
 
     void readAtom(std::string_view line) override {
-        const std::vector<std::string_view> words = wordsOf(line);
+        std::vector<std::string_view> words = wordsOf(line);
+        std::string apart;
+        if (std::any_of(words.begin(), words.end(), mayTouch)) words = wordsOf(apart = numbersApart(line));
         readBonds(words);
         if (words.size() < 5)
             return builder_.leaveOutAtom(

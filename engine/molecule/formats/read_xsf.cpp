@@ -20,6 +20,9 @@ public:
         while (next()) {
             const Words words = splitWords(lines_.line());
             const std::string keyword = upperCase(words[0]);
+            if (keyword == "SLAB") repeats_ = {true, true, false};
+            if (keyword == "POLYMER") repeats_ = {true, false, false};
+            if (keyword == "MOLECULE") repeats_ = {false, false, false};
             if (keyword == "PRIMVEC") {
                 readVectors();
             } else if (keyword == "PRIMCOORD") {
@@ -54,22 +57,25 @@ private:
 
     void readVectors() {
         std::array<glm::vec3, 3> box{};
+        const std::uint64_t line = lines_.number() + 1;
         for (glm::vec3& vector : box) {
-            const Words words = next() ? splitWords(lines_.line()) : Words();
+            std::string apart;
+            const Words words = next() ? splitWordsApart(lines_.line(), 0, apart) : Words();
             for (std::size_t i = 0; i < 3; ++i) {
                 const auto value = parseNumber(words[i]);
                 if (!value || !(std::abs(*value) <= kFarthestCoordinate)) refuse("expected a cell vector", words[i]);
                 vector[static_cast<int>(i)] = static_cast<float>(*value);
             }
         }
-        if (frames_ < model_) builder_.takeCell(box);  // a cell of its own precedes its atoms
+        if (frames_ < model_) builder_.takeCell(box, line, repeats_);  // a cell of its own precedes its atoms
     }
 
     std::int64_t readAtoms(std::int64_t most) {
         const bool wanted = ++frames_ == model_;
         std::int64_t count = 0;
         for (LineReader ahead = lines_; count < most && ahead.next(); lines_ = ahead) {
-            const Words words = splitWords(ahead.line());
+            std::string apart;
+            const Words words = splitWordsApart(ahead.line(), 1, apart);
             const auto number = [&](std::size_t i) { return parseNumber(words[i]).has_value(); };
             if (words.count < 4 || !(most < INT64_MAX || number(1) || number(2) || number(3))) break;
             ++count;
@@ -81,6 +87,7 @@ private:
             atom.element = builder_.element(words[0], ahead.number());
             atom.name = Name(elementSymbol(atom.element));
             builder_.addAtom(atom);
+            if (words.count >= 7) builder_.pass("forces");
         }
         if (most < INT64_MAX && count < most)
             cannotRead(name_, "it states " + std::to_string(most) + " atoms and has " + std::to_string(count),
@@ -91,6 +98,7 @@ private:
     const std::string& name_;
     LineReader lines_;
     std::int64_t model_, frames_ = 0;
+    std::array<bool, 3> repeats_{true, true, true};
     MoleculeBuilder builder_;
 };
 

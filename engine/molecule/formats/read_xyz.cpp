@@ -2,6 +2,8 @@
 // (Properties=species:S:1:pos:R:3:...).
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/frames.h"
@@ -14,9 +16,19 @@ namespace {
 constexpr std::size_t kShortestAtomLine = 7;  // "C 0 0 0"
 
 struct Layout {
-    std::size_t species = 0;   ///< word of the atom line
-    std::size_t position = 1;  ///< word of x
+    std::size_t species = 0;            ///< word of the atom line
+    std::size_t position = 1;           ///< word of x
+    std::vector<std::string> unused{};  ///< other columns that the comment names, such as "velocities"
+    bool named = false;                 ///< the comment names the columns
 };
+
+/// What a property of an extended XYZ file is called in notes.
+std::string_view plainName(std::string_view property) {
+    for (const char* name : {"velocities", "momenta", "forces", "charges", "masses", "magmoms"})
+        if (startsWith(property, std::string_view(name).substr(0, 4)) || (property == "force" && name[0] == 'f'))
+            return name;
+    return property.find("charges") != std::string_view::npos ? "charges" : "further columns";
+}
 
 class XyzReader : public FrameReader {
 public:
@@ -60,11 +72,14 @@ private:
         return value.substr(0, value.find_first_of("\"}]"));
     }
 
-    /// Lattice="ax ay az bx by bz cx cy cz", unless pbc="F F F" says that nothing repeats.
+    /// Lattice="ax ay az bx by bz cx cy cz", and pbc="T T F" for the vectors along which it repeats.
     void takeLattice() {
-        const Words numbers = splitWords(valueOf("lattice"));
-        const std::string periodic = lowerCase(valueOf("pbc"));
-        if (numbers.count != 9 || (!periodic.empty() && periodic.find_first_of("t1") == std::string::npos)) return;
+        const std::string_view stated = valueOf("lattice");
+        const std::string lattice = numbersApart(stated);
+        const Words numbers = splitWords(lattice);
+        if (trim(stated).empty()) return;
+        if (numbers.count != 9)
+            return builder_.leaveOut("periodic boxes", "the Lattice is not nine numbers", lines_.number());
         std::array<glm::vec3, 3> box{};
         for (std::size_t i = 0; i < 9; ++i) {
             const auto value = parseNumber(numbers[i]);
@@ -72,15 +87,21 @@ private:
                 return builder_.leaveOut("periodic boxes", "the Lattice is not nine numbers", lines_.number());
             box[i / 3][static_cast<int>(i % 3)] = static_cast<float>(*value);
         }
-        builder_.takeCell(box);
+        std::array<bool, 3> repeats{true, true, true};
+        std::string pbc(valueOf("pbc"));  // "T T F", "1 1 0", "True, True, False"
+        std::replace(pbc.begin(), pbc.end(), ',', ' ');
+        const Words flags = splitWords(pbc);
+        for (std::size_t i = 0; i < flags.count && i < 3; ++i)
+            repeats[i] = flags[i] != "0" && upperCase(flags[i][0]) != 'F';
+        if (flags.count == 1) repeats.fill(repeats[0]);
+        builder_.takeCell(box, lines_.number(), repeats);
     }
 
     void readAtom(std::string_view text) override {
-        Words words = splitWords(text);
+        std::string apart;
+        const Words words = splitWordsApart(text, layout_.position, apart);
         const std::uint64_t line = lines_.number();
         const std::size_t least = std::max(layout_.species + 1, layout_.position + 3);
-        const std::string apart = words.count < least ? numbersApart(text) : std::string();
-        if (!apart.empty()) words = splitWords(apart);
         if (words.count < least)
             return builder_.leaveOutAtom(
                 "an atom line needs an element and three coordinates: '" + printable(text) + "'", line);
@@ -93,6 +114,14 @@ private:
         atom.element = builder_.element(species, line);
         atom.name = Name(atom.element != 0 ? elementSymbol(atom.element) : species);
         builder_.addAtom(atom, "", 1, '\0', "");
+        if (!layout_.named && words.count > least) furthest_ = std::max(furthest_, words.count - least);
+    }
+
+    void end(bool wanted) override {
+        if (!wanted) return;
+        const auto atoms = static_cast<std::int64_t>(builder_.molecule().atoms.size());
+        for (const std::string& what : layout_.unused) builder_.pass(what, what == "further columns" ? 1 : atoms);
+        builder_.pass("further columns", static_cast<std::int64_t>(furthest_));
     }
 
     /// Columns by the comment of an extended XYZ file. Without a usable list they are the usual ones.
@@ -105,6 +134,7 @@ private:
         if (!list.empty() && list.front() == '"') list.remove_prefix(1);
         list = list.substr(0, list.find_first_of(" \t\""));
         std::optional<std::size_t> species, position;
+        std::vector<std::string> unused;
         std::size_t column = 0;
         while (!list.empty()) {
             const auto field = [&list] {
@@ -118,11 +148,12 @@ private:
             if (type.size() != 1 || !width || *width < 1 || *width > 16) return unusable();
             if (property == "species" || (property == "z" && !species)) species = column;
             if (property == "pos" && *width == 3) position = column;
+            if (property != "species" && property != "z" && property != "pos") unused.emplace_back(plainName(property));
             column += static_cast<std::size_t>(*width);
             if (column > 1000) return unusable();
         }
         if (!species || !position || *species >= 16 || *position + 3 > 16) return unusable();
-        return {*species, *position};
+        return {*species, *position, std::move(unused), true};
     }
 
     Layout unusable() {
@@ -132,6 +163,7 @@ private:
 
     std::string_view comment_;
     Layout layout_;
+    std::size_t furthest_ = 0;  ///< words of an atom line behind the coordinates, without names
 };
 
 }  // namespace

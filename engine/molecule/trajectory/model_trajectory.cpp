@@ -26,7 +26,12 @@ private:
         if (frame != own_) return takeOther(molecule_->others[frame < own_ ? frame : frame - 1], result.positions);
         std::transform(molecule_->atoms.begin(), molecule_->atoms.end(), result.positions.begin(),
                        [](const Atom& atom) { return atom.position; });
-        result.box = molecule_->file.box;
+        const FileSummary& file = molecule_->file;
+        const auto& repeats = file.boxRepeats;
+        if (!file.box || std::find(repeats.begin(), repeats.end(), true) == repeats.end()) return;
+        result.box = file.box;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (!repeats[k]) (*result.box)[k] = glm::vec3(0);
     }
 
     static void takeOther(OtherModel other, std::vector<glm::vec3>& positions) {

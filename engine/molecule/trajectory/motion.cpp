@@ -121,7 +121,8 @@ void Motion::gather(std::vector<glm::vec3>& positions, const PeriodicBox& box, b
 bool Motion::isTorn(const std::vector<glm::vec3>& positions, const PeriodicBox& box) const {
     return std::any_of(fittedBonds_.begin(), fittedBonds_.end(), [&](const Step& bond) {
         const glm::vec3 way = positions[bond.to] - positions[bond.from];
-        return glm::distance(way, nearestImage(way, box)) > 1e-3f * glm::length(box[0]);
+        const float longest = std::max({glm::length(box[0]), glm::length(box[1]), glm::length(box[2])});
+        return glm::distance(way, nearestImage(way, box)) > 1e-3f * longest;
     });
 }
 

@@ -12,7 +12,7 @@ namespace {
 class H5md : public FileTrajectory {
 public:
     explicit H5md(OwnedFile file) : FileTrajectory(std::move(file), "h5md") {
-        const std::lock_guard lock(hdf5Calls());
+        const Hdf5Lock lock;
         try {
             data_.emplace(H5mdData::ofFile(name_));
         } catch (const Hdf5Fault& fault) {
@@ -29,14 +29,16 @@ public:
     }
 
     ~H5md() override {
-        const std::lock_guard lock(hdf5Calls());
+        const Hdf5Lock lock;
         data_.reset();
     }
 
 private:
     void readWhole(std::size_t frame, TrajectoryFrame& result) override {
-        const std::lock_guard lock(hdf5Calls());
+        const Hdf5Lock lock;
         if (!data_->read(frame, result)) damaged(frame);
+        for (std::size_t k = 0; result.box && k < 3; ++k)
+            if (!data_->repeats()[k]) (*result.box)[k] = glm::vec3(0);
     }
 
     std::optional<H5mdData> data_;

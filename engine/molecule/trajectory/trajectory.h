@@ -14,7 +14,7 @@
 
 namespace nacre {
 
-/// Vectors of a periodic box, Å.
+/// Vectors of a periodic box, Å; zero where it does not repeat.
 using PeriodicBox = std::array<glm::vec3, 3>;
 
 struct TrajectoryFrame {

@@ -1,0 +1,16 @@
+#pragma once
+// Whether atoms that a file calls bonded can be. Files apply the CONECT records of one model to another, or state links
+// between copies of a crystal without the copy.
+
+#include <cstdint>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+/// False for atoms far beyond the length of any bond. Coarse grains, which have no
+/// neighbour as near as atoms have, may be 12 Å apart, or as far as the caller knows others to be.
+/// @param farthest  of other grains, Å
+bool mayBeBonded(const Molecule& molecule, std::uint32_t a, std::uint32_t b, float farthest = 0);
+
+}  // namespace nacre
