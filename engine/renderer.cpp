@@ -17,6 +17,7 @@
 #include "engine/gpu/loss_guard.h"
 #include "engine/milliseconds.h"
 #include "engine/occlusion/scene_occlusion.h"
+#include "engine/scene/build/representation.h"
 #include "engine/self_test.h"
 #include "engine/self_test/start_guard.h"
 
@@ -72,7 +73,7 @@ struct Renderer::Impl {
     /// @returns the test's result as text @throws Error if no path is right
     std::string testPath(const DeviceOptions& options, const DeviceInfo& info) {
         const gpu::Caps& caps = device.caps();
-        if (options.selfTests.empty() || !wantsSelfTest(caps) || device.capture().loaded()) return {};
+        if (!wantsSelfTest(options, info) || device.capture().loaded()) return {};
         if (start.mode() == StartMode::plainPath) {
             device.choose(plainestPath("earlier starts by other paths ended the program"));
             return {};

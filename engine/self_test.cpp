@@ -9,8 +9,8 @@
 #include "engine/error.h"
 #include "engine/frame/choose.h"
 #include "engine/renderer.h"
+#include "engine/self_test/kept_results.h"
 #include "engine/self_test/scenes.h"
-#include "engine/storage/disk_cache.h"
 
 namespace nacre {
 namespace {
@@ -22,11 +22,9 @@ constexpr std::span<const Visibility> kPaths(kEveryPath, std::size(kEveryPath) -
 constexpr const char* kOutcomes[] = {"right", "wrong", "failed", "unfinished"};
 constexpr const char* kHeading = "nacre self-test 4";
 constexpr std::uint32_t kPixels = 128, kTimedPixels = 720;
-constexpr int kDirections = 16;                // of a bake: a batch
-constexpr std::uint64_t kMostBytes = 1 << 20;  // of all answers
+constexpr int kDirections = 16;  // of a bake: a batch
 
-DiskCache cacheOf(const std::string& folder) { return DiskCache(folder, kMostBytes, {"paths-", "start"}); }
-std::string nameOf(const std::string& key) { return "paths-" + key; }
+std::string nameOf(const std::string& key) { return kTestedPaths + key; }
 
 /// "1.2 2.05 6.3"
 std::string timesOf(const PathResult& r, int digits) {
@@ -49,7 +47,7 @@ std::string textOf(const SelfTest& test) {
 
 /// Empty for anything but the output of textOf().
 SelfTest read(const std::string& folder, const std::string& key) {
-    const std::optional<std::string> text = cacheOf(folder).read(nameOf(key));
+    const std::optional<std::string> text = keptResults(folder).read(nameOf(key));
     if (!text) return {};
     std::istringstream lines(*text);
     std::string line, path, outcome;
@@ -73,7 +71,7 @@ SelfTest read(const std::string& folder, const std::string& key) {
 void write(const std::string& folder, const std::string& key, const SelfTest& test) {
     const std::string text = textOf(test);
     const std::string_view parts[] = {text};
-    cacheOf(folder).write(nameOf(key), parts);
+    keptResults(folder).write(nameOf(key), parts);
 }
 
 struct Stopped {};
@@ -187,9 +185,12 @@ SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, Teste
     return test;
 }
 
+bool wantsSelfTest(const DeviceOptions& options, const DeviceInfo& device) {
+    return !options.selfTests.empty() && isAutomatic(options.visibility) && device.type != "software";
+}
+
 bool lacksSelfTest(const DeviceOptions& options, const DeviceInfo& device) {
-    return !options.selfTests.empty() && isAutomatic(options.visibility) && device.type != "software" &&
-           !keptSelfTest(options.selfTests, device.driverKey);
+    return wantsSelfTest(options, device) && !keptSelfTest(options.selfTests, device.driverKey);
 }
 
 std::optional<SelfTest> keptSelfTest(const std::string& folder, const std::string& key) {
@@ -200,7 +201,7 @@ std::optional<SelfTest> keptSelfTest(const std::string& folder, const std::strin
     return test;
 }
 
-void forgetSelfTest(const std::string& folder, const std::string& key) { cacheOf(folder).remove(nameOf(key)); }
+void forgetSelfTest(const std::string& folder, const std::string& key) { keptResults(folder).remove(nameOf(key)); }
 
 namespace {
 

@@ -47,7 +47,10 @@ enum class TestedPaths {
 /// @param stop  set by another thread: returns early, without the path that is being tested; may be null
 SelfTest testPaths(const DeviceOptions& options, const DeviceInfo& device, TestedPaths paths = TestedPaths::automatic,
                    const std::atomic<bool>* stop = nullptr);
-/// Whether a device is to be tested, and is not yet.
+/// Whether a device's paths are tested before one is chosen. Software devices need no test: the program's own tests
+/// cover their paths.
+bool wantsSelfTest(const DeviceOptions& options, const DeviceInfo& device);
+/// Whether it is not tested yet, and wants to be.
 bool lacksSelfTest(const DeviceOptions& options, const DeviceInfo& device);
 /// The kept results of a device; nothing if any path is missing. @param folder  DeviceOptions::selfTests
 std::optional<SelfTest> keptSelfTest(const std::string& folder, const std::string& key);

@@ -619,10 +619,6 @@ OcclusionMaps chooseOcclusionMaps(const FrameCaps& device) {
 
 graph::TestedPath plainestPath(const char* why) { return {Visibility::fragdepth, why}; }
 
-bool wantsSelfTest(const FrameCaps& device) {
-    return device.visibility == Visibility::automatic && device.kind != DeviceKind::software;
-}
-
 bool hasPath(Visibility path, bool rasterOrder, bool tiles) {
     return path == Visibility::rasterOrder ? rasterOrder : path != Visibility::tiles || tiles;
 }

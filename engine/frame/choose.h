@@ -252,10 +252,6 @@ OcclusionMaps chooseOcclusionMaps(const graph::FrameCaps& device);
 /// The path that asks least of a driver: one subpass, and nothing read from the tile.
 graph::TestedPath plainestPath(const char* why);
 
-/// Whether a device's paths are tested before one is chosen. Software devices need no test: the program's own tests
-/// cover their paths.
-bool wantsSelfTest(const graph::FrameCaps& device);
-
 /// Whether a device with these abilities has a path at all.
 bool hasPath(Visibility path, bool rasterOrder, bool tiles);
 /// Whether the small scenes of a self-test tell how long a path takes.

@@ -10,27 +10,27 @@
 #include <utility>
 
 #include "engine/error.h"
-#include "engine/storage/disk_cache.h"
+#include "engine/self_test/kept_results.h"
 
 namespace nacre {
 namespace {
 
-constexpr const char* kName = "start";
 constexpr const char* kStartHeading = "nacre start 1";
 /// One death may have any cause; two are blamed on the driver.
 constexpr int kBlamed = 2;
+/// After so many starts that worked, riskier modes are tried again: a driver may have been updated under the same key.
+constexpr int kForgiven = 20;
 
 struct Note {
     std::string driverKey = "-";           ///< of the last start that showed frames
     std::array<int, kStartModes> ended{};  ///< starts of each mode that ended the program, the open one among them
     int open = -1;                         ///< mode of a start that shows no frame yet
     long process = 0;                      ///< its process
+    int good = 0;                          ///< starts in a later mode than the first that worked, since one was blamed
 };
 
-DiskCache startsIn(const std::string& folder) { return DiskCache(folder, 1 << 20, {"paths-", kName}); }
-
 Note readNote(const std::string& folder) {
-    const std::optional<std::string> text = startsIn(folder).read(kName);
+    const std::optional<std::string> text = keptResults(folder).read(kStartNote);
     if (!text) return {};
     std::istringstream lines(*text);
     std::string heading;
@@ -39,6 +39,7 @@ Note readNote(const std::string& folder) {
     lines >> note.driverKey;
     for (int& count : note.ended) lines >> count;
     if (!(lines >> note.open >> note.process) || note.open < -1 || note.open >= kStartModes) return {};
+    if (!(lines >> note.good)) note.good = 0;  // as earlier versions write it
     return note;
 }
 
@@ -46,10 +47,10 @@ void writeNote(const std::string& folder, const Note& note) {
     std::ostringstream text;
     text << kStartHeading << '\n' << note.driverKey << '\n';
     for (const int count : note.ended) text << count << ' ';
-    text << '\n' << note.open << ' ' << note.process << '\n';
+    text << '\n' << note.open << ' ' << note.process << ' ' << note.good << '\n';
     const std::string whole = text.str();
     const std::string_view parts[] = {whole};
-    startsIn(folder).write(kName, parts);
+    keptResults(folder).write(kStartNote, parts);
 }
 
 /// Whether a start's process still runs: another window of this program.
@@ -82,6 +83,10 @@ void StartGuard::end(bool well, const std::string& driverKey) {
     int& ended = note.ended[static_cast<std::size_t>(mode_)];
     ended = well ? 0 : std::max(ended - 1, 0);
     note.open = -1;
+    if (well && mode_ != StartMode::usual && ++note.good >= kForgiven) {
+        for (int& count : note.ended) count = std::min(count, kBlamed - 1);
+        note.good = 0;
+    }
     if (well && note.driverKey != driverKey) {
         if (note.driverKey != "-") note.ended = {};
         note.driverKey = driverKey;

@@ -1,7 +1,7 @@
 #pragma once
 // Survives a driver that ends the program while a window starts: each start is noted in a file before the first device
 // is made, and the note is removed after the first frames. A start that finds a note of one that died takes fewer
-// risks.
+// risks. After a number of good starts it tries the riskier ways again.
 
 #include <string>
 

@@ -67,8 +67,6 @@ TEST(PathChoice, OfASoftwareDeviceIsTilesWhereComputeCanDrawThem) {
     caps.plan.tiles = true;
     EXPECT_EQ(choosePath(caps).visibility, Visibility::tiles);
     EXPECT_EQ(chooseOcclusionMaps(caps), OcclusionMaps::tiles);
-    EXPECT_FALSE(wantsSelfTest(caps));
-    EXPECT_TRUE(wantsSelfTest(capabilitySet("mali")));
 }
 
 TEST(GeometryChoice, FetchesByNumberOnlyWhereVertexOutputsGoThroughMemory) {

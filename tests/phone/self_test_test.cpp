@@ -39,6 +39,20 @@ Outcome outcomeOf(const SelfTest& test, Visibility path) {
     return {};
 }
 
+TEST(SelfTest, IsForAutomaticPathsOfHardware) {
+    DeviceOptions options;
+    DeviceInfo device;
+    device.type = "integrated";
+    EXPECT_FALSE(wantsSelfTest(options, device)) << "nowhere to keep it";
+    options.selfTests = "devices";
+    EXPECT_TRUE(wantsSelfTest(options, device));
+    options.visibility = Visibility::encoded;
+    EXPECT_FALSE(wantsSelfTest(options, device)) << "asked for";
+    options.visibility = Visibility::automatic;
+    device.type = "software";
+    EXPECT_FALSE(wantsSelfTest(options, device)) << "tested with the program";
+}
+
 TEST(SelfTest, FindsEveryPathOfARightDriverRight) {
     const TemporaryFolder folder;
     int tries = 0;

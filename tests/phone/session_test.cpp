@@ -15,6 +15,7 @@
 
 #include "engine/devices.h"
 #include "engine/error.h"
+#include "engine/scene/build/representation.h"
 #include "engine/self_test.h"
 #include "engine/self_test/start_guard.h"
 #include "tests/fault_layer/faults.h"
@@ -395,6 +396,17 @@ TEST(PhoneStart, TakesFewerRisksEachTimeAndSaysSoInTheEnd) {
     EXPECT_EQ(StartGuard(devices).mode(), StartMode::usual) << "whoever tries again is let";
     keep("no note");
     EXPECT_EQ(StartGuard(devices).mode(), StartMode::usual);
+    // Deaths are forgiven after 20 starts that worked: one more try, and one more death is blamed on the driver again.
+    keep("key\n2 0 0\n-1 0\n");
+    for (int start = 0; start < 20; ++start) {
+        StartGuard guard(devices);
+        EXPECT_EQ(guard.mode(), StartMode::withoutCache) << start;
+        guard.done("key");
+    }
+    EXPECT_EQ(StartGuard(devices).mode(), StartMode::usual);
+    keep("key\n2 0 0\n0 0\n");
+    EXPECT_EQ(StartGuard(devices).mode(), StartMode::withoutCache);
+    keep("no note");
     const StartGuard first(devices);
     EXPECT_EQ(StartGuard(devices).mode(), StartMode::usual) << "another window of a living program";
     EXPECT_EQ(StartGuard("").mode(), StartMode::usual);
