@@ -240,6 +240,8 @@ std::string infoText(const std::string& name, const Json& json) {
 
 namespace {
 
+using InfoOutput = InfoOptions::Output;
+
 /// One INPUT: its summary, and further output as text or CSV.
 struct InfoOfInput {
     Json json;
@@ -255,18 +257,23 @@ void addInteractionsOf(const Molecule& molecule, const InputOptions& input, cons
             if (*selection) nameInputs(inputNames(input), **selection);
     if (options.frequencies) {
         const ContactFrequencies frequencies = contactFrequencies(molecule, contacts, input.trajectory);
-        if (options.csv) info.text = frequencyCsv(molecule, frequencies);
-        if (options.asJson()) {
+        if (options.output == InfoOutput::csv) {
+            info.text = frequencyCsv(molecule, frequencies);
+        } else if (options.output == InfoOutput::text) {
+            info.text += frequencyText(molecule, frequencies);
+        } else {
             info.json["interactions_of"] = frequencies.of;
             info.json["interaction_frequencies"] = frequencyList(molecule, frequencies);
         }
-        if (!options.csv && !options.asJson()) info.text += frequencyText(molecule, frequencies);
         return;
     }
     const std::vector<Interaction> interactions = interactionsOf(molecule, contacts, options.picture.look.assembly);
-    if (options.csv) info.text = interactionCsv(molecule, interactions);
-    if (options.asJson()) info.json["interactions"] = interactionList(molecule, interactions);
-    if (!options.csv && !options.asJson()) info.text += interactionText(molecule, interactions);
+    if (options.output == InfoOutput::csv)
+        info.text = interactionCsv(molecule, interactions);
+    else if (options.output == InfoOutput::text)
+        info.text += interactionText(molecule, interactions);
+    else
+        info.json["interactions"] = interactionList(molecule, interactions);
 }
 
 void putBytes(const std::string& path, Json& json) {
@@ -292,15 +299,20 @@ public:
     void add(const std::string& name, const InfoOfInput& info) {
         Json entry = emptyEntry(name);
         entry.update(info.json);
-        if (options_.jsonLines) {
-            out_ << printableJson(entry.dump(-1, ' ', false, Json::error_handler_t::replace)) << '\n';
-        } else if (options_.json) {
-            list_.push_back(std::move(entry));
-        } else {
-            if (!options_.csv)
-                out_ << std::exchange(between_, "\n")
-                     << (info.isMap ? mapInfoText(name, entry) : infoText(name, entry));
-            out_ << info.text;
+        switch (options_.output) {
+            case InfoOutput::jsonLines:
+                out_ << printableJson(entry.dump(-1, ' ', false, Json::error_handler_t::replace)) << '\n';
+                break;
+            case InfoOutput::json:
+                list_.push_back(std::move(entry));
+                break;
+            case InfoOutput::text:
+                out_ << std::exchange(between_, "\n") << (info.isMap ? mapInfoText(name, entry) : infoText(name, entry))
+                     << info.text;
+                break;
+            case InfoOutput::csv:
+                out_ << info.text;
+                break;
         }
     }
 

@@ -124,9 +124,8 @@ void checkInfo(const InfoOptions& options) {
         if (!options.picture.look.contacts.of) throw UsageError("--assembly is for --interactions");
         if (options.frequencies) throw UsageError("--frequencies and --assembly exclude each other");
     }
-    if (!options.csv) return;
+    if (options.output != InfoOptions::Output::csv) return;
     if (!options.picture.look.contacts.of) throw UsageError("--csv is for --interactions");
-    if (options.json) throw UsageError("--csv and --json exclude each other");
     if (options.paths.size() > 1 && !options.together) throw UsageError("--csv is for one INPUT, or for --together");
 }
 
@@ -140,7 +139,20 @@ void addInteractions(CommandSpec& command, InfoOptions& options) {
     command.value("--assembly", "ID", "none",
                   "With interactions between the copies of an assembly or unit cell, as pictures draw them",
                   [&](const std::string& text) { options.picture.look.assembly = text; });
-    command.flag("--csv", options.csv, "The interactions as a table of comma-separated values");
+}
+
+void addInfoOutputs(CommandSpec& command, InfoOptions& options) {
+    const auto add = [&](const char* name, InfoOptions::Output output, const char* help) {
+        command.add({name, "", "", help, [&options, output](const std::string&) {
+                         if (options.output != InfoOptions::Output::text && options.output != output)
+                             throw UsageError("--json, --json-lines and --csv exclude each other");
+                         options.output = output;
+                     }});
+    };
+    add("--csv", InfoOptions::Output::csv, "The interactions as a table of comma-separated values");
+    add("--json", InfoOptions::Output::json, "As a JSON list, an object per INPUT; docs/json.md explains its keys");
+    add("--json-lines", InfoOptions::Output::jsonLines,
+        "As JSON, an object per line and INPUT, each as soon as it is read");
 }
 
 std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& window) {
@@ -165,8 +177,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     addPicture(info, line.info.picture, static_cast<Topics>(Topic::trajectory));
     info.flag("--residues", line.info.residues, "Each residue, with helix, strand or coil");
     addInteractions(info, line.info);
-    info.flag("--json", line.info.json, "As a JSON list, an object per INPUT; docs/json.md explains its keys");
-    info.flag("--json-lines", line.info.jsonLines, "As JSON, an object per line and INPUT, each as soon as it is read");
+    addInfoOutputs(info, line.info);
     CommandSpec bench{"bench", "Time frames on each visibility path",
                       "Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json\n"
                       "  nacre bench 1bna.pdb 4hhb.cif.gz --visibility tiles --zoom 10"};

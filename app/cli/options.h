@@ -41,14 +41,13 @@ struct BatchOptions {
 };
 
 struct InfoOptions {
-    std::vector<std::string> paths;                     ///< one or more
-    PictureDescription picture;                         ///< how each of them is read
-    bool residues = false;                              ///< list each, with its secondary structure
-    bool together = false;                              ///< the INPUTs are one scene
-    bool frequencies = false;                           ///< frequency of each interaction
-    bool json = false, jsonLines = false, csv = false;  ///< csv: interactions only
-
-    bool asJson() const { return json || jsonLines; }
+    enum class Output { text, json, jsonLines, csv };  ///< csv: interactions only
+    std::vector<std::string> paths;                    ///< one or more
+    PictureDescription picture;                        ///< how each of them is read
+    bool residues = false;                             ///< list each, with its secondary structure
+    bool together = false;                             ///< the INPUTs are one scene
+    bool frequencies = false;                          ///< frequency of each interaction
+    Output output = Output::text;
 };
 
 struct BenchOptions {

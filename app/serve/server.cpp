@@ -275,7 +275,7 @@ struct Server::Parts {
         InfoOptions info;
         info.picture = asked.description;
         info.paths = {asked.description.input.path};
-        info.json = true;
+        info.output = InfoOptions::Output::json;
         try {
             const std::string told = workers.run([info] {
                 std::ostringstream text;

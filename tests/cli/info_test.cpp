@@ -88,12 +88,15 @@ TEST(Info, TextIsSafeForATerminal) {
     EXPECT_NE(text.find("A title"), std::string::npos);
     EXPECT_NE(text.find("something was odd"), std::string::npos);
     EXPECT_NE(text.find("single 1"), std::string::npos);
+    EXPECT_NE(text.find("reading     guessed 1 bond: from distances\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("read 2 atoms"), std::string::npos) << "is said above";
 }
 
 TEST(Info, ChainsResolutionAndKindsOfBonds) {
     NACRE_NEEDS_DATA();
     // 4HHB by its paper and entry: two alpha chains of 141 residues, two beta chains of 146, four haems, 1.74 Å.
-    const auto json = infoJson(readMoleculeFile(test::dataFile("4hhb.pdb")));
+    const Molecule molecule = readMoleculeFile(test::dataFile("4hhb.pdb"));
+    const auto json = infoJson(molecule);
     EXPECT_EQ(json["resolution"], 1.74);
     ASSERT_EQ(json["chain_list"].size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
