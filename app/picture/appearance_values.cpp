@@ -120,6 +120,8 @@ std::vector<std::string> palettesOf(bool ramps) {
     return names;
 }
 
+std::string rampChoices() { return "one of " + listOf(palettesOf(true)) + ", or colours such as white:red"; }
+
 /// Takes a ramp of colours from the start of a text: "white:red:10..60" leaves "10..60". @returns nothing, and leaves
 /// the text alone, if it does not begin with two colours
 std::optional<AnyPalette> takeRamp(std::string_view& text) {
@@ -160,8 +162,8 @@ void parseColoringPart(std::string_view text, Coloring& coloring) {
     } else if (use != PaletteUse::none) {
         const std::vector<std::string> palettes = palettesOf(use == PaletteUse::ramp);
         refuse(text,
-               (takesRange(coloring.scheme) ? "a range such as 10..60, or " : "") + std::string("one of ") +
-                   listOf(palettes) + " after '" + name + ":'",
+               (takesRange(coloring.scheme) ? "a range such as 10..60, or " : "") +
+                   (use == PaletteUse::ramp ? rampChoices() : "one of " + listOf(palettes)) + " after '" + name + ":'",
                palettes);
     } else {
         throw std::invalid_argument("'" + name + "' takes no further value, such as '" + std::string(text) +
@@ -306,7 +308,7 @@ Coloring parseColorSource(std::string_view text) {
         else if (palette)
             throw std::invalid_argument("values take no palette of kinds: one of " + paletteNames(true));
         else if (isWord(part) && text.substr(0, colon).find('.') != std::string_view::npos)  // after a file's ending
-            refuse(part, "value=COLUMN, a range such as 10..60, or one of " + paletteNames(true), palettesOf(true));
+            refuse(part, "value=COLUMN, a range such as 10..60, or " + rampChoices(), palettesOf(true));
         else
             break;
         text = text.substr(0, colon);

@@ -180,6 +180,8 @@ bool isSaved(const Option& option, const PictureDescription& view) {
     return false;
 }
 
+constexpr const char* kWhatAViewIs = " (views are files of --save-view, of --stats and of the window)";
+
 /// Keys in the order of the options, whatever theirs: some lean on those before them.
 void readKeys(const Json& object, const std::string& name, PictureDescription& view) {
     const auto fail = [&](std::string_view key, const std::string& why) {
@@ -198,7 +200,7 @@ void readKeys(const Json& object, const std::string& name, PictureDescription& v
         }
     }
     for (const auto& [key, value] : object.items())
-        if (!known.contains(key)) fail(key, "no such key");
+        if (!known.contains(key)) fail(key, std::string("no such key") + kWhatAViewIs);
     nameInputs(view);
 }
 
@@ -254,7 +256,8 @@ void readView(const std::string& json, const std::string& name, PictureDescripti
     } catch (const std::invalid_argument& error) {
         throw Error("cannot read view", name, error.what());
     }
-    if (!object.is_object()) throw Error("cannot read view", name, "it is not a JSON object");
+    if (!object.is_object())
+        throw Error("cannot read view", name, std::string("it is not a JSON object") + kWhatAViewIs);
     if (!twice.empty()) throw Error("cannot read view", name, "\"" + twice + "\": it occurs twice");
     view.aim.fits = false;  // it keeps its scale, also where it does not state it
     if (isStatistics(object))

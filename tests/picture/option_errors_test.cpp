@@ -29,6 +29,8 @@ void expectError(const char* key, const char* value, const char* words) {
 // What users typed, and what helps them.
 TEST(OptionErrors, NameTheUnknownPart) {
     expectError("color-from", "pae.csv:0..30:green-white", "not 'green-white'");
+    expectError("color-from", "pae.csv:0..30:green-white", "or colours such as white:red");
+    expectError("color", "b-factor:wite:red", "or colours such as white:red after 'b-factor:', not 'wite'");
     expectError("color-from", "pae.csv:virids", "did you mean 'viridis'?");
     expectError("interactions", "ligand,foo", "'foo'");
     expectError("interaction-kinds", "hbond", "did you mean 'hydrogen-bond'?");

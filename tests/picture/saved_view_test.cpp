@@ -80,7 +80,9 @@ TEST(SavedView, BadFilesAreRefusedByTheirKey) {
                                                           {"{\"rules\": [{\"hide\": \"chain (\"}]}", "rules"},
                                                           {"{\"background\": 5}", "background"},
                                                           {"{\"water\": true}", "water"},
-                                                          {"{\"colour\": \"element\"}", "colour"}}) {
+                                                          {"{\"colour\": \"element\"}", "colour"},
+                                                          {"{\"scripts\": 1}", "views are files of --save-view"},
+                                                          {"[1, 2]", "views are files of --save-view"}}) {
         try {
             parseSavedView(json, "v.json");
             ADD_FAILURE() << json;
