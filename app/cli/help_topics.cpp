@@ -5,6 +5,7 @@
 
 #include "app/cli/option_words.h"
 #include "app/mvs/node_table.h"
+#include "app/picture/option_json.h"
 #include "app/picture/options.h"
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
@@ -217,9 +218,8 @@ const char* keywordType(const Option& option) {
     if (option.kind == Option::Kind::list)
         return selects ? "str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]" : "str | Sequence[str]";
     if (option.syntax == "WxH" || option.syntax == "X,Y,Z") return "str | Sequence[float]";
-    if (selects) return option.syntax.ends_with("|off") ? "str | bool | Mask" : "str | Mask";
-    const bool switches = option.syntax.ends_with("|off") || option.syntax.starts_with("on|off") ||
-                          option.syntax.find("|off|") != std::string::npos;
+    const bool switches = takesOff(option);
+    if (selects) return switches ? "str | bool | Mask" : "str | Mask";
     if (takesNumbers(option)) return switches ? "str | float | bool" : "str | float";
     return switches ? "str | bool" : "str";
 }

@@ -35,16 +35,17 @@ std::string shownJson(const JobJson& value) {
     return text.size() > kMost ? text.substr(0, kMost) + "..." : text;
 }
 
+bool takesWord(const Option& option, std::string_view word) {
+    const std::string words = "|" + std::string(option.syntax) + "|";
+    return words.find("|" + std::string(word) + "|") != std::string::npos;
+}
+
 /// What switches an option on or off, if something does.
 std::optional<std::string> switchText(bool on, const Option& option) {
-    const auto takes = [&](std::string_view word) {
-        const std::string words = "|" + std::string(option.syntax) + "|";
-        return words.find("|" + std::string(word) + "|") != std::string::npos;
-    };
-    if (!takes("off")) return std::nullopt;
+    if (!takesOff(option)) return std::nullopt;
     if (!on) return "off";
     for (const char* word : {"on", "auto"})
-        if (takes(word)) return word;
+        if (takesWord(option, word)) return word;
     // "dashed|off": the only word besides.
     const std::string word = option.syntax.substr(0, option.syntax.find('|'));
     if (std::ranges::all_of(word, [](char c) { return c >= 'a' && c <= 'z'; }) && option.syntax == word + "|off")
@@ -131,6 +132,8 @@ void checkTogether(std::span<const OptionValue> values) {
 bool isRepeated(const Option& option) { return option.kind == Kind::list || option.kind == Kind::pair; }
 
 }  // namespace
+
+bool takesOff(const Option& option) { return takesWord(option, "off"); }
 
 std::vector<OptionValue> optionValuesOf(const std::string& json, const std::string& who) {
     std::string twice;

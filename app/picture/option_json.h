@@ -24,6 +24,9 @@ struct OptionValue {
 /// @param who  accepts no other options, for messages @throws UsageError
 std::vector<OptionValue> optionValuesOf(const std::string& json, const std::string& who = "nacre render");
 
+/// Whether false switches an option off.
+bool takesOff(const Option& option);
+
 /// Sets options as one command line with all of them would, in any order; if an option that is not repeatable occurs
 /// twice, the last one wins. @throws UsageError
 void setOptions(std::span<const OptionValue> values, PictureDescription& description);
