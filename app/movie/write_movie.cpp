@@ -7,10 +7,10 @@
 namespace nacre::app {
 
 std::uint64_t writeMovie(MovieFile& file, const MovieFrames& frames) {
-    constexpr std::uint64_t kSamples = 6;  // frames that a palette is made from
+    const std::uint64_t samples = std::min<std::uint64_t>(6, frames.count);  // that a palette is made from
     if (file.wantsSamples())
-        for (std::uint64_t i = 0; i < std::min(kSamples, frames.count) && frames.goesOn(MovieStage::palette, 0); ++i)
-            file.sample(frames.draw(i * frames.count / kSamples));
+        for (std::uint64_t i = 0; i < samples && frames.goesOn(MovieStage::palette, 0); ++i)
+            file.sample(frames.draw(i * frames.count / samples));
     MovieEncoder encoder(file);
     std::uint64_t drawn = 0;
     for (; frames.goesOn(MovieStage::frames, drawn) && drawn < frames.count; ++drawn) encoder.add(frames.draw(drawn));

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/movie/gif.h"
+#include "app/movie/write_movie.h"
 
 namespace nacre::app {
 namespace {
@@ -35,6 +36,33 @@ TEST(Palette, ManyColoursLieNear) {
             const Rgb& c = palette.colors()[palette.place(shades.data() + i, x, 1)];
             for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(c[k], shades[i + k], 16);
         }
+}
+
+/// Notes what it is shown for its palette.
+class SampledFile : public MovieFile {
+public:
+    bool wantsSamples() const override { return true; }
+    void sample(const Picture& picture) override { sampled.push_back(picture.width); }
+    void add(const Picture&) override {}
+    void finish() override {}
+    std::vector<std::uint32_t> sampled;
+};
+
+TEST(Palette, IsMadeFromFramesOfTheWholeMovie) {
+    const std::vector<std::vector<std::uint32_t>> expected{
+        {0}, {0, 1}, {0, 1, 2}, {0, 1, 2, 3, 4}, {0, 1, 2, 3, 4, 5}, {0, 2, 4, 6, 8, 10}};
+    for (const std::vector<std::uint32_t>& frames : expected) {
+        SampledFile file;
+        const std::uint64_t count = frames.size() < 6 || frames.back() == 5 ? frames.size() : 12;
+        writeMovie(file, {count,
+                          [](std::uint64_t frame) {
+                              Picture picture;
+                              picture.width = static_cast<std::uint32_t>(frame);
+                              return picture;
+                          },
+                          [](MovieStage, std::uint64_t) { return true; }});
+        EXPECT_EQ(file.sampled, frames);
+    }
 }
 
 }  // namespace
