@@ -12,6 +12,7 @@
 #include "engine/error.h"
 #include "engine/molecule/read.h"
 #include "tests/support/run_program.h"
+#include "tests/support/test_data.h"
 
 namespace nacre::app {
 namespace {
@@ -133,22 +134,33 @@ TEST(Camera, OrientTakesTheAxesOfASelection) {
     EXPECT_LT(high - low, 1.2);
 }
 
-TEST(Camera, AnInterfaceIsSeenFromItsSide) {
-    const Molecule molecule = sampleMolecule("dna");
+/// From the middle of chain A to that of chain B, as the picture of their interface shows it.
+glm::dvec3 wayAcross(const Molecule& molecule) {
     Drawing drawing;
     drawing.prepare(molecule, cameraPicture({{"interface", "A,B"}}));
     EXPECT_FALSE(drawing.scene().contacts.empty());
-    const auto middle = [&](char chain) {
-        const std::vector<bool> chosen =
-            selectAtoms(ResidueFacts(molecule), parseSelection(std::string("chain ") + chain));
+    const auto middle = [&](const char* chain) {
+        const std::vector<bool> chosen = selectAtoms(ResidueFacts(molecule), parseSelection(chain));
         glm::dvec3 sum(0);
         double count = 0;
         for (std::size_t i = 0; i < chosen.size(); ++i)
             if (chosen[i]) sum += glm::dvec3(molecule.atoms[i].position), ++count;
         return drawing.settings.view.rotation * (sum / count);
     };
-    EXPECT_LT(middle('A').x, middle('B').x);
+    return middle("chain B") - middle("chain A");
+}
+
+TEST(Camera, AnInterfaceIsSeenFromItsSide) {
+    EXPECT_GT(wayAcross(sampleMolecule("dna")).x, 0);
     EXPECT_THROW(cameraPicture({{"interface", "A"}}), std::invalid_argument);
+}
+
+// The interface of 4HHB's chains A and B is flat: its normal is within 11 degrees of the way between the chains (by
+// numpy's eigenvectors of the residues within 4 Å), and lies in the picture, to the right.
+TEST(Camera, AFlatInterfaceStandsUpright) {
+    NACRE_NEEDS_DATA();
+    const glm::dvec3 way = wayAcross(readMoleculeFile(test::dataFile("4hhb.pdb")));
+    EXPECT_GT(way.x, 0.97 * glm::length(way));
 }
 
 /// Depth of an atom's centre, Å from the scene's centre away from the viewer.

@@ -137,6 +137,39 @@ INSTANTIATE_TEST_SUITE_P(Meshes, Caps,
                                          CapCase{"Cartoon", Style::cartoon, Projection::orthographic}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
+// Pixels on the plane have --cap-color's hue, of atoms, sticks and meshes, on every path; others keep theirs.
+TEST(CapsOfScenes, HaveTheGivenColour) {
+    for (const Style style : {Style::spacefill, Style::licorice, Style::surface}) {
+        Representation r = scene("sample:dna", style);
+        for (SphereLook& look : r.sphereLooks) look.color = 0xff40ff40u;
+        for (CylinderLook& look : r.cylinderLooks) look.colorA = look.colorB = 0xff40ff40u;
+        for (SphereLook& look : r.meshLooks) look.color = 0xff40ff40u;
+        for (SurfaceAtom& atom : r.surfaceAtoms) atom.look.color = 0xff40ff40u;
+        RenderSettings s = settings(r, 100, Projection::orthographic);
+        s.supersample = 1;
+        s.effects.clip.near = 0;
+        s.effects.clip.capColor = {1, 0, 0.5f};
+        for (const Visibility path : kPaths) {
+            ValidatedRenderer renderer(path);
+            renderer->setScene(r);
+            const LayerPicture layers = renderer->layers(s);
+            const Picture picture = renderer->render(s);
+            std::size_t caps = 0, others = 0, wrong = 0;
+            for (std::size_t i = 0; i < layers.id.size(); ++i) {
+                if (layers.id[i] == 0) continue;
+                const bool cap = std::abs(static_cast<double>(layers.z[i]) - s.view.radius) < 0.004;
+                const float *pixel = &picture.rgba[4 * i], red = pixel[0], green = pixel[1];
+                ++(cap ? caps : others);
+                wrong += cap ? !(red > 2 * green) : !(green > red);
+            }
+            EXPECT_GT(caps, style == Style::licorice ? 20u : 300u) << visibilityName(path);
+            EXPECT_GT(others, 100u) << visibilityName(path);
+            // What is not cut may meet the plane.
+            EXPECT_LE(wrong, 1 + caps / 50) << visibilityName(path) << " " << static_cast<int>(style);
+        }
+    }
+}
+
 TEST(CapsOfScenes, FollowTheSceneAndNeedNoNewBake) {
     const Representation r = scene("sample:dna", Style::surface);
     ValidatedRenderer renderer(Visibility::tiles), fresh(Visibility::tiles);

@@ -2,7 +2,10 @@
 
 #include "engine/scene/view/uncover.h"
 
+#include <set>
+
 #include "engine/scene/view/orientation.h"
+#include "tests/molecule/build_molecule.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -121,6 +124,26 @@ TEST(Uncover, CopiesStayWhatTheyAreOnEveryPath) {
         PathRenderers renderers;
         if (style == Style::spacefill) sameOnEveryPath(renderers, r, s);
     }
+}
+
+// A chain of 14 carbons crosses the part near its end. What is left of that end, two atoms of 14, would float.
+TEST(Uncover, LeavesNoScraps) {
+    MoleculeText text;
+    text.residue("LIG", 1).atom("P1", "C", {0, 0, 0}).atom("P2", "C", {0, 20, 12});
+    text.residue("CHN", 2);
+    for (int i = 0; i < 14; ++i) text.atom("C" + std::to_string(i), "C", {1.5f * static_cast<float>(i - 11), 0, 6});
+    for (std::uint32_t i = 2; i < 15; ++i) text.molecule.bonds.push_back({i, i + 1});
+    const Molecule& m = text.molecule;
+    Representation r = represent(m, drawnAtoms(m), {Style::ballAndStick, ColorScheme::element});
+    const std::vector<bool> part = selectAtoms(m, parseSelection("resn LIG"));
+    const RenderSettings s = settings(r, 200, kOrtho, glm::dvec3(0));
+    const Uncovered u = uncover(r, part, s.view, -Clip::kNone);
+    EXPECT_GT(u.spheres, 0u);
+    EXPECT_GE(u.after, 1 - kStillCovered);
+    std::set<std::uint32_t> left;
+    for (const SphereLook& look : r.sphereLooks) left.insert(look.atom);
+    for (std::uint32_t atom : {1u, 2u, 3u, 10u}) EXPECT_TRUE(left.contains(atom)) << atom;  // the part, the long piece
+    for (std::uint32_t atom : {14u, 15u, 16u}) EXPECT_FALSE(left.contains(atom)) << atom;
 }
 
 TEST(Uncover, LeavesAloneWhatHidesNothing) {
