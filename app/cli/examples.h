@@ -48,31 +48,23 @@ inline constexpr const char* kRenderExamples =
     "  nacre render open=4ake.cif closed=1ake.cif -o pair.png --fit '/closed and name CA' '/open and name CA'\n"
     "  nacre render 1crn.pdb -o crambin.png --capture crambin.rdc\n"
     "  zcat 1crn.pdb.gz | nacre render - --format pdb -o crambin.exr --layers layers.exr --stats stats.json\n"
-    "Selections (SEL), as in PyMOL:\n"
-    "  chain A+B, resn HEM+ATP, resi 10-20+35, name CA+CB, elem FE, altloc A, model 1, protein, nucleic, polymer,\n"
-    "  ligand, water, ion, backbone, sidechain, hydrogens, hetatm, all, none; and, or, not, ( );\n"
-    "  within 5 of (SEL): at most 5 Å away, SEL included; byres (SEL): its whole residues";
-
+    "`nacre help selections` explains SEL, which is written as in PyMOL or ChimeraX.";
 inline constexpr const char* kFigureExamples =
-    "A panel is a line like {\"input\": \"1hpv.pdb\", \"style\": \"surface\"}: the options of `nacre render` without\n"
-    "dashes. Options on the command line apply to all. Panels have the first panel's scale, and its camera unless "
-    "they\n"
-    "aim themselves. Only the last panel has a scale bar.\n"
+    "A panel is a line like {\"input\": \"1hpv.pdb\", \"style\": \"surface\"}: the options of `nacre render`\n"
+    "without dashes. Options on the command line apply to all. Panels have the first panel's scale, and its\n"
+    "camera unless they aim themselves. Only the last panel has a scale bar.\n"
     "Examples:\n"
     "  nacre figure panels.jsonl -o figure.png --width 85mm --scale-bar nm\n"
     "  nacre figure panels.jsonl -o figure.tif --columns 3 --letters A --gap 4 --size 800x800";
-
 inline constexpr const char* kBatchExamples =
-    "A job is a line like {\"input\": \"1crn.pdb\", \"output\": \"1crn.png\", \"color\": \"chain\", \"show\": "
-    "[\"ligand=licorice\"]}:\n"
-    "the options of `nacre render` without dashes. Options on the command line apply to every job; its own override "
-    "them.\n"
-    "Each finished job prints a line of JSON on standard output:\n"
-    "  {\"job\": 1, \"input\": \"1crn.pdb\", \"output\": \"1crn.png\", \"status\": \"done\", \"ms\": 41.2, \"bytes\": "
-    "40213}\n"
-    "\"status\" is \"done\", \"failed\" (with \"error\") or \"skipped\" (by --resume). A failed job stops no other; "
-    "the exit\n"
-    "status is 1 then.\n"
+    "A job is a line like this, with the options of `nacre render` without dashes:\n"
+    "  {\"input\": \"1crn.pdb\", \"output\": \"1crn.png\", \"color\": \"chain\", \"show\": [\"ligand=licorice\"]}\n"
+    "Options on the command line apply to every job; its own override them. Each finished job prints a line of\n"
+    "JSON on standard output:\n"
+    "  {\"job\": 1, \"input\": \"1crn.pdb\", \"output\": \"1crn.png\", \"status\": \"done\",\n"
+    "   \"ms\": 41.2, \"bytes\": 40213}\n"
+    "\"status\" is \"done\", \"failed\" (with \"error\") or \"skipped\" (by --resume). A failed job stops no\n"
+    "other; the exit status is 1 then.\n"
     "Examples:\n"
     "  nacre batch jobs.jsonl --size 256x256 --resume > report.jsonl\n"
     "  for f in *.pdb; do printf '{\"input\": \"%s\", \"output\": \"%s.png\"}\\n' \"$f\" \"$f\"; done | nacre batch -";
