@@ -1,11 +1,15 @@
 #pragma once
 
-#include <vulkan/vulkan_core.h>
-
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
+
+// Handles as vulkan_core.h declares them, for programs that do not include it.
+using VkInstance = struct VkInstance_T*;
+using VkSurfaceKHR = std::conditional_t<sizeof(void*) == 8, struct VkSurfaceKHR_T*, std::uint64_t>;
 
 namespace nacre {
 

@@ -11,10 +11,11 @@
 #include "engine/device_options.h"
 #include "engine/devices.h"
 #include "engine/results.h"
-#include "engine/scene/build/representation.h"
 #include "engine/settings.h"
 
 namespace nacre {
+
+struct Representation;  // scene/build/representation.h
 
 /// After an Error the renderer works as before: the same call, or one that needs less memory, may succeed. Only a lost
 /// device stays lost.

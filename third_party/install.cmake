@@ -12,7 +12,7 @@ endforeach()
 target_compile_features(nacre_molecule PUBLIC cxx_std_20)
 
 set(headers)
-set(left renderer.h error.h threads.h molecule/read.h molecule/drawn_atoms.h molecule/chemistry/hydrogens.h)
+set(left renderer.h scene/build/representation.h error.h threads.h molecule/read.h molecule/drawn_atoms.h molecule/chemistry/hydrogens.h)
 while(left)
     list(POP_FRONT left header)
     list(APPEND headers ${header})

@@ -15,6 +15,7 @@
 #include "engine/devices.h"
 #include "engine/error.h"
 #include "engine/renderer.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::app {
 namespace {

@@ -16,6 +16,7 @@
 #include "engine/mesh/mesh_measures.h"
 #include "engine/renderer.h"
 #include "engine/scene/build/chunks.h"
+#include "engine/scene/build/representation.h"
 #include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app {

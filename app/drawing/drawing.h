@@ -17,6 +17,7 @@
 #include "app/picture/description.h"
 #include "engine/molecule/residue_facts.h"
 #include "engine/renderer.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::app {
 

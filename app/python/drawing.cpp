@@ -25,6 +25,7 @@
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
 #include "engine/renderer.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::python {
 namespace {

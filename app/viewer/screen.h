@@ -2,6 +2,7 @@
 // The viewer's output: the session's renderer, or a test double.
 
 #include "engine/renderer.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::app {
 

@@ -9,6 +9,7 @@
 #include "app/files/json_text.h"
 #include "engine/devices.h"
 #include "engine/error.h"
+#include "engine/scene/build/representation.h"
 #include "engine/threads.h"
 
 namespace nacre::app {

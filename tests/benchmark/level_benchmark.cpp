@@ -17,6 +17,7 @@
 #include "app/viewer/viewer.h"
 #include "engine/molecule/read.h"
 #include "engine/renderer.h"
+#include "engine/scene/build/representation.h"
 
 namespace {
 

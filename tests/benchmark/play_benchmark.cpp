@@ -22,6 +22,7 @@
 #include "engine/molecule/read.h"
 #include "engine/molecule/selection/selection.h"
 #include "engine/renderer.h"
+#include "engine/scene/build/representation.h"
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/renderer.h"
+#include "engine/scene/build/representation.h"
 #include "engine/scene/view/camera.h"
 
 namespace {

@@ -12,6 +12,7 @@
 #include "nacre/molecule/drawn_atoms.h"
 #include "nacre/molecule/read.h"
 #include "nacre/renderer.h"
+#include "nacre/scene/build/representation.h"
 
 /// Whether the C library keeps small pieces that were freed in its fast lists, as it does unless it is told otherwise.
 bool keepsSmallPieces() {

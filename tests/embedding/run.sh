@@ -24,6 +24,13 @@ count=$(wc -l <"$folder/headers.cpp")
 ! grep -rq '"engine/' "$folder/prefix/include" || { echo "an installed header names engine/"; exit 1; }
 "$compiler" -std=c++20 -fsyntax-only -I"$folder/prefix/include" "$folder/headers.cpp"
 
+# The interface is quick to read for people and compilers: at most 10 other headers, and none of Vulkan's.
+"$compiler" -std=c++20 -M -I"$folder/prefix/include" -x c++ "$folder/prefix/include/nacre/renderer.h" |
+    grep -oE '[^ ]+\.h\b' >"$folder/reached"
+reached=$(grep -cE '/include/nacre/' "$folder/reached")
+((1 < reached && reached <= 11)) || { echo "renderer.h reaches $((reached - 1)) headers"; exit 1; }
+! grep -E 'vulkan' "$folder/reached" || { echo "renderer.h includes Vulkan's headers"; exit 1; }
+
 # It says what it drew.
 "$folder/build/library" >"$folder/said" || { echo "the program of docs/library.md failed"; exit 1; }
 grep -q '^36 pictures$' "$folder/said" || { cat "$folder/said"; exit 1; }

@@ -15,6 +15,7 @@
 #include "engine/mesh/surface.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/renderer.h"
+#include "engine/scene/build/representation.h"
 #endif
 
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/renderer.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::test {
 

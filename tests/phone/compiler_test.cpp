@@ -9,6 +9,7 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/renderer.h"
+#include "engine/scene/build/representation.h"
 
 namespace nacre::test {
 namespace {

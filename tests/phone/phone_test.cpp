@@ -10,6 +10,7 @@
 #include "engine/gpu/execute.h"
 #include "engine/gpu/pipeline.h"
 #include "engine/gpu/resources.h"
+#include "engine/scene/build/representation.h"
 #include "tests/phone_layer/floor.h"
 #include "tests/renderer/scenes.h"
 #include "tests/support/temporary_folder.h"

@@ -13,6 +13,7 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
 #include "engine/renderer.h"
+#include "engine/scene/build/representation.h"
 #include "tests/reference/layers.h"
 #include "tests/support/test_data.h"
 

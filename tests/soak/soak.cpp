@@ -19,6 +19,7 @@
 #include "engine/molecule/read.h"
 #include "engine/molecule/selection/selection.h"
 #include "engine/renderer.h"
+#include "engine/scene/build/representation.h"
 #include "tests/support/test_data.h"
 
 namespace nacre {
