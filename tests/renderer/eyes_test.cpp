@@ -24,11 +24,11 @@ std::string viewsOf(const Renderer& renderer) {
     return {};
 }
 
-struct Case {
+struct EyesCase {
     const char* name;
     Style style;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const EyesCase& c, std::ostream* out) { *out << c.name; }
 
 /// On lavapipe, too: nothing here is clipped.
 class Multiview : public testing::Environment {
@@ -38,7 +38,7 @@ public:
 };
 testing::Environment* const multiview = testing::AddGlobalTestEnvironment(new Multiview);
 
-class Eyes : public SharedRenderers<Case> {
+class Eyes : public SharedRenderers<EyesCase> {
 protected:
     /// Draws both eyes at once, and one after the other. @returns what was said of the former
     std::string compare(ValidatedRenderer& validated, RenderSettings s, const std::string& what) {
@@ -90,8 +90,8 @@ TEST_P(Eyes, HaveThePixelsOfFramesOfTheirOwn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Eyes,
-                         testing::Values(Case{"spheres", Style::spacefill}, Case{"sticks", Style::ballAndStick},
-                                         Case{"triangles", Style::cartoon}),
+                         testing::Values(EyesCase{"spheres", Style::spacefill}, EyesCase{"sticks", Style::ballAndStick},
+                                         EyesCase{"triangles", Style::cartoon}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 class EyesOfOthers : public SharedRenderers<Visibility> {};
