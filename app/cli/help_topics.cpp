@@ -23,7 +23,8 @@ constexpr HelpTopic kTopics[] = {
     {"selections",
      "A selection names atoms. SEL in the help of an option stands for one.\n\n"
      "  chain A+B   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1\n"
-     "  protein  nucleic  polymer  ligand  water  ion  backbone  sidechain  hydrogens  hetatm  all  none\n"
+     "  protein  nucleic  polymer  ligand  mainligand  water  ion  backbone  sidechain  hydrogens\n"
+     "  hetatm  all  none\n"
      "  /NAME   one of several INPUTs, named by `NAME=INPUT` or by its file (receptor.pdb: /receptor)\n"
      "  b > 50   occupancy < 1   ss helix   sequence GLN?A   /A:10-20@CA (as in ChimeraX)\n"
      "  and   or   not   ( )\n"

@@ -4,47 +4,41 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <limits>
-#include <string_view>
 
 #include "engine/error.h"
+#include "engine/molecule/ligands.h"
+#include "engine/molecule/selection/selection.h"
 #include "engine/scene/view/orientation.h"
 
 namespace nacre::app {
 namespace {
 
-/// Sugars of glycans, and what crystals are grown from: less often meant by "the ligand" than others.
-constexpr std::string_view kMinorLigands[] = {"NAG", "NDG", "MAN", "BMA", "FUC", "FUL", "GAL", "GLA", "GLC", "BGC",
-                                              "XYS", "XYP", "SIA", "SLB", "A2G", "NGA", "GOL", "EDO", "PEG", "PGE",
-                                              "1PE", "PG4", "SO4", "PO4", "ACT", "ACY", "DMS", "MPD", "FMT", "CIT",
-                                              "TRS", "MES", "EPE", "BME", "IPA", "EOH", "MRD", "NH4", "IMD"};
-
-/// Atoms of the largest ligand that something is drawn of and that is not a minor one; the first of equal ones.
-std::vector<bool> mainLigand(const ResidueFacts& facts, const Representation& scene) {
-    const Molecule& m = facts.molecule();
-    std::vector<bool> none(m.atoms.size()), best;
-    std::pair<bool, std::uint32_t> rank{false, 0};
-    for (std::uint32_t r = 0; r < m.residues.size(); ++r) {
-        const Residue& residue = m.residues[r];
-        const bool major = std::ranges::find(kMinorLigands, residue.name.view()) == std::end(kMinorLigands);
-        if (facts.kinds()[r] != ResidueKind::ligand || std::pair(major, residue.atomCount) <= rank) continue;
-        std::vector<bool> own = none;
-        std::fill_n(own.begin() + residue.firstAtom, residue.atomCount, true);
-        if (chosenBalls(scene, own).empty()) continue;
-        rank = {major, residue.atomCount};
-        best = std::move(own);
-    }
-    return best;
-}
-
 std::vector<glm::dvec4> selectedBalls(const Selection& selection, const char* what, const ResidueFacts& facts,
                                       const Representation& scene) {
-    std::vector<bool> chosen = selectAtoms(facts, selection);
     if (selection.text == "ligand")
-        if (std::vector<bool> main = mainLigand(facts, scene); !main.empty()) chosen = std::move(main);
+        if (auto main = chosenBalls(scene, selectAtoms(facts, parseSelection("mainligand"))); !main.empty())
+            return main;
+    const std::vector<bool> chosen = selectAtoms(facts, selection);
     std::vector<glm::dvec4> balls = chosenBalls(scene, chosen);
     if (!balls.empty()) return balls;
     const bool any = std::find(chosen.begin(), chosen.end(), true) != chosen.end();
     throw Error(what, selection.text, any ? "none of its atoms is drawn" : "the molecule has no such atoms");
+}
+
+/// Atoms of a bilayer: of lipids that lie in a slab; empty: there is none.
+std::vector<glm::dvec4> bilayerOf(const ResidueFacts& facts, const Representation& scene) {
+    constexpr std::size_t kFewest = 40;  // lipids
+    const Molecule& m = facts.molecule();
+    std::vector<bool> lipids(m.atoms.size());
+    std::size_t count = 0;
+    for (const Residue& residue : m.residues) {
+        if (!isLipid(residue.name.view())) continue;
+        ++count;
+        std::fill_n(lipids.begin() + residue.firstAtom, residue.atomCount, true);
+    }
+    if (count < kFewest) return {};
+    std::vector<glm::dvec4> balls = chosenBalls(scene, lipids);
+    return balls.size() >= kFewest && isSlab(balls) ? balls : std::vector<glm::dvec4>();
 }
 
 // About the vertical axis: what pointed to the viewer points to the right.
@@ -88,7 +82,9 @@ Aimed aimed(const Camera& camera, const Aim& aim, const ResidueFacts& facts, con
     const std::vector<glm::dvec4> all = aim.any() ? drawnBalls(scene) : std::vector<glm::dvec4>();
     if (aim.principal) {
         const auto axesOf = aim.axesOf ? selectedBalls(*aim.axesOf, "cannot orient", facts, scene) : all;
-        result.camera.orientation = principalOrientation(axesOf, !aim.fromSide && size.width >= size.height);
+        const bool wide = !aim.fromSide && size.width >= size.height;
+        const auto bilayer = aim.axesOf || aim.fromSide ? std::vector<glm::dvec4>() : bilayerOf(facts, scene);
+        result.camera.orientation = bilayer.empty() ? principalOrientation(axesOf, wide) : edgeOnOrientation(bilayer);
         if (aim.fromSide) result.camera.orientation = kQuarterTurn * result.camera.orientation;
         if (aim.left &&
             isRight(selectedBalls(*aim.left, "cannot orient", facts, scene), axesOf, result.camera.orientation))

@@ -314,6 +314,11 @@ void Drawing::finish(const PictureDescription& picture) {
     append(warnings, maps_.warnings);
     if (stereo_.on() && picture.camera.projection == Projection::orthographic && picture.given.contains("projection"))
         warnings.push_back("--stereo is drawn in perspective, since two orthographic views show no depth");
+    // What --uncover asks for is no surprise, what a close-up does beside may be one.
+    const Uncovered& gone = run.uncovered;
+    if (by_ == CameraBy::description && !picture.aim.uncover && !run.uncovers.empty() &&
+        gone.spheres + gone.cylinders + gone.triangles > 0)
+        warnings.push_back("what hides " + run.uncovers + " is left out (--uncover off keeps it)");
     placePictureWords(picture);
     for (std::string& idle : idleOptions(picture, *scene_, settings.effects, scene_->radius))
         warnings.push_back(std::move(idle));

@@ -128,6 +128,7 @@ std::string lookJson(const PictureDescription& view) {
 }
 
 void applyPocket(std::string_view text, PictureDescription& d) {
+    if (text == "ligand") text = "mainligand";  // one of equal ones, and no glycan
     const Selection ligand = parseSelection(text);
     const std::string it = "(" + std::string(text) + ")";
     const std::string around = "byres (within " + numberText(kPocketReach) + " of " + it + ")";

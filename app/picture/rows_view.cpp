@@ -242,8 +242,10 @@ std::vector<Option> aimRows() {
         {.key = "orient",
          .syntax = "principal|file|SEL",
          .standard = "file, or the saved view's",
-         .help = "principal: longest axis across the longer side, shortest towards the viewer, as large as fits;\n"
-                 "SEL: the principal axes of a selection; file: axes as in the file. --rotate turns it further",
+         .help =
+             "principal: longest axis across the longer side, shortest towards the viewer (of a bilayer: upwards), as "
+             "large as fits;\nSEL: the principal axes of a selection; file: axes as in the file. --rotate turns it "
+             "further",
          .parse = parseOrient,
          .print = printOrient,
          .choices = {"principal", "file"}},

@@ -30,6 +30,36 @@ PictureDescription cameraPicture(Options options) {
     return picture;
 }
 
+/// A patch of lipids in the plane across an axis, in two leaflets.
+Molecule bilayer(int axis) {
+    std::string text;
+    int number = 0;
+    for (int i = 0; i < 8; ++i)
+        for (int j = 0; j < 6; ++j)
+            for (const double height : {-18.0, -9.0, 9.0, 18.0}) {
+                double place[3] = {8.0 * i, 8.0 * j, height};
+                std::rotate(place, place + 2 - axis, place + 3);
+                char line[100];
+                std::snprintf(line, sizeof line, "HETATM%5d  P   POPC%5d    %8.3f%8.3f%8.3f  1.00  0.00           P\n",
+                              ++number % 100000, number, place[0], place[1], place[2]);
+                text += line;
+            }
+    return readMolecule("membrane.pdb", text);
+}
+
+TEST(Camera, BilayersAreSeenFromTheirEdge) {
+    for (const int axis : {0, 1, 2}) {
+        const Molecule molecule = bilayer(axis);
+        ASSERT_EQ(molecule.atoms.size(), 192u);
+        glm::dvec3 normal(0);
+        normal[axis] = 1;
+        Drawing drawing;
+        drawing.prepare(molecule, cameraPicture({{"orient", "principal"}}));
+        const glm::dvec3 seen = drawing.settings.view.rotation * normal;
+        EXPECT_NEAR(std::abs(seen.y), 1, 1e-6) << "the normal points up, not at the viewer: " << axis;
+    }
+}
+
 /// The pixel of a place of the file, by the formulas of the reference.
 glm::dvec2 cameraPixel(const glm::dvec3& place, const Drawing& drawing) {
     const View& view = drawing.settings.view;

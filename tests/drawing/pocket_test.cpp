@@ -40,6 +40,15 @@ TEST(Pocket, IsSticksInAFaintCartoonWithLabelsAndContacts) {
     for (const PlacedLabel& label : drawing.words.labels) EXPECT_NE(label.text, "DG 4");
 }
 
+TEST(Pocket, OfTheLigandIsThatOfTheMainOne) {
+    const PictureDescription ligand = pictureOf({{"pocket", "ligand"}});
+    ASSERT_TRUE(ligand.aim.zoomTo && ligand.look.contacts.of);
+    EXPECT_EQ(ligand.aim.zoomTo->text, "mainligand");
+    EXPECT_EQ(ligand.look.contacts.of->text, "mainligand");
+    for (const Rule& rule : ligand.look.rules)
+        EXPECT_NE(rule.selection.text.find("(mainligand)"), std::string::npos) << rule.selection.text;
+}
+
 TEST(Pocket, OptionsOverrideIt) {
     const PictureDescription plain = pictureOf({{"pocket", "resi 4"}});
     EXPECT_EQ(plain.look.cartoonOpacity, 0.3);

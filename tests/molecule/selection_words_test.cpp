@@ -51,6 +51,42 @@ TEST(SelectionWords, Numbers) {
     EXPECT_EQ(numbers("not q == 1"), "345");
 }
 
+/// Atoms of residues that are no polymer, one behind the other.
+Molecule ligands(std::initializer_list<std::pair<const char*, int>> residues) {
+    std::string text;
+    int number = 0, atom = 0;
+    for (const auto& [name, atoms] : residues) {
+        ++number;
+        for (int i = 0; i < atoms; ++i, ++atom) {
+            char line[100];
+            std::snprintf(line, sizeof line, "HETATM%5d  C%-2d %s A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n",
+                          atom + 1, i, name, number, 1.5 * atom, 0.0, 0.0);
+            text += line;
+        }
+    }
+    return readMolecule("a.pdb", text);
+}
+
+std::string mainOf(const Molecule& molecule) {
+    const std::vector<bool> set = selectAtoms(molecule, parseSelection("mainligand"));
+    std::string list;
+    for (const Residue& residue : molecule.residues) {
+        const auto count =
+            std::count(set.begin() + residue.firstAtom, set.begin() + residue.firstAtom + residue.atomCount, true);
+        if (count == 0) continue;
+        EXPECT_EQ(count, residue.atomCount);
+        list += std::to_string(residue.number);
+    }
+    return list;
+}
+
+TEST(SelectionWords, TheMainLigandIsTheLargestThatIsNoGlycan) {
+    EXPECT_EQ(mainOf(ligands({{"NAG", 14}, {"QQ1", 6}, {"QQ2", 10}, {"QQ2", 10}, {"SO4", 5}})), "3");
+    EXPECT_EQ(mainOf(ligands({{"GOL", 6}, {"NAG", 14}})), "2") << "for want of another one";
+    EXPECT_EQ(mainOf(ligands({{"HOH", 1}, {"HOH", 1}})), "");
+    EXPECT_EQ(mainOf(peptide()), "");
+}
+
 TEST(SelectionWords, Folds) {
     EXPECT_EQ(numbers("ss helix"), "12");
     EXPECT_EQ(numbers("helix"), "12");

@@ -6,6 +6,7 @@
 
 #include "engine/molecule/disjoint_sets.h"
 #include "engine/molecule/element.h"
+#include "engine/molecule/ligands.h"
 #include "engine/molecule/near_atoms.h"
 #include "engine/molecule/text.h"
 
@@ -122,6 +123,8 @@ private:
             case SelectionTest::polymer:
                 return ofKind({ResidueKind::protein, ResidueKind::nucleic});
             case SelectionTest::ligand:
+                if (!step.words.empty())  // the main one
+                    return whereResidue([main = mainLigandOf(facts_)](std::size_t i) { return main == i; });
                 return ofKind({ResidueKind::ligand});
             case SelectionTest::water:
                 return ofKind({ResidueKind::water});

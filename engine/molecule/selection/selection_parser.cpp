@@ -200,6 +200,7 @@ private:
         if (isOneOf({residueNumber, model, atomNumber})) numbers(step, valueOf(*found));
         if (isOneOf({temperatureFactor, occupancy})) comparison(step);
         if (*found == sequence) pattern(step);
+        if (*found == ligand && word == "mainligand") step.words.push_back(word);
         if (*found == secondary && word == "ss") folds(step);
         if (*found == secondary && word != "ss") step.words.push_back(foldOf(word));
         result_.steps.push_back(std::move(step));

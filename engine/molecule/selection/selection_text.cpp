@@ -23,7 +23,7 @@ constexpr Keywords kKeywords[] = {
     {protein, "protein polymer.protein"},
     {nucleic, "nucleic polymer.nucleic"},
     {polymer, "polymer pol."},
-    {ligand, "ligand ligands organic org."},
+    {ligand, "ligand ligands organic org. mainligand"},
     {water, "water waters solvent sol."},
     {ion, "ion ions inorganic"},
     {backbone, "backbone bb. mainchain"},

@@ -290,6 +290,20 @@ glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide)
     return glm::normalize(glm::quat_cast(glm::transpose(glm::dmat3(x, y, depth))));
 }
 
+bool isSlab(const std::vector<glm::dvec4>& balls) {
+    constexpr double kThin = 0.25;  // of the next variance: half of the spread
+    if (balls.size() < 3) return false;
+    const Axes axes = principalAxes(balls, meanOf(balls));
+    return axes.variances[2] < kThin * axes.variances[1];
+}
+
+glm::dquat edgeOnOrientation(const std::vector<glm::dvec4>& slab) {
+    const glm::dvec3 mean = meanOf(slab);
+    const Axes axes = principalAxes(slab, mean);
+    const glm::dvec3 up = directed(axes.ways[2], slab, mean), right = directed(axes.ways[0], slab, mean);
+    return glm::normalize(glm::quat_cast(glm::transpose(glm::dmat3(right, up, glm::cross(right, up)))));
+}
+
 /// How much of the picture a target covers as seen along each of some ways: of the ellipse of its spread.
 std::vector<double> breadthsOf(const Balls& target, const std::vector<glm::dvec3>& ways) {
     constexpr double kAtom = 1;  // Å², of an atom alone

@@ -27,6 +27,11 @@ std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vect
 /// @param wide  the picture is at least as wide as high
 glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide);
 
+/// Whether points lie in a slab: their smallest spread is less than half of the others.
+bool isSlab(const std::vector<glm::dvec4>& balls);
+/// The rotation that shows a slab from its edge: its longest axis to the right, its shortest upwards.
+glm::dquat edgeOnOrientation(const std::vector<glm::dvec4>& slab);
+
 /// The rotation, by the shortest way from `from`, that turns the best side of the target to the viewer: unobstructed
 /// and broad. Among sides that are about equal, prefers one that points out of the molecule.
 /// @param all  of the whole molecule, target included
