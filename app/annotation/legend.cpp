@@ -76,29 +76,65 @@ void legendSwatch(Room& room, const LegendRow& row, const glm::dvec2& middle, do
     room.marks.ramps.push_back(std::move(ramp));
 }
 
+/// How rows stand in columns.
+struct Columns {
+    double size, line;
+    std::size_t perColumn;
+    std::vector<double> widths;  ///< of columns, from the left
+
+    double width() const {
+        double all = 0;
+        for (const double column : widths) all += column + 1.2 * size;
+        return all;
+    }
+};
+
+/// The first rows, the last of which says how many others there are.
+std::vector<LegendRow> firstOf(const std::vector<LegendRow>& rows, std::size_t count) {
+    std::vector<LegendRow> first(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count - 1));
+    first.push_back({"and " + std::to_string(rows.size() - first.size()) + " more"});
+    return first;
+}
+
+double indentOf(double size) { return 1.25 * size; }
+
+Columns columnsOf(const Room& room, const std::vector<LegendRow>& rows, double size, double height) {
+    Columns columns{size, 1.42 * size, 0, {}};
+    columns.perColumn = static_cast<std::size_t>(std::max(3.0, height / columns.line - 1));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i % columns.perColumn == 0) columns.widths.push_back(0);
+        double& width = columns.widths.back();
+        width = std::max(width, room.widthOfRuns(rows[i].text, size) + (rows[i].color ? indentOf(size) : 0));
+    }
+    return columns;
+}
+
 }  // namespace
 
+/// Many rows become smaller and stand in columns, as long as most of the picture is left to the molecule; the last
+/// ones are left out then.
 void layLegends(Room& room, const std::vector<Legend>& legends) {
-    constexpr std::size_t kColumns = 3;
-    const double size = 0.92 * room.size, line = 1.42 * size, swatch = 0.36 * size, indent = 1.25 * size;
-    std::vector<LegendRow> rows = rowsOf(legends);
-    if (rows.empty()) return;
+    constexpr double kMostShare = 0.34, kSizes[] = {0.92, 0.8, 0.7};  // of the picture's width; of the text's size
+    const std::vector<LegendRow> all = rowsOf(legends);
+    if (all.empty()) return;
+    std::vector<LegendRow> rows = all;
     const double top = room.margin + room.titleDepth;
-    const double bottom = room.view.height - room.margin - 2.6 * room.size;
-    const auto perColumn = static_cast<std::size_t>(std::max(3.0, (bottom - top) / line - 1));
-    if (rows.size() > kColumns * perColumn) {
-        const std::size_t left = rows.size() - kColumns * perColumn + 1;
-        rows.resize(kColumns * perColumn - 1);
-        rows.push_back({"and " + std::to_string(left) + " more"});
+    const double height = room.view.height - room.margin - 2.6 * room.size - top;
+    Columns columns{};
+    for (const double share : kSizes) {
+        columns = columnsOf(room, rows, share * room.size, height);
+        if (columns.widths.size() == 1 || columns.width() <= kMostShare * room.view.width) break;
     }
+    while (columns.widths.size() > 1 && columns.width() > kMostShare * room.view.width) {
+        rows = firstOf(all, (columns.widths.size() - 1) * columns.perColumn);
+        columns = columnsOf(room, rows, columns.size, height);
+    }
+    const double size = columns.size, line = columns.line, swatch = 0.36 * size, indent = indentOf(size);
     double right = room.view.width - room.margin;
-    for (std::size_t column = (rows.size() + perColumn - 1) / perColumn; column-- > 0;) {
-        const auto part =
-            std::span(rows).subspan(column * perColumn).first(std::min(perColumn, rows.size() - column * perColumn));
-        double width = 0;
-        for (const LegendRow& row : part)
-            width = std::max(width, room.widthOfRuns(row.text, size) + (row.color ? indent : 0));
-        const double left = right - width;
+    for (std::size_t column = columns.widths.size(); column-- > 0;) {
+        const std::size_t first = column * columns.perColumn;
+        const auto part = std::span(rows).subspan(first).first(std::min(columns.perColumn, rows.size() - first));
+        const double left = right - columns.widths[column];
         double y = top;
         for (const LegendRow& row : part) {
             if (row.gapBefore && &row != part.data()) y += 0.7 * line;

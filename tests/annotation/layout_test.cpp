@@ -322,6 +322,31 @@ TEST(WordLayout, LegendsShowKindsAndRamps) {
     EXPECT_TRUE(more);
 }
 
+TEST(WordLayout, LegendsOfManyClassesLeaveMostOfThePicture) {
+    for (const auto& [width, height] : {std::pair{600u, 600u}, {420u, 300u}, {1000u, 700u}})
+        for (const std::size_t classes : {5u, 20u, 26u, 60u, 300u}) {
+            PlacedWords words;
+            words.legends = {{"all", "chain", {}, {}, 0}};
+            for (std::size_t i = 0; i < classes; ++i)
+                words.legends[0].entries.push_back({"chain " + std::to_string(i), 0xff0000ff});
+            const Marks marks = layOut(words, viewOf(Camera{}, 10, width, height), 15, {}, kWhite, widthOf);
+            double left = width, low = 0;
+            for (const BackMark& back : marks.backs)
+                left = std::min(left, back.low.x), low = std::max(low, back.high.y);
+            EXPECT_GT(left, 0.6 * width) << classes << " in " << width;
+            EXPECT_LE(low, height) << classes << " in " << width;
+            if (classes > 5) continue;
+            EXPECT_EQ(marks.discs.size(), classes) << "all are there";
+        }
+    // Before one is left out, the words become smaller.
+    PlacedWords words;
+    words.legends = {{"all", "chain", {}, {}, 0}};
+    for (std::size_t i = 0; i < 40; ++i) words.legends[0].entries.push_back({std::to_string(i), 0xff0000ff});
+    const Marks marks = layOut(words, square(600), 15, {}, kWhite, widthOf);
+    EXPECT_EQ(marks.discs.size(), 40u);
+    EXPECT_GE(marks.texts.front().size, 0.6 * 15);
+}
+
 TEST(WordLayout, InkStandsOutFromTheBackground) {
     PlacedWords words;
     words.title = "T";
