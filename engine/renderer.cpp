@@ -338,6 +338,15 @@ std::uint32_t Renderer::atomAt(const RenderSettings& settings, double x, double 
     });
 }
 
+std::vector<std::uint32_t> Renderer::atoms(const RenderSettings& settings) {
+    checkView(settings.view);
+    return impl_->guarded([&] {
+        std::vector<std::uint32_t> atoms = impl_->pictures.atoms(settings);
+        impl_->notePicture();
+        return atoms;
+    });
+}
+
 std::vector<bool> Renderer::seenSpheres() const {
     const occlusion::Bake* bake = impl_->occlusion.bake();
     if (!bake) return {};

@@ -103,6 +103,8 @@ public:
     /// The atom that is visible at a point of the view, or the nearest one within `reach`. @returns its 1-based
     /// position in the file; 0: none. @param x, y, reach pixels, from the top left
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);
+    /// For each pixel of the view, row by row, the atom that is visible there, as atomAt() counts. @throws Error
+    std::vector<std::uint32_t> atoms(const RenderSettings& settings);
 
     /// Whether frames can be captured: by DeviceOptions::capture, or because RenderDoc started this program.
     bool captures() const;

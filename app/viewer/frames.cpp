@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <utility>
 
@@ -10,12 +11,12 @@
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/scene/color/colors.h"
 
 namespace nacre::app {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kOutlinePoints = 2;  // width of the outline of marked atoms
 
 /// A small molecule in a style: a cartoon needs a backbone.
 Representation standIn(RepresentationOptions look, Style style) {
@@ -26,15 +27,7 @@ Representation standIn(RepresentationOptions look, Style style) {
     return represent(m, drawnAtoms(m), look);
 }
 
-/// A colour between two, by a share of the second; its highest byte stays.
-std::uint32_t mixed(std::uint32_t color, std::uint32_t with, double share) {
-    std::uint32_t result = color & 0xff000000u;
-    for (int shift = 0; shift < 24; shift += 8) {
-        const double from = color >> shift & 255, to = with >> shift & 255;
-        result |= static_cast<std::uint32_t>(std::lround(from + share * (to - from))) << shift;
-    }
-    return result;
-}
+bool isSize(PixelSize a, PixelSize b) { return a.width == b.width && a.height == b.height; }
 
 /// A view with room around it. @param corner  of the view in the whole, pixels
 View wholePart(View view, const glm::dvec2& corner, std::uint32_t width, std::uint32_t height) {
@@ -52,22 +45,23 @@ std::array<WindowEye, 2> paired(std::array<WindowEye, 2> eyes) {
     return eyes;
 }
 
-/// Colours the marked atoms of a scene.
-void applyMarks(const Highlights& marks, Representation& scene) {
-    if (!marks.any()) return;
-    constexpr std::uint32_t kMarkColor = 0xa02dff;  // a pink that no element or chain has
-    constexpr double kSelectedShare = 0.85, kHoveredShare = 0.35;
-    const auto mark = [&](std::uint32_t& color, std::uint32_t atom) {  // from 1
-        const std::uint32_t i = atom - 1;
-        const bool selected = i < marks.selected.size() && marks.selected[i];
-        const bool hovered = i - marks.firstHovered < marks.hovered && i >= marks.firstHovered;
-        if (!selected && !hovered) return;
-        if (isCopyTint(color)) color = 0xffffffffu;
-        color = mixed(color, kMarkColor, selected ? kSelectedShare : kHoveredShare);
+/// The atom that is seen at a point, or the nearest one within a reach; 0: none.
+std::uint32_t nearestSeen(const std::vector<std::uint32_t>& atoms, PixelSize size, glm::dvec2 at, double reach) {
+    std::uint32_t atom = 0;
+    double nearest = reach * reach + 0.5;
+    const auto first = [&](double place) {
+        return static_cast<std::uint32_t>(std::max(std::floor(place - reach), 0.0));
     };
-    for (SphereLook& look : scene.sphereLooks) mark(look.color, look.atom);
-    for (SphereLook& look : scene.meshLooks) mark(look.color, look.atom);
-    for (CylinderLook& look : scene.cylinderLooks) mark(look.colorA, look.atomA), mark(look.colorB, look.atomB);
+    for (std::uint32_t y = first(at.y); y < size.height && y <= at.y + reach; ++y)
+        for (std::uint32_t x = first(at.x); x < size.width && x <= at.x + reach; ++x) {
+            const glm::dvec2 away = glm::dvec2(x, y) - glm::floor(at);
+            const double distance = glm::dot(away, away);
+            const std::uint32_t here = atoms[std::size_t{y} * size.width + x];
+            if (here == 0 || distance >= nearest) continue;
+            nearest = distance;
+            atom = here;
+        }
+    return atom;
 }
 
 }  // namespace
@@ -177,10 +171,18 @@ const RenderSettings& Frames::compose(PictureDescription picture) {
     return drawing.settings;
 }
 
-Picture Frames::draw(Renderer& renderer, PictureDescription picture) {
+Picture Frames::draw(Renderer& renderer, PictureDescription picture, bool marked) {
     picture.debug = debug_;
-    unmark(renderer);
-    return stage_.document.drawing.drawAs(compose(std::move(picture)), renderer);
+    marked = marked && !picture.stereo.both();
+    const RenderSettings& drawn = compose(std::move(picture));
+    if (!marked) return stage_.document.drawing.drawAs(drawn, renderer);
+    Picture image = renderer.render(drawn);
+    const PixelSize size{drawn.view.width, drawn.view.height};
+    const double enlarged =
+        std::min(size.width, size.height) / static_cast<double>(std::min(size_.width, size_.height));
+    paintMarks(outlineOf(renderer.atoms(drawn), size, {marks_.selected}, kOutlinePoints * scale_ * enlarged), image);
+    stage_.document.drawing.addWords(drawn, image);
+    return image;
 }
 
 glm::dvec2 Frames::pointOf(const glm::dvec3& place, const View& view) const {
@@ -193,6 +195,8 @@ glm::dvec2 Frames::pointOf(const glm::dvec3& place, const View& view) const {
 
 std::optional<std::uint32_t> Frames::atomAt(glm::dvec2 at, double reach, double now) {
     if (!stage_.shown() || !sceneThere_) return std::nullopt;
+    if (seenAt_ == stage_.changes() && isSize(seenSize_, size_) && !seen_.empty())
+        return nearestSeen(seen_, size_, at * scale_, reach * scale_);
     try {
         RenderSettings s = settings();
         glm::dvec2 pixel = at * scale_;
@@ -237,10 +241,8 @@ std::uint32_t Frames::refinedSamples() const {
 
 bool Frames::put(Representation scene, void (Screen::*how)(Representation)) {
     try {
-        applyMarks(marks_, scene);
         (screen_.*how)(std::move(scene));
         sceneThere_ = true;
-        marksDue_ = false;
     } catch (const Error&) {
         if (!noticeLoss()) throw;
         sceneThere_ = false;
@@ -249,7 +251,7 @@ bool Frames::put(Representation scene, void (Screen::*how)(Representation)) {
 }
 
 void Frames::setMarks(Highlights marks) {
-    constexpr double kSlow = 60;  // milliseconds of a frame: a mark that follows the pointer would hold it up
+    constexpr double kSlow = 300;  // milliseconds of a frame: so long would the first mark in a view hold it up
     if (screen_.frameMilliseconds() > kSlow) marks.hovered = 0;
     if (marks == marks_) return;
     marks_ = std::move(marks);
@@ -257,22 +259,39 @@ void Frames::setMarks(Highlights marks) {
     stage_.schedule.overlayChanged();
 }
 
-void Frames::showMarks(double now) {
+/// Places the outline of the marked atoms, from what is seen in each pixel. That is drawn once for a view at rest;
+/// in motion with fewer pixels, and only if the device does it within a part of a frame.
+void Frames::findMarks(bool moving) {
+    constexpr double kMostMilliseconds = 8;
+    constexpr std::uint32_t kMovingStep = 2;
+    const std::uint32_t step = moving ? kMovingStep : 1;
+    const PixelSize size{std::max(size_.width / step, 1u), std::max(size_.height / step, 1u)};
+    const bool fresh = seenAt_ == stage_.changes() && isSize(seenSize_, size);
+    if (fresh && !marksDue_) return;
+    const double pixels = static_cast<double>(size.width) * size.height;
+    // Two eyes would see it in two places.
+    const bool shows = marks_.any() && stage_.shown() && sceneThere_ && !lost_ && !stage_.view().stereo.both() &&
+                       (!moving || (seenMilliseconds_ > 0 && seenMilliseconds_ * pixels < kMostMilliseconds));
+    if (!shows && shownMarks_.spans.empty() && !marksDue_) return;
     marksDue_ = false;
-    Representation scene = stage_.document.drawing.joinedScene();
-    applyMarks(marks_, scene);
-    try {
-        if (!screen_.recolorScene(std::move(scene))) restartOcclusion();
-    } catch (const Error&) {
-        if (!noticeLoss()) throw;
+    shownMarks_ = {{}, step};
+    if (!shows) return;
+    if (!fresh) {
+        RenderSettings s = settings();
+        s.view.width = size.width, s.view.height = size.height;
+        s.view.pixelsPerAngstrom /= step;
+        try {
+            SeenAtoms seen = screen_.atoms(s);
+            seen_ = std::move(seen.atoms);
+            seenMilliseconds_ = seen.milliseconds / pixels;
+        } catch (const Error&) {
+            seen_.clear();  // the frame reports the same error, or is not affected
+            if (noticeLoss()) return;
+        }
+        seenSize_ = size;
+        seenAt_ = stage_.changes();
     }
-    stage_.schedule.pictureChanged(now);
-}
-
-void Frames::unmark(Renderer& renderer) {
-    if (!marks_.any() || !sceneThere_) return;
-    if (!renderer.setScene(stage_.document.drawing.joinedScene())) restartOcclusion();
-    marksDue_ = true;
+    shownMarks_.spans = outlineOf(seen_, size, marks_, kOutlinePoints * scale_ / step);
 }
 
 /// Puts the document's scene on a screen that lacks it.
@@ -281,7 +300,6 @@ void Frames::putScene(double now) {
     if (sceneThere_) return;
     try {
         Representation scene = stage_.document.drawing.joinedScene();
-        applyMarks(marks_, scene);
         screen_.setScene(std::move(scene));
         sceneThere_ = true;
         sceneRetry_.succeeded();
@@ -336,7 +354,7 @@ double Frames::update(double now, bool playing, const std::function<const Overla
     if (!sceneThere_ && sceneRetry_.due(now)) putScene(now);
     if (stage_.shown() && sceneThere_ && occlusion_ < 1 && occlusionRetry_.due(now))
         advanceOcclusion(now, moving || playing);
-    if (marksDue_ && stage_.shown() && sceneThere_ && !lost_ && bakedShare() > 0) showMarks(now);
+    findMarks(moving || playing);
     if (lost_) return now;
     if (!frameRetry_.due(now)) return frameRetry_.at();
     stage_.schedule.setSamples(refinedSamples());

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/viewer/events.h"
+#include "app/viewer/outline.h"
 #include "app/viewer/screen.h"
 #include "app/viewer/stage.h"
 
@@ -43,12 +44,10 @@ struct ViewerOptions {
     bool errorsStay = false;     ///< the shell shows Messages::failure() until it is dismissed
 };
 
-/// Atoms that are told apart by colour in the window, not in files: by atom, from 0.
-struct Highlights {
-    std::vector<bool> selected;                   ///< may be shorter than the molecule
-    std::uint32_t firstHovered = 0, hovered = 0;  ///< a run of atoms: those that a click would select
-    bool any() const { return hovered > 0 || !selected.empty(); }
-    friend bool operator==(const Highlights&, const Highlights&) = default;
+/// Where marked atoms are seen in the window.
+struct ShownMarks {
+    std::vector<MarkSpan> spans;
+    std::uint32_t step = 1;  ///< pixels of the window per pixel of the spans
 };
 
 /// A free part of the window, as a picture.
@@ -87,7 +86,8 @@ public:
     std::optional<std::array<WindowEye, 2>> eyes(const RenderSettings& settings) const;
     /// A picture of the document for a file, with its words. @param picture  its camera, size, shading and words
     /// @throws Error
-    Picture draw(Renderer& renderer, PictureDescription picture);
+    /// @param marked  with the outline of the selected atoms
+    Picture draw(Renderer& renderer, PictureDescription picture, bool marked = false);
     /// Its settings, with the molecule beside the words if it is visible as a whole. @throws Error
     const RenderSettings& compose(PictureDescription picture);
     /// Screen position of a point relative to the scene's centre. @param view  from settings() @returns points
@@ -115,11 +115,11 @@ public:
     bool moveScene(const Representation& scene) {
         return !sceneThere_ || put(withMaps(scene, stage_.document.drawing.maps()), &Screen::moveScene);
     }
-    /// Colours these atoms from the next frame on that has ambient occlusion.
+    /// Outlines these atoms from the next frame on: hovered ones at rest, selected ones in motion too if the device
+    /// finds them in time.
     void setMarks(Highlights marks);
     const Highlights& marks() const { return marks_; }
-    /// Takes the marks from the scene of the window's renderer until the next update().
-    void unmark(Renderer& renderer);
+    const ShownMarks& shownMarks() const { return shownMarks_; }
     /// Prepares the first frame of the document being read.
     void expectScene(const PictureDescription& coming);
     /// Finished share of the ambient occlusion.
@@ -147,7 +147,7 @@ public:
 
 private:
     bool put(Representation scene, void (Screen::*how)(Representation));
-    void showMarks(double now);
+    void findMarks(bool moving);
     void setUp(RenderSettings& settings) const;
     void putScene(double now);
     void advanceOcclusion(double now, bool moving);
@@ -171,7 +171,12 @@ private:
     bool drew_ = false, lost_ = false, tellsScale_ = false;
     bool sceneThere_ = true;  // the document's scene is on the screen
     Highlights marks_;
-    bool marksDue_ = false;        // they are not on the screen
+    ShownMarks shownMarks_;
+    std::vector<std::uint32_t> seen_;  // the atom in each pixel, of a picture of
+    PixelSize seenSize_{0, 0};
+    std::uint64_t seenAt_ = 0;     // Stage::changes() then
+    double seenMilliseconds_ = 0;  // per pixel
+    bool marksDue_ = false;        // shownMarks_ are older than marks_
     std::vector<Style> expected_;  // of the document last read or being read
     Retry sceneRetry_, occlusionRetry_, frameRetry_;
     std::string loss_;  // of the device, until it is replaced

@@ -18,10 +18,9 @@ std::string hoverText(const Molecule& molecule, std::uint32_t atom) {
     return tip + (tip.empty() ? "" : "; ") + atomText(molecule, atom);
 }
 
-constexpr double kFingerPoints = 12;           // tolerance of a pick
-constexpr double kHoverPoints = 2;             // and a pointer that rests
-constexpr double kHoverSeconds = 0.08;         // time at rest before the atom under it is looked up
-constexpr std::size_t kMostHovered = 300'000;  // atoms: more take too long to colour while the pointer moves
+constexpr double kFingerPoints = 12;    // tolerance of a pick
+constexpr double kHoverPoints = 2;      // and a pointer that rests
+constexpr double kHoverSeconds = 0.08;  // time at rest before the atom under it is looked up
 
 /// A selection as it is typed: `/name` is one of several molecules. @throws std::invalid_argument
 Selection selectionOf(const std::string& text, const PictureDescription& view) {
@@ -182,8 +181,7 @@ void Picking::placeSelection() {
 
 void Picking::mark() {
     Highlights marks{marked_};
-    if (hovers() && hovered_ <= stage_.document.molecule->atoms.size() &&
-        stage_.document.molecule->atoms.size() <= kMostHovered) {
+    if (hovers() && hovered_ <= stage_.document.molecule->atoms.size()) {
         const Molecule& m = *stage_.document.molecule;
         const Residue& residue = m.residues[m.atoms[hovered_ - 1].residue];
         const bool one = measuring_ != Measuring::off || residue.atomCount == m.atoms.size();

@@ -30,10 +30,6 @@ public:
     void moveScene(Representation scene) override {
         if (Renderer* r = session_.renderer()) r->moveScene(std::move(scene));
     }
-    bool recolorScene(Representation scene) override {
-        Renderer* r = session_.renderer();
-        return !r || r->setScene(std::move(scene));
-    }
     void expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame) override {
         if (Renderer* r = session_.renderer()) r->expectScene(std::move(like), settings, frame);
     }
@@ -58,6 +54,14 @@ public:
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) override {
         Renderer* r = session_.renderer();
         return r ? r->atomAt(settings, x, y, reach) : 0;
+    }
+    SeenAtoms atoms(const RenderSettings& settings) override {
+        Renderer* r = session_.renderer();
+        if (!r) return {};
+        const auto begin = std::chrono::steady_clock::now();
+        SeenAtoms seen{r->atoms(settings)};
+        seen.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+        return seen;
     }
     std::string deviceLoss() const override {
         const Renderer* r = session_.renderer();

@@ -50,12 +50,25 @@ std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, do
     // A separate picture around the position, as large as the reach. Its middle pixel contains (x, y).
     const auto side = static_cast<std::uint32_t>(2 * std::ceil(std::clamp(reach, 0.0, 100.0)) + 1);
     RenderSettings small = settings;
-    small.occlusion.directions = 0;
-    small.tuning.countFragments = false;
     small.view.pan = -planePointAt(settings.view, std::floor(x) + 0.5, std::floor(y) + 0.5);
     small.view.width = small.view.height = side;
-    const auto pixels = run(prepare({small, Part::pick, Ending::readBack}, {{}, small.view, "pick"}), small).pixels;
-    return nearestAtom(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), side, reach);
+    const Drawn drawn = identify(std::move(small), "pick");
+    return nearestAtom(reinterpret_cast<const std::uint32_t*>(drawn.pixels[0].mapped), side, reach);
+}
+
+std::vector<std::uint32_t> PictureFrames::atoms(const RenderSettings& settings) {
+    const Drawn drawn = identify(settings, "identity");
+    const auto* identity = reinterpret_cast<const std::uint32_t*>(drawn.pixels[0].mapped);  // atom, copy
+    std::vector<std::uint32_t> atoms(std::size_t{settings.view.width} * settings.view.height);
+    for (std::size_t i = 0; i < atoms.size(); ++i) atoms[i] = identity[2 * i];
+    return atoms;
+}
+
+/// What is seen in each pixel. @param name  of the frame's images
+PictureFrames::Drawn PictureFrames::identify(RenderSettings settings, const char* name) {
+    settings.occlusion.directions = 0;
+    settings.tuning.countFragments = false;
+    return run(prepare({settings, Part::pick, Ending::readBack}, {{}, settings.view, name}), settings);
 }
 
 }  // namespace nacre

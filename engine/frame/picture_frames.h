@@ -37,6 +37,8 @@ public:
     void frame(const RenderSettings& settings, const passes::Atlas& atlas);
     /// As Renderer::atomAt.
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);
+    /// As Renderer::atoms.
+    std::vector<std::uint32_t> atoms(const RenderSettings& settings);
 
     /// Starts a picture as coded() draws it: pictures of one frame while earlier ones are drawn, others at once.
     void start(RenderSettings settings, const passes::Atlas& atlas, bool alpha);
@@ -73,6 +75,7 @@ private:
     /// Whether one frame draws both eyes of the view.
     bool drawsBoth(const FrameRequest& request) const;
 
+    Drawn identify(RenderSettings settings, const char* name);
     PreparedFrame prepare(const FrameRequest& request, FrameInputs inputs);
     Drawn run(PreparedFrame prepared, const RenderSettings& settings);
     const std::shared_ptr<DeclaredFrame>& declare(const PreparedFrame& prepared);

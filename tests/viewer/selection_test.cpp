@@ -18,9 +18,14 @@ class OneAtomScreen : public Screen {
 public:
     std::uint32_t atom = 0;
     int asked = 0;
-    std::vector<Representation> recolored;
-    bool recolorScene(Representation scene) override { return recolored.push_back(std::move(scene)), true; }
-    void setScene(Representation) override {}
+    int scenes = 0, drawn = 0;  ///< drawn: pictures of the atom in each pixel
+    double milliseconds = 1;    ///< that those take
+    SeenAtoms atoms(const RenderSettings& settings) override {
+        ++drawn;
+        return {std::vector<std::uint32_t>(std::size_t{settings.view.width} * settings.view.height, atom),
+                milliseconds};
+    }
+    void setScene(Representation) override { ++scenes; }
     double advanceOcclusion(const RenderSettings&, const OcclusionPace&) override { return 1; }
     FrameOutcome present(const RenderSettings&, const WindowFrame&) override { return FrameOutcome::shown; }
     PixelSize windowSize() const override { return {640, 480}; }
@@ -56,6 +61,12 @@ struct Stand {
     }
     void rest(double seconds) {
         for (const double end = now + seconds; now < end; now += 0.02) viewer.update(now);
+    }
+    /// Another view, in which one atom is everywhere.
+    void see(std::uint32_t other) {
+        screen.atom = other;
+        viewer.run(ViewerCommand::rotateLeft, now);
+        rest(1);
     }
     void click() {
         viewer.mouseButton(MouseButton::left, true, {300, 200}, {}, now);
@@ -117,7 +128,7 @@ TEST(Pointing, AClickSelectsTheResidueAndOneBesideNothing) {
     EXPECT_EQ(marked(s.viewer), s.viewer.picking().selection().count);
     EXPECT_GT(s.viewer.picking().selection().count, 10u);
     s.rest(1);
-    s.screen.atom = 0;
+    s.see(0);
     s.click();
     EXPECT_EQ(s.viewer.picking().selection().text, "");
     EXPECT_EQ(marked(s.viewer), 0u);
@@ -147,31 +158,58 @@ TEST(Pointing, ADashIsReadItsResiduesAreSelectedAndFlownTo) {
 TEST(Pointing, WhatAClickSelectsIsMarkedInTheFrame) {
     Stand s;
     s.screen.atom = 42;
+    const int scenes = s.screen.scenes;
     s.viewer.mouseMove({300, 200}, s.now);
     s.rest(1);
     const Molecule& m = *s.viewer.document()->molecule;
     const Residue& residue = m.residues[m.atoms[41].residue];
-    ASSERT_FALSE(s.screen.recolored.empty());
-    const std::vector<SphereLook> plain = s.viewer.document()->drawing.scene().sphereLooks;
-    const auto differing = [&](std::uint32_t first, std::uint32_t count) {
-        std::size_t others = 0, own = 0;
-        for (std::size_t i = 0; i < plain.size(); ++i) {
-            const bool in = plain[i].atom > first && plain[i].atom <= first + count;
-            (in ? own : others) += s.screen.recolored.back().sphereLooks[i].color != plain[i].color;
-        }
-        EXPECT_EQ(others, 0u);
-        return own;
+    EXPECT_EQ(s.viewer.frames().marks().firstHovered, residue.firstAtom);
+    EXPECT_EQ(s.viewer.frames().marks().hovered, residue.atomCount) << "what a click would take";
+    const auto alphaOf = [&] {
+        const auto& spans = s.viewer.frames().shownMarks().spans;
+        return spans.empty() ? 0 : int{spans.front().alpha};
     };
-    EXPECT_EQ(differing(residue.firstAtom, residue.atomCount), residue.atomCount) << "the residue is tinted";
-    const auto hovered = s.screen.recolored.back().sphereLooks;
+    const int hovered = alphaOf();
+    EXPECT_GT(hovered, 0);
     s.click();
     s.rest(1);
-    EXPECT_EQ(differing(residue.firstAtom, residue.atomCount), residue.atomCount);
-    EXPECT_NE(s.screen.recolored.back().sphereLooks[41].color, hovered[41].color) << "more strongly";
-    s.screen.atom = 0;
+    EXPECT_GT(alphaOf(), hovered) << "more strongly";
+    s.see(0);
     s.click();
     s.rest(1);
-    EXPECT_EQ(differing(0, 0), 0u) << "and no more";
+    EXPECT_EQ(alphaOf(), 0) << "and no more";
+    EXPECT_EQ(s.screen.scenes, scenes) << "marks upload nothing";
+}
+
+TEST(Pointing, HoverDrawsTheAtomsOnceForAView) {
+    Stand s;
+    s.screen.atom = 42;
+    for (int i = 0; i < 5; ++i) {
+        s.viewer.mouseMove({300.0 + 10 * i, 200}, s.now);
+        s.rest(0.3);
+        EXPECT_NE(s.viewer.picking().annotations().hover.find("atom 42"), std::string::npos);
+    }
+    EXPECT_EQ(s.screen.drawn, 1);
+    EXPECT_EQ(s.screen.asked, 1) << "then its pixels tell";
+    s.viewer.run(ViewerCommand::rotateLeft, s.now);
+    s.rest(0.5);
+    EXPECT_EQ(s.screen.drawn, 2) << "another view";
+}
+
+TEST(Pointing, TheSelectionIsOutlinedInMotionIfThatIsQuick) {
+    for (const bool quick : {true, false}) {
+        Stand s;
+        s.screen.atom = 42;
+        s.screen.milliseconds = quick ? 1 : 500;
+        s.click();
+        s.rest(1);
+        const int before = s.screen.drawn;
+        EXPECT_GT(before, 0);
+        s.viewer.run(ViewerCommand::autoRotate, s.now);
+        s.rest(1);
+        EXPECT_EQ(s.screen.drawn > before + 10, quick);
+        EXPECT_EQ(s.viewer.frames().shownMarks().spans.empty(), !quick);
+    }
 }
 
 TEST(Pointing, ARibbonIsMarkedWhereItIs) {
@@ -194,7 +232,7 @@ TEST(Pointing, ADoubleClickZoomsToTheResidue) {
     s.click();
     s.rest(1);
     EXPECT_GT(s.viewer.view().camera.zoom, 1.5);
-    s.screen.atom = 0;
+    s.see(0);
     s.click();
     s.now += 0.1;
     s.click();
