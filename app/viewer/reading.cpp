@@ -17,14 +17,23 @@ void takeInput(const PictureDescription& from, PictureDescription& to) {
     to.mapsChanged();
 }
 
+/// The first maps of a structure: sticks, and contours where the camera looks, as model builders have them. What the
+/// user chose stays.
+void lookAtDensity(PictureDescription& view) {
+    if (view.maps.files.size() > 0 || view.maps.around || view.given.contains("map-around")) return;
+    view.maps.aroundFocus = true;
+    const bool chosen = view.given.contains("style") || !view.look.rules.empty();
+    if (!chosen && (!view.look.style || view.look.style == Style::cartoon)) view.look.style = Style::licorice;
+}
+
 }  // namespace
 
 Reading::Reading(Stage& stage, Sources sources, std::function<void()> wake)
     : stage_(stage), loader_(std::move(sources), std::move(wake)) {
     const PictureDescription& view = stage.view();
     // Saved views keep their look.
-    opening_ = view.input.hash.empty();
-    if (!view.input.path.empty()) opening_ ? loader_.open(view) : loader_.read(view);
+    request_.opens = view.input.hash.empty();
+    if (!view.input.path.empty()) request_.opens ? loader_.open(view) : loader_.read(view);
 }
 
 /// Files by what becomes of them.
@@ -45,6 +54,7 @@ void Reading::addMaps(const std::vector<std::string>& maps, double now) {
     if (files.size() + maps.size() > kMostMaps)
         return stage_.messages.fail("more than " + std::to_string(kMostMaps) + " maps are not shown together", now);
     stage_.remember();
+    if (!stage_.document.molecule->atoms.empty()) lookAtDensity(stage_.wanted());
     files.insert(files.end(), maps.begin(), maps.end());
     stage_.wanted().mapsChanged();
     build();
@@ -94,7 +104,7 @@ void Reading::open(const std::vector<std::string>& paths, double now) {
     fresh.camera = first.camera;
     if (beginWith(fresh, {files.structures.begin() + (files.structures.empty() ? 0 : 1), files.structures.end()},
                   now)) {
-        opening_ = true;
+        request_.opens = true;
         loader_.open(fresh);
     }
 }
@@ -117,7 +127,7 @@ void Reading::add(const std::vector<std::string>& paths, double now) {
 bool Reading::beginWith(PictureDescription& view, const std::vector<std::string>& paths, double now) {
     question_.reset();
     stage_.remember();
-    restoring_ = placed_ = opening_ = false;
+    request_ = {};
     stage_.schedule.overlayChanged();
     const std::size_t before = view.input.further.size() + 1;
     if (before + paths.size() > kMostInputs) {
@@ -130,9 +140,7 @@ bool Reading::beginWith(PictureDescription& view, const std::vector<std::string>
 }
 
 void Reading::restore(const PictureDescription& view, bool another) {
-    restoring_ = another;
-    placed_ = another && view.camera.center;
-    if (another) opening_ = false;
+    request_ = {another, !another && request_.opens, another && view.camera.center};
     another ? loader_.read(view) : loader_.build(view, stage_.document);
 }
 
@@ -179,7 +187,7 @@ std::optional<Document> Reading::take(double now) {
         stage_.schedule.overlayChanged();
     } catch (const std::exception& error) {
         failure_ = error.what();
-        if (std::exchange(restoring_, false) && stage_.shown()) takeInput(stage_.document.view, stage_.wanted());
+        if (std::exchange(request_.restores, false) && stage_.shown()) takeInput(stage_.document.view, stage_.wanted());
         stage_.messages.fail(error.what(), now);
     }
     return std::nullopt;
@@ -193,12 +201,12 @@ Reading::Arrival Reading::arrive(Document document) {
     // The camera stays under user control.
     arrival.step = arrival.another && stage_.shown() && view.input.path == before.input.path &&
                    view.input.model != before.input.model;
-    arrival.restored = std::exchange(restoring_, false);
+    arrival.restored = std::exchange(request_.restores, false);
     const Camera& camera = view.camera;
     const bool plain = camera.orientation == glm::dquat(1, 0, 0, 0) && camera.rotationDegrees == glm::dvec3(0) &&
                        !view.given.contains("rotate");
-    arrival.opened =
-        arrival.another && std::exchange(opening_, false) && plain && !camera.isPlaced() && !document.molecule->guide;
+    arrival.opened = arrival.another && std::exchange(request_.opens, false) && plain && !camera.isPlaced() &&
+                     !document.molecule->guide;
     stage_.document = std::move(document);
     if (!arrival.another) return arrival;
     const PictureDescription& there = stage_.document.view;
@@ -209,7 +217,7 @@ Reading::Arrival Reading::arrive(Document document) {
         wanted.look.color = there.look.color;
     }
     const bool first = std::exchange(first_, false);
-    if ((first && stage_.view().camera.scale) || std::exchange(placed_, false)) stage_.motion.set(there.camera);
+    if ((first && stage_.view().camera.scale) || std::exchange(request_.placed, false)) stage_.motion.set(there.camera);
     if (stage_.document.molecule->guide && !arrival.step && !arrival.restored) {
         wanted.background = there.background;
         if (first) stage_.motion.set(there.camera);

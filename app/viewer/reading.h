@@ -67,11 +67,15 @@ private:
     Loader loader_;
     std::optional<Question> question_;
     PictureDescription asked_;  // the view of question_
-    bool restoring_ = false;    // the document being read belongs to the current view
-    bool first_ = true;         // nothing was shown yet
-    bool opening_ = false;      // the document being read gets a first look
-    std::string failure_;       // of the last reading
-    bool placed_ = false;       // the document being restored has a camera of its own
+    /// What becomes of the document being read.
+    struct Request {
+        bool restores = false;  ///< it belongs to the current view
+        bool opens = false;     ///< it gets a first look
+        bool placed = false;    ///< it is restored with a camera of its own
+    };
+    Request request_;
+    bool first_ = true;    // nothing was shown yet
+    std::string failure_;  // of the last reading
 };
 
 }  // namespace nacre::app

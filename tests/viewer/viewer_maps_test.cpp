@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <glm/geometric.hpp>
 
 #include "app/drawing/focus.h"
 #include "app/input/map_input.h"
+#include "app/picture/appearance_values.h"
 #include "tests/viewer/viewer_bench.h"
 
 namespace nacre::app::test {
@@ -40,6 +43,34 @@ TEST(Viewer, TheWheelTurnsTheLevelOfAMapAsOneStep) {
     b.load();
     b.viewer.changeLevel(1, b.now);
     EXPECT_EQ(b.viewer.view().maps.levels, look.maps.levels);
+}
+
+TEST(Viewer, TheFirstMapOfAStructureShowsSticksAndContoursNearTheFocus) {
+    const std::string path = ::testing::TempDir() + "focus.dx";
+    std::ofstream file(path);
+    file << "object 1 class gridpositions counts 4 4 4\norigin 0 0 0\ndelta 5 0 0\ndelta 0 5 0\ndelta 0 0 5\n"
+            "object 2 class gridconnections counts 4 4 4\n"
+            "object 3 class array type double rank 0 items 64 data follows\n";
+    for (int i = 0; i < 64; ++i) file << i % 7 << '\n';
+    file.close();
+    for (const bool chosen : {false, true}) {
+        Bench b("sample:dna");
+        PictureDescription look = b.viewer.view();
+        look.look.style = Style::cartoon;
+        if (chosen) look.look.rules.push_back(parseHide("chain B"));
+        b.viewer.setLook(look, b.now);
+        b.load();
+        b.viewer.reading().open(path, b.now);
+        b.load();
+        EXPECT_EQ(b.viewer.messages().failure(), "");
+        ASSERT_EQ(b.viewer.view().maps.files.size(), 1u);
+        EXPECT_TRUE(b.viewer.view().maps.aroundFocus);
+        EXPECT_EQ(b.viewer.view().look.style, chosen ? Style::cartoon : Style::licorice);
+        b.viewer.undo(b.now);
+        EXPECT_TRUE(b.viewer.view().maps.files.empty());
+        EXPECT_EQ(b.viewer.view().look.style, Style::cartoon);
+    }
+    std::filesystem::remove(path);
 }
 
 TEST(Viewer, MapsFollowWhatTheCameraLooksAt) {
