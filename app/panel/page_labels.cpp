@@ -3,6 +3,7 @@
 #include <string>
 
 #include "app/panel/panel_state.h"
+#include "app/panel/words.h"
 #include "app/picture/words.h"
 
 namespace nacre::app {
@@ -63,7 +64,7 @@ void drawLabelsPage(PanelFrame& f) {
         f.ui.caption("Choose atoms under \"Select\", then \"Label\".");
     else
         toggleOption(f, "show-labels");
-    listWords(f, 1000, words.labels, [](const Label& label) { return label.selection.text; });
+    listWords(f, 1000, words.labels, [](const Label& label) { return selectionWords(label.selection.text); });
 }
 
 }  // namespace nacre::app

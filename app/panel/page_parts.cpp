@@ -68,30 +68,6 @@ std::vector<std::string> fitTexts(const ResidueFacts& facts, const InputOptions&
     return texts;
 }
 
-/// Takes a structure out of several, with the rules that name it.
-void removeInput(PanelFrame& f, std::size_t number) {
-    PictureDescription& view = f.s.wanted.emplace(f.look);
-    InputOptions& input = view.input;
-    const std::vector<std::string> names = inputNames(inputOf(view));
-    if (number == 0) {
-        const FurtherInput next = input.further.front();
-        input.path = next.path, input.name = next.name, input.hash = next.hash, input.opened = next.opened;
-    }
-    input.further.erase(input.further.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(number, 1) - 1));
-    const bool alone = input.further.empty();
-    // A name means nothing once one is left.
-    const auto gone = [&](const Selection& selection) {
-        for (std::size_t i = 0; i < names.size(); ++i)
-            if ((alone || i == number) && selection.text.find("/" + names[i]) != std::string::npos) return true;
-        return false;
-    };
-    std::erase_if(view.look.rules, [&](const Rule& rule) { return gone(rule.selection); });
-    std::erase_if(view.words.labels, [&](const Label& label) { return gone(label.selection); });
-    std::erase_if(input.fits, [&](const FitOptions& fit) { return gone(fit.moving) || gone(fit.fixed); });
-    view.words.measures.clear();  // they count atoms of all
-    f.viewer.picking().select("");
-}
-
 void drawAssemblies(PanelFrame& f, const Molecule& molecule) {
     if (molecule.assemblies.empty()) return;
     f.ui.heading("Assembly");
@@ -116,7 +92,8 @@ void drawAssemblies(PanelFrame& f, const Molecule& molecule) {
         assembly = molecule.file.packed.empty() ? "" : kNoAssembly;
 }
 
-/// For each atom the colour in which it is drawn, of carbons and meshes; 0: none.
+}  // namespace
+
 std::vector<std::uint32_t> drawnColors(const Molecule& m, const Representation& scene) {
     std::vector<std::uint32_t> colors(m.atoms.size());
     const auto take = [&](std::uint32_t atom, std::uint32_t color, bool mesh) {
@@ -131,6 +108,8 @@ std::vector<std::uint32_t> drawnColors(const Molecule& m, const Representation& 
     return colors;
 }
 
+namespace {
+
 /// The one colour of each part in the scene; empty: it has several, or is not drawn.
 void findPartColors(PanelFrame& f) {
     PanelState& s = f.s;
@@ -138,23 +117,18 @@ void findPartColors(PanelFrame& f) {
     if (s.colorsOf == drawing.sceneNumber() && s.partColors.size() == s.parts.size()) return;
     s.colorsOf = drawing.sceneNumber();
     s.partColors.assign(s.parts.size(), std::nullopt);
-    constexpr std::size_t kMostWork = 20'000'000;  // atoms to test
-    if (s.molecule->atoms.size() * s.parts.size() > kMostWork) return;
-    const std::vector<std::uint32_t> colors = drawnColors(*s.molecule, drawing.scene());
-    for (std::size_t i = 0; i < s.parts.size(); ++i) {
-        Selection selection = parseSelection(s.parts[i].selection);
-        if (s.molecule->modelsAreInputs) nameInputs(s.molecule->inputs, selection);
-        const std::vector<bool> chosen = selectAtoms(*s.facts, selection);
-        std::optional<std::uint32_t>& color = s.partColors[i];
-        for (std::size_t atom = 0; atom < chosen.size(); ++atom) {
-            if (!chosen[atom] || colors[atom] == 0) continue;
-            if (color && *color != colors[atom]) {
-                color.reset();
-                break;
-            }
-            color = colors[atom];
-        }
+    std::vector<bool> several(s.parts.size());
+    const Molecule& m = *s.molecule;
+    const std::vector<std::uint32_t> colors = drawnColors(m, drawing.scene());
+    for (std::size_t atom = 0; atom < colors.size(); ++atom) {
+        const std::uint32_t part = s.partOfResidue[m.atoms[atom].residue];
+        if (colors[atom] == 0 || part == kNoPart) continue;
+        std::optional<std::uint32_t>& color = s.partColors[part];
+        several[part] = several[part] || (color && *color != colors[atom]);
+        color = colors[atom];
     }
+    for (std::size_t i = 0; i < several.size(); ++i)
+        if (several[i]) s.partColors[i].reset();
 }
 
 void drawStyleChoice(PanelFrame& f, const Part& part, float width) {
@@ -195,7 +169,7 @@ void drawPart(PanelFrame& f, const Part& part, std::size_t number) {
     PartLook of = lookOf(f.look, part);
     const float x = ImGui::GetCursorPosX(), side = f.ui.rowHeight(), room = ImGui::GetContentRegionAvail().x;
     const bool tight = f.ui.forFingers() || room < f.ui.px(240);
-    const float styles = tight ? 0 : f.ui.px(88), gap = f.ui.px(4);
+    const float styles = tight ? 0 : f.ui.px(61) + side, gap = f.ui.px(4);
     const std::string eye = (of.seen ? "Hide " : "Show ") + part.name;
     if (f.ui.sign(of.seen ? Icon::eye : Icon::eyeOff, eye.c_str())) {
         of.seen = !of.seen;
@@ -238,7 +212,23 @@ void drawStructure(PanelFrame& f, const std::string& input, std::size_t number) 
     drawPart(f, whole, kFirstRow + number);
     if (number > 0) drawFit(f, input, f.s.parts.front().input);
     if (number < f.s.fits.size() && !f.s.fits[number].empty()) f.ui.caption(f.s.fits[number]);
-    if (f.ui.button(Icon::close, ("Remove " + input).c_str())) removeInput(f, number);
+    if (f.s.renamed == input) {
+        const bool entered =
+            f.ui.field(("Name of " + input).c_str(), "a name", f.s.newName, -1, ImGuiInputTextFlags_EnterReturnsTrue);
+        if (entered) {
+            f.s.take([&] { renameInput(f.s.wanted.emplace(f.look), number, f.s.newName); });
+            if (!f.s.ruleError.empty()) f.s.wanted.reset();
+            if (f.s.ruleError.empty()) f.s.renamed.clear(), f.viewer.picking().select("");
+        }
+        if (!f.s.ruleError.empty()) f.ui.warning(f.s.ruleError);
+    } else if (f.ui.typable() && f.ui.word(("Rename " + input).c_str(), false)) {
+        f.s.renamed = f.s.newName = input;
+        f.s.ruleError.clear();
+    }
+    if (f.ui.word(("Remove " + input).c_str(), f.s.renamed != input && f.ui.typable())) {
+        removeInput(f.s.wanted.emplace(f.look), number);
+        f.viewer.picking().select("");
+    }
 }
 
 /// All models of a file at once, or one after another.
@@ -260,7 +250,8 @@ void drawPartsPage(PanelFrame& f) {
         f.s.molecule = document->molecule;
         f.s.facts = ResidueFacts(*f.s.molecule);
         const bool several = document->molecule->modelsAreInputs;
-        f.s.parts = partsOf(*f.s.facts, several ? inputNames(inputOf(document->view)) : std::vector<std::string>());
+        f.s.parts = partsOf(*f.s.facts, several ? inputNames(inputOf(document->view)) : std::vector<std::string>(),
+                            &f.s.partOfResidue);
         f.s.sequence.part.clear();
         f.s.sequence.colors.clear();
         f.s.fits = several ? fitTexts(*f.s.facts, document->view.input) : std::vector<std::string>();

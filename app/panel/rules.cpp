@@ -15,7 +15,7 @@ namespace {
 
 /// A rule in words: "Hide chain B".
 std::string ruleWords(const Rule& rule) {
-    const std::string& what = rule.selection.text;
+    const std::string what = selectionWords(rule.selection.text);
     switch (rule.action) {
         case Rule::Action::hide:
             return "Hide " + what;

@@ -6,9 +6,6 @@
 #include <utility>
 
 #include "app/panel/panel_state.h"
-#include "engine/molecule/drawn_atoms.h"
-#include "engine/scene/build/appearance.h"
-#include "engine/scene/color/colors.h"
 
 namespace nacre::app {
 namespace {
@@ -37,20 +34,14 @@ struct Letters {
     }
 };
 
-/// For each residue the colour of its first visible atom; 0: none is visible, or copies have their own colours.
-std::vector<std::uint32_t> residueColors(const ResidueFacts& facts, const PictureDescription& view) {
-    const Molecule& molecule = facts.molecule();
-    const Appearance seen = appearanceOf(facts, drawnAtoms(molecule, view.drawn), view.look);
+/// For each residue the colour that is drawn of it; 0: none, or copies have their own colours.
+std::vector<std::uint32_t> residueColors(const Molecule& molecule, const Representation& scene) {
+    const std::vector<std::uint32_t> drawn = drawnColors(molecule, scene);
     std::vector<std::uint32_t> colors(molecule.residues.size());
-    const auto take = [&](const std::vector<std::uint32_t>& atoms, const std::vector<std::uint32_t>& of) {
-        for (std::size_t i = 0; i < atoms.size(); ++i) {
-            std::uint32_t& color = colors[molecule.atoms[atoms[i]].residue];
-            if (color == 0 && !isCopyTint(of[i])) color = of[i];
-        }
-    };
-    take(seen.cartoon.atoms, seen.cartoon.colors);
-    take(seen.atoms, seen.colors);
-    take(seen.surface.atoms, seen.surface.colors);
+    for (std::size_t atom = 0; atom < drawn.size(); ++atom) {
+        std::uint32_t& color = colors[molecule.atoms[atom].residue];
+        if (color == 0) color = drawn[atom];
+    }
     return colors;
 }
 
@@ -112,9 +103,10 @@ void drawResidueNumber(PanelFrame& f, int i, ImVec2 right, float line) {
 
 void drawSequence(PanelFrame& f, const Part& part) {
     if (f.s.sequence.residues.empty()) return;
-    if (f.s.sequence.colors.empty() || f.s.sequence.colored != std::pair(f.look.look, f.look.drawn.hydrogens)) {
-        f.s.sequence.colors = residueColors(*f.s.facts, f.look);
-        f.s.sequence.colored = {f.look.look, f.look.drawn.hydrogens};
+    const Drawing& drawing = f.viewer.document()->drawing;
+    if (f.s.sequence.colors.empty() || f.s.sequence.colorsOf != drawing.sceneNumber()) {
+        f.s.sequence.colors = residueColors(*f.s.molecule, drawing.scene());
+        f.s.sequence.colorsOf = drawing.sceneNumber();
     }
     Letters letters{};
     letters.cell = f.ui.px(f.ui.forFingers() ? 20 : 11.5f), letters.line = f.ui.px(f.ui.forFingers() ? 42 : 31);

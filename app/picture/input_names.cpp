@@ -76,21 +76,73 @@ void nameInputs(const std::vector<std::string>& names, Selection& selection) {
     }
 }
 
-void nameInputs(PictureDescription& d) {
-    if (d.input.further.empty()) return;
-    const std::vector<std::string> names = inputNames(d.input);
-    for (Rule& rule : d.look.rules) nameInputs(names, rule.selection);
-    for (Label& label : d.words.labels) nameInputs(names, label.selection);
+void forEachSelection(PictureDescription& d, const std::function<void(Selection&)>& take) {
+    for (Rule& rule : d.look.rules) take(rule.selection);
+    for (Label& label : d.words.labels) take(label.selection);
     for (Measure& measure : d.words.measures)
-        for (Selection& point : measure.points) nameInputs(names, point);
+        for (Selection& point : measure.points) take(point);
     for (std::optional<Selection>* selection :
          {&d.aim.lookAt, &d.aim.zoomTo, &d.aim.uncover, &d.aim.center, &d.aim.axesOf, &d.aim.left, &d.aim.clip,
           &d.aim.spares, &d.look.contacts.of, &d.look.contacts.with})
-        if (*selection) nameInputs(names, **selection);
-    for (FitOptions& fit : d.input.fits) {
-        nameInputs(names, fit.moving);
-        nameInputs(names, fit.fixed);
+        if (*selection) take(**selection);
+    for (FitOptions& fit : d.input.fits) take(fit.moving), take(fit.fixed);
+}
+
+void nameInputs(PictureDescription& d) {
+    if (d.input.further.empty()) return;
+    const std::vector<std::string> names = inputNames(d.input);
+    forEachSelection(d, [&](Selection& selection) { nameInputs(names, selection); });
+}
+
+bool namesInput(const Selection& selection, const std::string& name) {
+    const std::string sought = "/" + name;
+    for (std::size_t at = selection.text.find(sought); at != std::string::npos;
+         at = selection.text.find(sought, at + 1)) {
+        const std::size_t end = at + sought.size();
+        if (end == selection.text.size() || !isInputName(selection.text.substr(end, 1))) return true;
     }
+    return false;
+}
+
+void removeInput(PictureDescription& d, std::size_t number) {
+    const std::vector<std::string> names = inputNames(d.input);
+    const bool alone = d.input.further.size() == 1;  // a name means nothing once one is left
+    if (number == 0) {
+        const FurtherInput next = d.input.further.front();
+        d.input.path = next.path, d.input.name = next.name, d.input.hash = next.hash, d.input.opened = next.opened;
+    }
+    d.input.further.erase(d.input.further.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(number, 1) - 1));
+    const auto gone = [&](const Selection& selection) {
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if ((alone || i == number) && namesInput(selection, names[i])) return true;
+        return false;
+    };
+    std::erase_if(d.look.rules, [&](const Rule& rule) { return gone(rule.selection); });
+    std::erase_if(d.words.labels, [&](const Label& label) { return gone(label.selection); });
+    std::erase_if(d.input.fits, [&](const FitOptions& fit) { return gone(fit.moving) || gone(fit.fixed); });
+    for (std::optional<Selection>* selection : {&d.look.contacts.of, &d.look.contacts.with, &d.aim.uncover})
+        if (*selection && gone(**selection)) selection->reset();
+    d.words.measures.clear();  // they count atoms of all
+}
+
+void renameInput(PictureDescription& d, std::size_t number, const std::string& name) {
+    const std::vector<std::string> names = inputNames(d.input);
+    if (!isInputName(name)) throw std::invalid_argument("a name has letters, digits, - and _, not \"" + name + "\"");
+    if (name == names[number]) return;
+    if (std::find(names.begin(), names.end(), name) != names.end())
+        throw std::invalid_argument("another structure is named " + name);
+    const std::string old = "/" + names[number], now = "/" + name;
+    forEachSelection(d, [&](Selection& selection) {
+        if (!namesInput(selection, names[number])) return;
+        std::string text = selection.text;
+        for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + now.size())) {
+            const std::size_t end = at + old.size();
+            if (end == text.size() || !isInputName(text.substr(end, 1))) text.replace(at, old.size(), now);
+        }
+        selection = parseSelection(text);
+    });
+    (number == 0 ? d.input.name : d.input.further[number - 1].name) = name;
+    nameInputs(d);
 }
 
 void colorApart(const std::vector<std::string>& names, RepresentationOptions& look, std::size_t from) {

@@ -1,6 +1,7 @@
 #pragma once
 // Names of several molecules in one picture, for selections.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,15 @@ bool isInputName(const std::string& text);
 void nameInputs(const std::vector<std::string>& names, Selection& selection);
 /// As above for all selections of a description with several inputs.
 void nameInputs(PictureDescription& description);
+
+/// Calls `take` for every selection of a description.
+void forEachSelection(PictureDescription& description, const std::function<void(Selection&)>& take);
+/// Whether a selection's text has `/name`.
+bool namesInput(const Selection& selection, const std::string& name);
+/// Takes an input out of several, with the rules, labels and fits that name it. @param number  from 0
+void removeInput(PictureDescription& description, std::size_t number);
+/// Names an input anew, also in all selections. @param number  from 0 @throws std::invalid_argument
+void renameInput(PictureDescription& description, std::size_t number, const std::string& name);
 
 /// By default, colours the carbons of each INPUT but the first differently.
 /// @param from  the first to be coloured, counted from 0

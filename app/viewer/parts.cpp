@@ -13,11 +13,11 @@ namespace nacre::app {
 namespace {
 
 /// Words of a selection as its grammar has them (selection.h).
-constexpr const char* kWords[] = {"all",    "altloc ", "and ",        "around ", "backbone",  "byres ",    "chain ",
-                                  "elem ",  "entity ", "helix",       "hetatm",  "hydrogens", "id ",       "ion",
-                                  "ligand", "loop",    "name ",       "none",    "not ",      "nucleic",   "occupancy ",
-                                  "or ",    "polymer", "protein",     "resi ",   "resn ",     "sequence ", "sidechain",
-                                  "strand", "water",   "within 5 of "};
+constexpr const char* kWords[] = {
+    "all",        "altloc ", "and ",   "around ",   "backbone",  "byres ",     "chain ", "elem ",
+    "entity ",    "helix",   "hetatm", "hydrogens", "id ",       "ion",        "ligand", "loop",
+    "mainligand", "name ",   "none",   "not ",      "nucleic",   "occupancy ", "or ",    "polymer",
+    "protein",    "resi ",   "resn ",  "sequence ", "sidechain", "strand",     "water",  "within 5 of "};
 
 bool isWordByte(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '\''; }
 
@@ -28,10 +28,10 @@ bool startsAlike(const std::string& word, const std::string& beginning) {
            });
 }
 
-/// A keyword for residues of selected atoms.
+/// Residues of one name.
 struct Group {
-    std::size_t residues = 0, atoms = 0;
-    std::uint32_t first = 0;  // residue
+    std::size_t atoms = 0;
+    std::vector<std::uint32_t> residues{};
 };
 
 /// Residues that a test takes, by the name that another function gives them.
@@ -44,9 +44,9 @@ std::vector<std::pair<std::string, Group>> groupsOf(const Molecule& m, Test test
         if (!test(r)) continue;
         const std::string name = nameOf(residue);
         const auto [at, isNew] = places.emplace(name, groups.size());
-        if (isNew) groups.push_back({name, {0, 0, r}});
+        if (isNew) groups.push_back({name, {}});
         Group& group = groups[at->second].second;
-        ++group.residues;
+        group.residues.push_back(r);
         group.atoms += residue.atomCount;
     }
     return groups;
@@ -56,12 +56,6 @@ std::vector<std::pair<std::string, Group>> groupsOf(const Molecule& m, Test test
 std::string nameOf(const std::string& identifier, const std::map<std::string, std::string>& names) {
     const auto found = names.find(identifier);
     return found == names.end() ? identifier : found->second;
-}
-
-/// "A, Haemoglobin subunit alpha"
-std::string named(const std::string& identifier, const std::map<std::string, std::string>& names) {
-    const auto found = names.find(identifier);
-    return found == names.end() ? identifier : identifier + ", " + found->second;
 }
 
 /// Words of a name, without signs: "HEMOGLOBIN (ALPHA CHAIN)" is three.
@@ -99,12 +93,9 @@ void labelParts(std::vector<Part>& parts, std::size_t from) {
     std::vector<Part*> chains;
     for (std::size_t i = from; i < parts.size(); ++i) {
         Part& part = parts[i];
-        part.label = part.name;
-        const std::size_t comma = part.name.find(", ");
-        if (part.kind != Part::Kind::chain || !part.name.starts_with("Chain ")) continue;
-        part.label = part.name.substr(6, comma == std::string::npos ? comma : comma - 6);
-        if (comma == std::string::npos) continue;
-        names.push_back(wordsOf(part.name.substr(comma + 2)));
+        part.label = part.chainName.empty() ? part.name : part.chainName;
+        if (part.title.empty()) continue;
+        names.push_back(wordsOf(part.title));
         chains.push_back(&part);
     }
     const bool differ =
@@ -121,15 +112,28 @@ void labelParts(std::vector<Part>& parts, std::size_t from) {
 
 bool isPolymer(ResidueKind kind) { return kind == ResidueKind::protein || kind == ResidueKind::nucleic; }
 
+/// The parts of a molecule, and for each residue the one that it is in.
+struct Parts {
+    std::vector<Part> parts;
+    std::vector<std::uint32_t> ofResidue;
+
+    void add(Part part, const Group& group) {
+        part.residues = group.residues.size();
+        part.atoms = group.atoms;
+        for (const std::uint32_t r : group.residues) ofResidue[r] = static_cast<std::uint32_t>(parts.size());
+        parts.push_back(std::move(part));
+    }
+};
+
 /// Of a packed scene: its compartments, if there are several, and its entities.
-void addPackedParts(const Molecule& m, std::vector<Part>& parts) {
+void addPackedParts(const Molecule& m, Parts& parts) {
     const auto groups = [&](const auto& nameOfEntity) {
         return groupsOf(
             m, [&](std::uint32_t r) { return m.residues[r].entity > 0; },
             [&](const Residue& r) { return nameOfEntity(m.entities[r.entity - 1]); });
     };
     const auto add = [&](const std::string& name, const std::string& selected, const Group& group) {
-        parts.push_back({Part::Kind::all, name, "entity '" + selected + "'", group.residues, group.atoms});
+        parts.add({Part::Kind::all, name, "entity '" + selected + "'"}, group);
     };
     const auto compartments = groups([&](const std::string& id) {
         const std::string name = nameOf(id, m.file.entityNames);
@@ -144,9 +148,8 @@ void addPackedParts(const Molecule& m, std::vector<Part>& parts) {
 
 /// Adds the parts of one molecule. @param model  its number among several
 void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const std::string& input, int model,
-              std::vector<Part>& parts) {
-    static const std::map<std::string, std::string> kNone;  // several files may each have a chain A
-    const std::size_t before = parts.size();
+              Parts& parts) {
+    const std::size_t before = parts.parts.size();
     const std::string of = input.empty() ? "" : "/" + input + " and ";
     const auto ours = [&](std::uint32_t r) { return input.empty() || m.chains[m.residues[r].chain].model == model; };
     const auto ofKind = [&](ResidueKind kind) {
@@ -155,44 +158,59 @@ void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const st
     const auto residueName = [](const Residue& r) { return std::string(r.name.view()); };
     for (const auto& [name, group] : groupsOf(
              m, [&](std::uint32_t r) { return isPolymer(kinds[r]) && ours(r); },
-             [&](const Residue& r) { return m.chains[r.chain].name; }))
-        parts.push_back({Part::Kind::chain,
-                         name.empty() ? "Polymer" : "Chain " + named(name, input.empty() ? m.file.chainNames : kNone),
-                         of + (name.empty() ? "polymer" : "chain " + quotedName(name) + " and polymer"), group.residues,
-                         group.atoms, m.residues[group.first].chain, input});
+             [&](const Residue& r) { return m.chains[r.chain].name; })) {
+        Part part{Part::Kind::chain, name.empty() ? "Polymer" : "Chain " + name,
+                  of + (name.empty() ? "polymer" : "chain " + quotedName(name) + " and polymer")};
+        part.chain = m.residues[group.residues.front()].chain;
+        part.input = input;
+        part.chainName = name;
+        // Several files may each have a chain A.
+        const auto title = m.file.chainNames.find(name);
+        if (input.empty() && !name.empty() && title != m.file.chainNames.end()) part.title = title->second;
+        if (!part.title.empty()) part.name += ", " + part.title;
+        parts.add(std::move(part), group);
+    }
     for (const auto& [kind, partKind, word] : {std::tuple(ResidueKind::ligand, Part::Kind::ligand, " and ligand"),
                                                {ResidueKind::ion, Part::Kind::ion, " and ion"}})
-        for (const auto& [name, group] : groupsOf(m, ofKind(kind), residueName))
-            if (!name.empty())
-                parts.push_back({partKind, nameOf(name, m.file.componentNames), of + "resn " + quotedName(name) + word,
-                                 group.residues, group.atoms, 0, input});
-    if (parts.size() == before) {
+        for (const auto& [name, group] : groupsOf(m, ofKind(kind), residueName)) {
+            if (name.empty()) continue;
+            Part part{partKind, nameOf(name, m.file.componentNames), of + "resn " + quotedName(name) + word};
+            part.input = input;
+            parts.add(std::move(part), group);
+        }
+    if (parts.parts.size() == before) {
         Part all{Part::Kind::all, "All atoms", input.empty() ? "all" : "/" + input};
         all.input = input;
+        Group group;
         for (std::uint32_t r = 0; r < m.residues.size(); ++r)
-            if (ours(r)) ++all.residues, all.atoms += m.residues[r].atomCount;
-        parts.push_back(all);
+            if (ours(r)) group.residues.push_back(r), group.atoms += m.residues[r].atomCount;
+        parts.add(std::move(all), group);
     }
-    labelParts(parts, before);
+    labelParts(parts.parts, before);
 }
 
 }  // namespace
 
-std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::string>& inputs) {
+std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::string>& inputs,
+                          std::vector<std::uint32_t>* ofResidue) {
     const Molecule& m = facts.molecule();
-    std::vector<Part> parts;
-    if (m.atoms.empty()) return parts;
+    Parts parts{{}, std::vector<std::uint32_t>(m.residues.size(), kNoPart)};
     const std::vector<ResidueKind>& kinds = facts.kinds();
+    if (m.atoms.empty()) return {};
     if (!m.file.packed.empty() && inputs.empty()) addPackedParts(m, parts);
-    if (inputs.empty() && parts.empty()) addParts(m, kinds, "", 0, parts);
+    if (inputs.empty() && parts.parts.empty()) addParts(m, kinds, "", 0, parts);
     for (std::size_t i = 0; i < inputs.size(); ++i) addParts(m, kinds, inputs[i], static_cast<int>(i + 1), parts);
-    if (parts.size() > kMostParts) parts.resize(kMostParts);
-    Part water{Part::Kind::water, "Water", "water"};
+    if (parts.parts.size() > kMostParts) parts.parts.resize(kMostParts);
+    for (std::uint32_t& part : parts.ofResidue)
+        if (part >= parts.parts.size()) part = kNoPart;
+    Group water;
     for (std::uint32_t r = 0; r < m.residues.size(); ++r)
-        if (kinds[r] == ResidueKind::water) ++water.residues, water.atoms += m.residues[r].atomCount;
-    water.label = water.name;
-    if (water.residues > 0) parts.push_back(water);
-    return parts;
+        if (kinds[r] == ResidueKind::water) water.residues.push_back(r), water.atoms += m.residues[r].atomCount;
+    Part part{Part::Kind::water, "Water", "water"};
+    part.label = part.name;
+    if (!water.residues.empty()) parts.add(std::move(part), water);
+    if (ofResidue) *ofResidue = std::move(parts.ofResidue);
+    return std::move(parts.parts);
 }
 
 PartLook lookOf(const PictureDescription& view, const Part& part) {

@@ -21,6 +21,7 @@ struct Part {
     std::string input = {};   ///< name of its molecule, if there are several
     /// Short enough for a row: "A  alpha" of "Chain A, Hemoglobin subunit alpha" beside a subunit beta.
     std::string label = {};
+    std::string chainName = {}, title = {};  ///< of a chain: "A", and what the file calls it, if it does
 };
 
 constexpr std::size_t kMostParts = 200;
@@ -28,7 +29,10 @@ constexpr std::size_t kMostParts = 200;
 /// Chains in file order, then ligands, ions and water; the whole molecule if it has none of these. Of a packed scene
 /// its compartments and entities. For several molecules likewise each. At most kMostParts.
 /// @param inputs  names of the molecules, if there are several
-std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::string>& inputs = {});
+/// @param ofResidue  if given: for each residue its part, or kNoPart; of a packed scene its entity
+std::vector<Part> partsOf(const ResidueFacts& facts, const std::vector<std::string>& inputs = {},
+                          std::vector<std::uint32_t>* ofResidue = nullptr);
+constexpr std::uint32_t kNoPart = 0xffffffff;
 
 /// Visibility and look of a part, from rules for exactly its selection.
 struct PartLook {

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "app/panel/panel.h"
+#include "app/picture/appearance_values.h"
 #include "tests/panel/panel_bench.h"
 
 namespace nacre::app::test {
@@ -67,6 +68,72 @@ TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
     b.viewer.reading().open("sample:glucose", b.now);
     b.settle();
     EXPECT_TRUE(b.viewer.view().input.further.empty());
+}
+
+TEST(Panel, StructuresAreRenamedAndRemoved) {
+    Bench b("sample:dna", {1500, 1400});
+    b.viewer.reading().add("sample:buckyball", b.now);
+    b.settle();
+    PictureDescription look = b.viewer.view();
+    look.look.rules.push_back(parseHide("/dna and chain A"));
+    look.look.rules.push_back(parseHide("/buckyball and id 1"));
+    b.viewer.setLook(look, b.now);
+    b.panel.showPage("Parts");
+    b.settle();
+    b.click("Rename dna");
+    b.click("Name of dna");
+    const auto rename = [&](const std::string& to) {
+        for (int i = 0; i < 20; ++i) b.press(SpecialKey::backspace);
+        for (const char c : to) {
+            b.panel.input().character(static_cast<char32_t>(c));
+            b.frame();
+        }
+        b.press(SpecialKey::enter);
+        b.settle();
+    };
+    rename("buckyball");
+    EXPECT_TRUE(b.find("another structure is named buckyball", "text"));
+    b.click("Name of dna");
+    rename("helix");
+    EXPECT_EQ(b.viewer.view().input.name, "helix");
+    EXPECT_EQ(b.viewer.view().look.rules[1].selection.text, "/helix and chain A");
+    EXPECT_EQ(b.viewer.view().look.rules[2].selection.text, "/buckyball and id 1") << "of the other one";
+    EXPECT_TRUE(b.find("Hide helix"));
+    b.viewer.picking().select("/helix and chain B");
+    EXPECT_EQ(b.viewer.picking().selection().count, 243u) << "half of 486 atoms";
+    b.click("Remove buckyball");
+    EXPECT_TRUE(b.viewer.view().input.further.empty());
+    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), 486u);
+    EXPECT_TRUE(b.viewer.view().look.rules.empty()) << "names mean nothing for one structure";
+}
+
+TEST(Panel, SwatchesAndSequenceShowTheDrawnColor) {
+    PictureDescription picture = Bench::viewOf("sample:dna");
+    picture.look.style = Style::cartoon;
+    picture.look.color = ColorScheme::chainCarbons;
+    Bench b("sample:dna", {1000, 1000});
+    b.viewer.setLook(picture, b.now);
+    b.panel.showPage("Parts");
+    b.settle();
+    b.click("Chain A");
+    const Representation& scene = b.viewer.document()->drawing.scene();
+    ASSERT_FALSE(scene.meshLooks.empty());
+    const std::uint32_t drawn = scene.meshLooks.front().color | 0xff000000u;
+    const Control* swatch = b.find("Colour of Chain A");
+    const Control* sequence = b.find("Sequence of Chain A");
+    ASSERT_TRUE(swatch && sequence);
+    const Overlay& overlay = *b.panel.draw(b.viewer, b.size, b.now);
+    std::size_t inSwatch = 0, inSequence = 0;
+    for (const OverlayVertex& v : overlay.vertices) {
+        if (v.color != drawn) continue;
+        const auto within = [&](const Control& c) {
+            return v.x >= c.left && v.x <= c.right && v.y >= c.top && v.y <= c.bottom;
+        };
+        inSwatch += within(*swatch);
+        inSequence += within(*sequence);
+    }
+    EXPECT_GT(inSwatch, 3u);
+    EXPECT_GE(inSequence, 12u * 4) << "a bar for each of 12 nucleotides";
 }
 
 TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
