@@ -92,6 +92,8 @@ WindowState loadWindowState() {
         if (json.value("theme", nlohmann::json()) == kBrightnesses[i])
             state.brightness = static_cast<Panel::Brightness>(i);
     state.panelOpen = json.value("panel", nlohmann::json()) != false;
+    state.darkCanvas = json.value("dark_background", nlohmann::json()) == true;
+    state.textPercent = std::clamp(static_cast<int>(side("text_percent")), 100, Panel::kMostTextPercent);
     return state;
 }
 
@@ -100,10 +102,13 @@ void saveWindowState(const WindowState& state) {
     if (state.width > 0) json["width"] = state.width, json["height"] = state.height;
     json["theme"] = kBrightnesses[static_cast<std::size_t>(state.brightness)];
     json["panel"] = state.panelOpen;
+    json["dark_background"] = state.darkCanvas;
+    json["text_percent"] = state.textPercent;
     keepText(windowPath(), jsonText(json));
 }
 
 std::string recentPath() { return pathOf("XDG_STATE_HOME", ".local/state", "recent.json"); }
+std::string samplesPath() { return pathOf("XDG_CACHE_HOME", ".cache", "samples.json"); }
 std::optional<PictureDescription> loadState() { return loadView(viewPath()); }
 void saveState(const PictureDescription& view) { keepView(viewPath(), view); }
 std::vector<std::byte> loadPipelineCache() { return loadPipelineCache(pipelinePath()); }

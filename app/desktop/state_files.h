@@ -21,7 +21,8 @@ void saveState(const PictureDescription& view);
 struct WindowState {
     std::uint32_t width = 0, height = 0;  ///< points; 0: not known
     Panel::Brightness brightness = Panel::Brightness::system;
-    bool panelOpen = true;
+    bool panelOpen = true, darkCanvas = false;
+    int textPercent = 100;
     friend bool operator==(const WindowState&, const WindowState&) = default;
 };
 WindowState loadWindowState();
@@ -29,6 +30,9 @@ void saveWindowState(const WindowState& state);
 
 /// $XDG_STATE_HOME/nacre/recent.json, by default ~/.local/state/nacre/recent.json; empty if there is no such folder
 std::string recentPath();
+
+/// $XDG_CACHE_HOME/nacre/samples.json, by default ~/.cache/nacre/samples.json: pictures of the samples
+std::string samplesPath();
 
 /// $XDG_CACHE_HOME/nacre/pipelines.bin, by default ~/.cache/nacre/pipelines.bin
 std::vector<std::byte> loadPipelineCache();
@@ -43,7 +47,7 @@ std::string savedMessage(const std::string& path);
 class RecentFiles {
 public:
     static constexpr std::size_t kMost = 8;
-    static constexpr PixelSize kPicture{65, 44};  ///< pixels: the start screen shows it at twice as many points
+    static constexpr PixelSize kPicture{130, 88};  ///< pixels: as many as the start screen's points
 
     /// @param path  of the list; empty: keep none
     explicit RecentFiles(std::string path);

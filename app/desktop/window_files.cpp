@@ -8,6 +8,7 @@
 #include "app/desktop/processes.h"
 #include "app/desktop/state_files.h"
 #include "app/desktop/window_session.h"
+#include "app/drawing/drawing.h"
 #include "app/drawing/map_layers.h"
 #include "app/files/capture_file.h"
 #include "app/files/json_text.h"
@@ -17,6 +18,7 @@
 #include "app/picture/appearance_values.h"
 #include "app/picture/picture_names.h"
 #include "engine/error.h"
+#include "engine/molecule/read.h"
 #include "engine/scene/view/scene_camera.h"
 
 namespace nacre::app {
@@ -33,11 +35,49 @@ void WindowSession::rememberFile() {
         settings.effects.contours.width = settings.effects.halos.width = 0;
         const PictureDescription& view = document->view;
         const std::string& input = view.view.empty() ? view.input.path : view.view;
-        viewer().frames().unmark(renderer());
         recent_.add(input, std::filesystem::path(input).filename().string(), renderer().render(settings));
     } catch (const Error&) {
         // A missing picture must not prevent quitting.
     }
+}
+
+std::vector<RecentFile> WindowSession::sampleFiles() const {
+    std::vector<RecentFile> files;
+    for (const auto& [name, input] : kSampleNames) {
+        RecentFile file{input, name, 0, 0, {}};
+        for (const RecentFile& drawn : samples_.files())
+            if (drawn.input == file.input) file = drawn;
+        files.push_back(std::move(file));
+    }
+    return files;
+}
+
+/// Draws a sample that has no picture yet, while nothing is open and nothing else is to do. @returns whether it did
+bool WindowSession::drawSample() {
+    if (viewer().document() || viewer().reading().loader().busy()) return false;
+    for (RecentFile& sample : shownSamples_) {
+        if (sample.width > 0 || triedSamples_ == shownSamples_.size()) continue;
+        ++triedSamples_;
+        try {
+            PictureDescription picture;
+            picture.input.path = sample.input;
+            picture.size = {RecentFiles::kPicture.width, RecentFiles::kPicture.height};
+            picture.supersample = 2;
+            picture.aim.principal = true;
+            const Molecule molecule = sampleMolecule(sample.input.substr(sample.input.find(':') + 1));
+            Drawing drawing;
+            drawing.prepare(molecule, picture);
+            renderer().setScene(drawing.joinedScene());
+            samples_.add(sample.input, sample.name, drawing.drawAs(drawing.settings, renderer()));
+            shownSamples_ = sampleFiles();
+        } catch (const std::exception&) {
+            // It stays without a picture.
+        }
+        renderer().setScene({});
+        viewer().schedule().overlayChanged();
+        return true;
+    }
+    return false;
 }
 
 std::string WindowSession::pictureName(const char* extension) {
@@ -54,7 +94,7 @@ void WindowSession::savePicture(const PictureWish& wish) {
 }
 
 void WindowSession::writePictureTo(const PictureWish& wish) {
-    const auto& [size, transparent, path, dpi] = wish;
+    const auto& [size, transparent, path, dpi, marked] = wish;
     if (!isPictureName(path))
         throw Error("cannot save the picture", path, "its name must end in .png, .tif, .jpg, .webp or .exr");
     OutputFile file(path);
@@ -72,7 +112,7 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     PictureFormat format;
     format.alpha = transparent;
     format.dpi = dpi;
-    writePicture(file, viewer().frames().draw(renderer(), std::move(picture)), format);
+    writePicture(file, viewer().frames().draw(renderer(), std::move(picture), marked), format);
 }
 
 void WindowSession::copyPicture() {

@@ -46,6 +46,7 @@ WindowSession::WindowSession(const ViewOptions& options)
       remembered_(loadWindowState()),
       window_(firstSize(), events()),
       recent_(recentPath()),
+      samples_(samplesPath()),
       dark_(systemIsDark()),
       panel_(makePanel()),
       session_(host(), windowSources(options.first.input), firstView(), viewerOptions(), Window::wake),
@@ -63,6 +64,7 @@ WindowSession::WindowSession(const ViewOptions& options)
     viewer().camera().aim(options.first.aim, now());
     // What may succeed later is tried again in the window.
     if (!parseDatabaseId(options.first.input.path)) viewer().reading().throwEarlyFailure();
+    shownSamples_ = sampleFiles();
     window_.show();
     resized();
 }
@@ -72,7 +74,7 @@ void WindowSession::loop() {
     keepWindowState();
     window_.hide();
     recorder_.finish();
-    saveState(viewer().view());
+    saveState(viewer().restartView());
     rememberFile();
     if (!options_.first.stats.empty()) writeStats();
     if (const std::vector<std::string> messages = renderer().validationMessages(); !messages.empty())
@@ -92,6 +94,7 @@ double WindowSession::step(double longest) {
         return overlay;
     });
     inputs_.frameDrawn(panel_->input());
+    if (panel_->textPercent() != textPercent_) rescaled(), viewer().schedule().overlayChanged();
     const bool shown = renderer().stats().windowFrames != shown_;
     if (shown) {
         shown_ = renderer().stats().windowFrames;
@@ -104,6 +107,7 @@ double WindowSession::step(double longest) {
     if (panel_->restless()) viewer().schedule().overlayChanged();
     // Frames at the display's rate; checks of the bake may be more frequent.
     const double soonest = shown ? lastFrame_ + 0.95 / window_.refreshRate() : now();
+    if (!panel_->restless() && std::isinf(wake) && drawSample()) return 0;
     const double next = std::max(panel_->restless() ? now() : wake, soonest);
     const double due = std::isinf(wake) && !panel_->restless() ? wake : next - now();
     window_.handleEvents(std::min(due, longest));
@@ -149,8 +153,13 @@ void WindowSession::dropFiles(const std::vector<std::string>& paths) {
 }
 
 std::unique_ptr<Panel> WindowSession::makePanel() {
-    auto panel = std::make_unique<Panel>(window_.pixelsPerPoint(), panelHost());
+    const int text = panel_ ? panel_->textPercent() : remembered_.textPercent;
+    auto panel = std::make_unique<Panel>(window_.pixelsPerPoint(), panelHost(), PanelHand::mouse, text);
     panel->setBrightness(panel_ ? panel_->brightness() : remembered_.brightness);
+    panel->setDarkCanvas(panel_ ? panel_->darkCanvas() : remembered_.darkCanvas);
+    if (panel_) panel->showPage(panel_->page());
+    if (panel_ && !panel_->panelOpen()) panel->togglePanel();
+    textPercent_ = text;
     return panel;
 }
 
@@ -169,6 +178,8 @@ void WindowSession::keepWindowState() {
         state.width = points(window_.size().width), state.height = points(window_.size().height);
     }
     state.brightness = panel_->brightness();
+    state.darkCanvas = panel_->darkCanvas();
+    state.textPercent = panel_->textPercent();
     state.panelOpen = panel_->panelOpen();
     saveWindowState(state);
 }
@@ -185,6 +196,7 @@ PanelHost WindowSession::panelHost() {
     }
     host.open = [this](const std::vector<std::string>& inputs, bool beside) { openFiles(inputs, beside); };
     host.recent = [this]() -> const std::vector<RecentFile>& { return recent_.files(); };
+    host.samples = [this]() -> const std::vector<RecentFile>& { return shownSamples_; };
     if (options_.restore)
         if (const auto saved = loadState(); saved && !saved->input.path.empty() && saved->input.path != "-") {
             host.lastView = std::filesystem::path(saved->input.path).filename().string();
@@ -208,6 +220,7 @@ PanelHost WindowSession::panelHost() {
     host.clipboard = [this] { return (clipboard_ = window_.clipboard()).c_str(); };
     host.setClipboard = [this](const char* text) { window_.setClipboard(text); };
     host.downloads = true;
+    host.scalesText = true;
     host.captures = options_.first.device.capture;
     host.statistics = [this] { return session_.statistics(); };
     host.copyReport = [this] {
@@ -266,7 +279,7 @@ WindowEvents WindowSession::events() {
     e.iconified = [this](bool iconified) {
         if (!iconified) return viewer().resume(now());
         viewer().pause();
-        saveState(viewer().view());
+        saveState(viewer().restartView());
     };
     e.damaged = [this] { viewer().schedule().overlayChanged(); };
     using Kind = InputQueue::Kind;

@@ -55,6 +55,8 @@ private:
     void openFiles(std::vector<std::string> paths, bool beside);
     void dropFiles(const std::vector<std::string>& paths);
     void rememberFile();
+    bool drawSample();
+    std::vector<RecentFile> sampleFiles() const;
     std::string pictureName(const char* extension);
     void savePicture(const PictureWish& wish);
     void writePictureTo(const PictureWish& wish);
@@ -72,8 +74,9 @@ private:
     ViewOptions options_;
     WindowState remembered_;  // from the last time
     Window window_;
-    RecentFiles recent_;
+    RecentFiles recent_, samples_;
     bool dark_;
+    int textPercent_ = 100;  // of the panel
     std::unique_ptr<Panel> panel_;
     Session session_;
     FileDialog dialog_;
@@ -92,6 +95,8 @@ private:
     double opening_ = 0, open_ = 0;  // start and end of opening the device
     double sceneShown_ = 0;          // when the first frame with a scene was presented
     InputQueue inputs_;
+    std::size_t triedSamples_ = 0;
+    std::vector<RecentFile> shownSamples_;  // in order, with those pictures that there are
     bool panelDrag_ = false;
 };
 

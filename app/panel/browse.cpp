@@ -130,7 +130,9 @@ void drawBrowse(PanelFrame& f) {
     const fs::path typed = folder / b.typed;
     if (b.saving() && !b.typed.empty() && fs::is_regular_file(typed, unknown))
         f.ui.warning("A file of this name exists and is replaced.");
-    if (f.ui.button(Icon::none, b.saving() ? "Choose" : "Open", 0, true) || entered) {
+    const Answer answers[] = {{"Cancel"}, {b.saving() ? "Choose" : "Open"}};
+    const auto pressed = f.ui.answers(answers);
+    if (pressed == 1u || entered) {
         if (!b.typed.empty() && fs::is_directory(typed, unknown))
             go(f, typed);
         else if (!b.typed.empty() && (b.saving() || fs::exists(typed, unknown)))
@@ -138,8 +140,7 @@ void drawBrowse(PanelFrame& f) {
         else if (first && !b.typed.empty())
             fs::is_directory(*first, unknown) ? go(f, *first) : take(f, *first);
     }
-    ImGui::SameLine();
-    if (f.ui.button(Icon::none, "Cancel")) b.open = false;
+    if (pressed == 0u) b.open = false;
     endGrown(f);
 }
 

@@ -11,7 +11,9 @@
 namespace nacre::app {
 namespace {
 
-constexpr float kLowPoints = 400;  // of height: under it tools and tabs scroll with the page
+constexpr float kLowPoints = 400;      // of height: under it tools are icons alone, or scroll
+constexpr float kVeryLowPoints = 250;  // and under it tools and tabs scroll with the page
+constexpr float kTools = 8, kToolPoints = 44, kGap = 4, kRowGap = 2;
 
 /// A page with its tab.
 struct Page {
@@ -46,11 +48,11 @@ struct Grid {
     ImVec2 size;
     std::size_t placed = 0;
 
-    Grid(const Widgets& ui, std::size_t inLine) : columns(inLine) {
-        const float gaps = ui.px(4) * static_cast<float>(columns - 1);
+    Grid(const Widgets& ui, std::size_t inLine, float gap = kGap) : columns(inLine) {
+        const float gaps = ui.px(gap) * static_cast<float>(columns - 1);
         const float room = ImGui::GetContentRegionAvail().x;
         size = ImVec2(std::floor((room - gaps) / static_cast<float>(columns)),
-                      ui.px(ui.forFingers() ? kFingerPoints : 42));
+                      ui.px(ui.forFingers() ? kFingerPoints : kToolPoints));
     }
     void next() {
         if (placed++ % columns != 0) ImGui::SameLine();
@@ -86,7 +88,15 @@ void drawHeader(PanelFrame& f) {
     f.ui.caption(text);
 }
 
-void drawTools(PanelFrame& f) {
+/// Whether a low panel has room for all tools in one row, as icons alone.
+bool toolsFitRow(const PanelFrame& f) {
+    const float target = f.ui.forFingers() ? kFingerPoints : kToolPoints;
+    const float room = f.s.panel.width() - 2 * ImGui::GetStyle().WindowPadding.x;
+    return f.s.panel.height() < f.ui.px(kLowPoints) && room >= f.ui.px(kTools * target + (kTools - 1) * kRowGap);
+}
+
+/// @param row  all in one, as icons alone
+void drawTools(PanelFrame& f, bool row) {
     using C = ViewerCommand;
     struct Tool {
         Icon icon;
@@ -104,12 +114,12 @@ void drawTools(PanelFrame& f) {
                           {Icon::copy, "Copy", C::copyPicture, false, there},
                           {Icon::help, "Help", C::help}};
     const float room = ImGui::GetContentRegionAvail().x;
-    Grid grid(f.ui, room >= f.ui.px(8 * 72) ? 8 : room >= f.ui.px(4 * 68) ? 4 : 2);
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(f.ui.px(4), f.ui.px(4)));
+    Grid grid(f.ui, row || room >= f.ui.px(8 * 72) ? 8 : room >= f.ui.px(4 * 68) ? 4 : 2, row ? kRowGap : kGap);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(f.ui.px(row ? kRowGap : kGap), f.ui.px(4)));
     for (const Tool& tool : tools) {
         if (tool.command == C::copyPicture && !f.host.copyPicture) continue;
         grid.next();
-        if (f.ui.tool(tool.icon, tool.label, grid.size, tool.on, tool.enabled)) f.host.run(tool.command);
+        if (f.ui.tool(tool.icon, tool.label, grid.size, tool.on, tool.enabled, "button", row)) f.host.run(tool.command);
     }
     ImGui::PopStyleVar();
 }
@@ -155,10 +165,11 @@ void drawPanel(PanelFrame& f) {
     ImGui::SetNextWindowSize(ImVec2(s.panel.width(), s.panel.height()));
     if (s.sheet) ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
     if (s.keyboard && !ImGui::IsWindowFocused(ImGuiFocusedFlags_AnyWindow)) ImGui::SetNextWindowFocus();
-    const bool low = s.panel.height() < f.ui.px(kLowPoints);
+    const bool row = toolsFitRow(f), lacksRow = s.panel.height() < f.ui.px(kLowPoints) && !row;
+    const bool low = lacksRow || s.panel.height() < f.ui.px(kVeryLowPoints);
     beginWindow(f, "Nacre", low ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     drawHeader(f);
-    drawTools(f);
+    drawTools(f, row);
     drawTabs(f);
     if (!low) {
         ImGui::BeginChild("Page", ImVec2(0, 0), false,

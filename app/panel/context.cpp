@@ -1,5 +1,8 @@
 // The menu of a right click: actions for the residue there, its chain, or the picture.
 
+#include <algorithm>
+#include <utility>
+
 #include "app/annotation/measurement.h"
 #include "app/panel/panel_state.h"
 #include "app/picture/options.h"
@@ -28,18 +31,21 @@ void drawScope(PanelFrame& f, const Molecule& molecule, std::uint32_t atom) {
 void drawContext(PanelFrame& f) {
     const Rectangle& window = f.s.window;
     const float width = std::min(f.ui.px(kContextPoints), window.width());
-    const ImVec2 at(std::min(f.s.context->x, window.right - width), f.s.context->y);
-    const bool low = at.y > window.middle().y;
-    beginGrown(f, "Actions", at, ImVec2(0, low ? 1.0f : 0.0f), width, low ? at.y - window.top : window.bottom - at.y);
+    const ImVec2 at(std::max(std::min(f.s.context->x, window.right - width), window.left), f.s.context->y);
+    // As far up as it needs; its height is that of the last frame.
+    const float top = std::max(std::min(at.y, window.bottom - f.s.contextHeight), window.top);
+    beginGrown(f, "Actions", ImVec2(at.x, top), ImVec2(0, 0), width, window.height());
     if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
     Picking& picking = f.viewer.picking();
     bool done = false;
     beginLook(f);
     if (!picking.picks().empty() && picking.selection().any()) {
         const Molecule& molecule = *f.viewer.document()->molecule;
-        f.ui.name(atomText(molecule, picking.picks().back()));
+        f.ui.paragraph(atomText(molecule, picking.picks().back()));
+        f.ui.heading("Select");
         drawScope(f, molecule, picking.picks().back());
         f.ui.caption(selectedText(picking.selection().count));
+        f.ui.heading("Actions");
         drawSelectionActions(f, picking.selection().text);
     } else {
         using C = ViewerCommand;
@@ -58,6 +64,8 @@ void drawContext(PanelFrame& f) {
                 done = true;
             }
     }
+    const float height = ImGui::GetWindowSize().y;
+    if (std::exchange(f.s.contextHeight, height) != height) f.s.restless = std::max(f.s.restless, 2);
     endGrown(f);
     const bool changed = f.s.aim || difference(f.look, f.before) != 0;
     takeLook(f);

@@ -51,6 +51,15 @@ float legendRoom(const PlacedWords& words, const View& view, double size) {
     return beside || left < width / 2 ? 0 : static_cast<float>(std::ceil(width - left + size / 2));
 }
 
+/// As a sentence begins, unless it begins with a name: "saved ...", "4hhb.pdb ...".
+std::string sentenceCase(std::string text) {
+    const std::size_t end = std::min(text.find_first_of(" :,"), text.size());
+    const bool word = end > 0 && std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end),
+                                             [](char c) { return c >= 'a' && c <= 'z'; });
+    if (word) text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 /// A box with text over the picture, also described for screen readers.
 void drawBox(PanelFrame& f, const std::string& text, ImVec2 low, ImVec2 high, float lines) {
     const Theme& theme = f.ui.theme();
@@ -155,6 +164,17 @@ void drawWords(PanelFrame& f) {
     if (f.s.legendRoom != taken) f.s.restless = std::max(f.s.restless, 2);
 }
 
+void drawOutline(PanelFrame& f) {
+    const ShownMarks& marks = f.viewer.frames().shownMarks();
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const auto at = [&](std::uint32_t x, std::uint32_t y) {
+        return ImVec2(static_cast<float>(x * marks.step), static_cast<float>(y * marks.step));
+    };
+    for (const MarkSpan& span : marks.spans)
+        list.AddRectFilled(at(span.x, span.y), at(span.x + span.width, span.y + 1),
+                           kMarkColor | static_cast<ImU32>(span.alpha) << 24);
+}
+
 void drawAnnotations(PanelFrame& f) {
     const Annotations a = f.viewer.picking().annotations();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();  // beneath panel and help
@@ -174,7 +194,7 @@ void drawAnnotations(PanelFrame& f) {
     const std::string& under = a.hover.empty() || a.hover == a.atom ? a.atom : a.hover;
     for (const auto& [text, strong] :
          {std::pair(a.message, false), std::pair(a.measurement, true), std::pair(under, false)})
-        if (!text.empty()) bottom = drawStatus(f, text, bottom, strong) - f.ui.px(6);
+        if (!text.empty()) bottom = drawStatus(f, sentenceCase(text), bottom, strong) - f.ui.px(6);
 }
 
 }  // namespace nacre::app

@@ -1,5 +1,7 @@
 // The page of everything else: motion, the window itself, tools for developers.
 
+#include <iterator>
+
 #include "app/panel/panel_state.h"
 #include "engine/debug_view.h"
 
@@ -39,6 +41,12 @@ void drawMorePage(PanelFrame& f) {
     f.ui.heading("Panel");
     constexpr const char* kBrightness[] = {"Theme: system", "Theme: dark", "Theme: light"};
     if (f.ui.choose("Brightness", kBrightness, f.s.brightness)) f.s.setBrightness(f.s.brightness);
+    if (f.ui.toggle("Dark background in the dark theme", f.s.darkCanvas)) f.s.canvasDue = true;
+    constexpr int kPercents[] = {100, 125, 150, 200};
+    constexpr const char* kSizes[] = {"Text: 100 %", "Text: 125 %", "Text: 150 %", "Text: 200 %"};
+    std::size_t size = 0;
+    while (size + 1 < std::size(kPercents) && kPercents[size] < f.s.textPercent) ++size;
+    if (f.host.scalesText && f.ui.choose("Text size", kSizes, size)) f.s.textPercent = kPercents[size];
     ImGui::Spacing();
     if (f.ui.button(f.s.developers ? Icon::up : Icon::down, "For developers", -1)) f.s.developers = !f.s.developers;
     if (f.s.developers) drawForDevelopers(f);

@@ -33,14 +33,18 @@ void drawSelectionActions(PanelFrame& f, const std::string& selection) {
         f.s.aim.emplace();
         (*f.s.aim).*which = parseSelection(selection);
     };
-    if (f.ui.button(Icon::fit, "Zoom to")) aim(&Aim::zoomTo);
+    if (f.ui.word("Zoom to", false)) aim(&Aim::zoomTo);
     if (f.ui.word("Turn to front")) aim(&Aim::lookAt);
     drawContactActions(f, selection);
     if (f.ui.word("Label")) f.look.words.labels.push_back(parseLabel(selection + "={residue} {number}"));
     if (f.ui.word("Hide")) add(parseHide(selection));
     if (f.ui.word("Show only these")) add(parseHide("not (" + selection + ")"));
+    f.ui.heading("Style");
+    bool more = false;
     for (const auto& style : option("style").control.choices)
-        if (style.value != "auto" && f.ui.word(style.label)) add(parseShow(selection + "=" + style.value));
+        if (style.value != "auto" && f.ui.word(style.label, std::exchange(more, true)))
+            add(parseShow(selection + "=" + style.value));
+    f.ui.heading("Colour");
     if (const auto color = f.ui.swatches(std::nullopt, f.ui.forFingers() ? 6 : 8)) {
         Rule rule;
         rule.action = Rule::Action::color;

@@ -19,6 +19,7 @@ struct Row {
     std::string name, about;  ///< as shown; `about` to its right
     std::string words;        ///< that are searched besides
     std::function<void(PanelFrame&)> run;
+    std::string lowerName{}, lower{};  ///< the name, and all of its words, in lower case
 };
 
 Row rowOf(const Binding& binding) {
@@ -45,6 +46,10 @@ std::vector<Row> allRows() {
                         }});
     for (const Option& option : options())
         for (const auto& choice : option.control.choices) rows.push_back(rowOf(option, choice));
+    for (Row& row : rows) {
+        row.lowerName = lowerCase(row.name);
+        row.lower = row.lowerName + " " + lowerCase(row.about + " " + row.words);
+    }
     return rows;
 }
 
@@ -76,16 +81,15 @@ std::vector<Row> foundRows(const std::string& typed) {
     const std::string sought = lowerCase(typed);
     std::vector<std::pair<int, const Row*>> found;
     for (const Row& row : kRows) {
-        const std::string name = lowerCase(row.name), all = name + " " + lowerCase(row.about + " " + row.words);
         bool every = true, inName = true;
         for (std::size_t from = 0; from < sought.size();) {
             const std::size_t end = std::min(sought.find(' ', from), sought.size());
             const std::string word = sought.substr(from, end - from);
-            every &= all.find(word) != std::string::npos;
-            inName &= name.find(word) != std::string::npos;
+            every &= row.lower.find(word) != std::string::npos;
+            inName &= row.lowerName.find(word) != std::string::npos;
             from = end + 1;
         }
-        if (every) found.emplace_back(name.starts_with(sought) ? 0 : inName ? 1 : 2, &row);
+        if (every) found.emplace_back(row.lowerName.starts_with(sought) ? 0 : inName ? 1 : 2, &row);
     }
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Row> rows;
@@ -111,7 +115,7 @@ void drawPalette(PanelFrame& f) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const bool chosen = static_cast<int>(i) == palette.chosen;
-        if (f.ui.row(chosen ? Icon::play : Icon::none, rows[i].name, -1, !chosen)) run = i;
+        if (f.ui.row(Icon::none, rows[i].name, -1, false, {}, chosen)) run = i;
         ImGui::PushFont(fontOf(TextSize::caption));
         const ImVec2 high = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(rows[i].about.c_str());
         const float room = high.x - ImGui::GetItemRectMin().x - f.ui.px(40);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "app/panel/panel_state.h"
@@ -12,7 +13,9 @@
 namespace nacre::app {
 namespace {
 
-constexpr float kSideBySidePoints = 640;  // of width: under it the panel is a sheet
+constexpr float kSmallestPhonePoints = 320, kPhonePoints = 480;  // of width
+constexpr float kPhoneTarget = 44;                               // height of what is pressed there
+constexpr float kSideBySidePoints = 640;                         // of width: under it the panel is a sheet
 constexpr float kPanelPoints = 316, kFingerPanelPoints = 360, kSheetPoints = 420, kMarginPoints = 10;
 
 /// Places the panel; the molecule gets the rest.
@@ -21,6 +24,7 @@ void placePanel(PanelState& s) {
     const float margin = ui.px(kMarginPoints), width = s.window.width(), height = s.window.height();
     s.sheet = width < ui.px(kSideBySidePoints) || height > 1.15f * width;
     s.panel = s.window;
+    s.takeStyle();
     if (s.sheet) {
         s.panel.top = std::round(s.window.bottom -
                                  std::clamp(0.46f * height, std::min(ui.px(250), 0.7f * height), ui.px(kSheetPoints)));
@@ -84,30 +88,54 @@ void PanelState::toggle() {
     restless = 2;  // Dear ImGui needs a frame to measure
 }
 
+namespace {
+
+/// A card: its window's name, whether it is open, and what closes and draws it.
+struct Card {
+    const char* name;
+    bool (*open)(const PanelState&);
+    void (*close)(PanelState&);
+    void (*draw)(PanelFrame&);
+    bool needsDocument = false;
+};
+
+// The topmost one last. Questions and the start screen of an empty window cannot be closed.
+constexpr Card kCards[] = {
+    {"Start", [](const PanelState& s) { return s.start || s.empty; }, [](PanelState& s) { s.start = false; },
+     drawStart},
+    {"Record", [](const PanelState& s) { return s.recording; }, [](PanelState& s) { s.recording = false; }, drawRecord,
+     true},
+    {"Save", [](const PanelState& s) { return s.saving; }, [](PanelState& s) { s.saving = false; }, drawSave, true},
+    {"Help", [](const PanelState& s) { return s.help; }, [](PanelState& s) { s.help = false; }, drawHelp},
+    {"Browse", [](const PanelState& s) { return s.browser.open; }, [](PanelState& s) { s.browser.open = false; },
+     drawBrowse},
+    {"Quit", [](const PanelState& s) { return s.quitting; }, [](PanelState& s) { s.quitting = false; }, drawQuit},
+    {"Commands", [](const PanelState& s) { return s.palette.open; }, [](PanelState& s) { s.palette.open = false; },
+     drawPalette},
+    {"Actions", [](const PanelState& s) { return s.context.has_value(); }, [](PanelState& s) { s.context.reset(); },
+     drawContext},
+    {"Dropped", [](const PanelState& s) { return !s.dropped.empty(); }, [](PanelState& s) { s.dropped.clear(); },
+     drawDropped},
+    {"Question", [](const PanelState& s) { return s.asks; }, [](PanelState&) {}, drawQuestion},
+};
+
+}  // namespace
+
 bool PanelState::closeTop() {
-    if (!dropped.empty()) return dropped.clear(), restless = 2, true;
-    if (std::exchange(context, std::nullopt)) return restless = 2, true;
-    if (std::exchange(palette.open, false)) return restless = 2, true;
-    for (bool* open : {&quitting, &browser.open, &help, &saving, &recording, &start})
-        if (std::exchange(*open, false)) {
-            restless = 2;
-            return true;
-        }
+    for (const Card& card : kCards | std::views::reverse) {
+        if (!card.open(*this)) continue;
+        card.close(*this);
+        if (card.open(*this)) continue;  // it cannot be closed
+        restless = 2;
+        return true;
+    }
     return false;
 }
 
 const char* PanelState::topCard() const {
-    return asks               ? "Question"
-           : !dropped.empty() ? "Dropped"
-           : context          ? "Actions"
-           : palette.open     ? "Commands"
-           : quitting         ? "Quit"
-           : browser.open     ? "Browse"
-           : help             ? "Help"
-           : saving           ? "Save"
-           : recording        ? "Record"
-           : start || empty   ? "Start"
-                              : "";
+    for (const Card& card : kCards | std::views::reverse)
+        if (card.open(*this)) return card.name;
+    return "";
 }
 
 void PanelState::askWhere(const std::string& what, const std::string& suggested, PathChosen chosen) {
@@ -119,8 +147,32 @@ void PanelState::setBrightness(Panel::Brightness to) {
     brightness = to;
     const bool dark = to == Panel::Brightness::system ? host.dark : to == Panel::Brightness::dark;
     ui.setTheme(dark ? darkTheme() : lightTheme());
-    setPanelStyle(ui.theme(), ui.px(1), ui.forFingers());
+    styled = nullptr;
+    takeStyle();
+    canvasDue = true;
     restless = 2;
+}
+
+/// A window as narrow as a phone's may be one: its targets are as large.
+void PanelState::takeStyle() {
+    const float points = window.width() / ui.px(1);
+    const bool large = ui.forFingers() || (sheet && points >= kSmallestPhonePoints && points < kPhonePoints);
+    if (styled == &ui.theme() && large == largeTargets) return;
+    styled = &ui.theme();
+    largeTargets = large;
+    setPanelStyle(ui.theme(), ui.px(1), ui.forFingers(), large ? (ui.forFingers() ? kFingerPoints : kPhoneTarget) : 0);
+    restless = std::max(restless, 2);
+}
+
+/// The picture's background follows the theme, where the user wants that and did not choose another one.
+void PanelState::followCanvas(Viewer& viewer, double now) {
+    if (!viewer.document() || !std::exchange(canvasDue, false)) return;
+    constexpr std::array<float, 4> kWhite{1, 1, 1, 1}, kDark{0x14 / 255.0f, 0x17 / 255.0f, 0x1b / 255.0f, 1};
+    const bool dark = darkCanvas && ui.theme().dark;
+    PictureDescription look = viewer.view();
+    if (look.background != (dark ? kWhite : kDark)) return;
+    look.background = dark ? kDark : kWhite;
+    viewer.setLook(look, now, true);
 }
 
 bool PanelState::occupies(glm::dvec2 pixel) const {
@@ -134,7 +186,7 @@ Rectangle PanelState::freeRoom() const {
 
 // --- the panel
 
-Panel::Panel(double pixelsPerPoint, PanelHost host, PanelHand hand) {
+Panel::Panel(double pixelsPerPoint, PanelHost host, PanelHand hand, int textPercent) {
     const std::lock_guard lock(Turn::turns);
     context_ = ImGui::CreateContext();
     ImGui::SetCurrentContext(context_);
@@ -144,7 +196,7 @@ Panel::Panel(double pixelsPerPoint, PanelHost host, PanelHand hand) {
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.KeyRepeatDelay = FLT_MAX;            // the system repeats keys
     io.ConfigInputTextCursorBlink = false;  // a window at rest draws nothing
-    state_ = std::make_unique<PanelState>(std::move(host), pixelsPerPoint, hand == PanelHand::fingers);
+    state_ = std::make_unique<PanelState>(std::move(host), pixelsPerPoint, hand == PanelHand::fingers, textPercent);
     input_ = std::make_unique<PanelInput>(context_, *state_);
     addPanelFont(state_->ui.px(1));
     state_->setBrightness(Brightness::system);
@@ -211,6 +263,10 @@ void Panel::setBrightness(Brightness brightness) {
 }
 
 Panel::Brightness Panel::brightness() const { return state_->brightness; }
+bool Panel::darkCanvas() const { return state_->darkCanvas; }
+int Panel::textPercent() const { return state_->textPercent; }
+std::string_view Panel::page() const { return state_->page; }
+void Panel::setDarkCanvas(bool on) { state_->darkCanvas = state_->canvasDue = on; }
 
 const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     const Turn turn(context_);
@@ -237,6 +293,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
             ImGui::SetWindowFocus(nullptr);  // no ring about a control that nobody went to
     }
     placePanel(s);
+    s.followCanvas(viewer, now);
     // A phone has no room for panel and help at once.
     const bool open = panelOpen() && !empty && !(over && s.ui.forFingers());
     Insets covered;
@@ -256,23 +313,16 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     if (open) drawPanel(f);
     if (s.shown == PanelState::Shown::folded && !over) drawMenuButton(f);
     if (!over) drawPlayBar(f);
-    if (empty || s.start) drawStart(f);
-    if (s.saving && viewer.document()) drawSave(f);
-    if (s.recording && viewer.document()) drawRecord(f);
-    if (s.help) drawHelp(f);
-    if (s.browser.open) drawBrowse(f);
-    if (s.quitting) drawQuit(f);
-    if (s.palette.open) drawPalette(f);
-    if (s.context) drawContext(f);
-    if (!s.dropped.empty()) drawDropped(f);
     drawRecording(f);
     previewMovie(f);
     drawReading(f);
     if (!viewer.messages().failure().empty() && !(empty || s.start)) drawFailure(f);
-    if (viewer.reading().question()) drawQuestion(f);
+    for (const Card& card : kCards)
+        if (card.open(s) && (!card.needsDocument || viewer.document())) card.draw(f);
     s.scroll = 0;
     if (s.opening > 0) --s.opening;
     s.ui.typed.reset();  // its field vanished before taking it
+    drawOutline(f);
     drawWords(f);
     drawAnnotations(f);
     ImGui::Render();

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/annotation/system_font.h"
@@ -28,12 +29,17 @@ struct RecentFile {
     std::vector<std::uint32_t> pixels;    ///< sRGB-coded, red in the lowest byte
 };
 
+/// Samples by the names that people see.
+constexpr std::pair<const char*, const char*> kSampleNames[] = {
+    {"DNA", "sample:dna"}, {"Glucose", "sample:glucose"}, {"Buckyball", "sample:buckyball"}};
+
 /// Options for saving an image.
 struct PictureWish {
     PixelSize size;
     bool transparent = false;
     std::string path;
-    int dpi = 0;  ///< stored in the file; 0: none
+    int dpi = 0;          ///< stored in the file; 0: none
+    bool marked = false;  ///< with the outline of the selection
 };
 
 using PathChosen = std::function<void(const std::string& path)>;
@@ -47,10 +53,11 @@ struct PanelHost {
     bool browses = false;  ///< no system dialogs: the panel shows its own
     /// Opens inputs, or adds them to what is open; empty: Viewer::open()
     std::function<void(const std::vector<std::string>& inputs, bool beside)> open;
-    std::function<const std::vector<RecentFile>&()> recent;  ///< the latest first
-    std::string lastView;                                    ///< last session, for the start screen; empty: none
-    std::function<void()> goOn;                              ///< restores it
-    std::function<std::string(const char*)> freeName;        ///< for a picture, by extension
+    std::function<const std::vector<RecentFile>&()> recent;   ///< the latest first
+    std::function<const std::vector<RecentFile>&()> samples;  ///< with their pictures; empty: names alone
+    std::string lastView;                                     ///< last session, for the start screen; empty: none
+    std::function<void()> goOn;                               ///< restores it
+    std::function<std::string(const char*)> freeName;         ///< for a picture, by extension
     std::function<void(const PictureWish&)> savePicture;
     std::function<void()> copyPicture;
     bool savesScenes = false;  ///< ViewerCommand::saveScene works
@@ -68,6 +75,7 @@ struct PanelHost {
     bool downloads = false;                   ///< "pdb:1BNA" can be downloaded
     bool captures = false;                    ///< frames can be captured for RenderDoc
     bool shakes = false;                      ///< shaking the device undoes
+    bool scalesText = false;                  ///< Panel::textPercent() is followed
     std::function<std::string()> statistics;  ///< for developers, in lines
     std::function<void()> copyReport;         ///< copies the device report to the clipboard
     bool dark = true;                         ///< the system's theme
@@ -79,7 +87,9 @@ struct PanelState;
 
 class Panel {
 public:
-    Panel(double pixelsPerPoint, PanelHost host, PanelHand hand = PanelHand::mouse);
+    static constexpr int kMostTextPercent = 200;
+    /// @param textPercent  size of its text and controls, 100 to kMostTextPercent
+    Panel(double pixelsPerPoint, PanelHost host, PanelHand hand = PanelHand::mouse, int textPercent = 100);
     ~Panel();
     Panel(const Panel&) = delete;
 
@@ -132,6 +142,12 @@ public:
     enum class Brightness { system, dark, light };
     void setBrightness(Brightness brightness);
     Brightness brightness() const;
+    /// A dark theme has a dark background, until the user chooses another one.
+    void setDarkCanvas(bool on);
+    bool darkCanvas() const;
+    /// As the user wants it: the shell makes another panel.
+    int textPercent() const;
+    std::string_view page() const;
 
 private:
     ImGuiContext* context_ = nullptr;

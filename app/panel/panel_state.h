@@ -52,13 +52,13 @@ struct Browser {
 struct SequenceState {
     std::string part;  ///< the selection of the part whose sequence is shown
     std::vector<std::uint32_t> residues;
-    std::string input;                               ///< as Part::input
-    int dragFrom = -1, dragTo = -1;                  ///< of residues
-    bool focused = false;                            ///< arrow keys move along it
-    int step = 0;                                    ///< of the arrow key
-    bool extends = false;                            ///< extends the selection
-    std::vector<std::uint32_t> colors;               ///< by residue of the molecule
-    std::pair<RepresentationOptions, bool> colored;  ///< settings of these colours
+    std::string input;                  ///< as Part::input
+    int dragFrom = -1, dragTo = -1;     ///< of residues
+    bool focused = false;               ///< arrow keys move along it
+    int step = 0;                       ///< of the arrow key
+    bool extends = false;               ///< extends the selection
+    std::vector<std::uint32_t> colors;  ///< by residue of the molecule
+    std::uint64_t colorsOf = 0;         ///< number of the scene that has them
 };
 
 /// Commands and options, found by words (palette.cpp).
@@ -72,7 +72,7 @@ struct CommandPalette {
 struct SaveForm {
     int preset = 0, format = 0;
     int widthMm = 160, heightMm = 120, dpi = 300;
-    bool transparent = false;
+    bool transparent = false, marked = false;
     std::string path;
 };
 
@@ -89,11 +89,12 @@ struct MovieForm {
 };
 
 struct PanelState {
-    PanelState(PanelHost lent, double scale, bool fingers)
+    PanelState(PanelHost lent, double scale, bool fingers, int text)
         : host(std::move(lent)),
           pixelsPerPoint(scale),
-          ui(darkTheme(), static_cast<float>(scale), fingers),
+          ui(darkTheme(), static_cast<float>(scale * text / 100), fingers),
           foreign(host.fontWith) {
+        textPercent = text;
         shown = fingers ? Shown::folded : Shown::open;
         ui.askText = host.askText;
     }
@@ -119,6 +120,7 @@ struct PanelState {
     Browser browser;
     CommandPalette palette;
     std::optional<ImVec2> context;  ///< pixels: where the menu of a right click is
+    float contextHeight = 0;        ///< pixels, in the last frame
     bool over() const { return *topCard() != 0; }
     /// The card that has the keys: the window's name; "" for none.
     const char* topCard() const;
@@ -134,6 +136,13 @@ struct PanelState {
     bool closeTop();
     void toggle();
     void setBrightness(Panel::Brightness to);
+    void takeStyle();
+    void followCanvas(Viewer& viewer, double now);
+    const Theme* styled = nullptr;  ///< of Dear ImGui's style
+    bool largeTargets = false;      ///< as above
+    bool darkCanvas = false;        ///< a dark theme has a dark background
+    bool canvasDue = false;         ///< the background is to follow the theme
+    int textPercent = 100;
 
     // Layout
     Insets insets;
@@ -172,6 +181,7 @@ struct PanelState {
     std::shared_ptr<const Molecule> molecule;
     std::optional<ResidueFacts> facts;  ///< once there is a molecule
     std::vector<Part> parts;
+    std::vector<std::uint32_t> partOfResidue;              ///< as partsOf() has it
     std::vector<std::optional<std::uint32_t>> partColors;  ///< by part: as drawn; empty: several
     std::uint64_t colorsOf = 0;                            ///< number of the scene that has them
     std::vector<std::string> fits;                         ///< by structure: how it lies on the first
@@ -184,6 +194,7 @@ struct PanelState {
     MovieForm movie;
     std::string unsaved;  ///< what quitting would lose
     std::string helpSearch;
+    std::string renamed, newName;  ///< the structure that gets another name, and the name as typed
 };
 
 /// One frame of the panel, drawn by its pages.
@@ -210,6 +221,8 @@ void drawEffects(PanelFrame& f);
 void drawMaps(PanelFrame& f);
 void drawPartsPage(PanelFrame& f);
 void drawSequence(PanelFrame& f, const Part& part);
+/// For each atom the colour in which it is drawn, of carbons and meshes; 0: none.
+std::vector<std::uint32_t> drawnColors(const Molecule& m, const Representation& scene);
 void drawSelectPage(PanelFrame& f);
 std::string selectedText(std::size_t atoms);
 /// What can be done with selected atoms.
@@ -223,6 +236,8 @@ void drawMorePage(PanelFrame& f);
 // Below and over the picture
 void drawPlayBar(PanelFrame& f);
 void drawWords(PanelFrame& f);
+/// The outline of the selection, and of what a click would take.
+void drawOutline(PanelFrame& f);
 void drawAnnotations(PanelFrame& f);
 // Cards over everything else
 void drawStart(PanelFrame& f);

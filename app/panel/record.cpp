@@ -102,8 +102,10 @@ void drawRecord(PanelFrame& f) {
     f.ui.folderOf(f.s.movie.path.c_str());
     ImGui::Spacing();
     const bool can = !f.s.movie.path.empty() && (!views || f.s.movie.keys.size() > 1) && (!video || f.host.videos);
-    ImGui::BeginDisabled(!can);
-    if (f.ui.button(Icon::record, "Record", 0, true) || (entered && can)) {
+    const Answer answers[] = {{"Cancel"}, {"Record", Icon::record, can}};
+    const auto pressed = f.ui.answers(answers);
+    if (pressed == 0u) f.s.recording = false;
+    if (pressed == 1u || (entered && can)) {
         const PixelSize sizes[] = {even(f.viewer.frames().size()), {1920, 1080}, {1280, 720}, {1080, 1080}};
         RecordingWish wish;
         wish.motion = static_cast<RecordingWish::Motion>(f.s.movie.motion);
@@ -119,9 +121,6 @@ void drawRecord(PanelFrame& f) {
         f.s.movie.keysRecorded |= views;
         f.s.restless = 3;
     }
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    if (f.ui.button(Icon::none, "Cancel")) f.s.recording = false;
     endGrown(f);
 }
 

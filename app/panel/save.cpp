@@ -66,6 +66,7 @@ void drawSave(PanelFrame& f) {
     f.ui.heading("Format");
     if (f.ui.choose("Format", kFormats, f.s.save.format)) rename();
     if (f.s.save.format != kJpeg) f.ui.toggle("Transparent background", f.s.save.transparent);
+    if (f.viewer.picking().selection().count > 0) f.ui.toggle("Outline of the selection", f.s.save.marked);
     f.ui.heading("Save as");
     const bool dialog = f.host.saveDialog || f.host.browses;
     const float choose = dialog ? f.ui.buttonWidth("Choose ...") + f.ui.px(2) : 0;
@@ -82,15 +83,17 @@ void drawSave(PanelFrame& f) {
     f.ui.folderOf(f.s.save.path.c_str());
     ImGui::Spacing();
     wish.transparent = f.s.save.transparent && f.s.save.format != kJpeg;
+    wish.marked = f.s.save.marked;
     wish.path = f.s.save.path;
     if (f.s.save.preset == kPaper) wish.dpi = f.s.save.dpi;
-    if ((f.ui.button(Icon::save, "Save", 0, true) || entered) && !wish.path.empty()) {
+    static const Answer kAnswers[] = {{"Cancel"}, {"Save", Icon::save}};
+    const auto pressed = f.ui.answers(kAnswers);
+    if (pressed == 0u) f.s.saving = false;
+    if ((pressed == 1u || entered) && !wish.path.empty()) {
         f.s.saving = false;
         f.host.savePicture(wish);
         f.s.restless = 3;
     }
-    ImGui::SameLine();
-    if (f.ui.button(Icon::none, "Cancel")) f.s.saving = false;
     if (!f.s.saving) f.s.save.path.clear();
     endGrown(f);
 }

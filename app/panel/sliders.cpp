@@ -1,4 +1,4 @@
-// Sliders: text at the left, the number at the right, and below them a track with a knob.
+// Sliders: text, a track with a knob, and the number.
 
 #include <imgui.h>
 #include <imgui_internal.h>  // whether somebody types into a slider
@@ -27,40 +27,54 @@ std::string formatted(const char* format, double value) {
 
 }  // namespace
 
-/// Over the slider that Dear ImGui drew last, whose own words and knob are not seen.
-/// @returns whether its words had no room
-bool Widgets::drawSlider(float share, const std::string& format, double value) const {
+/// "Fog %.2f" is "Fog" and "0.50"; "%g per second" is one.
+struct Widgets::SliderText {
+    std::string words, number;
+
+    SliderText(const std::string& format, double value) {
+        const std::size_t at = std::min(format.find('%'), format.size());
+        words = format.substr(0, at);
+        number = formatted(format.c_str() + at, value);
+        if (at == 0) words = std::exchange(number, {});
+        words.resize(words.find_last_not_of(": ") + 1);
+    }
+};
+
+/// Over the slider that Dear ImGui drew last, whose own knob is not seen: a track with a knob in the middle of its
+/// height. @param below  its text is above it, within the slider
+void Widgets::drawTrack(float share, bool below) const {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    if (ImGui::TempInputIsActive(ImGui::GetItemID())) return false;
-    // Splits a format into text and value: "Fog %.2f" is "Fog" and "0.50"; "%g per second" is one.
-    const std::size_t at = std::min(format.find('%'), format.size());
-    std::string words = format.substr(0, at), number = formatted(format.c_str() + at, value);
-    if (at == 0) words = std::exchange(number, {});
-    words.resize(words.find_last_not_of(' ') + 1);
+    if (ImGui::TempInputIsActive(ImGui::GetItemID())) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float pad = ImGui::GetStyle().FramePadding.x, room = high.x - low.x - 2 * pad, gap = px(8);
-    const ImU32 ink = ImGui::GetColorU32(theme_->text), mark = ImGui::GetColorU32(theme_->mark);
-    // A track alone goes through the middle.
-    const bool told = !words.empty() || !number.empty();
-    const float radius = px(fingers_ ? 8.0f : 5.0f), thick = px(3);
-    const float y = told ? high.y - px(2) - radius : (low.y + high.y) / 2;
-    const float numberWidth = ImGui::CalcTextSize(number.c_str()).x;
-    const std::string shown = shortened(words, room - (number.empty() ? 0 : numberWidth + gap));
-    const float textTop = low.y + std::max(y - radius - low.y - ImGui::GetFontSize() + px(3), px(1)) / 2;
-    write(ImVec2(low.x + pad, textTop), ink, shown);
-    write(ImVec2(high.x - pad - numberWidth, textTop), ink, number);
-    const float x = low.x + pad + share * room;
+    const float pad = ImGui::GetStyle().FramePadding.x, room = high.x - low.x - 2 * pad;
+    const float radius = px(fingers_ ? 8.0f : 6.0f), thick = px(4);
+    const float y = below ? high.y - px(2) - radius : (low.y + high.y) / 2, x = low.x + pad + share * room;
+    const ImU32 mark = ImGui::GetColorU32(theme_->mark);
     list.AddRectFilled(ImVec2(low.x + pad, y - thick / 2), ImVec2(high.x - pad, y + thick / 2),
                        ImGui::GetColorU32(theme_->line), thick / 2);
     list.AddRectFilled(ImVec2(low.x + pad, y - thick / 2), ImVec2(x, y + thick / 2), mark, thick / 2);
     list.AddCircleFilled(ImVec2(x, y), radius, mark, 24);
-    return shown != words;
+}
+
+/// Its text within the slider that was drawn last, above the track. @returns whether it had no room
+bool Widgets::drawSliderText(const SliderText& text) const {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    if (ImGui::TempInputIsActive(ImGui::GetItemID())) return false;
+    const float pad = ImGui::GetStyle().FramePadding.x, room = high.x - low.x - 2 * pad;
+    const float numberWidth = ImGui::CalcTextSize(text.number.c_str()).x;
+    const std::string shown = shortened(text.words, room - (text.number.empty() ? 0 : numberWidth + px(8)));
+    const float track = px(2) + 2 * px(fingers_ ? 8.0f : 6.0f);
+    const float top = low.y + std::max(high.y - low.y - track - ImGui::GetFontSize() + px(3), px(1)) / 2;
+    const ImU32 ink = ImGui::GetColorU32(theme_->text);
+    write(ImVec2(low.x + pad, top), ink, shown);
+    write(ImVec2(high.x - pad - numberWidth, top), ink, text.number);
+    return shown != text.words;
 }
 
 /// @param slide  draws Dear ImGui's slider @param told  format of the value for screen readers
 template <typename Number, typename Slide>
-bool Widgets::slider(const char* name, const Number& value, Number low, Number high, const char* format, bool byRatio,
-                     const char* told, Slide&& slide) {
+bool Widgets::slider(const char* name, const Number& value, Number low, Number high, const SliderText* text,
+                     bool byRatio, const char* told, Slide&& slide) {
     ImGui::PushID(name);
     const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##slider"));
     const ImVec4 unseen(0, 0, 0, 0);
@@ -75,7 +89,8 @@ bool Widgets::slider(const char* name, const Number& value, Number low, Number h
     ImGui::PopStyleColor(3);
     ImGui::PopID();
     const float share = shareOf(static_cast<float>(value), static_cast<float>(low), static_cast<float>(high), byRatio);
-    const bool cut = drawSlider(share, format, static_cast<double>(value));
+    drawTrack(share, text && !text->words.empty());
+    const bool cut = text && drawSliderText(*text);
     note("slider", name, formatted(told, static_cast<double>(value)));
     controls.back().cut = cut;
     controls.back().inset = ImGui::GetStyle().FramePadding.x;
@@ -83,19 +98,49 @@ bool Widgets::slider(const char* name, const Number& value, Number low, Number h
     return moved;
 }
 
+/// Text, track and number in one row; in two where the text is long.
 bool Widgets::slide(const char* name, float& value, float low, float high, const char* format, bool byRatio) {
-    ImGui::SetNextItemWidth(-1);
-    return slider(name, value, low, high, format, byRatio, "%.2f",
-                  [&](int flags) { return ImGui::SliderFloat("##slider", &value, low, high, format, flags); });
+    constexpr float kLabelShare = 0.42f, kNumberPoints = 48;
+    const float least = px(fingers_ ? 2.75f * kFingerPoints : 72);  // of the track
+    const SliderText text(format, static_cast<double>(value));
+    const float x = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x, gap = px(6);
+    const float words = ImGui::CalcTextSize(text.words.c_str()).x;
+    const float number = std::max(ImGui::CalcTextSize(text.number.c_str()).x, px(kNumberPoints));
+    float label = std::max(kLabelShare * room, words + gap);
+    const bool above = room - label - number - gap < least;
+    ImGui::AlignTextToFramePadding();
+    if (above) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted(text.words.c_str());
+        ImGui::PopTextWrapPos();
+        label = 0;
+    } else {
+        ImGui::TextUnformatted(text.words.c_str());
+        ImGui::SameLine(x + label);
+    }
+    ImGui::SetNextItemWidth(room - label - number - gap);
+    for (const int which : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive})
+        ImGui::PushStyleColor(which, ImVec4(0, 0, 0, 0));
+    const bool moved = slider(name, value, low, high, nullptr, byRatio, "%.2f", [&](int flags) {
+        return ImGui::SliderFloat("##slider", &value, low, high, format, flags);
+    });
+    ImGui::PopStyleColor(3);
+    const ImVec2 corner = ImGui::GetItemRectMin(), end = ImGui::GetItemRectMax();
+    write(ImVec2(end.x + gap + number - ImGui::CalcTextSize(text.number.c_str()).x,
+                 (corner.y + end.y - ImGui::GetFontSize()) / 2),
+          ImGui::GetColorU32(theme_->text), text.number);
+    return moved;
 }
 
 bool Widgets::slideWhole(const char* name, int& value, int low, int high, const char* format) {
-    return slider(name, value, low, std::max(high, low + 1), format, false, "%.0f",
+    const SliderText text(format, value);
+    return slider(name, value, low, std::max(high, low + 1), &text, false, "%.0f",
                   [&](int flags) { return ImGui::SliderInt("##slider", &value, low, high, format, flags); });
 }
 
 bool Widgets::slideRate(const char* name, float& value, float low, float high, const char* format) {
-    return slider(name, value, low, high, format, true, format,
+    const SliderText text(format, static_cast<double>(value));
+    return slider(name, value, low, high, &text, true, format,
                   [&](int flags) { return ImGui::SliderFloat("##slider", &value, low, high, format, flags); });
 }
 

@@ -1,5 +1,7 @@
 // The start screen: open a file, recent files, samples, and databases.
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <utility>
 
@@ -10,21 +12,24 @@ namespace {
 
 constexpr float kStartPoints = 640, kRecentPoints = 138, kPicturePoints = 92;
 
-constexpr std::pair<const char*, const char*> kSamples[] = {
-    {"DNA", "sample:dna"}, {"Glucose", "sample:glucose"}, {"Buckyball", "sample:buckyball"}};
-
-/// A picture as a mesh: a vertex per pixel, colours interpolated.
+/// A picture as a mesh: a vertex in the middle of each pixel, colours interpolated between them.
 void drawPicture(ImDrawList& list, const RecentFile& recent, ImVec2 low, ImVec2 high) {
     const std::uint32_t w = recent.width, h = recent.height;
     if (w < 2 || h < 2 || recent.pixels.size() != std::size_t{w} * h) return;
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
+    // The outermost vertices are on the border: half a pixel is cut there.
+    const auto along = [](float from, float to, std::uint32_t i, std::uint32_t count) {
+        const float middle = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
+        return i == 0 ? from : i + 1 == count ? to : from + (to - from) * middle;
+    };
+    const auto placeOf = [&](std::uint32_t x, std::uint32_t y) {
+        return ImVec2(along(low.x, high.x, x, w), along(low.y, high.y, y, h));
+    };
     list.PrimReserve(static_cast<int>((w - 1) * (h - 1) * 6), static_cast<int>(w * h));
     const unsigned first = list._VtxCurrentIdx;
     for (std::uint32_t y = 0; y < h; ++y)
         for (std::uint32_t x = 0; x < w; ++x)
-            list.PrimWriteVtx(ImVec2(low.x + (high.x - low.x) * static_cast<float>(x) / static_cast<float>(w - 1),
-                                     low.y + (high.y - low.y) * static_cast<float>(y) / static_cast<float>(h - 1)),
-                              white, recent.pixels[std::size_t{y} * w + x]);
+            list.PrimWriteVtx(placeOf(x, y), white, recent.pixels[std::size_t{y} * w + x]);
     for (std::uint32_t y = 0; y + 1 < h; ++y)
         for (std::uint32_t x = 0; x + 1 < w; ++x) {
             const unsigned at = first + y * w + x;
@@ -39,15 +44,16 @@ void offer(PanelFrame& f, std::span<const std::pair<const char*, const char*>> i
         if (f.ui.word(each.first, &each != inputs.data())) openInput(f, each.second);
 }
 
-/// A card with a picture and a name below it.
-void drawRecent(PanelFrame& f, const RecentFile& recent, float width) {
+/// A card with a picture and a name below it. @param said  to screen readers
+void drawRecent(PanelFrame& f, const RecentFile& recent, float width, const std::string& said) {
     const float picture = f.ui.px(kPicturePoints), height = picture + f.ui.px(26);
     const auto [pressed, low, ink] = f.ui.press("##recent", recent.input.c_str(), ImVec2(width, height));
-    f.ui.note("button", "Open " + recent.name, recent.input);
+    f.ui.note("button", said, recent.input);
     f.ui.explain(recent.input);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float in = f.ui.px(4);
-    const ImVec2 from(low.x + in, low.y + in), to(low.x + width - in, low.y + picture);
+    const ImVec2 from(std::round(low.x + in), std::round(low.y + in));
+    const ImVec2 to(std::round(low.x + width - in), std::round(low.y + picture));
     list.AddRectFilled(from, to, IM_COL32(255, 255, 255, 255), f.ui.px(4));
     drawPicture(list, recent, from, to);
     ImGui::PushFont(fontOf(TextSize::caption));
@@ -109,18 +115,24 @@ void drawStart(PanelFrame& f) {
     }
     if (!f.ui.forFingers()) f.ui.caption(dialog ? "Or drop a file on this window." : "Drop a file on this window.");
     if (!f.ui.forFingers() || (f.host.downloads && f.ui.typable())) drawInput(f);
-    if (f.host.recent && !f.host.recent().empty()) {
-        f.ui.heading("Recent files");
+    const auto show = [&](const char* heading, const std::vector<RecentFile>& files, const std::string& before) {
+        if (files.empty()) return;
+        f.ui.heading(heading);
         const float width = f.ui.px(kRecentPoints);
-        bool first = true;
-        for (const RecentFile& recent : f.host.recent()) {
-            if (!first) f.ui.wrapLine(width);
-            first = false;
-            drawRecent(f, recent, width);
+        bool more = false;
+        for (const RecentFile& file : files) {
+            if (std::exchange(more, true)) f.ui.wrapLine(width);
+            drawRecent(f, file, width, before + file.name);
         }
+    };
+    if (f.host.recent) show("Recent files", f.host.recent(), "Open ");
+    const auto drawn = [](const RecentFile& sample) { return sample.width > 0; };
+    if (f.host.samples && std::ranges::all_of(f.host.samples(), drawn)) {
+        show("Samples", f.host.samples(), "");
+    } else {
+        f.ui.heading("Samples");
+        offer(f, kSampleNames);
     }
-    f.ui.heading("Samples");
-    offer(f, kSamples);
     if (empty) {
         ImGui::Spacing();
         if (f.ui.button(Icon::help, "Help")) f.s.help = true;

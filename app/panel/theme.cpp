@@ -35,7 +35,7 @@ ImFont* fontOf(TextSize size) {
     return ImGui::GetIO().Fonts->Fonts[size == TextSize::body ? 0 : size == TextSize::caption ? 2 : 3];
 }
 
-void setPanelStyle(const Theme& theme, float pixelsPerPoint, bool fingers) {
+void setPanelStyle(const Theme& theme, float pixelsPerPoint, bool fingers, float target) {
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle();
     if (theme.dark)
@@ -52,10 +52,8 @@ void setPanelStyle(const Theme& theme, float pixelsPerPoint, bool fingers) {
     style.GrabMinSize = fingers ? 24 : 14;
     style.WindowBorderSize = style.PopupBorderSize = 1;
     style.ScaleAllSizes(pixelsPerPoint);
-    // At least the size of a finger.
-    if (fingers)
-        style.FramePadding.y =
-            std::ceil((kFingerPoints * pixelsPerPoint - std::round(kTextPoints * pixelsPerPoint)) / 2);
+    if (target > 0)
+        style.FramePadding.y = std::ceil((target * pixelsPerPoint - std::round(kTextPoints * pixelsPerPoint)) / 2);
     ImVec4* colors = style.Colors;
     colors[ImGuiCol_Text] = theme.text;
     colors[ImGuiCol_TextDisabled] = theme.faint;

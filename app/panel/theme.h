@@ -40,6 +40,7 @@ ImFont* fontOf(TextSize size);
 inline constexpr float kFontSizeOfEm = 1.164f;
 
 /// Sets sizes and colours of the current context.
-void setPanelStyle(const Theme& theme, float pixelsPerPoint, bool fingers);
+/// @param target  height of what is pressed, points; 0: as small as its text allows
+void setPanelStyle(const Theme& theme, float pixelsPerPoint, bool fingers, float target);
 
 }  // namespace nacre::app

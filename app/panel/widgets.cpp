@@ -25,25 +25,16 @@ void Widgets::focusLast() {
     ImGui::ScrollToItem();
 }
 
-std::string shortened(const std::string& text, float width) {
+std::string shortened(const std::string& text, float width, Cut cut) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
     std::vector<std::size_t> starts;  // of characters
     for (std::size_t i = 0; i < text.size(); ++i)
         if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80) starts.push_back(i);
-    for (std::size_t kept = starts.size(); kept > 1; --kept) {
-        const std::size_t head = (kept + 1) / 2, tail = kept / 2;
-        std::string tried = text.substr(0, starts[std::min(head, starts.size() - 1)]) + "…" +
-                            text.substr(starts[starts.size() - std::max<std::size_t>(tail, 1)]);
-        if (ImGui::CalcTextSize(tried.c_str()).x <= width) return tried;
-    }
-    return "…";
-}
-
-std::string cutAtEnd(const std::string& text, float width) {
-    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
-    for (std::size_t kept = text.size(); kept > 0; --kept) {
-        if ((static_cast<unsigned char>(text[kept]) & 0xc0) == 0x80) continue;  // within a character
-        const std::string tried = text.substr(0, text.find_last_not_of(' ', kept - 1) + 1) + "…";
+    for (std::size_t kept = starts.size(); kept-- > 1;) {
+        const std::size_t tail = cut == Cut::end ? 0 : kept / 2, head = kept - tail;
+        const std::size_t end = cut == Cut::end ? text.find_last_not_of(' ', starts[head] - 1) + 1 : starts[head];
+        std::string tried = text.substr(0, end) + "…";
+        if (tail > 0) tried += text.substr(starts[starts.size() - tail]);
         if (ImGui::CalcTextSize(tried.c_str()).x <= width) return tried;
     }
     return "…";
@@ -119,31 +110,67 @@ bool Widgets::button(Icon icon, const char* label, float width, bool primary, bo
     return pressed;
 }
 
-bool Widgets::row(Icon icon, const std::string& label, float width, bool faint, const std::string& text) {
-    const float height = rowHeight(), side = px(15), gap = px(6);
+bool Widgets::word(const char* label, bool more, Icon icon) {
+    constexpr float kColumnPoints = 112;
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    if (more) ImGui::SameLine();
+    // From the left edge: what is on this line already is a part of it.
+    const float left = ImGui::GetCursorPosX() - ImGui::GetCursorStartPos().x,
+                room = left + ImGui::GetContentRegionAvail().x;
+    const float columns = std::max(std::floor((room + gap) / (px(kColumnPoints) + gap)), 1.0f);
+    const float cell = std::floor((room + gap) / columns);
+    const float wanted = buttonWidth(label) + (icon == Icon::none ? 0 : px(23));
+    const float width = std::min(std::ceil((wanted + gap) / cell), columns) * cell - gap;
+    if (more && left + width > room + 0.5f) ImGui::NewLine();
+    return button(icon, label, width);
+}
+
+std::optional<std::size_t> Widgets::answers(std::span<const Answer> buttons) {
+    const float gap = ImGui::GetStyle().ItemSpacing.x, room = ImGui::GetContentRegionAvail().x;
+    std::vector<float> widths;
+    float all = -gap;
+    for (const Answer& answer : buttons) {
+        widths.push_back(std::max(buttonWidth(answer.label) + (answer.icon == Icon::none ? 0 : px(23)), px(80)));
+        all += widths.back() + gap;
+    }
+    const bool stacked = all > room;
+    if (!stacked) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::floor(room - all));
+    std::optional<std::size_t> pressed;
+    for (std::size_t i = 0; i < buttons.size(); ++i) {
+        if (i > 0 && !stacked) ImGui::SameLine();
+        const auto& [label, icon, enabled] = buttons[i];
+        if (button(icon, label, stacked ? -1 : widths[i], i + 1 == buttons.size(), enabled)) pressed = i;
+    }
+    return pressed;
+}
+
+bool Widgets::row(Icon icon, const std::string& label, float width, bool faint, const std::string& text, bool chosen) {
+    const float height = rowHeight(), side = icon == Icon::none ? 0 : px(15), gap = px(6);
     const float wide = width < 0 ? ImGui::GetContentRegionAvail().x : width;
-    const auto [pressed, low, ink] = press("##row", label.c_str(), ImVec2(wide, height), Face::clear);
+    const auto [pressed, low, ink] =
+        press("##row", label.c_str(), ImVec2(wide, height), chosen ? Face::field : Face::clear);
     const ImU32 color = faint ? ImGui::GetColorU32(theme_->faint) : ink;
     drawIcon(*ImGui::GetWindowDrawList(), icon, ImVec2(low.x + px(2) + side / 2, low.y + height / 2), side, color);
     const std::string whole = visualText(text.empty() ? label : text);
-    const std::string shown = cutAtEnd(whole, wide - side - gap - px(4));
+    const std::string shown = shortened(whole, wide - side - gap - px(4), Cut::end);
     write(ImVec2(low.x + px(2) + side + gap, low.y + (height - ImGui::GetFontSize()) / 2), color, shown);
     note("button", label);
     if (shown != whole || !text.empty()) explain(label);
     return pressed;
 }
 
-bool Widgets::tool(Icon icon, const char* label, ImVec2 size, bool on, bool enabled, const char* role) {
+bool Widgets::tool(Icon icon, const char* label, ImVec2 size, bool on, bool enabled, const char* role, bool alone) {
     const auto [pressed, low, ink] = press("##tool", label, size, on ? Face::accent : Face::clear, enabled);
     ImFont* font = fontOf(TextSize::caption);
     const float side = px(17), gap = px(4);
-    const float top = low.y + (size.y - side - gap - font->FontSize) / 2;
+    const float top = low.y + (size.y - side - (alone ? 0 : gap + font->FontSize)) / 2;
     drawIcon(*ImGui::GetWindowDrawList(), icon, ImVec2(low.x + size.x / 2, top + side / 2), side, ink);
+    note(role, label, on ? "on" : "", enabled);
+    if (alone) return explain(label), pressed;
     ImGui::PushFont(font);
     const std::string shown = shortened(label, size.x);
     write(ImVec2(low.x + (size.x - ImGui::CalcTextSize(shown.c_str()).x) / 2, top + side + gap), ink, shown);
     ImGui::PopFont();
-    note(role, label, on ? "on" : "", enabled);
     controls.back().cut = shown != label;
     return pressed;
 }

@@ -18,6 +18,13 @@
 
 namespace nacre::app {
 
+/// A button that answers a dialog.
+struct Answer {
+    const char* label;
+    Icon icon = Icon::none;
+    bool enabled = true;
+};
+
 class Widgets {
 public:
     static constexpr std::size_t kMostTyped = 511;
@@ -34,17 +41,19 @@ public:
 
     /// An icon with a word. @param width  pixels; 0: fits its content; negative: up to the right edge
     bool button(Icon icon, const char* label, float width = 0, bool primary = false, bool enabled = true);
-    /// A button in a row of words, which wraps. @param more  not the first
-    bool word(const char* label, bool more = true, Icon icon = Icon::none) {
-        if (more) wrapLine(buttonWidth(label) + (icon == Icon::none ? 0 : px(23)));
-        return button(icon, label);
-    }
+    /// A button in a grid of words, as wide as one column or several. @param more  not the first
+    bool word(const char* label, bool more = true, Icon icon = Icon::none);
+    /// The answers of a dialog, at its lower right as desktops have them. @param buttons  the emphasised one last
+    /// @returns the pressed one
+    std::optional<std::size_t> answers(std::span<const Answer> buttons);
     /// One line of a list: icon and text from the left, truncated if needed. @param width  as for button()
-    /// @param shown  in place of the label, if not empty
-    bool row(Icon icon, const std::string& label, float width, bool faint = false, const std::string& shown = {});
+    /// @param shown  in place of the label, if not empty @param chosen  is emphasised
+    bool row(Icon icon, const std::string& label, float width, bool faint = false, const std::string& shown = {},
+             bool chosen = false);
     /// An icon above a word, in a toolbar or as a tab. @param value  its state: "on", "selected"
+    /// @param alone  the word is a tooltip
     bool tool(Icon icon, const char* label, ImVec2 size, bool on = false, bool enabled = true,
-              const char* role = "button");
+              const char* role = "button", bool alone = false);
     /// An icon whose name shows as a tooltip.
     bool sign(Icon icon, const char* name, bool enabled = true);
     /// A heading that expands the following part. @returns whether it is open
@@ -131,11 +140,13 @@ public:
     void write(ImVec2 at, ImU32 color, const std::string& text) const;
 
 private:
+    struct SliderText;
     void text(const std::string& text, TextSize size, const ImVec4& color, float right = 0);
     template <typename Number, typename Slide>
-    bool slider(const char* name, const Number& value, Number low, Number high, const char* format, bool byRatio,
+    bool slider(const char* name, const Number& value, Number low, Number high, const SliderText* text, bool byRatio,
                 const char* told, Slide&& slide);
-    bool drawSlider(float share, const std::string& format, double value) const;
+    void drawTrack(float share, bool below) const;
+    bool drawSliderText(const SliderText& text) const;
     bool askedField(const char* name, const char* hint, std::string& text, float width);
 
     bool edited_ = false;   // the last field
@@ -145,9 +156,8 @@ private:
     bool fingers_;
 };
 
-/// A text, shortened in its middle to a width in pixels of the current font.
-std::string shortened(const std::string& text, float width);
-/// As above at its end.
-std::string cutAtEnd(const std::string& text, float width);
+enum class Cut { middle, end };
+/// A text, shortened to a width in pixels of the current font.
+std::string shortened(const std::string& text, float width, Cut cut = Cut::middle);
 
 }  // namespace nacre::app

@@ -169,37 +169,36 @@ void drawQuestion(PanelFrame& f) {
     const Question question = *f.viewer.reading().question();
     f.ui.paragraph(question.what());
     ImGui::Spacing();
-    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    const bool yes = f.ui.button(Icon::none, question.yes().c_str(), half, true);
+    const std::string yes = question.yes();
+    const Answer answers[] = {{"Cancel"}, {yes.c_str()}};
+    const auto pressed = f.ui.answers(answers);
     focusButton(f);
-    ImGui::SameLine();
-    const bool no = f.ui.button(Icon::none, "Cancel", half);
     endGrown(f);
-    if (!yes && !no) return;
-    f.viewer.reading().answer(yes, f.now);
+    if (!pressed) return;
+    f.viewer.reading().answer(*pressed == 1, f.now);
     f.s.restless = 2;
 }
 
-/// The first button loses nothing, and has the focus.
+/// The emphasised button loses nothing, and has the focus.
 void drawQuit(PanelFrame& f) {
     constexpr float kQuitPoints = 400;
     const bool records = f.host.recording && f.host.recording().running;
     const bool saves = !records && f.viewer.hasUnsavedWork() && f.host.saveAndQuit;
     const char* stay = records ? "Keep recording" : "Cancel";
     const char* quit = records ? "Keep finished frames and quit" : "Quit";
-    bool done = beginCard(f, "Quit", "Quit Nacre?", kQuitPoints);
+    const bool closed = beginCard(f, "Quit", "Quit Nacre?", kQuitPoints);
     f.ui.paragraph(f.s.unsaved);
     ImGui::Spacing();
-    const bool first = f.ui.button(saves ? Icon::save : Icon::none, saves ? "Save view and quit" : stay, 0, true);
+    std::vector<Answer> answers{{quit}, {stay}};
+    if (saves) answers.push_back({"Save view and quit", Icon::save});
+    const auto pressed = f.ui.answers(answers);
     focusButton(f);
-    const bool quits = f.ui.word(quit);
-    done |= (saves && f.ui.word(stay)) || first || quits;
     endGrown(f);
-    if (!done) return;
+    if (!pressed && !closed) return;
     f.s.quitting = false;
     f.s.restless = 2;
-    if (quits) f.host.quit();
-    if (first && saves) f.host.saveAndQuit();
+    if (pressed == 0u) f.host.quit();
+    if (pressed == 2u) f.host.saveAndQuit();
 }
 
 void drawDropped(PanelFrame& f) {
@@ -207,18 +206,17 @@ void drawDropped(PanelFrame& f) {
     const std::vector<std::string> paths = f.s.dropped;
     const std::string title =
         "Open " + (paths.size() == 1 ? shortName(paths.front()) : std::to_string(paths.size()) + " files");
-    bool done = beginCard(f, "Dropped", title.c_str(), kDroppedPoints);
+    const bool closed = beginCard(f, "Dropped", title.c_str(), kDroppedPoints);
     f.ui.paragraph("Replace the current scene, or add to it?");
     ImGui::Spacing();
-    const bool replaces = f.ui.button(Icon::open, "Replace", 0, true);
+    static const Answer kAnswers[] = {{"Cancel"}, {"Add"}, {"Replace", Icon::open}};
+    const auto pressed = f.ui.answers(kAnswers);
     focusButton(f);
-    const bool adds = f.ui.word("Add");
-    done |= f.ui.word("Cancel") || replaces || adds;
     endGrown(f);
-    if (!done) return;
+    if (!pressed && !closed) return;
     f.s.dropped.clear();
     f.s.restless = 2;
-    if (replaces || adds) f.host.open(paths, adds);
+    if (pressed.value_or(0) > 0) f.host.open(paths, *pressed == 1);
 }
 
 }  // namespace nacre::app

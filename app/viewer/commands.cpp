@@ -54,7 +54,7 @@ constexpr Binding kBindings[] = {
     {C::stereo, key(U'x'), "X", "Stereo: off, anaglyph, side by side ..."},
     {C::lighting, key(U'l'), "L", "Lighting on or off"},
     {C::occlusion, key(U'o'), "O", "Ambient occlusion on or off"},
-    {C::measure, key(U'u'), "U", "Measure distances, angles, torsions, or nothing"},
+    {C::measure, key(U'u'), "U", "Measure distances, angles, torsions; then stop measuring"},
     {C::keepMeasurement, key(U'p'), "P", "Pin the measurement to the picture"},
     {C::legend, key(U'e'), "E", "Show or hide the legend"},
     {C::scaleBar, key(U'r'), "R", "Scale bar: none, in Å, in nm"},

@@ -12,7 +12,7 @@ namespace {
 struct Strength {
     double inside, outline;
 };
-constexpr Strength kSelected{0.22, 1}, kHovered{0.1, 0.6};
+constexpr Strength kSelected{0.14, 1}, kHovered{0.08, 0.6};
 
 /// A pixel beside another one, as the outline covers it.
 struct Beside {

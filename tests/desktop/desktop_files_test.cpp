@@ -39,7 +39,7 @@ TEST(RecentFiles, TheLatestComeFirstAndHaveTheirPictures) {
     EXPECT_EQ(again.files()[0].width, 0u);
     EXPECT_EQ(again.files()[1].input, "/some/5.pdb");
     EXPECT_EQ(again.files()[2].name, "9");
-    ASSERT_EQ(again.files()[1].pixels.size(), std::size_t{65} * 44);
+    ASSERT_EQ(again.files()[1].pixels.size(), std::size_t{RecentFiles::kPicture.width} * RecentFiles::kPicture.height);
     EXPECT_EQ(again.files()[1].pixels[4], 0xff0000ffu);
     EXPECT_EQ(again.files()[1].pixels[5], 0xffff00ffu);
 }
@@ -62,7 +62,7 @@ TEST(WindowState, IsKeptAndNonsenseIsNot) {
     const TemporaryFolder folder;
     const Variable state("XDG_STATE_HOME", folder.path());
     EXPECT_EQ(loadWindowState(), WindowState());
-    const WindowState left{900, 700, Panel::Brightness::dark, false};
+    const WindowState left{900, 700, Panel::Brightness::dark, false, true, 150};
     saveWindowState(left);
     EXPECT_EQ(loadWindowState(), left);
     for (const char* text : {"", "[]", R"({"width": -3, "height": 1e9, "theme": 7, "panel": "no"})",

@@ -142,7 +142,7 @@ TEST(Window, AsksBeforeItDownloadsWhatAViewNames) {
     EXPECT_EQ(session.title(), "question - Nacre");
     EXPECT_EQ(server.requests().size(), 0u);
     const WindowPicture question = session.picture();
-    session.click(380, 212);  // Cancel
+    session.click(315, 212);  // Cancel
     EXPECT_TRUE(session.waitUntil([&] { return session.picture() != question; }));
     EXPECT_EQ(server.requests().size(), 0u);
     EXPECT_EQ(session.quit(), 0) << session.errors();
@@ -150,7 +150,7 @@ TEST(Window, AsksBeforeItDownloadsWhatAViewNames) {
     setenv("NACRE_PDB_URL", server.base("ok").c_str(), 1);
     XSession again("--view '" + (folder / "sent.json") + "' --size 600x400");
     unsetenv("NACRE_PDB_URL");
-    again.click(220, 212);  // Download
+    again.click(410, 212);  // Download
     EXPECT_TRUE(again.waitForTitle("1xyz")) << again.title();
     EXPECT_GT(server.requests().size(), 0u);
     EXPECT_EQ(again.quit(), 0) << again.errors();

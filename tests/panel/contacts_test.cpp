@@ -7,7 +7,7 @@ namespace nacre::app::test {
 namespace {
 
 TEST(PanelContacts, APocketIsShownAndItsInteractionsAreFlownTo) {
-    Bench b("sample:dna", {1100, 900});
+    Bench b("sample:dna", {1300, 1200});
     b.viewer.picking().select("chain A and resi 4");
     b.panel.showPage("Select");
     b.settle();

@@ -48,9 +48,10 @@ struct Bench {
 
     /// @param lend  to the panel, besides what every shell does
     Bench(const std::string& input, PixelSize points, double pixelsPerPoint = 1, PanelHand hand = PanelHand::mouse,
-          const Sources& sources = sampleSources(), const std::function<void(PanelHost&)>& lend = {})
+          const Sources& sources = sampleSources(), const std::function<void(PanelHost&)>& lend = {},
+          int textPercent = 100)
         : viewer(screen, sources, viewOf(input), staying()),
-          panel(pixelsPerPoint, host(lend), hand),
+          panel(pixelsPerPoint, host(lend), hand, textPercent),
           size{static_cast<std::uint32_t>(points.width * pixelsPerPoint),
                static_cast<std::uint32_t>(points.height * pixelsPerPoint)},
           scale(pixelsPerPoint) {

@@ -184,6 +184,92 @@ TEST(Panel, TheMoleculeStandsBesideTheLegend) {
     EXPECT_EQ(right(wide), alone) << "they do not meet";
 }
 
+TEST(Panel, NarrowWindowsHaveLargeTargetsAndKeepTheTabs) {
+    for (const double scale : {1.0, 2.0}) {
+        Bench b("sample:dna", {400, 800}, scale);
+        const auto tops = [&] {
+            std::vector<float> places;
+            for (const Control& c : b.panel.controls())
+                if (c.role == "tab") places.push_back(c.seenTop);
+            return places;
+        };
+        const std::vector<float> before = tops();
+        ASSERT_EQ(before.size(), kPages.size());
+        for (const Control& c : b.panel.controls())
+            if (c.seen() && c.window == "Nacre" && c.role == "choice") {
+                EXPECT_GE(c.bottom - c.top, 44 * scale) << c.name;
+            }
+        const Control* style = b.find("Spacefill");
+        ASSERT_TRUE(style);
+        b.panel.input().pointer({(style->left + style->right) / 2, (style->top + style->bottom) / 2});
+        for (int i = 0; i < 5; ++i) b.panel.input().wheel(-3), b.settle();
+        EXPECT_EQ(tops(), before) << "the page scrolls beneath them";
+        EXPECT_FALSE(b.find("Spacefill"));
+        for (const Control& c : b.panel.controls())
+            if (c.role == "tab") {
+                EXPECT_GE(c.bottom - c.top, 44 * scale) << c.name;
+                EXPECT_GE(c.right - c.left, 44 * scale) << c.name;
+            }
+    }
+    // A wide window keeps its small ones.
+    Bench wide("sample:dna", kUsual);
+    EXPECT_LT(wide.find("Spacefill")->bottom - wide.find("Spacefill")->top, 44);
+}
+
+TEST(Panel, TextGrowsToTwiceItsSize) {
+    Bench plain("sample:dna", kUsual), twice("sample:dna", kUsual, 1, PanelHand::mouse, sampleSources(), {}, 200);
+    const Control *small = plain.find("Spacefill"), *large = twice.find("Spacefill");
+    ASSERT_TRUE(small && large);
+    EXPECT_NEAR((large->bottom - large->top) / (small->bottom - small->top), 2, 0.1);
+    for (const std::string_view page : kPages) {
+        twice.panel.showPage(page);
+        twice.settle();
+        expectReadable(twice, "text of 200 %, page " + std::string(page));
+    }
+    // What is pressed is where it is seen.
+    twice.panel.showPage("Look");
+    twice.settle();
+    twice.click("Licorice");
+    EXPECT_EQ(twice.viewer.view().look.style, Style::licorice);
+}
+
+TEST(Panel, DialogsHaveTheirAnswersAtTheLowerRight) {
+    Bench b("sample:dna", kUsual);
+    b.panel.askToOpen({"a.pdb"});
+    b.settle();
+    const Control *cancel = b.find("Cancel"), *add = b.find("Add"), *replace = b.find("Replace");
+    ASSERT_TRUE(cancel && add && replace);
+    EXPECT_LT(cancel->right, add->left);
+    EXPECT_LT(add->right, replace->left);
+    float right = 0;
+    for (const Control& c : b.panel.controls())
+        if (c.window == "Dropped") right = std::max(right, c.right);
+    EXPECT_NEAR(replace->right, right, 1);
+    EXPECT_TRUE(replace->focused) << "the emphasised one";
+}
+
+TEST(Panel, ADarkCanvasGoesWithTheDarkTheme) {
+    Bench b("sample:dna", kUsual);
+    const std::array<float, 4> white{1, 1, 1, 1};
+    b.panel.setBrightness(Panel::Brightness::light);
+    b.settle();
+    b.panel.setDarkCanvas(true);
+    b.settle();
+    EXPECT_EQ(b.viewer.view().background, white) << "the theme is light";
+    b.panel.setBrightness(Panel::Brightness::dark);
+    b.settle();
+    EXPECT_LT(b.viewer.view().background[0], 0.1f);
+    b.panel.setBrightness(Panel::Brightness::light);
+    b.settle();
+    EXPECT_EQ(b.viewer.view().background, white);
+    PictureDescription look = b.viewer.view();
+    look.background = {0.9f, 0.8f, 0.7f, 1};
+    b.viewer.setLook(look, b.now);
+    b.panel.setBrightness(Panel::Brightness::dark);
+    b.settle();
+    EXPECT_EQ(b.viewer.view().background, look.background) << "one that the user chose stays";
+}
+
 double luminance(const ImVec4& c) {
     const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
     return 0.2126 * linear(c.x) + 0.7152 * linear(c.y) + 0.0722 * linear(c.z);

@@ -193,12 +193,13 @@ TEST(Panel, RibbonsAndSurfacesLetThroughWhatASliderSays) {
 }
 
 TEST(Panel, LinesHalosAndFogHaveSlidersAndColours) {
-    Bench b("sample:dna", {1600, 1600});
+    Bench b("sample:dna", {1900, 1800});
     const auto effects = [&]() -> const Effects& { return b.viewer.view().effects; };
     const auto slideTo = [&](const std::string& name, double share) {
         const Control* slider = b.find(name, "slider");
         ASSERT_TRUE(slider) << name;
-        b.clickAt(slider->left + share * (slider->right - slider->left), (slider->top + slider->bottom) / 2);
+        const float track = slider->right - slider->left - 2 * slider->inset;
+        b.clickAt(slider->left + slider->inset + share * track, (slider->top + slider->bottom) / 2);
     };
     const auto color = [&](const std::string& name) {
         b.click(name);
