@@ -40,8 +40,9 @@ Molecule bilayer(int axis) {
                 double place[3] = {8.0 * i, 8.0 * j, height};
                 std::rotate(place, place + 2 - axis, place + 3);
                 char line[100];
+                ++number;
                 std::snprintf(line, sizeof line, "HETATM%5d  P   POPC%5d    %8.3f%8.3f%8.3f  1.00  0.00           P\n",
-                              ++number % 100000, number, place[0], place[1], place[2]);
+                              number, number, place[0], place[1], place[2]);
                 text += line;
             }
     return readMolecule("membrane.pdb", text);
