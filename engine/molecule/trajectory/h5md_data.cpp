@@ -101,20 +101,35 @@ std::mutex& hdf5Calls() {
     return mutex;
 }
 
-/// Text of an attribute's string of either kind.
-std::string hdf5TextOf(hid_t attribute) {
+/// Texts of an attribute that has so many strings, of either kind; none of any other attribute.
+std::vector<std::string> attributeTexts(hid_t attribute, std::size_t count) {
     constexpr std::size_t kLongest = 100;
     const Hdf5Handle type(hdf5().H5Aget_type(attribute), hdf5().H5Tclose);
-    std::string text;
+    const Hdf5Handle space(hdf5().H5Aget_space(attribute), hdf5().H5Sclose);
+    const int rank = hdf5().H5Sget_simple_extent_ndims(space);
+    hsize_t there = 1;
+    if (hdf5().H5Tget_class(type) != H5T_STRING || rank < 0 || rank > 1) return {};
+    if (rank == 1) hdf5().H5Sget_simple_extent_dims(space, &there, nullptr);
+    if (there != count) return {};
+    std::vector<std::string> texts;
     if (hdf5().H5Tis_variable_str(type) > 0) {
-        char* own = nullptr;
-        if (hdf5().H5Aread(attribute, type, &own) >= 0 && own) text = own;
-        hdf5().H5free_memory(own);
-    } else if (const std::size_t size = hdf5().H5Tget_size(type); size > 0 && size < kLongest) {
-        text.resize(size);
-        hdf5().H5Aread(attribute, type, text.data());
+        std::vector<char*> own(count);
+        if (hdf5().H5Aread(attribute, type, own.data()) < 0) return {};
+        for (char* const text : own) {
+            texts.emplace_back(text ? text : "");
+            hdf5().H5free_memory(text);
+        }
+        return texts;
     }
-    return text.substr(0, text.find('\0'));
+    const std::size_t size = hdf5().H5Tget_size(type);
+    if (size == 0 || size > kLongest) return {};
+    std::string bytes(count * size, '\0');
+    if (hdf5().H5Aread(attribute, type, bytes.data()) < 0) return {};
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string_view text = std::string_view(bytes).substr(i * size, size);
+        texts.emplace_back(text.substr(0, text.find('\0')));
+    }
+    return texts;
 }
 
 }  // namespace
@@ -256,7 +271,8 @@ std::map<double, std::string> H5mdData::enumerationOf(const Hdf5Handle& set) {
 double H5mdData::scaleOf(const Hdf5Handle& set) {
     const Hdf5Handle attribute(hdf5().H5Aopen(set, "unit", H5P_DEFAULT), hdf5().H5Aclose);
     if (!attribute.valid()) return 1;
-    const std::string unit = hdf5TextOf(attribute);
+    const std::vector<std::string> texts = attributeTexts(attribute, 1);
+    const std::string unit = texts.empty() ? "" : texts[0];
     return unit == "nm" ? kNanometre : unit == "pm" ? 0.01 : unit == "fm" ? 1e-5 : unit == "m" ? 1e10 : 1;
 }
 
@@ -275,7 +291,6 @@ H5mdData::H5mdData(hid_t opened) : file_(opened, hdf5().H5Fclose) {
         scale_ = scaleOf(positions_);
         edges_ = element(group_ + "/box/edges");
         if (edges_.valid()) edgeScale_ = scaleOf(edges_);
-        readBoundary();
         readBoundary();
         times_ = dataset(group_ + "/position/time");
     }
@@ -313,25 +328,8 @@ void H5mdData::readBoundary() {
     if (!box.valid()) return;
     const Hdf5Handle attribute(hdf5().H5Aopen(box, "boundary", H5P_DEFAULT), hdf5().H5Aclose);
     if (!attribute.valid()) return;
-    const Hdf5Handle type(hdf5().H5Aget_type(attribute), hdf5().H5Tclose);
-    const Hdf5Handle space(hdf5().H5Aget_space(attribute), hdf5().H5Sclose);
-    hsize_t count = 0;
-    if (hdf5().H5Tget_class(type) != H5T_STRING || hdf5().H5Sget_simple_extent_ndims(space) != 1) return;
-    hdf5().H5Sget_simple_extent_dims(space, &count, nullptr);
-    const std::size_t size = hdf5().H5Tget_size(type);
-    if (count != repeats_.size() || size == 0 || size > 100) return;
-    if (hdf5().H5Tis_variable_str(type) > 0) {
-        std::array<char*, 3> texts{};
-        if (hdf5().H5Aread(attribute, type, texts.data()) < 0) return;
-        for (std::size_t i = 0; i < 3; ++i) {
-            repeats_[i] = !texts[i] || std::string_view(texts[i]) != "none";
-            hdf5().H5free_memory(texts[i]);
-        }
-        return;
-    }
-    std::string bytes(3 * size, '\0');
-    if (hdf5().H5Aread(attribute, type, bytes.data()) < 0) return;
-    for (std::size_t i = 0; i < 3; ++i) repeats_[i] = std::string_view(bytes).substr(i * size, 4) != "none";
+    const std::vector<std::string> texts = attributeTexts(attribute, repeats_.size());
+    for (std::size_t i = 0; i < texts.size(); ++i) repeats_[i] = !texts[i].starts_with("none");
 }
 
 }  // namespace nacre

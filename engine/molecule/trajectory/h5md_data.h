@@ -19,7 +19,7 @@
 
 namespace nacre {
 
-/// While it lives, no other thread calls the library, and the library prints no errors of this thread.
+/// While it lives, no other thread reads HDF5 by these readers, and the library prints no errors of this thread.
 class Hdf5Lock {
 public:
     Hdf5Lock();
