@@ -154,16 +154,20 @@ void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections)
         const auto second = findAtoms(*index, connections, row, kPartners[1]);
         const std::uint64_t line = connections.lineOf(row);
         if (first.empty() || second.empty()) builder.leaveOut("connections", "_struct_conn names absent atoms", line);
-        bool near = first.empty() || second.empty();
+        bool near = false, far = false;
         const int order = mmcifBondOrder(connections.get(row, {"pdbx_value_order"}));
         for (const std::uint32_t a : first)
             for (const std::uint32_t b : second) {
                 const char p = molecule.atoms[a].alternate, q = molecule.atoms[b].alternate;
-                if (a == b || (p != q && p != '\0' && q != '\0') || !mayBeBonded(molecule, a, b)) continue;
+                if (a == b || (p != q && p != '\0' && q != '\0')) continue;
+                if (!mayBeBonded(molecule, a, b)) {
+                    far = true;
+                    continue;
+                }
                 near = true;
                 builder.addBond(a, b, order, line);
             }
-        if (!near) builder.leaveOut("connections", "_struct_conn of atoms at a distance that no bond has", line);
+        if (far && !near) builder.leaveOut("connections", "_struct_conn of atoms at a distance that no bond has", line);
     }
 }
 
