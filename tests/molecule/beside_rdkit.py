@@ -4,7 +4,7 @@
 Orders: of each ligand of each file of the test data (or those named), perceived from its coordinates alone. Files that
 state orders are judged by what they state, as RDKit and as Open Babel read them; ligands of structures by Open Babel's
 perception from the same coordinates, and by RDKit's view of that. A bond is right if it is single, double, triple or
-aromatic as one of them has it. Fails below 97.2 % of all bonds.
+aromatic as one of them has it. Fails below 98 % of all bonds.
 
 Hydrogens: RDKit adds them to heavy atoms of stated orders; those whose place the neighbours determine (no atom of one
 neighbour that can turn) are compared. Fails above an RMS of 0.1 Å, or with fewer than 10 files.
@@ -28,9 +28,10 @@ try:
 except ImportError:
     test_data.cannot_judge("python3-rdkit or python3-openbabel is not installed")
 
-LEAST_SHARE, MOST_RMS, LEAST_FILES = 0.972, 0.1, 10
+LEAST_SHARE, MOST_RMS, LEAST_FILES = 0.98, 0.1, 10
 LIGAND = 4  # ResidueKind::ligand
 LARGEST = 200  # heavy atoms
+TEMPLATES = {"HEM"}  # ligands whose orders a template states: component_orders_test.cpp judges them by their component
 STATED = (".sdf", ".mol2", ".mol", ".cml")
 STRUCTURES = (".pdb", ".cif", ".pdb.gz", ".cif.gz")
 
@@ -143,7 +144,7 @@ def judge_structure(program, path, counts, details):
     for group in components(ours["atoms"], ours["bonds"]):
         names = tuple(sorted((ours["atoms"][i]["residue"], ours["atoms"][i]["name"]) for i in group))
         heavy = sum(ours["atoms"][i]["element"] != "H" for i in group)
-        if heavy < 3 or heavy > LARGEST or names in seen:
+        if heavy < 3 or heavy > LARGEST or names in seen or ours["atoms"][group[0]]["residue"] in TEMPLATES:
             continue
         seen.add(names)
         index = {atom: i for i, atom in enumerate(group)}
