@@ -34,9 +34,15 @@ void checkView(const View& view) {
     if (view.width == 0 || view.height == 0) throw Error("cannot draw", "", "the view has no pixels");
     double sum = view.radius + view.eyeDistance + view.pixelsPerAngstrom + view.pan.x + view.pan.y;
     sum += view.shift.x + view.shift.y + view.shift.z;
+    if (view.other) sum += view.other->shift + view.other->pan;
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) sum += view.rotation[column][row];
     if (!std::isfinite(sum)) throw Error("cannot draw", "", "the view has a number that is not finite");
+}
+
+/// @throws Error unless the view has two eyes
+void checkEyes(const View& view) {
+    if (!view.other) throw Error("cannot draw both eyes", "", "the view has no other eye (View::other)");
 }
 
 }  // namespace
@@ -230,11 +236,13 @@ Picture Renderer::renderPart(const RenderSettings& settings, const PictureRect& 
 }
 
 std::array<Picture, 2> Renderer::renderEyes(const RenderSettings& settings) {
+    checkEyes(settings.view);
     return impl_->drawFinished(settings,
                                [&](const passes::Atlas& atlas) { return impl_->pictures.eyes(settings, atlas); });
 }
 
 std::array<LayerPicture, 2> Renderer::layersOfEyes(const RenderSettings& settings) {
+    checkEyes(settings.view);
     return impl_->drawFinished(
         settings, [&](const passes::Atlas& atlas) { return impl_->pictures.layersOfEyes(settings, atlas); });
 }

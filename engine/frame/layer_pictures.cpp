@@ -32,8 +32,9 @@ std::array<LayerPicture, 2> PictureFrames::layersOfEyes(const RenderSettings& se
         RenderSettings left = settings, right = settings;
         left.view.other.reset();
         right.view = otherView(settings.view);
-        LayerPicture first = layers(left, atlas);
-        return {std::move(first), layers(right, atlas)};
+        std::array<LayerPicture, 2> eyes{layers(left, atlas), layers(right, atlas)};
+        asked_->eyes = true;
+        return eyes;
     }
     const std::vector<gpu::Buffer> pixels = run(prepare(request, {atlas, settings.view}), settings).pixels;
     std::array<LayerPicture, 2> eyes;

@@ -213,6 +213,16 @@ bool PictureFrames::drawsBoth(const FrameRequest& request) const {
     return request.settings.view.other && choose(request, frames_.facts(request.settings), device_.caps()).views > 1;
 }
 
+/// Draws both eyes of a view in one frame.
+PictureFrames::Drawn PictureFrames::drawBoth(const FrameRequest& request, const passes::Atlas& atlas) {
+    const View view = scaled(request.settings.view, samplesPerSide(request.settings));
+    checkSize(view);
+    stats_.frames = 1;
+    PreparedFrame prepared = prepare(request, {atlas, view});
+    stats_.samples = prepared.choice().samples.count;
+    return run(std::move(prepared), request.settings);
+}
+
 std::array<Picture, 2> PictureFrames::eyes(const RenderSettings& settings, const passes::Atlas& atlas) {
     const FrameRequest request{
         settings, Part::whole, Ending::readBack, settings.view.quarterTurns, settings.tuning.countFragments, true};
@@ -227,14 +237,9 @@ std::array<Picture, 2> PictureFrames::eyes(const RenderSettings& settings, const
         return eyes;
     }
     const std::uint32_t n = samplesPerSide(settings);
-    const View view = scaled(settings.view, n);
-    checkSize(view);
-    stats_.frames = 1;
-    PreparedFrame prepared = prepare(request, {atlas, view});
-    stats_.samples = prepared.choice().samples.count;
-    const Drawn drawn = run(std::move(prepared), settings);
+    const Drawn drawn = drawBoth(request, atlas);
     const Wanted wanted = wantedOf(settings);
-    const ResolvedPart part{imageExtent(view).width, n, wanted.inner};
+    const ResolvedPart part{imageExtent(scaled(settings.view, n)).width, n, wanted.inner};
     const bool fine = settings.fine && settings.debug == DebugView::none;
     const std::size_t bytes = drawn.pixels[0].size / 2;
     std::uint64_t covered = 0;
@@ -263,16 +268,14 @@ CodedPicture PictureFrames::coded(RenderSettings settings, const passes::Atlas& 
 void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& atlas) {
     const FrameRequest both{settings, Part::whole, Ending::left, 0, settings.tuning.countFragments, true};
     if (!settings.view.other) return void(draw(settings, atlas, wantedOf(settings), Ending::left));
-    if (drawsBoth(both)) {
-        run(prepare(both, {atlas, scaled(settings.view, samplesPerSide(settings))}), settings);
-        return;
-    }
+    if (drawsBoth(both)) return void(drawBoth(both, atlas));
     RenderSettings one = settings;
     for (const View& view : {settings.view, otherView(settings.view)}) {
         one.view = view;
         one.view.other.reset();
         draw(one, atlas, wantedOf(one), Ending::left);
     }
+    asked_->eyes = true;
 }
 
 }  // namespace nacre

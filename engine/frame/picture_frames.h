@@ -74,6 +74,7 @@ private:
     void checkSize(const View& view) const;
     /// Whether one frame draws both eyes of the view.
     bool drawsBoth(const FrameRequest& request) const;
+    Drawn drawBoth(const FrameRequest& request, const passes::Atlas& atlas);
 
     Drawn identify(RenderSettings settings, const char* name);
     PreparedFrame prepare(const FrameRequest& request, FrameInputs inputs);

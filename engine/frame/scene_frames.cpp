@@ -161,13 +161,15 @@ PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInput
     view.effectConstants = uploadEffects(settings, settings.effects.rims() && request.part == Part::block);
     const bool layered = drawsLayers(request, facts);
     const auto uploadRows = [&] {
-        std::vector<glm::vec4> rows = view.copies.rows;
-        for (std::size_t i = 0; i < view.copies.otherShifts.size(); ++i)  // of the other view, behind the first's
+        std::vector<glm::vec4> ofBoth;  // the other view's rows behind the first's
+        if (!view.copies.otherShifts.empty()) ofBoth = view.copies.rows;
+        for (std::size_t i = 0; i < view.copies.otherShifts.size(); ++i)
             for (std::size_t row = 0; row < 3; ++row) {
-                rows.push_back(view.copies.rows[3 * i + row]);
-                if (row == 0) rows.back().w = view.copies.otherShifts[i];
+                ofBoth.push_back(view.copies.rows[3 * i + row]);
+                if (row == 0) ofBoth.back().w = view.copies.otherShifts[i];
             }
-        view.copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(rows))));
+        const std::vector<glm::vec4>& rows = ofBoth.empty() ? view.copies.rows : ofBoth;
+        view.copyRows = copyRows_.upload(std::as_bytes(std::span(rows)));
     };
     prepared.counts.meshLevels = view.copies.triangleLevels(shown_->representation);
     if (layered) {

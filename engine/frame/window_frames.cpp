@@ -120,7 +120,7 @@ graph::Image WindowFrames::addPicture(graph::Graph& frame, graph::Image picture,
 }
 
 /// The pass that adds a sample of each pixel to the sum; for each view one. @returns the sum, to be bound
-/// @param eye  of the picture of one eye, or of both
+/// @param eye  whether the sample is of one eye or of both (ofEyes_), not of the whole window
 graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, bool first, bool eye,
                                   std::uint32_t views) const {
     graph::Image sum =
@@ -258,11 +258,13 @@ void WindowFrames::prepareScene(const RenderSettings& settings, const WindowFram
 }
 
 /// Makes the pipelines of a window at rest while frames in motion, which have several samples, use others.
-void WindowFrames::prepareRest(const RenderSettings& settings, const passes::Atlas& atlas) {
+void WindowFrames::prepareRest(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame) {
     WindowFrame still;
     still.quality = Quality::refined;
     still.samples = RenderSettings::kEdgeSamples;
-    const PreparedFrame prepared = prepare(settings, atlas, still, counts_.radiusPixels);
+    still.eyes = frame.eyes;
+    const PreparedFrame prepared =
+        prepare(settings, atlas, still, counts_.radiusPixels, frame.eyes ? std::optional<std::size_t>(0) : std::nullopt);
     DeclaredFrame& wanted = declared(prepared);
     SceneFrames::bind(wanted, prepared);
     executor_.prepare(wanted.frame.graph, wanted.plan);
@@ -272,7 +274,9 @@ void WindowFrames::prepareRest(const RenderSettings& settings, const passes::Atl
 void WindowFrames::draw(gpu::FrameSlot& slot, const PreparedFrame& prepared, const WindowFrame& frame) {
     if (prepared.view) counts_ = prepared.counts;
     DeclaredFrame& declared = this->declared(prepared);
-    if (prepared.choice().attachmentSamples() > 1) restWanted_ = std::exchange(multisampled_, &declared) != &declared;
+    // Frames of two eyes take turns: the first tells.
+    if (prepared.choice().attachmentSamples() > 1 && (!prepared.shape.eye || eye_ == 0))
+        restWanted_ = std::exchange(multisampled_, &declared) != &declared;
     if (prepared.view)
         SceneFrames::bind(declared, prepared);
     else
@@ -305,6 +309,7 @@ void WindowFrames::drawEyes(gpu::FrameSlot& slot, const RenderSettings& settings
         draw(slot, prepared, frame);
         if (prepared.choice().views > 1) break;
     }
+    eye_ = 0;
     summed_ = live ? 1 : frame.sample + 1;
 }
 
@@ -359,13 +364,13 @@ FrameOutcome WindowFrames::present(const RenderSettings& settings, const passes:
         if (!slot.image) slot.image = swapchain_.acquire(*slot.acquired);
         if (!slot.image) continue;
         const std::uint32_t index = *slot.image;
-        if (frame.quality == Quality::refined) summed_ = 0;  // after a failure half way the state is unknown
+        if (frame.quality != Quality::kept) summed_ = 0;  // after a failure half way the state is unknown
         submit(slot, settings, atlas, frame);
         if (frame.quality == Quality::refined) summed_ = frame.sample + 1;
         if (frame.quality == Quality::live && frame.eyes) summed_ = 0;  // the sum shows them
         swapchain_.present(index);
         if (!std::exchange(preparedOthers_, true)) prepareOthers();
-        if (std::exchange(restWanted_, false)) prepareRest(settings, atlas);
+        if (std::exchange(restWanted_, false)) prepareRest(settings, atlas, frame);
         return FrameOutcome::shown;
     }
     return FrameOutcome::resized;  // faster than it can be followed: again at the next frame

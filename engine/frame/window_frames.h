@@ -49,7 +49,7 @@ private:
     void declareEnding(Frame& frame, const FrameShape& shape);
     void makeSum();
     void prepareOthers();
-    void prepareRest(const RenderSettings& settings, const passes::Atlas& atlas);
+    void prepareRest(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame);
     graph::Image addSum(graph::Graph& frame, graph::Image sample, bool first, bool eye = false,
                         std::uint32_t views = 1) const;
     graph::Image addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples) const;

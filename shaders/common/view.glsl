@@ -30,8 +30,8 @@ uint copyIndex = 0u;
 #define copyRow2 view.row2
 #endif
 
-// EYES: a draw call draws two views, which differ by a shift and by their axis. The second's are where outlines would
-// be, which such frames have not.
+// EYES: a draw call draws two views, which differ by a shift and by their axis. The second view's are in the members for
+// outlines, which such frames do not have.
 #if defined(EYES) && !defined(COPY_OF_PIXEL)
 #define copyShift (gl_ViewIndex == 0 ? view.row0.w : view.contourWidth)
 #else

@@ -30,7 +30,7 @@ struct EyesCase {
 };
 void PrintTo(const EyesCase& c, std::ostream* out) { *out << c.name; }
 
-/// On lavapipe, too: nothing here is clipped.
+/// So that lavapipe draws both eyes in one frame, too; what it clips is skipped below.
 class Multiview : public testing::Environment {
 public:
     void SetUp() override { setenv("NACRE_MULTIVIEW", "1", 1); }
@@ -107,6 +107,9 @@ TEST_P(EyesOfOthers, CopiesOfAnAssembly) {
     RenderSettings s = settings(r, 160, Projection::perspective, {10, 20, 30});
     s.view = eyesOf(s.view);
     const std::array<LayerPicture, 2> layers = renderer->layersOfEyes(s);
+    const std::string how = viewsOf(*renderer.operator->());
+    EXPECT_TRUE(how.starts_with(GetParam() == Visibility::tiles ? "a frame for each eye" : "both eyes in one frame"))
+        << how;
     for (std::size_t i = 0; i < 2; ++i) {
         RenderSettings one = s;
         one.view = i == 0 ? s.view : otherView(s.view);
@@ -127,6 +130,9 @@ TEST_P(EyesOfOthers, WhatOneFrameCannotDrawIsTwoFramesAndSaidSo) {
     s.supersample = 1;
     s.effects.shadow.strength = 0.6;
     const std::array<Picture, 2> eyes = renderer->renderEyes(s);
+    const std::string how = viewsOf(*renderer.operator->());
+    const char* why = GetParam() == Visibility::tiles ? "a frame for each eye: tiles" : "a frame for each eye: shadows";
+    EXPECT_TRUE(how.starts_with(why)) << how;
     for (std::size_t i = 0; i < 2; ++i) {
         RenderSettings one = s;
         one.view = i == 0 ? s.view : otherView(s.view);

@@ -50,7 +50,7 @@ struct View {
     double eyeDistance = 0.0;        ///< Å; 0 if orthographic
     double pixelsPerAngstrom = 1.0;  ///< at z = 0
     glm::dvec2 pan{0.0};             ///< Å
-    glm::dvec3 shift{0.0};           ///< of the scene after its rotation, Å: an eye beside the view axis sees it
+    glm::dvec3 shift{0.0};           ///< translation after the rotation, Å: for an eye beside the view axis
     /// Of two eyes' views this is the left one; the right one differs by these alone.
     struct OtherEye {
         double shift = 0, pan = 0;  ///< by which its shift.x and pan.x are larger
