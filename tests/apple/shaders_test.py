@@ -28,7 +28,7 @@ ENTRY = re.compile(r"^(?:\[\[ early_fragment_tests \]\] )?(?:vertex|fragment|ker
 
 def listed():
     """The names that shaders/shaders.cmake embeds."""
-    return re.findall(r"^extern .* (\w+);$", (SHADERS / "shaders.h").read_text(), re.MULTILINE)
+    return re.findall(r"^extern const std::span<const std::uint32_t> (\w+);$", (SHADERS / "shaders.h").read_text(), re.MULTILINE)
 
 
 def reads_input_attachment(words_of):
