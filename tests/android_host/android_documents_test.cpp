@@ -28,6 +28,7 @@ TEST_F(AndroidHost, TheStateOutlivesTheProcess) {
         const std::string before = host.saveState();
         host.key(AKEYCODE_3, AKEY_EVENT_ACTION_DOWN);
         ASSERT_TRUE(eventually([&] { return host.saveState() != before; }));
+        expectAsRendered(host, kMenu, "before the drag", 1);
         host.drag(80, 100, 80, 160);
         state = host.saveState();
         host.pause();
