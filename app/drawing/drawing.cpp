@@ -103,8 +103,7 @@ Moment momentOf(const Molecule& molecule, const PictureDescription& picture) {
 
 /// Settings of what one eye sees, of a picture of one.
 RenderSettings settingsOfEye(RenderSettings settings, const Stereo& stereo) {
-    if (stereo.on())
-        settings.view = eyeView(settings.view, stereo, stereo.mode == Stereo::Mode::left ? Eye::left : Eye::right);
+    settings.view = oneEyeView(settings.view, stereo);
     return settings;
 }
 /// Of both eyes.

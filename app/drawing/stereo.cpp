@@ -54,6 +54,11 @@ View eyeView(const View& view, const Stereo& stereo, Eye eye) {
     return fromAside(view, (eye == Eye::left ? -0.5 : 0.5) * *there.eyeSeparation, *there.screenDistance);
 }
 
+View oneEyeView(const View& view, const Stereo& stereo) {
+    if (!stereo.on() || stereo.both()) return view;
+    return eyeView(view, stereo, stereo.mode == Stereo::Mode::left ? Eye::left : Eye::right);
+}
+
 View eyesView(const View& view, const Stereo& stereo) {
     View left = eyeView(view, stereo, Eye::left);
     const View right = eyeView(view, stereo, Eye::right);

@@ -16,6 +16,8 @@ constexpr std::array<Eye, 2> kEyes{Eye::left, Eye::right};
 Stereo placed(Stereo stereo, const View& view);
 /// What an eye sees. @param view  in perspective, of a point midway between the eyes
 View eyeView(const View& view, const Stereo& stereo, Eye eye);
+/// What the one eye of a picture sees. Without stereo, and of both eyes, the view itself.
+View oneEyeView(const View& view, const Stereo& stereo);
 
 /// The left eye's view, which has the right one's beside it.
 View eyesView(const View& view, const Stereo& stereo);

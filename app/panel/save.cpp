@@ -66,7 +66,8 @@ void drawSave(PanelFrame& f) {
     f.ui.heading("Format");
     if (f.ui.choose("Format", kFormats, f.s.save.format)) rename();
     if (f.s.save.format != kJpeg) f.ui.toggle("Transparent background", f.s.save.transparent);
-    if (f.viewer.picking().selection().count > 0) f.ui.toggle("Outline of the selection", f.s.save.marked);
+    if (f.viewer.picking().selection().count > 0 && !f.look.stereo.both())
+        f.ui.toggle("Outline of the selection", f.s.save.marked);
     f.ui.heading("Save as");
     const bool dialog = f.host.saveDialog || f.host.browses;
     const float choose = dialog ? f.ui.buttonWidth("Choose ...") + f.ui.px(2) : 0;

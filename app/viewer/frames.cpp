@@ -93,8 +93,7 @@ RenderSettings Frames::settings() const {
     RenderSettings s = pictureSettings(freeSize());
     // From the window's centre to that of the free area.
     s.view = wholePart(s.view, freeCorner(), size_.width, size_.height);
-    if (const Stereo& stereo = stage_.view().stereo; stereo.on() && !stereo.both() && stage_.shown())
-        s.view = eyeView(s.view, stereo, stereo.mode == Stereo::Mode::left ? Eye::left : Eye::right);
+    if (stage_.shown()) s.view = oneEyeView(s.view, stage_.view().stereo);
     return s;
 }
 
@@ -104,8 +103,7 @@ std::vector<FreePart> Frames::freeParts() const {
     const glm::ivec2 window(size_.width, size_.height);
     if (!stereo.both() || stereo.mode == Stereo::Mode::anaglyph || !stage_.shown()) {
         View view = pictureSettings(free).view;
-        if (stereo.on() && !stereo.both() && stage_.shown())
-            view = eyeView(view, stereo, stereo.mode == Stereo::Mode::left ? Eye::left : Eye::right);
+        if (stage_.shown()) view = oneEyeView(view, stereo);
         return {{view, freeCorner(), {0, 0}, window}};
     }
     // The eyes share what is free. Each part reaches as far beyond it as the larger of both has to.
@@ -174,8 +172,9 @@ const RenderSettings& Frames::compose(PictureDescription picture) {
 Picture Frames::draw(Renderer& renderer, PictureDescription picture, bool marked) {
     picture.debug = debug_;
     marked = marked && !picture.stereo.both();
-    const RenderSettings& drawn = compose(std::move(picture));
+    RenderSettings drawn = compose(std::move(picture));
     if (!marked) return stage_.document.drawing.drawAs(drawn, renderer);
+    drawn.view = oneEyeView(drawn.view, stage_.document.drawing.stereo());
     Picture image = renderer.render(drawn);
     const PixelSize size{drawn.view.width, drawn.view.height};
     const double enlarged =

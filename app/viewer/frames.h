@@ -82,11 +82,11 @@ public:
     RenderSettings pictureSettings(PixelSize size) const;
     /// The rest, or its half for each eye of a view that has them side by side: left, right.
     std::vector<FreePart> freeParts() const;
-    /// What both eyes see, if the view has two: settings() is that of a point midway between them. @param settings  it
+    /// What both eyes see, if the view has two: settings() is that of a point midway between them. @param settings  those of settings()
     std::optional<std::array<WindowEye, 2>> eyes(const RenderSettings& settings) const;
-    /// A picture of the document for a file, with its words. @param picture  its camera, size, shading and words
-    /// @throws Error
-    /// @param marked  with the outline of the selected atoms
+    /// A picture of the document for a file, with its words.
+    /// @param picture  its camera, size, shading and words
+    /// @param marked  with the outline of the selected atoms, unless it has two eyes @throws Error
     Picture draw(Renderer& renderer, PictureDescription picture, bool marked = false);
     /// Its settings, with the molecule beside the words if it is visible as a whole. @throws Error
     const RenderSettings& compose(PictureDescription picture);
