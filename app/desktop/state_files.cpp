@@ -93,7 +93,8 @@ WindowState loadWindowState() {
             state.brightness = static_cast<Panel::Brightness>(i);
     state.panelOpen = json.value("panel", nlohmann::json()) != false;
     state.darkCanvas = json.value("dark_background", nlohmann::json()) == true;
-    state.textPercent = std::clamp(static_cast<int>(side("text_percent")), 100, Panel::kMostTextPercent);
+    state.textPercent =
+        static_cast<int>(std::clamp<std::uint64_t>(side("text_percent"), 100, Panel::kMostTextPercent));
     return state;
 }
 

@@ -55,9 +55,9 @@ std::vector<RecentFile> WindowSession::sampleFiles() const {
 /// Draws a sample that has no picture yet, while nothing is open and nothing else is to do. @returns whether it did
 bool WindowSession::drawSample() {
     if (viewer().document() || viewer().reading().loader().busy()) return false;
-    for (RecentFile& sample : shownSamples_) {
-        if (sample.width > 0 || triedSamples_ == shownSamples_.size()) continue;
-        ++triedSamples_;
+    while (triedSamples_ < shownSamples_.size()) {
+        const RecentFile sample = shownSamples_[triedSamples_++];
+        if (sample.width > 0) continue;
         try {
             PictureDescription picture;
             picture.input.path = sample.input;
@@ -73,7 +73,11 @@ bool WindowSession::drawSample() {
         } catch (const std::exception&) {
             // It stays without a picture.
         }
-        renderer().setScene({});
+        try {
+            renderer().setScene({});
+        } catch (const Error&) {
+            // The next frame notices a lost device.
+        }
         viewer().schedule().overlayChanged();
         return true;
     }

@@ -330,7 +330,7 @@ WindowEvents WindowSession::events() {
     return e;
 }
 
-/// The window moved to a display of another density: redraws text at its size.
+/// Text has another size, by the display's density or as the user wants it: makes the panel anew.
 void WindowSession::rescaled() {
     scale_ = window_.pixelsPerPoint();
     panel_ = makePanel();
