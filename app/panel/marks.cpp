@@ -51,9 +51,9 @@ float legendRoom(const PlacedWords& words, const View& view, double size) {
     return beside || left < width / 2 ? 0 : static_cast<float>(std::ceil(width - left + size / 2));
 }
 
-/// As a sentence begins, unless it begins with a name: "saved ...", "4hhb.pdb ...".
+/// As a sentence begins, unless the first word is no plain one: "saved ...", "4hhb.pdb ...", "pdb:4HHB ...".
 std::string sentenceCase(std::string text) {
-    const std::size_t end = std::min(text.find_first_of(" :,"), text.size());
+    const std::size_t end = std::min(text.find(' '), text.size());
     const bool word = end > 0 && std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end),
                                              [](char c) { return c >= 'a' && c <= 'z'; });
     if (word) text[0] = static_cast<char>(text[0] - 'a' + 'A');

@@ -125,7 +125,7 @@ bool PanelState::closeTop() {
     for (const Card& card : kCards | std::views::reverse) {
         if (!card.open(*this)) continue;
         card.close(*this);
-        if (card.open(*this)) continue;  // it cannot be closed
+        if (card.open(*this)) return false;  // it cannot be closed, and covers the others
         restless = 2;
         return true;
     }
@@ -170,7 +170,9 @@ void PanelState::followCanvas(Viewer& viewer, double now) {
     constexpr std::array<float, 4> kWhite{1, 1, 1, 1}, kDark{0x14 / 255.0f, 0x17 / 255.0f, 0x1b / 255.0f, 1};
     const bool dark = darkCanvas && ui.theme().dark;
     PictureDescription look = viewer.view();
-    if (look.background != (dark ? kWhite : kDark)) return;
+    if (dark && look.background == kDark) canvasIsOurs = true;
+    if (look.background != (dark ? kWhite : kDark) || (!dark && !canvasIsOurs)) return;
+    canvasIsOurs = dark;
     look.background = dark ? kDark : kWhite;
     viewer.setLook(look, now, true);
 }

@@ -142,6 +142,7 @@ struct PanelState {
     bool largeTargets = false;      ///< as above
     bool darkCanvas = false;        ///< a dark theme has a dark background
     bool canvasDue = false;         ///< the background is to follow the theme
+    bool canvasIsOurs = false;      ///< it does: the dark one is not the user's
     int textPercent = 100;
 
     // Layout
