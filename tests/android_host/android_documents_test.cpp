@@ -16,6 +16,9 @@ void expectSameState(const std::string& one, const std::string& other) {
     for (std::size_t i = 0; i < 4; ++i)
         EXPECT_NEAR(a.at("orientation").at(i).get<double>(), b.at("orientation").at(i).get<double>(), 1e-12);
     a.erase("orientation"), b.erase("orientation");
+    // A camera that an earlier style framed is stated by its scale, and once restored by its zoom: pictures judge it.
+    if (a.contains("scale") != b.contains("scale"))
+        for (auto* state : {&a, &b}) state->erase("scale"), state->erase("zoom");
     EXPECT_EQ(a, b);
 }
 
@@ -39,6 +42,9 @@ TEST_F(AndroidHost, TheStateOutlivesTheProcess) {
     restored.open(160, 200);
     expectSameState(restored.saveState(), state);
     expectAsRendered(restored, kMenu, "", 1);
+    const WindowPicture shown = restored.picture();
+    const WindowPicture saved = expectedPicture(app::parseSavedView(state, "state"), shown.width, shown.height, 1);
+    EXPECT_TRUE(differenceOf(shown, saved, kMenu).small());
     restored.destroy();
     Host again(folder_);  // from the launcher: as it was left
     expectSameState(again.saveState(), state);
