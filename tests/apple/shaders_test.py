@@ -28,7 +28,7 @@ ENTRY = re.compile(r"^(?:\[\[ early_fragment_tests \]\] )?(?:vertex|fragment|ker
 
 def listed():
     """The names that shaders/shaders.cmake embeds."""
-    return re.findall(r"^extern const std::span<const std::uint32_t> (\w+);$", (SHADERS / "shaders.h").read_text(), re.MULTILINE)
+    return re.findall(r"^extern const (?!std::span<const ForEyes>).* (\w+);$", (SHADERS / "shaders.h").read_text(), re.MULTILINE)
 
 
 def reads_input_attachment(words_of):
@@ -108,7 +108,8 @@ class InputAttachments(unittest.TestCase):
         self.assertEqual(set(inputs("--caps", "mali", "--visibility", "encoded")), {"encoded depth"})
 
     def test_none_is_handed_to_moltenvk(self):
-        built = {(SHADERS / f"{name}.spv").read_bytes(): name for name in listed()}
+        # A stage that draws one view and the same for two may be one module: it has the first's name.
+        built = {(SHADERS / f"{name}.spv").read_bytes(): name for name in reversed(listed())}
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
             picture = ["-o", str(root / "picture.png"), "--size", "64x64"]
