@@ -25,7 +25,7 @@ struct PlacedLabel {
     LabelSight::Named named{};  ///< its atoms; those that do not hide it where labels may be hidden
     double size = 0;            ///< Å per em: has a size in space and covers what is there; 0: as all labels
     std::uint32_t color = 0;    ///< packed; 0: as all labels
-    /// Of its middle from its anchor, em, to the right and up; empty: where it fits.
+    /// From its anchor to its middle, em, to the right and up; empty: where it fits.
     std::optional<glm::dvec2> offset{};
 };
 struct PlacedMeasure {

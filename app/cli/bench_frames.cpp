@@ -57,11 +57,7 @@ Json timesJson(std::vector<double> samples) {
 RenderSettings benchFrame(const BenchOptions& options, double radius, int frame) {
     Camera camera = options.picture.camera;
     camera.rotationDegrees.y += 5.0 * frame;
-    const Stereo& stereo = options.picture.stereo;
-    if (stereo.on()) camera.projection = Projection::perspective;
-    RenderSettings settings = makeSettings(options.picture, camera, eyeSize(stereo, options.picture.size), radius);
-    if (stereo.both()) settings.view = eyesView(settings.view, stereo);
-    return settings;
+    return settingsOfEyes(options.picture, camera, radius);
 }
 
 /// Milliseconds that frames took by the clock, and of all processors together.

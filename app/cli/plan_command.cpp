@@ -50,11 +50,7 @@ std::optional<Representation> sceneOfInput(const PlanOptions& options) {
 }
 
 RenderSettings planSettings(const PlanOptions& options, double radius) {
-    const PictureDescription& picture = options.picture;
-    Camera camera = picture.camera;
-    if (picture.stereo.on()) camera.projection = Projection::perspective;
-    RenderSettings settings = makeSettings(picture, camera, eyeSize(picture.stereo, picture.size), radius);
-    if (picture.stereo.both()) settings.view = eyesView(settings.view, picture.stereo);
+    RenderSettings settings = settingsOfEyes(options.picture, options.picture.camera, radius);
     settings.supersample = options.edges ? RenderSettings::kEdges : 1;
     return settings;
 }

@@ -120,7 +120,7 @@ Json driverJson(const DriverFeedback& driver) {
 Json stereoJson(const Stereo& stereo) {
     if (!stereo.on()) return {};
     return {{"mode", Stereo::kNames[static_cast<std::size_t>(stereo.mode)]},
-            {"eye_separation", *stereo.eyeSeparation},
+            {"eye_distance", *stereo.eyeDistance},
             {"screen_distance", *stereo.screenDistance}};
 }
 

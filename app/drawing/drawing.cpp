@@ -26,12 +26,6 @@
 namespace nacre::app {
 namespace {
 
-/// Eyes need perspective. The scale at the picture's centre stays.
-Camera cameraOf(const PictureDescription& picture, Camera camera) {
-    if (picture.stereo.on()) camera.projection = Projection::perspective;
-    return camera;
-}
-
 /// Whether a description shows a frame of a trajectory other than the first, by the first frame's camera and choices.
 bool showsLaterFrame(const PictureDescription& picture) {
     const TrajectoryOptions& frames = picture.input.trajectory;
@@ -101,14 +95,8 @@ Moment momentOf(const Molecule& molecule, const PictureDescription& picture) {
     return moment;
 }
 
-/// Settings of what one eye sees, of a picture of one.
-RenderSettings settingsOfEye(RenderSettings settings, const Stereo& stereo) {
-    settings.view = oneEyeView(settings.view, stereo);
-    return settings;
-}
-/// Of both eyes.
-RenderSettings settingsOfEyes(RenderSettings settings, const Stereo& stereo) {
-    settings.view = eyesView(settings.view, stereo);
+RenderSettings withView(RenderSettings settings, View view) {
+    settings.view = std::move(view);
     return settings;
 }
 
@@ -169,7 +157,7 @@ bool Drawing::update(const PictureDescription& description, const std::optional<
     description_ = description;
     if (another) rebuildScene(frame, now);
     Aimed aim;
-    aim.camera = cameraOf(description_, description_.camera);
+    aim.camera = cameraFor(description_.stereo, description_.camera);
     if (description_.aim.center) aim.camera.center = scene_->center;
     const bool follow = description_.maps.aroundFocus && !description_.maps.files.empty();
     const auto drawMaps = [&] {
@@ -237,7 +225,7 @@ void Drawing::rebuildScene(const std::optional<Bounds>& frame, const Molecule* n
 }
 
 RenderSettings Drawing::settingsFor(const PictureDescription& picture, const Camera& camera, const Size& size) const {
-    RenderSettings result = makeSettings(picture, cameraOf(picture, camera), size, radius());
+    RenderSettings result = makeSettings(picture, cameraFor(picture.stereo, camera), size, radius());
     if (scene_ && facts_ && tooManyToOcclude(*scene_, facts_->molecule())) result.occlusion.directions = 0;
     if (reach() > result.view.radius) reachTo(result.view, reach());
     // Of more shapes it would hold up a camera that a hand moves: then finish() places it, in files.
@@ -252,8 +240,8 @@ void Drawing::setView(const PictureDescription& picture, const Camera& camera) {
     size_ = picture.size;
     const Size eye = eyeSize(stereo_, size_);
     settings = settingsFor(picture, camera, eye);
-    depthShift_ =
-        depthOrigin(settings.view) - depthOrigin(viewOf(cameraOf(picture, camera), radius(), eye.width, eye.height));
+    depthShift_ = depthOrigin(settings.view) -
+                  depthOrigin(viewOf(cameraFor(picture.stereo, camera), radius(), eye.width, eye.height));
 }
 
 void Drawing::takeCamera(Camera& camera) {
@@ -313,7 +301,7 @@ void Drawing::finish(const PictureDescription& picture) {
     append(warnings, maps_.warnings);
     if (stereo_.on() && picture.camera.projection == Projection::orthographic && picture.given.contains("projection"))
         warnings.push_back("--stereo is drawn in perspective, since two orthographic views show no depth");
-    // What --uncover asks for is no surprise, what a close-up does beside may be one.
+    // --uncover says what it does; a close-up that uncovers as well has to be told.
     const Uncovered& gone = run.uncovered;
     if (by_ == CameraBy::description && !picture.aim.uncover && !run.uncovers.empty() &&
         gone.spheres + gone.cylinders + gone.triangles > 0)
@@ -460,9 +448,10 @@ void Drawing::startCoded(Canvas& canvas, bool alpha) {
 }
 
 LayerPicture Drawing::layers(Renderer& renderer) const {
-    LayerPicture layers = stereo_.both()
-                              ? joinEyes(stereo_, size_, renderer.layersOfEyes(settingsOfEyes(settings, stereo_)))
-                              : renderer.layers(settingsOfEye(settings, stereo_));
+    LayerPicture layers =
+        stereo_.both()
+            ? joinEyes(stereo_, size_, renderer.layersOfEyes(withView(settings, eyesView(settings.view, stereo_))))
+            : renderer.layers(withView(settings, oneEyeView(settings.view, stereo_)));
     if (depthShift_ != 0)  // the background's infinity stays
         for (float& z : layers.z) z = static_cast<float>(static_cast<double>(z) - depthShift_);
     return layers;
@@ -474,7 +463,7 @@ Picture Drawing::drawAs(const RenderSettings& drawn, Renderer& renderer, WordMem
     Picture picture;
     if (stereo_.both()) {
         WordMemory own;  // both eyes have a label at the same side of its atom
-        RenderSettings eye = settingsOfEyes(drawn, stereo_);
+        RenderSettings eye = withView(drawn, eyesView(drawn.view, stereo_));
         std::array<Picture, 2> eyes = renderer.renderEyes(eye);
         for (std::size_t i = 0; i < eyes.size(); ++i) {
             if (i == 1) eye.view = otherView(eye.view);
@@ -482,7 +471,7 @@ Picture Drawing::drawAs(const RenderSettings& drawn, Renderer& renderer, WordMem
         }
         picture = joinEyes(stereo_, size_, eyes);
     } else {
-        const RenderSettings eye = settingsOfEye(drawn, stereo_);
+        const RenderSettings eye = withView(drawn, oneEyeView(drawn.view, stereo_));
         picture = renderer.render(eye);
         ofWords = addWords(eye, picture, memory);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "app/drawing/scenes.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -45,13 +46,13 @@ Picture anaglyph(const Picture& left, const Picture& right) {
 
 Stereo placed(Stereo stereo, const View& view) {
     if (!stereo.screenDistance) stereo.screenDistance = view.eyeDistance;
-    if (!stereo.eyeSeparation) stereo.eyeSeparation = Stereo::kUsualShare * *stereo.screenDistance;
+    if (!stereo.eyeDistance) stereo.eyeDistance = Stereo::kUsualShare * *stereo.screenDistance;
     return stereo;
 }
 
 View eyeView(const View& view, const Stereo& stereo, Eye eye) {
     const Stereo there = placed(stereo, view);
-    return fromAside(view, (eye == Eye::left ? -0.5 : 0.5) * *there.eyeSeparation, *there.screenDistance);
+    return fromAside(view, (eye == Eye::left ? -0.5 : 0.5) * *there.eyeDistance, *there.screenDistance);
 }
 
 View oneEyeView(const View& view, const Stereo& stereo) {
@@ -59,11 +60,26 @@ View oneEyeView(const View& view, const Stereo& stereo) {
     return eyeView(view, stereo, stereo.mode == Stereo::Mode::left ? Eye::left : Eye::right);
 }
 
-View eyesView(const View& view, const Stereo& stereo) {
-    View left = eyeView(view, stereo, Eye::left);
-    const View right = eyeView(view, stereo, Eye::right);
+View paired(View left, const View& right) {
     left.other = {right.shift.x - left.shift.x, right.pan.x - left.pan.x};
     return left;
+}
+
+View eyesView(const View& view, const Stereo& stereo) {
+    return paired(eyeView(view, stereo, Eye::left), eyeView(view, stereo, Eye::right));
+}
+
+Camera cameraFor(const Stereo& stereo, Camera camera) {
+    if (stereo.on()) camera.projection = Projection::perspective;
+    return camera;
+}
+
+RenderSettings settingsOfEyes(const PictureDescription& picture, Camera camera, double radius) {
+    const Stereo& stereo = picture.stereo;
+    RenderSettings settings =
+        makeSettings(picture, cameraFor(stereo, std::move(camera)), eyeSize(stereo, picture.size), radius);
+    settings.view = stereo.both() ? eyesView(settings.view, stereo) : oneEyeView(settings.view, stereo);
+    return settings;
 }
 
 Picture joinEyes(const Stereo& stereo, const Size& size, const std::array<Picture, 2>& eyes) {

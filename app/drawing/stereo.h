@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "app/picture/stereo.h"
+#include "app/picture/description.h"
 #include "engine/results.h"
 #include "engine/scene/view/camera.h"
 
@@ -14,13 +14,20 @@ constexpr std::array<Eye, 2> kEyes{Eye::left, Eye::right};
 
 /// The distances of a view, where none are given.
 Stereo placed(Stereo stereo, const View& view);
-/// What an eye sees. @param view  in perspective, of a point midway between the eyes
+/// The view of one eye. @param view  in perspective, of a point midway between the eyes
 View eyeView(const View& view, const Stereo& stereo, Eye eye);
-/// What the one eye of a picture sees. Without stereo, and of both eyes, the view itself.
+/// The view of a picture of one eye; of any other picture the view itself.
 View oneEyeView(const View& view, const Stereo& stereo);
 
-/// The left eye's view, which has the right one's beside it.
+/// The left eye's view with the right one's beside it (View::other), so that one frame can draw both.
+View paired(View left, const View& right);
+/// As above, of a view midway between the eyes.
 View eyesView(const View& view, const Stereo& stereo);
+
+/// The camera of a picture. Eyes need perspective; the scale at the picture's centre stays.
+Camera cameraFor(const Stereo& stereo, Camera camera);
+/// Settings of a picture without a scene, for its eye or both of its eyes.
+RenderSettings settingsOfEyes(const PictureDescription& picture, Camera camera, double radius);
 
 /// The share of each linear channel of the left and the right picture in the channels of an anaglyph for red and cyan
 /// glasses: rows of red, green and blue. E. Dubois, A projection method to generate anaglyph stereo images, Proc. IEEE

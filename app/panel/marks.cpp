@@ -143,7 +143,7 @@ void drawMarks(const Marks& marks, const glm::dvec2& corner) {
 void drawWords(PanelFrame& f) {
     const PlacedWords& words = f.viewer.words().placed();
     const float taken = f.s.legendRoom;
-    const Clip& clip = f.viewer.frames().settings().effects.clip;
+    const Clip clip = f.viewer.frames().settings().effects.clip;
     const std::vector<FreePart> parts = f.viewer.frames().freeParts();
     for (const FreePart& part : parts) {
         // As in a picture of the free area, with the molecule beside the legend.

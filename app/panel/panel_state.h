@@ -182,7 +182,7 @@ struct PanelState {
     std::shared_ptr<const Molecule> molecule;
     std::optional<ResidueFacts> facts;  ///< once there is a molecule
     std::vector<Part> parts;
-    std::vector<std::uint32_t> partOfResidue;              ///< as partsOf() has it
+    std::vector<std::uint32_t> partOfResidue;              ///< for each residue its part, or kNoPart
     std::vector<std::optional<std::uint32_t>> partColors;  ///< by part: as drawn; empty: several
     std::uint64_t colorsOf = 0;                            ///< number of the scene that has them
     std::vector<std::string> fits;                         ///< by structure: how it lies on the first

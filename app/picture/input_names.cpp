@@ -1,7 +1,9 @@
 #include "app/picture/input_names.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 #include "engine/scene/color/colors.h"
@@ -76,14 +78,31 @@ void nameInputs(const std::vector<std::string>& names, Selection& selection) {
     }
 }
 
+namespace {
+
+std::array<std::optional<Selection>*, 10> optionalSelections(PictureDescription& d) {
+    return {&d.aim.lookAt, &d.aim.zoomTo, &d.aim.uncover, &d.aim.center,       &d.aim.axesOf,
+            &d.aim.left,   &d.aim.clip,   &d.aim.spares,  &d.look.contacts.of, &d.look.contacts.with};
+}
+
+/// Where a selection's text names an input as `/name`, from a position on; npos: nowhere.
+std::size_t findInput(const std::string& text, const std::string& name, std::size_t from = 0) {
+    const std::string sought = "/" + name;
+    for (std::size_t at = text.find(sought, from); at != std::string::npos; at = text.find(sought, at + 1)) {
+        const std::size_t end = at + sought.size();
+        if (end == text.size() || !isInputName(text.substr(end, 1))) return at;
+    }
+    return std::string::npos;
+}
+
+}  // namespace
+
 void forEachSelection(PictureDescription& d, const std::function<void(Selection&)>& take) {
     for (Rule& rule : d.look.rules) take(rule.selection);
     for (Label& label : d.words.labels) take(label.selection);
     for (Measure& measure : d.words.measures)
         for (Selection& point : measure.points) take(point);
-    for (std::optional<Selection>* selection :
-         {&d.aim.lookAt, &d.aim.zoomTo, &d.aim.uncover, &d.aim.center, &d.aim.axesOf, &d.aim.left, &d.aim.clip,
-          &d.aim.spares, &d.look.contacts.of, &d.look.contacts.with})
+    for (std::optional<Selection>* selection : optionalSelections(d))
         if (*selection) take(**selection);
     for (FitOptions& fit : d.input.fits) take(fit.moving), take(fit.fixed);
 }
@@ -95,13 +114,7 @@ void nameInputs(PictureDescription& d) {
 }
 
 bool namesInput(const Selection& selection, const std::string& name) {
-    const std::string sought = "/" + name;
-    for (std::size_t at = selection.text.find(sought); at != std::string::npos;
-         at = selection.text.find(sought, at + 1)) {
-        const std::size_t end = at + sought.size();
-        if (end == selection.text.size() || !isInputName(selection.text.substr(end, 1))) return true;
-    }
-    return false;
+    return findInput(selection.text, name) != std::string::npos;
 }
 
 void removeInput(PictureDescription& d, std::size_t number) {
@@ -120,7 +133,7 @@ void removeInput(PictureDescription& d, std::size_t number) {
     std::erase_if(d.look.rules, [&](const Rule& rule) { return gone(rule.selection); });
     std::erase_if(d.words.labels, [&](const Label& label) { return gone(label.selection); });
     std::erase_if(d.input.fits, [&](const FitOptions& fit) { return gone(fit.moving) || gone(fit.fixed); });
-    for (std::optional<Selection>* selection : {&d.look.contacts.of, &d.look.contacts.with, &d.aim.uncover})
+    for (std::optional<Selection>* selection : optionalSelections(d))
         if (*selection && gone(**selection)) selection->reset();
     d.words.measures.clear();  // they count atoms of all
 }
@@ -131,14 +144,12 @@ void renameInput(PictureDescription& d, std::size_t number, const std::string& n
     if (name == names[number]) return;
     if (std::find(names.begin(), names.end(), name) != names.end())
         throw std::invalid_argument("another structure is named " + name);
-    const std::string old = "/" + names[number], now = "/" + name;
+    const std::string& old = names[number];
     forEachSelection(d, [&](Selection& selection) {
-        if (!namesInput(selection, names[number])) return;
+        if (!namesInput(selection, old)) return;
         std::string text = selection.text;
-        for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + now.size())) {
-            const std::size_t end = at + old.size();
-            if (end == text.size() || !isInputName(text.substr(end, 1))) text.replace(at, old.size(), now);
-        }
+        for (std::size_t at = findInput(text, old); at != std::string::npos; at = findInput(text, old, at + 1))
+            text.replace(at + 1, old.size(), name);
         selection = parseSelection(text);
     });
     (number == 0 ? d.input.name : d.input.further[number - 1].name) = name;

@@ -17,7 +17,7 @@ struct Stereo {
     static constexpr double kUsualShare = 1.0 / 30;  ///< of the screen distance, between the eyes
 
     Mode mode = Mode::off;
-    std::optional<double> eyeSeparation;   ///< Å; empty: kUsualShare
+    std::optional<double> eyeDistance;     ///< Å between the eyes; empty: kUsualShare
     std::optional<double> screenDistance;  ///< Å from the eyes; empty: that of the picture's centre
 
     bool on() const { return mode != Mode::off; }

@@ -38,13 +38,6 @@ View wholePart(View view, const glm::dvec2& corner, std::uint32_t width, std::ui
     return view;
 }
 
-/// So that one frame can draw both.
-std::array<WindowEye, 2> paired(std::array<WindowEye, 2> eyes) {
-    View &left = eyes[0].view, &right = eyes[1].view;
-    left.other = {right.shift.x - left.shift.x, right.pan.x - left.pan.x};
-    return eyes;
-}
-
 /// The atom that is seen at a point, or the nearest one within a reach; 0: none.
 std::uint32_t nearestSeen(const std::vector<std::uint32_t>& atoms, PixelSize size, glm::dvec2 at, double reach) {
     std::uint32_t atom = 0;
@@ -132,16 +125,17 @@ std::optional<std::array<WindowEye, 2>> Frames::eyes(const RenderSettings& setti
     if (stereo.mode == Stereo::Mode::anaglyph) {
         for (std::size_t i = 0; i < 2; ++i) eyes[i].view = eyeView(settings.view, stereo, kEyes[i]);
         eyes[0].channels = kAnaglyphLeft, eyes[1].channels = kAnaglyphRight;
-        return paired(eyes);
+    } else {
+        const std::vector<FreePart> parts = freeParts();
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto& [view, corner, from, size] = parts[i];
+            eyes[i] = {wholePart(view, corner - glm::dvec2(from), static_cast<std::uint32_t>(size.x),
+                                 static_cast<std::uint32_t>(size.y)),
+                       from.x, from.y};
+        }
     }
-    const std::vector<FreePart> parts = freeParts();
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto& [view, corner, from, size] = parts[i];
-        eyes[i] = {wholePart(view, corner - glm::dvec2(from), static_cast<std::uint32_t>(size.x),
-                             static_cast<std::uint32_t>(size.y)),
-                   from.x, from.y};
-    }
-    return paired(eyes);
+    eyes[0].view = paired(eyes[0].view, eyes[1].view);
+    return eyes;
 }
 
 RenderSettings Frames::pictureSettings(PixelSize size) const {

@@ -82,7 +82,8 @@ public:
     RenderSettings pictureSettings(PixelSize size) const;
     /// The rest, or its half for each eye of a view that has them side by side: left, right.
     std::vector<FreePart> freeParts() const;
-    /// What both eyes see, if the view has two: settings() is that of a point midway between them. @param settings  those of settings()
+    /// The views of both eyes, if the picture has two.
+    /// @param settings  those of settings(), of a point midway between the eyes
     std::optional<std::array<WindowEye, 2>> eyes(const RenderSettings& settings) const;
     /// A picture of the document for a file, with its words.
     /// @param picture  its camera, size, shading and words

@@ -67,7 +67,7 @@ private:
     Loader loader_;
     std::optional<Question> question_;
     PictureDescription asked_;  // the view of question_
-    /// What becomes of the document being read.
+    /// How to show the document that is being read.
     struct Request {
         bool restores = false;  ///< it belongs to the current view
         bool opens = false;     ///< it gets a first look

@@ -431,7 +431,7 @@ const char* Chooser::lackOfViews() const {
 void Chooser::chooseViews() {
     if (!request_.eyes) return;
     const char* lack = lackOfViews();
-    if (!lack) choice_.views = 2, choice_.host = HostWork::none;  // of what one eye sees
+    if (!lack) choice_.views = 2, choice_.host = HostWork::none;  // the host would find what one eye sees
     because("views", lack ? lack : "parallel eyes: a draw call draws both, and both depths stay on the tile");
 }
 

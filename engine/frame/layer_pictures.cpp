@@ -65,7 +65,7 @@ std::vector<std::uint32_t> PictureFrames::atoms(const RenderSettings& settings) 
     return atoms;
 }
 
-/// What is seen in each pixel. @param name  of the frame's images
+/// Draws the identity of each pixel. @param name  prefix of the frame's images
 PictureFrames::Drawn PictureFrames::identify(RenderSettings settings, const char* name) {
     settings.occlusion.directions = 0;
     settings.tuning.countFragments = false;

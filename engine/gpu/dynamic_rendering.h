@@ -19,7 +19,7 @@ struct RenderingFormats {
     std::uint32_t colorCount = 0;  ///< in the whole render pass
     std::array<VkFormat, kMost> colors{};
     VkFormat depth = VK_FORMAT_UNDEFINED;
-    std::uint32_t viewMask = 0;                    ///< as graph::RenderPassPlan has it
+    std::uint32_t viewMask = 0;                    ///< that of the graph::RenderPassPlan
     std::array<std::uint32_t, kMost> locations{};  ///< output location of each colour attachment in this subpass, or
                                                    ///< none
     std::array<std::uint32_t, kMost> inputs{};     ///< input attachment index of each in this subpass, or none

@@ -96,7 +96,7 @@ TEST_F(StereoTest, AnEyeSeesAsACameraThatStandsThere) {
     constexpr double kApart = 6;
     const double screen = middle.eyeDistance * 0.9;
     const LayerPicture seen =
-        layers({{"stereo", "left"}, {"eye-separation", "6"}, {"screen-distance", std::to_string(screen).c_str()}});
+        layers({{"stereo", "left"}, {"eye-distance", "6"}, {"screen-distance", std::to_string(screen).c_str()}});
     // The same camera by options that know no eyes: another centre, and an image plane that is shifted back.
     PictureDescription moved = described({{"projection", "perspective"}});
     const double aside = -kApart / 2;
@@ -131,7 +131,7 @@ TEST_F(StereoTest, DisparityIsThatOfParallelEyes) {
         PictureDescription picture = described({{"stereo", eye},
                                                 {"size", "600x400"},
                                                 {"style", "ball-and-stick"},
-                                                {"eye-separation", "0.8"},
+                                                {"eye-distance", "0.8"},
                                                 {"screen-distance", screen},
                                                 {"center", "0,0,0"},
                                                 {"scale", "8A"}});
@@ -168,9 +168,9 @@ TEST_F(StereoTest, ALabelHasTheDepthOfItsAtom) {
         if (heightOf(i) > heightOf(front)) front = i;
     const std::string text = "id " + std::to_string(front + 1) + "=X";
     const StereoOptions label{
-        {"label", text.c_str()}, {"text-size", "12"}, {"eye-separation", "8"}, {"style", "licorice"}};
+        {"label", text.c_str()}, {"text-size", "12"}, {"eye-distance", "8"}, {"style", "licorice"}};
     const auto columnOfInk = [&](const char* eye) {
-        StereoOptions with = label, without{{"eye-separation", "8"}, {"style", "licorice"}};
+        StereoOptions with = label, without{{"eye-distance", "8"}, {"style", "licorice"}};
         with.emplace_back("stereo", eye), without.emplace_back("stereo", eye);
         const Picture plain = draw(without), labelled = draw(with);
         double sum = 0, weight = 0;

@@ -58,7 +58,7 @@ std::string otherValue(const Option& option) {
         {"focus-depth", "-4.5"},
         {"scale", "12.5A"},
         {"center", "1,-2.5,3"},
-        {"eye-distance", "80"},
+        {"camera-distance", "80"},
         {"save-view", "a.view.json"},
         {"surface-form", "mesh"},
         {"cap-color", "#302010"},

@@ -82,7 +82,7 @@ class Options(TypedDict, total=False):
     primitives: str | Sequence[str]
     projection: str
     stereo: str
-    eye_separation: str | float
+    eye_distance: str | float
     screen_distance: str | float
     fov: str | float
     zoom: str | float
