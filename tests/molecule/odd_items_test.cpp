@@ -107,8 +107,10 @@ TEST(OddPdb, LinesThatLongSerialNumbersPush) {
         EXPECT_FLOAT_EQ(read.atoms[1].temperatureFactor, 3);
         const Molecule bonded = readMolecule(
             "a.pdb", std::string(given.line) +
-                         "ATOM      5  C   LIG A   3      61.551  26.671 104.223  1.00  3.00           C\n");
+                         "ATOM      5  C   LIG A   3      61.551  26.671 104.223  1.00  3.00           C\n" +
+                         "CONECT    5 " + std::to_string(given.serial) + "\n");
         EXPECT_EQ(bonded.residues[0].number, given.number);
+        EXPECT_EQ(bonded.file.conectUniquePairs, 1) << "of the serial number";
     }
 }
 
@@ -473,6 +475,15 @@ TEST(Boxes, SymmetryOfCml) {
                     if (residue.subchain == subchain) atoms += residue.atomCount * part.transforms.size();
         EXPECT_EQ(atoms, 3u);
     }
+    // Another molecule of the file has no part in it.
+    const Molecule two =
+        readMolecule("a.cml", "<cml>" + crystalOfCml(inverse) +
+                                  "<molecule><atomArray><atom id=\"x\" elementType=\"N\" x3=\"1\" y3=\"1\" "
+                                  "z3=\"1\"/></atomArray></molecule></cml>");
+    ASSERT_EQ(two.atoms.size(), 3u);
+    const std::uint32_t nitrogen = two.residues[two.atoms[2].residue].subchain;
+    for (const AssemblyPart& part : two.assemblies.at(0).parts)
+        EXPECT_EQ(std::count(part.subchains.begin(), part.subchains.end(), nitrogen), 0);
     const Molecule odd = readMolecule(
         "a.cml", crystalOfCml("<symmetry spaceGroup=\"?\"><transform3>1 0 0 0.123</transform3></symmetry>"));
     EXPECT_EQ(noteOf(odd, ReadAction::leftOut, "symmetry operations").count, 1);

@@ -147,7 +147,8 @@ private:
             fail("its elements are nested more than " + std::to_string(kDeepestElement) + " deep");
         inName_ = name == "name" && moleculeDepth_ > 0 && nameText_.empty();
         cellScalar_ = name == "scalar" ? cellScalarOf(attributes) : kNoScalar;
-        if (cellScalar_ != kNoScalar) cell_[cellScalar_].clear();  // of an earlier crystal
+        if (cellScalar_ != kNoScalar) cell_[cellScalar_].clear();         // of an earlier crystal
+        if (name == "crystal") spaceGroup_.clear(), operations_.clear();  // of an earlier one
         if (name == "symmetry") {
             spaceGroup_ = attributes["spaceGroup"].substr(0, kLongestScalar);
             operations_.clear();
@@ -226,10 +227,17 @@ private:
         return operations;
     }
 
+    /// Begins the names of a later molecule's subchains: the symmetry of an earlier crystal does not apply to it.
+    std::string subchainPrefix(bool symmetric) {
+        const bool apart = outermost_ > 1 && (symmetric || builder_.molecule().file.cell);
+        return apart ? std::to_string(outermost_) + " " : std::string();
+    }
+
     /// Atoms of a molecule, whose cell and symmetry may stand behind them.
     void placeAtoms() {
         if (std::none_of(atoms_.begin(), atoms_.end(), [](const PendingAtom& a) { return a.fractional; })) {
-            for (const PendingAtom& pending : atoms_) builder_.addAtom(pending.atom, "", outermost_, '\0', "");
+            const std::string prefix = subchainPrefix(false);
+            for (const PendingAtom& pending : atoms_) builder_.addAtom(pending.atom, "", outermost_, '\0', "", prefix);
             atoms_.clear();
             return;
         }
@@ -238,8 +246,7 @@ private:
         const auto box = boxOf({cell[0], cell[1], cell[2]}, {cell[3], cell[4], cell[5]});
         if (!box) fail("it has fractional coordinates and no unit cell");
         const std::vector<gemmi::Op> operations = symmetry();
-        const std::string prefix =
-            outermost_ > 1 && operations.size() > 1 ? std::to_string(outermost_) + " " : std::string();
+        const std::string prefix = subchainPrefix(operations.size() > 1);
         CellSites sites({cell[0], cell[1], cell[2], cell[3], cell[4], cell[5]}, operations, prefix);
         for (PendingAtom& pending : atoms_) {
             glm::vec3& p = pending.atom.position;
