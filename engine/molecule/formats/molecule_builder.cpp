@@ -157,6 +157,15 @@ std::optional<glm::vec3> MoleculeBuilder::computedPosition(const glm::dvec3& pos
     return glm::vec3(position);
 }
 
+void MoleculeBuilder::compareCount(const char* what, std::int64_t announced, std::int64_t found, std::uint64_t line) {
+    if (announced > found)
+        addNote(molecule_.notes, ReadAction::leftOut, what, "announced by the header and not there", announced - found,
+                line);
+    else if (announced < found)
+        warn("the header announces " + std::to_string(announced) + " " + what + ", and the file has " +
+             std::to_string(found));
+}
+
 void MoleculeBuilder::takeBox(const std::array<glm::vec3, 3>& box, const glm::vec3& origin, std::uint64_t line) {
     constexpr double kLeastVolume = 1e-6;  // Å^3
     const glm::dvec3 a(box[0]), b(box[1]), c(box[2]);

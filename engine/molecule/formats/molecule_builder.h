@@ -52,6 +52,8 @@ public:
     void state(std::string_view what, std::int64_t count = 1) {
         addNote(molecule_.notes, ReadAction::read, what, "", count);
     }
+    /// Tells if a header announces another number of items than the file has. @param what  plural @param line  its
+    void compareCount(const char* what, std::int64_t announced, std::int64_t found, std::uint64_t line);
     /// Counts items that are left out, or guessed. @param what  plural @param why  no text of the file
     void leaveOut(std::string_view what, std::string_view why, std::uint64_t line = 0) {
         addNote(molecule_.notes, ReadAction::leftOut, what, why, 1, line);

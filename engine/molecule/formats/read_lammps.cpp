@@ -73,15 +73,8 @@ public:
 private:
     /// What the header announces, if it is not what the sections have.
     void compareCounts() {
-        const auto compare = [&](const char* what, const Announced& announced, std::size_t have) {
-            const std::int64_t missing = announced.count - static_cast<std::int64_t>(have);
-            if (announced.line == 0 || missing == 0) return;
-            if (missing > 0)
-                addNote(builder_.molecule().notes, ReadAction::leftOut, what, "announced by the header and not there",
-                        missing, announced.line);
-            else
-                builder_.warn("the header announces " + std::to_string(announced.count) + " " + what +
-                              ", and the file has " + std::to_string(have));
+        const auto compare = [&](const char* what, const Announced& announced, std::int64_t found) {
+            if (announced.line > 0) builder_.compareCount(what, announced.count, found, announced.line);
         };
         compare("atoms", atoms_, atomLines_);
         compare("bonds", bondsAnnounced_, bondLines_);
@@ -215,7 +208,7 @@ private:
     glm::vec3 low_{};  ///< the box's corner
     std::uint64_t lineOfBox_ = 0;
     Announced atoms_, bondsAnnounced_;
-    std::size_t atomLines_ = 0, bondLines_ = 0;
+    std::int64_t atomLines_ = 0, bondLines_ = 0;
     std::vector<LammpsAtom> rows_;
     std::vector<std::int64_t> ids_;
     std::vector<LammpsBond> bonds_;

@@ -147,14 +147,8 @@ private:
             if (name == "m_bond") addBond(MaeRow(names, values));
             ++rows;
         }
-        if (!inWanted_ || !announced || *announced == rows || (name != "m_atom" && name != "m_bond")) return;
-        const char* what = name == "m_atom" ? "atoms" : "bonds";
-        if (*announced > rows)
-            addNote(builder_.molecule().notes, ReadAction::leftOut, what, "announced by the header and not there",
-                    *announced - rows, line);
-        else
-            builder_.warn("the header announces " + std::to_string(*announced) + " " + what + ", and the file has " +
-                          std::to_string(rows));
+        if (!inWanted_ || !announced || (name != "m_atom" && name != "m_bond")) return;
+        builder_.compareCount(name == "m_atom" ? "atoms" : "bonds", *announced, rows, line);
     }
 
     void readStructure(const MaeRow& row) {
