@@ -60,11 +60,6 @@ View oneEyeView(const View& view, const Stereo& stereo) {
     return eyeView(view, stereo, stereo.mode == Stereo::Mode::left ? Eye::left : Eye::right);
 }
 
-View paired(View left, const View& right) {
-    left.other = {right.shift.x - left.shift.x, right.pan.x - left.pan.x};
-    return left;
-}
-
 View eyesView(const View& view, const Stereo& stereo) {
     return paired(eyeView(view, stereo, Eye::left), eyeView(view, stereo, Eye::right));
 }

@@ -19,9 +19,7 @@ View eyeView(const View& view, const Stereo& stereo, Eye eye);
 /// The view of a picture of one eye; of any other picture the view itself.
 View oneEyeView(const View& view, const Stereo& stereo);
 
-/// The left eye's view with the right one's beside it (View::other), so that one frame can draw both.
-View paired(View left, const View& right);
-/// As above, of a view midway between the eyes.
+/// The left eye's view, which has the right one's beside it. @param view  midway between the eyes
 View eyesView(const View& view, const Stereo& stereo);
 
 /// The camera of a picture. Eyes need perspective; the scale at the picture's centre stays.

@@ -78,8 +78,6 @@ FullScreenPass fullScreenOf(const gpu::PipelineContext& context, const SceneView
         pass.constants.set(layout::kDepthChannelsId, deferred.over->encoding.channels);
         pass.constants.set(layout::kDepthStepsId, deferred.over->encoding.steps);
     }
-    // A driver may lose the view of what it clips, as of the corners of a larger triangle.
-    if (context.views > 1) pass.constants.set(layout::kCornersId, 4);
     setGeometryConstants(pass.constants, view);
     setShadingConstants(pass.constants, view);
     pass.constants.set(layout::kCopiesId, view.copies.rows.size() > 3);
@@ -105,8 +103,7 @@ void draw(gpu::PassContext& context, const SceneView& view, const DeferredPass& 
         constants.numberBefore = static_cast<std::uint32_t>(view.copies.rows.size());
         constants.contourDepth = view.otherAxis;
     }
-    context.commands.pushConstants<layout::ViewConstants>(*layout.pipeline, kDraw, 0, constants);
-    context.commands.draw(context.views > 1 ? 4 : 3, 1, 0, 0);
+    drawFullScreen(context, layout, kDraw, constants);
 }
 
 void want(gpu::PipelineContext& context, const SceneView& view, const DeferredPass& pass) {

@@ -1,11 +1,10 @@
 #pragma once
-// Shared by passes that draw one triangle over the whole screen; and the simplest of them.
+// Shared by passes that draw over the whole screen; and the simplest of them.
 
 #include <array>
 #include <optional>
 
 #include "engine/gpu/execute.h"
-#include "engine/results.h"
 
 namespace nacre::passes {
 
@@ -22,12 +21,12 @@ void bindFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const
 /// Requests the same pipeline ahead.
 void wantFullScreen(gpu::PipelineContext& context, const FullScreenPass& pass, const gpu::Layout& layout);
 
-/// Draws the triangle, with its push constants.
+/// Draws a triangle, or the strip of several views, with its push constants.
 template <typename Push>
 void drawFullScreen(gpu::PassContext& context, const gpu::Layout& layout, vk::ShaderStageFlags stages,
                     const Push& push) {
     context.commands.pushConstants<Push>(*layout.pipeline, stages, 0, push);
-    context.commands.draw(3, 1, 0, 0);
+    context.commands.draw(context.views > 1 ? 4 : 3, 1, 0, 0);
 }
 
 /// Binds a set with textures at set 0, binding 0 and up, all with the same sampler.

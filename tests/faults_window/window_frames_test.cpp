@@ -100,11 +100,10 @@ TEST(WindowFrames, TwoEyesByEveryPathAreValid) {
             std::array<WindowEye, 2> eyes;
             eyes[0].view = fromAside(middle, -0.5, middle.eyeDistance);
             eyes[1].view = fromAside(middle, 0.5, middle.eyeDistance);
-            const View &left = eyes[0].view, &right = eyes[1].view;
             if (beside) eyes[1].x = static_cast<std::int32_t>(middle.width);
             if (!beside) eyes[0].channels = {{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
             for (const bool together : {true, false}) {
-                if (together) eyes[0].view.other = {right.shift.x - left.shift.x, right.pan.x - left.pan.x};
+                if (together) eyes[0].view = paired(eyes[0].view, eyes[1].view);
                 if (!together) eyes[0].view.other.reset();
                 for (WindowFrame frame : {WindowFrame{}, WindowFrame{Quality::live, 0.5, 1, 0, &overlay},
                                           WindowFrame{Quality::refined, 1, 16, 0, nullptr},

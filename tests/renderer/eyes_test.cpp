@@ -11,11 +11,7 @@ namespace {
 /// A view of two eyes: parallel, 4 Å apart.
 View eyesOf(View view) {
     constexpr double kApart = 4;
-    const View left = fromAside(view, -kApart / 2, view.eyeDistance),
-               right = fromAside(view, kApart / 2, view.eyeDistance);
-    View eyes = left;
-    eyes.other = {right.shift.x - left.shift.x, right.pan.x - left.pan.x};
-    return eyes;
+    return paired(fromAside(view, -kApart / 2, view.eyeDistance), fromAside(view, kApart / 2, view.eyeDistance));
 }
 
 std::string viewsOf(const Renderer& renderer) {

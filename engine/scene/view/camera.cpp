@@ -99,6 +99,11 @@ View fromAside(View view, double aside, double screen) {
     return view;
 }
 
+View paired(View left, const View& right) {
+    left.other = {right.shift.x - left.shift.x, right.pan.x - left.pan.x};
+    return left;
+}
+
 View otherView(View view) {
     view.shift.x += view.other->shift;
     view.pan.x += view.other->pan;

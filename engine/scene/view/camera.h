@@ -81,6 +81,8 @@ Camera relativeCamera(Camera camera, double& radius);
 /// @param aside  Å to the right @param screen  Å from the eyes: points at this distance stay where they are
 View fromAside(View view, double aside, double screen);
 
+/// The left eye's view with the right one's beside it (View::other), so that one frame can draw both.
+View paired(View left, const View& right);
 /// The right eye's view of two, alone. @param view  has View::other
 View otherView(View view);
 
