@@ -406,18 +406,12 @@ MapJson mapInfoJson(const DensityMap& map) {
                    {"mean", rounded(map.statistics.mean)},
                    {"rms", rounded(map.statistics.rms)}};
     const std::size_t nodes = map.values.size(), known = map.statistics.known;
-    const auto note = [&](const char* action, std::size_t count, MapJson why) {
-        json["reading"].push_back(
-            {{"action", action}, {"what", "values"}, {"count", count}, {"why", std::move(why)}, {"line", nullptr}});
-    };
-    note("read", known, nullptr);
-    if (known < nodes) note("left out", nodes - known, "not known at these nodes");
-    for (const ReadNote& own : map.notes)
-        json["reading"].push_back({{"action", readActionName(own.action)},
-                                   {"what", own.what},
-                                   {"count", own.count},
-                                   {"why", own.why},
-                                   {"line", own.line > 0 ? MapJson(own.line) : MapJson()}});
+    ReadNotes notes;
+    addNote(notes, ReadAction::read, "values", "", static_cast<std::int64_t>(known));
+    addNote(notes, ReadAction::leftOut, "values", "not known at these nodes", static_cast<std::int64_t>(nodes - known));
+    notes.insert(notes.end(), map.notes.begin(), map.notes.end());
+    json["reading"] = MapJson::array();
+    for (const ReadNote& note : notes) json["reading"].push_back(noteJson(note));
     json["warnings"] = map.warnings;
     return json;
 }

@@ -127,19 +127,6 @@ void putChains(Json& json, const Molecule& molecule, bool has) {
     json["waters"] = waters;
 }
 
-/// Rows of one shape, in a stable order: what was read, guessed and left out.
-Json readingList(const Molecule& molecule, const std::vector<std::uint8_t>& drawn) {
-    Json list = Json::array();
-    for (const ReadNote& note : readingOf(molecule, drawn)) {
-        list.push_back({{"action", readActionName(note.action)},
-                        {"what", note.what},
-                        {"count", note.count},
-                        {"why", orNull(note.why)},
-                        {"line", note.line > 0 ? Json(note.line) : Json()}});
-    }
-    return list;
-}
-
 /// Atoms of each subchain.
 std::vector<std::size_t> subchainSizes(const Molecule& molecule) {
     std::vector<std::size_t> sizes(molecule.subchains.size());
@@ -165,6 +152,14 @@ Json assemblyList(const Molecule& molecule) {
 }
 
 }  // namespace
+
+Json noteJson(const ReadNote& note) {
+    return {{"action", readActionName(note.action)},
+            {"what", note.what},
+            {"count", note.count},
+            {"why", orNull(note.why)},
+            {"line", note.line > 0 ? Json(note.line) : Json()}};
+}
 
 Json infoJson(const Molecule& molecule) {
     const FileSummary& file = molecule.file;
@@ -209,7 +204,8 @@ Json infoJson(const Molecule& molecule) {
             : Json(std::accumulate(molecule.partialCharges.begin(), molecule.partialCharges.end(), 0.0));
     const std::vector<std::uint8_t> drawn = drawnOrders(molecule);
     json["bonds_known"] = bondsByKind(molecule, drawn);
-    json["reading"] = readingList(molecule, drawn);
+    json["reading"] = Json::array();
+    for (const ReadNote& note : readingOf(molecule, drawn)) json["reading"].push_back(noteJson(note));
     json["warnings"] = molecule.warnings;
     return json;
 }

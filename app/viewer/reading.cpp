@@ -17,8 +17,8 @@ void takeInput(const PictureDescription& from, PictureDescription& to) {
     to.mapsChanged();
 }
 
-/// The first maps of a structure: sticks, and contours where the camera looks, as model builders have them. What the
-/// user chose stays.
+/// The first maps of a structure: contours where the camera looks, and sticks in place of a cartoon that neither rules
+/// nor --style ask for, as model builders have them.
 void lookAtDensity(PictureDescription& view) {
     if (view.maps.files.size() > 0 || view.maps.around || view.given.contains("map-around")) return;
     view.maps.aroundFocus = true;
