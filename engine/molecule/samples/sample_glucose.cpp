@@ -78,7 +78,7 @@ Substituents substituents(const Ring& ring, int i) {
 }
 
 /// The point bound to `c` at `length`, with the tetrahedral angle to `b` and the torsion a-b-c-point.
-glm::dvec3 extend(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, double length, double torsion) {
+glm::dvec3 placeAtom(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, double length, double torsion) {
     const glm::dvec3 along = glm::normalize(c - b);
     const glm::dvec3 normal = glm::normalize(glm::cross(b - a, along));
     const glm::dvec3 inPlane = glm::cross(normal, along);
@@ -99,7 +99,7 @@ struct Hydroxyl {
 Hydroxyl hydroxyl(const Ring& ring, int i, glm::dvec3 direction) {
     const glm::dvec3 before = ring[(i + kRingSize - 1) % kRingSize];
     const glm::dvec3 oxygen = ring[i] + kCarbonOxygen * direction;
-    return {oxygen, extend(before, ring[i], oxygen, kOxygenHydrogen, kHydroxylTorsions[i])};
+    return {oxygen, placeAtom(before, ring[i], oxygen, kOxygenHydrogen, kHydroxylTorsions[i])};
 }
 
 }  // namespace
@@ -133,12 +133,12 @@ Molecule sampleGlucose() {
     const auto h5 = builder.atom("H5", "H", ring[C5] + kCarbonHydrogen * axial);
     const glm::dvec3 carbon = ring[C5] + kCarbonCarbon * equatorial;
     // The gauche-trans rotamer, O5-C5-C6-O6 = +60 degrees, as in the crystal of alpha-D-glucose.
-    const glm::dvec3 oxygen = extend(ring[O5], ring[C5], carbon, kCarbonOxygen, fromDegrees(60));
+    const glm::dvec3 oxygen = placeAtom(ring[O5], ring[C5], carbon, kCarbonOxygen, fromDegrees(60));
     const auto c6 = builder.atom("C6", "C", carbon);
     const auto o6 = builder.atom("O6", "O", oxygen);
-    const auto h61 = builder.atom("H61", "H", extend(ring[O5], ring[C5], carbon, kCarbonHydrogen, fromDegrees(180)));
-    const auto h62 = builder.atom("H62", "H", extend(ring[O5], ring[C5], carbon, kCarbonHydrogen, fromDegrees(-60)));
-    const auto ho6 = builder.atom("HO6", "H", extend(ring[C5], carbon, oxygen, kOxygenHydrogen, fromDegrees(180)));
+    const auto h61 = builder.atom("H61", "H", placeAtom(ring[O5], ring[C5], carbon, kCarbonHydrogen, fromDegrees(180)));
+    const auto h62 = builder.atom("H62", "H", placeAtom(ring[O5], ring[C5], carbon, kCarbonHydrogen, fromDegrees(-60)));
+    const auto ho6 = builder.atom("HO6", "H", placeAtom(ring[C5], carbon, oxygen, kOxygenHydrogen, fromDegrees(180)));
     builder.bond(ringAtoms[C5], h5, 1);
     builder.bond(ringAtoms[C5], c6, 1);
     for (const auto atom : {o6, h61, h62}) builder.bond(c6, atom, 1);
