@@ -1,6 +1,7 @@
 // `nacre help TOPIC`: a text about several options, and those options' own help. An option's name is a topic, too.
 
 #include <algorithm>
+#include <initializer_list>
 #include <sstream>
 
 #include "app/cli/option_words.h"
@@ -200,29 +201,41 @@ bool isKeyword(const Option& option) {
     return has(kEveryTopic & ~kReading & ~(Topic::files | Topic::view), option.topic);
 }
 
-bool takesNumbers(const Option& option) {
-    try {
-        PictureDescription tried;
-        option.parse("1", tried);
-        return true;
-    } catch (const std::invalid_argument&) {
-        return false;
-    } catch (const Error&) {
-        return false;
-    }
+bool takesAny(const Option& option, std::initializer_list<const char*> texts) {
+    return std::ranges::any_of(texts, [&](const char* text) {
+        try {
+            PictureDescription tried;
+            option.parse(text, tried);
+            return true;
+        } catch (const std::invalid_argument&) {
+            return false;
+        } catch (const Error&) {
+            return false;
+        }
+    });
 }
 
-const char* keywordType(const Option& option) {
+/// What one value of an option may be, in the words of type checkers.
+std::string valueType(const Option& option) {
+    if (option.syntax.find("FILE") != std::string::npos) return "str | PathLike[str]";
+    if (option.syntax.starts_with("SEL=")) return "str | tuple[str | Mask, str]";
+    if (option.key == "measure") return "str | tuple[str | Mask | int, ...]";
+    std::string type = "str";
+    if (takesAny(option, {"1", "8", "16"})) type += " | float";
+    const bool numbers = takesAny(option, {"1,2", "1,2,3", "1,0,0,0"}) && !takesAny(option, {"some words", "a,b"});
+    if (numbers || option.syntax == "WxH") type += " | Sequence[float]";
+    if (takesOff(option)) type += " | bool";
+    if (option.syntax.find("SEL") != std::string::npos) type += " | Mask";
+    if (option.key == "interface" || option.key == "interactions") type += " | tuple[str | Mask, str | Mask]";
+    if (option.key == "map-around") type += " | tuple[str | Mask, float]";
+    return type;
+}
+
+std::string keywordType(const Option& option) {
     if (option.kind == Option::Kind::flag) return "bool";
-    const bool selects = option.syntax.find("SEL") != std::string::npos;
-    if (option.key == "color-from") return "str | Table | Sequence[str | Table]";
-    if (option.kind == Option::Kind::list)
-        return selects ? "str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]" : "str | Sequence[str]";
-    if (option.syntax == "WxH" || option.syntax == "X,Y,Z") return "str | Sequence[float]";
-    const bool switches = takesOff(option);
-    if (selects) return switches ? "str | bool | Mask" : "str | Mask";
-    if (takesNumbers(option)) return switches ? "str | float | bool" : "str | float";
-    return switches ? "str | bool" : "str";
+    if (option.key == "color-from") return "str | PathLike[str] | Table | Sequence[str | Table]";
+    const std::string type = valueType(option);
+    return option.kind == Option::Kind::list ? type + " | Sequence[" + type + "]" : type;
 }
 
 }  // namespace

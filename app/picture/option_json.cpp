@@ -35,6 +35,7 @@ std::string shownJson(const JobJson& value) {
     return text.size() > kMost ? text.substr(0, kMost) + "..." : text;
 }
 
+/// Whether an option's syntax has a word as an alternative: "off" of "angstrom|nm|off".
 bool takesWord(const Option& option, std::string_view word) {
     const std::string words = "|" + std::string(option.syntax) + "|";
     return words.find("|" + std::string(word) + "|") != std::string::npos;
@@ -43,13 +44,12 @@ bool takesWord(const Option& option, std::string_view word) {
 /// What switches an option on or off, if something does.
 std::optional<std::string> switchText(bool on, const Option& option) {
     if (!takesOff(option)) return std::nullopt;
-    if (!on) return "off";
-    for (const char* word : {"on", "auto"})
+    if (!on) return takesWord(option, "off") ? "off" : "hide";
+    for (const char* word : {"on", "auto", "show"})
         if (takesWord(option, word)) return word;
-    // "dashed|off": the only word besides.
-    const std::string word = option.syntax.substr(0, option.syntax.find('|'));
-    if (std::ranges::all_of(word, [](char c) { return c >= 'a' && c <= 'z'; }) && option.syntax == word + "|off")
-        return word;
+    // "dashed|off": the first word.
+    const std::string word(option.syntax.substr(0, option.syntax.find('|')));
+    if (std::ranges::all_of(word, [](char c) { return c >= 'a' && c <= 'z'; })) return word;
     const std::string usual = option.standard == "=" ? option.print(PictureDescription{}) : option.standard;
     const bool number = !usual.empty() && usual.front() >= '0' && usual.front() <= '9';
     return number ? std::optional(usual) : std::nullopt;
@@ -133,7 +133,7 @@ bool isRepeated(const Option& option) { return option.kind == Kind::list || opti
 
 }  // namespace
 
-bool takesOff(const Option& option) { return takesWord(option, "off"); }
+bool takesOff(const Option& option) { return takesWord(option, "off") || takesWord(option, "hide"); }
 
 std::vector<OptionValue> optionValuesOf(const std::string& json, const std::string& who) {
     std::string twice;

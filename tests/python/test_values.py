@@ -4,6 +4,7 @@ import os
 import pathlib
 import re
 import subprocess
+import warnings
 
 import numpy as np
 import pytest
@@ -28,6 +29,12 @@ def test_masks_are_selections(dna):
         np.testing.assert_array_equal(dna.render(show=pairs, **SMALL), dna.render(show="chain A=licorice", **SMALL))
     np.testing.assert_array_equal(dna.render(color_by=[(mask, "red"), (~mask, "blue")], **SMALL),
                                   dna.render(color_by=["chain A=red", "chain B=blue"], **SMALL))
+    other, atoms = dna.select("chain B"), (dna.select("/A:1@C1'"), dna.select("/B:24@C1'"))
+    for name, masks, text in (("interface", (mask, other), "chain A,chain B"), ("interface", ("chain A", "chain B"), "chain A,chain B"),
+                              ("interactions", (mask, other), "chain A,chain B"), ("measure", atoms, "/A:1@C1',/B:24@C1'"),
+                              ("measure", [("/A:1@C1'", atoms[1])], "/A:1@C1',/B:24@C1'")):
+        np.testing.assert_array_equal(dna.render(**{name: masks}, **SMALL), dna.render(**{name: text}, **SMALL), name)
+    assert dna.info(interactions=(mask, other)) == dna.info(interactions="chain A,chain B")
     with pytest.raises(nacre.UsageError, match=r'"hide": a mask has one value for each of the 486 atoms, not the shape \(3,\)'):
         dna.render(hide=np.array([True, False, True]), **SMALL)
 
@@ -46,7 +53,8 @@ def test_tables_are_frames_dicts_and_rows(dna):
 
 def test_booleans_switch_on_and_off(dna):
     for key, value, text in (("fog", True, "auto"), ("fog", False, "off"), ("occlusion", False, "off"), ("halos", False, "off"),
-                             ("gaps", True, "dashed"), ("bond_orders", False, "off"), ("carbohydrates", True, "on")):
+                             ("gaps", True, "dashed"), ("bond_orders", False, "off"), ("carbohydrates", True, "on"),
+                             ("water", True, "show"), ("hydrogens", False, "hide"), ("scale_bar", True, "angstrom")):
         options = SMALL | {"style": "licorice"}
         np.testing.assert_array_equal(dna.render(**options | {key: value}), dna.render(**options | {key: text}), key)
     with pytest.raises(nacre.UsageError, match='"halos": expected a text or a number, not true'):
@@ -106,4 +114,34 @@ def test_examples_of_the_docs_have_the_stubs_types(tmp_path):
     assert len(programs) >= 12
     out, _, code = mypy.run([*programs, "--no-incremental", "--cache-dir", str(tmp_path), "--ignore-missing-imports",
                              "--enable-incomplete-feature=Unpack", "--scripts-are-modules"])
+    assert code == 0, out
+
+
+# Values that work, and what a type checker must take, therefore.
+WORKING = """
+clip=0, clip=(-5, 5), fog=(0, 10), fog=True, center=(1, 2, 3), center=mask, pan=[1, 2], orientation=(1, 0, 0, 0)
+rotate=np.array([0, 90, 0]).tolist(), water=True, hydrogens=False, scale_bar=True, cavities=False, disulfides=True, msaa=False
+text_size=20, depth=16, occlusion_detail=8, thumbnail=32, map_level=0.5, map_level=[0.5, 0.7], map_opacity=0.5
+look=pathlib.Path("look.json"), interface=(mask, ~mask), interface=("chain A", "chain B"), interactions=(mask, ~mask)
+map_around=(mask, 2.5), measure=(1, 2), measure=[(1, 2), (1, 2, 3)], measure=["1,2"], show=(mask, "licorice")
+show=[(mask, "licorice"), "chain B=cartoon"], hide=[mask, "chain A and name P"], label=[("chain A", "{chain}")], color=[[1, 0, 0]] * 486
+""".replace("\n", ", ")
+
+
+def test_stubs_take_what_works(dna, tmp_path, monkeypatch):
+    (tmp_path / "look.json").write_text('{"halos": 3}')
+    monkeypatch.chdir(tmp_path)
+    calls = [f"dna.render({one})" for one in re.split(r", (?=\w+=)", WORKING.strip(", "))]
+    assert len(calls) > 30
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        for call in calls:
+            eval(call.replace("dna.render(", "draw("), {"draw": lambda **given: dna.render(**{**SMALL, **given}), "np": np,
+                                                        "pathlib": pathlib, "mask": dna.select("chain A")})
+    mypy = pytest.importorskip("mypy.api")
+    program = tmp_path / "use.py"
+    program.write_text("import pathlib\nimport nacre\nimport numpy as np\ndna = nacre.open('sample:dna')\n"
+                       "mask = dna.select('chain A')\n" + "\n".join(calls) + "\n")
+    out, _, code = mypy.run([str(program), "--no-incremental", "--cache-dir", str(tmp_path), "--ignore-missing-imports",
+                             "--enable-incomplete-feature=Unpack"])
     assert code == 0, out

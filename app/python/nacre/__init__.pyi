@@ -26,10 +26,10 @@ class Layers(TypedDict):
 
 # What `nacre help keywords` writes.
 class Options(TypedDict, total=False):
-    look: str
-    thumbnail: str
+    look: str | PathLike[str]
+    thumbnail: str | float
     pocket: str | Mask
-    interface: str
+    interface: str | tuple[str | Mask, str | Mask]
     camera: str
     occlusion_models: str
     assembly: str | float
@@ -37,7 +37,7 @@ class Options(TypedDict, total=False):
     bond_orders: str | bool
     aromatic_bonds: str
     color: str
-    color_from: str | Table | Sequence[str | Table]
+    color_from: str | PathLike[str] | Table | Sequence[str | Table]
     palette: str
     helices: str
     bases: str
@@ -51,35 +51,35 @@ class Options(TypedDict, total=False):
     cartoon_scale: str | float
     gaps: str | bool
     surface_form: str
-    disulfides: str
+    disulfides: str | bool
     surface: str
     probe: str | float
     surface_resolution: str | float
-    cavities: str
+    cavities: str | bool
     surface_opacity: str | float
     cartoon_opacity: str | float
-    interactions: str | bool | Mask
+    interactions: str | bool | Mask | tuple[str | Mask, str | Mask]
     interaction_kinds: str
     interaction_rules: str
     interaction_color: str | Sequence[str]
     interaction_width: str | float
-    show: str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]
-    hide: str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]
-    color_by: str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]
-    water: str
-    hydrogens: str
+    show: str | tuple[str | Mask, str] | Sequence[str | tuple[str | Mask, str]]
+    hide: str | Mask | Sequence[str | Mask]
+    color_by: str | tuple[str | Mask, str] | Sequence[str | tuple[str | Mask, str]]
+    water: str | bool
+    hydrogens: str | bool
     altlocs: str | float
-    map: str | Sequence[str]
-    map_level: str | Sequence[str]
+    map: str | PathLike[str] | Sequence[str | PathLike[str]]
+    map_level: str | float | Sequence[str | float]
     map_style: str | Sequence[str]
     map_color: str | Sequence[str]
-    map_color_from: str | Sequence[str]
+    map_color_from: str | PathLike[str] | Sequence[str | PathLike[str]]
     map_slice: str | Sequence[str]
-    map_opacity: str | Sequence[str]
+    map_opacity: str | float | Sequence[str | float]
     map_width: str | float
-    map_around: str | Mask
-    surface_color_from: str | float
-    primitives: str | Sequence[str]
+    map_around: str | Mask | tuple[str | Mask, float]
+    surface_color_from: str | PathLike[str]
+    primitives: str | PathLike[str] | Sequence[str | PathLike[str]]
     projection: str
     stereo: str
     eye_distance: str | float
@@ -87,9 +87,9 @@ class Options(TypedDict, total=False):
     fov: str | float
     zoom: str | float
     scale: str | float
-    center: str | Mask
-    orientation: str
-    pan: str
+    center: str | Sequence[float] | Mask
+    orientation: str | Sequence[float]
+    pan: str | Sequence[float]
     rotate: str | Sequence[float]
     orient: str | Mask
     look_at: str | Mask
@@ -108,7 +108,7 @@ class Options(TypedDict, total=False):
     halo_depth: str | float
     halo_strength: str | float
     halo_color: str
-    fog: str | bool
+    fog: str | Sequence[float] | bool
     fog_strength: str | float
     shadow: str | float | bool
     depth_of_field: str | float | bool
@@ -118,31 +118,31 @@ class Options(TypedDict, total=False):
     highlight: str | float
     gloss: str | float
     occlusion_strength: str | float
-    clip: str | bool | Mask
+    clip: str | float | Sequence[float] | bool | Mask
     cap: str
     cap_color: str
     clip_spare: str | Mask
     slab: str | float
-    label: str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]
-    label_color: str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]
-    label_offset: str | Mask | Sequence[str | Mask | tuple[str | Mask, str]]
-    measure: str | Sequence[str]
+    label: str | tuple[str | Mask, str] | Sequence[str | tuple[str | Mask, str]]
+    label_color: str | tuple[str | Mask, str] | Sequence[str | tuple[str | Mask, str]]
+    label_offset: str | tuple[str | Mask, str] | Sequence[str | tuple[str | Mask, str]]
+    measure: str | tuple[str | Mask | int, ...] | Sequence[str | tuple[str | Mask | int, ...]]
     title: str | float
     scale_bar: str | bool
     legend: str | bool
     legend_title: str | float
     interaction_labels: str | bool
     show_labels: str
-    text_size: str
+    text_size: str | float
     text_color: str
-    occlusion_detail: str
+    occlusion_detail: str | float
     size: str | Sequence[float]
     supersample: str | float
     mesh_error: str | float
     width: str
     height: str
     dpi: str | float
-    depth: str
+    depth: str | float
     debug: str
     device: str | float
     visibility: str
@@ -187,7 +187,7 @@ class Structure:
     @property
     def frames(self) -> int: ...
     def frame(self, number: int) -> Structure: ...
-    def info(self, *, interactions: str | Mask | None = ..., interaction_kinds: str | None = ...,
+    def info(self, *, interactions: str | Mask | tuple[str | Mask, str | Mask] | None = ..., interaction_kinds: str | None = ...,
              interaction_rules: str | None = ..., assembly: str | None = ...) -> dict[str, Any]: ...
     def select(self, selection: str) -> NDArray[np.bool_]: ...
     def render(self, **options: Unpack[Still]) -> NDArray[np.uint8] | NDArray[np.uint16]: ...

@@ -72,12 +72,12 @@ def shown(value):
 
 
 def ids(mask, count, name):
-    """The selection of a mask's atoms: "id 1-20,35"."""
+    """The selection of a mask's atoms: "id 1-20+35"."""
     if mask.shape != (count,):
         raise UsageError(f'"{name}": a mask has one value for each of the {count} atoms, not the shape {mask.shape}')
     edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([False], mask, [False])).astype(numpy.int8)))
     runs = (f"{a + 1}" if a + 1 == b else f"{a + 1}-{b}" for a, b in edges.reshape(-1, 2).tolist())
-    return "id " + ",".join(runs) if len(edges) else "not all"
+    return "id " + "+".join(runs) if len(edges) else "not all"
 
 
 def as_mask(value):
@@ -89,21 +89,26 @@ def as_mask(value):
 
 
 _JOINED_BY_COMMA = {"measure", "interactions", "interface", "map_around"}
+_ONE_TEXT = _JOINED_BY_COMMA - {"measure"}  # a tuple of texts is one value there, and a list of values elsewhere
 
 
 def selections(value, count, name):
-    """The value with masks as the selections of their atoms, and pairs in a list as one text: (mask, "licorice")."""
+    """The value with masks as the selections of their atoms, and tuples as one text: (mask, "licorice")."""
     mask = as_mask(value)
     if mask is not None:
         return ids(mask, count, name)
-    if isinstance(value, tuple) and any(as_mask(one) is not None for one in value):
-        value = [value]
-    if not isinstance(value, list):
-        return value
+    if isinstance(value, list):
+        return [joined(one, count, name) if isinstance(one, tuple) and any(isinstance(part, str) for part in one)
+                else selections(one, count, name) for one in value]
+    if isinstance(value, tuple) and (name in _ONE_TEXT or any(as_mask(one) is not None for one in value)
+                                     or (name == "measure" and any(isinstance(one, int) for one in value))):
+        return joined(value, count, name)
+    return value
+
+
+def joined(parts, count, name):
     joint = "," if name in _JOINED_BY_COMMA else "="
-    return [joint.join(str(selections(part, count, name)) for part in one)
-            if isinstance(one, tuple) and any(isinstance(part, str) for part in one) else selections(one, count, name)
-            for one in value]
+    return joint.join(str(selections(part, count, name)) for part in parts)
 
 
 def tables(value):
