@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <memory>
 #include <optional>
 
 #include "app/annotation/painter.h"
@@ -10,6 +12,7 @@
 #include "app/cli/picture_grid.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/progress.h"
+#include "app/drawing/aim.h"
 #include "app/drawing/complete.h"
 #include "app/drawing/drawing.h"
 #include "app/files/messages.h"
@@ -41,72 +44,141 @@ std::string letterOf(PanelLetters letters, std::size_t panel) {
     return std::string(1, static_cast<char>((letters == PanelLetters::capital ? 'A' : 'a') + panel));
 }
 
-std::vector<PictureDescription> panelsOf(const FigureOptions& options) {
-    std::vector<PictureDescription> panels;
+struct Panel {
+    PictureDescription picture;
+    PanelLine line;
+    Molecule molecule;
+    Drawing drawing;
+};
+
+std::vector<std::unique_ptr<Panel>> panelsOf(const FigureOptions& options) {
+    std::vector<std::unique_ptr<Panel>> panels;
     BatchLines lines(options.batch.path, [] { return false; });
     while (const auto line = lines.next()) {
         if (panels.size() == kMostPanels)
             throw Error("cannot draw figure", options.batch.path,
                         "more than " + std::to_string(kMostPanels) + " panels");
+        auto panel = std::make_unique<Panel>();
         try {
-            panels.push_back(panelOf(line->whole(), options));
+            panel->picture = panelOf(line->whole(), options, panel->line);
         } catch (const UsageError& error) {
             throw Error("cannot draw figure", options.batch.path,
                         "line " + std::to_string(line->number) + ": " + error.what());
         }
+        panels.push_back(std::move(panel));
     }
     if (panels.empty()) throw Error("cannot draw figure", options.batch.path, "it has no panels");
-    const Size& size = panels.front().size;
-    for (const PictureDescription& panel : panels)
-        if (panel.size.width != size.width || panel.size.height != size.height)
+    panels.front()->line = {.scaleBar = panels.front()->line.scaleBar};  // its camera is the figure's
+    const Size& size = panels.front()->picture.size;
+    for (const auto& panel : panels)
+        if (panel->picture.size.width != size.width || panel->picture.size.height != size.height)
             throw Error("cannot draw figure", options.batch.path, "its panels have different sizes");
     return panels;
 }
 
-/// Gives a panel the first panel's camera, unless it has its own; the scale is always the first panel's.
-void shareCamera(const PictureDescription& first, PictureDescription& panel) {
-    const bool own = panel.aim.any() || panel.camera.center || panel.given.contains("view") ||
-                     panel.given.contains("rotate") || panel.given.contains("orientation");
-    if (own) {
-        panel.camera.scale = first.camera.scale;
-        panel.aim.fits = true;  // centred, in that scale
-        return;
+/// A panel as the first one's camera shows it, or its own where its line says so. The scale is the figure's, unless the
+/// line has one.
+PictureDescription withCamera(const Panel& panel, const Camera& shared) {
+    PictureDescription picture = panel.picture;
+    const Camera own = picture.camera;
+    Aim& aim = picture.aim;
+    if (panel.line.aims) {
+        if (!panel.line.turns) {
+            picture.camera.orientation = shared.orientation;
+            if (!panel.line.rotates) picture.camera.rotationDegrees = shared.rotationDegrees;
+            aim.principal = false;
+            aim.lookAt.reset();
+        }
+        if (panel.line.scales) return picture;
+        picture.camera.scale = shared.scale;
+        picture.camera.zoom = shared.zoom;
+        picture.given.insert("scale");  // also of a close-up
+        aim.fits = true;                // centred, in that scale
+        return picture;
     }
-    panel.camera = first.camera;
-    panel.aim = {};
+    picture.camera = shared;
+    aim.uncover = uncoveredBy(aim);
+    for (std::optional<Selection>* part : {&aim.axesOf, &aim.left, &aim.center, &aim.lookAt, &aim.zoomTo})
+        part->reset();
+    aim.principal = aim.fromSide = aim.fits = false;
+    if (!panel.line.scales) return picture;
+    if (own.scale) picture.camera.scale = own.scale;
+    picture.camera.zoom = own.zoom;
+    return picture;
+}
+
+/// Whether a panel shows all of its molecule in the figure's scale.
+bool isWhole(const Panel& panel) { return !panel.line.scales && !panel.picture.aim.zoomTo; }
+
+/// The camera of the panels: the first one's, so far away that every panel fits. That is the place of the panel that
+/// needs most room, its words included.
+Camera cameraOf(const std::vector<std::unique_ptr<Panel>>& panels) {
+    const PictureDescription& first = panels.front()->picture;
+    Camera shared = panels.front()->drawing.placed().camera;
+    if (!first.aim.fits || !isWhole(*panels.front())) return shared;
+    const auto tried = [](Panel& panel, PictureDescription picture) {
+        picture.camera.scale.reset();
+        picture.camera.zoom = 1;
+        picture.given.erase("scale");
+        picture.aim.fits = true;
+        panel.drawing.prepare(panel.molecule, picture);
+        return panel.drawing.placed().camera;
+    };
+    const Camera side = shared;
+    for (const auto& panel : panels) {
+        if (panel->line.aims || !isWhole(*panel) || panel->picture.input.path != first.input.path) continue;
+        PictureDescription picture = withCamera(*panel, side);
+        picture.camera.center = first.camera.center;
+        picture.camera.pan = glm::dvec2(0);
+        picture.camera.eyeDistance.reset();
+        const Camera camera = tried(*panel, std::move(picture));
+        if (camera.scale->value > shared.scale->value) shared = camera;
+    }
+    Camera middle = shared;  // its middle is that of the picture
+    *middle.center -= glm::conjugate(middle.orientation) * glm::dvec3(middle.pan, 0);
+    middle.pan = glm::dvec2(0);
+    for (const auto& panel : panels)
+        if (isWhole(*panel))
+            shared.scale->value = std::max(shared.scale->value, tried(*panel, withCamera(*panel, middle)).scale->value);
+    return shared;
 }
 
 }  // namespace
 
 void figureCommand(const FigureOptions& options) {
     OutputFile file(options.output, ".png");
-    std::vector<PictureDescription> panels = panelsOf(options);
-    const double dpi = *panels.front().dpi;
+    const std::vector<std::unique_ptr<Panel>> panels = panelsOf(options);
+    const PictureDescription& first = panels.front()->picture;
+    const auto bar = std::find_if(panels.rbegin(), panels.rend(), [](const auto& p) { return !p->line.scales; });
     Progress progress;
-    Canvas canvas(panels.front().device);
+    Canvas canvas(first.device);
     WordPainter painter;
-    std::optional<PictureDescription> first;
-    PictureGrid figure(panels.front().size, panels.size(), static_cast<std::size_t>(options.columns),
-                       static_cast<std::uint32_t>(std::lround(options.gapPoints * dpi / 72)),
-                       panels.front().background);
+    for (const auto& panel : panels) {
+        if (!panel->line.scales && !panel->line.scaleBar && panel != *bar)
+            panel->picture.words.scaleBar = ScaleBar::off;  // one for each scale
+        panel->molecule = readMoleculeAndMaps(panel->picture, progress);
+    }
+    progress.begin("drawing");
+    panels.front()->drawing.prepare(panels.front()->molecule, first);
+    const Clip clip = panels.front()->drawing.placed().effects.clip;
+    const Camera camera = cameraOf(panels);
+    PictureGrid figure(first.size, panels.size(), static_cast<std::size_t>(options.columns),
+                       static_cast<std::uint32_t>(std::lround(options.gapPoints * *first.dpi / 72)), first.background);
     for (std::size_t i = 0; i < panels.size(); ++i) {
-        PictureDescription& panel = panels[i];
-        if (first) shareCamera(*first, panel);
-        if (i + 1 < panels.size()) panel.words.scaleBar = ScaleBar::off;  // one bar for all
-        const Molecule molecule = readMoleculeAndMaps(panel, progress);
-        progress.begin("drawing");
-        Drawing drawing;
-        drawing.prepare(molecule, panel);
-        if (!first) first = drawing.placed();
-        std::vector<std::string> warnings = drawing.warnings;
-        Picture picture = drawing.draw(canvas, &warnings);
+        Panel& panel = *panels[i];
+        PictureDescription shown = withCamera(panel, camera);
+        if (!panel.line.aims && !panel.line.clips) shown.effects.clip = clip;
+        panel.drawing.prepare(panel.molecule, shown);
+        std::vector<std::string> warnings = panel.drawing.warnings;
+        Picture picture = panel.drawing.draw(canvas, &warnings);
         for (const std::string& warning : warnings) sayWarning("panel " + std::to_string(i + 1) + ": " + warning);
         if (const std::string letter = letterOf(options.letters, i); !letter.empty())
-            paintLetter(painter, letter, panel, picture);
+            paintLetter(painter, letter, shown, picture);
         figure.put(i, picture);
+        panel.drawing.forget();
         progress.advance(static_cast<double>(i + 1) / static_cast<double>(panels.size()));
     }
-    writePicture(file, figure.picture(), formatOf(panels.front()));
+    writePicture(file, figure.picture(), formatOf(first));
 }
 
 }  // namespace nacre::app

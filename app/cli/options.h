@@ -88,6 +88,16 @@ struct PlanOptions {
 enum class PanelLetters { small, capital, off };
 
 /// `nacre figure`.
+/// What the line of a panel says of its camera; what it does not say is the first panel's.
+struct PanelLine {
+    bool aims = false;     ///< any of these, or what the picture shows in its middle
+    bool turns = false;    ///< the side that faces the viewer
+    bool rotates = false;  ///< from the first panel's side
+    bool scales = false;
+    bool clips = false;
+    bool scaleBar = false;
+};
+
 struct FigureOptions {
     BatchOptions batch;  ///< the panels as jobs without outputs, and the options of all
     std::string output;

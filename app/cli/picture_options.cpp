@@ -178,12 +178,22 @@ void addFigure(CommandSpec& command, FigureOptions& options) {
     addPicture(command, batch.tried, kOfTheDevice);
 }
 
-PictureDescription panelOf(const std::string& json, const FigureOptions& options) {
+PictureDescription panelOf(const std::string& json, const FigureOptions& options, PanelLine& line) {
+    const auto isOneOf = [](const std::string& key, std::initializer_list<const char*> keys) {
+        return std::ranges::find(keys, key) != keys.end();
+    };
     std::vector<OptionValue> values = options.batch.common;
     for (OptionValue& value : optionValuesOf(json, "a panel")) {
         const Option& option = nacre::app::option(value.key);
         if (has(kOfTheDevice, option.topic) || has(Topics{} | Topic::files, option.topic))
             throw UsageError("\"" + value.key + "\" is the figure's, on the command line");
+        line.scales |= isOneOf(value.key, {"zoom", "scale"});
+        line.turns |= isOneOf(value.key, {"orient", "look-at", "orientation", "view", "pocket", "interface"});
+        line.rotates |= value.key == "rotate";
+        line.clips |= isOneOf(value.key, {"clip", "slab", "clip-spare", "uncover"});
+        line.scaleBar |= value.key == "scale-bar";
+        line.aims |= line.turns || line.rotates || value.key == "zoom-to" ||
+                     (option.topic == Topic::camera && !isOneOf(value.key, {"zoom", "scale"}));
         values.push_back(std::move(value));
     }
     PictureDescription panel;

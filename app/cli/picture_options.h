@@ -39,8 +39,9 @@ PictureDescription jobOf(const std::string& json, const BatchOptions& batch);
 
 /// @param options  receives values; outlives the command
 void addFigure(CommandSpec& command, FigureOptions& options);
-/// As jobOf(), for a panel. @throws UsageError
-PictureDescription panelOf(const std::string& json, const FigureOptions& options);
+/// As jobOf(), for a panel. @param line  receives what the line says, beside the options common to all @throws
+/// UsageError
+PictureDescription panelOf(const std::string& json, const FigureOptions& options, PanelLine& line);
 
 /// Options of `nacre serve`.
 void addServe(CommandSpec& command, ServeOptions& options);

@@ -129,6 +129,78 @@ TEST(Figure, APanelMayTurnButNotScale) {
     EXPECT_EQ(extent(0, false), extent(200, true));
 }
 
+/// Columns of a rectangle that have ink of one of two colours.
+int redColumns(const DrawnFigure& figure, int left, int right, int bottom) {
+    int columns = 0;
+    for (int x = left; x < right; ++x)
+        for (int y = 0; y < bottom; ++y)
+            if (const auto at = figure.at(x, y); at[0] > at[2] + 50) {
+                ++columns;
+                break;
+            }
+    return columns;
+}
+
+TEST(Figure, NoPanelIsCropped) {
+    const TemporaryFolder folder;
+    writeAtoms(folder);
+    // The second panel's balls are larger, the third's molecule reaches farther, the fourth is seen from another side.
+    const DrawnFigure figure =
+        figureOf(folder,
+                 "{\"input\": \"b.xyz\", \"ball-scale\": 0.2, \"style\": \"ball-and-stick\"}\n{\"input\": \"b.xyz\"}\n"
+                 "{\"input\": \"a.xyz\"}\n{\"input\": \"a.xyz\", \"rotate\": [0, 0, 45]}\n",
+                 "--size 200x200 --gap 0 --letters off --style spacefill --columns 4");
+    ASSERT_EQ(figure.width, 800);
+    for (int panel = 0; panel < 4; ++panel) {
+        const int left = 200 * panel;
+        EXPECT_GT(figure.inkIn(left, 0, left + 200, 200), 30);
+        EXPECT_EQ(figure.inkIn(left, 0, left + 2, 200) + figure.inkIn(left + 198, 0, left + 200, 200), 0) << panel;
+        EXPECT_EQ(figure.inkIn(left, 0, left + 200, 2) + figure.inkIn(left, 198, left + 200, 200), 0) << panel;
+    }
+}
+
+TEST(Figure, OptionsOfAllPanelsGiveOneCamera) {
+    const TemporaryFolder folder;
+    writeAtoms(folder);
+    for (const char* side : {"--rotate 0,0,30", "--orient principal", "--zoom-to 'elem O' --uncover off"}) {
+        const DrawnFigure figure =
+            figureOf(folder, "{\"input\": \"a.xyz\"}\n{\"input\": \"a.xyz\", \"hide\": [\"elem N\"]}\n",
+                     std::string("--size 200x160 --gap 0 --style spacefill --letters off --lighting off ") + side);
+        int red = 0, other = 0;
+        for (int y = 0; y < 160; ++y)
+            for (int x = 0; x < 200; ++x) {
+                const auto first = figure.at(x, y), second = figure.at(200 + x, y);
+                if (second[0] <= second[2] + 50) continue;
+                ++red;
+                other += second != first && first[2] <= first[0] + 50;  // nitrogen may be in front
+            }
+        EXPECT_GT(red, 500) << side;
+        EXPECT_EQ(other, 0) << side;
+    }
+}
+
+TEST(Figure, ACloseUpKeepsTheScaleUnlessItsLineHasOne) {
+    const TemporaryFolder folder;
+    writeAtoms(folder);
+    const std::string options = "--size 240x240 --gap 0 --columns 3 --letters off --lighting off --style spacefill ";
+    const std::string panels =
+        "{\"input\": \"a.xyz\"}\n{\"input\": \"a.xyz\", \"zoom-to\": \"id 1\", \"hide\": [\"id 2\"]}\n"
+        "{\"input\": \"a.xyz\", \"zoom-to\": \"id 1\", \"zoom\": 1, \"hide\": [\"id 2\"]}\n";
+    const DrawnFigure figure = figureOf(folder, panels, options + "--uncover off");
+    const double both = redColumns(figure, 0, 240, 240), one = redColumns(figure, 240, 480, 240);
+    EXPECT_NEAR(both, 2 * one, 2);
+    // 95 % of the side for a ball of oxygen with 3 Å around it.
+    constexpr double kRadius = 1.52;
+    EXPECT_NEAR(redColumns(figure, 480, 720, 240), 0.95 * 240 * kRadius / (kRadius + 3), 2);
+    EXPECT_LT(one, 70);
+    // A bar for each scale.
+    const DrawnFigure bars = figureOf(folder, panels, options + "--uncover off --scale-bar angstrom");
+    for (const int left : {0, 240, 480}) {
+        const int more = bars.inkIn(left + 120, 200, left + 240, 240) - figure.inkIn(left + 120, 200, left + 240, 240);
+        EXPECT_EQ(more > 0, left > 0) << left << ": " << more;
+    }
+}
+
 TEST(Figure, FaultsNameTheLine) {
     const TemporaryFolder folder;
     writeAtoms(folder);
