@@ -250,8 +250,9 @@ std::vector<Option> meshes() {
             [](T text, P& d) { d.look.surface.probe = parseNumber(text, 0, kLargestProbe); },
             printNumber<&P::look, &R::surface, &S::probe>),
         row("surface-resolution", "auto|CELL",
-            "Edge of the grid cells of surfaces in Å, 0.1 to 1.2; auto: 0.4, larger for many atoms", parseResolution,
-            printResolution),
+            "Edge of the grid cells of surfaces in Å, 0.1 to 1.2; auto: 0.4 (lines of a mesh 0.8),\nlarger for many "
+            "atoms",
+            parseResolution, printResolution),
         row("cavities", "show|hide", "Surfaces of closed cavities",
             parseSwitch<kShowHide, &P::look, &R::surface, &S::cavities>,
             printSwitch<kShowHide, &P::look, &R::surface, &S::cavities>),

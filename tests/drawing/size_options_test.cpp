@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
@@ -144,15 +145,25 @@ TEST(SurfaceForms, AreLinesAndDotsOnTheSurface) {
         const Representation r =
             sizedScene(glucose, {{"style", "surface"}, {"surface-form", form}, {"line-width", "2"}});
         EXPECT_TRUE(r.triangles.empty()) << form;
-        ASSERT_GT(r.wires.size(), 500u) << form;
+        ASSERT_GT(r.wires.size(), 300u) << form;
         EXPECT_FLOAT_EQ(thickest(r.wires), 1) << form;  // pixels
         float farthest = 0, longest = 0;
         for (std::size_t i = 0; i < r.wires.size(); i += 17) {
             farthest = std::max({farthest, away(r.wires[i].a), away(r.wires[i].b)});
             longest = std::max(longest, glm::distance(r.wires[i].a, r.wires[i].b));
         }
-        EXPECT_LT(farthest, 0.05f) << form;
-        EXPECT_LT(longest, form == std::string("dots") ? 0.05f : 1.0f) << form;
+        if (form == std::string("dots")) {
+            EXPECT_LT(farthest, 0.05f);
+            EXPECT_LT(longest, 0.05f);
+            continue;
+        }
+        // Lines of a mesh lie in planes 0.8 Å apart, within faces of the cells between them.
+        EXPECT_LT(farthest, 0.3f);
+        EXPECT_LT(longest, 0.8f * std::sqrt(2.0f) + 0.01f);
+        for (const auto& wire : r.wires) {
+            const glm::vec3 way = glm::abs(wire.b - wire.a);
+            EXPECT_LT(std::min({way.x, way.y, way.z}), 1e-3f);
+        }
     }
 }
 

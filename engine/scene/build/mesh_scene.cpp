@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <map>
 #include <unordered_set>
 
@@ -46,10 +47,16 @@ SphereLook sugarLook(const Molecule& molecule, const MeshLooks& looks, bool ownC
     return {withOpacity(atom == index ? symbol->color : packedColor(0xffffff), opacity), index + 1};
 }
 
-/// A surface as wires, each half in the look of its end: its edges, or dots on its vertices.
+/// Whether an edge lies in a plane of the grid, as those of a contour do; others cross the grid's cells.
+bool liesInPlane(const glm::vec3& a, const glm::vec3& b) {
+    constexpr float kSame = 1e-4f;  // Å
+    return glm::any(glm::lessThan(glm::abs(a - b), glm::vec3(kSame)));
+}
+
+/// A surface as wires, each half in the look of its end: where it crosses the grid's planes, or dots on its vertices.
 void addSurfaceWires(const Mesh& mesh, const RepresentationOptions& options, const MeshLooks& looks,
                      Representation& r) {
-    constexpr float kCoarse = 0.1f;  // Å: error of the level whose edges are drawn
+    constexpr float kCoarse = 0.1f;  // Å: error of the level whose vertices are drawn
     constexpr float kSpeck = 0.04f;  // Å along the normal
     constexpr std::size_t kMostWires = 4'000'000;
     const auto radius = static_cast<float>(-options.lineWidth / 2);
@@ -62,8 +69,9 @@ void addSurfaceWires(const Mesh& mesh, const RepresentationOptions& options, con
         r.wireLooks.push_back({lookA.color | 0xff000000u, lookB.color | 0xff000000u, lookA.atom, lookB.atom});
     };
     const std::vector<glm::uvec3>* triangles = &mesh.triangles;
+    const bool lines = options.surfaceForm == SurfaceForm::mesh;
     for (const MeshLevel& level : mesh.coarser)
-        if (level.error <= kCoarse) triangles = &level.triangles;
+        if (!lines && level.error <= kCoarse) triangles = &level.triangles;
     std::unordered_set<std::uint64_t> drawn;
     const auto isNew = [&](std::uint32_t a, std::uint32_t b) {
         return drawn.insert(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b)).second;
@@ -72,9 +80,18 @@ void addSurfaceWires(const Mesh& mesh, const RepresentationOptions& options, con
         for (int side = 0; side < 3; ++side) {
             const std::uint32_t a = t[side], b = t[(side + 1) % 3];
             const glm::vec3 &from = mesh.positions[a], half = mesh.normals[a] * (kSpeck / 2);
-            if (options.surfaceForm == SurfaceForm::mesh && isNew(a, b)) add(from, mesh.positions[b], a, b);
-            if (options.surfaceForm == SurfaceForm::dots && isNew(a, a)) add(from - half, from + half, a, a);
+            if (lines && liesInPlane(from, mesh.positions[b]) && isNew(a, b)) add(from, mesh.positions[b], a, b);
+            if (!lines && isNew(a, a)) add(from - half, from + half, a, a);
         }
+}
+
+/// Lines of a mesh are so far apart that one sees through between them.
+SurfaceOptions wireOptions(const RepresentationOptions& options, std::size_t atoms) {
+    constexpr double kApart = 0.8;  // Å
+    SurfaceOptions result = options.surface;
+    if (options.surfaceForm == SurfaceForm::mesh && result.resolution <= 0)
+        result.resolution = std::max(kApart, surfaceResolution(atoms));
+    return result;
 }
 
 }  // namespace
@@ -96,8 +113,9 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
             appendMesh(cartoon(facts, group.cartoon, facts.folds(), options.cartoon, representation.center), {},
                        ofCartoon, representation);
         if (!group.surface.empty() && options.surfaceForm != SurfaceForm::solid && options.assembly.empty()) {
-            addSurfaceWires(surface(molecule, group.surface, options.surface, representation.center), options,
-                            ofSurface, representation);
+            addSurfaceWires(
+                surface(molecule, group.surface, wireOptions(options, group.surface.size()), representation.center),
+                options, ofSurface, representation);
         } else if (!group.surface.empty()) {
             appendMesh(surface(molecule, group.surface, options.surface, representation.center), {}, ofSurface,
                        representation);
