@@ -1,5 +1,6 @@
 #include "engine/molecule/formats/pdb_fields.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -188,14 +189,16 @@ std::size_t pushOfSerial(std::string_view line, std::size_t shift) {
 }
 
 Coordinates coordinates(std::string_view line) {
-    // As the format has it: three decimals, and nothing runs in from the left.
     const bool usual =
         column(line, 35) == '.' && column(line, 43) == '.' && column(line, 51) == '.' && column(line, 30) == ' ';
-    const Coordinates columned{{columns(line, 31, 38), columns(line, 39, 46), columns(line, 47, 54)}, 0, usual};
+    const Coordinates columned{{columns(line, 31, 38), columns(line, 39, 46), columns(line, 47, 54)}, 0, usual, usual};
     if (usual) return columned;
     constexpr std::size_t kUsualDecimals = 3, kUsualEnd = 54;
     Coordinates found;
+    bool touch = false;
     std::size_t at = 26;  // behind the residue's number, which may be too long, or pushed to the right
+    // Single blanks or tabs divide the fields.
+    if (const std::size_t point = line.find('.', 12); point < 30) at = line.find_last_of(" \t", point) + 1;
     const auto skipDigits = [&] {
         while (at < line.size() && isDigit(line[at])) ++at;
     };
@@ -216,9 +219,16 @@ Coordinates coordinates(std::string_view line) {
         const std::size_t point = at++;
         skipDigits();
         // The digits of two numbers run into each other.
-        if (at < line.size() && line[at] == '.') at = std::min(point + 1 + kUsualDecimals, at);
+        if (at < line.size() && line[at] == '.') at = std::min(point + 1 + kUsualDecimals, at), touch = true;
         field = line.substr(begin, at - begin);
     }
+    // Programs that cut wide numbers after eight characters keep the columns.
+    const auto isCut = [](std::string_view field) {
+        return pdb::number(field) && field.find('.') != std::string_view::npos;
+    };
+    if (touch && at == kUsualEnd && column(line, 30) == ' ' &&
+        std::all_of(columned.fields.begin(), columned.fields.end(), isCut))
+        return columned;
     found.shift = at > kUsualEnd ? at - kUsualEnd : 0;
     return found;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "engine/molecule/molecule.h"
@@ -31,6 +32,7 @@ struct Coordinates {
     std::array<std::string_view, 3> fields;
     std::size_t shift = 0;
     bool pointed = true;  ///< their decimal points tell where they are; else they are in the usual columns
+    bool usual = false;   ///< as the format has it: three decimals, and nothing runs in from the left
 };
 
 /// By columns 31 to 54, or by the decimal points where numbers are wider than their columns, or stand beside them.
@@ -45,6 +47,11 @@ std::optional<std::int64_t> serial(std::string_view line);
 
 /// By how many columns a long serial number pushes name and residue to the right. @param shift  of the coordinates
 std::size_t pushOfSerial(std::string_view line, std::size_t shift);
+
+/// Whether the residue's number is not where it belongs before such coordinates.
+bool isOutOfColumns(std::string_view line, const Coordinates& where);
+/// The line with its fields in their columns, by its words; empty if these are not those of an atom.
+std::optional<std::string> inColumns(std::string_view line, const Coordinates& where);
 
 /// Element from columns 77-78; 0 if they state none.
 Element statedElement(std::string_view line);

@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::size_t kFirstPosition = 20;    // after residue number, residue name, atom name and atom number
 constexpr std::size_t kShortestGroLine = 26;  // coordinates of two characters, without the last end of line
-constexpr double kAngstrom = 10;              // in a nm
+constexpr std::size_t kMostShift = 4;
+constexpr double kAngstrom = 10;  // in a nm
 constexpr std::int32_t kNumbersWrapAt = 100000;
 
 class GroReader : public FrameReader {
@@ -40,8 +41,19 @@ private:
         return second == std::string_view::npos || second - first > kWidest ? kUsual : second - first;
     }
 
+    static std::size_t firstPoint(std::string_view line) { return line.find('.', kFirstPosition - kMostShift); }
+
+    /// The line as if a few blanks were not lost at its begin.
+    std::string_view unshifted(std::string_view line) {
+        const std::size_t point = firstPoint(line);
+        if (point >= point_ || point_ - point > kMostShift) return line;
+        shifted_ = std::string(point_ - point, ' ') + std::string(line);
+        return shifted_;
+    }
+
     void readAtom(std::string_view line) override {
-        if (builder_.molecule().atoms.empty()) width_ = widthOfCoordinates(line);
+        if (builder_.molecule().atoms.empty()) width_ = widthOfCoordinates(line), point_ = firstPoint(line);
+        line = unshifted(line);
         Atom atom;
         for (int axis = 0; axis < 3; ++axis) {
             const auto value =
@@ -87,7 +99,8 @@ private:
         builder_.takeBox(box);  // none is written as zeros
     }
 
-    std::size_t width_ = 8;
+    std::size_t width_ = 8, point_ = 0;
+    std::string shifted_;
     std::int64_t velocities_ = 0;
     std::int32_t lastNumber_ = 0, wraps_ = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -164,7 +165,13 @@ private:
     }
 
     void atom(std::string_view line) {
-        const pdb::Coordinates where = pdb::coordinates(line);
+        pdb::Coordinates where = pdb::coordinates(line);
+        if (pdb::isOutOfColumns(line, where)) {
+            if (auto text = pdb::inColumns(line, where)) {
+                line = inColumns_ = std::move(*text);
+                where = pdb::coordinates(line);
+            }
+        }
         Atom atom;
         for (int axis = 0; axis < 3; ++axis) {
             const auto value = coordinate(where.fields[static_cast<std::size_t>(axis)], "xyz"[axis]);
@@ -206,36 +213,49 @@ private:
         ++guessedElements_;
     }
 
-    /// Ions are residues of one atom, so they are known when the residue is complete.
+    /// Ions are residues of one atom, so they are known when the residue is complete. Programs that do not number them
+    /// write residues of many.
     void endResidue() {
-        if (molecule_.residues.empty() || molecule_.residues.back().atomCount != 1) return;
-        Atom& atom = molecule_.atoms.back();
-        const Element ion = pdb::elementOfIon(atom.name, molecule_.residues.back().name, stated_);
-        if (ion == 0 || ion == atom.element) return;
-        guessedElements_ += stated_ != 0;
-        atom.element = ion;
+        if (molecule_.residues.empty()) return;
+        const Residue& residue = molecule_.residues.back();
+        const auto begin = molecule_.atoms.begin() + residue.firstAtom;
+        const auto isAlike = [&](const Atom& atom) { return atom.name == begin->name && atom.alternate == '\0'; };
+        if (residue.atomCount > 1 && !std::all_of(begin, molecule_.atoms.end(), isAlike)) return;
+        const Element ion = pdb::elementOfIon(begin->name, residue.name, stated_);
+        for (auto atom = begin; ion != 0 && atom != molecule_.atoms.end(); ++atom) {
+            guessedElements_ += stated_ != 0 && ion != atom->element;
+            atom->element = ion;
+        }
     }
 
     /// Index of the residue that the line belongs to: the latest, or a new one.
     std::uint32_t residueOf(std::string_view line, std::string_view segment) {
         // Column 21 is blank by the format; simulation programs put the fourth letter of "TIP3" there.
-        const std::string_view columns18to27 = pdb::columns(line, 18, 27);
-        if (molecule_.residues.empty() || columns18to27 != latestResidue_ ||
-            molecule_.residues.back().segment != Name(segment))
-            startResidue(line, columns18to27, segment);
+        const std::string_view columns18to28 = pdb::columns(line, 18, 28);
+        if (molecule_.residues.empty() || columns18to28 != latestResidue_ ||
+            molecule_.residues.back().segment != Name(segment) || repeatsWithoutNumber(line))
+            startResidue(line, columns18to28, segment);
         return static_cast<std::uint32_t>(molecule_.residues.size() - 1);
     }
 
-    void startResidue(std::string_view line, std::string_view columns18to27, std::string_view segment) {
+    /// Numbers too large for their columns are stars; then the first name that comes again tells the next residue.
+    bool repeatsWithoutNumber(std::string_view line) const {
+        return pdb::column(line, 26) == '*' &&
+               molecule_.atoms[molecule_.residues.back().firstAtom].name == Name(pdb::trim(pdb::columns(line, 13, 16)));
+    }
+
+    void startResidue(std::string_view line, std::string_view columns18to28, std::string_view segment) {
         endResidue();
-        latestResidue_ = columns18to27;
+        latestResidue_ = columns18to28;
         Residue residue;
         residue.name = pdb::trim(pdb::columns(line, 18, 21));
         // Five digits run into the column of the insertion code.
         const char code = pdb::column(line, 27);
         const bool wide = code >= '0' && code <= '9' && pdb::column(line, 23) != ' ';
-        const auto number = pdb::integer(pdb::columns(line, 23, wide ? 27 : 26), 4);
-        residue.number = static_cast<std::int32_t>(number.value_or(0));
+        const bool wider = wide && isDigit(pdb::column(line, 28));
+        const std::string_view written = pdb::columns(line, 23, wider ? 28 : wide ? 27 : 26);
+        residue.number = static_cast<std::int32_t>(pdb::integer(written, 4).value_or(0));
+        if (pdb::column(line, 22) == latestLetter_) residue.number = continued(residue.number, pdb::trim(written));
         residue.insertionCode = wide || code == ' ' ? '\0' : code;
         residue.segment = segment;
         const char letter = pdb::column(line, 22);
@@ -249,6 +269,17 @@ private:
         latestLetter_ = letter;
         residue.firstAtom = static_cast<std::uint32_t>(molecule_.atoms.size());
         molecule_.residues.push_back(residue);
+    }
+
+    /// VMD writes numbers beyond 9999 in base 16.
+    std::int32_t continued(std::int32_t number, std::string_view written) const {
+        constexpr std::int32_t kMostDecimal = 9999, kLargestGap = 1000;
+        const std::int32_t before = molecule_.residues.empty() ? 0 : molecule_.residues.back().number;
+        std::int32_t value = 0;
+        const auto [end, error] = std::from_chars(written.data(), written.data() + written.size(), value, 16);
+        const bool whole = error == std::errc() && end == written.data() + written.size();
+        const bool follows = before >= kMostDecimal && number < before && value > before;
+        return whole && follows && value - before < kLargestGap ? value : number;
     }
 
     /// Without a letter, a segment is a chain.
@@ -348,7 +379,8 @@ private:
     std::size_t leftOut_ = 0;  ///< atoms; the first has this fault
     std::string fault_;
     std::uint64_t lineOfFault_ = 0;
-    std::string_view latestResidue_;
+    std::string latestResidue_;  ///< its columns 18 to 28
+    std::string inColumns_;      ///< the line that is read, if it was not
     bool sawModelRecord_ = false;
     std::optional<std::size_t> conectBefore_;  ///< of conect_, where the model that is open began
     std::size_t conectOfStructure_ = 0;        ///< the same, where END divides structures
