@@ -52,6 +52,26 @@ TEST(ReadMol2, ElementsOfTypes) {
     EXPECT_NE(molecule.warnings[0].find("'LP' in line 10"), std::string::npos) << molecule.warnings[0];
 }
 
+// AMBER's parm99: CA is an aromatic carbon, OS an ether's oxygen, NB and N* nitrogen. CHARMM: NH1 a peptide's nitrogen,
+// SM the sulphur of a disulphide.
+TEST(ReadMol2, TypesOfForceFields) {
+    const Molecule molecule = readMolecule(
+        "a", mol2("8 0",
+                  "1 C6 0 0 0 CA 1 LIG\n2 O4' 3 0 0 OS 1 LIG\n3 N7 6 0 0 NB 1 LIG\n4 N9 9 0 0 N* 1 LIG\n"
+                  "5 N 12 0 0 NH1 2 ALA\n6 SG 15 0 0 SM 3 CYS\n7 CL1 18 0 0 CL 1 LIG\n8 H5T 21 0 0 HO 1 LIG\n",
+                  ""));
+    const int expected[] = {6, 8, 7, 7, 7, 16, 17, 1};
+    for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(molecule.atoms[i].element, expected[i]) << i;
+    EXPECT_TRUE(molecule.warnings.empty());
+}
+
+// Tripos' format: ROOT and LEAF are a substructure's status; LEaP writes them in the column of its type.
+TEST(ReadMol2, TheStatusOfASubstructureIsNoName) {
+    const Molecule molecule = readMolecule(
+        "a", mol2("1 0", "1 CA 0 0 0 C.3 1 LYS\n", "", "@<TRIPOS>SUBSTRUCTURE\n1 LYS 1 RESIDUE 0 **** ROOT 1\n"));
+    EXPECT_EQ(molecule.residues[0].name.view(), "LYS");
+}
+
 TEST(ReadMol2, ChargesResiduesAndChains) {
     const Molecule plain = readMolecule("a", mol2("2 1", kTwo, "1 1 2 2\n"));
     EXPECT_EQ(plain.partialCharges, (std::vector<float>{-0.25f, 0.5f}));

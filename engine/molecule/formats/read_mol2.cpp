@@ -9,6 +9,7 @@
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/id_index.h"
 #include "engine/molecule/formats/molecule_builder.h"
+#include "engine/molecule/formats/pdb_fields.h"
 #include "engine/molecule/read.h"
 #include "engine/molecule/text.h"
 
@@ -165,10 +166,11 @@ private:
                           " bonds, and has " + std::to_string(record.atoms) + " and " + std::to_string(record.bonds));
     }
 
-    /// id name root_atom [type dictionary_type chain sub_type ...]
+    /// id name root_atom [type dictionary_type chain sub_type inter_bonds status]; LEaP writes the status earlier.
     void addSubstructure(const Words& words) {
         const auto stated = [](std::string_view word) {
-            return std::string(word == "****" ? std::string_view() : word);
+            const bool status = startsWith(word, "ROOT") || startsWith(word, "LEAF");
+            return std::string(word == "****" || status ? std::string_view() : word);
         };
         if (substructures_.size() == maxAtoms_) return;  // each has an atom at least
         if (const auto id = parseInteger(words[0])) substructures_[*id] = {stated(words[6]), stated(words[5])};
@@ -188,7 +190,7 @@ private:
         Atom atom;
         atom.position = *position;
         atom.name = Name(words[1]);
-        atom.element = elementOf(words[5], lines.number());
+        atom.element = elementOf(words, lines.number());
         addToResidue(atom, parseInteger(words[6]).value_or(1), words[7]);
         const auto charge = parseNumber(words[8]);
         const bool usable = charge && std::abs(*charge) <= 1000;
@@ -197,11 +199,16 @@ private:
     }
 
     /// "C.ar" is carbon; all lower-case types ("ca", "c3", "hn") are GAFF's, which names the element by the first
-    /// letter except for chlorine and bromine.
-    Element elementOf(std::string_view type, std::uint64_t line) {
-        const std::string_view symbol = type.substr(0, type.find('.'));
+    /// letter except for chlorine and bromine. Types of AMBER's and CHARMM's proteins ("CA", "NH1", "OS", "N*") look
+    /// like other elements, so that the atom's name tells.
+    Element elementOf(const Words& words, std::uint64_t line) {
+        const std::string_view symbol = words[5].substr(0, words[5].find('.'));
         const bool gaff = !symbol.empty() && symbol[0] >= 'a' && symbol[0] <= 'z';
         if (gaff && symbol != "cl" && symbol != "br") return builder_.element(symbol.substr(0, 1), line);
+        const char second = symbol.size() > 1 ? symbol[1] : '\0';
+        const bool forceField = symbol != "LP" && (second == '*' || (second >= 'A' && second <= 'Z'));
+        const Element named = forceField ? pdb::elementByLooseName(words[1], Name(words[7])) : Element{0};
+        if (named != 0) return named;
         return builder_.element(symbol, line);
     }
 
