@@ -42,6 +42,18 @@ TEST(SmallCif, Fields) {
     EXPECT_TRUE(m.assemblies.empty());
 }
 
+TEST(SmallCif, LabelsNameNoElementsThatCrystalsLack) {
+    const std::string labels =
+        "loop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\n"
+        "NH1 0 0 0\nCn1 0.2 0 0\nD1 0.4 0 0\nNb1 0.6 0 0\n";
+    const Molecule m = readMolecule("a.cif", file("", kCell, labels));
+    ASSERT_EQ(m.atoms.size(), 4u);
+    EXPECT_EQ(m.atoms[0].element, 7) << "no nihonium";
+    EXPECT_EQ(m.atoms[1].element, 6) << "no copernicium";
+    EXPECT_EQ(m.atoms[2].element, 119) << "deuterium";
+    EXPECT_EQ(m.atoms[3].element, 41);
+}
+
 TEST(SmallCif, SymmetryMakesTheUnitCell) {
     // The centre of the two atoms is (0.3, 0.375, 0).
     const Molecule m = readMolecule("a.cif", file("loop_\n_symmetry_equiv_pos_as_xyz\n'x,y,z'\n'-x, -y+1/2, -z'\n"));

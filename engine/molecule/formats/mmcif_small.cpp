@@ -66,8 +66,11 @@ Element elementOfLabel(std::string_view label, const std::vector<Element>& formu
     while (letters < label.size() && isLetter(label[letters])) ++letters;
     const std::string start = lowerCase(label.substr(0, letters));
     if (start == "wat" || start == "wa" || start == "ow" || start == "oh") return elementFromSymbol("O");
+    // Crystals of elements beyond uranium's neighbours do not exist: "NH1" is nitrogen.
+    constexpr Element kHeaviest = 98, kDeuterium = 119;
     const auto known = [&](std::size_t length) {
-        return letters < length ? Element{0} : elementFromSymbol(label.substr(0, length));
+        const Element element = letters < length ? Element{0} : elementFromSymbol(label.substr(0, length));
+        return element <= kHeaviest || element == kDeuterium ? element : Element{0};
     };
     const bool usable = formula.size() > 1;
     for (const Element element : {known(2), known(1)})
