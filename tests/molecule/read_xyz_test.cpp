@@ -61,6 +61,21 @@ TEST(ReadXyz, ExtendedColumns) {
     }
 }
 
+// The extended XYZ specification's old and new lists.
+TEST(ReadXyz, LatticesInEveryForm) {
+    for (const char* lattice :
+         {"Lattice=\"4 0 0 0 5 0 0 0 6\" pbc=\"T T F\"", "lattice='4 0 0 0 5 0 0 0 6' pbc='T T F'",
+          "Lattice={4 0 0 0 5 0 0 0 6} pbc={1 1 0}", "Lattice=[[4, 0, 0], [0, 5, 0], [0, 0, 6]] pbc=[T, T, F]",
+          "Lattice=\"[[4, 0, 0], [0, 5, 0], [0, 0, 6]]\" pbc=\"[True, True, False]\""}) {
+        SCOPED_TRACE(lattice);
+        const Molecule read = readMolecule("a.xyz", "1\n" + std::string(lattice) + "\nC 0 0 0\n");
+        ASSERT_TRUE(read.file.box.has_value());
+        EXPECT_EQ((*read.file.box)[1], glm::vec3(0, 5, 0));
+        EXPECT_EQ((*read.file.box)[2], glm::vec3(0, 0, 6));
+        EXPECT_EQ(read.file.boxRepeats, (std::array<bool, 3>{true, true, false}));
+    }
+}
+
 TEST(ReadXyz, WhatIsWrongIsSaidWithItsLine) {
     for (const char* number : {"nan", "inf", "-inf", "1e400", "1e12", "abc", "0x10", "1,5", "--1"})
         test::expectError("a.xyz", std::string("1\n\nC 0 ") + number + " 0\n", {"(line 3)", "invalid y coordinate"});

@@ -65,17 +65,30 @@ private:
         const std::string lower = lowerCase(comment_);
         const std::size_t at = lower.find(std::string(key) + "=");
         if (at == std::string::npos || (at > 0 && !isBlank(lower[at - 1]))) return {};
-        std::string_view value = comment_.substr(at + key.size() + 1);
-        const bool quoted = !value.empty() && (value[0] == '"' || value[0] == '{' || value[0] == '[');
-        if (!quoted) return value.substr(0, value.find_first_of(" \t"));
-        value.remove_prefix(1);
-        return value.substr(0, value.find_first_of("\"}]"));
+        const std::string_view value = comment_.substr(at + key.size() + 1);
+        constexpr std::string_view kOpen = "\"'{[", kClose = "\"'}]";
+        const std::size_t kind = kOpen.find(value.substr(0, 1));
+        if (value.empty() || kind == std::string_view::npos) return value.substr(0, value.find_first_of(" \t"));
+        std::size_t end = 1;
+        for (int depth = 1; end < value.size(); ++end) {
+            if (value[end] == kClose[kind]) --depth;
+            if (depth == 0) break;
+            if (value[end] == kOpen[kind]) ++depth;
+        }
+        return value.substr(1, end - 1);
+    }
+    /// Words of "5 0 0 ..." and "[[5, 0, 0], ...]".
+    static std::string withoutBrackets(std::string_view list) {
+        std::string text(list);
+        for (char& c : text)
+            if (c == ',' || c == '[' || c == ']') c = ' ';
+        return text;
     }
 
     /// Lattice="ax ay az bx by bz cx cy cz", and pbc="T T F" for the vectors along which it repeats.
     void takeLattice() {
         const std::string_view stated = valueOf("lattice");
-        const std::string lattice = numbersApart(stated);
+        const std::string lattice = numbersApart(withoutBrackets(stated));
         const Words numbers = splitWords(lattice);
         if (trim(stated).empty()) return;
         if (numbers.count != 9)
@@ -88,8 +101,7 @@ private:
             box[i / 3][static_cast<int>(i % 3)] = static_cast<float>(*value);
         }
         std::array<bool, 3> repeats{true, true, true};
-        std::string pbc(valueOf("pbc"));  // "T T F", "1 1 0", "True, True, False"
-        std::replace(pbc.begin(), pbc.end(), ',', ' ');
+        const std::string pbc = withoutBrackets(valueOf("pbc"));  // "T T F", "1 1 0", "True, True, False"
         const Words flags = splitWords(pbc);
         for (std::size_t i = 0; i < flags.count && i < 3; ++i)
             repeats[i] = flags[i] != "0" && upperCase(flags[i][0]) != 'F';
