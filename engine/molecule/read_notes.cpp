@@ -64,6 +64,7 @@ ReadNotes readingOf(const Molecule& molecule, const std::vector<std::uint8_t>& d
     }
     std::set<std::string_view> segments;
     std::size_t folded = 0, charged = 0, alternates = 0, unknown = 0;
+    std::int64_t known = 0;
     for (const Residue& residue : molecule.residues) {
         folded += residue.secondary != SecondaryStructure::none;
         if (const std::string_view segment = residue.segment.view(); !segment.empty()) segments.insert(segment);
@@ -72,6 +73,7 @@ ReadNotes readingOf(const Molecule& molecule, const std::vector<std::uint8_t>& d
         charged += atom.charge != 0;
         alternates += atom.alternate != '\0';
         unknown += atom.element == 0 && atom.radius == 0;
+        known += atom.element != 0;
     }
     read("atoms", molecule.atoms.size());
     read("residues", molecule.residues.size());
@@ -93,7 +95,12 @@ ReadNotes readingOf(const Molecule& molecule, const std::vector<std::uint8_t>& d
     addNote(notes, ReadAction::guessed, "bonds", "from residue templates", static_cast<std::int64_t>(bonds[1]));
     addNote(notes, ReadAction::guessed, "bonds", "from distances", static_cast<std::int64_t>(bonds[2]));
     addNote(notes, ReadAction::guessed, "bond orders", "from geometry and valences", orders);
-    for (const ReadNote& note : molecule.notes) addNote(notes, note.action, note.what, note.why, note.count, note.line);
+    for (const ReadNote& note : molecule.notes) {
+        // Atoms that turned out to be grains have no element.
+        const bool elements = note.action == ReadAction::guessed && note.what == "elements";
+        addNote(notes, note.action, note.what, note.why, elements ? std::min(note.count, known) : note.count,
+                note.line);
+    }
     addNote(notes, ReadAction::leftOut, "elements", "not known", static_cast<std::int64_t>(unknown));
     std::stable_sort(notes.begin(), notes.end(),
                      [](const ReadNote& a, const ReadNote& b) { return a.action < b.action; });

@@ -404,6 +404,26 @@ TEST(OddFiles, AtomsTooNearAreNotBonded) {
     EXPECT_EQ(readMolecule("a.xyz", "2\n\nO 0 0 0\nH 0.8 0 0\n").bonds.size(), 1u);
 }
 
+// As the HPS model names its beads.
+TEST(OddFiles, GrainsNamedByTheLettersOfAminoAcids) {
+    const std::pair<const char*, const char*> names[] = {{"P", "PRO"}, {"N", "ASN"}, {"C", "CYS"},
+                                                         {"S", "SER"}, {"K", "LYS"}, {"V", "VAL"}};
+    std::string text;
+    int i = 0;
+    for (const auto& [letter, residue] : names) {
+        char line[100];
+        std::snprintf(line, sizeof line, "ATOM  %5d  %s   %s A%4d    %8.3f   0.000   0.000  1.00  0.00\n", i + 1,
+                      letter, residue, i + 1, 3.8 * i);
+        text += line;
+        ++i;
+    }
+    const Molecule grains = readMolecule("a.pdb", text);
+    EXPECT_EQ(symbols(grains), "? ? ? ? ? ?") << "no phosphorus, no potassium";
+    EXPECT_EQ(grains.bonds.size(), 5u);
+    EXPECT_EQ(countOf(grains, ReadAction::guessed, "coarse grains"), 6);
+    EXPECT_EQ(countOf(grains, ReadAction::guessed, "elements"), 0);
+}
+
 TEST(OddFiles, OneGrainPerResidue) {
     std::string text;
     const char* names[] = {"GLY", "ALA", "TRP", "LYS", "SER", "VAL"};

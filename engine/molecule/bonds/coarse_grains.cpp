@@ -47,8 +47,8 @@ TailBead tailOf(std::string_view name) {
 
 enum class GrainKind : std::uint8_t { none, protein, lipid, sterol, water, single };
 
-/// Beads of formats without residues, or of unknown ones, that readers take for boron and tungsten ("B", "W"), or for
-/// nothing ("BB"). Atoms of these elements have neighbours; beads have none as near as bonds are.
+/// Beads of formats without residues, or of unknown ones, that readers take for boron, scandium and tungsten ("B",
+/// "SC1", "W"), or for nothing ("BB"). Atoms of these elements have neighbours; beads have none as near as bonds are.
 class LoneBeads {
 public:
     explicit LoneBeads(const Molecule& molecule) : molecule_(molecule), lone_(molecule.atoms.size()) {
@@ -72,10 +72,10 @@ private:
     static constexpr std::size_t kMostPerCube = 64;
 
     static bool isCandidate(const Atom& atom) {
-        constexpr Element kBoron = 5, kTungsten = 74;
+        constexpr Element kBoron = 5, kScandium = 21, kTungsten = 74;
         const std::string_view name = atom.name.view();
         const bool bead = (atom.element == kBoron && name == "B") || (atom.element == kTungsten && name == "W") ||
-                          (atom.element == 0 && name == "BB");
+                          (atom.element == kScandium && name == "Sc") || (atom.element == 0 && name == "BB");
         return bead && atom.radius == 0;
     }
     static Cube cubeOf(const glm::vec3& p) {
@@ -196,11 +196,14 @@ private:
         return GrainKind::none;
     }
 
-    /// One atom of an amino acid, which is neither an alpha carbon nor of a name that all atoms could have.
+    /// One atom of an amino acid, which is neither an alpha carbon nor of a name that all atoms could have, unless that
+    /// is the amino acid's letter.
     bool isSingle(const Residue& residue) const {
         if (residue.atomCount != 1) return false;
         const Name& name = molecule_.atoms[residue.firstAtom].name;
-        return !isOneOfNames(name, {"CA", "N", "C", "O", "P"}) && aminoAcidLetter(residue.name) != '\0';
+        const char letter = aminoAcidLetter(residue.name);
+        const bool lettered = name.view() == std::string_view(&letter, 1);
+        return letter != '\0' && (lettered || !isOneOfNames(name, {"CA", "N", "C", "O", "P"}));
     }
 
     bool hasManyWaters() const {
