@@ -64,7 +64,7 @@ Json copyLevelsJson(const std::vector<CopyLevelCount>& levels) {
 }
 
 Json choiceJson(const std::vector<Decision>& decisions) {
-    Json json = Json::object();
+    Json json = {{"long_lists", nullptr}, {"views", nullptr}};  // not of every frame
     for (const Decision& decision : decisions) {
         std::string key = decision.what;
         std::ranges::replace(key, ' ', '_');

@@ -77,7 +77,10 @@ class Keys(unittest.TestCase):
                 self.run_in(folder, "render", *words, "-o", "a.png", "--stats", "s.json", *SMALL)
                 return json.loads(pathlib.Path(folder, "s.json").read_text())
             outputs = [stats("sample:dna", "--style", "cartoon", "--visibility", "fragdepth", "--supersample", "1"), stats("sample:dna", "--zoom-to", "chain A and resi 3", "--stereo", "left")]
-            self.assertEqual(set(outputs[0]), set(outputs[1]))
+            outputs.append(stats("sample:dna", "--stereo", "side-by-side"))
+            for output in outputs[1:]:
+                self.assertEqual(set(outputs[0]), set(output))
+                self.assertEqual(set(outputs[0]["choice"]), set(output["choice"]))
             # Copies that are far away have levels; no sample does.
             outputs.append({"atoms": {"levels": [{"error": 0, "copies": 0, "spheres": 0}]}})
             self.compare("render --stats", outputs)
