@@ -17,6 +17,9 @@ PDB = ("ATOM      1  N   GLY A   1       0.000   0.000   0.000  1.00  0.00      
        "ATOM      3  C   GLY A   1       2.000   1.420   0.000  1.00  0.00           C\n"
        "ATOM      4  O   GLY A   1       1.250   2.390   0.000  1.00  0.00           O\nEND\n")
 
+SANITIZED = "NACRE_SANITIZED" in os.environ
+SLOWER = 6 if SANITIZED else 1  # a program, at most
+
 ROOM = "HTTP/1.1\r\nHost: localhost\r\n"
 
 
@@ -32,7 +35,7 @@ def scene(url, format="pdb", kind="structure", **params):
 class Client:
     """A socket, and what comes of it."""
 
-    def __init__(self, port, timeout=60):
+    def __init__(self, port, timeout=60 * SLOWER):
         self.socket = socket.create_connection(("127.0.0.1", port), timeout)
 
     def send(self, text):
@@ -86,7 +89,7 @@ class Server:
         """-> status, headers, body"""
         request = urllib.request.Request(self.url + path, data=data, headers=headers)
         try:
-            with urllib.request.urlopen(request, timeout=120) as answer:
+            with urllib.request.urlopen(request, timeout=120 * SLOWER) as answer:
                 return answer.status, answer.headers, answer.read()
         except urllib.error.HTTPError as error:
             return error.code, error.headers, error.read()
@@ -100,6 +103,6 @@ class Server:
 
     def stop(self):
         self.process.send_signal(signal.SIGTERM)
-        code = self.process.wait(120)
+        code = self.process.wait(120 * SLOWER)
         self.process.stderr.close()
         return code
