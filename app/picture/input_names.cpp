@@ -168,7 +168,7 @@ void colorApart(const std::vector<std::string>& names, RepresentationOptions& lo
         step.numbers.push_back({number, number, '\0', '\0'});
         rule.selection.text = "/" + names[i];
         rule.selection.steps.push_back(step);
-        rule.coloring = Coloring::elementWithCarbons(kindColor(i, kCarbonPalette));
+        rule.coloring = Coloring::elementWithCarbons(kindColor(i, kChainPalette));
         rules.push_back(rule);
     }
     look.rules.insert(look.rules.begin(), rules.begin(), rules.end());

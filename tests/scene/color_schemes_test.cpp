@@ -275,19 +275,31 @@ TEST(ColorSchemes, ASurfaceOverACartoonHasItsColours) {
         return std::set<std::uint32_t>(seen.colors.begin(), seen.colors.end());
     };
     EXPECT_EQ(colorsOf(std::nullopt),
-              (std::set<std::uint32_t>{kindColor(0, kCarbonPalette), kindColor(1, kCarbonPalette)}));
+              (std::set<std::uint32_t>{kindColor(0, kChainPalette), kindColor(1, kChainPalette)}));
     EXPECT_EQ(colorsOf(ColorScheme::element).size(), 4u);
 }
 
 TEST(ColorSchemes, CarbonsByChainAndTheRestByElement) {
     const Molecule dna = sampleMolecule("dna");
     const ColoredAtoms result = colored(dna, ColorScheme::chainCarbons);
-    Coloring byChain(ColorScheme::chain);
-    byChain.palette = Palette::carbons;
-    const ColoredAtoms chains = colored(dna, byChain), elements = colored(dna, ColorScheme::element);
+    const ColoredAtoms chains = colored(dna, ColorScheme::chain), elements = colored(dna, ColorScheme::element);
     for (std::size_t i = 0; i < dna.atoms.size(); ++i)
         ASSERT_EQ(result.colors[i], dna.atoms[i].element == 6 ? chains.colors[i] : elements.colors[i]) << i;
     EXPECT_EQ(labels(result), "C of chain A|C of chain B|N|O|P");
+}
+
+TEST(ColorSchemes, CarbonsOfALigandAreToldFromThoseOfItsChain) {
+    test::MoleculeText text;
+    text.residue("ALA").atom("CA", "C", {0, 0, 0}).atom("N", "N", {1.5, 0, 0});
+    text.residue("MK1").atom("C1", "C", {9, 0, 0});
+    const ColoredAtoms result = colored(text.molecule, ColorScheme::chainCarbons);
+    EXPECT_EQ(result.colors[0], kindColor(0, kChainPalette));
+    EXPECT_EQ(result.colors[2], elementColor(6));
+    EXPECT_EQ(labels(result), "C of chain A|C of ligands|N");
+    // Without a polymer there is no chain to be told from.
+    test::MoleculeText alone;
+    alone.residue("MK1").atom("C1", "C", {9, 0, 0});
+    EXPECT_EQ(colored(alone.molecule, ColorScheme::chainCarbons).colors[0], kindColor(0, kChainPalette));
 }
 
 TEST(ColorSchemes, RangesAndPalettesAreThoseAskedFor) {

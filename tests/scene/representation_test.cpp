@@ -220,8 +220,8 @@ TEST(Colors, SchemesReachTheStreams) {
     molecule.residues = {{Name("ASP"), 1, 0, '\0', {}, 0, 0}, {Name("LYS"), 2, 0, '\0', {}, 1, 0}};
     molecule.atoms[1].residue = 1;
     const auto byChain = represent(molecule, everyAtom(molecule), {Style::spacefill, ColorScheme::chain});
-    EXPECT_EQ(byChain.sphereLooks[0].color, kindColor(0, kCarbonPalette));
-    EXPECT_EQ(byChain.sphereLooks[1].color, kindColor(1, kCarbonPalette));
+    EXPECT_EQ(byChain.sphereLooks[0].color, kindColor(0, kChainPalette));
+    EXPECT_EQ(byChain.sphereLooks[1].color, kindColor(1, kChainPalette));
     const auto byResidue = represent(molecule, everyAtom(molecule), {Style::spacefill, ColorScheme::residue});
     EXPECT_EQ(byResidue.sphereLooks[0].color, residueColor("ASP"));
     EXPECT_EQ(byResidue.sphereLooks[1].color, residueColor("LYS"));

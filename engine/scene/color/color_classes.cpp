@@ -70,7 +70,7 @@ Classes byChain(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
     return classes;
 }
 
-/// Without several chains, carbons still have their own colour.
+/// Carbons of ligands beside a polymer keep the element's colour, which tells them from their chain's.
 Classes byChainCarbons(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const AnyPalette& palette) {
     constexpr Element kCarbon = 6;
     const Molecule& molecule = facts.molecule();
@@ -79,8 +79,15 @@ Classes byChainCarbons(const ResidueFacts& facts, std::span<const std::uint32_t>
     const auto chains = static_cast<std::uint32_t>(classes.entries.size());
     for (LegendEntry& entry : classes.entries) entry.label = "C of " + entry.label;
     classes.entries.insert(classes.entries.end(), elements.entries.begin(), elements.entries.end());
-    for (std::size_t i = 0; i < atoms.size(); ++i)
-        if (molecule.atoms[atoms[i]].element != kCarbon) classes.ofAtom[i] = chains + elements.ofAtom[i];
+    const std::vector<ResidueKind>& kinds = facts.kinds();
+    const bool polymers = std::ranges::any_of(
+        kinds, [](ResidueKind kind) { return kind == ResidueKind::protein || kind == ResidueKind::nucleic; });
+    if (polymers) classes.entries[chains + kCarbon].label = "C of ligands";
+    for (std::size_t i = 0; i < atoms.size(); ++i) {
+        const Atom& atom = molecule.atoms[atoms[i]];
+        const bool ofLigand = polymers && kinds[atom.residue] == ResidueKind::ligand;
+        if (atom.element != kCarbon || ofLigand) classes.ofAtom[i] = chains + elements.ofAtom[i];
+    }
     return classes;
 }
 
@@ -278,9 +285,9 @@ Classes classesOf(const ResidueFacts& facts, std::span<const std::uint32_t> atom
     };
     switch (coloring.scheme) {
         case ColorScheme::chain:
-            return byChain(facts, atoms, palette(kCarbonPalette));
+            return byChain(facts, atoms, palette(kChainPalette));
         case ColorScheme::chainCarbons:
-            return byChainCarbons(facts, atoms, palette(kCarbonPalette));
+            return byChainCarbons(facts, atoms, palette(kChainPalette));
         case ColorScheme::input:
             return byInput(molecule, atoms, palette(kChainPalette));
         case ColorScheme::residue:

@@ -14,10 +14,8 @@ namespace nacre {
 /// Hues after the CPK and Jmol conventions, less saturated. Every element has one; an unknown element is pink.
 std::uint32_t elementColor(Element element);
 
-/// Default palette for chains and copies.
+/// Default palette of chains, inputs and copies, of whole atoms as of carbons alone.
 constexpr Palette kChainPalette = Palette::distinct;
-/// For chains where only carbons are coloured by chain and other atoms by element.
-constexpr Palette kCarbonPalette = Palette::carbons;
 
 /// A tint of the copy's colour: a grey that darkens it. The first is white, the copy's own colour.
 std::uint32_t copyTint(std::size_t tint, std::size_t count);

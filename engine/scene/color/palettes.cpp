@@ -24,8 +24,7 @@ constexpr std::uint32_t kBlueWhiteRed[] = {0x2f5fc4, 0xf4f4f2, 0xc43a34};
 constexpr std::uint32_t kRedWhiteBlue[] = {0xc43a34, 0xf4f4f2, 0x2f5fc4};
 constexpr std::uint32_t kGrays[] = {0x3a3a3a, 0xf0f0f0};
 
-constexpr std::uint32_t kDistinct[] = {0x68a3ff, 0xe78834, 0x2c7761, 0xe1e2b5, 0xa83b9c, 0xcae2fe, 0xbc9eaa, 0x746913};
-constexpr std::uint32_t kCarbons[] = {0x41d5ea, 0x925895, 0x66801b, 0xcdf3b0, 0xc483a6, 0x345c24, 0xafb09a, 0x5d5857};
+constexpr std::uint32_t kDistinct[] = {0x22bcfc, 0xd28c23, 0x2d6e5c, 0xe8edc3, 0x9482a0, 0x6c59a2, 0xd2b3be, 0x759878};
 constexpr std::uint32_t kLight[] = {0x77aadd, 0xee8866, 0x44bb99, 0xeedd88, 0xffaabb, 0x99ddff, 0xbbcc33, 0xaaaa00};
 constexpr std::uint32_t kOkabeIto[] = {0x56b4e9, 0xe69f00, 0x1fae83, 0xf0e442, 0x2b86c5, 0xe0733a, 0xd487b2};
 constexpr std::uint32_t kBright[] = {0x4477aa, 0xee6677, 0x228833, 0xccbb44, 0x66ccee, 0xaa3377, 0xbbbbbb};
@@ -41,7 +40,6 @@ struct PaletteEntry {
 // In the order of the enumeration, after `automatic`.
 constexpr PaletteEntry kPalettes[] = {
     {Palette::distinct, "distinct", kDistinct},
-    {Palette::carbons, "carbons", kCarbons},
     {Palette::light, "light", kLight},
     {Palette::okabeIto, "okabe-ito", kOkabeIto},
     {Palette::bright, "bright", kBright},

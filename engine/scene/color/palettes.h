@@ -24,8 +24,7 @@ std::string colorText(std::uint32_t color);
 enum class Palette : std::uint8_t {
     automatic,  ///< the scheme's own
     // For classes. "Tol": P. Tol, "Colour schemes", SRON/EPS/TN/09-002 (2021).
-    distinct,  ///< our own: eight tones by search, with the largest smallest CIEDE2000 distance for any vision
-    carbons,   ///< our own: as above, far from the blue of nitrogen, the red of oxygen and the yellow of sulphur
+    distinct,  ///< our own, by search: far apart (CIEDE2000) for any vision, and from the colours of N, O and S
     light,     ///< Tol
     okabeIto,  ///< M. Okabe and K. Ito, "Color Universal Design" (2008), without its black, lightened for shading
     bright,    ///< Tol
