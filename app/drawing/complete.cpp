@@ -16,7 +16,7 @@
 namespace nacre::app {
 namespace {
 
-constexpr double kPrint = 300, kScreen = 96;  // default dots per inch: for print, and as in CSS
+constexpr double kPrint = 300;  // default dots per inch for print
 
 std::uint32_t sideOf(const char* name, double pixels) {
     const double rounded = std::round(pixels);
@@ -135,7 +135,7 @@ void checkFiles(const PictureDescription& picture, std::vector<NamedFile> furthe
 void takePaper(PictureDescription& picture) {
     if ((picture.width && picture.width->inches) || (picture.height && picture.height->inches))
         picture.dpi = picture.dpi.value_or(kPrint);
-    const double dpi = picture.dpi.value_or(kScreen);
+    const double dpi = picture.dpi.value_or(kScreenDpi);
     Size& size = picture.size;
     const double shape = static_cast<double>(size.height) / size.width;
     const double width = picture.width ? picture.width->pixels(dpi) : 0;
@@ -145,8 +145,6 @@ void takePaper(PictureDescription& picture) {
     if (picture.width && !picture.height) size.height = sideOf("--width", width * shape);
     if (picture.height && !picture.width) size.width = sideOf("--height", height / shape);
     constexpr double kPointsPerInch = 72;
-    if (picture.contourPoints) picture.effects.contours.width = *picture.contourPoints * dpi / kPointsPerInch;
-    if (picture.haloPoints) picture.effects.halos.width = *picture.haloPoints * dpi / kPointsPerInch;
     if (picture.linePoints) picture.look.lineWidth = std::min(*picture.linePoints * dpi / kPointsPerInch, kWidestWire);
     takeThicknesses(picture, dpi / kPointsPerInch);
     if (picture.textPoints) picture.words.size = *picture.textPoints * dpi / kPointsPerInch;

@@ -105,6 +105,19 @@ Representation buildScene(const ResidueFacts& facts, const PictureDescription& p
     return scene;
 }
 
+namespace {
+
+/// In pixels, within what effects take.
+void takeWidth(const std::optional<ScreenLength>& length, const PictureDescription& picture, const View& view,
+               double& width) {
+    if (!length || width <= 0) return;
+    const double pixels =
+        length->pixels(std::min(view.width, view.height), picture.dpi.value_or(kScreenDpi), view.pixelsPerAngstrom);
+    width = std::clamp(pixels, kThinnestRim, kWidestRim);
+}
+
+}  // namespace
+
 RenderSettings makeSettings(const PictureDescription& picture, const Camera& camera, const Size& size, double radius) {
     RenderSettings settings;
     settings.view = viewOf(camera, radius, size.width, size.height);
@@ -113,6 +126,8 @@ RenderSettings makeSettings(const PictureDescription& picture, const Camera& cam
     settings.fine = picture.bits == 16 || extensionOf(picture.output) == ".exr";
     settings.lighting = picture.lighting;
     settings.effects = picture.effects;
+    takeWidth(picture.contourWidth, picture, settings.view, settings.effects.contours.width);
+    takeWidth(picture.haloWidth, picture, settings.view, settings.effects.halos.width);
     settings.meshError = picture.meshError;
     settings.debug = picture.debug;
     settings.occlusion.directions = picture.occlusion.directions;

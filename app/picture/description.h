@@ -58,9 +58,10 @@ struct PictureDescription {
     OcclusionOptions occlusion;
 
     Size size;
-    std::optional<Length> width, height;  ///< override `size`; with one of them, `size` gives the shape
-    std::optional<double> dpi;            ///< dots per inch
-    std::optional<double> contourPoints, haloPoints, textPoints;  ///< 72 per inch; override pixels
+    std::optional<Length> width, height;                  ///< override `size`; with one of them, `size` gives the shape
+    std::optional<double> dpi;                            ///< dots per inch
+    std::optional<ScreenLength> contourWidth, haloWidth;  ///< override pixels
+    std::optional<double> textPoints;                     ///< 72 per inch; overrides pixels
     /// Likewise of lines; and widths of sticks, bonds and tubes, which override radii.
     std::optional<double> linePoints, stickPoints, bondPoints, tubePoints;
     int bits = 8;  ///< per channel of the file

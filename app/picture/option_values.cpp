@@ -71,15 +71,45 @@ Length parseLength(std::string_view text) {
     return {value * scale, inches};
 }
 
+namespace {
+
+constexpr std::pair<std::string_view, ScreenLength::Unit> kScreenUnits[] = {
+    {"pt", ScreenLength::Unit::points}, {"%", ScreenLength::Unit::percent}, {"A", ScreenLength::Unit::angstrom}};
+
+}  // namespace
+
+double ScreenLength::pixels(double shorter, double dpi, double pixelsPerAngstrom) const {
+    switch (unit) {
+        case Unit::percent:
+            return value / 100 * shorter;
+        case Unit::angstrom:
+            return value * pixelsPerAngstrom;
+        default:
+            return value * dpi / 72;
+    }
+}
+
+std::optional<ScreenLength> screenLengthOf(std::string_view text) {
+    for (const auto& [ending, unit] : kScreenUnits) {
+        double value = 0;
+        if (text.ends_with(ending) && readWhole(text.substr(0, text.size() - ending.size()), value))
+            return ScreenLength{value, unit};
+    }
+    return std::nullopt;
+}
+
+std::string screenLengthText(const ScreenLength& length) {
+    return numberText(length.value) + std::string(kScreenUnits[static_cast<std::size_t>(length.unit)].first);
+}
+
 std::optional<double> pointsOf(std::string_view text) {
-    double points = 0;
-    if (!text.ends_with("pt") || !readWhole(text.substr(0, text.size() - 2), points)) return std::nullopt;
-    return points;
+    const std::optional<ScreenLength> length = screenLengthOf(text);
+    return length && length->unit == ScreenLength::Unit::points ? std::optional(length->value) : std::nullopt;
 }
 
 double parsePixels(std::string_view text, double least, double most) {
     if (const std::optional<double> points = pointsOf(text)) {
-        const double pixels = *points * 96 / 72;
+        const double pixels = *points * kScreenDpi / 72;
         if (!(pixels >= least && pixels <= most))
             refuse(text, "from " + numberText(least) + " to " + numberText(most) + " pixels, of which 96 are 72pt");
         return pixels;

@@ -92,6 +92,25 @@ std::uint32_t parseSupersample(std::string_view text);
 /// Refuses more than `most`. @param supersample  from parseSupersample()
 void checkSamples(const Size& size, std::uint32_t supersample, std::uint64_t most = kMostSamples);
 
+/// A width that the picture's size, resolution or camera turns into pixels.
+struct ScreenLength {
+    enum class Unit : std::uint8_t {
+        points,   ///< 72 per inch
+        percent,  ///< of the picture's shorter side
+        angstrom  ///< at the centre
+    };
+    double value = 0;
+    Unit unit = Unit::points;
+
+    /// @param shorter  side of the picture, pixels @param dpi  dots per inch
+    double pixels(double shorter, double dpi, double pixelsPerAngstrom) const;
+};
+/// "1.5pt", "0.5%", "0.3A"; empty for other units.
+std::optional<ScreenLength> screenLengthOf(std::string_view text);
+std::string screenLengthText(const ScreenLength& length);
+constexpr double kScreenDpi = 96;                      ///< unless stated, as in CSS
+constexpr double kThinnestRim = 0.1, kWidestRim = 64;  ///< of outlines and halos, pixels
+
 /// The points of "1.5pt"; empty for other units.
 std::optional<double> pointsOf(std::string_view text);
 /// "2", "2px"; "1.5pt" at 96 dots per inch.

@@ -11,7 +11,7 @@ using T = std::string_view;
 using E = Effects;
 using enum Option::Save;
 
-constexpr double kWidest = 64, kDeepest = 1000, kFarthest = 1e6;  // pixels, Å, Å
+constexpr double kDeepest = 1000, kFarthest = 1e6;  // Å
 constexpr double kBrightest = 10, kSharpest = 2000, kPercent = 100;
 constexpr std::int64_t kMostOcclusionMegabytes = 65536;
 inline constexpr std::array<const char*, 3> kCaps{"plain", "dark", "hatched"};
@@ -100,12 +100,24 @@ Option effect(T key, const char* syntax, const char* help, void (*parse)(T, P&),
             .control = control};
 }
 
-/// A width in pixels, where 0 is "off". @param points  the width in points, if given so
-void parseWidth(T text, double& width, std::optional<double>& points) {
-    width = text == "off" ? 0 : parsePixels(text, 0.1, kWidest);
-    points = pointsOf(text);
+/// A width in pixels, where 0 is "off". @param given  in another unit, if so; then the width is a usual picture's
+void parseWidth(T text, double& width, std::optional<ScreenLength>& given) {
+    constexpr double kUsualSide = 1024, kUsualScale = 10;
+    given = screenLengthOf(text);
+    if (text == "off") {
+        width = 0;
+    } else if (given && given->unit != ScreenLength::Unit::points) {
+        if (!(given->value >= 0.001 && given->value <= 100))
+            refuse(text, "from 0.001 to 100 % of the shorter side, or ångström");
+        width = std::clamp(given->pixels(kUsualSide, kScreenDpi, kUsualScale), kThinnestRim, kWidestRim);
+    } else {
+        width = parsePixels(text, kThinnestRim, kWidestRim);
+    }
 }
 std::string offOr(double value) { return value > 0 ? numberText(value) : "off"; }
+std::string widthText(double width, const std::optional<ScreenLength>& given) {
+    return given ? screenLengthText(*given) : offOr(width);
+}
 
 std::array<float, 3> parseOpaque(T text) {
     const auto [r, g, b, a] = parseColor(text);
@@ -117,9 +129,11 @@ std::string opaqueText(const std::array<float, 3>& color) { return backgroundTex
 std::vector<Option> lineRows() {
     return {
         effect(
-            "contours", "PIXELS|off", "Outlines where depth jumps, 0.1 to 64 pixels wide",
-            [](T text, P& d) { parseWidth(text, d.effects.contours.width, d.contourPoints); },
-            [](const P& d) { return offOr(d.effects.contours.width); }, {}, {"Outlines", 0, 8, "Outlines: %.1f px"}),
+            "contours", "WIDTH|off",
+            "Outlines where depth jumps, 0.1 to 64 pixels wide: 2, 1pt at --dpi, 0.3% of the shorter side, 0.2A",
+            [](T text, P& d) { parseWidth(text, d.effects.contours.width, d.contourWidth); },
+            [](const P& d) { return widthText(d.effects.contours.width, d.contourWidth); }, {},
+            {"Outlines", 0, 8, "Outlines: %.1f px"}),
         effect("contour-depth", "A", "Depth jump in Å from which there is an outline",
                [](T text, P& d) { d.effects.contours.depth = parseNumber(text, 0.01, kDeepest); },
                printNumber<&P::effects, &E::contours, &Contours::depth>, "contours",
@@ -138,11 +152,12 @@ std::vector<Option> lineRows() {
             [](T text, P& d) { d.effects.contours.color = parseOpaque(text); },
             [](const P& d) { return opaqueText(d.effects.contours.color); }, "contours", {"Outline colour"}),
         effect(
-            "halos", "PIXELS|off",
-            "Soft rims around foreground shapes, 0.1 to 64 pixels wide, denser the farther the background\n"
+            "halos", "WIDTH|off",
+            "Soft rims around foreground shapes, as wide as --contours may be, denser the farther the background\n"
             "lies behind. Paths other than tiles draw it as --visibility deferred",
-            [](T text, P& d) { parseWidth(text, d.effects.halos.width, d.haloPoints); },
-            [](const P& d) { return offOr(d.effects.halos.width); }, {}, {"Halos", 0, 24, "Halos: %.1f px"}),
+            [](T text, P& d) { parseWidth(text, d.effects.halos.width, d.haloWidth); },
+            [](const P& d) { return widthText(d.effects.halos.width, d.haloWidth); }, {},
+            {"Halos", 0, 24, "Halos: %.1f px"}),
         effect("halo-depth", "A", "Distance behind in Å at which a halo is densest",
                [](T text, P& d) { d.effects.halos.depth = parseNumber(text, 0.01, kDeepest); },
                printNumber<&P::effects, &E::halos, &Halos::depth>, "halos",

@@ -54,6 +54,29 @@ TEST(Sizes, AreRadiiInAngstrom) {
     EXPECT_GT(reachOf("3"), reachOf("1") + 0.5);
 }
 
+TEST(Sizes, RimsFollowThePictureTheCameraOrThePaper) {
+    const Molecule dna = sampleMolecule("dna");
+    const auto drawn = [&](Values options) {
+        Drawing drawing;
+        drawing.prepare(dna, sizedPicture(options));
+        return drawing.settings;
+    };
+    const auto outline = [&](const char* width, const char* size) {
+        return drawn({{"contours", width}, {"size", size}}).effects.contours.width;
+    };
+    EXPECT_DOUBLE_EQ(outline("0.5%", "400x300"), 1.5);
+    EXPECT_DOUBLE_EQ(outline("0.5%", "3000x4000"), 15);
+    EXPECT_DOUBLE_EQ(outline("1.5pt", "400x300"), 2);  // 96 dots per inch
+    EXPECT_DOUBLE_EQ(outline("50%", "400x300"), 64);   // the widest
+    const RenderSettings close = drawn({{"halos", "0.25A"}, {"zoom", "3"}});
+    EXPECT_DOUBLE_EQ(close.effects.halos.width, close.view.pixelsPerAngstrom / 4);
+    for (const char* text : {"0.5%", "0.2A", "1pt", "2", "off"}) {
+        PictureDescription picture = sizedPicture({{"contours", "3%"}, {"contours", text}});
+        EXPECT_EQ(option("contours").print(picture), text);
+    }
+    for (const char* text : {"0%", "nan%", "200A", "-1pt", "%", "1e"}) EXPECT_ANY_THROW(outline(text, "64x64")) << text;
+}
+
 TEST(Sizes, InPointsAreTheSameOnPaperWhateverTheResolution) {
     const Molecule dna = sampleMolecule("dna");
     for (const char* dpi : {"300", "600"})
