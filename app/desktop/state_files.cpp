@@ -93,8 +93,7 @@ WindowState loadWindowState() {
             state.brightness = static_cast<Panel::Brightness>(i);
     state.panelOpen = json.value("panel", nlohmann::json()) != false;
     state.darkCanvas = json.value("dark_background", nlohmann::json()) == true;
-    state.textPercent =
-        static_cast<int>(std::clamp<std::uint64_t>(side("text_percent"), 100, Panel::kMostTextPercent));
+    state.textPercent = static_cast<int>(std::clamp<std::uint64_t>(side("text_percent"), 100, Panel::kMostTextPercent));
     return state;
 }
 
@@ -147,9 +146,11 @@ RecentFiles::RecentFiles(std::string path) : path_(std::move(path)) {
         RecentFile file;
         file.input = entry["input"];
         file.name = entry.contains("name") && entry["name"].is_string() ? entry["name"].get<std::string>() : file.input;
-        if (entry.contains("picture") && entry["picture"].is_string())
-            file.pixels = pixelsOf(entry["picture"], std::size_t{kPicture.width} * kPicture.height);
-        if (!file.pixels.empty()) file.width = kPicture.width, file.height = kPicture.height;
+        for (const PixelSize size : {kPicture, kBanner}) {
+            if (!file.pixels.empty() || !entry.contains("picture") || !entry["picture"].is_string()) continue;
+            file.pixels = pixelsOf(entry["picture"], std::size_t{size.width} * size.height);
+            if (!file.pixels.empty()) file.width = size.width, file.height = size.height;
+        }
         files_.push_back(std::move(file));
     }
 }
@@ -158,7 +159,8 @@ void RecentFiles::add(const std::string& input, const std::string& name, const P
     RecentFile file;
     file.input = input;
     file.name = name;
-    if (picture.width == kPicture.width && picture.height == kPicture.height) {
+    const auto has = [&](PixelSize size) { return picture.width == size.width && picture.height == size.height; };
+    if (has(kPicture) || has(kBanner)) {
         file.width = picture.width, file.height = picture.height;
         for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
             std::uint8_t rgb[3];

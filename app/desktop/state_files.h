@@ -47,13 +47,14 @@ std::string savedMessage(const std::string& path);
 class RecentFiles {
 public:
     static constexpr std::size_t kMost = 8;
-    static constexpr PixelSize kPicture{130, 88};  ///< pixels: as many as the start screen's points
+    // Pixels: as many as the start screen's points.
+    static constexpr PixelSize kPicture{130, 88}, kBanner{592, 208};
 
     /// @param path  of the list; empty: keep none
     explicit RecentFiles(std::string path);
 
     const std::vector<RecentFile>& files() const { return files_; }
-    /// Moves a file to the front. @param picture  of kPicture pixels; may be empty
+    /// Moves a file to the front. @param picture  of kPicture or kBanner pixels; may be empty
     void add(const std::string& input, const std::string& name, const Picture& picture);
 
 private:

@@ -45,8 +45,9 @@ std::vector<RecentFile> WindowSession::sampleFiles() const {
     std::vector<RecentFile> files;
     for (const auto& [name, input] : kSampleNames) {
         RecentFile file{input, name, 0, 0, {}};
+        const std::uint32_t width = files.empty() ? RecentFiles::kBanner.width : RecentFiles::kPicture.width;
         for (const RecentFile& drawn : samples_.files())
-            if (drawn.input == file.input) file = drawn;
+            if (drawn.input == file.input && drawn.width == width) file = drawn;
         files.push_back(std::move(file));
     }
     return files;
@@ -61,7 +62,8 @@ bool WindowSession::drawSample() {
         try {
             PictureDescription picture;
             picture.input.path = sample.input;
-            picture.size = {RecentFiles::kPicture.width, RecentFiles::kPicture.height};
+            const PixelSize size = triedSamples_ == 1 ? RecentFiles::kBanner : RecentFiles::kPicture;
+            picture.size = {size.width, size.height};
             picture.supersample = 2;
             picture.aim.principal = true;
             const Molecule molecule = sampleMolecule(sample.input.substr(sample.input.find(':') + 1));

@@ -29,7 +29,7 @@ struct RecentFile {
     std::vector<std::uint32_t> pixels;    ///< sRGB-coded, red in the lowest byte
 };
 
-/// Samples by the names that people see.
+/// Samples by the names that people see. The start screen shows the first as its banner.
 constexpr std::pair<const char*, const char*> kSampleNames[] = {
     {"DNA", "sample:dna"}, {"Glucose", "sample:glucose"}, {"Buckyball", "sample:buckyball"}};
 

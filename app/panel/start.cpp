@@ -12,10 +12,15 @@ namespace {
 
 constexpr float kStartPoints = 640, kRecentPoints = 138, kPicturePoints = 92;
 
-/// A picture as a mesh: a vertex in the middle of each pixel, colours interpolated between them.
+/// A picture as a mesh: a vertex in the middle of each pixel, colours interpolated between them. The middle of a
+/// picture wider than its place is shown.
 void drawPicture(ImDrawList& list, const RecentFile& recent, ImVec2 low, ImVec2 high) {
-    const std::uint32_t w = recent.width, h = recent.height;
-    if (w < 2 || h < 2 || recent.pixels.size() != std::size_t{w} * h) return;
+    if (recent.width < 2 || recent.height < 2 || recent.pixels.size() != std::size_t{recent.width} * recent.height)
+        return;
+    const float shape = (high.x - low.x) / (high.y - low.y);
+    const std::uint32_t h = recent.height;
+    const std::uint32_t w = std::clamp(static_cast<std::uint32_t>(shape * static_cast<float>(h)), 2u, recent.width);
+    const std::uint32_t* pixels = recent.pixels.data() + (recent.width - w) / 2;
     const ImVec2 white = ImGui::GetFontTexUvWhitePixel();
     // The outermost vertices are on the border: half a pixel is cut there.
     const auto along = [](float from, float to, std::uint32_t i, std::uint32_t count) {
@@ -25,23 +30,43 @@ void drawPicture(ImDrawList& list, const RecentFile& recent, ImVec2 low, ImVec2 
     const auto placeOf = [&](std::uint32_t x, std::uint32_t y) {
         return ImVec2(along(low.x, high.x, x, w), along(low.y, high.y, y, h));
     };
-    list.PrimReserve(static_cast<int>((w - 1) * (h - 1) * 6), static_cast<int>(w * h));
-    const unsigned first = list._VtxCurrentIdx;
-    for (std::uint32_t y = 0; y < h; ++y)
-        for (std::uint32_t x = 0; x < w; ++x)
-            list.PrimWriteVtx(placeOf(x, y), white, recent.pixels[std::size_t{y} * w + x]);
-    for (std::uint32_t y = 0; y + 1 < h; ++y)
-        for (std::uint32_t x = 0; x + 1 < w; ++x) {
-            const unsigned at = first + y * w + x;
-            for (const unsigned i : {at, at + 1, at + w, at + 1, at + w + 1, at + w})
-                list.PrimWriteIdx(static_cast<ImDrawIdx>(i));
-        }
+    const std::uint32_t most = 0xffff / w;  // rows of vertices that 16 bits count
+    for (std::uint32_t top = 0; top + 1 < h; top += most - 1) {
+        const std::uint32_t rows = std::min(most, h - top);
+        list.PrimReserve(static_cast<int>((w - 1) * (rows - 1) * 6), static_cast<int>(w * rows));
+        const unsigned first = list._VtxCurrentIdx;
+        for (std::uint32_t y = top; y < top + rows; ++y)
+            for (std::uint32_t x = 0; x < w; ++x)
+                list.PrimWriteVtx(placeOf(x, y), white, pixels[std::size_t{y} * recent.width + x]);
+        for (std::uint32_t y = 0; y + 1 < rows; ++y)
+            for (std::uint32_t x = 0; x + 1 < w; ++x) {
+                const unsigned at = first + y * w + x;
+                for (const unsigned i : {at, at + 1, at + w, at + 1, at + w + 1, at + w})
+                    list.PrimWriteIdx(static_cast<ImDrawIdx>(i));
+            }
+    }
 }
 
 /// Buttons side by side, each of which opens something.
 void offer(PanelFrame& f, std::span<const std::pair<const char*, const char*>> inputs) {
     for (const auto& each : inputs)
         if (f.ui.word(each.first, &each != inputs.data())) openInput(f, each.second);
+}
+
+/// The first sample, over the width of the card.
+void drawBanner(PanelFrame& f, const RecentFile& sample) {
+    const float width = ImGui::GetContentRegionAvail().x;
+    const ImVec2 size(width, std::round(width * static_cast<float>(sample.height) / static_cast<float>(sample.width)));
+    const auto [pressed, low, ink] = f.ui.press("##banner", sample.input.c_str(), size);
+    f.ui.note("button", "Open " + sample.name, sample.input);
+    f.ui.explain("Open " + sample.name);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float in = f.ui.px(3);
+    const ImVec2 from(std::round(low.x + in), std::round(low.y + in));
+    const ImVec2 to(std::round(low.x + size.x - in), std::round(low.y + size.y - in));
+    list.AddRectFilled(from, to, IM_COL32(255, 255, 255, 255), f.ui.px(4));
+    drawPicture(list, sample, from, to);
+    if (pressed) openInput(f, sample.input);
 }
 
 /// A card with a picture and a name below it. @param said  to screen readers
@@ -93,6 +118,11 @@ void openInput(PanelFrame& f, const std::string& input) {
 void drawStart(PanelFrame& f) {
     const bool empty = !f.viewer.document();
     if (beginCard(f, "Start", empty ? "Nacre" : "Open", kStartPoints, !empty)) f.s.start = false;
+    const std::span<const RecentFile> samples =
+        f.host.samples ? std::span(f.host.samples()) : std::span<const RecentFile>();
+    const bool drawn =
+        !samples.empty() && std::ranges::all_of(samples, [](const RecentFile& sample) { return sample.width > 0; });
+    if (empty && drawn) drawBanner(f, samples.front());
     f.ui.caption("Molecules, from files and databases");
     if (!f.s.foreign.missing().empty()) f.ui.caption(f.s.foreign.missing());
     ImGui::Spacing();
@@ -115,7 +145,7 @@ void drawStart(PanelFrame& f) {
     }
     if (!f.ui.forFingers()) f.ui.caption(dialog ? "Or drop a file on this window." : "Drop a file on this window.");
     if (!f.ui.forFingers() || (f.host.downloads && f.ui.typable())) drawInput(f);
-    const auto show = [&](const char* heading, const std::vector<RecentFile>& files, const std::string& before) {
+    const auto show = [&](const char* heading, std::span<const RecentFile> files, const std::string& before) {
         if (files.empty()) return;
         f.ui.heading(heading);
         const float width = f.ui.px(kRecentPoints);
@@ -126,9 +156,8 @@ void drawStart(PanelFrame& f) {
         }
     };
     if (f.host.recent) show("Recent files", f.host.recent(), "Open ");
-    const auto drawn = [](const RecentFile& sample) { return sample.width > 0; };
-    if (f.host.samples && std::ranges::all_of(f.host.samples(), drawn)) {
-        show("Samples", f.host.samples(), "");
+    if (drawn) {
+        show("Samples", samples, "");
     } else {
         f.ui.heading("Samples");
         offer(f, kSampleNames);

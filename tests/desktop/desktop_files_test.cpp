@@ -16,10 +16,10 @@ using test::FakePrograms;
 using test::TemporaryFolder;
 using test::Variable;
 
-Picture pictureOf(float red) {
+Picture pictureOf(float red, PixelSize size = RecentFiles::kPicture) {
     Picture picture;
-    picture.width = RecentFiles::kPicture.width;
-    picture.height = RecentFiles::kPicture.height;
+    picture.width = size.width;
+    picture.height = size.height;
     for (std::uint32_t i = 0; i < picture.width * picture.height; ++i)
         picture.rgba.insert(picture.rgba.end(), {red, 0.0f, i == 5 ? 1.0f : 0.0f, 1.0f});
     return picture;
@@ -42,6 +42,19 @@ TEST(RecentFiles, TheLatestComeFirstAndHaveTheirPictures) {
     ASSERT_EQ(again.files()[1].pixels.size(), std::size_t{RecentFiles::kPicture.width} * RecentFiles::kPicture.height);
     EXPECT_EQ(again.files()[1].pixels[4], 0xff0000ffu);
     EXPECT_EQ(again.files()[1].pixels[5], 0xffff00ffu);
+}
+
+TEST(RecentFiles, KeepTheBannerOfTheStartScreenAtItsSize) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "samples.json";
+    RecentFiles(path).add("sample:dna", "DNA", pictureOf(1, RecentFiles::kBanner));
+    const RecentFiles again(path);
+    ASSERT_EQ(again.files().size(), 1u);
+    EXPECT_EQ(again.files()[0].width, RecentFiles::kBanner.width);
+    EXPECT_EQ(again.files()[0].height, RecentFiles::kBanner.height);
+    EXPECT_EQ(again.files()[0].pixels[5], 0xffff00ffu);
+    RecentFiles(path).add("sample:dna", "DNA", pictureOf(1, {100, 100}));  // of another version
+    EXPECT_EQ(RecentFiles(path).files()[0].width, 0u);
 }
 
 TEST(RecentFiles, WhatIsNoListIsNone) {

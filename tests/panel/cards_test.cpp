@@ -23,6 +23,23 @@ void typeInto(Bench& b, const std::string& field, const std::string& text) {
     b.settle();
 }
 
+TEST(Start, HasTheFirstSampleAsABanner) {
+    std::vector<RecentFile> samples;
+    for (const auto& [name, input] : kSampleNames) samples.push_back({input, name, 130, 88, {}});
+    samples[0].width = 592, samples[0].height = 208;  // more pixels than 16 bits count
+    for (RecentFile& sample : samples) sample.pixels.resize(std::size_t{sample.width} * sample.height, 0xff00ff00u);
+    Bench b("", kUsual, 1, PanelHand::mouse, sampleSources(),
+            [&](PanelHost& host) { host.samples = [&]() -> const std::vector<RecentFile>& { return samples; }; });
+    const Control* banner = b.find("Open DNA");
+    ASSERT_TRUE(banner);
+    EXPECT_GT(banner->right - banner->left, 550);
+    EXPECT_NEAR((banner->right - banner->left) / (banner->bottom - banner->top), 592.0 / 208, 0.05);
+    EXPECT_TRUE(b.find("Glucose"));
+    b.click("Open DNA");
+    ASSERT_TRUE(b.viewer.document());
+    EXPECT_EQ(b.viewer.document()->view.input.path, "sample:dna");
+}
+
 TEST(Help, TellsOfEveryKey) {
     Bench b("sample:dna", kUsual);
     b.panel.toggleHelp();
