@@ -263,8 +263,8 @@ void WindowFrames::prepareRest(const RenderSettings& settings, const passes::Atl
     still.quality = Quality::refined;
     still.samples = RenderSettings::kEdgeSamples;
     still.eyes = frame.eyes;
-    const PreparedFrame prepared =
-        prepare(settings, atlas, still, counts_.radiusPixels, frame.eyes ? std::optional<std::size_t>(0) : std::nullopt);
+    const PreparedFrame prepared = prepare(settings, atlas, still, counts_.radiusPixels,
+                                           frame.eyes ? std::optional<std::size_t>(0) : std::nullopt);
     DeclaredFrame& wanted = declared(prepared);
     SceneFrames::bind(wanted, prepared);
     executor_.prepare(wanted.frame.graph, wanted.plan);

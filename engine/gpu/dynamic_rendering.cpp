@@ -191,9 +191,9 @@ RenderingFormats DynamicRendering::beginSubpass(std::uint32_t s) const {
         if (d.to != s || d.from == VK_SUBPASS_EXTERNAL || d.from == s) continue;
         vk::DependencyFlags flags = vk::DependencyFlagBits::eByRegion;
         if (plan_.viewMask != 0) flags |= vk::DependencyFlagBits::eViewLocal;
-        commands_.pipelineBarrier(
-            vk::PipelineStageFlags(d.fromStages), vk::PipelineStageFlags(d.toStages), flags,
-            vk::MemoryBarrier(vk::AccessFlags(d.fromAccess), vk::AccessFlags(d.toAccess)), {}, {});
+        commands_.pipelineBarrier(vk::PipelineStageFlags(d.fromStages), vk::PipelineStageFlags(d.toStages), flags,
+                                  vk::MemoryBarrier(vk::AccessFlags(d.fromAccess), vk::AccessFlags(d.toAccess)), {},
+                                  {});
     }
     const RenderingFormats formats = formatsOf(s);
     const RenderingChain chain(formats);

@@ -26,7 +26,7 @@ struct Note {
     std::array<int, kStartModes> ended{};  ///< starts of each mode that ended the program, the open one among them
     int open = -1;                         ///< mode of a start that shows no frame yet
     long process = 0;                      ///< its process
-    int good = 0;                          ///< starts in modes other than the usual one that worked, since modes were last forgiven
+    int good = 0;  ///< starts in modes other than the usual one that worked, since modes were last forgiven
 };
 
 Note readNote(const std::string& folder) {

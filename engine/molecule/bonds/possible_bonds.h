@@ -8,8 +8,8 @@
 
 namespace nacre {
 
-/// False for atoms farther apart than any bond is long. Coarse grains, which have no neighbours at atomic distances, may
-/// be 12 Å apart, or as far as the caller knows others to be.
+/// False for atoms farther apart than any bond is long. Coarse grains, which have no neighbours at atomic distances,
+/// may be 12 Å apart, or as far as the caller knows others to be.
 /// @param farthest  of other grains, Å
 bool mayBeBonded(const Molecule& molecule, std::uint32_t a, std::uint32_t b, float farthest = 0);
 
