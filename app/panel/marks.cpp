@@ -19,6 +19,8 @@ double textWidth(const std::string& text, double em) {
     return static_cast<double>(fontOf(size)->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x);
 }
 
+bool isDark(std::uint32_t color) { return (color & 255) + (color >> 8 & 255) + (color >> 16 & 255) < 3 * 128; }
+
 /// The halo is the text itself, a little to all sides.
 void drawText(ImDrawList& list, const TextMark& mark, const glm::dvec2& corner, std::uint32_t color, std::uint32_t halo,
               float haloWidth) {
@@ -33,7 +35,8 @@ void drawText(ImDrawList& list, const TextMark& mark, const glm::dvec2& corner, 
     for (const auto& [x, y] : kWays)
         list.AddText(font, size, ImVec2(at.x + x * haloWidth, at.y + y * haloWidth), (halo & 0xffffff) | 0x90000000,
                      mark.text.c_str());
-    list.AddText(font, size, at, color, mark.text.c_str());
+    // Blended in linear light dark strokes look thinner than saved pictures draw them: twice has their weight.
+    for (int i = isDark(color) ? 0 : 1; i < 2; ++i) list.AddText(font, size, at, color, mark.text.c_str());
 }
 
 /// Width at the right that the legend takes from a fully visible molecule; 0 if they do not overlap, or if less than

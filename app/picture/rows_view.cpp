@@ -126,7 +126,7 @@ std::vector<Option> cameraRows() {
          .save = differing,
          .choices = {Stereo::kNames.begin(), Stereo::kNames.end()},
          .control = {.label = "Stereo",
-                     .choices = {{"Off", "off"},
+                     .choices = {{"Stereo: off", "off"},
                                  {"Anaglyph", "anaglyph", "For glasses with a red left and a cyan right filter."},
                                  {"Side by side", "side-by-side", "The left eye's picture is on the left."},
                                  {"Cross-eyed", "cross-eyed", "The left eye's picture is on the right."},
