@@ -84,14 +84,16 @@ void addOptions(CLI::App& app, const CommandSpec& command) {
     }
 }
 
-/// Whether a word is one of "on|off".
-bool isOneOf(std::string_view choices, std::string_view word) {
-    while (!choices.empty()) {
-        const std::size_t end = std::min(choices.find('|'), choices.size());
-        if (choices.substr(0, end) == word) return true;
-        choices.remove_prefix(std::min(end + 1, choices.size()));
-    }
-    return false;
+/// Whether a word is one of "on|off", or nearly one and no file.
+bool isOneOf(std::string_view choices, const std::string& word) {
+    std::vector<std::string> known(1);
+    for (const char c : choices)
+        if (c == '|')
+            known.emplace_back();
+        else
+            known.back() += c;
+    if (std::ranges::find(known, word) != known.end()) return true;
+    return !nearestWord(word, known).empty() && !std::filesystem::exists(word);
 }
 
 /// Adds the implied value after option names that have one. Changed words are stored in `made`.

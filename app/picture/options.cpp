@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <stdexcept>
 
 #include "app/picture/rows.h"
+#include "engine/error.h"
+#include "engine/molecule/nearest_word.h"
 
 namespace nacre::app {
 
@@ -38,8 +41,40 @@ const Option& option(std::string_view key) {
     std::abort();  // a key that the program misspells
 }
 
+namespace {
+
+/// What was probably meant by a text that an option refuses: a word of its syntax, or its other unit.
+std::string hintFor(const Option& option, std::string_view text, std::string_view said) {
+    if (said.find("did you mean") != std::string_view::npos) return {};
+    std::vector<std::string> words(1);
+    for (const char c : option.syntax)
+        if (c == '|')
+            words.emplace_back();
+        else
+            words.back() += c;
+    for (std::string& word : words) word.resize(std::min(word.find('['), word.size()));  // "focus[,RADIUS]"
+    std::erase_if(words, [](const std::string& word) {                                   // forms: SEL, START,END
+        return word.size() < 3 || !std::ranges::all_of(word, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
+    });
+    if (std::string hint = suggestion(text, words); !hint.empty()) return hint;
+    const bool number = !text.empty() && text.front() >= '0' && text.front() <= '9';
+    return number && option.syntax.find("POINTSpt") != std::string::npos ? " (8pt is a size in points)" : "";
+}
+
+}  // namespace
+
 void setOption(const Option& option, std::string_view text, PictureDescription& description) {
-    option.parse(text, description);
+    std::string said, hint;
+    try {
+        option.parse(text, description);
+    } catch (const std::invalid_argument& error) {
+        said = error.what();
+        if ((hint = hintFor(option, text, said)).empty()) throw;
+    } catch (const Error& error) {
+        said = error.what();
+        if ((hint = hintFor(option, text, said)).empty()) throw;
+    }
+    if (!hint.empty()) throw std::invalid_argument(said + hint);
     description.given.emplace(option.key);
 }
 

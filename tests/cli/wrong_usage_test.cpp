@@ -91,16 +91,17 @@ INSTANTIATE_TEST_SUITE_P(
         "render sample:dna -o a.png --fov 121", "render sample:dna -o a.png --fov nan",
         "render sample:dna -o a.png --occlusion 0", "render sample:dna -o a.png --occlusion 4097",
         "render sample:dna -o a.png --background blueish", "render sample:dna -o a.png --background '#12'",
-        "render sample:dna -o a.png --lighting maybe", "render sample:dna -o a.png --supersample 0",
-        "render sample:dna -o a.png --supersample 9", "render sample:dna -o a.png --supersample 1.5",
-        "render sample:dna -o a.png --water yes", "render sample:dna -o a.png --hydrogens no",
-        "render sample:dna -o a.png --format dcd", "render sample:dna -o a.png --layers a.png",
-        "render sample:dna -o a.exr --layers ./a.exr", "render sample:dna -o a.png --stats a.png",
-        "render sample:dna -o a.png --stats ''", "render sample:dna -o a.png --device ''",
-        "render sample:dna -o a.png --visibility best", "render sample:dna -o a.png --prepass 1",
-        "render sample:dna -o a.png --merge no", "render sample:dna -o a.png --capture a.png",
-        "render sample:dna -o a.png --capture a", "render a.rdc -o a.png --capture ./a.rdc", "info",
-        "info --frob sample:dna", "devices extra", "--version info sample:dna"));
+        "render sample:dna -o a.png --lighting maybe", "render sample:dna -o a.png --legend onn",
+        "render sample:dna -o a.png --supersample 0", "render sample:dna -o a.png --supersample 9",
+        "render sample:dna -o a.png --supersample 1.5", "render sample:dna -o a.png --water yes",
+        "render sample:dna -o a.png --hydrogens no", "render sample:dna -o a.png --format dcd",
+        "render sample:dna -o a.png --layers a.png", "render sample:dna -o a.exr --layers ./a.exr",
+        "render sample:dna -o a.png --stats a.png", "render sample:dna -o a.png --stats ''",
+        "render sample:dna -o a.png --device ''", "render sample:dna -o a.png --visibility best",
+        "render sample:dna -o a.png --prepass 1", "render sample:dna -o a.png --merge no",
+        "render sample:dna -o a.png --capture a.png", "render sample:dna -o a.png --capture a",
+        "render a.rdc -o a.png --capture ./a.rdc", "info", "info --frob sample:dna", "devices extra",
+        "--version info sample:dna"));
 
 struct Failure {
     const char* arguments;

@@ -38,6 +38,11 @@ TEST(OptionErrors, NameTheUnknownPart) {
     expectError("color", "cyan:viridis", "a colour takes no palette");
     expectError("color", "white:red", "b-factor:white:red");
     expectError("width", "85", "a length needs a unit: 85mm or 85px");
+    expectError("orient", "prncipal", "did you mean 'principal'?");
+    expectError("map-around", "fcous", "did you mean 'focus'?");
+    expectError("fog", "aut", "did you mean 'auto'?");
+    for (const char* key : {"line-width", "stick-radius", "text-size"})
+        expectError(key, "2mm", "not '2mm' (8pt is a size in points)");
 }
 
 TEST(OptionErrors, SpacesAndListsAreNone) {
