@@ -84,7 +84,7 @@ TEST(PdbFiles, BadOnesGiveOneClearErrorOrLoad) {
         const Molecule molecule = readFile(file);
         EXPECT_EQ(molecule.atoms.size(), 324u);
         ASSERT_FALSE(molecule.notes.empty());
-        EXPECT_EQ(sentenceOf(molecule.notes.front()).find("left out 3 atoms, the first on line "), 0u);
+        EXPECT_EQ(sentenceOf(molecule.notes.back()).find("left out 3 atoms, the first on line "), 0u);
     }
     // The sign stands in column 30, which readers by columns alone lose.
     EXPECT_EQ(readFile("bad/far-apart.pdb").atoms.at(0).position, glm::vec3(-9999, -999, 9999.999f));

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "engine/molecule/formats/ctab.h"
 
 namespace nacre {
@@ -87,8 +89,16 @@ private:
                 for (Atom& atom : builder_.molecule().atoms) atom.charge = 0;
             }
             if (charges) readCharges(line);
+            if (startsWith(line, "M  RAD")) builder_.pass("radicals", announcedBy(line));
+            if (startsWith(line, "M  ISO")) builder_.pass("isotopes", announcedBy(line));
+            if (startsWith(line, "M  STY")) builder_.pass("groups of atoms", announcedBy(line));
         }
         builder_.warn("the record has no M  END line");
+    }
+
+    /// Number of items of a line of properties.
+    static std::int64_t announcedBy(std::string_view line) {
+        return std::clamp<std::int64_t>(parseInteger(columns(line, 6, 3)).value_or(0), 0, 8);
     }
 
     void readCharges(std::string_view line) {
@@ -102,6 +112,8 @@ private:
                 builder_.leaveOut("charges", "of atoms that are not there", lines_.number());
             else if (charge && *charge >= -20 && *charge <= 20)
                 atoms[static_cast<std::size_t>(atom)].charge = static_cast<std::int8_t>(*charge);
+            else
+                builder_.leaveOut("charges", "not usable", lines_.number());
         }
     }
 

@@ -18,6 +18,10 @@ constexpr std::uint64_t kGsdMagic = 0x65DF65DF65DF65DF;
 constexpr std::size_t kGsdHeader = 256, kIndexEntry = 32, kNameEntry = 64;
 constexpr std::size_t kMostGsdNames = 65'535;  // their numbers have 16 bits
 
+constexpr std::string_view kGsdLists[] = {"particles/position", "particles/typeid", "particles/mass",
+                                          "particles/charge",   "particles/types",  "particles/diameter",
+                                          "bonds/group",        "configuration/box"};
+
 struct GsdChunk {
     std::uint64_t rows = 0, columns = 0, place = 0;
     std::uint8_t type = 0;
@@ -70,6 +74,11 @@ public:
         elements.apply(builder);
         takeBox(builder);
         for (; unread_ > 0; --unread_) builder.leaveOut("lists", "numbers of an unexpected type");
+        for (const auto& entry : names_)
+            if (const bool used =
+                    std::find(std::begin(kGsdLists), std::end(kGsdLists), entry.first) != std::end(kGsdLists);
+                !used && chunk(entry.first))
+                builder.pass("further lists");
         FileSummary& file = molecule.file;
         file.format = "gsd";
         file.models = static_cast<std::int64_t>(frames_);

@@ -80,6 +80,8 @@ private:
         const std::vector<double> kinds = H5mdData::valuesOf(species, frame, count_);
         const std::vector<double> masses = H5mdData::valuesOf(data_.element(group + "/mass"), frame, count_),
                                   charges = H5mdData::valuesOf(data_.element(group + "/charge"), frame, count_);
+        for (const auto& [list, items] : {std::pair("/velocity", "velocities"), std::pair("/force", "forces")})
+            if (data_.element(group + list).valid()) builder.pass(items, static_cast<std::int64_t>(count_));
         const bool numbers = labels_.empty() && names_.empty() && masses.empty() && areAtomicNumbers(kinds);
         if (numbers) builder.guess("elements", "from numbers of species", static_cast<std::int64_t>(count_));
         types_.emplace();

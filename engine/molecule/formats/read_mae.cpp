@@ -147,8 +147,34 @@ private:
             if (name == "m_bond") addBond(MaeRow(names, values));
             ++rows;
         }
-        if (!inWanted_ || !announced || (name != "m_atom" && name != "m_bond")) return;
+        if (!inWanted_) return;
+        const bool used = name == "m_atom" || name == "m_bond";
+        if (!used) builder_.pass("further tables");
+        builder_.pass("further columns", used ? std::count_if(names.begin(), names.end(), isUnused) : 0);
+        if (!announced || !used) return;
         builder_.compareCount(name == "m_atom" ? "atoms" : "bonds", *announced, rows, line);
+    }
+
+    static bool isUnused(std::string_view column) {
+        static constexpr std::string_view kUsed[] = {"r_m_x_coord",
+                                                     "r_m_y_coord",
+                                                     "r_m_z_coord",
+                                                     "i_m_atomic_number",
+                                                     "s_m_pdb_atom_name",
+                                                     "s_m_atom_name",
+                                                     "i_m_formal_charge",
+                                                     "r_m_pdb_occupancy",
+                                                     "r_m_pdb_tfactor",
+                                                     "s_m_insertion_code",
+                                                     "s_m_chain_name",
+                                                     "i_m_residue_number",
+                                                     "s_m_pdb_residue_name",
+                                                     "r_m_charge1",
+                                                     "i_m_secondary_structure",
+                                                     "i_m_from",
+                                                     "i_m_to",
+                                                     "i_m_order"};
+        return std::find(std::begin(kUsed), std::end(kUsed), column) == std::end(kUsed);
     }
 
     void readStructure(const MaeRow& row) {

@@ -132,6 +132,12 @@ private:
             if (lines.inside("MOLECULE") && lines.lineOfSection() == 1) title(trim(lines.line()));
             if (lines.inside("MOLECULE") && lines.lineOfSection() == 2) counts(lines, record);
             if (lines.inside("SUBSTRUCTURE")) addSubstructure(splitWords(lines.line()));
+            if (lines.inside("CRYSIN") && lines.lineOfSection() == 1)
+                takeCell(splitWords(lines.line()), lines.number());
+            static constexpr std::string_view kUsed[] = {"MOLECULE", "ATOM", "BOND", "SUBSTRUCTURE", "CRYSIN"};
+            const bool begins = lines.lineOfSection() == 0;
+            if (begins && std::find(std::begin(kUsed), std::end(kUsed), lines.section()) == std::end(kUsed))
+                builder_.pass("further sections");
         });
         eachLine(record, [&](const Mol2Lines& lines) {
             if (lines.inside("ATOM")) addAtom(lines);
@@ -164,6 +170,17 @@ private:
         if (*atoms != record.atoms || (bonds && *bonds != record.bonds))
             builder_.warn("it states " + std::to_string(*atoms) + " atoms and " + printable(words[1]) +
                           " bonds, and has " + std::to_string(record.atoms) + " and " + std::to_string(record.bonds));
+    }
+
+    /// a b c alpha beta gamma space_group setting
+    void takeCell(const Words& words, std::uint64_t line) {
+        std::array<double, 6> cell{};
+        for (std::size_t i = 0; i < cell.size(); ++i) {
+            cell[i] = parseNumber(words[i]).value_or(0);
+            if (!(cell[i] > 0 && cell[i] < (i < 3 ? 1e6 : 180)))
+                return builder_.leaveOut("unit cells", "no usable lengths and angles", line);
+        }
+        builder_.molecule().file.cell = cell;
     }
 
     /// id name root_atom [type dictionary_type chain sub_type inter_bonds status]; LEaP writes the status earlier.

@@ -39,6 +39,30 @@ std::string asciiOnly(std::string_view text) {
 
 enum class Flavour { pdb, pdbqt };
 
+/// What a record states that nothing uses, and why.
+struct UnusedItem {
+    std::string_view record, items, why = "not used";
+};
+
+const UnusedItem* unusedItem(std::string_view line) {
+    static constexpr UnusedItem kItems[] = {{"ANISOU", "anisotropic displacements"},
+                                            {"SIGATM", "standard deviations"},
+                                            {"SIGUIJ", "standard deviations"},
+                                            {"LINK  ", "links", "distances tell as well"},
+                                            {"SSBOND", "disulphide bridges", "distances tell as well"},
+                                            {"HYDBND", "hydrogen bonds"},
+                                            {"SLTBRG", "salt bridges"},
+                                            {"CISPEP", "cis peptides"},
+                                            {"SITE  ", "lines of sites"},
+                                            {"MODRES", "modified residues"},
+                                            {"SEQRES", "lines of sequences"},
+                                            {"SEQADV", "differences of sequences"},
+                                            {"MTRIX1", "operators of non-crystallographic symmetry"}};
+    const auto* found = std::find_if(std::begin(kItems), std::end(kItems),
+                                     [&](const UnusedItem& item) { return startsWith(line, item.record); });
+    return found == std::end(kItems) ? nullptr : found;
+}
+
 class PdbReader {
 public:
     PdbReader(const std::string& name, std::string_view text, const ReadOptions& options, Flavour flavour)
@@ -72,9 +96,9 @@ private:
             else if (modelInProgress() == 1 && sawModelRecord_ && firstModel_.size() < maxAtoms_)
                 firstModel_.emplace_back(pdb::serial(line).value_or(-1), identityOf(line));
             ++atomsInModel_;
-        } else if (startsWith(line, "ANISOU")) {
-            if (modelInProgress() == wanted_)
-                addNote(molecule_.notes, ReadAction::unused, "anisotropic displacements", "not used");
+        } else if (const UnusedItem* unused = unusedItem(line)) {
+            if (modelInProgress() == wanted_ || atomsInModel_ == 0)
+                addNote(molecule_.notes, ReadAction::unused, unused->items, unused->why);
         } else if (startsWith(line, "CONECT")) {
             conectInModel_ = conectInModel_ || conectBefore_ || !sawModelRecord_;
             conect_.add(line, lines_.number());

@@ -28,7 +28,7 @@ public:
     }
 
     Molecule run() {
-        const std::vector<std::int64_t> pointers = integers("POINTERS", 1);
+        const std::vector<std::int64_t> pointers = integers("POINTERS", kPointers);
         const std::int64_t atoms = pointers.empty() ? 0 : pointers[0];
         if (atoms > static_cast<std::int64_t>(builder_.maxAtoms())) throw tooManyAtoms(name_, builder_.maxAtoms());
         const auto count = static_cast<std::size_t>(std::max<std::int64_t>(atoms, 0));
@@ -61,6 +61,11 @@ public:
         addBonds("BONDS_INC_HYDROGEN");
         addBonds("BONDS_WITHOUT_HYDROGEN");
         builder_.molecule().file.bonds = static_cast<std::int64_t>(builder_.molecule().bonds.size());
+        if (pointers.size() == kPointers) {  // with hydrogen and without
+            builder_.pass("angles", std::max<std::int64_t>(pointers[4] + pointers[5], 0));
+            builder_.pass("dihedrals", std::max<std::int64_t>(pointers[6] + pointers[7], 0));
+        }
+        builder_.pass("radii of implicit solvents", static_cast<std::int64_t>(fields("RADII", count).size()));
         const std::vector<double> box = numbers("BOX_DIMENSIONS", 4);
         if (box.size() >= 4)
             if (const auto vectors = boxOf({box[1], box[2], box[3]}, {box[0], box[0], box[0]}))
@@ -71,6 +76,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t kPointers = 8;  // the first ones
+
     void findSections(std::string_view text) {
         PrmtopSection* section = nullptr;
         for (LineReader lines(text); lines.next();) {

@@ -71,6 +71,9 @@ CtabCounts readRecord(MoleculeBuilder& builder, std::string_view record, std::ui
     const CtabCounts counts =
         header.v3000 ? readCtabV3000(builder, lines) : readCtabV2000(builder, lines, header.counts);
     file.bonds = counts.bonds;
+    std::int64_t items = 0;
+    while (lines.next()) items += startsWith(lines.line(), ">");
+    builder.pass("data items", items);
     return counts;
 }
 
