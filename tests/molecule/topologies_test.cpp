@@ -111,6 +111,48 @@ TEST(Topologies, LammpsData) {
     EXPECT_EQ(shifted.file.boxOrigin, glm::vec3(-5, 0, 0));
 }
 
+/// One frame of two atoms.
+Molecule dump(const std::string& box, const std::string& columns, const std::string& rows) {
+    return readMolecule("a.lammpstrj", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS " + box +
+                                           "ITEM: ATOMS " + columns + "\n" + rows);
+}
+
+// LAMMPS' manual of dump: xlo_bound = xlo + min(0, xy, xz, xy + xz), and so on; xs are shares of the edges.
+TEST(Topologies, LammpsPositionsInEveryForm) {
+    const char* tilted = "xy xz yz pp pp ff\n-3 10 -3\n-1 20 0\n0 30 -1\n";
+    const Molecule scaled = dump(tilted, "id type xs ys zs", "2 1 0.5 0.5 0.5\n1 2 0.1 0.2 0.3\n");
+    EXPECT_LT(glm::distance(scaled.atoms[1].position, glm::vec3(3.5f, 9.5f, 15)), 1e-5f);
+    EXPECT_EQ((*scaled.file.box)[1], glm::vec3(-3, 20, 0));
+    EXPECT_EQ(scaled.file.boxRepeats, (std::array<bool, 3>{true, true, false}));
+    const char* upright = "pp pp pp\n0 10\n0 20\n0 30\n";
+    EXPECT_LT(glm::distance(dump(upright, "id type xsu ysu zsu", "1 1 1.5 0.5 0.5\n2 1 0 0 0\n").atoms[0].position,
+                            glm::vec3(15, 10, 15)),
+              1e-5f);
+    EXPECT_EQ(dump(upright, "id type xu yu zu", "1 1 15 -5 5\n2 1 0 0 0\n").atoms[0].position, glm::vec3(15, -5, 5));
+    const Molecule general =
+        dump("abc origin pp pp pp\n10 0 0 -1\n2 20 1 -2\n1 1 30 -3\n", "id type x y z", "1 1 1 2 3\n2 1 4 5 6\n");
+    EXPECT_EQ((*general.file.box)[1], glm::vec3(2, 20, 1));
+    EXPECT_EQ(general.file.boxOrigin, glm::vec3(-1, -2, -3));
+}
+
+// LAMMPS' read_data: "type labels can be used in place of numeric types".
+TEST(Topologies, LammpsTypesByLabels) {
+    const std::string head =
+        "LAMMPS\n\n2 atoms\n1 bonds\n2 atom types\n1 bond types\n\n0 10 xlo xhi\n0 10 ylo yhi\n0 10 zlo zhi\n\n"
+        "Atom Type Labels\n\n1 CT\n2 OH\n\nBond Type Labels\n\n1 CT-OH\n\nMasses\n\n";
+    for (const char* rest : {"1 12.011\n2 15.999\n\nAtoms # full\n\n1 1 CT -0.5 1 2 3\n2 1 OH 0.5 2.4 2 3\n",
+                             "CT 12.011\nOH 15.999\n\nAtoms # full\n\n1 1 1 -0.5 1 2 3\n2 1 2 0.5 2.4 2 3\n"}) {
+        const Molecule read = readMolecule("a.data", head + rest + "\nBonds\n\n1 CT-OH 1 2\n");
+        ASSERT_EQ(read.atoms.size(), 2u);
+        EXPECT_EQ(read.atoms[0].element, 6);
+        EXPECT_EQ(read.atoms[1].element, 8);
+        EXPECT_EQ(read.atoms[1].name.view(), "OH");
+        EXPECT_EQ(read.types[1].view(), "OH");
+        EXPECT_EQ(read.masses, (std::vector<float>{12.011f, 15.999f}));
+        EXPECT_EQ(read.bonds.size(), 1u);
+    }
+}
+
 TEST(Topologies, LammpsBeadsAreNoHydrogens) {
     const Molecule beads =
         readMolecule("a.data",

@@ -41,13 +41,16 @@ public:
         while (lines_.next()) {
             const std::string_view whole = lines_.line(), line = trim(whole.substr(0, whole.find('#')));
             if (line.empty()) continue;
-            if (isLetter(line[0])) {
+            // A row of masses may begin with its type's label.
+            if (isLetter(line[0]) && !parseNumber(splitWords(line)[1])) {
                 section = line;
                 if (section == "Atoms") chooseStyle(trim(whole.substr(std::min(whole.find('#') + 1, whole.size()))));
                 continue;
             }
             if (section.empty())
                 header(line);
+            else if (section == "Atom Type Labels")
+                readLabel(splitWords(line));
             else if (section == "Masses")
                 readMass(line, whole);
             else if (section == "Atoms")
@@ -102,12 +105,25 @@ private:
         }
     }
 
+    void readLabel(const Words& words) {
+        constexpr std::size_t kMostLabels = 100'000;
+        if (labels_.size() < kMostLabels) labels_[std::string(words[0])] = words[1];
+    }
+    /// By its label, if it has one: rows state either.
+    std::string_view typeOf(std::string_view stated) const {
+        const auto label = labels_.find(stated);
+        return label == labels_.end() ? stated : label->second;
+    }
+
     void readMass(std::string_view line, std::string_view whole) {
         const Words words = splitWords(line);
         const std::size_t comment = whole.find('#');
+        const std::string_view type = typeOf(words[0]);
         if (const auto mass = parseNumber(words[1]); mass && std::isfinite(*mass))
-            types_.add(words[0], *mass,
-                       comment == std::string_view::npos ? "" : splitWords(whole.substr(comment + 1))[0]);
+            types_.add(type, *mass,
+                       comment != std::string_view::npos ? splitWords(whole.substr(comment + 1))[0]
+                       : labels_.empty()                 ? std::string_view()
+                                                         : type);
     }
 
     void chooseStyle(std::string_view hint) {
@@ -150,7 +166,7 @@ private:
         atom.radius = number(at.diameter, "radii", 0, 1e6) / 2;
         if (atom.radius > 0) builder_.state("radii");
         const auto molecule = at.molecule == kNoColumn ? 1 : parseInteger(words[at.molecule]).value_or(0);
-        rows_.push_back({*id, atom, Name(words[at.type]), static_cast<std::int32_t>(molecule), charge});
+        rows_.push_back({*id, atom, Name(typeOf(words[at.type])), static_cast<std::int32_t>(molecule), charge});
     }
 
     /// By their numbers: the file has them in any order, and trajectories as well.
@@ -204,6 +220,7 @@ private:
     MoleculeBuilder builder_;
     std::optional<LammpsColumns> columns_;
     LammpsTypes types_;
+    std::map<std::string, std::string_view, std::less<>> labels_;  ///< of types, by their numbers
     std::array<glm::vec3, 3> box_{};
     glm::vec3 low_{};  ///< the box's corner
     std::uint64_t lineOfBox_ = 0;

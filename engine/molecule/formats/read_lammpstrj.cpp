@@ -21,7 +21,8 @@ private:
 
     std::optional<std::int64_t> begin(std::int64_t frame) override {
         std::optional<std::int64_t> count;
-        low_ = high_ = tilt_ = glm::dvec3(0);
+        low_ = glm::dvec3(0);
+        edges_ = {};
         while (lines_.next()) {
             const std::string_view line = trim(lines_.line());
             if (startsWith(line, "ITEM: NUMBER OF ATOMS")) {
@@ -40,26 +41,34 @@ private:
         return std::nullopt;
     }
 
-    /// "ITEM: BOX BOUNDS xy xz yz pp pp ff": p is periodic. Old files do not tell.
+    /// "ITEM: BOX BOUNDS xy xz yz pp pp ff": p is periodic. Old files do not tell. "abc origin" has the edges and the
+    /// corner instead.
     void readBounds() {
         std::size_t flags = 0;
         repeats_.fill(true);
+        const bool general = lines_.line().find("abc origin") != std::string_view::npos;
         for (const std::string_view word : wordsOf(lines_.line()))
             if (word.size() == 2 && word.find_first_not_of("pfsm") == std::string_view::npos && flags < 3)
                 repeats_[flags++] = word[0] == 'p';
+        glm::dvec3 high(0), tilt(0);
         for (int axis = 0; axis < 3; ++axis) {
             lines_.next();
             const Words words = splitWords(lines_.line());
-            low_[axis] = parseNumber(words[0]).value_or(0);
-            high_[axis] = parseNumber(words[1]).value_or(0);
-            tilt_[axis] = parseNumber(words[2]).value_or(0);
+            const auto number = [&](std::size_t i) { return parseNumber(words[i]).value_or(0); };
+            low_[axis] = number(general ? 3 : 0);
+            high[axis] = number(1);
+            tilt[axis] = number(2);
+            if (general) edges_[static_cast<std::size_t>(axis)] = {number(0), number(1), number(2)};
         }
+        if (general) return;
         // With tilts (xy, xz, yz) the bounds are those of the box's corners.
-        const double xy = tilt_.x, xz = tilt_.y, yz = tilt_.z;
+        const double xy = tilt.x, xz = tilt.y, yz = tilt.z;
         low_.x -= std::min({0.0, xy, xz, xy + xz});
-        high_.x -= std::max({0.0, xy, xz, xy + xz});
+        high.x -= std::max({0.0, xy, xz, xy + xz});
         low_.y -= std::min(0.0, yz);
-        high_.y -= std::max(0.0, yz);
+        high.y -= std::max(0.0, yz);
+        high -= low_;
+        edges_ = {glm::dvec3(high.x, 0, 0), glm::dvec3(xy, high.y, 0), glm::dvec3(xz, yz, high.z)};
     }
 
     void nameColumns(const std::vector<std::string_view>& words) {
@@ -117,17 +126,14 @@ private:
     void end(bool wanted) override {
         if (!wanted) return;
         std::stable_sort(rows_.begin(), rows_.end(), [](const DumpAtom& a, const DumpAtom& b) { return a.id < b.id; });
-        const glm::dvec3 edge = high_ - low_;
-        const std::array<glm::vec3, 3> box{glm::vec3(edge.x, 0, 0), glm::vec3(tilt_.x, edge.y, 0),
-                                           glm::vec3(tilt_.y, tilt_.z, edge.z)};
+        const std::array<glm::vec3, 3> box{glm::vec3(edges_[0]), glm::vec3(edges_[1]), glm::vec3(edges_[2])};
         LammpsTypes types;
         Molecule& molecule = builder_.molecule();
         for (DumpAtom& row : rows_) {
             if (scaled_) {
                 const glm::dvec3 share(row.atom.position);
                 const auto position = builder_.computedPosition(
-                    low_ + glm::dvec3(box[0]) * share.x + glm::dvec3(box[1]) * share.y + glm::dvec3(box[2]) * share.z,
-                    0);
+                    low_ + edges_[0] * share.x + edges_[1] * share.y + edges_[2] * share.z, 0);
                 if (!position) continue;
                 row.atom.position = *position;
             }
@@ -169,7 +175,8 @@ private:
     std::array<bool, 3> repeats_{true, true, true};
     std::array<std::size_t, 3> at_{};
     bool scaled_ = false;
-    glm::dvec3 low_{}, high_{}, tilt_{};
+    glm::dvec3 low_{};
+    std::array<glm::dvec3, 3> edges_{};
     std::vector<DumpAtom> rows_;
 };
 
