@@ -318,6 +318,10 @@ TEST(Hdf5Structures, H5mdStatesSpecies) {
     EXPECT_EQ(water.partialCharges, (std::vector<float>{-0.6f, 0.3f, 0.3f}));
     EXPECT_EQ(water.bonds.size(), 2u);
     EXPECT_NEAR((*water.file.box)[2].z, 22, 1e-4);
+    EXPECT_EQ(water.file.boxRepeats, (std::array<bool, 3>{true, true, false}));
+    EXPECT_TRUE(std::any_of(water.notes.begin(), water.notes.end(), [](const ReadNote& note) {
+        return note.action == ReadAction::unused && note.what == "velocities" && note.count == 3;
+    }));
     const auto left = std::find_if(water.notes.begin(), water.notes.end(),
                                    [](const ReadNote& note) { return note.action == ReadAction::leftOut; });
     ASSERT_NE(left, water.notes.end());
@@ -330,6 +334,7 @@ TEST(Hdf5Structures, SpeciesOfNumbersAreGrains) {
     EXPECT_EQ(beads.atoms[0].element, 0);
     EXPECT_FLOAT_EQ(beads.atoms[0].radius, 0.5f);
     EXPECT_EQ(beads.types[1].view(), "2");
+    EXPECT_EQ(beads.file.boxRepeats, (std::array<bool, 3>{})) << "one word for all axes";
     const Molecule labels = readMoleculeFile(test::written() / "labels.h5md");
     EXPECT_EQ(labels.atoms[1].element, 8);
     EXPECT_EQ(labels.bonds.size(), 1u) << "by distance";

@@ -63,12 +63,16 @@ with h5py.File(folder + "/water.h5md", "w") as h5:
     group.create_dataset("species", data=[8, 1, 1], dtype=kinds)
     group["mass"] = [15.999, 1.008, 1.008]
     group["charge/value"] = [[-0.8, 0.4, 0.4], [-0.6, 0.3, 0.3]]
+    group["velocity/value"] = numpy.ones((2, 3, 3))
     group["box/edges"] = [20.0, 21.0, 22.0]
+    group["box"].attrs["boundary"] = numpy.array(["periodic", "periodic", "none"], dtype="S8")
     h5["connectivity/bonds"] = [[0, 1], [0, 2], [0, 9]]
 # Beads of numbered species, and labels as the NOMAD schema has them.
 with h5py.File(folder + "/beads.h5md", "w") as h5:
     h5["particles/all/position/value"] = [[[0.0, 0, 0], [1, 0, 0], [2, 0, 0]]]
     h5["particles/all/species"] = [1, 2, 1]
+    h5["particles/all/box/edges"] = [9.0, 9.0, 9.0]
+    h5["particles/all/box"].attrs["boundary"] = "none"
 with h5py.File(folder + "/numbers.h5md", "w") as h5:
     h5["particles/all/position/value"] = [[[0.0, 0, 0], [1.2, 0, 0]]]
     h5["particles/all/species"] = [6, 8]

@@ -319,7 +319,7 @@ hsize_t H5mdData::chunkBytes() const {
     return bytes > 1e18 ? ~hsize_t{0} : static_cast<hsize_t>(bytes);
 }
 
-/// H5MD's box has an attribute: "periodic" or "none" for each axis.
+/// H5MD's box has an attribute: "periodic" or "none" for each axis; some programs state one for all.
 void H5mdData::readBoundary() {
     H5L_info_t link;
     const std::string path = group_ + "/box";
@@ -328,8 +328,10 @@ void H5mdData::readBoundary() {
     if (!box.valid()) return;
     const Hdf5Handle attribute(hdf5().H5Aopen(box, "boundary", H5P_DEFAULT), hdf5().H5Aclose);
     if (!attribute.valid()) return;
-    const std::vector<std::string> texts = attributeTexts(attribute, repeats_.size());
-    for (std::size_t i = 0; i < texts.size(); ++i) repeats_[i] = !texts[i].starts_with("none");
+    std::vector<std::string> texts = attributeTexts(attribute, repeats_.size());
+    if (texts.empty()) texts = attributeTexts(attribute, 1);
+    for (std::size_t i = 0; i < repeats_.size() && !texts.empty(); ++i)
+        repeats_[i] = !texts[std::min(i, texts.size() - 1)].starts_with("none");
 }
 
 }  // namespace nacre
