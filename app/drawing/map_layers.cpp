@@ -6,6 +6,7 @@
 #include <list>
 #include <mutex>
 
+#include "app/drawing/cell_frame.h"
 #include "app/input/map_input.h"
 #include "app/input/primitives_file.h"
 #include "app/input/read_input.h"
@@ -264,6 +265,11 @@ MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& d, 
     Primitives beside;
     if (!d.primitives.empty()) beside = primitivesOf(d.primitives, molecule);
     if (molecule.guide) beside.append(molecule.guide->primitives);
+    if (d.cell) {
+        Primitives frame = cellFrame(molecule);
+        if (frame.empty()) layers.warnings.push_back("--cell shows nothing: the file states no unit cell or box");
+        beside.append(std::move(frame));
+    }
     if (!beside.empty()) addGeometry(std::move(beside), layers);
     return layers;
 }

@@ -87,7 +87,7 @@ std::vector<std::string> notesOf(const PictureDescription& d) {
     add(d.look.contacts.of.has_value(), "interactions");
     add(!d.input.further.empty(), "more than one structure");
     add(!d.input.trajectory.path.empty(), "trajectories");
-    add(!d.primitives.empty(), "geometry");
+    add(!d.primitives.empty() || d.cell, "geometry");
     return notes;
 }
 

@@ -10,6 +10,7 @@
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"
 #include "app/viewer/presets.h"
+#include "engine/molecule/crystal.h"
 
 namespace nacre::app {
 namespace {
@@ -91,6 +92,7 @@ void drawLookPage(PanelFrame& f) {
     if (f.ui.chooseColor("Custom background", own, side, named)) look.background = {own[0], own[1], own[2], 1};
     f.ui.heading("Light");
     for (const char* key : {"lighting", "occlusion", "projection"}) toggleOption(f, key);
+    if (f.viewer.document() && cellEdges(f.viewer.document()->molecule->file)) toggleOption(f, "cell");
     chooseOption(f, "stereo");
     drawMaps(f);
     drawEffects(f);

@@ -42,9 +42,10 @@ struct PictureDescription {
     RepresentationOptions look;
     MapOptions maps;
     std::vector<PrimitiveSource> primitives;
+    bool cell = false;  ///< the unit cell or periodic box as lines
 
     /// Whether something may be drawn where no atom is.
-    bool drawsBeside() const { return !maps.files.empty() || !primitives.empty(); }
+    bool drawsBeside() const { return !maps.files.empty() || !primitives.empty() || cell; }
     /// Call when maps were added or removed: density is inside of spheres.
     void mapsChanged() { look.usual = maps.files.empty() ? Style::spacefill : Style::licorice; }
 

@@ -123,7 +123,17 @@ std::vector<Option> geometryRows() {
                  return lines(d.primitives, [](const PrimitiveSource& source) { return source.text; });
              },
          .kind = Option::Kind::list,
-         .save = Option::Save::differing}};
+         .save = Option::Save::differing},
+        {.key = "cell",
+         .syntax = "on|off",
+         .standard = "=",
+         .help = "Edges of the crystal's unit cell or the simulation's box, with a, b and c in red, green and blue",
+         .topic = Topic::geometry,
+         .facet = Facet::map,
+         .parse = parseSwitch<kOnOff, &PictureDescription::cell>,
+         .print = printSwitch<kOnOff, &PictureDescription::cell>,
+         .save = Option::Save::differing,
+         .control = {.label = "Unit cell", .choices = {{"off", "off"}, {"on", "on"}}}}};
 }
 
 }  // namespace nacre::app

@@ -6,6 +6,7 @@
 #include <gemmi/unitcell.hpp>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <map>
 #include <tuple>
 
@@ -127,6 +128,16 @@ std::optional<std::array<glm::dvec3, 3>> cellEdges(const FileSummary& file) {
     const auto box = boxOf({c[0], c[1], c[2]}, {c[3], c[4], c[5]});
     if (!box) return std::nullopt;
     return std::array{glm::dvec3((*box)[0]), glm::dvec3((*box)[1]), glm::dvec3((*box)[2])};
+}
+
+glm::dvec3 cellCorner(const Molecule& molecule) {
+    const auto edges = cellEdges(molecule.file);
+    if (!edges || molecule.file.box) return molecule.file.boxOrigin;
+    glm::dvec3 middle(0);
+    for (const Atom& atom : molecule.atoms)
+        middle += glm::dvec3(atom.position) / static_cast<double>(molecule.atoms.size());
+    const glm::dmat3 cell((*edges)[0], (*edges)[1], (*edges)[2]);
+    return cell * glm::floor(glm::inverse(cell) * middle);
 }
 
 std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::array<int, 3>& low,

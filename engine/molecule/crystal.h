@@ -16,6 +16,9 @@ constexpr std::size_t kMostSymmetryCopies = 20'000;
 /// Edges of the periodic box or the unit cell, Å; none if the file states neither.
 std::optional<std::array<glm::dvec3, 3>> cellEdges(const FileSummary& file);
 
+/// Where these edges begin, Å: the corner of a periodic box; of unit cells the one that the middle of the atoms is in.
+glm::dvec3 cellCorner(const Molecule& molecule);
+
 /// The copies in a range of cells, the molecule itself first. Cells are counted from the one that the molecule's middle
 /// is in, and a copy belongs to the cell that its middle is in.
 /// @param low, high  first and last cell along each axis

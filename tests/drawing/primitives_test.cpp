@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <glm/geometric.hpp>
 
+#include "app/drawing/cell_frame.h"
 #include "app/drawing/drawing.h"
 #include "app/input/primitives_file.h"
 #include "app/picture/options.h"
@@ -16,6 +19,31 @@ namespace {
 
 Primitives primitivesIn(const std::string& json) {
     return readPrimitives(json, "a.json", [](const std::string&) { return glm::dvec3(7, 8, 9); });
+}
+
+TEST(CellFrame, HasTheEdgesOfTheCellAboutTheAtoms) {
+    Molecule molecule = sampleMolecule("glucose");
+    EXPECT_TRUE(cellFrame(molecule).empty());
+    for (Atom& atom : molecule.atoms) atom.position += glm::vec3(100, 0, 0);
+    molecule.file.cell = {30, 40, 50, 90, 120, 90};  // monoclinic: c leans back along a by 50 cos 120 = -25
+    const Primitives frame = cellFrame(molecule);
+    ASSERT_EQ(frame.lines.size(), 12u);
+    double length = 0;
+    for (const Primitives::Line& line : frame.lines) length += glm::distance(line.a, line.b);
+    EXPECT_NEAR(length, 4 * (30 + 40 + 50), 1e-3);
+    ASSERT_EQ(frame.labels.size(), 3u);
+    EXPECT_EQ(frame.labels[2].text, "c");
+    // The atoms' middle is in the fourth cell along a.
+    const glm::dvec3 corner = frame.lines[0].a, middle = glm::dvec3(molecule.atoms[0].position);
+    EXPECT_LT(std::abs(std::remainder(corner.x, 5)), 1e-3);
+    EXPECT_LT(glm::distance(middle, corner), 65);
+    EXPECT_NEAR(frame.labels[2].at.x - corner.x, -1.04 * 25, 1e-3);
+    EXPECT_NEAR(frame.labels[2].at.z - corner.z, 1.04 * 25 * std::sqrt(3), 1e-3);
+    // A box begins where its file says.
+    molecule.file.box = {glm::vec3(10, 0, 0), glm::vec3(0, 20, 0), glm::vec3(0, 0, 30)};
+    molecule.file.boxOrigin = {-5, 1, 2};
+    EXPECT_EQ(cellFrame(molecule).lines[0].a, glm::dvec3(-5, 1, 2));
+    EXPECT_EQ(cellFrame(molecule).lines[0].b, glm::dvec3(5, 1, 2));
 }
 
 TEST(PrimitivesFile, HasEveryKind) {
