@@ -50,6 +50,10 @@ TEST(ShiftedLines, KeepElementsOfTwoLetters) {
     EXPECT_EQ(lost.atoms[0].element, 30) << "no nitrogen";
     EXPECT_EQ(lost.residues[0].name.view(), "ZN");
     EXPECT_EQ(lost.residues[0].number, 301);
+    const Molecule early = readLine("HETATM  12 SOD  SOD A 12345     1.104   2.134   3.504  1.00  9.50           S");
+    EXPECT_EQ(early.atoms[0].name.view(), "SOD");
+    EXPECT_EQ(early.atoms[0].element, 11);
+    EXPECT_EQ(early.residues[0].number, 12345);
 }
 
 TEST(ShiftedLines, NamesOfMoreLettersThanTheirColumns) {

@@ -50,7 +50,8 @@ bool isOutOfColumns(std::string_view line, const Coordinates& where) {
     const std::size_t end = head.size();
     const bool fiveDigits = end == kNumberEnd + 1 && parseInteger(columns(line, kNumberEnd - 3, end)).has_value() &&
                             column(line, kNumberEnd - 3) != ' ';
-    return !fiveDigits && end != kNumberEnd + pushOfSerial(line, where.shift);
+    const bool nameTooEarly = isLetter(column(line, 12));
+    return nameTooEarly || (!fiveDigits && end != kNumberEnd + pushOfSerial(line, where.shift));
 }
 
 std::optional<std::string> inColumns(std::string_view line, const Coordinates& where) {
