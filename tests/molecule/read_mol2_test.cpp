@@ -72,6 +72,17 @@ TEST(ReadMol2, TheStatusOfASubstructureIsNoName) {
     EXPECT_EQ(molecule.residues[0].name.view(), "LYS");
 }
 
+TEST(ReadMol2, EndsOfStrandsKeepTheirNames) {
+    const Molecule strand =
+        readMolecule("a", mol2("3 0", "1 P 0 0 0 P 1 DA5\n2 P 9 0 0 P 2 DC\n3 P 18 0 0 P 3 DG3\n", ""));
+    ASSERT_EQ(strand.residues.size(), 3u);
+    EXPECT_EQ(strand.residues[0].name.view(), "DA5");
+    EXPECT_EQ(strand.residues[0].number, 1);
+    const Molecule numbered = readMolecule("a", mol2("1 0", "1 P 0 0 0 P 5 DA5\n", ""));
+    EXPECT_EQ(numbered.residues[0].name.view(), "DA");
+    EXPECT_EQ(numbered.residues[0].number, 5);
+}
+
 TEST(ReadMol2, ChargesResiduesAndChains) {
     const Molecule plain = readMolecule("a", mol2("2 1", kTwo, "1 1 2 2\n"));
     EXPECT_EQ(plain.partialCharges, (std::vector<float>{-0.25f, 0.5f}));

@@ -11,6 +11,7 @@
 #include "engine/molecule/formats/molecule_builder.h"
 #include "engine/molecule/formats/pdb_fields.h"
 #include "engine/molecule/read.h"
+#include "engine/molecule/residue_kind.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -239,7 +240,9 @@ private:
         const std::size_t letters = stated.find_last_not_of("0123456789") + 1;
         const auto digits = parseInteger(stated.substr(letters));
         const std::string_view start = type.empty() ? stated.substr(0, letters) : type;
-        const bool splits = digits && *digits <= 1'000'000 && startsWith(stated, start) &&
+        // AMBER's names of a strand's ends are DA5 and DA3, whatever their numbers.
+        const bool end = digits && (*digits == 3 || *digits == 5) && *digits != id && nucleotideLetter(Name(start));
+        const bool splits = digits && !end && *digits <= 1'000'000 && startsWith(stated, start) &&
                             (!type.empty() || residueTemplate(Name(start)) || isWater(Name(start)));
         if (!type.empty()) residue = type;
         if (splits) {
