@@ -382,6 +382,16 @@ TEST(OddFiles, FractionalCoordinatesOfCml) {
     EXPECT_TRUE(salt.file.box.has_value());
 }
 
+// The schema's other form of a cell.
+TEST(OddFiles, CellParametersOfCml) {
+    const Molecule salt = readMolecule("a.cml", R"(<molecule><crystal>
+<cellParameter parameterType="length" units="units:angstrom">4 5 6</cellParameter>
+<cellParameter parameterType="angle">90 90 90</cellParameter></crystal>
+<atomArray><atom id="a" elementType="Na" xFract="0.5" yFract="0.5" zFract="0.5"/></atomArray></molecule>)");
+    EXPECT_LT(glm::distance(salt.atoms[0].position, glm::vec3(2, 2.5f, 3)), 1e-5f);
+    EXPECT_NEAR((*salt.file.box)[1].y, 5, 1e-5);
+}
+
 TEST(OddFiles, EachCrystalOfCmlHasItsOwnCell) {
     const auto crystal = [](const char* edge, const char* id) {
         std::string text = "<molecule><crystal>";

@@ -146,7 +146,11 @@ private:
         if (++depth_ > kDeepestElement)
             fail("its elements are nested more than " + std::to_string(kDeepestElement) + " deep");
         inName_ = name == "name" && moleculeDepth_ > 0 && nameText_.empty();
-        cellScalar_ = name == "scalar" ? cellScalarOf(attributes) : kNoScalar;
+        inParameter_ = name == "cellParameter";
+        cellScalar_ = name == "scalar"                         ? cellScalarOf(attributes)
+                      : !inParameter_                          ? kNoScalar
+                      : attributes["parameterType"] == "angle" ? 3
+                                                               : 0;
         if (cellScalar_ != kNoScalar) cell_[cellScalar_].clear();         // of an earlier crystal
         if (name == "crystal") spaceGroup_.clear(), operations_.clear();  // of an earlier one
         if (name == "symmetry") {
@@ -179,6 +183,7 @@ private:
 
     void end(std::string_view qualified) {
         --depth_;
+        if (std::exchange(inParameter_, false)) divideParameter();
         cellScalar_ = kNoScalar;
         if (std::exchange(inOperation_, false)) addOperation();
         inName_ = false;
@@ -192,6 +197,13 @@ private:
         name = name.substr(name.find_last_of(":_") + 1);
         return static_cast<std::size_t>(std::find(std::begin(kScalars), std::end(kScalars), name) -
                                         std::begin(kScalars));
+    }
+
+    /// "<cellParameter parameterType="length">4 5 6</cellParameter>" is three numbers.
+    void divideParameter() {
+        const std::string text = cell_[cellScalar_];
+        const Words words = splitWords(text);
+        for (std::size_t i = 0; i < 3; ++i) cell_[cellScalar_ + i] = words[i];
     }
 
     /// Three rows of a rotation and a shift, of parts of the cell; perhaps a fourth row.
@@ -414,12 +426,12 @@ private:
     std::map<std::string, std::uint32_t, std::less<>> indexOfId_;  // no hash that a file could aim at
     std::vector<std::uint32_t> atomOfId_;                          ///< kNoAtom until the atom comes
     std::vector<CmlBond> pending_;
-    static constexpr std::size_t kNoScalar = 6, kLongestScalar = 40, kLongestOperation = 1000, kMostOperations = 192;
+    static constexpr std::size_t kNoScalar = 6, kLongestScalar = 120, kLongestOperation = 1000, kMostOperations = 192;
     std::size_t cellScalar_ = kNoScalar;  ///< that is being read
     std::array<std::string, 6> cell_;     ///< three lengths, Å, and three angles, degrees
     std::string spaceGroup_, operation_;
     std::vector<gemmi::Op> operations_;  ///< of the crystal
-    bool inOperation_ = false;
+    bool inOperation_ = false, inParameter_ = false;
     std::vector<PendingAtom> atoms_;  ///< of the outermost molecule
     std::size_t flat_ = 0, oddOrders_ = 0;
 };
