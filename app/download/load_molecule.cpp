@@ -125,8 +125,8 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
     Molecule molecule = loadStructure(structure, onDownload, onModel, onStep);
     moveToFrame(input.trajectory, molecule);
     if (input.further.empty()) fitModels(input, molecule);
-    if (input.further.empty() && !input.fits.empty())
-        throw Error("cannot fit", input.path, "--fit superposes one INPUT on another: name two");
+    if (input.further.empty() && (!input.fits.empty() || !input.alignments.empty()))
+        throw Error("cannot fit", input.path, "--fit and --align superpose one INPUT on another: name two");
     if (input.further.empty()) return molecule;
     std::vector<Molecule> molecules;
     molecules.push_back(std::move(molecule));

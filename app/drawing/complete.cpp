@@ -75,6 +75,7 @@ void takeSeveral(PictureDescription& picture) {
     const InputOptions& input = picture.input;
     if (input.further.empty()) {
         if (!input.fits.empty()) throw UsageError("--fit superposes one INPUT on another: name two");
+        if (!input.alignments.empty()) throw UsageError("--align superposes one INPUT on another: name two");
         return;
     }
     if (!picture.look.assembly.empty()) throw UsageError("--assembly is for one INPUT");

@@ -4,23 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <map>
 #include <set>
-#include <span>
 #include <string_view>
 
 #include "app/files/messages.h"
+#include "app/input/fit_inputs.h"
 #include "app/input/input_files.h"
 #include "app/input/map_input.h"
 #include "app/picture/input_names.h"
 #include "engine/error.h"
 #include "engine/molecule/chemistry/hydrogens.h"
 #include "engine/molecule/join_models.h"
-#include "engine/molecule/matched_atoms.h"
 #include "engine/molecule/memory_bound.h"
 #include "engine/molecule/superpose.h"
 
@@ -32,79 +30,6 @@ constexpr std::uint64_t kUsualMemory = std::uint64_t{2} << 30;  // if the system
 
 int modelOf(const Molecule& molecule, std::uint32_t atom) {
     return molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model;
-}
-
-/// The one INPUT that some atoms are of. @throws Error if there are several
-int inputOf(const Molecule& molecule, const std::vector<bool>& atoms, const Selection& selection) {
-    int input = 0;
-    for (std::uint32_t i = 0; i < atoms.size(); ++i) {
-        if (!atoms[i] || modelOf(molecule, i) == input) continue;
-        if (input != 0) throw Error("cannot fit", selection.text, "it has atoms of several INPUTs: /NAME and ...");
-        input = modelOf(molecule, i);
-    }
-    if (input == 0) throw Error("cannot fit", selection.text, "it has no atoms");
-    return input;
-}
-
-/// Root of the mean squared distance from the middle, Å.
-double spreadOf(const std::vector<glm::dvec3>& points) {
-    glm::dvec3 sum(0);
-    for (const glm::dvec3& point : points) sum += point;
-    const glm::dvec3 middle = sum / static_cast<double>(points.size());
-    double squares = 0;
-    for (const glm::dvec3& point : points) squares += glm::dot(point - middle, point - middle);
-    return std::sqrt(squares / static_cast<double>(points.size()));
-}
-
-std::string threeDecimals(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.3f", value);
-    return text;
-}
-
-/// " (chain A on B, C on D)": which chains were paired, at most six of them.
-std::string chainsOf(const Molecule& molecule, const AtomPairs& pairs) {
-    constexpr std::size_t kMostNamed = 6;
-    std::string text;
-    for (const auto& [moving, fixed] : std::span(pairs.chains).first(std::min(pairs.chains.size(), kMostNamed))) {
-        const std::string &from = molecule.chains[moving].name, &to = molecule.chains[fixed].name;
-        if (from.empty() || to.empty()) continue;
-        text += (text.empty() ? " (chain " : ", ") + from + " on " + to;
-    }
-    if (pairs.chains.size() > kMostNamed) text += ", ...";
-    return text.empty() ? text : text + ")";
-}
-
-std::string fitInput(Molecule& molecule, const FitOptions& fit) {
-    const std::vector<bool> moving = selectAtoms(molecule, fit.moving), fixed = selectAtoms(molecule, fit.fixed);
-    const int moved = inputOf(molecule, moving, fit.moving);
-    if (moved == inputOf(molecule, fixed, fit.fixed))
-        throw Error("cannot fit", fit.moving.text, "it is of the same INPUT as " + fit.fixed.text);
-    const AtomPairs pairs = matchAtoms(molecule, moving, fixed);
-    if (pairs.first.size() < 3)
-        throw Error("cannot fit", fit.moving.text,
-                    "fewer than three of its atoms have a counterpart in " + fit.fixed.text);
-    std::vector<glm::dvec3> from, to;
-    for (const std::uint32_t atom : pairs.first) from.emplace_back(molecule.atoms[atom].position);
-    for (const std::uint32_t atom : pairs.second) to.emplace_back(molecule.atoms[atom].position);
-    const PrunedSuperposition fitted = superposePruned(to, from);
-    for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
-        if (modelOf(molecule, i) == moved)
-            molecule.atoms[i].position = glm::vec3(fitted.motion(glm::dvec3(molecule.atoms[i].position)));
-    // Less related molecules give worse fits than these.
-    constexpr double kFarApart = 3, kShareOfSpread = 0.6;  // Å
-    const bool unlike = 10 * pairs.sameResidues < 3 * pairs.residues;
-    if (fitted.rmsdOfAll > kFarApart && (unlike || fitted.rmsdOfAll > kShareOfSpread * spreadOf(to)))
-        sayWarning("the fit of " + fit.moving.text + " onto " + fit.fixed.text +
-                   " may make no sense: " + std::to_string(pairs.sameResidues) + " of " +
-                   std::to_string(pairs.residues) + " residues have a counterpart, and atoms end far from theirs");
-    std::string said = "fit of " + fit.moving.text + " onto " + fit.fixed.text + chainsOf(molecule, pairs) + ": " +
-                       std::to_string(pairs.first.size()) + " pairs of atoms, RMSD " + threeDecimals(fitted.rmsdOfAll) +
-                       " Å";
-    if (fitted.count < pairs.first.size())
-        said += "; " + std::to_string(fitted.count) + " pairs, RMSD " + threeDecimals(fitted.motion.rmsd) +
-                " Å without " + std::to_string(pairs.first.size() - fitted.count) + " outliers";
-    return said;
 }
 
 /// Reads a file that is open already; errors have its own name. @throws Error
@@ -181,7 +106,7 @@ Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
     whole.modelsAreInputs = true;
     whole.inputs = inputNames(input);
     whole.assemblies.clear();  // they arrange one molecule, not all
-    for (const FitOptions& fit : input.fits) tell(fitInput(whole, fit));
+    fitInputs(input, whole, tell);
     return whole;
 }
 

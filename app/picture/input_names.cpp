@@ -32,7 +32,7 @@ void addInput(InputOptions& input, const std::string& text) {
         throw std::invalid_argument("more than " + std::to_string(kMostInputs) + " of them");
     if (!input.namedBy.empty()) {  // explicit inputs replace a view's molecules
         input.path.clear(), input.name.clear(), input.hash.clear(), input.namedBy.clear();
-        input.further.clear(), input.fits.clear();
+        input.further.clear(), input.fits.clear(), input.alignments.clear();
         if (!input.trajectory.namedBy.empty()) input.trajectory = {};
     }
     const std::size_t equals = text.find('=');
@@ -104,7 +104,8 @@ void forEachSelection(PictureDescription& d, const std::function<void(Selection&
         for (Selection& point : measure.points) take(point);
     for (std::optional<Selection>* selection : optionalSelections(d))
         if (*selection) take(**selection);
-    for (FitOptions& fit : d.input.fits) take(fit.moving), take(fit.fixed);
+    for (std::vector<FitOptions>* fits : {&d.input.fits, &d.input.alignments})
+        for (FitOptions& fit : *fits) take(fit.moving), take(fit.fixed);
 }
 
 void nameInputs(PictureDescription& d) {
@@ -132,7 +133,8 @@ void removeInput(PictureDescription& d, std::size_t number) {
     };
     std::erase_if(d.look.rules, [&](const Rule& rule) { return gone(rule.selection); });
     std::erase_if(d.words.labels, [&](const Label& label) { return gone(label.selection); });
-    std::erase_if(d.input.fits, [&](const FitOptions& fit) { return gone(fit.moving) || gone(fit.fixed); });
+    for (std::vector<FitOptions>* fits : {&d.input.fits, &d.input.alignments})
+        std::erase_if(*fits, [&](const FitOptions& fit) { return gone(fit.moving) || gone(fit.fixed); });
     for (std::optional<Selection>* selection : optionalSelections(d))
         if (*selection && gone(**selection)) selection->reset();
     d.words.measures.clear();  // they count atoms of all

@@ -69,7 +69,7 @@ struct InputOptions {
     TrajectoryOptions trajectory;
     std::string name;                             ///< for selections, with further inputs; empty: by its path
     std::vector<FurtherInput> further;            ///< read as this one is
-    std::vector<FitOptions> fits;                 ///< in order
+    std::vector<FitOptions> fits, alignments;     ///< by sequence, and by structure, each in order
     std::optional<std::int64_t> memoryMegabytes;  ///< for the molecule, of 2^20 bytes; empty: half of the machine's
 };
 

@@ -106,12 +106,14 @@ void parseInputName(T text, P& d) {
     d.input.name = text;
 }
 
+template <auto list>
 std::string printFits(const P& d) {
-    return lines(d.input.fits, [](const FitOptions& fit) { return fit.moving.text + "\t" + fit.fixed.text; });
+    return lines(d.input.*list, [](const FitOptions& fit) { return fit.moving.text + "\t" + fit.fixed.text; });
 }
 
+template <auto list>
 void parseFit(T text, P& d) {
-    addTo(d.input.fits, text, kMostInputs, [](T pair) {
+    addTo(d.input.*list, text, kMostInputs, [](T pair) {
         const std::size_t end = pair.find('\n');
         return FitOptions{parseSelection(pair.substr(0, end)), parseSelection(pair.substr(end + 1))};
     });
@@ -136,11 +138,22 @@ std::vector<Option> named() {
                  "paired by chain, sequence and name; polymers alone, if both have some; without the outliers beyond\n"
                  "twice the RMSD, which is reported with and without them; repeatable",
          .topic = Topic::fit,
-         .parse = parseFit,
-         .print = printFits,
+         .parse = parseFit<&InputOptions::fits>,
+         .print = printFits<&InputOptions::fits>,
          .kind = pair,
          .save = differing,
          .savedAs = "fits"},
+        {.key = "align",
+         .syntax = "SEL SEL",
+         .standard = "none",
+         .help = "As --fit, by structure alone (TM-align), for chains whose sequences differ: the longest protein\n"
+                 "chain of either selection. Reports the pairs, their RMSD and the TM-score; repeatable",
+         .topic = Topic::fit,
+         .parse = parseFit<&InputOptions::alignments>,
+         .print = printFits<&InputOptions::alignments>,
+         .kind = pair,
+         .save = differing,
+         .savedAs = "alignments"},
     };
     return under(Topic::input, Facet::input, std::move(rows));
 }

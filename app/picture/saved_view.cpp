@@ -346,7 +346,7 @@ void applySavedView(const std::string& path, PictureDescription& description) {
     view.look.rules.clear();
     view.words.labels.clear();
     view.words.measures.clear();
-    view.input.fits.clear();
+    view.input.fits.clear(), view.input.alignments.clear();
     for (auto clear : {"primitives", "color-from", "map", "map-level", "map-style", "map-color", "map-color-from",
                        "map-slice", "map-opacity"})
         option(clear).parse("", view);
@@ -356,6 +356,7 @@ void applySavedView(const std::string& path, PictureDescription& description) {
     append(view.words.labels, description.words.labels);
     append(view.words.measures, description.words.measures);
     append(view.input.fits, description.input.fits);
+    append(view.input.alignments, description.input.alignments);
     append(view.look.colorFrom, description.look.colorFrom);
     append(view.primitives, description.primitives);
     appendMaps(view.maps, description.maps);
