@@ -78,6 +78,24 @@ TEST(Trajectory, ReadsWhatMdtrajReads) {
     expectSame("water.xtc", "water", 1e-3);
 }
 
+TEST(Trajectory, ARestartFileOfAmberIsOneFrame) {
+    const std::unique_ptr<Trajectory> restart = openTrajectory(written() / "t.ncrst");
+    EXPECT_EQ(restart->frames(), 1u);
+    const TrajectoryFrame& one = restart->read(0);
+    const std::unique_ptr<Trajectory> whole = openTrajectory(written() / "t.nc");
+    const TrajectoryFrame& first = whole->read(0);
+    ASSERT_EQ(one.positions.size(), first.positions.size());
+    for (std::size_t i = 0; i < one.positions.size(); ++i)
+        EXPECT_LT(glm::distance(one.positions[i], first.positions[i]), 1e-3f);
+    ASSERT_TRUE(one.box.has_value());
+    EXPECT_LT(glm::distance((*one.box)[1], (*first.box)[1]), 1e-3f);
+    std::string bytes = contentOf(written() / "t.ncrst");
+    bytes.resize(bytes.size() / 2);
+    const TemporaryFolder folder;
+    write(folder / "cut.ncrst", bytes);
+    EXPECT_THROW(openTrajectory(folder / "cut.ncrst")->read(0), Error);
+}
+
 TEST(Trajectory, SaysWhatItIs) {
     const char* const formats[][2] = {{"t.xtc", "xtc"}, {"t.trr", "trr"}, {"t.dcd", "dcd"}, {"t.nc", "netcdf"}};
     for (const auto& [file, format] : formats) {

@@ -44,6 +44,8 @@ def dump(name, t):
 for name in ("xtc", "trr", "dcd", "nc"):
     trajectory.save("%s/t.%s" % (folder, name))
     dump(name, mdtraj.load("%s/t.%s" % (folder, name), top=topology))
+# AMBER's restart file: the first frame alone.
+trajectory[:1].save(folder + "/t.ncrst")
 # HDF5: MDTraj's own, and H5MD with its units and box.
 trajectory.save(folder + "/t.h5")
 dump("h5", mdtraj.load(folder + "/t.h5"))

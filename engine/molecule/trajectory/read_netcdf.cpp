@@ -1,6 +1,6 @@
-// NetCDF as AMBER writes trajectories (convention AMBER 1.0): classic NetCDF, versions 1, 2 and 5. Only the head is
-// read in general; of the variables, `coordinates`, `cell_lengths` and `cell_angles`. NetCDF's own library would bring
-// HDF5 along, for nothing.
+// NetCDF as AMBER writes trajectories and restart files (conventions AMBER and AMBERRESTART 1.0): classic NetCDF,
+// versions 1, 2 and 5. Only the head is read in general; of the variables, `coordinates`, `cell_lengths` and
+// `cell_angles`. NetCDF's own library would bring HDF5 along, for nothing.
 
 #include <map>
 
@@ -128,9 +128,18 @@ public:
         lengths_ = find("cell_lengths");
         angles_ = find("cell_angles");
         const auto& shape = coordinates_.dimensions;
-        if (!coordinates_.recorded || shape.size() != 3 || shape[2] != 3 || !isReal(coordinates_))
+        restart_ = !coordinates_.recorded && shape.size() == 2;
+        if ((!coordinates_.recorded && !restart_) || shape.size() != (restart_ ? 2 : 3) || shape.back() != 3 ||
+            !isReal(coordinates_))
             file_->fail("it has no coordinates as AMBER writes them (frame, atom, spatial)");
-        atoms_ = checkedAtoms(*file_, static_cast<std::int64_t>(shape[1]));
+        atoms_ = checkedAtoms(*file_, static_cast<std::int64_t>(shape[restart_ ? 0 : 1]));
+        times_ = find("time");
+        hasCell_ = isCell(lengths_) && isCell(angles_);
+        if (restart_) {
+            if (!file_->holds(coordinates_.begin, coordinates_.bytes)) file_->fail("it has no whole frame");
+            frames_ = 1;
+            return;
+        }
         recordBytes_ = head.recordBytes;
         const std::uint64_t first = coordinates_.begin + coordinates_.bytes;
         std::uint64_t whole = 0;
@@ -138,15 +147,14 @@ public:
         frames_ = static_cast<std::size_t>(head.streaming ? whole : std::min(whole, head.records));
         cutOff_ = !head.streaming && whole < head.records;
         if (!frames_) file_->fail("it has no whole frame");
-        hasCell_ = isCell(lengths_) && isCell(angles_);
-        times_ = find("time");
         hasTimes_ = times_.recorded && times_.dimensions.size() == 1 && isReal(times_);
     }
 
 private:
     static bool isReal(const NetcdfVariable& v) { return v.type == kFloat || v.type == kDouble; }
-    static bool isCell(const NetcdfVariable& v) {
-        return v.recorded && v.dimensions.size() == 2 && v.dimensions[1] == 3 && isReal(v);
+    bool isCell(const NetcdfVariable& v) const {
+        const std::size_t rank = restart_ ? 1 : 2;
+        return v.recorded != restart_ && v.dimensions.size() == rank && v.dimensions.back() == 3 && isReal(v);
     }
     glm::dvec3 threeOf(const NetcdfVariable& v, std::size_t frame) const {
         NumberReader numbers = numbersAt(v.begin + frame * recordBytes_);
@@ -164,6 +172,7 @@ private:
     NetcdfVariable coordinates_, lengths_, angles_, times_;
     std::uint64_t recordBytes_ = 0;
     bool hasCell_ = false, hasTimes_ = false;
+    bool restart_ = false;  ///< one frame, without records (RST7)
 };
 
 }  // namespace
