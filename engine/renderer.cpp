@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -29,7 +30,7 @@ occlusion::SceneToBake toBake(const std::shared_ptr<const Scene>& scene) {
     return {{scene, &scene->representation}, {scene, &scene->buffers}};
 }
 
-/// @throws Error unless it has pixels, and numbers
+/// @throws Error unless it has pixels, and numbers that show something
 void checkView(const View& view) {
     if (view.width == 0 || view.height == 0) throw Error("cannot draw", "", "the view has no pixels");
     double sum = view.radius + view.eyeDistance + view.pixelsPerAngstrom + view.pan.x + view.pan.y;
@@ -38,6 +39,30 @@ void checkView(const View& view) {
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row) sum += view.rotation[column][row];
     if (!std::isfinite(sum)) throw Error("cannot draw", "", "the view has a number that is not finite");
+    if (view.pixelsPerAngstrom <= 0) throw Error("cannot draw", "", "the view has no pixels per ångström");
+    if (view.radius < 0) throw Error("cannot draw", "", "the view's radius is negative");
+    if (view.projection == Projection::perspective && view.eyeDistance <= 0)
+        throw Error("cannot draw", "", "the eye is not in front of the scene");
+}
+
+void checkOcclusion(const OcclusionSettings& occlusion) {
+    if (occlusion.directions < 0 || occlusion.directions > OcclusionSettings::kMostDirections)
+        throw Error("cannot draw", "",
+                    "occlusion has 0 to " + std::to_string(OcclusionSettings::kMostDirections) + " directions, not " +
+                        std::to_string(occlusion.directions));
+}
+
+/// @throws Error unless a picture can have them
+void checkSettings(const RenderSettings& settings) {
+    checkView(settings.view);
+    checkOcclusion(settings.occlusion);
+    const auto& [light, contours, halos, fog, shadow, clip, lens] = settings.effects;
+    double sum = light.ambient + light.direct + light.highlight + light.gloss + light.occlusion + contours.width +
+                 contours.depth + halos.width + halos.depth + halos.strength + fog.start + fog.end + fog.strength +
+                 shadow.strength + lens.strength + lens.focus.value_or(0) + settings.meshError + settings.levelError;
+    for (const float part : settings.background) sum += part;
+    if (!std::isfinite(sum) || std::isnan(clip.near) || std::isnan(clip.far))
+        throw Error("cannot draw", "", "the settings have a number that is not finite");
 }
 
 /// @throws Error unless the view has two eyes
@@ -125,7 +150,7 @@ struct Renderer::Impl {
     /// Draws something that shows all of the occlusion that it asks for.
     template <typename Draw>
     auto drawFinished(const RenderSettings& settings, const Draw& draw) {
-        checkView(settings.view);
+        checkSettings(settings);
         return guarded([&] {
             pictures.settle();
             occlusion.finish(settings.occlusion, onlyViewDirection(settings));
@@ -216,7 +241,7 @@ CodedPicture Renderer::renderCoded(const RenderSettings& settings, bool alpha) {
 
 void Renderer::startCoded(const RenderSettings& settings, bool alpha) {
     impl_->dropOnError([&] {
-        checkView(settings.view);
+        checkSettings(settings);
         impl_->waitUnlessBaked(settings.occlusion);
         impl_->occlusion.finish(settings.occlusion, onlyViewDirection(settings));
         impl_->pictures.start(settings, impl_->occlusion.atlas(), alpha);
@@ -253,7 +278,7 @@ LayerPicture Renderer::layers(const RenderSettings& settings) {
 }
 
 double Renderer::drawFrame(const RenderSettings& settings) {
-    checkView(settings.view);
+    checkSettings(settings);
     return impl_->guarded([&] {
         impl_->occlusion.begin(settings.occlusion);
         const auto start = Clock::now();
@@ -265,6 +290,7 @@ double Renderer::drawFrame(const RenderSettings& settings) {
 }
 
 double Renderer::advanceOcclusion(const RenderSettings& settings, double milliseconds) {
+    checkOcclusion(settings.occlusion);
     if (settings.occlusion.directions == 0) return 1;
     return impl_->unlessLost(0.0, [&] {  // present() reports the loss
         impl_->occlusion.begin(settings.occlusion);
@@ -275,6 +301,7 @@ double Renderer::advanceOcclusion(const RenderSettings& settings, double millise
 }
 
 double Renderer::advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) {
+    checkOcclusion(settings.occlusion);
     if (settings.occlusion.directions == 0) return 1;
     return impl_->unlessLost(0.0, [&] {
         const double share = impl_->occlusion.advanceBeside(settings.occlusion, pace);
@@ -331,6 +358,7 @@ void Renderer::expectScene(Representation like, const RenderSettings& settings, 
 }
 
 BakedOcclusion Renderer::bakedOcclusion(const OcclusionSettings& settings) {
+    checkOcclusion(settings);
     return impl_->guarded([&] {
         BakedOcclusion baked = impl_->occlusion.baked(settings);
         impl_->noteBake();
@@ -339,6 +367,7 @@ BakedOcclusion Renderer::bakedOcclusion(const OcclusionSettings& settings) {
 }
 
 std::uint32_t Renderer::atomAt(const RenderSettings& settings, double x, double y, double reach) {
+    checkSettings(settings);
     return impl_->guarded([&] {
         const std::uint32_t atom = impl_->pictures.atomAt(settings, x, y, reach);
         impl_->notePicture();
@@ -347,7 +376,7 @@ std::uint32_t Renderer::atomAt(const RenderSettings& settings, double x, double 
 }
 
 std::vector<std::uint32_t> Renderer::atoms(const RenderSettings& settings) {
-    checkView(settings.view);
+    checkSettings(settings);
     return impl_->guarded([&] {
         std::vector<std::uint32_t> atoms = impl_->pictures.atoms(settings);
         impl_->notePicture();

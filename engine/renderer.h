@@ -54,8 +54,8 @@ public:
     /// pass needs the pipeline.
     void makePipelinesAhead();
 
-    /// @throws Error if the view has no pixels or a number that is not finite, if the picture exceeds the device's
-    /// limits, or if memory runs out
+    /// @throws Error if the view has no pixels, if settings have a number that is not finite or out of its range, if
+    /// the picture exceeds the device's limits, or if memory runs out
     Picture render(const RenderSettings& settings);
     /// As coded(render(settings), alpha), with `fine` off; takes less time where it draws one frame. @throws Error
     CodedPicture renderCoded(const RenderSettings& settings, bool alpha);

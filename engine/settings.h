@@ -18,6 +18,7 @@ namespace nacre {
 /// Settings of the ambient occlusion bake. Equal values of the first four fields give equal results.
 struct OcclusionSettings {
     static constexpr std::uint64_t kUsualBytes = 64ull << 20;
+    static constexpr int kMostDirections = 4096;
     int directions = 128;  ///< 0: no occlusion
     /// Device memory limit of the bake, atlas and depth maps included. The default grows for meshes of more than a
     /// million vertices, since each vertex has its own value.

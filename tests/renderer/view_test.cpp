@@ -1,6 +1,7 @@
 // What a hand does to the view: panning, turning the image for a display, picking.
 
 #include <cmath>
+#include <type_traits>
 
 #include "engine/error.h"
 #include "engine/gpu/pipeline_cache.h"
@@ -29,7 +30,10 @@ TEST(View, ThoseThatCannotBeDrawnAreErrors) {
     const RenderSettings good = oblong(r, Projection::orthographic);
     const auto refuses = [&](const auto& change) {
         RenderSettings s = good;
-        change(s.view);
+        if constexpr (std::is_invocable_v<decltype(change), View&>)
+            change(s.view);
+        else
+            change(s);
         EXPECT_THROW(renderer->render(s), Error);
         EXPECT_THROW(renderer->renderCoded(s, false), Error);
         EXPECT_THROW(renderer->startCoded(s, false), Error);
@@ -42,6 +46,14 @@ TEST(View, ThoseThatCannotBeDrawnAreErrors) {
     refuses([](View& view) { view.rotation[1][2] = NAN; });
     refuses([](View& view) { view.pixelsPerAngstrom = INFINITY; });
     refuses([](View& view) { view.pan.x = NAN; });
+    refuses([](View& view) { view.pixelsPerAngstrom = 0; });
+    refuses([](View& view) { view.radius = -1; });
+    refuses([](View& view) { view.projection = Projection::perspective; });  // without an eye
+    refuses([](RenderSettings& s) { s.occlusion.directions = -5; });
+    refuses([](RenderSettings& s) { s.occlusion.directions = 1 << 30; });
+    refuses([](RenderSettings& s) { s.background[0] = NAN; });
+    refuses([](RenderSettings& s) { s.effects.contours.width = NAN; });
+    refuses([](RenderSettings& s) { s.effects.clip.near = NAN; });
     EXPECT_FALSE(renderer->render(good).rgba.empty());
     // Without a surface there is no window.
     EXPECT_THROW(renderer->present(good, {}), Error);
