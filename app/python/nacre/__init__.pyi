@@ -80,6 +80,7 @@ class Options(TypedDict, total=False):
     map_around: str | Mask | tuple[str | Mask, float]
     surface_color_from: str | PathLike[str]
     primitives: str | PathLike[str] | Sequence[str | PathLike[str]]
+    cell: str | bool
     projection: str
     stereo: str
     eye_distance: str | float
