@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 
 #include "engine/threads.h"
@@ -11,7 +12,8 @@ namespace {
 
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 
-volatile std::sig_atomic_t cameFirst = 0;
+std::atomic<int> cameFirst{0};  // any thread may run the handler
+static_assert(std::atomic<int>::is_always_lock_free);
 int wakeUp[2] = {-1, -1};  // write end for the handler, read end for the thread
 
 extern "C" void tellOfEnd(int signal) {

@@ -1,6 +1,7 @@
 #include "app/movie/stop_request.h"
 
 #include <array>
+#include <atomic>
 #include <csignal>
 
 namespace nacre::app {
@@ -8,18 +9,19 @@ namespace {
 
 constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 std::array<struct sigaction, kSignals.size()> before{};
-volatile std::sig_atomic_t stop = 0;
+std::atomic<bool> stop{false};  // any thread may run the handler, and others ask
+static_assert(std::atomic<bool>::is_always_lock_free);
 bool watching = false;
 
 extern "C" void noteStop(int) {
-    stop = 1;
+    stop = true;
     for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before[i], nullptr);
 }
 
 }  // namespace
 
 StopRequest::StopRequest() {
-    stop = 0;
+    stop = false;
     for (std::size_t i = 0; i < kSignals.size(); ++i) {
         sigaction(kSignals[i], nullptr, &before[i]);
         if (before[i].sa_handler == SIG_IGN) continue;  // as under nohup
@@ -34,7 +36,7 @@ StopRequest::StopRequest() {
 
 StopRequest::~StopRequest() { leave(); }
 
-bool StopRequest::asked() const { return stop != 0; }
+bool StopRequest::asked() const { return stop; }
 
 void StopRequest::leave() {
     if (!watching) return;
