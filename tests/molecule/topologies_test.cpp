@@ -368,6 +368,9 @@ TEST(Topologies, LongTrajectoriesAreReadFrameByFrame) {
 TEST(Topologies, RunInputsOfGromacsNameTheProgramThatReadsThem) {
     const std::string head("\0\0\0\x0d\0\0\0\x0cVERSION 4.0\0\0\0\0\4", 25);
     test::expectError("topol.tpr", head + std::string(100, '\0'), {"it is a GROMACS run input", "gmx editconf"});
+    for (const std::string& magic : {std::string("CDF\1"), std::string("\x54\0\0\0CORD", 8),
+                                     std::string("\0\0\x07\xc9", 4), std::string("\0\0\x07\xcb", 4)})
+        test::expectError("a.rst7", magic + std::string(100, '\0'), {"it is a trajectory", "--trajectory"});
 }
 
 TEST(Topologies, AreTrajectoriesOnlyWithPositions) {

@@ -42,6 +42,12 @@ Guess guessBinary(std::string_view head) {
         if (startsWith(head, signature.bytes)) return isNot(signature.words);
     if (head.substr(0, 1) == std::string_view("\0", 1) && contains(head.substr(0, 16), "VERSION "))
         return isNot("a GROMACS run input; `gmx editconf -f FILE.tpr -conect -o FILE.pdb` writes its structure");
+    // NetCDF, DCD, TRR and XTC.
+    const bool netcdf = startsWith(head, "CDF") && head.size() > 3 && head[3] < ' ';
+    const std::string_view number = head.substr(0, std::min<std::size_t>(head.size(), 4));
+    if (netcdf || head.substr(std::min<std::size_t>(head.size(), 4), 4) == "CORD" ||
+        number == std::string_view("\0\0\x07\xc9", 4) || number == std::string_view("\0\0\x07\xcb", 4))
+        return isNot("a trajectory; open its structure, and pass this file with --trajectory");
     if (const auto format = detectBinaryFormat(head)) return is(*format);
     return {};
 }
