@@ -20,6 +20,7 @@ std::string otherValue(const Option& option) {
         {"hash", "12-ab"},
         {"name", "receptor"},
         {"fit", "/a\nresn STI"},
+        {"align", "/a\nresn STI"},
         {"mvs-map", "https://a.b/=c"},
         {"trajectory-hash", "5-cd"},
         {"fit-frames", "backbone"},
