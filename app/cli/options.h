@@ -87,7 +87,6 @@ struct PlanOptions {
 
 enum class PanelLetters { small, capital, off };
 
-/// `nacre figure`.
 /// What the line of a panel says of its camera; what it does not say is the first panel's.
 struct PanelLine {
     bool aims = false;     ///< any of these, or what the picture shows in its middle
@@ -98,6 +97,7 @@ struct PanelLine {
     bool scaleBar = false;
 };
 
+/// `nacre figure`.
 struct FigureOptions {
     BatchOptions batch;  ///< the panels as jobs without outputs, and the options of all
     std::string output;
