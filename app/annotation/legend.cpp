@@ -4,6 +4,7 @@
 #include <span>
 
 #include "app/annotation/room.h"
+#include "app/picture/option_text.h"
 #include "app/picture/options.h"
 #include "engine/scene/color/palettes.h"
 
@@ -29,7 +30,7 @@ std::string headingOf(const Legend& legend) {
         if (heading[0] >= 'a' && heading[0] <= 'z') heading[0] = static_cast<char>(heading[0] - 'a' + 'A');
     }
     if (legend.selection == "all") return heading;
-    return heading.empty() ? "" : heading + ", " + legend.selection;
+    return heading.empty() ? "" : heading + ", " + selectionWords(legend.selection);
 }
 
 /// Escapes a text of the program or the file for markup.
@@ -46,6 +47,8 @@ std::string escaped(const std::string& text) {
 std::vector<LegendRow> rowsOf(const std::vector<Legend>& legends) {
     std::vector<LegendRow> rows;
     for (const Legend& legend : legends) {
+        // One colour of everything else needs no name beside other legends.
+        if (legends.size() > 1 && legend.selection == "all" && legend.scheme.starts_with('#')) continue;
         const std::string heading = headingOf(legend);
         const bool titled = !legend.title.empty();  // with markup of its own
         if (!heading.empty()) rows.push_back({titled ? heading : escaped(heading), 0, !rows.empty()});
@@ -57,8 +60,8 @@ std::vector<LegendRow> rowsOf(const std::vector<Legend>& legends) {
             const LegendEntry& entry = legend.entries[ramp ? legend.stops - 1 - i : i];
             const bool first = !rows.empty() && i == 0 && heading.empty();
             const bool inside = ramp && i > 0 && i + 1 < legend.stops;  // only the ends are named
-            rows.push_back({inside ? "" : escaped(named ? legend.selection : entry.label), entry.color, first,
-                            ramp ? &legend : nullptr, i});
+            rows.push_back({inside ? "" : escaped(named ? selectionWords(legend.selection) : entry.label), entry.color,
+                            first, ramp ? &legend : nullptr, i});
         }
     }
     return rows;

@@ -98,12 +98,13 @@ std::optional<fs::path> drawEntries(PanelFrame& f, const std::string& sought) {
 
 }  // namespace
 
-void PanelState::browse(const std::string& what, const std::string& suggested, PathChosen chosen) {
+void PanelState::browse(const std::string& what, const std::string& suggested, PathChosen chosen, const char* button) {
     std::error_code failed;
     const fs::path from = fs::absolute(suggested.empty() ? "." : suggested, failed);
     browser = {};
     browser.open = true;
     browser.title = what;
+    browser.button = button;
     browser.chosen = std::move(chosen);
     browser.folder = (suggested.empty() ? from : from.parent_path()).lexically_normal().string();
     if (browser.saving()) browser.typed = from.filename().string();
@@ -130,7 +131,7 @@ void drawBrowse(PanelFrame& f) {
     const fs::path typed = folder / b.typed;
     if (b.saving() && !b.typed.empty() && fs::is_regular_file(typed, unknown))
         f.ui.warning("A file of this name exists and is replaced.");
-    const Answer answers[] = {{"Cancel"}, {b.saving() ? "Choose" : "Open"}};
+    const Answer answers[] = {{"Cancel"}, {b.button}};
     const auto pressed = f.ui.answers(answers);
     if (pressed == 1u || entered) {
         if (!b.typed.empty() && fs::is_directory(typed, unknown))

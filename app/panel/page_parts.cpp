@@ -51,7 +51,7 @@ std::vector<std::string> fitTexts(const ResidueFacts& facts, const InputOptions&
         const std::vector<bool> moving = selectAtoms(m, fit.moving);
         const auto first = std::find(moving.begin(), moving.end(), true) - moving.begin();
         if (static_cast<std::size_t>(first) == moving.size()) continue;
-        const AtomPairs pairs = matchAtoms(facts, moving, selectAtoms(m, fit.fixed), Placing::settled);
+        const AtomPairs pairs = matchAtoms(facts, moving, selectAtoms(m, fit.fixed));
         double squares = 0;
         for (std::size_t i = 0; i < pairs.first.size(); ++i) {
             const glm::dvec3 apart =
@@ -59,9 +59,10 @@ std::vector<std::string> fitTexts(const ResidueFacts& facts, const InputOptions&
             squares += glm::dot(apart, apart);
         }
         const double count = static_cast<double>(std::max<std::size_t>(pairs.first.size(), 1));
-        char text[80];
-        std::snprintf(text, sizeof text, "%zu pairs of atoms, RMSD %.2f Å", pairs.first.size(),
-                      std::sqrt(squares / count));
+        const bool unlike = 10 * pairs.sameResidues < 3 * pairs.residues;
+        char text[100];
+        std::snprintf(text, sizeof text, "%zu pairs of atoms, RMSD %.2f Å%s", pairs.first.size(),
+                      std::sqrt(squares / count), unlike ? "; the sequences differ" : "");
         const int model = m.chains[m.residues[m.atoms[static_cast<std::size_t>(first)].residue].chain].model;
         texts.at(static_cast<std::size_t>(model - 1)) = text;
     }

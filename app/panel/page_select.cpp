@@ -69,8 +69,11 @@ void drawSelectPage(PanelFrame& f) {
     };
     if (f.ui.typable()) {
         // A click into the field after a click on the molecule starts a new text.
-        f.ui.field("Selection", "chain A and resi 10-20", s.selection, -1, ImGuiInputTextFlags_AutoSelectAll);
+        constexpr ImGuiInputTextFlags kFlags = ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue;
+        const bool entered = f.ui.field("Selection", "chain A and resi 10-20", s.selection, -1, kFlags);
         changed = f.ui.edited();
+        // What is typed next replaces the text, and is no shortcut.
+        if (entered) ImGui::SetKeyboardFocusHere(-1);
         // Completions.
         if (document && !s.selection.empty())
             for (const std::string& text : completions(s.selection, *document->molecule, 4)) {

@@ -138,8 +138,9 @@ const char* PanelState::topCard() const {
     return "";
 }
 
-void PanelState::askWhere(const std::string& what, const std::string& suggested, PathChosen chosen) {
-    if (host.browses || !host.saveDialog) return browse(what, suggested, std::move(chosen));
+void PanelState::askWhere(const std::string& what, const std::string& suggested, PathChosen chosen,
+                          const char* button) {
+    if (host.browses || !host.saveDialog) return browse(what, suggested, std::move(chosen), button);
     host.saveDialog(what, suggested, std::move(chosen));
 }
 

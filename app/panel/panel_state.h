@@ -39,7 +39,8 @@ struct Browser {
     };
     bool open = false;
     std::string title;
-    PathChosen chosen;  ///< of a file to write; empty: one is opened
+    const char* button = "Open";  ///< that takes the path
+    PathChosen chosen;            ///< of a file to write; empty: one is opened
     bool saving() const { return static_cast<bool>(chosen); }
     std::string folder, typed;
     bool listed = false;  ///< the entries are up to date
@@ -130,8 +131,10 @@ struct PanelState {
     void opened() { opening = 4, restless = 5; }
     /// @param what  title of the card  @param suggested  a file, whose folder is shown; empty: the current folder
     /// @param chosen  receives the path of a file to write; empty: a file is opened
-    void browse(const std::string& what, const std::string& suggested, PathChosen chosen);
-    void askWhere(const std::string& what, const std::string& suggested, PathChosen chosen);
+    /// @param button  that takes the path
+    void browse(const std::string& what, const std::string& suggested, PathChosen chosen, const char* button);
+    void askWhere(const std::string& what, const std::string& suggested, PathChosen chosen,
+                  const char* button = "Save");
     void setSavePath(const std::string& path);
     bool closeTop();
     void toggle();

@@ -21,8 +21,11 @@ constexpr std::array kFits = {"Not superposed", "Superpose backbones", "Superpos
 constexpr std::array kFitSelections = {"", "backbone", "all"};
 
 /// "Frame 12 of 200, 24 ps"
-std::string placeText(const Playback& playback) {
+std::string placeText(const PanelFrame& f) {
+    const Playback& playback = f.viewer.playback();
     const PlayClock& clock = playback.clock();
+    if (!playback.hasTrajectory() && f.look.input.model == kAllModels)
+        return "All " + std::to_string(clock.frames()) + " models";
     std::string text = playback.hasTrajectory() ? "Frame " : "Model ";
     text += std::to_string(clock.frame() + 1) + " of " + std::to_string(clock.frames());
     if (const auto time = playback.frameTime()) {
@@ -39,7 +42,7 @@ void drawPlayRow(PanelFrame& f) {
     Playback& playback = f.viewer.playback();
     const PlayClock& clock = playback.clock();
     const bool narrow = ImGui::GetContentRegionAvail().x < f.ui.px(kNarrowPoints);
-    if (narrow) f.ui.name(placeText(playback));
+    if (narrow) f.ui.name(placeText(f));
     const char* const what = playback.hasTrajectory() ? "frame" : "model";
     const auto named = [&](const char* text) { return std::string(text) + " " + what; };
     if (f.ui.sign(Icon::previous, named("Previous").c_str())) f.host.run(ViewerCommand::previousModel);
@@ -57,7 +60,7 @@ void drawPlayRow(PanelFrame& f) {
     ImGui::SameLine();
     if (!narrow) {
         const float x = ImGui::GetCursorPosX();
-        f.ui.name(placeText(playback), f.ui.px(kTextPointsOfBar));
+        f.ui.name(placeText(f), f.ui.px(kTextPointsOfBar));
         ImGui::SameLine(x + f.ui.px(kTextPointsOfBar) + gap);
     }
     if (f.ui.sign(Icon::more, "Playback options")) f.s.playOptions = !f.s.playOptions, f.s.restless = 2;

@@ -79,7 +79,8 @@ void drawSave(PanelFrame& f) {
     if (dialog) {
         ImGui::SameLine();
         if (f.ui.button(Icon::none, "Choose ...", choose))
-            f.s.askWhere("Save image", f.s.save.path, [&s = f.s](const std::string& path) { s.setSavePath(path); });
+            f.s.askWhere(
+                "Save image", f.s.save.path, [&s = f.s](const std::string& path) { s.setSavePath(path); }, "Choose");
     }
     f.ui.folderOf(f.s.save.path.c_str());
     ImGui::Spacing();

@@ -134,7 +134,7 @@ void drawStart(PanelFrame& f) {
     if (f.host.open && !empty) f.ui.toggle("Add to current scene", f.s.together);
     const bool dialog = f.host.openDialog || f.host.browses;
     if (dialog && f.ui.button(Icon::open, "Open a file ...", 0, true))
-        f.host.browses ? f.s.browse("Open a file", "", nullptr) : f.host.openDialog();
+        f.host.browses ? f.s.browse("Open a file", "", nullptr, "Open") : f.host.openDialog();
     if (f.host.goOn && empty) {
         const std::string words = "Continue with " + f.host.lastView;
         const float wide = f.ui.buttonWidth(words.c_str()) + f.ui.px(23);

@@ -13,8 +13,6 @@ namespace nacre::app {
 std::string wordOf(std::string_view key, std::string_view value);
 /// As above for a colouring: "By chain"; swatch colours by name.
 std::string colorWord(const Coloring& coloring);
-/// A selection that presets make, for people: "residues within 4 Å of the ligand"; others as they are.
-std::string selectionWords(const std::string& text);
 struct NamedColor {
     const char* name;
     std::uint32_t rgb;  ///< 0xRRGGBB

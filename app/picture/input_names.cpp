@@ -170,7 +170,10 @@ void colorApart(const std::vector<std::string>& names, RepresentationOptions& lo
         step.numbers.push_back({number, number, '\0', '\0'});
         rule.selection.text = "/" + names[i];
         rule.selection.steps.push_back(step);
-        rule.coloring = Coloring::elementWithCarbons(kindColor(i, kChainPalette));
+        // From the palette's end: the chains of the first take theirs from its beginning.
+        const std::size_t kinds = kindCount(kChainPalette);
+        rule.coloring =
+            Coloring::elementWithCarbons(kindColor(i == 0 ? 0 : kinds - 1 - (i - 1) % kinds, kChainPalette));
         rules.push_back(rule);
     }
     look.rules.insert(look.rules.begin(), rules.begin(), rules.end());

@@ -60,4 +60,19 @@ std::pair<std::string, std::string> ruleText(const Rule& rule) {
     return {};
 }
 
+std::string selectionWords(const std::string& text) {
+    constexpr std::string_view kNear = "byres (within ", kOf = " of (";
+    if (text == "mainligand" || text == "(mainligand)") return "the ligand";
+    const std::size_t of = text.find(kOf);
+    if (!text.starts_with(kNear) || of == std::string::npos) return text;
+    const std::size_t from = of + kOf.size();
+    std::size_t end = from;
+    for (int depth = 1; end < text.size(); ++end)
+        if ((depth += text[end] == '(' ? 1 : text[end] == ')' ? -1 : 0) == 0) break;
+    const std::string inner = text.substr(from, end - from);
+    const std::string rest = text.substr(std::min(end + 2, text.size()));
+    if (!rest.empty() && rest != " and polymer and not (" + inner + ")") return text;
+    return "residues within " + text.substr(kNear.size(), of - kNear.size()) + " Å of " + selectionWords(inner);
+}
+
 }  // namespace nacre::app

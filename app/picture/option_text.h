@@ -29,4 +29,7 @@ std::string clipText(const Clip& clip);
 /// The option without dashes, and its value: {"show", "ligand=licorice"}.
 std::pair<std::string, std::string> ruleText(const Rule& rule);
 
+/// A selection that presets make, for people: "residues within 4 Å of the ligand"; others as they are.
+std::string selectionWords(const std::string& text);
+
 }  // namespace nacre::app

@@ -120,7 +120,8 @@ std::vector<Option> colors() {
                            "Each element has its own colour: carbon grey, oxygen red, nitrogen blue."},
                           {"By chain", "chain", "Each chain has its own colour."},
                           {"By chain, atoms by element", "chain-carbons",
-                           "Carbon has the colour of its chain, other elements their own: oxygen red, nitrogen blue.",
+                           "Carbon has the colour of its chain, in ligands grey; other elements have their own: oxygen "
+                           "red, nitrogen blue.",
                            "Carbons by chain"},
                           {"By structure", "input", "Each structure has its own colour.", "Structure"},
                           {"By copy of the assembly", "copy", "Each copy of the assembly has its own colour.", "Copy"},

@@ -74,9 +74,9 @@ void Reading::addTrajectory(const std::string& path, double now) {
 bool Reading::join(const Files& files, double now) {
     stage_.messages.dismissFailure();
     if (files.trajectories.size() > 1)
-        return stage_.messages.fail("one trajectory at a time moves a structure", now), true;
+        return stage_.messages.fail("a structure takes one trajectory at a time", now), true;
     if (!stage_.shown() && files.structures.empty() && !files.trajectories.empty())
-        return stage_.messages.fail("a trajectory has positions alone: open its structure first", now), true;
+        return stage_.messages.fail("open the structure first: a trajectory holds only positions", now), true;
     if (!stage_.shown() || !files.structures.empty()) return false;
     if (!files.maps.empty()) addMaps(files.maps, now);
     if (!files.trajectories.empty()) addTrajectory(files.trajectories.front(), now);

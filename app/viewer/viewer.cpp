@@ -198,8 +198,9 @@ void Viewer::restore(const PictureDescription& saved, double now, double seconds
     const Document& document = stage_.document;
     const Facets seen = difference(view(), to), parts = difference(document.view, to);
     const bool file = !stage_.shown() || has(parts, Facet::input);
+    const bool oneModel = to.input.model != kAllModels && document.view.input.model != kAllModels;
     const bool frame =
-        !file && document.moves() && to.look.assembly == document.view.look.assembly;  // the player has it
+        !file && document.moves() && oneModel && to.look.assembly == document.view.look.assembly;  // the player has it
     const bool another = file || (!frame && has(parts, Facet::frame));
     const Rebuild rebuild = rebuildFor(view(), to, CameraBy::hand);
     CameraMotion& motion = stage_.motion;

@@ -119,6 +119,25 @@ TEST(Panel, EnterPressesWhatHasTheFocus) {
     EXPECT_EQ(b.viewer.view().look.style, Style::licorice);
 }
 
+TEST(Panel, TheFieldOfTheSelectionKeepsTheFocus) {
+    Bench b("sample:dna", kUsual);
+    b.panel.showPage("Select");
+    b.settle();
+    const auto typed = [&](const std::string& text) {
+        for (const char c : text) b.panel.input().character(static_cast<char32_t>(c));
+        b.settle();
+        b.press(SpecialKey::enter);
+        b.settle();
+    };
+    b.click("Selection");
+    typed("chain A");
+    EXPECT_EQ(b.viewer.picking().selection().text, "chain A");
+    const PictureDescription before = b.viewer.view();
+    typed("chain B");  // in its place: no shortcuts, and not behind it
+    EXPECT_EQ(b.viewer.picking().selection().text, "chain B");
+    EXPECT_EQ(savedViewJson(b.viewer.view()), savedViewJson(before));
+}
+
 TEST(Panel, RulesAreSwitchedOffEditedAndMoved) {
     Bench b("sample:dna", kUsual);
     PictureDescription look = b.viewer.view();

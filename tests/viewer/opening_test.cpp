@@ -133,7 +133,7 @@ TEST(Opening, ATrajectoryMovesWhatIsOpen) {
     Files f;
     const std::string path = f.write("md.xtc", std::string("\0\0\x07\xcb\0\0\0\3", 8));
     f.open({path});
-    EXPECT_NE(f.viewer.messages().failure().find("open its structure first"), std::string::npos);
+    EXPECT_NE(f.viewer.messages().failure().find("open the structure first"), std::string::npos);
     f.open({"sample:dna"});
     EXPECT_EQ(f.viewer.messages().failure(), "") << "an old error goes";
     f.open({path});

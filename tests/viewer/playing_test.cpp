@@ -142,6 +142,21 @@ struct PlayingBench {
     Viewer viewer;
 };
 
+TEST(Playback, AllModelsAreShownTogetherAndOneByOneAgain) {
+    PlayingBench b;
+    ASSERT_EQ(b.viewer.playback().models(), 5);
+    EXPECT_EQ(b.screen.shown.spheres.size(), 2u);
+    PictureDescription all = b.viewer.view();
+    all.input.model = kAllModels;
+    b.viewer.show(all, b.now);
+    b.run(1);
+    EXPECT_EQ(b.screen.shown.spheres.size(), 10u);
+    EXPECT_EQ(b.viewer.document()->view.input.model, kAllModels);
+    b.viewer.undo(b.now);
+    b.run(1);
+    EXPECT_EQ(b.screen.shown.spheres.size(), 2u);
+}
+
 // What is shown is read on one thread, and let go of, while another makes the frames that follow.
 TEST(Player, MakesFramesInMoleculesThatNobodyHoldsAnyMore) {
     ReadOptions options;

@@ -291,7 +291,7 @@ glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide)
 }
 
 bool isSlab(const std::vector<glm::dvec4>& balls) {
-    constexpr double kThin = 0.25;  // of the next variance: half of the spread
+    constexpr double kThin = 0.4;  // of the next variance: 63 % of the spread
     if (balls.size() < 3) return false;
     const Axes axes = principalAxes(balls, meanOf(balls));
     return axes.variances[2] < kThin * axes.variances[1];
