@@ -63,7 +63,8 @@ WindowSession::WindowSession(const ViewOptions& options)
     viewer().frames().setDebugView(options.first.debug, now());
     viewer().camera().aim(options.first.aim, now());
     // What may succeed later is tried again in the window.
-    if (!parseDatabaseId(options.first.input.path)) viewer().reading().throwEarlyFailure();
+    const std::string& input = options.first.input.path;
+    if (!parseDatabaseId(input) && !parseDatabaseId(meantInput(input))) viewer().reading().throwEarlyFailure();
     shownSamples_ = sampleFiles();
     window_.show();
     resized();

@@ -206,7 +206,8 @@ void downloadFile(const std::string& input, const std::string& cacheName, const 
     try {
         get(url, settings.limits, file ? static_cast<HttpBody&>(*file) : memory, settings);
     } catch (const FailureAt& failure) {
-        throw Error("cannot download", input, failure.address + ": " + failure.what());
+        const bool told = settings.verbose && failure.address != input;
+        throw Error("cannot download", input, (told ? failure.address + ": " : "") + failure.what());
     }
     try {
         read(url, file ? file->content() : std::move(memory.bytes()));

@@ -61,7 +61,7 @@ Sources windowSources(const InputOptions& first) {
         } catch (const DownloadForbidden&) {
             const std::string downloads = downloadsOf(input);
             throw Question(
-                downloads.empty() ? "This scene downloads the files that it names" : "This view downloads " + downloads,
+                downloads.empty() ? "This scene downloads the files that it names. Continue?" : "This view downloads " + downloads + ". Continue?",
                 "Download", [allowed] { *allowed = true; });
         }
     };
