@@ -128,7 +128,7 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
     EXPECT_EQ(nacreIn(folder, "help render").out, nacreIn(folder, "render --help").out);
     const std::string halos = nacreIn(folder, "help halos").out;
     EXPECT_TRUE(halos.starts_with("nacre render, movie, ")) << halos;
-    EXPECT_NE(halos.find("--halos PIXELS"), std::string::npos) << halos;
+    EXPECT_NE(halos.find("--halos WIDTH"), std::string::npos) << halos;
     EXPECT_EQ(nacreIn(folder, "help --halos").out, halos);
     EXPECT_NE(nacreIn(folder, "help -o").out.find("nacre movie:\n  -o,--output"), std::string::npos);
     EXPECT_EQ(nacreIn(folder, "render sample:glucose -o a.png --style sticks --size 32x32 --occlusion off").code, 0);
