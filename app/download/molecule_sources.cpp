@@ -60,9 +60,9 @@ Sources windowSources(const InputOptions& first) {
             return loadMolecule(input, onDownload);
         } catch (const DownloadForbidden&) {
             const std::string downloads = downloadsOf(input);
-            throw Question(
-                downloads.empty() ? "This scene downloads the files that it names. Continue?" : "This view downloads " + downloads + ". Continue?",
-                "Download", [allowed] { *allowed = true; });
+            throw Question(downloads.empty() ? "This scene downloads the files that it names. Continue?"
+                                             : "This view downloads " + downloads + ". Continue?",
+                           "Download", [allowed] { *allowed = true; });
         }
     };
     all.maps = [first, allowed](const PictureDescription& view) {
