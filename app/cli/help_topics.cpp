@@ -215,7 +215,7 @@ bool takesAny(const Option& option, std::initializer_list<const char*> texts) {
     });
 }
 
-/// What one value of an option may be, in the words of type checkers.
+/// The Python type of one value of an option.
 std::string valueType(const Option& option) {
     if (option.syntax.find("FILE") != std::string::npos) return "str | PathLike[str]";
     if (option.syntax.starts_with("SEL=")) return "str | tuple[str | Mask, str]";

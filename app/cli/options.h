@@ -87,7 +87,7 @@ struct PlanOptions {
 
 enum class PanelLetters { small, capital, off };
 
-/// What the line of a panel says of its camera; what it does not say is the first panel's.
+/// Which parts of the camera a panel's line sets. The first panel decides the others.
 struct PanelLine {
     bool aims = false;     ///< any of these, or what the picture shows in its middle
     bool turns = false;    ///< the side that faces the viewer

@@ -72,7 +72,7 @@ void drawSelectPage(PanelFrame& f) {
         constexpr ImGuiInputTextFlags kFlags = ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue;
         const bool entered = f.ui.field("Selection", "chain A and resi 10-20", s.selection, -1, kFlags);
         changed = f.ui.edited();
-        // What is typed next replaces the text, and is no shortcut.
+        // The next text replaces this one. Without the focus its keys would be shortcuts.
         if (entered) ImGui::SetKeyboardFocusHere(-1);
         // Completions.
         if (document && !s.selection.empty())

@@ -43,7 +43,7 @@ const Option& option(std::string_view key) {
 
 namespace {
 
-/// What was probably meant by a text that an option refuses: a word of its syntax, or its other unit.
+/// Suggests a word of the option's syntax, or its other unit, for a text that it refuses.
 std::string hintFor(const Option& option, std::string_view text, std::string_view said) {
     if (said.find("did you mean") != std::string_view::npos) return {};
     std::vector<std::string> words(1);

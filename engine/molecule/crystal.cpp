@@ -25,6 +25,13 @@ struct Crystal {
     gemmi::Fractional at;  ///< the same, in parts of the cell
 };
 
+glm::dvec3 middleOf(const Molecule& molecule) {
+    glm::dvec3 middle(0);
+    for (const Atom& atom : molecule.atoms)
+        middle += glm::dvec3(atom.position) / static_cast<double>(molecule.atoms.size());
+    return middle;
+}
+
 Crystal crystalOf(const Molecule& molecule) {
     const auto fail = [](const std::string& why) -> void { throw Error("cannot build symmetry", "", why); };
     const FileSummary& file = molecule.file;
@@ -51,8 +58,7 @@ Crystal crystalOf(const Molecule& molecule) {
     }
     if (!(crystal.cell.volume > 1e-6 && std::isfinite(crystal.cell.volume))) fail("the unit cell has no volume");
     for (const gemmi::Op operation : group->operations()) crystal.operations.push_back(operation);
-    for (const Atom& atom : molecule.atoms)
-        crystal.middle += glm::dvec3(atom.position) / static_cast<double>(molecule.atoms.size());
+    crystal.middle = middleOf(molecule);
     crystal.at = crystal.cell.fractionalize({crystal.middle.x, crystal.middle.y, crystal.middle.z});
     return crystal;
 }
@@ -133,11 +139,8 @@ std::optional<std::array<glm::dvec3, 3>> cellEdges(const FileSummary& file) {
 glm::dvec3 cellCorner(const Molecule& molecule) {
     const auto edges = cellEdges(molecule.file);
     if (!edges || molecule.file.box) return molecule.file.boxOrigin;
-    glm::dvec3 middle(0);
-    for (const Atom& atom : molecule.atoms)
-        middle += glm::dvec3(atom.position) / static_cast<double>(molecule.atoms.size());
     const glm::dmat3 cell((*edges)[0], (*edges)[1], (*edges)[2]);
-    return cell * glm::floor(glm::inverse(cell) * middle);
+    return cell * glm::floor(glm::inverse(cell) * middleOf(molecule));
 }
 
 std::vector<glm::dmat4x3> crystalCopies(const Molecule& molecule, const std::array<int, 3>& low,

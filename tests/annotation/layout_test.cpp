@@ -291,6 +291,15 @@ TEST(WordLayout, MeasuresJoinTheirAtomsByDashes) {
     EXPECT_TRUE(layOut(words, view, 16, {}, kWhite, widthOf).texts.empty());
 }
 
+TEST(WordLayout, LegendsNamePartsInWords) {
+    PlacedWords words;
+    words.legends = {{"all", "#bec4c8", {{"#bec4c8", packedColor(0xbec4c8)}}, Palette::automatic, 0},
+                     {"byres (within 4 of (mainligand))", "element", {{"C", 1}}, Palette::automatic, 0}};
+    std::string all;
+    for (const TextMark& text : layOut(words, square(600), 16, {}, kWhite, widthOf).texts) all += text.text + "|";
+    EXPECT_EQ(all, "Element, residues within 4 Å of the ligand|C|");
+}
+
 TEST(WordLayout, LegendsShowKindsAndRamps) {
     PlacedWords words;
     words.legends = {

@@ -10,6 +10,7 @@
 #include "app/picture/input_names.h"
 #include "app/picture/saved_view.h"
 #include "engine/error.h"
+#include "engine/scene/color/colors.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_data.h"
 
@@ -106,6 +107,39 @@ std::string turned(double angle, double bend) {
         text += line;
     }
     return text + "END\n";
+}
+
+/// TM-align 20240303: 139 pairs of residues, RMSD 1.41 Å, TM-scores 0.90417 and 0.87557.
+TEST(SeveralInputs, AreAlignedByStructure) {
+    NACRE_NEEDS_DATA();
+    const TemporaryFolder folder;
+    const std::string file = test::dataFile("4hhb.pdb");
+    const Outcome outcome = nacreIn(folder, "render a=" + file + " b=" + file +
+                                                " --align '/a and chain A' '/b and chain B' --style line" + kBeside);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("(chain A on B): 139 pairs of residues"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("TM-score 0.904 by the 141 residues"), std::string::npos) << outcome.err;
+    const Outcome none = nacreIn(folder, "render a=" + file + " b=sample:dna --align /a /b" + kBeside);
+    EXPECT_NE(none.code, 0);
+    EXPECT_NE(none.err.find("its longest chain has 0 alpha carbons"), std::string::npos) << none.err;
+}
+
+TEST(SeveralInputs, HaveColorsThatTheChainsOfTheFirstDoNotHave) {
+    RepresentationOptions look;
+    look.color = ColorScheme::element;
+    colorApart({"a", "b", "c"}, look);
+    ASSERT_EQ(look.rules.size(), 2u);
+    for (const Rule& rule : look.rules)
+        for (std::size_t chain = 0; chain < 4; ++chain)
+            EXPECT_NE(rule.coloring, Coloring::elementWithCarbons(kindColor(chain, kChainPalette)));
+    EXPECT_NE(look.rules[0].coloring, look.rules[1].coloring);
+}
+
+TEST(OneInput, WithoutACellIsDrawnWithAWarning) {
+    const TemporaryFolder folder;
+    const Outcome outcome = nacreIn(folder, "render sample:glucose --cell on" + kBeside);
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.err.find("the file states no unit cell or box"), std::string::npos) << outcome.err;
 }
 
 TEST(SeveralInputs, AreLaidOntoEachOther) {

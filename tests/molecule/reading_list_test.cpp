@@ -1,4 +1,4 @@
-// What files state and nothing shows, in the list of what was read.
+// The list of what was read names records that no picture shows.
 #include <gtest/gtest.h>
 
 #include <fstream>

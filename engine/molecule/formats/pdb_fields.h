@@ -32,7 +32,7 @@ struct Coordinates {
     std::array<std::string_view, 3> fields;
     std::size_t shift = 0;
     bool pointed = true;  ///< their decimal points tell where they are; else they are in the usual columns
-    bool usual = false;   ///< as the format has it: three decimals, and nothing runs in from the left
+    bool usual = false;   ///< in columns 31 to 54, with three decimals
 };
 
 /// By columns 31 to 54, or by the decimal points where numbers are wider than their columns, or stand beside them.

@@ -39,7 +39,7 @@ std::string asciiOnly(std::string_view text) {
 
 enum class Flavour { pdb, pdbqt };
 
-/// What a record states that nothing uses, and why.
+/// Records that are counted and not used, with the reason.
 struct UnusedItem {
     std::string_view record, items, why = "not used";
 };
