@@ -8,6 +8,7 @@
 
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
+#include "engine/molecule/read.h"
 #include "engine/molecule/text.h"
 
 namespace nacre::app {
@@ -146,7 +147,8 @@ std::string meantInput(const std::string& path) {
         if (entry->is_regular_file(error)) files.push_back(entry->path().filename().string());
     std::sort(files.begin(), files.end());  // independent of the system's listing order
     for (const std::string& file : files)
-        if (lowerCase(file).starts_with(lowerCase(name) + ".")) return (folder / file).string();
+        if (lowerCase(file).starts_with(lowerCase(name) + ".") && formatOfFileName(file))
+            return (folder / file).string();
     if (isShortPdbId(lower)) return "pdb:" + lower;
     if (isUniprotAccession(capital)) return "afdb:" + capital;
     const std::string near = nearestWord(name, files);

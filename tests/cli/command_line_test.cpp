@@ -142,6 +142,7 @@ TEST(CommandLine, OfAFileThatIsNotThereItSaysWhatWasProbablyMeant) {
     const TemporaryFolder folder;
     std::ofstream(folder / "1abc.cif.gz") << "x";
     std::ofstream(folder / "model.pdb") << "x";
+    std::ofstream(folder / "4hhb.png") << "x";  // no molecule
     struct Case {
         const char *input, *says;
     };
