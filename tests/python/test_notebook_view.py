@@ -117,7 +117,8 @@ def at_rest(browser, before):
     wait_for(browser, lambda b: b.execute_script("return document.body.dataset.state === 'rest'") and shown(b) > before)
 
 
-# The hand of somebody who turns the molecule for some seconds, 60 moves per second.
+# The hand of somebody who turns the molecule for some seconds, 60 moves per second. Moves are counted: a busy
+# browser sends them later, not fewer.
 DRAG = """
 const [seconds, done] = arguments, stage = document.getElementById("stage"), box = stage.getBoundingClientRect();
 const send = (kind, x) => stage.dispatchEvent(new PointerEvent(kind, {pointerId: 1, bubbles: true, buttons: 1,
@@ -130,9 +131,10 @@ const watch = new MutationObserver(() => {
 });
 watch.observe(document.body, {attributes: true});
 send("pointerdown", 20);
+const moves = Math.round(seconds * 60);
+let sent = 0;
 const timer = setInterval(() => {
-  const passed = (performance.now() - start) / 1000;
-  if (passed < seconds) return send("pointermove", 20 + passed / seconds * (box.width - 40));
+  if (++sent <= moves) return send("pointermove", 20 + sent / moves * (box.width - 40));
   clearInterval(timer);
   send("pointerup", box.width - 20);
   watch.disconnect();
@@ -260,7 +262,7 @@ def a_hundred_cells(book):
         browser.execute_async_script(DRAG, 0.3)
         at_rest(browser, before)
         browser.switch_to.default_content()
-        assert book.evaluate(f"abs(many[{i}].description['orientation'][0]) < 0.999") == "True"
+        wait_for(browser, lambda b: book.evaluate(f"abs(many[{i}].description['orientation'][0]) < 0.999") == "True")
 
 
 def imitate_output_area(browser, html):
