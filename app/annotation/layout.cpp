@@ -255,6 +255,22 @@ WordMemory::~WordMemory() = default;
 std::vector<Held>& WordMemory::labels() { return held_->labels; }
 std::vector<Held>& WordMemory::measures() { return held_->measures; }
 
+namespace {
+
+/// Gives discs of a legend that hardly differ from the background a grey border.
+void ringPaleDiscs(Marks& marks, const std::array<float, 3>& ground) {
+    constexpr double kLeastContrast = 1.5, kFlare = 0.05;  // ratio of luminances, as of WCAG
+    constexpr std::uint32_t kRing = 0x8a9099;
+    for (DiscMark& disc : marks.discs) {
+        if (disc.color == 0) continue;
+        const auto part = [&](int shift) { return static_cast<float>(disc.color >> shift & 255) / 255; };
+        const double own = luminance({part(0), part(8), part(16)}) + kFlare, behind = luminance(ground) + kFlare;
+        if (std::max(own, behind) / std::min(own, behind) < kLeastContrast) disc.ring = packedColor(kRing);
+    }
+}
+
+}  // namespace
+
 Marks layOut(const PlacedWords& words, const View& view, double size, const std::optional<std::array<float, 3>>& color,
              const std::array<float, 4>& background, const TextWidth& widthOf, const Clip& clip, WordMemory* memory) {
     const double em = size > 0 ? size : usualTextSize(view.width, view.height);
@@ -273,6 +289,7 @@ Marks layOut(const PlacedWords& words, const View& view, double size, const std:
     marks.color = color ? packed(*color) : packedColor(dark ? 0x1c1e22 : 0xf4f5f6);
     marks.halo = packedColor(dark ? 0xffffff : 0x101114);
     marks.haloWidth = std::max(1.2, 0.115 * em);
+    ringPaleDiscs(marks, ground);
     return marks;
 }
 

@@ -36,6 +36,8 @@ struct DiscMark {
     glm::dvec2 at{};
     double radius = 0;
     std::uint32_t color = 0;  ///< packed; 0: the words' colour
+    std::uint32_t ring = 0;   ///< packed, of its border, where the colour hardly differs from the background; 0: none
+    double inner() const { return ring ? 0.82 * radius : radius; }
 };
 /// A rectangle with colours from top to bottom.
 struct RampMark {

@@ -246,7 +246,11 @@ void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, st
     coverage.pour(marks.color, 1, rgba);
     for (const DiscMark& disc : marks.discs) {
         if (disc.color == 0 || !nearRows(disc.at.y, disc.radius)) continue;
-        rasterizeDisc(library, disc.at, disc.radius, coverage);
+        if (disc.ring) {
+            rasterizeDisc(library, disc.at, disc.radius, coverage);
+            coverage.pour(disc.ring, 1, rgba);
+        }
+        rasterizeDisc(library, disc.at, disc.inner(), coverage);
         coverage.pour(disc.color, 1, rgba);
     }
     for (const RampMark& ramp : marks.ramps)

@@ -62,6 +62,8 @@ std::optional<SpecialKey> specialKey(int key) {
             return SpecialKey::pageUp;
         case GLFW_KEY_PAGE_DOWN:
             return SpecialKey::pageDown;
+        case GLFW_KEY_F1:
+            return SpecialKey::f1;
         case GLFW_KEY_F11:
             return SpecialKey::f11;
         case GLFW_KEY_F12:

@@ -52,6 +52,7 @@ WindowSession::WindowSession(const ViewOptions& options)
       session_(host(), windowSources(options.first.input), firstView(), viewerOptions(), Window::wake),
       chosen_(std::make_shared<Chosen>()) {
     if (!remembered_.panelOpen) panel_->togglePanel();
+    viewer().words().setTextPercent(textPercent_);
     scale_ = window_.pixelsPerPoint();
     opening_ = now();
     session_.open(opening_);
@@ -335,6 +336,7 @@ WindowEvents WindowSession::events() {
 void WindowSession::rescaled() {
     scale_ = window_.pixelsPerPoint();
     panel_ = makePanel();
+    viewer().words().setTextPercent(textPercent_);
     renderer().setOverlayGlyphs(panel_->glyphs());
 }
 

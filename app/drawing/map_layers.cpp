@@ -221,6 +221,19 @@ std::optional<Bounds> frameWithoutAtoms(const Molecule& molecule, const PictureD
     return bounds;
 }
 
+void lookIntoCrystal(const Molecule& molecule, PictureDescription& d) {
+    constexpr double kMargin = 1.2;
+    const MapOptions& maps = d.maps;
+    if (!molecule.atoms.empty() || maps.files.empty() || d.given.contains("map-around")) return;
+    const MapStyle style = ofMap(maps.styles, 0);
+    if (style != MapStyle::automatic && style != MapStyle::mesh) return;
+    if (ofMap(maps.slices, 0).axis >= 0 || !mapOf(maps.files.front(), mapLimits(d.input))->periodic) return;
+    const std::optional<Bounds> whole = frameWithoutAtoms(molecule, d);
+    d.maps.aroundFocus = true;
+    if (whole && !d.camera.isPlaced())
+        d.camera.zoom *= std::max(1.0, whole->radius / (kMargin * maps.reach.value_or(maps.usualReach())));
+}
+
 MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& d, const glm::dvec3& center,
                          const Seen& seen) {
     MapLayers layers;

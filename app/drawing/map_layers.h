@@ -39,6 +39,8 @@ Representation withMaps(Representation scene, const MapLayers& maps);
 /// Bounds of the primitives, or else of the first map, for a molecule without atoms; else nothing.
 /// @throws Error
 std::optional<Bounds> frameWithoutAtoms(const Molecule& molecule, const PictureDescription& description);
+/// A crystal's mesh without atoms is too dense to read as a whole: draws it around the focus, seen from near.
+void lookIntoCrystal(const Molecule& molecule, PictureDescription& description);
 
 /// @param seen  the camera: maps may be drawn about what it looks at @throws Error
 MapLayers buildMapLayers(const Molecule& molecule, const PictureDescription& description, const glm::dvec3& center,

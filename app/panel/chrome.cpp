@@ -78,9 +78,11 @@ void drawHeader(PanelFrame& f) {
     }
     if (!f.s.foreign.missing().empty()) f.ui.caption(f.s.foreign.missing());
     if (!document) return;
-    std::string text = std::to_string(document->drawing.scene().drawnAtoms) + " atoms";
+    const std::size_t atoms = document->drawing.scene().drawnAtoms, maps = document->view.maps.files.size();
+    std::string text = std::to_string(atoms) + (atoms == 1 ? " atom" : " atoms");
+    if (atoms == 0 && maps > 0) text = maps == 1 ? "Density map" : std::to_string(maps) + " density maps";
     // Ignores the few sticks beside ribbons.
-    if (2 * document->drawing.scene().drawnBonds > document->drawing.scene().drawnAtoms)
+    if (2 * document->drawing.scene().drawnBonds > atoms)
         text += ", " + std::to_string(document->drawing.scene().drawnBonds) + " bonds";
     if (f.viewer.frames().occlusion() < 1 && !f.viewer.playback().playing())
         text += ", shading " + std::to_string(static_cast<int>(100 * f.viewer.frames().occlusion())) + " %";
@@ -169,8 +171,9 @@ void drawPanel(PanelFrame& f) {
     const bool low = lacksRow || s.panel.height() < f.ui.px(kVeryLowPoints);
     beginWindow(f, "Nacre", low ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     drawHeader(f);
-    drawTools(f, row);
+    if (!low) drawTools(f, row);
     drawTabs(f);
+    if (low) drawTools(f, row);  // they scroll away: tabs are needed more often
     if (!low) {
         ImGui::BeginChild("Page", ImVec2(0, 0), false,
                           ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar);

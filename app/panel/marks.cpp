@@ -79,14 +79,16 @@ void drawBox(PanelFrame& f, const std::string& text, ImVec2 low, ImVec2 high, fl
     f.ui.controls.push_back(told);
 }
 
-/// Small, at the top right of the free area.
+/// Small, at the top left of the free area: the legend is at its right.
 void drawHint(PanelFrame& f, const std::string& text) {
     if (text.empty()) return;
     ImFont* font = fontOf(TextSize::caption);
     const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
     const ImVec2 pad(f.ui.px(8), f.ui.px(4));
     const Rectangle free = f.s.freeRoom();
-    const ImVec2 low(std::round(free.right - f.ui.px(10) - size.x - 2 * pad.x), std::round(free.top + f.ui.px(10)));
+    const bool folded = f.s.shown == PanelState::Shown::folded;
+    const float menu = folded ? f.ui.px(14) + f.ui.rowHeight() : 0;
+    const ImVec2 low(std::round(free.left + f.ui.px(10)), std::round(free.top + f.ui.px(10) + menu));
     drawBox(f, text, low, ImVec2(low.x + size.x + 2 * pad.x, low.y + size.y + 2 * pad.y), 1);
     ImGui::GetBackgroundDrawList()->AddText(font, font->FontSize, ImVec2(low.x + pad.x, low.y + pad.y),
                                             ImGui::GetColorU32(f.ui.theme().faint), text.c_str());
@@ -125,7 +127,9 @@ void drawMarks(const Marks& marks, const glm::dvec2& corner) {
     for (const DiscMark& disc : marks.discs) {
         const auto radius = static_cast<float>(disc.radius);
         list.AddCircleFilled(placeOf(disc.at), radius + 0.8f * haloWidth, halo, 32);
-        list.AddCircleFilled(placeOf(disc.at), radius, disc.color ? disc.color : marks.color, 32);
+        if (disc.ring) list.AddCircleFilled(placeOf(disc.at), radius, disc.ring, 32);
+        list.AddCircleFilled(placeOf(disc.at), static_cast<float>(disc.inner()), disc.color ? disc.color : marks.color,
+                             32);
     }
     for (const RampMark& ramp : marks.ramps) {
         const auto steps = static_cast<double>(ramp.colors.size() - 1);

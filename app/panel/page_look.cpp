@@ -64,15 +64,14 @@ void drawLookPage(PanelFrame& f) {
     f.ui.heading("Colours");
     chooseOption(f, "color");
     f.ui.heading("Presets");
-    std::vector<const char*> names{"Looks"};
+    std::vector<const char*> names;
     for (const Look& named : looks()) names.push_back(named.name.c_str());
-    std::string name = names[0];
+    std::string name = "Looks";
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    if (f.ui.choose("Look preset", names, name, f.ui.forFingers() ? -1 : half) && name != names[0])
-        applyLook(lookOf(name), look);
-    names.assign({"Views"});
+    if (f.ui.choose("Look preset", names, name, f.ui.forFingers() ? -1 : half)) applyLook(lookOf(name), look);
+    names.clear();
     for (const Preset& preset : presets()) names.push_back(preset.name);
-    name = names[0];
+    name = "Styles";
     if (!f.ui.forFingers()) ImGui::SameLine();
     if (f.ui.choose("Style preset", names, name, -1))
         for (const Preset& preset : presets())

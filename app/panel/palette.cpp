@@ -33,6 +33,30 @@ Row rowOf(const Option& option, const Option::Control::Choice& choice) {
             [&option, &choice](PanelFrame& f) { option.parse(choice.value, f.look); }};
 }
 
+std::string labelOf(const Option& option) {
+    std::string label = option.control.label ? option.control.label : std::string(option.key);
+    label = label.substr(0, label.find_last_not_of(": ", label.find('%') - 1) + 1);  // a slider's is "Fog %.2f"
+    std::ranges::replace(label, '-', ' ');
+    label[0] = upperCase(label.substr(0, 1))[0];
+    return label;
+}
+
+/// Whether a picture that is shown can take a value of the option.
+bool takesTypedValue(const Option& option) {
+    if (!option.parse || option.kind == Option::Kind::list) return false;
+    if (option.topic == Topic::look) return !option.syntax.empty() && !option.print;  // a pocket, an interface
+    return has(kSettable, option.topic) && option.print;
+}
+
+/// Asks for the option's value.
+Row rowOfTyped(const Option& option) {
+    return {labelOf(option) + " ...", "--" + std::string(option.key) + " " + option.syntax, option.help,
+            [&option](PanelFrame& f) {
+                f.s.palette = {true, option.print ? option.print(f.look) : "", 0, &option};
+                f.s.opened();
+            }};
+}
+
 std::vector<Row> allRows() {
     std::vector<Row> rows;
     for (const Binding& binding : keyBindings())
@@ -40,12 +64,12 @@ std::vector<Row> allRows() {
     for (const std::string_view page : Panel::pages())
         rows.push_back({"Page: " + std::string(page), "", "show open tab", [page](PanelFrame& f) { f.s.page = page; }});
     for (const Preset& preset : presets())
-        rows.push_back({std::string("Preset: ") + preset.name, "", "look style", [&preset](PanelFrame& f) {
-                            applyPreset(preset, f.look);
-                            if (f.look.aim.zoomTo) f.s.aim.emplace(std::exchange(f.look.aim, f.viewer.view().aim));
-                        }});
-    for (const Option& option : options())
+        rows.push_back({std::string("Preset: ") + preset.name, "", "look style",
+                        [&preset](PanelFrame& f) { applyPreset(preset, f.look); }});
+    for (const Option& option : options()) {
         for (const auto& choice : option.control.choices) rows.push_back(rowOf(option, choice));
+        if (takesTypedValue(option) && option.control.choices.empty()) rows.push_back(rowOfTyped(option));
+    }
     for (Row& row : rows) {
         row.lowerName = lowerCase(row.name);
         row.lower = row.lowerName + " " + lowerCase(row.about + " " + row.words);
@@ -53,24 +77,22 @@ std::vector<Row> allRows() {
     return rows;
 }
 
-/// "contours 2": an option by its key, label or help, with the rest as its value.
-void addSettings(const std::string& sought, std::vector<Row>& rows) {
-    const std::size_t space = sought.rfind(' ');
-    if (space == std::string::npos || space + 1 == sought.size()) return;
-    const std::string what = sought.substr(0, space), value = sought.substr(space + 1);
+/// "contours 2": an option by its key or label, with the rest as its value. @param typed  as it was typed
+void addSettings(const std::string& typed, std::vector<Row>& rows) {
+    const std::string sought = lowerCase(typed);
     for (const Option& option : options()) {
-        if (!has(kSettable, option.topic) || !option.parse || !option.print || option.kind == Option::Kind::list)
-            continue;
-        const std::string label = option.control.label ? option.control.label : "";
-        if (option.key != what && lowerCase(label) != what) continue;
+        if (!takesTypedValue(option)) continue;
+        const std::string label = labelOf(option), key(option.key);
+        const std::string& what = sought.starts_with(key + " ") ? key : label;
+        if (!sought.starts_with(lowerCase(what) + " ") || sought.size() < what.size() + 2) continue;
+        const std::string value = typed.substr(what.size() + 1);
         PictureDescription tried;
         try {
             option.parse(value, tried);
         } catch (const std::exception&) {
             continue;
         }
-        rows.push_back({(label.empty() ? std::string(option.key) : label) + ": " + value,
-                        "--" + std::string(option.key) + " " + value, "",
+        rows.push_back({label + ": " + value, "--" + std::string(option.key) + " " + value, "",
                         [&option, value](PanelFrame& f) { option.parse(value, f.look); }});
     }
 }
@@ -93,15 +115,60 @@ std::vector<Row> foundRows(const std::string& typed) {
     }
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Row> rows;
-    addSettings(sought, rows);
+    addSettings(typed, rows);
     for (const auto& [rank, row] : found) rows.push_back(*row);
     return rows;
+}
+
+/// Runs a row's change of the view, and lets the camera follow where it looks elsewhere.
+void run(PanelFrame& f, const std::function<void(PanelFrame&)>& change) {
+    beginLook(f);
+    change(f);
+    if (f.look.aim.zoomTo) f.s.aim.emplace(std::exchange(f.look.aim, f.before.aim));
+    takeLook(f);
+}
+
+/// The value of an option that has no control.
+void drawValue(PanelFrame& f) {
+    CommandPalette& palette = f.s.palette;
+    const Option& option = *palette.option;
+    const bool closed = beginCard(f, "Commands", labelOf(option).c_str(), kPalettePoints);
+    focusField(f);
+    const bool entered = f.ui.field(("Value of " + std::string(option.key)).c_str(), option.syntax.c_str(),
+                                    palette.sought, -1, ImGuiInputTextFlags_EnterReturnsTrue);
+    std::string help = option.help;
+    std::ranges::replace(help, '\n', ' ');
+    f.ui.caption(help);
+    std::string error;
+    try {
+        PictureDescription tried = f.viewer.view();
+        if (!palette.sought.empty()) option.parse(palette.sought, tried);
+    } catch (const std::exception& wrong) {
+        error = wrong.what();
+    }
+    if (!error.empty()) f.ui.warning(error);
+    ImGui::Spacing();
+    const bool can = error.empty() && !palette.sought.empty();
+    const Answer answers[] = {{"Cancel"}, {"Set", Icon::none, can}};
+    const std::optional<std::size_t> pressed = f.ui.answers(answers);
+    endGrown(f);
+    const bool takes = can && (entered || pressed == 1u);
+    if (!takes && !closed && pressed != 0u) return;
+    const std::string value = palette.sought;
+    palette = {};
+    f.s.restless = 3;
+    if (!takes) return;
+    run(f, [&](PanelFrame& frame) {
+        if (option.topic == Topic::look) frame.look.look.rules.clear(), frame.look.words.labels.clear();
+        option.parse(value, frame.look);
+    });
 }
 
 }  // namespace
 
 void drawPalette(PanelFrame& f) {
     CommandPalette& palette = f.s.palette;
+    if (palette.option) return drawValue(f);
     bool done = beginCard(f, "Commands", "Commands and options", kPalettePoints);
     focusField(f);
     const bool entered = f.ui.field("Find", "outlines, save, by chain, contours 2", palette.sought, -1,
@@ -111,11 +178,11 @@ void drawPalette(PanelFrame& f) {
     const std::size_t all = rows.size();
     rows.resize(std::min(all, kMostRows));
     palette.chosen = std::clamp(palette.chosen, 0, std::max(static_cast<int>(rows.size()) - 1, 0));
-    std::optional<std::size_t> run;
+    std::optional<std::size_t> pressed;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const bool chosen = static_cast<int>(i) == palette.chosen;
-        if (f.ui.row(Icon::none, rows[i].name, -1, false, {}, chosen)) run = i;
+        if (f.ui.row(Icon::none, rows[i].name, -1, false, {}, chosen)) pressed = i;
         ImGui::PushFont(fontOf(TextSize::caption));
         const ImVec2 high = ImGui::GetItemRectMax(), size = ImGui::CalcTextSize(rows[i].about.c_str());
         const float room = high.x - ImGui::GetItemRectMin().x - f.ui.px(40);
@@ -127,15 +194,13 @@ void drawPalette(PanelFrame& f) {
     }
     if (rows.empty()) f.ui.caption("Nothing matches these words.");
     if (all > rows.size()) f.ui.caption(std::to_string(all - rows.size()) + " more");
-    if (entered && !rows.empty()) run = static_cast<std::size_t>(palette.chosen);
+    if (entered && !rows.empty()) pressed = static_cast<std::size_t>(palette.chosen);
     endGrown(f);
-    if (!run && !done) return;
+    if (!pressed && !done) return;
     palette.open = false;
     f.s.restless = 3;
-    if (!run) return;
-    beginLook(f);
-    rows[*run].run(f);
-    takeLook(f);
+    if (!pressed) return;
+    run(f, rows[*pressed].run);
 }
 
 }  // namespace nacre::app

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kSmallestPhonePoints = 320, kPhonePoints = 480;  // of width
 constexpr float kPhoneTarget = 44;                               // height of what is pressed there
-constexpr float kSideBySidePoints = 640;                         // of width: under it the panel is a sheet
+constexpr float kSideBySidePoints = 600;                         // of width: under it the panel is a sheet
 constexpr float kPanelPoints = 316, kFingerPanelPoints = 360, kSheetPoints = 420, kMarginPoints = 10;
 
 /// Places the panel; the molecule gets the rest.
@@ -110,7 +110,7 @@ constexpr Card kCards[] = {
     {"Browse", [](const PanelState& s) { return s.browser.open; }, [](PanelState& s) { s.browser.open = false; },
      drawBrowse},
     {"Quit", [](const PanelState& s) { return s.quitting; }, [](PanelState& s) { s.quitting = false; }, drawQuit},
-    {"Commands", [](const PanelState& s) { return s.palette.open; }, [](PanelState& s) { s.palette.open = false; },
+    {"Commands", [](const PanelState& s) { return s.palette.open; }, [](PanelState& s) { s.palette = {}; },
      drawPalette},
     {"Actions", [](const PanelState& s) { return s.context.has_value(); }, [](PanelState& s) { s.context.reset(); },
      drawContext},

@@ -62,11 +62,14 @@ struct SequenceState {
     std::uint64_t colorsOf = 0;         ///< number of the scene that has them
 };
 
+struct Option;
+
 /// Commands and options, found by words (palette.cpp).
 struct CommandPalette {
     bool open = false;
     std::string sought;
-    int chosen = 0;  ///< of the rows that are found
+    int chosen = 0;                  ///< of the rows that are found
+    const Option* option = nullptr;  ///< whose value `sought` is, instead
 };
 
 /// An image to save.
@@ -248,6 +251,13 @@ void drawStart(PanelFrame& f);
 void drawBrowse(PanelFrame& f);
 /// Gives the keyboard to the next field of a card that was opened.
 void focusField(PanelFrame& f);
+/// "Save as" with a path and, where there is a dialog, a button that asks for it (save.cpp).
+struct PathField {
+    const char *name, *hint;
+    const char* title;  ///< of the dialog
+};
+/// @returns whether Enter was pressed
+bool fieldOfPath(PanelFrame& f, const PathField& field, std::string& path, PathChosen chosen);
 /// As above for the last button.
 void focusButton(PanelFrame& f);
 /// Opens or adds the input chosen on the start screen.

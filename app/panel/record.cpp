@@ -61,9 +61,7 @@ void drawFilmLength(PanelFrame& f) {
                                 kSecondsAView * std::max(stretches, 1.0)};
         f.s.movie.seconds = static_cast<float>(std::clamp(usual[f.s.movie.motion], 0.5, double{kLongestSeconds}));
     }
-    f.ui.heading("Length");
-    ImGui::SetNextItemWidth(-1);
-    f.ui.slideRate("Length", f.s.movie.seconds, 0.5f, kLongestSeconds, "%.1f seconds");
+    f.ui.slide("Length", f.s.movie.seconds, 0.5f, kLongestSeconds, "Length %.1f s", true);
 }
 
 }  // namespace
@@ -95,11 +93,13 @@ void drawRecord(PanelFrame& f) {
     const bool video = f.s.movie.format < 2;
     if (video && !f.host.videos) f.ui.caption("MP4 and WebM need the program ffmpeg, which is not installed.");
     if (f.s.movie.format > 0) f.ui.toggle("Transparent background", f.s.movie.transparent);
-    f.ui.heading("Save as");
-    focusField(f);
-    const bool entered =
-        f.ui.field("Movie path", "movie.mp4", f.s.movie.path, -1, ImGuiInputTextFlags_EnterReturnsTrue);
-    f.ui.folderOf(f.s.movie.path.c_str());
+    const bool entered = fieldOfPath(f, {"Movie path", "movie.mp4", "Record movie"}, f.s.movie.path,
+                                     [&movie = f.s.movie](const std::string& path) {
+                                         movie.path = path;
+                                         for (std::size_t i = 0; i < kMovieExtensions.size(); ++i)
+                                             if (path.ends_with(kMovieExtensions[i]))
+                                                 movie.format = static_cast<int>(i);
+                                     });
     ImGui::Spacing();
     const bool can = !f.s.movie.path.empty() && (!views || f.s.movie.keys.size() > 1) && (!video || f.host.videos);
     const Answer answers[] = {{"Cancel"}, {"Record", Icon::record, can}};

@@ -32,6 +32,22 @@ void PanelState::setSavePath(const std::string& to) {
     restless = 3;
 }
 
+bool fieldOfPath(PanelFrame& f, const PathField& field, std::string& path, PathChosen chosen) {
+    f.ui.heading("Save as");
+    const bool dialog = f.host.saveDialog || f.host.browses;
+    const float choose = dialog ? f.ui.buttonWidth("Choose ...") + f.ui.px(2) : 0;
+    const float gap = dialog ? ImGui::GetStyle().ItemSpacing.x : 0;
+    focusField(f);
+    const bool entered = f.ui.field(field.name, field.hint, path, ImGui::GetContentRegionAvail().x - choose - gap,
+                                    ImGuiInputTextFlags_EnterReturnsTrue);
+    if (dialog) {
+        ImGui::SameLine();
+        if (f.ui.button(Icon::none, "Choose ...", choose)) f.s.askWhere(field.title, path, std::move(chosen), "Choose");
+    }
+    f.ui.folderOf(path.c_str());
+    return entered;
+}
+
 void drawSave(PanelFrame& f) {
     const auto rename = [&] {
         if (f.host.freeName) f.s.save.path = f.host.freeName(kExtensions[f.s.save.format]);
@@ -68,21 +84,8 @@ void drawSave(PanelFrame& f) {
     if (f.s.save.format != kJpeg) f.ui.toggle("Transparent background", f.s.save.transparent);
     if (f.viewer.picking().selection().count > 0 && !f.look.stereo.both())
         f.ui.toggle("Outline of the selection", f.s.save.marked);
-    f.ui.heading("Save as");
-    const bool dialog = f.host.saveDialog || f.host.browses;
-    const float choose = dialog ? f.ui.buttonWidth("Choose ...") + f.ui.px(2) : 0;
-    const float gap = dialog ? ImGui::GetStyle().ItemSpacing.x : 0;
-    focusField(f);
-    const bool entered =
-        f.ui.field("Path", "picture.png", f.s.save.path, ImGui::GetContentRegionAvail().x - choose - gap,
-                   ImGuiInputTextFlags_EnterReturnsTrue);
-    if (dialog) {
-        ImGui::SameLine();
-        if (f.ui.button(Icon::none, "Choose ...", choose))
-            f.s.askWhere(
-                "Save image", f.s.save.path, [&s = f.s](const std::string& path) { s.setSavePath(path); }, "Choose");
-    }
-    f.ui.folderOf(f.s.save.path.c_str());
+    const bool entered = fieldOfPath(f, {"Path", "picture.png", "Save image"}, f.s.save.path,
+                                     [&s = f.s](const std::string& path) { s.setSavePath(path); });
     ImGui::Spacing();
     wish.transparent = f.s.save.transparent && f.s.save.format != kJpeg;
     wish.marked = f.s.save.marked;

@@ -76,6 +76,7 @@ constexpr Binding kBindings[] = {
     {C::palette, control(U'k'), "Ctrl K", "Find a command or option"},
     {C::palette, key(U'/'), "/", "Find a command or option"},
     {C::help, key(U'?'), "?", "This help"},
+    {C::help, key(SpecialKey::f1), "F1", "This help"},
     {C::quit, control(U'q'), "Ctrl Q", "Quit"},
 };
 

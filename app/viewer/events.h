@@ -32,6 +32,7 @@ enum class SpecialKey : char32_t {
     pageUp,
     pageDown,
     backspace,
+    f1,
     f11,
     f12,
     enter,

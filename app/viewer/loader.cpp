@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/drawing/default_look.h"
+#include "app/drawing/map_layers.h"
 #include "app/drawing/scenes.h"
 #include "app/input/read_input.h"
 #include "app/picture/options.h"
@@ -63,6 +64,7 @@ Document Loader::load(Job& job) const {
         takeDefaultLook(*document.molecule, drawnAtoms(*document.molecule, document.view.drawn), document.view,
                         document.view.look);
     if (sources_.maps) sources_.maps(document.view);
+    if (job.first) lookIntoCrystal(*document.molecule, document.view);
     // Copies of an assembly do not move.
     const bool moves = (job.moves || document.motion) && document.view.look.assembly.empty();
     if (!moves) document.placed = document.molecule;

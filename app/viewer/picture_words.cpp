@@ -44,7 +44,7 @@ bool PictureWords::place(double now) {
 
 double PictureWords::size() const {
     const double own = stage_.view().words.size;
-    return (own > 0 ? own : kWordPoints) * frames_.pixelsPerPoint();
+    return (own > 0 ? own : kWordPoints * textScale_) * frames_.pixelsPerPoint();
 }
 
 std::string originText(const FileSummary& file) {

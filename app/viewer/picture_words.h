@@ -28,11 +28,14 @@ public:
     }
     /// Em size in the window, pixels.
     double size() const;
+    /// Follows the size of the window's text. @param percent  100: the usual one
+    void setTextPercent(int percent) { textScale_ = percent / 100.0; }
 
 private:
     Stage& stage_;
     const Frames& frames_;
     PlacedWords placed_;
+    double textScale_ = 1;
 };
 
 /// "Homo sapiens. X-ray diffraction, 1.9 Å", from the file; empty: not stated.

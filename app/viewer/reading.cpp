@@ -217,7 +217,8 @@ Reading::Arrival Reading::arrive(Document document) {
         wanted.look.color = there.look.color;
     }
     const bool first = std::exchange(first_, false);
-    if ((first && stage_.view().camera.scale) || std::exchange(request_.placed, false)) stage_.motion.set(there.camera);
+    const bool placed = std::exchange(request_.placed, false);
+    if (first || placed) stage_.motion.set(there.camera);
     if (stage_.document.molecule->guide && !arrival.step && !arrival.restored) {
         wanted.background = there.background;
         if (first) stage_.motion.set(there.camera);

@@ -42,6 +42,7 @@ public:
     Picking& picking() { return picking_; }
     const Picking& picking() const { return picking_; }
     const PictureWords& words() const { return words_; }
+    PictureWords& words() { return words_; }
     CameraControl& camera() { return camera_; }
 
     // Events
