@@ -31,7 +31,10 @@ struct Progress {
 std::string downloadsOf(const InputOptions& input) {
     std::string text;
     const auto add = [&](const std::string& path) {
-        if (parseDatabaseId(path)) text += (text.empty() ? "" : ", ") + printable(path);
+        const std::optional<DatabaseId> id = parseDatabaseId(path);
+        if (!id) return;
+        const std::string url = sourcesOf(*id).front().url, host = url.substr(url.find("://") + 3);
+        text += (text.empty() ? "" : ", ") + printable(path) + " from " + host.substr(0, host.find('/'));
     };
     add(input.path);
     for (const FurtherInput& further : input.further) add(further.path);

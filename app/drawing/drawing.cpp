@@ -211,7 +211,7 @@ void Drawing::rebuildScene(const std::optional<Bounds>& frame, const Molecule* n
         moving.move(facts_->molecule());
         scene_ = moving.scene();
     } else {
-        scene_ = buildScene(*facts_, picture, frame);
+        scene_ = buildScene(*facts_, picture, frame, by_ == CameraBy::hand ? Emptiness::taken : Emptiness::refused);
         radius_ = scene_->radius;
     }
     reframed_ = kept_ && kept_->radius != radius_;

@@ -132,6 +132,7 @@ public:
     Representation joinedScene() const;
     /// Without what is beside the molecule. Not after handOver().
     const Representation& scene() const { return *scene_; }
+    const ResidueFacts& facts() const { return *facts_; }
     const MapLayers& maps() const { return maps_; }
     /// Radius that the camera takes in, Å; 1 without a scene.
     double radius() const { return scene_ ? std::max(radius_, maps_.frame) : 1; }

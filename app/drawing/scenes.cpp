@@ -46,6 +46,11 @@ Representation emptyScene(const ResidueFacts& facts, std::span<const std::uint32
     return scene;
 }
 
+Representation nothingShown(Representation scene, const Molecule& molecule) {
+    if (!molecule.atoms.empty()) scene.warnings.emplace_back("all atoms are hidden");
+    return scene;
+}
+
 Representation guidedScene(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                            const RepresentationOptions& look) {
     const SceneGuide& guide = *facts.molecule().guide;
@@ -84,18 +89,23 @@ MovingScene buildMovingScene(const ResidueFacts& facts, const PictureDescription
 }
 
 Representation buildScene(const ResidueFacts& facts, const PictureDescription& picture,
-                          const std::optional<Bounds>& shared) {
+                          const std::optional<Bounds>& shared, Emptiness emptiness) {
     RepresentationOptions look = withTables(placedLook(facts, picture));
     const Molecule& molecule = facts.molecule();
-    const bool orNothing = picture.drawsBeside();
+    const bool orNothing = picture.drawsBeside() || emptiness == Emptiness::taken;
     const std::optional<Bounds> frame = shared ? shared : frameWithoutAtoms(molecule, picture);
     if (molecule.guide && molecule.atoms.empty())
         return emptyScene(facts, {}, guideBounds(*molecule.guide), look.center);
     if (orNothing && molecule.atoms.empty()) return emptyScene(facts, {}, frame, look.center);
+    if (emptiness == Emptiness::taken && drawnAtoms(molecule, picture.drawn).empty())
+        return nothingShown(emptyScene(facts, {}, frame, look.center), molecule);
     const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, picture.input.path, picture.drawn);
     if (molecule.guide) return guidedScene(facts, drawn, look);
     takeDefaultLook(facts, drawn, picture, look);
-    if (orNothing && appearanceOf(facts, drawn, look).seen == 0) return emptyScene(facts, drawn, frame, look.center);
+    if (orNothing && appearanceOf(facts, drawn, look).seen == 0) {
+        Representation scene = emptyScene(facts, drawn, frame, look.center);
+        return picture.drawsBeside() ? scene : nothingShown(std::move(scene), molecule);
+    }
     Representation scene = represent(facts, drawn, look, frame ? frame : sharedFrame(facts, picture.drawn, look));
     if (!look.ownFrame && !molecule.othersMissing.empty())
         scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);

@@ -18,10 +18,13 @@ namespace nacre::app {
 /// For PictureDescription::look.assembly: no assembly, also of a packed scene, which is drawn as its own by default.
 inline const std::string kNoAssembly = "none";
 
-/// The scene of a molecule, in its style and colours. @throws Error if nothing is drawn
+/// Whether a scene without anything to draw is an error. In a window the atoms were hidden by hand.
+enum class Emptiness { refused, taken };
+
+/// The scene of a molecule, in its style and colours. @throws Error if nothing is drawn and that is refused
 /// @param frame  shared by all models of the molecule's file (shared_frame.h), if known; else computed if possible
 Representation buildScene(const ResidueFacts& facts, const PictureDescription& picture,
-                          const std::optional<Bounds>& frame = {});
+                          const std::optional<Bounds>& frame = {}, Emptiness emptiness = Emptiness::refused);
 
 /// As above for moving atoms; framed with all models of its file, if it has others. @throws Error
 MovingScene buildMovingScene(const ResidueFacts& facts, const PictureDescription& picture);

@@ -96,16 +96,21 @@ void drawAssemblies(PanelFrame& f, const Molecule& molecule) {
 }  // namespace
 
 std::vector<std::uint32_t> drawnColors(const Molecule& m, const Representation& scene) {
+    constexpr int kCarbon = 6;
     std::vector<std::uint32_t> colors(m.atoms.size());
+    std::vector<bool> hasCarbon(m.residues.size());
     const auto take = [&](std::uint32_t atom, std::uint32_t color, bool mesh) {
         if (atom == 0 || atom > m.atoms.size() || isCopyTint(color)) return;
-        constexpr int kCarbon = 6;
-        if (mesh || m.atoms[atom - 1].element == kCarbon) colors[atom - 1] = color | 0xff000000u;
+        const bool carbon = m.atoms[atom - 1].element == kCarbon;
+        if (mesh || carbon) colors[atom - 1] = color | 0xff000000u;
+        if (carbon) hasCarbon[m.atoms[atom - 1].residue] = true;
     };
     for (const SphereLook& look : scene.meshLooks) take(look.atom, look.color, true);
     for (const SphereLook& look : scene.sphereLooks) take(look.atom, look.color, false);
     for (const CylinderLook& look : scene.cylinderLooks)
         take(look.atomA, look.colorA, false), take(look.atomB, look.colorB, false);
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        if (m.atoms[i].element != kCarbon && hasCarbon[m.atoms[i].residue]) colors[i] = 0;
     return colors;
 }
 
@@ -242,6 +247,26 @@ void drawEnsemble(PanelFrame& f) {
     f.s.wanted.emplace(f.look).input.model = all ? kAllModels : 1;
 }
 
+/// "In the file: 327 atoms, 1 chain", "Guessed: 334 bonds (from residue templates)", and what was left out.
+std::vector<std::string> readingTexts(const ReadNotes& notes) {
+    std::vector<std::string> texts;
+    for (const auto& [action, heading] : {std::pair(ReadAction::read, "In the file"),
+                                          {ReadAction::guessed, "Guessed"},
+                                          {ReadAction::leftOut, "Left out"}}) {
+        std::string text;
+        for (const ReadNote& note : notes) {
+            if (note.action != action) continue;
+            ReadNote counted = note;
+            counted.why.clear();
+            text += (text.empty() ? std::string(heading) + ": " : ", ") +
+                    sentenceOf(counted).substr(readActionName(action).size() + 1) +
+                    (note.why.empty() ? "" : " (" + note.why + ")");
+        }
+        if (!text.empty()) texts.push_back(text);
+    }
+    return texts;
+}
+
 }  // namespace
 
 void drawPartsPage(PanelFrame& f) {
@@ -256,9 +281,7 @@ void drawPartsPage(PanelFrame& f) {
         f.s.sequence.part.clear();
         f.s.sequence.colors.clear();
         f.s.fits = several ? fitTexts(*f.s.facts, document->view.input) : std::vector<std::string>();
-        f.s.reading.clear();
-        for (const ReadNote& note : readingOf(*f.s.molecule, drawnOrders(*f.s.facts)))
-            f.s.reading.push_back(sentenceOf(note));
+        f.s.reading = readingTexts(readingOf(*f.s.molecule, drawnOrders(*f.s.facts)));
     }
     const FileSummary file = document->molecule->modelsAreInputs ? FileSummary() : document->molecule->file;
     if (!file.title.empty()) f.ui.paragraph(file.title);

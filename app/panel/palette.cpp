@@ -134,8 +134,10 @@ void drawValue(PanelFrame& f) {
     const Option& option = *palette.option;
     const bool closed = beginCard(f, "Commands", labelOf(option).c_str(), kPalettePoints);
     focusField(f);
-    const bool entered = f.ui.field(("Value of " + std::string(option.key)).c_str(), option.syntax.c_str(),
-                                    palette.sought, -1, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered =
+        f.ui.field(("Value of " + std::string(option.key)).c_str(), option.syntax.c_str(), palette.sought, -1,
+                   ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    if (entered) ImGui::SetKeyboardFocusHere(-1);  // a wrong value is typed anew
     std::string help = option.help;
     std::ranges::replace(help, '\n', ' ');
     f.ui.caption(help);

@@ -232,7 +232,7 @@ bool Panel::glyphsChanged() const { return state_->glyphsChanged; }
 void Panel::setInsets(const Insets& insets) { state_->insets = insets, state_->restless = 2; }
 void Panel::togglePanel() { state_->toggle(); }
 void Panel::toggleHelp() { state_->help = !state_->help, state_->opened(); }
-void Panel::showStart() { state_->start = true, state_->opened(); }
+void Panel::showStart() { state_->start = true, state_->input.clear(), state_->opened(); }
 void Panel::showPalette() { state_->palette = {}, state_->palette.open = true, state_->opened(); }
 void Panel::showSave() { state_->saving = true, state_->opened(); }
 void Panel::setSavePath(const std::string& path) { state_->setSavePath(path); }

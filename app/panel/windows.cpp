@@ -167,9 +167,10 @@ void drawQuestion(PanelFrame& f) {
     beginGrown(f, "Question", window.middle(), ImVec2(0.5f, 0.5f),
                std::min(f.ui.px(340), std::max(window.width() - f.ui.px(24), 1.0f)), window.height());
     const Question question = *f.viewer.reading().question();
+    const std::string yes = question.yes();
+    f.ui.title((yes + "?").c_str(), 0);
     f.ui.paragraph(question.what());
     ImGui::Spacing();
-    const std::string yes = question.yes();
     const Answer answers[] = {{"Cancel"}, {yes.c_str()}};
     const auto pressed = f.ui.answers(answers);
     focusButton(f);

@@ -41,7 +41,4 @@ private:
 /// "Homo sapiens. X-ray diffraction, 1.9 Å", from the file; empty: not stated.
 std::string originText(const FileSummary& file);
 
-/// Two sentences about style and colours. @param scene  drawn for the picture
-std::string explanationText(const PictureDescription& picture, const Representation& scene);
-
 }  // namespace nacre::app

@@ -13,6 +13,7 @@
 #include "app/picture/looks.h"
 #include "app/picture/option_text.h"
 #include "app/picture/options.h"
+#include "app/viewer/explanation.h"
 #include "app/viewer/file_kind.h"
 #include "app/viewer/picture_words.h"
 #include "engine/error.h"
@@ -274,7 +275,11 @@ void Viewer::followFocus(double now) {
 std::string Viewer::explanation() const {
     if (stage_.shown() && stage_.document.molecule->guide)
         return "Styles, colours and view are those of the scene's file.";
-    return stage_.shown() ? explanationText(stage_.document.view, stage_.document.drawing.scene()) : std::string();
+    if (!stage_.shown()) return {};
+    const Drawing& drawing = stage_.document.drawing;
+    if (std::exchange(explained_, drawing.sceneNumber()) != drawing.sceneNumber())
+        explanation_ = explanationText(stage_.document.view, drawing);
+    return explanation_;
 }
 
 bool Viewer::hasUnsavedWork() const {

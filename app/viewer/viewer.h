@@ -66,8 +66,10 @@ public:
 
     // Current state
     const PictureDescription& view() const { return stage_.view(); }
-    /// As above, for a restart. Where an earlier style decides the scale, the camera is absolute.
+    /// As above, for a restart; empty if it could not be read. Where an earlier style decides the scale, the camera is
+    /// absolute.
     PictureDescription restartView() const {
+        if (!stage_.shown() && !reading_.loader().busy() && !reading_.question()) return {};
         return stage_.document.drawing.reframed() ? stage_.placed(view()) : view();
     }
     const Document* document() const { return stage_.shown() ? &stage_.document : nullptr; }
@@ -81,7 +83,7 @@ public:
     void undo(double now);
     void redo(double now);
     std::string title() const;
-    /// Explains the picture (picture_words.h); empty without a document.
+    /// Explains the picture (explanation.h); empty without a document.
     std::string explanation() const;
     /// Whether labels, measurements or rules changed since the molecule was opened or the view saved.
     bool hasUnsavedWork() const;
@@ -114,7 +116,9 @@ private:
     MouseGestures mouse_;
     std::size_t preset_ = 0, look_ = 0;  // the last ones that were stepped to
     double levelTurned_ = -1e9;
-    std::uint64_t followed_ = 0;  // Stage::changes() at which maps were last where the camera looks
+    mutable std::uint64_t explained_ = 0;  // the scene's number
+    mutable std::string explanation_;      // of that scene
+    std::uint64_t followed_ = 0;           // Stage::changes() at which maps were last where the camera looks
 };
 
 }  // namespace nacre::app

@@ -331,6 +331,23 @@ TEST(WordLayout, LegendsShowKindsAndRamps) {
     EXPECT_TRUE(more);
 }
 
+TEST(WordLayout, PaleDiscsOfALegendHaveABorder) {
+    PlacedWords words;
+    words.legends = {{"all",
+                      "chain",
+                      {{"A", packedColor(0xf4f4e6)}, {"B", packedColor(0x2060a0)}, {"C", packedColor(0x0a0a0a)}},
+                      Palette::automatic,
+                      0}};
+    for (const bool dark : {false, true}) {
+        const Marks marks = layOut(words, square(600), 16, {}, dark ? kBlack : kWhite, widthOf);
+        ASSERT_EQ(marks.discs.size(), 3u);
+        EXPECT_EQ(marks.discs[0].ring != 0, !dark);
+        EXPECT_EQ(marks.discs[1].ring, 0u);
+        EXPECT_EQ(marks.discs[2].ring != 0, dark);
+        EXPECT_LT(marks.discs[dark ? 2 : 0].inner(), marks.discs[1].inner());
+    }
+}
+
 TEST(WordLayout, LegendsOfManyClassesLeaveMostOfThePicture) {
     for (const auto& [width, height] : {std::pair{600u, 600u}, {420u, 300u}, {1000u, 700u}})
         for (const std::size_t classes : {5u, 20u, 26u, 60u, 300u}) {

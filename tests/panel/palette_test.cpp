@@ -49,6 +49,43 @@ TEST(Palette, SetsAnOptionToAValue) {
     EXPECT_EQ(b.viewer.view().effects.contours.width, 2.5) << "that is none";
 }
 
+TEST(Palette, AsksForTheValueOfAnOptionWithoutAControl) {
+    Bench b("sample:dna", kUsual);
+    const auto open = [&](const std::string& words) {
+        openPalette(b);
+        typeKeys(b, words);
+        b.press(SpecialKey::enter);
+        b.settle();
+    };
+    open("contours");
+    ASSERT_TRUE(b.find("Value of contours"));
+    EXPECT_EQ(b.find("Value of contours")->value, "off") << "what it is now";
+    typeKeys(b, "wide");  // in place of it
+    EXPECT_TRUE(std::ranges::any_of(b.panel.controls(), [](const Control& c) {
+        return c.window == "Commands" && c.name.find("expected") != std::string::npos;
+    })) << "what is wrong";
+    b.press(SpecialKey::enter);
+    b.settle();
+    EXPECT_TRUE(b.find("Value of contours")) << "it stays until it is right";
+    typeKeys(b, "2.5");
+    ASSERT_EQ(b.find("Value of contours")->value, "2.5") << "it is typed anew";
+    b.press(SpecialKey::enter);
+    b.settle();
+    EXPECT_FALSE(b.find("Value of contours"));
+    EXPECT_EQ(b.viewer.view().effects.contours.width, 2.5);
+    open("pocket ...");
+    typeKeys(b, "resi 5");
+    b.press(SpecialKey::enter);
+    b.settle();
+    ASSERT_TRUE(b.viewer.view().look.contacts.of);
+    EXPECT_EQ(b.viewer.view().look.contacts.of->text, "resi 5");
+    open("contours");
+    b.press(SpecialKey::escape);
+    b.settle();
+    openPalette(b);
+    EXPECT_TRUE(b.find("Find")) << "it begins anew";
+}
+
 TEST(Palette, RunsCommandsChosenByArrows) {
     Bench b("sample:dna", kUsual);
     openPalette(b);

@@ -225,6 +225,7 @@ TEST(Panel, TextGrowsToTwiceItsSize) {
         twice.panel.showPage(page);
         twice.settle();
         expectReadable(twice, "text of 200 %, page " + std::string(page));
+        ASSERT_TRUE(twice.find(std::string(page), "tab")) << "tabs are in view";
     }
     // What is pressed is where it is seen.
     twice.panel.showPage("Look");

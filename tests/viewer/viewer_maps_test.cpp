@@ -73,6 +73,32 @@ TEST(Viewer, TheFirstMapOfAStructureShowsSticksAndContoursNearTheFocus) {
     std::filesystem::remove(path);
 }
 
+TEST(Viewer, ALoneCrystalMapIsSeenFromNear) {
+    for (const bool crystal : {true, false}) {
+        std::vector<float> values(1000);
+        for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i % 7);
+        keepMap("lone.ccp4",
+                std::make_shared<const DensityMap>(mapOfValues(
+                    "lone.ccp4", glm::ivec3(10), {glm::dvec3(100), glm::dvec3(90)}, {}, crystal, std::move(values))));
+        CountingScreen screen;
+        Sources nothing{[](const PictureDescription&) { return Molecule(); }};
+        PictureDescription opened;
+        opened.input.path = "lone.ccp4";
+        opened.maps.files = {"lone.ccp4"};
+        Viewer viewer(screen, nothing, opened, {});
+        viewer.frames().resize({640, 480}, 1, 100);
+        viewer.reading().loader().wait();
+        viewer.update(101);
+        ASSERT_TRUE(viewer.document()) << viewer.messages().failure();
+        ASSERT_EQ(viewer.view().maps.files.size(), 1u);
+        const PictureDescription& view = viewer.view();
+        EXPECT_EQ(view.maps.aroundFocus, crystal);
+        const double radius = viewer.document()->drawing.radius();
+        EXPECT_GT(radius, 70) << "half of the cell's diagonal";
+        EXPECT_NEAR(view.camera.zoom, crystal ? radius / (1.2 * kMapReachOfFocus) : 1, 1e-6);
+    }
+}
+
 TEST(Viewer, MapsFollowWhatTheCameraLooksAt) {
     keepMap("flat",
             std::make_shared<const DensityMap>(mapOfValues("flat", glm::ivec3(10), {glm::dvec3(10), glm::dvec3(90)}, {},

@@ -395,5 +395,62 @@ TEST(Viewer, ViewShadingAndWordsBuildNoSceneAndNoBake) {
     EXPECT_EQ(screen.scenes, std::get<1>(before) + 1);
 }
 
+TEST(Viewer, HidesEverythingByHand) {
+    Bench b("sample:dna");
+    PictureDescription look = b.viewer.view();
+    look.look.rules.push_back(parseHide("all"));
+    b.viewer.setLook(look, b.now);
+    b.load();
+    EXPECT_EQ(b.viewer.messages().failure(), "");
+    EXPECT_EQ(b.viewer.messages().message(), "all atoms are hidden");
+    EXPECT_EQ(b.viewer.document()->drawing.scene().drawnAtoms, 0u);
+    EXPECT_EQ(b.viewer.explanation(), "All atoms are hidden.");
+    b.viewer.undo(b.now += 5);
+    b.load();
+    EXPECT_EQ(b.viewer.document()->drawing.scene().drawnAtoms, 486u);
+}
+
+TEST(Viewer, ExplainsOnlyWhatIsDrawn) {
+    Bench glucose;
+    EXPECT_EQ(
+        glucose.viewer.explanation(),
+        "Balls are atoms, and sticks are the bonds between them. Each element has its own colour. Carbon is grey, "
+        "oxygen red.")
+        << "no nitrogen";
+    Bench b("sample:dna");
+    PictureDescription look = b.viewer.view();
+    look.look.style = Style::cartoon;
+    look.look.color = ColorScheme::chainCarbons;
+    b.viewer.setLook(look, b.now);
+    b.load();
+    EXPECT_EQ(b.viewer.explanation(), "Ribbons follow the backbone. Each chain has its own colour.")
+        << "neither helices of a protein, nor strands, nor ligands";
+    look.look.color = Coloring::uniform(0xff0000);
+    look.look.rules.push_back(parseColorBy("chain A=element"));
+    b.viewer.setLook(look, b.now += 5);
+    b.load();
+    EXPECT_EQ(
+        b.viewer.explanation(),
+        "Ribbons follow the backbone. All that has no colour of its own has one colour. Some parts have colours of "
+        "their own.");
+}
+
+TEST(Viewer, AnInputThatCannotBeReadIsNotGoneOnWith) {
+    Bench b("bad");
+    EXPECT_FALSE(b.viewer.document());
+    EXPECT_EQ(b.viewer.restartView().input.path, "");
+}
+
+TEST(Viewer, WordsFollowTheSizeOfTheWindowsText) {
+    Bench b("sample:dna");
+    const double usual = b.viewer.words().size();
+    b.viewer.words().setTextPercent(200);
+    EXPECT_DOUBLE_EQ(b.viewer.words().size(), 2 * usual);
+    PictureDescription look = b.viewer.view();
+    look.words.size = 10;
+    b.viewer.setLook(look, b.now);
+    EXPECT_DOUBLE_EQ(b.viewer.words().size(), 10) << "its own size is kept";
+}
+
 }  // namespace
 }  // namespace nacre::app::test
