@@ -48,7 +48,7 @@ WindowSession::WindowSession(const ViewOptions& options)
       recent_(recentPath()),
       samples_(samplesPath()),
       dark_(systemIsDark()),
-      panel_(makePanel()),
+      panel_(makePanel(nullptr)),
       session_(host(), windowSources(options.first.input), firstView(), viewerOptions(), Window::wake),
       chosen_(std::make_shared<Chosen>()) {
     if (!remembered_.panelOpen) panel_->togglePanel();
@@ -154,13 +154,14 @@ void WindowSession::dropFiles(const std::vector<std::string>& paths) {
     viewer().schedule().overlayChanged();
 }
 
-std::unique_ptr<Panel> WindowSession::makePanel() {
-    const int text = panel_ ? panel_->textPercent() : remembered_.textPercent;
+/// @param before  is replaced by it; null: there was none
+std::unique_ptr<Panel> WindowSession::makePanel(const Panel* before) {
+    const int text = before ? before->textPercent() : remembered_.textPercent;
     auto panel = std::make_unique<Panel>(window_.pixelsPerPoint(), panelHost(), PanelHand::mouse, text);
-    panel->setBrightness(panel_ ? panel_->brightness() : remembered_.brightness);
-    panel->setDarkCanvas(panel_ ? panel_->darkCanvas() : remembered_.darkCanvas);
-    if (panel_) panel->showPage(panel_->page());
-    if (panel_ && !panel_->panelOpen()) panel->togglePanel();
+    panel->setBrightness(before ? before->brightness() : remembered_.brightness);
+    panel->setDarkCanvas(before ? before->darkCanvas() : remembered_.darkCanvas);
+    if (before) panel->showPage(before->page());
+    if (before && !before->panelOpen()) panel->togglePanel();
     textPercent_ = text;
     return panel;
 }
@@ -335,7 +336,7 @@ WindowEvents WindowSession::events() {
 /// Text has another size, by the display's density or as the user wants it: makes the panel anew.
 void WindowSession::rescaled() {
     scale_ = window_.pixelsPerPoint();
-    panel_ = makePanel();
+    panel_ = makePanel(panel_.get());
     viewer().words().setTextPercent(textPercent_);
     renderer().setOverlayGlyphs(panel_->glyphs());
 }

@@ -33,7 +33,7 @@ public:
     WindowEvents events();
 
 private:
-    std::unique_ptr<Panel> makePanel();
+    std::unique_ptr<Panel> makePanel(const Panel* before);
     PixelSize firstSize() const;
     void keepWindowState();
     PanelHost panelHost();

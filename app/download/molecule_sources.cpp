@@ -63,8 +63,8 @@ Sources windowSources(const InputOptions& first) {
             return loadMolecule(input, onDownload);
         } catch (const DownloadForbidden&) {
             const std::string downloads = downloadsOf(input);
-            throw Question(downloads.empty() ? "This scene downloads the files that it names. Continue?"
-                                             : "This view downloads " + downloads + ". Continue?",
+            throw Question(downloads.empty() ? "This scene downloads the files that it names."
+                                             : "This view downloads " + downloads + ".",
                            "Download", [allowed] { *allowed = true; });
         }
     };

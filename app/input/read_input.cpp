@@ -102,9 +102,12 @@ Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
                     const std::function<void(const std::string&)>& tell) {
     for (std::size_t i = 0; i < molecules.size(); ++i)
         for (Chain& chain : molecules[i].chains) chain.model = static_cast<int>(i + 1);
+    std::vector<FileSummary> files;
+    for (const Molecule& molecule : molecules) files.push_back(molecule.file);
     Molecule whole = joinModels(input.path, std::move(molecules), kMaxAtoms);
     whole.modelsAreInputs = true;
     whole.inputs = inputNames(input);
+    whole.inputFiles = std::move(files);
     whole.assemblies.clear();  // they arrange one molecule, not all
     fitInputs(input, whole, tell);
     return whole;

@@ -29,6 +29,12 @@ std::string countOf(const Part& part) {
     }
 }
 
+/// What a file says that it is, and where it comes from.
+void drawTitle(PanelFrame& f, const FileSummary& file) {
+    if (!file.title.empty()) f.ui.paragraph(file.title);
+    if (const std::string origin = originText(file); !origin.empty()) f.ui.caption(origin);
+}
+
 /// A molecule superposed on the first of several.
 void drawFit(PanelFrame& f, const std::string& input, const std::string& onto) {
     const auto isIt = [&](const FitOptions& fit) { return fit.moving.text == "/" + input; };
@@ -211,6 +217,7 @@ void drawPart(PanelFrame& f, const Part& part, std::size_t number) {
 void drawStructure(PanelFrame& f, const std::string& input, std::size_t number) {
     constexpr std::size_t kFirstRow = 100'000;  // beyond those of parts
     f.ui.heading(input.c_str());
+    if (number < f.s.molecule->inputFiles.size()) drawTitle(f, f.s.molecule->inputFiles[number]);
     Part whole{Part::Kind::all, input, "/" + input};
     whole.input = whole.label = input;
     for (const Part& part : f.s.parts)
@@ -283,9 +290,7 @@ void drawPartsPage(PanelFrame& f) {
         f.s.fits = several ? fitTexts(*f.s.facts, document->view.input) : std::vector<std::string>();
         f.s.reading = readingTexts(readingOf(*f.s.molecule, drawnOrders(*f.s.facts)));
     }
-    const FileSummary file = document->molecule->modelsAreInputs ? FileSummary() : document->molecule->file;
-    if (!file.title.empty()) f.ui.paragraph(file.title);
-    if (const std::string origin = originText(file); !origin.empty()) f.ui.caption(origin);
+    if (!document->molecule->modelsAreInputs) drawTitle(f, document->molecule->file);
     f.ui.heading("What am I seeing?");
     f.ui.paragraph(f.viewer.explanation());
     drawAssemblies(f, *document->molecule);

@@ -115,11 +115,39 @@ void parts(Archive& archive, Parts& all) {
     });
 }
 
+/// Both ways, as all().
+template <typename Archive, typename File>
+void summary(Archive& archive, File& file) {
+    auto& [format, title, models, records, totalAtomsAllModels, totalAtomsAllRecords, totalBondsAllRecords, stated,
+           bondsAllModels, conectUniquePairs, itsChains, chainsAuth, chainsLabel, biomtOperators, itsAssemblies,
+           operators, resolution, organism, method, chainNames, componentNames, confidence, box, boxOrigin, boxRepeats,
+           cell, spaceGroup, packed, entityNames] = file;
+    archive.text(format);
+    archive.text(title);
+    archive.text(organism);
+    archive.text(method);
+    names(archive, chainNames);
+    names(archive, componentNames);
+    for (auto* number : {&models, &records, &totalAtomsAllModels, &totalAtomsAllRecords, &totalBondsAllRecords, &stated,
+                         &bondsAllModels, &conectUniquePairs, &itsChains, &chainsAuth, &chainsLabel, &biomtOperators,
+                         &itsAssemblies, &operators})
+        maybe(archive, *number);
+    maybe(archive, resolution);
+    archive.plain(confidence);
+    maybe(archive, box);
+    archive.plain(boxOrigin);
+    archive.plain(boxRepeats);
+    maybe(archive, cell);
+    archive.text(spaceGroup);
+    archive.text(packed);
+    names(archive, entityNames);
+}
+
 /// Both ways. The bindings name every member: who adds one to a struct has to add it here, or this does not compile.
 template <typename Archive, typename M>
 void all(Archive& archive, M& molecule) {
     auto& [atoms, residues, chains, subchains, bonds, assemblies, entities, statesSecondaryStructure, partialCharges,
-           radii, masses, types, serials, warnings, notes, lacksPositions, modelsAreInputs, inputs, others,
+           radii, masses, types, serials, warnings, notes, lacksPositions, modelsAreInputs, inputs, inputFiles, others,
            othersMissing, file, guide] = molecule;
     const auto texts = [&](auto& list) { archive.list(list, [&](auto& text) { archive.text(text); }); };
     archive.plains(atoms);
@@ -156,29 +184,8 @@ void all(Archive& archive, M& molecule) {
     archive.plain(modelsAreInputs);
     texts(inputs);
     archive.text(othersMissing);
-    auto& [format, title, models, records, totalAtomsAllModels, totalAtomsAllRecords, totalBondsAllRecords, stated,
-           bondsAllModels, conectUniquePairs, itsChains, chainsAuth, chainsLabel, biomtOperators, itsAssemblies,
-           operators, resolution, organism, method, chainNames, componentNames, confidence, box, boxOrigin, boxRepeats,
-           cell, spaceGroup, packed, entityNames] = file;
-    archive.text(format);
-    archive.text(title);
-    archive.text(organism);
-    archive.text(method);
-    names(archive, chainNames);
-    names(archive, componentNames);
-    for (auto* number : {&models, &records, &totalAtomsAllModels, &totalAtomsAllRecords, &totalBondsAllRecords, &stated,
-                         &bondsAllModels, &conectUniquePairs, &itsChains, &chainsAuth, &chainsLabel, &biomtOperators,
-                         &itsAssemblies, &operators})
-        maybe(archive, *number);
-    maybe(archive, resolution);
-    archive.plain(confidence);
-    maybe(archive, box);
-    archive.plain(boxOrigin);
-    archive.plain(boxRepeats);
-    maybe(archive, cell);
-    archive.text(spaceGroup);
-    archive.text(packed);
-    names(archive, entityNames);
+    summary(archive, file);
+    archive.list(inputFiles, [&](auto& each) { summary(archive, each); });
     static_cast<void>(others);  // by its functions, below
 }
 

@@ -146,10 +146,17 @@ void addPackedParts(const Molecule& m, Parts& parts) {
         add(nameOf(id, m.file.entityNames), id, group);
 }
 
+/// What the file of one of several inputs states, or that of the only one.
+const FileSummary& summaryOf(const Molecule& m, int model) {
+    const auto input = static_cast<std::size_t>(model - 1);
+    return model > 0 && input < m.inputFiles.size() ? m.inputFiles[input] : m.file;
+}
+
 /// Adds the parts of one molecule. @param model  its number among several
 void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const std::string& input, int model,
               Parts& parts) {
     const std::size_t before = parts.parts.size();
+    const FileSummary& file = summaryOf(m, model);
     const std::string of = input.empty() ? "" : "/" + input + " and ";
     const auto ours = [&](std::uint32_t r) { return input.empty() || m.chains[m.residues[r].chain].model == model; };
     const auto ofKind = [&](ResidueKind kind) {
@@ -165,8 +172,8 @@ void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const st
         part.input = input;
         part.chainName = name;
         // Several files may each have a chain A.
-        const auto title = m.file.chainNames.find(name);
-        if (input.empty() && !name.empty() && title != m.file.chainNames.end()) part.title = title->second;
+        const auto title = file.chainNames.find(name);
+        if (!name.empty() && title != file.chainNames.end()) part.title = title->second;
         if (!part.title.empty()) part.name += ", " + part.title;
         parts.add(std::move(part), group);
     }
@@ -174,7 +181,7 @@ void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const st
                                                {ResidueKind::ion, Part::Kind::ion, " and ion"}})
         for (const auto& [name, group] : groupsOf(m, ofKind(kind), residueName)) {
             if (name.empty()) continue;
-            Part part{partKind, nameOf(name, m.file.componentNames), of + "resn " + quotedName(name) + word};
+            Part part{partKind, nameOf(name, file.componentNames), of + "resn " + quotedName(name) + word};
             part.input = input;
             parts.add(std::move(part), group);
         }

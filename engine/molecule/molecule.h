@@ -169,6 +169,7 @@ struct Molecule {
     bool lacksPositions = false;            ///< a topology alone: a trajectory has to place its atoms
     bool modelsAreInputs = false;           ///< Chain::model counts inputs
     std::vector<std::string> inputs;        ///< names of those, in the order of their models; empty: there is one
+    std::vector<FileSummary> inputFiles;    ///< what each of those states
     OtherModels others;         ///< if they were asked for: the file's other models, for a camera that all share
     std::string othersMissing;  ///< why they are not there though there are some; empty: they are, or none is
     FileSummary file;

@@ -142,7 +142,7 @@ TEST(Window, AsksBeforeItDownloadsWhatAViewNames) {
     EXPECT_EQ(session.title(), "question - Nacre");
     EXPECT_EQ(server.requests().size(), 0u);
     const WindowPicture question = session.picture();
-    session.click(315, 212);  // Cancel
+    session.click(325, 237);  // Cancel
     EXPECT_TRUE(session.waitUntil([&] { return session.picture() != question; }));
     EXPECT_EQ(server.requests().size(), 0u);
     EXPECT_EQ(session.quit(), 0) << session.errors();
@@ -150,7 +150,7 @@ TEST(Window, AsksBeforeItDownloadsWhatAViewNames) {
     setenv("NACRE_PDB_URL", server.base("ok").c_str(), 1);
     XSession again("--view '" + (folder / "sent.json") + "' --size 600x400");
     unsetenv("NACRE_PDB_URL");
-    again.click(410, 212);  // Download
+    again.click(414, 237);  // Download
     EXPECT_TRUE(again.waitForTitle("1xyz")) << again.title();
     EXPECT_GT(server.requests().size(), 0u);
     EXPECT_EQ(again.quit(), 0) << again.errors();
@@ -334,6 +334,17 @@ TEST(Window, ALogOutKeepsWhatClosingKeeps) {
                       std::string::npos)
                 << kept;
     }
+}
+
+TEST(Window, BeginsAsItWasLeft) {
+    const nlohmann::json left{{"theme", "dark"}, {"text_percent", 150}, {"dark_background", true}};
+    XSession session("sample:dna --size 700x600", left.dump());
+    const WindowPicture picture = session.picture();
+    const std::size_t corner = 3 * (static_cast<std::size_t>(picture.width) * 20 + 40);  // of the panel
+    EXPECT_LT(picture.rgb[corner] + picture.rgb[corner + 1] + picture.rgb[corner + 2], 3 * 60);
+    EXPECT_EQ(session.quit(), 0) << session.errors();
+    const nlohmann::json then = readJson(session.folder() / "state/nacre/window.json");
+    for (const auto& [key, value] : left.items()) EXPECT_EQ(then.value(key, nlohmann::json()), value) << key;
 }
 
 TEST(Window, WhatCannotBeReadIsAnErrorBeforeThereIsAWindow) {

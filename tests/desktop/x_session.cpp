@@ -12,6 +12,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <thread>
 
@@ -120,7 +122,11 @@ Desktop::Desktop() {
 
 std::string XSession::display() { return Desktop::get().name; }
 
-XSession::XSession(const std::string& arguments) : x_(std::make_unique<X>()) {
+XSession::XSession(const std::string& arguments, const std::string& windowState) : x_(std::make_unique<X>()) {
+    if (!windowState.empty()) {
+        std::filesystem::create_directories(folder_ / "state/nacre");
+        std::ofstream(folder_ / "state/nacre/window.json") << windowState;
+    }
     x_->display = Desktop::get().display;
     // Where no window lies under the pointer.
     XTestFakeMotionEvent(x_->display, -1, 1279, 999, CurrentTime);

@@ -24,7 +24,8 @@ class XSession {
 public:
     /// Starts everything and waits until the window has its final picture.
     /// @param arguments of `nacre view`, for the shell
-    explicit XSession(const std::string& arguments);
+    /// @param windowState  window.json of the last time; empty: there was none
+    explicit XSession(const std::string& arguments, const std::string& windowState = {});
     ~XSession();
     XSession(const XSession&) = delete;
 

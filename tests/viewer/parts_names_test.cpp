@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/input/read_input.h"
 #include "app/viewer/parts.h"
 #include "tests/molecule/build_molecule.h"
 
@@ -49,6 +50,16 @@ TEST(PartNames, SayWhatTellsChainsApart) {
               (std::vector<std::string>{"A  Actin", "B  Actin binding protein"}))
         << "no name is left without a word";
     EXPECT_EQ(labelsOf(chainsOf({{"A", ""}, {"B", ""}})), (std::vector<std::string>{"A", "B"}));
+}
+
+TEST(PartNames, AreThoseOfEachInputsOwnFile) {
+    InputOptions input;
+    input.path = "one.pdb";
+    input.further = {{"", "two.pdb", ""}};
+    const Molecule both = joinInputs(input, {chainsOf({{"A", "Actin"}}), chainsOf({{"A", "Myosin"}})}, {});
+    std::vector<std::string> labels;
+    for (const Part& part : partsOf(both, both.inputs)) labels.push_back(part.input + ": " + part.label);
+    EXPECT_EQ(labels, (std::vector<std::string>{"one: A  Actin", "two: A  Myosin"}));
 }
 
 TEST(MeantSelection, IsFoundByNamesNumbersAndLetters) {
