@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/cli/movie_snapshots.h"
 #include "app/movie/movie_file.h"
@@ -66,22 +67,37 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
            "Contour level of the first map from FROM to TO, as --map-level has them; with --spin or --rock also back");
     command.flag("--models", options.models,
                  "Show the models or records of INPUT in sequence, or the frames of --trajectory");
+    command.flag("--morph", options.morph,
+                 "Move from each model of INPUT to the next, or from INPUT to the further ones, by interpolated\n"
+                 "frames of its parts: bonds keep their lengths");
     command.value("--frames", "FIRST-LAST[:STEP]", "all",
                   "With --models: only these models or frames, counted from 1, every STEP-th; 101- runs to the end",
                   [&](const std::string& text) { options.range = parseFrames(text); });
     command.value("--views", "A.json,B.json,...", "none",
                   "Move along saved views: the camera moves, other differences cross-fade; options override each view",
                   [&](const std::string& text) { options.views = parseViews(text); });
-    command.flag("--loop", options.loop, "Return from the last of --views to the first");
-    motion("easing", "NAME", "smooth for --views that do not loop, else linear",
-           "linear: constant speed; smooth: starts and ends at rest; stops: rests at each view");
+    command.flag("--loop", options.loop, "Return from the last of --views or --morph to the first");
+    motion("easing", "NAME", "smooth for --morph, and for --views that do not loop, else linear",
+           "linear: constant speed; smooth: starts and ends at rest; stops: rests at each view or conformation");
     motion("seconds", "S",
-           "6 for --spin, 4 for --rock and --map-sweep, 2 per step of --views, 0.1 per model, one frame per frame of "
-           "--trajectory",
+           "6 for --spin, 4 for --rock and --map-sweep, 2 per step of --views or --morph, 0.1 per model, one frame per "
+           "frame of --trajectory",
            "Duration, up to 86400");
     motion("fps", "N", "30", "Frames per second, 0.1 to 120 (GIF: 50)");
     command.value("--report", "FILE", "none", "One line of JSON per finished frame; - for standard output",
                   [&](const std::string& text) { options.report = fileName(text); });
+}
+
+void takeMorph(MovieOptions& options) {
+    InputOptions& input = options.picture.input;
+    if (options.models) throw UsageError("--models and --morph exclude each other");
+    if (!input.trajectory.path.empty()) throw UsageError("--morph goes through models or inputs, not a --trajectory");
+    if (!input.fits.empty() || !input.alignments.empty())
+        throw UsageError("--morph superposes its inputs: leave out --fit and --align");
+    if (options.range.first != 1 || options.range.last != 0 || options.range.step != 1)
+        throw UsageError("--frames is for --models");
+    options.conformations = std::exchange(input.further, {});
+    options.models = true;
 }
 
 void checkMotion(const MovieOptions& options) {
@@ -91,16 +107,17 @@ void checkMotion(const MovieOptions& options) {
         throw UsageError("--snapshot all moves from snapshot to snapshot: name one for other motions");
     const bool snapshots = showsSnapshots(options);
     if (cameras == 0 && !options.models && !options.sweep && !snapshots)
-        throw UsageError("no motion given: add --spin, --rock, --views, --models or --map-sweep");
+        throw UsageError("no motion given: add --spin, --rock, --views, --models, --morph or --map-sweep");
     if (options.sweep && options.picture.maps.files.empty()) throw UsageError("--map-sweep needs --map");
     if (options.sweep && (options.models || !options.views.empty()))
         throw UsageError("--map-sweep goes with --spin and --rock only: views have levels of their own");
-    if (options.loop && options.views.empty() && !snapshots)
-        throw UsageError("--loop is for --views and --snapshot all");
+    if (options.loop && options.views.empty() && !snapshots && !options.morph)
+        throw UsageError("--loop is for --views, --morph and --snapshot all");
     checkCameraMotion(options);
-    if (options.easing && cameras == 0 && !options.sweep && !snapshots)
-        throw UsageError("--easing is for --spin, --rock, --views, --map-sweep and --snapshot all");
-    if (options.easing == Easing::stops && options.views.empty()) throw UsageError("--easing stops is for --views");
+    if (options.easing && cameras == 0 && !options.sweep && !snapshots && !options.morph)
+        throw UsageError("--easing is for --spin, --rock, --views, --morph, --map-sweep and --snapshot all");
+    if (options.easing == Easing::stops && options.views.empty() && !options.morph)
+        throw UsageError("--easing stops is for --views and --morph");
     const bool trajectory = !options.picture.input.trajectory.path.empty();
     if (options.models && !trajectory && isGiven(options, "model"))
         throw UsageError("--models shows one model after the other: leave out --model");
@@ -125,6 +142,7 @@ std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models) {
     const std::size_t views = options.views.size();
     const bool moving = !options.picture.input.trajectory.path.empty();
     double seconds = secondsOf(options, models, moving);
+    if (options.morph) seconds = kStretchSeconds * static_cast<double>(options.loop ? models : models - 1);
     if (views) seconds = kStretchSeconds * static_cast<double>(options.loop ? views : views - 1);
     seconds = options.seconds.value_or(seconds);
     return static_cast<std::uint64_t>(std::max(std::llround(seconds * options.framesPerSecond), 1ll));

@@ -7,6 +7,8 @@ namespace nacre::app {
 
 /// The options of the motion only.
 void addMotion(CommandSpec& command, MovieOptions& options);
+/// The inputs after the first are conformations of it, not molecules beside it. @throws UsageError
+void takeMorph(MovieOptions& options);
 /// Checks that need more than one option. @throws UsageError
 void checkMotion(const MovieOptions& options);
 

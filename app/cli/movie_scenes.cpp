@@ -14,6 +14,7 @@
 #include "app/picture/input_names.h"
 #include "app/picture/saved_view.h"
 #include "engine/error.h"
+#include "engine/molecule/trajectory/morph.h"
 #include "engine/scene/view/shared_frame.h"
 
 namespace nacre::app {
@@ -73,6 +74,19 @@ void moveClip(Clip& clip, const Clip& a, const Clip& b, double share, double rad
     clip.far = way(a.far, b.far, radius);
 }
 
+/// Where each frame is between the conformations: 0 is the first, 1 the second.
+std::vector<double> morphPlaces(const MovieOptions& options, std::uint64_t frames, double last) {
+    const Easing easing = options.easing.value_or(Easing::smooth);
+    std::vector<double> places;
+    for (std::uint64_t frame = 0; frame < frames; ++frame) {
+        const auto steps = static_cast<double>(options.loop ? frames : std::max<std::uint64_t>(frames - 1, 1));
+        const double time = static_cast<double>(frame) / steps, key = std::floor(time * last);
+        places.push_back(easing == Easing::stops ? key + eased(Easing::smooth, time * last - key)
+                                                 : last * eased(easing, time));
+    }
+    return places;
+}
+
 }  // namespace
 
 Picture mixed(Picture a, const Picture& b, float share) {
@@ -91,7 +105,9 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
     InputOptions input = options.picture.input;
     const bool laid = input.trajectory.fit || input.trajectory.smooth != 1;
     molecules_ = options.models ? 1 : input.model;
-    if (options.models && input.trajectory.path.empty()) {
+    if (options.morph) {
+        layMorph(input);
+    } else if (options.models && input.trajectory.path.empty()) {
         file_ = openModels(input, downloadProgress(progress_));
         models_ = static_cast<std::uint64_t>(file_->count());
         molecule_ = file_->first();
@@ -108,9 +124,9 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
             models_ = motion_->frames();
         }
     }
-    if (options.models) takeRange(input.path);
+    if (options.models && !options.morph) takeRange(input.path);
     loadMaps(options.picture, downloadProgress(progress_));
-    frames_ = framesOf(options, models_);
+    frames_ = options.morph ? models_ : framesOf(options, models_);
     if (frames_ > kMostMovieFrames)
         throw Error("movie too long", input.path, "more than " + std::to_string(kMostMovieFrames) + " frames");
     progress_.begin("building the scene");
@@ -147,6 +163,40 @@ void MovieScenes::layModels(const InputOptions& input) {
         throw Error("cannot fit or smooth models", input.path,
                     molecule_.othersMissing.empty() ? differenceOfModels(molecule_) : molecule_.othersMissing);
     motion_ = std::make_unique<Motion>(std::move(models), molecule_, motionOptions(input.trajectory, molecule_));
+}
+
+/// The conformations between those of the models, or of the inputs: one for each frame of the movie.
+void MovieScenes::layMorph(const InputOptions& input) {
+    InputOptions each = input;
+    each.alone = !options_.conformations.empty();
+    molecule_ = loadMolecule(each, downloadProgress(progress_));
+    std::vector<std::vector<glm::vec3>> keys(1);
+    for (const Atom& atom : molecule_.atoms) keys[0].push_back(atom.position);
+    for (const FurtherInput& further : options_.conformations) {
+        each.path = further.path;
+        each.hash = further.hash;
+        each.opened = further.opened;
+        const Molecule other = loadMolecule(each, downloadProgress(progress_));
+        Conformation next = conformationOf(molecule_, other, further.path);
+        if (next.matched < molecule_.atoms.size())
+            sayNote(std::to_string(next.matched) + " of " + std::to_string(molecule_.atoms.size()) +
+                    " atoms have a counterpart in " + further.path + "; the others go with those around them");
+        molecule_.others.add({next.positions, nullptr});  // the camera holds them, too
+        keys.push_back(std::move(next.positions));
+    }
+    if (options_.conformations.empty()) {
+        const auto models = trajectoryOfModels(std::make_shared<const Molecule>(molecule_), 1, true);
+        const std::string& missing = molecule_.othersMissing;
+        if (std::max(molecule_.file.models.value_or(1), molecule_.file.records.value_or(1)) == 1)
+            throw Error("cannot morph", input.path, "it has one model: name another INPUT");
+        if (!models) throw Error("cannot morph", input.path, missing.empty() ? differenceOfModels(molecule_) : missing);
+        for (std::size_t i = 1; i < models->frames(); ++i) keys.push_back(models->read(i).positions);
+    }
+    models_ = framesOf(options_, keys.size());
+    if (options_.loop) keys.push_back(keys.front());
+    motion_ = std::make_unique<Motion>(
+        morphThrough(molecule_, keys, morphPlaces(options_, models_, static_cast<double>(keys.size() - 1))), molecule_,
+        motionOptions(input.trajectory, molecule_));
 }
 
 void MovieScenes::addLook(const PictureDescription& options) {

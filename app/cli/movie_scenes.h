@@ -65,6 +65,7 @@ private:
 
     void addLook(const PictureDescription& options);
     void layModels(const InputOptions& input);
+    void layMorph(const InputOptions& input);
     void addKeys();
     Look& ready(std::size_t look, int model);
     void takeRange(const std::string& path);

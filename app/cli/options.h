@@ -24,8 +24,10 @@ struct FrameRange {
 /// Motion, duration and frame rate.
 struct MovieOptions : CameraMotion {
     PictureDescription picture;
-    bool models = false;  ///< shown in sequence
-    FrameRange range;     ///< of these models or frames
+    bool models = false;                      ///< shown in sequence
+    bool morph = false;                       ///< from model to model, or from input to input; `models` is set, too
+    std::vector<FurtherInput> conformations;  ///< of a morph: the inputs after the first
+    FrameRange range;                         ///< of these models or frames
     std::vector<std::string> views;
     std::vector<OptionValue> given;  ///< options of `picture` that were given: they override each view's
     bool loop = false;               ///< the last view returns to the first

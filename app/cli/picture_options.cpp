@@ -268,6 +268,7 @@ void checkMovie(MovieOptions& options) {
     }
     if (!takeInput(picture)) throw UsageError("INPUT is required: a file, pdb:1BNA, or sample:dna");
     if (!picture.input.further.empty() && options.models) throw UsageError("--models is for one INPUT");
+    if (options.morph) takeMorph(options);
     takeMap(picture);
     checkFrames(picture, options.models);
     takeSeveral(picture);

@@ -183,6 +183,35 @@ TEST(Movie, FitsAndSmoothsModels) {
     EXPECT_GT(apart(frames("turned", ""), unmoved), 1);
 }
 
+TEST(Movie, MorphsFromModelToModelOrFromInputToInput) {
+    const TemporaryFolder folder;
+    const std::string still = "7\nm\nC -3 0 0\nC -2.5 1.4 0\nC -1 1.4 0\nC -0.5 0 0\nC 1 0 0\nC 1.5 1.4 0\n";
+    const std::string open = still + "O 2.9 1.4 0\n", closed = still + "O 0.7 2.5 0\n";
+    std::ofstream(folder / "m.xyz") << open << closed;
+    std::ofstream(folder / "a.xyz") << open;
+    std::ofstream(folder / "b.xyz") << closed;
+    const auto frames = [&](const std::string& options) {
+        const std::string movie = std::to_string(folder.count()) + ".png";
+        const Outcome outcome = nacreIn(folder, "movie " + options + " -o " + movie + " --fps 4 --report -" + kSmall);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_NE(outcome.out.find(R"("frames": 8,)"), std::string::npos) << "2 s: " << outcome.out;
+        return framesOf(folder / movie);
+    };
+    const std::string through = frames("m.xyz --morph");
+    const std::size_t frame = through.size() / 8;
+    const auto at = [&](const std::string& all, std::size_t i) { return all.substr(i * frame, frame); };
+    ASSERT_EQ(nacreIn(folder, "movie m.xyz -o models.png --models --fps 10" + kSmall).code, 0);
+    const std::string models = framesOf(folder / "models.png");
+    for (std::size_t i = 1; i < 8; ++i) EXPECT_NE(at(through, i), at(through, i - 1)) << i;
+    EXPECT_EQ(at(through, 0), at(models, 0)) << "it begins as the first model";
+    EXPECT_EQ(at(frames("a.xyz b.xyz --morph"), 0), at(through, 0));
+    // There and back in the same time.
+    const std::string round = frames("m.xyz --morph --loop --seconds 2 --easing linear");
+    EXPECT_EQ(at(round, 0), at(through, 0));
+    EXPECT_NE(at(round, 7), at(through, 0)) << "the last frame leads on to the first";
+    EXPECT_EQ(at(round, 4), at(through, 7)) << "it turns back at the last model";
+}
+
 TEST(Movie, WordsGoWithTheAtomsThatTheyName) {
     const TemporaryFolder folder;
     std::ofstream xyz(folder / "m.xyz");
