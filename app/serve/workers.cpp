@@ -1,7 +1,9 @@
 #include "app/serve/workers.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <optional>
 
 #include "app/download/database_id.h"
@@ -17,12 +19,15 @@
 namespace nacre::app {
 namespace {
 
-/// A picture in its format.
+/// A picture in its format. Lack of room may pass; the texts of other errors name the server's folders.
 std::string encoded(const Picture& picture, const PictureDescription& description) {
     try {
         return encodePicture(extensionOf(description.output), picture, formatOf(description));
-    } catch (const Error&) {
-        throw Problem(503, "no room for the picture");
+    } catch (const Error& error) {
+        const std::string_view why = error.what();
+        for (const int code : {ENOSPC, EDQUOT, EMFILE, ENFILE, ENOMEM})
+            if (why.find(std::strerror(code)) != std::string_view::npos) throw Problem(503, "no room for the picture");
+        throw Problem(500, "the picture cannot be encoded");
     }
 }
 

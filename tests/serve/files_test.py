@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import resource
+import shutil
 import signal
 import socket
 import struct
@@ -374,6 +375,17 @@ class FilesTest(ServedTest):
             self.assertEqual(status, 200, body)
         self.assertEqual(server.ask("picture?size=64x64", PDB.encode())[0], 200)
         self.assertEqual(server.ask("structures", PDB.encode())[0], 503)
+        self.assertEqual(server.stop(), 0)
+
+    def test_a_picture_that_cannot_be_encoded_is_the_servers_error(self):
+        """Without its module for images there is room enough."""
+        alone = self.folder / "alone"
+        alone.mkdir()
+        shutil.copy2(PROGRAM, alone)
+        server = Server(str(alone / pathlib.Path(PROGRAM).name), self.folder)
+        self.addCleanup(server.process.kill)
+        status, _, body = server.ask("picture?input=sample:glucose&size=64x64&format=jpg")
+        self.assertEqual((status, json.loads(body)["detail"]), (500, "the picture cannot be encoded"))
         self.assertEqual(server.stop(), 0)
 
     def test_a_body_that_does_not_fit_leaves_nothing(self):
