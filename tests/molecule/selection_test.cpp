@@ -150,6 +150,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Fault{"", "column 1: expected a selection"}, Fault{"   ", "column 4: expected a selection"},
         Fault{"foo", "column 1: expected a selection such as 'chain A', 'resn HEM' or 'protein', found 'foo'"},
+        Fault{"x.", "column 1: expected a selection such as 'chain A', 'resn HEM' or 'protein', found 'x.'"},
+        Fault{"expand", "column 1: expected a selection such as 'chain A', 'resn HEM' or 'protein', found 'expand'"},
         Fault{"chain A and resi x", "column 18: expected a residue number, found 'x'"},
         Fault{"chain", "column 6: expected a chain name, found the end"},
         Fault{"chain and protein", "column 7: expected a chain name, found 'and'"},

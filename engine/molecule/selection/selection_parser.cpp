@@ -188,14 +188,14 @@ private:
             return chimeraSpecifier();
         const auto found = keyword();
         const std::string word = lowerCase(nextToken());
-        if (!found || *found == conjunction || *found == disjunction)
+        const auto isOneOf = [&](std::initializer_list<SelectionTest> tests) {
+            return std::find(tests.begin(), tests.end(), *found) != tests.end();
+        };
+        if (!found || isOneOf({conjunction, disjunction, expand, extend}))
             expected("a selection such as 'chain A', 'resn HEM' or 'protein'", keywords());
         accept(*found);
         SelectionStep step;
         step.test = *found;
-        const auto isOneOf = [&](std::initializer_list<SelectionTest> tests) {
-            return std::find(tests.begin(), tests.end(), *found) != tests.end();
-        };
         if (isOneOf({chain, segment, entity, residueName, atomName, element, alternate})) values(step);
         if (isOneOf({residueNumber, model, atomNumber})) numbers(step, valueOf(*found));
         if (isOneOf({temperatureFactor, occupancy})) comparison(step);
