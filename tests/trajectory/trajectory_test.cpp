@@ -385,5 +385,20 @@ TEST(Hdf5Structures, DamagedFilesAreRefused) {
     EXPECT_THROW(readMolecule("a.h5", bytes, uploaded), Error);
 }
 
+TEST(Hdf5Structures, AHeapThatDoesNotEndIsRefused) {
+    // The unit of the positions lies in a heap: 16 bytes, then objects by number, the last of them number 0 and free.
+    std::string bytes = test::contentOf(test::written() / "t.h5md");
+    EXPECT_NO_THROW(readMolecule("a.h5md", bytes));
+    const std::size_t heap = bytes.find("GCOL");
+    ASSERT_NE(heap, std::string::npos);
+    std::size_t at = heap + 16;
+    while (bytes[at] != 0) at += 16 + (static_cast<unsigned char>(bytes[at + 8]) + 7) / 8 * 8;
+    bytes.replace(at + 8, 8, 8, '\0');
+    const TemporaryFolder folder;
+    write(folder / "a.h5md", bytes);
+    EXPECT_THROW(readMolecule("a.h5md", bytes), Error);
+    EXPECT_THROW(openTrajectory(folder / "a.h5md"), Error);
+}
+
 }  // namespace
 }  // namespace nacre

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/molecule/byte_file.h"
 #include "engine/molecule/read.h"
 
 namespace nacre {
@@ -132,6 +133,29 @@ std::vector<std::string> attributeTexts(hid_t attribute, std::size_t count) {
     return texts;
 }
 
+/// The library reads texts of any length from heaps, and never ends in one that has a free object of no bytes.
+/// @throws Hdf5Fault
+void checkHeaps(std::string_view bytes) {
+    constexpr std::size_t kHead = 16;  // of a heap, and of each of its objects: number, uses, 4 bytes, size
+    const auto numberIn = [](std::string_view text, std::uint64_t at, std::size_t count) {
+        std::uint64_t value = 0;
+        while (count-- > 0) value = value << 8 | static_cast<unsigned char>(text[at + count]);
+        return value;
+    };
+    constexpr std::string_view kHeap("GCOL\1\0\0\0", 8);
+    for (std::size_t heap = 0; (heap = bytes.find(kHeap, heap)) != std::string_view::npos; ++heap) {
+        const std::string_view rest = bytes.substr(heap);
+        if (rest.size() < kHead) return;
+        const std::uint64_t whole = numberIn(rest, 8, 8);
+        for (std::uint64_t at = kHead; at + kHead <= std::min<std::uint64_t>(whole, rest.size());) {
+            const std::uint64_t size = numberIn(rest, at + 8, 8);
+            const bool isFree = numberIn(rest, at, 2) == 0;
+            if (size > whole - at || (isFree && size == 0)) throw Hdf5Fault("it is damaged: a heap that does not end");
+            at += isFree ? size : kHead + (size + 7) / 8 * 8;
+        }
+    }
+}
+
 }  // namespace
 
 Hdf5Lock::Hdf5Lock() : lock_(hdf5Calls()) {
@@ -146,11 +170,18 @@ Hdf5Lock::~Hdf5Lock() {
 
 H5mdData H5mdData::ofFile(const std::string& path) {
     requireLibrary();
+    constexpr std::uint64_t kMostChecked = std::uint64_t{16} << 20;  // of a trajectory that may be huge
+    if (const std::shared_ptr<ByteFile> file = ByteFile::open(path)) {
+        std::string begin(static_cast<std::size_t>(std::min(file->size(), kMostChecked)), '\0');
+        file->read(0, begin.data(), begin.size());
+        checkHeaps(begin);
+    }
     return H5mdData(hdf5().H5Fopen(path.c_str(), kReadOnly, H5P_DEFAULT));
 }
 
 H5mdData H5mdData::ofBytes(std::string_view bytes) {
     requireLibrary();
+    checkHeaps(bytes);
     constexpr std::size_t kIncrement = std::size_t{1} << 20;
     const Hdf5Handle access(hdf5().H5Pcreate(hdf5().fileAccess), hdf5().H5Pclose);
     if (hdf5().H5Pset_fapl_core(access, kIncrement, 0) < 0 ||
