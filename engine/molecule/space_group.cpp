@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <exception>
 #include <gemmi/symmetry.hpp>
-#include <string_view>
 
 namespace nacre {
 
@@ -19,6 +19,20 @@ const gemmi::SpaceGroup* spaceGroupOf(const std::string& name) {
         kPlanes.find(static_cast<char>(std::tolower(static_cast<unsigned char>(plain[1])))) == std::string_view::npos)
         return nullptr;
     return gemmi::find_spacegroup_by_name(plain.insert(2, "-"));
+}
+
+std::optional<gemmi::Op> operationOf(std::string_view text) {
+    // gemmi multiplies and adds without a bound.
+    constexpr std::size_t kLongest = 200, kMostDigits = 3;
+    if (text.size() > kLongest) return {};
+    std::size_t digits = 0;
+    for (const unsigned char c : text)
+        if ((digits = std::isdigit(c) ? digits + 1 : 0) > kMostDigits) return {};
+    try {
+        return gemmi::parse_triplet(std::string(text));
+    } catch (const std::exception&) {  // thrown by gemmi's parser
+        return {};
+    }
 }
 
 }  // namespace nacre

@@ -4,6 +4,8 @@
 #include <gemmi/symmetry.hpp>
 #include <string>
 
+#include "engine/molecule/space_group.h"
+
 namespace nacre {
 namespace {
 
@@ -41,11 +43,8 @@ std::vector<SymmetryOperation> operationsOf(int spaceGroup, const UnitCell& cell
 }
 
 std::optional<SymmetryOperation> parseOperation(std::string_view text) {
-    try {
-        return from(gemmi::parse_triplet(std::string(text)));
-    } catch (const std::runtime_error&) {
-        return {};
-    }
+    const std::optional<gemmi::Op> operation = operationOf(text);
+    return operation ? std::optional(from(*operation)) : std::nullopt;
 }
 
 std::optional<NodeOperation> onNodes(const SymmetryOperation& operation, const glm::ivec3& intervals) {

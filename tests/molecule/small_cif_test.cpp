@@ -66,9 +66,14 @@ TEST(SmallCif, SymmetryMakesTheUnitCell) {
     EXPECT_LT(glm::distance(transforms[1] * glm::vec4(1, 5, -15, 1), glm::vec3(9, 5, 15)), 1e-4f);
     const Molecule named = readMolecule("a.cif", file("_space_group_symop_operation_xyz 'x,y,z'\n"));
     EXPECT_EQ(named.assemblies.at(0).parts.at(0).transforms.size(), 1u);
-    const Molecule odd = readMolecule("a.cif", file("_symmetry_equiv_pos_as_xyz 'x,y,q'\n"));
-    EXPECT_TRUE(odd.assemblies.empty());
-    EXPECT_NE(odd.warnings.front().find("'x,y,q' is not a symmetry operation"), std::string::npos);
+    std::string sum;
+    for (int i = 0; i < 100'000; ++i) sum += "+999*x";
+    for (const std::string& odd :
+         {std::string("x,y,q"), std::string("x,y+") + std::string(40, '1') + "/2,z", sum + ",y,z"}) {
+        const Molecule as = readMolecule("a.cif", file(("_symmetry_equiv_pos_as_xyz '" + odd + "'\n").c_str()));
+        EXPECT_TRUE(as.assemblies.empty());
+        EXPECT_NE(as.warnings.front().find("is not a symmetry operation"), std::string::npos);
+    }
 }
 
 TEST(SmallCif, ANameOfASpaceGroupMakesTheUnitCell) {

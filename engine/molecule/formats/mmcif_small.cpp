@@ -140,11 +140,9 @@ std::vector<gemmi::Op> operationsOf(const SmallMoleculeTables& tables) {
     for (std::size_t row = 0; row < symmetry.rows(); ++row) {
         const auto text = symmetry.get(row, {"pos_as_xyz", "operation_xyz"});
         if (!text) throw AssemblyFault("a symmetry operation is missing");
-        try {
-            operations.push_back(gemmi::parse_triplet(std::string(*text)));
-        } catch (const std::exception&) {  // thrown by gemmi's parser
-            throw AssemblyFault("'" + printable(*text) + "' is not a symmetry operation");
-        }
+        const std::optional<gemmi::Op> operation = operationOf(*text);
+        if (!operation) throw AssemblyFault("'" + printable(*text) + "' is not a symmetry operation");
+        operations.push_back(*operation);
     }
     if (!operations.empty() || tables.spaceGroup.empty()) return operations;
     const gemmi::SpaceGroup* group = spaceGroupOf(tables.spaceGroup);
