@@ -70,7 +70,8 @@ void addExport(CommandSpec& command, ExportCommandOptions& options) {
     addPicture(command, picture, kReading | kAppearance);
     command.options.front().required = true;
     command
-        .value("-o,--output", "FILE", "", "The file: .glb (glTF 2.0), .ply, .stl, .obj, or .mvsj (MolViewSpec)",
+        .value("-o,--output", "FILE", "",
+               "The file: .glb (glTF 2.0), .usdz (phones), .ply, .stl, .obj, or .mvsj (MolViewSpec)",
                [&](const std::string& text) {
                    std::vector<std::string> endings = sceneEndings();
                    endings.push_back(".mvsj");
@@ -169,7 +170,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
     CommandSpec looks{"looks", "List the looks, or draw a molecule in each",
                       "Examples:\n  nacre looks\n  nacre looks sample:dna -o sheet.png\n  nacre looks --json"};
     addLooks(looks, line.looks);
-    CommandSpec exported{"export", "Export the scene as triangles: glTF, PLY, STL or OBJ", kExportExamples};
+    CommandSpec exported{"export", "Export the scene as triangles: glTF, USDZ, PLY, STL or OBJ", kExportExamples};
     addExport(exported, line.exported);
     CommandSpec info{"info", "Summarise a structure file",
                      "Examples:\n  nacre info 1bna.pdb 4hhb.cif.gz\n  nacre info ligands.sdf --model 3 --json"};

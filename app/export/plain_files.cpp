@@ -81,12 +81,13 @@ void append(std::string& out, const glm::vec3& p) {
 
 }  // namespace
 
-std::vector<std::string> sceneEndings() { return {".glb", ".ply", ".stl", ".obj"}; }
+std::vector<std::string> sceneEndings() { return {".glb", ".usdz", ".ply", ".stl", ".obj"}; }
 
 bool isSceneName(const std::string& path) { return std::ranges::count(sceneEndings(), extensionOf(path)) > 0; }
 
 std::string sceneFile(const ExportScene& scene, const std::string& ending, const SceneFileOptions& options) {
     if (ending == ".glb") return glbFile(scene, options);
+    if (ending == ".usdz") return usdzFile(scene, options);
     if (ending == ".ply") return plyFile(scene, options);
     if (ending == ".stl") return stlFile(scene, options);
     return objFile(scene, options);

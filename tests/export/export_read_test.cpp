@@ -69,6 +69,51 @@ TEST(ExportRead, TheValidatorOfGltfFindsNothing) {
     EXPECT_EQ(code, 1);
 }
 
+TEST(ExportRead, UsdzPackagesKeepTheRulesOfUsdchecker) {
+    const test::TemporaryFolder folder;
+    const std::string check = "python3 '" NACRE_SOURCE_DIR "/tests/export/check_usdz.py' ";
+    int code = -1;
+    for (const Exported& kind : kKinds) {
+        std::string options = kind.options;
+        for (const char* glbOnly : {" --atoms instanced", " --occlusion 8"})
+            if (const auto at = options.find(glbOnly); at != std::string::npos)
+                options.erase(at, std::string(glbOnly).size());
+        const test::Outcome outcome = test::nacreIn(folder, "export " + options + " --stats s.json -o a.usdz");
+        ASSERT_EQ(outcome.code, 0) << kind.name << ": " << outcome.err;
+        const std::string said = outputOf(check + "'" + (folder / "a.usdz") + "'", code);
+        ASSERT_EQ(code, 0) << kind.name << ": " << said;
+        const auto read = nlohmann::json::parse(said);
+        const auto parts = nlohmann::json::parse(test::contentOf(folder / "s.json"))["parts"];
+        EXPECT_EQ(read["metersPerUnit"], 0.01);
+        EXPECT_EQ(read["scale"][0], std::string(kind.name) == "mixed" ? 0.1 : 1.0);
+        ASSERT_EQ(read["parts"].size(), parts.size()) << kind.name;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const double volume = parts[i]["volume"];
+            EXPECT_EQ(read["parts"][i]["triangles"], parts[i]["triangles"]) << kind.name;
+            EXPECT_NEAR(read["parts"][i]["volume"].get<double>(), volume, 1e-4 * volume) << kind.name;
+            EXPECT_EQ(read["parts"][i]["opacity"], std::string(kind.name) == "surface" ? 0.5 : 1.0);
+        }
+        if (std::string(kind.name) != "balls") continue;
+        // Glucose, C6H12O6: 24 x 22 triangles per atom, in the colours of carbon, hydrogen and oxygen.
+        std::vector<int> counts;
+        for (const auto& [color, count] : read["parts"][0]["colors"].items()) counts.push_back(count);
+        std::sort(counts.begin(), counts.end());
+        EXPECT_EQ(counts, (std::vector<int>{6 * 528, 6 * 528, 12 * 528}));
+    }
+    // The judge finds what is packed otherwise, and a layer that was changed.
+    const std::string repack = "cd '" + folder.path() +
+                               "' && python3 -c \"import zipfile; a = zipfile.ZipFile('a.usdz'); b = "
+                               "zipfile.ZipFile('b.usdz', 'w', zipfile.ZIP_";
+    const std::string write = "); [b.writestr(n, a.read(n)) for n in a.namelist()]; b.close()\"";
+    for (const char* how : {"DEFLATED", "STORED"}) {
+        outputOf(repack + how + write, code);
+        ASSERT_EQ(code, 0);
+        const std::string said = outputOf(check + "'" + (folder / "b.usdz") + "'", code);
+        EXPECT_EQ(code, 1) << said;
+        EXPECT_NE(said.find(how[0] == 'D' ? "is compressed" : "begins at byte"), std::string::npos) << said;
+    }
+}
+
 /// What ADMesh says of a file as it is, by the words of its report.
 double numberIn(const std::string& report, const std::string& words) {
     std::smatch found;

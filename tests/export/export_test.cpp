@@ -268,7 +268,7 @@ TEST(Export, CopiesOfAnAssemblyAreNodesOrWrittenOut) {
 
 TEST(Export, TheProgramWritesThemAndRefusesTheRest) {
     const test::TemporaryFolder folder;
-    for (const char* name : {"a.glb", "a.ply", "a.stl", "a.obj"}) {
+    for (const char* name : {"a.glb", "a.usdz", "a.ply", "a.stl", "a.obj"}) {
         const test::Outcome outcome =
             test::nacreIn(folder, "export sample:dna --style cartoon --stats s.json -o " + std::string(name));
         ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -218,7 +218,7 @@ def test_notebooks_see_a_picture(dna):
     (lambda s: s.render(color="chain", color_limits=(0, 1)), nacre.UsageError, "goes with values"),
     (lambda s: s.render(color=np.zeros(486), color_limits=(1, 1)), nacre.UsageError, "two finite numbers that differ"),
     (lambda s: s.render(color=np.zeros(486), palette="muted"), nacre.UsageError, "'muted' is for categories"),
-    (lambda s: s.export("a.xyz"), nacre.UsageError, "export() takes a name that ends in .glb, .ply, .stl or .obj"),
+    (lambda s: s.export("a.xyz"), nacre.UsageError, "export() takes a name that ends in .glb, .usdz, .ply, .stl or .obj"),
     (lambda s: s.movie("a.avi"), nacre.UsageError, "movie() takes a name that ends in .mp4"),
     (lambda s: s.movie(spin="w"), nacre.UsageError, "spin: expected x, y, z"),
     (lambda s: s.movie(spin="x", rock=5), nacre.UsageError, "exclude each other"),

@@ -245,7 +245,7 @@ class Structure:
         _tell(_nacre.save(structure._core, _writable(path), text, colors))
 
     def export(self, path, **options):
-        """Exports the scene as triangles: a .glb, .ply, .stl or .obj file. options: style, color, show and others about
+        """Exports the scene as triangles: a .glb, .usdz, .ply, .stl or .obj file. options: style, color, show and others about
         the scene.
         """
         structure, options = self._at(options)
