@@ -190,6 +190,9 @@ void MovieScenes::layMorph(const InputOptions& input) {
         if (std::max(molecule_.file.models.value_or(1), molecule_.file.records.value_or(1)) == 1)
             throw Error("cannot morph", input.path, "it has one model: name another INPUT");
         if (!models) throw Error("cannot morph", input.path, missing.empty() ? differenceOfModels(molecule_) : missing);
+        if (models->frames() > kMostMorphPositions / molecule_.atoms.size())
+            throw Error("cannot morph", input.path,
+                        "its models have more than " + std::to_string(kMostMorphPositions) + " atoms together");
         for (std::size_t i = 1; i < models->frames(); ++i) keys.push_back(models->read(i).positions);
     }
     models_ = framesOf(options_, keys.size());

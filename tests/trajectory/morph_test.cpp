@@ -120,6 +120,27 @@ TEST(Morph, BondsOfARealPairKeepTheirLengths) {
     EXPECT_LT(*std::ranges::max_element(lengths), straight / 10);
 }
 
+TEST(Morph, IsBounded) {
+    // A crowd at one place, all bonded to one atom.
+    Molecule crowd;
+    crowd.chains.push_back({"A"});
+    crowd.residues.emplace_back();
+    crowd.residues[0].atomCount = 30'000;
+    crowd.atoms.resize(30'000);
+    for (std::uint32_t i = 0; i < crowd.atoms.size(); ++i) {
+        crowd.atoms[i].element = 6;
+        crowd.atoms[i].position = glm::vec3(static_cast<float>(i) * 1e-5f, 0, 0);
+        if (i > 0) crowd.bonds.push_back({0, i});
+    }
+    const Positions from = positionsOf(crowd);
+    Positions to = from;
+    for (glm::vec3& p : to) p.y += 1;
+    const Positions middle = morphThrough(crowd, {from, to}, {0.5})->read(0).positions;
+    for (const glm::vec3& p : middle) ASSERT_LT(glm::distance(p, glm::vec3(0.15f, 0.5f, 0)), 2) << "on a line";
+    crowd.atoms.resize(kMostMorphAtoms + 1);
+    EXPECT_THROW(morphThrough(crowd, {positionsOf(crowd), positionsOf(crowd)}, {0}), Error);
+}
+
 TEST(Morph, FindsCounterpartsWhereverTheFileHasThem) {
     Molecule dna = sampleMolecule("dna"), moved = dna;
     const glm::dquat turn = glm::angleAxis(1.0, glm::normalize(glm::dvec3(1, 2, 3)));

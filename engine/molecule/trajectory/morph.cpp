@@ -5,8 +5,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
-#include <set>
+#include <string>
 
+#include "engine/error.h"
 #include "engine/molecule/superpose.h"
 
 namespace nacre {
@@ -36,21 +37,23 @@ std::vector<Edge> bondedEdges(const Molecule& molecule) {
         bonded[bond.a].push_back(bond.b);
         bonded[bond.b].push_back(bond.a);
     }
+    constexpr std::size_t kMostEnds = 16;  // of real atoms at most 8
     for (const std::vector<std::uint32_t>& ends : bonded)
-        for (std::size_t i = 0; i < ends.size(); ++i)
+        for (std::size_t i = 0; i < std::min(ends.size(), kMostEnds); ++i)
             for (std::size_t k = 0; k < i; ++k) edges.push_back({ends[i], ends[k], kAngleWeight});
     return edges;
 }
 
-/// Atoms, without hydrogens, that are near each other at both keys.
-void addContacts(const Molecule& molecule, const Places& from, const Places& to, std::vector<Edge>& edges) {
+/// Atoms that are near each other at both keys. @param counts  which of them count: not hydrogens
+void addContacts(const std::vector<bool>& counts, const Places& from, const Places& to, std::vector<Edge>& edges) {
+    constexpr std::size_t kMostInCell = 64;  // of 125 Å³, where real ones have 15; more stand at one place
     std::map<std::array<int, 3>, std::vector<std::uint32_t>> cells;
     const auto cellOf = [](const glm::dvec3& p) {
         const glm::ivec3 cell(glm::floor(p / kContact));
         return std::array<int, 3>{cell.x, cell.y, cell.z};
     };
     for (std::uint32_t i = 0; i < from.size(); ++i) {
-        if (molecule.atoms[i].element == kHydrogen) continue;
+        if (!counts[i]) continue;
         const std::array<int, 3> own = cellOf(from[i]);
         for (int n = 0; n < 27; ++n) {
             const auto near = cells.find({own[0] + n % 3 - 1, own[1] + n / 3 % 3 - 1, own[2] + n / 9 - 1});
@@ -59,7 +62,7 @@ void addContacts(const Molecule& molecule, const Places& from, const Places& to,
                 if (glm::distance(from[i], from[k]) < kContact && glm::distance(to[i], to[k]) < kStays)
                     edges.push_back({i, k, kContactWeight});
         }
-        cells[own].push_back(i);
+        if (std::vector<std::uint32_t>& cell = cells[own]; cell.size() < kMostInCell) cell.push_back(i);
     }
 }
 
@@ -92,9 +95,9 @@ std::vector<glm::dquat> turns(const Places& from, const Places& to, const std::v
 /// From one key to the next.
 class Step {
 public:
-    Step(const Molecule& molecule, std::vector<Edge> bonded, Places from, Places to)
+    Step(const std::vector<bool>& counts, std::vector<Edge> bonded, Places from, Places to)
         : from_(std::move(from)), to_(std::move(to)), edges_(std::move(bonded)) {
-        addContacts(molecule, from_, to_, edges_);
+        addContacts(counts, from_, to_, edges_);
         turns_ = turns(from_, to_, edges_);
         diagonal_.assign(from_.size(), 0);
         for (const Edge& edge : edges_) diagonal_[edge.a] += edge.weight, diagonal_[edge.b] += edge.weight;
@@ -194,7 +197,8 @@ private:
 class Morph : public Trajectory {
 public:
     Morph(const Molecule& molecule, std::vector<std::vector<glm::vec3>> keys, std::vector<double> places)
-        : molecule_(molecule), bonded_(bondedEdges(molecule)), keys_(std::move(keys)), places_(std::move(places)) {
+        : bonded_(bondedEdges(molecule)), keys_(std::move(keys)), places_(std::move(places)) {
+        for (const Atom& atom : molecule.atoms) counts_.push_back(atom.element != kHydrogen);
         name_ = "morph";
         format_ = "morph";
         atoms_ = keys_.front().size();
@@ -206,13 +210,13 @@ private:
         const double place = std::clamp(places_[frame], 0.0, static_cast<double>(keys_.size() - 1));
         const auto key = std::min(static_cast<std::size_t>(place), keys_.size() - 2);
         if (!step_ || key != stepOf_)
-            step_ = std::make_unique<Step>(molecule_, bonded_, placesOf(keys_[key]), placesOf(keys_[key + 1]));
+            step_ = std::make_unique<Step>(counts_, bonded_, placesOf(keys_[key]), placesOf(keys_[key + 1]));
         stepOf_ = key;
         const Places placed = step_->at(place - static_cast<double>(key));
         std::ranges::copy(placed, result.positions.begin());
     }
 
-    Molecule molecule_;  // outlives the caller's
+    std::vector<bool> counts_;  // for contacts
     std::vector<Edge> bonded_;
     std::vector<std::vector<glm::vec3>> keys_;
     std::vector<double> places_;
@@ -224,6 +228,12 @@ private:
 
 std::unique_ptr<Trajectory> morphThrough(const Molecule& molecule, std::vector<std::vector<glm::vec3>> keys,
                                          std::vector<double> places) {
+    const auto refuse = [](std::size_t count, const char* what, std::size_t most) {
+        if (count > most)
+            throw Error("cannot morph", "", std::to_string(count) + what + ", at most " + std::to_string(most));
+    };
+    refuse(molecule.atoms.size(), " atoms", kMostMorphAtoms);
+    refuse(keys.size() * molecule.atoms.size(), " atoms in all conformations", kMostMorphPositions);
     return std::make_unique<Morph>(molecule, std::move(keys), std::move(places));
 }
 

@@ -9,6 +9,8 @@
 
 namespace nacre {
 
+constexpr std::size_t kMostMorphAtoms = 200'000, kMostMorphPositions = 20'000'000;
+
 /// A molecule's atoms where another molecule has their counterparts.
 struct Conformation {
     std::vector<glm::vec3> positions;  ///< Å, by atom of the first molecule
@@ -26,8 +28,9 @@ Conformation conformationOf(const Molecule& molecule, const Molecule& other, con
 /// turn by the rotation that superposes them, and positions are those whose differences come nearest to the turned ones
 /// (as-rigid-as-possible interpolation: M. Alexa, D. Cohen-Or, D. Levin, SIGGRAPH 2000). Bonds keep their lengths but
 /// for what the two ends differ; at a key every atom is exactly there. Format "morph".
-/// @param molecule  its bonds tell what turns together
+/// @param molecule  its bonds tell what turns together; at most kMostMorphAtoms, kMostMorphPositions in all keys
 /// @param keys  two or more, Å, by atom @param places  of the frames: 0 is the first key, 1 the second
+/// @throws Error for more
 std::unique_ptr<Trajectory> morphThrough(const Molecule& molecule, std::vector<std::vector<glm::vec3>> keys,
                                          std::vector<double> places);
 
