@@ -171,9 +171,11 @@ void drawPanel(PanelFrame& f) {
     const bool low = lacksRow || s.panel.height() < f.ui.px(kVeryLowPoints);
     beginWindow(f, "Nacre", low ? 0 : ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     drawHeader(f);
-    if (!low) drawTools(f, row);
+    // Tabs are needed more often than tools that scroll away; a phone opens files by those alone.
+    const bool tabsFirst = low && !f.ui.forFingers();
+    if (!tabsFirst) drawTools(f, row);
     drawTabs(f);
-    if (low) drawTools(f, row);  // they scroll away: tabs are needed more often
+    if (tabsFirst) drawTools(f, row);
     if (!low) {
         ImGui::BeginChild("Page", ImVec2(0, 0), false,
                           ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar);
