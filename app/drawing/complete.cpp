@@ -63,11 +63,22 @@ bool takeInput(PictureDescription& picture) {
 }
 
 void takeMap(PictureDescription& picture) {
-    if (!isMap(picture.input)) return;
+    InputOptions& input = picture.input;
+    std::vector<std::string> found;
+    if (isMap(input)) found.push_back(mapName(input));
+    std::erase_if(input.further, [&](const FurtherInput& further) {
+        InputOptions each = input;
+        each.path = further.path;
+        each.hash = further.hash;
+        each.opened = nullptr;
+        if (further.opened || !isMap(each)) return false;
+        found.push_back(mapName(each));
+        return true;
+    });
     std::vector<std::string>& files = picture.maps.files;
-    const std::string name = mapName(picture.input);
-    if (std::ranges::find(files, name) != files.end()) return;
-    files.insert(files.begin(), name);
+    std::erase_if(found, [&](const std::string& name) { return std::ranges::find(files, name) != files.end(); });
+    if (found.empty()) return;
+    files.insert(files.begin(), found.begin(), found.end());
     picture.mapsChanged();
 }
 

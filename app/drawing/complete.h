@@ -18,8 +18,8 @@ void completeUnwritten(PictureDescription& picture);
 
 /// Finds the trajectory of a saved view, and decides how INPUT is read. @returns whether there is an INPUT
 bool takeInput(PictureDescription& picture);
-/// An INPUT that is a density map is drawn as if --map named it, without a molecule. Not one that was opened already:
-/// its name may lead elsewhere by now.
+/// An INPUT that is a density map is drawn as if --map named it; the first one without a molecule. Not one that was
+/// opened already: its name may lead elsewhere by now.
 void takeMap(PictureDescription& picture);
 /// Several INPUTs: resolves their names in selections, and colours the carbons of each differently, unless a saved view
 /// sets them. @throws UsageError

@@ -59,8 +59,10 @@ Row rowOfTyped(const Option& option) {
 
 std::vector<Row> allRows() {
     std::vector<Row> rows;
-    for (const Binding& binding : keyBindings())
-        if (binding.listed && binding.command != ViewerCommand::palette) rows.push_back(rowOf(binding));
+    for (const Binding& binding : keyBindings()) {
+        const bool known = !rows.empty() && rows.back().name == binding.what;  // by another key
+        if (binding.listed && !known && binding.command != ViewerCommand::palette) rows.push_back(rowOf(binding));
+    }
     for (const std::string_view page : Panel::pages())
         rows.push_back({"Page: " + std::string(page), "", "show open tab", [page](PanelFrame& f) { f.s.page = page; }});
     for (const Preset& preset : presets())

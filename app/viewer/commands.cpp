@@ -60,7 +60,7 @@ constexpr Binding kBindings[] = {
     {C::scaleBar, key(U'r'), "R", "Scale bar: none, in Å, in nm"},
     {C::clearPicks, key(SpecialKey::escape), "Esc", "Clear the selection; then leave measuring"},
     {C::savePicture, key(U's'), "S", "Save image as PNG"},
-    {C::saveView, {U's', {true, false}}, "Shift S", "Save the view, for nacre render --view"},
+    {C::saveView, {U's', {true, false}}, "Shift S", "Save this view, for nacre render --view"},
     {C::saveScene, {U's', {true, true}}, "Ctrl Shift S", "Save as a MolViewSpec scene"},
     {C::keepView, key(U'd'), "D", "Add keyframe"},
     {C::record, {U'r', {true, false}}, "Shift R", "Record movie"},

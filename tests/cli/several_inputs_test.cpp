@@ -24,6 +24,24 @@ using test::TemporaryFolder;
 
 const std::string kBeside = " -o a.png --size 64x64 --occlusion off --cache off --zoom 1";
 
+TEST(SeveralInputs, AMapAmongThemIsThatOfTheStructure) {
+    const TemporaryFolder folder;
+    std::ofstream map(folder / "m.dx");
+    map << "object 1 class gridpositions counts 4 4 4\norigin -8 -8 -8\ndelta 5 0 0\ndelta 0 5 0\ndelta 0 0 5\n"
+           "object 2 class gridconnections counts 4 4 4\n"
+           "object 3 class array type double rank 0 items 64 data follows\n";
+    for (int i = 0; i < 64; ++i) map << i % 7 << '\n';
+    map.close();
+    const auto drawn = [&](const std::string& inputs) {
+        const Outcome outcome = nacreIn(folder, "render " + inputs + kBeside);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return contentOf(folder / "a.png");
+    };
+    const std::string named = drawn("sample:dna --map m.dx");
+    EXPECT_NE(named, drawn("sample:dna"));
+    EXPECT_EQ(drawn("sample:dna m.dx"), named);
+}
+
 TEST(SeveralInputs, HaveNames) {
     InputOptions input;
     for (const char* text : {"receptor=a.pdb", "data/1crn.cif.gz", "sample:dna", "1crn.pdb", "-"})
