@@ -181,7 +181,7 @@ void MovieScenes::layMorph(const InputOptions& input) {
         if (next.matched < molecule_.atoms.size())
             sayNote(std::to_string(next.matched) + " of " + std::to_string(molecule_.atoms.size()) +
                     " atoms have a counterpart in " + further.path + "; the others go with those around them");
-        molecule_.others.add({next.positions, nullptr});  // the camera holds them, too
+        molecule_.others.add({next.positions, nullptr});  // for a camera that frames both ends
         keys.push_back(std::move(next.positions));
     }
     if (options_.conformations.empty()) {

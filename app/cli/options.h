@@ -25,7 +25,7 @@ struct FrameRange {
 struct MovieOptions : CameraMotion {
     PictureDescription picture;
     bool models = false;                      ///< shown in sequence
-    bool morph = false;                       ///< from model to model, or from input to input; `models` is set, too
+    bool morph = false;                       ///< between models, or from INPUT to the further ones; implies `models`
     std::vector<FurtherInput> conformations;  ///< of a morph: the inputs after the first
     FrameRange range;                         ///< of these models or frames
     std::vector<std::string> views;

@@ -26,7 +26,7 @@ std::size_t checksum(const std::string& bytes) {
     return crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
 }
 
-/// What a file's local header and its entry of the directory share.
+/// Fields that a local header and a directory entry have in common.
 std::string entryOf(const PackedFile& file, std::size_t extra) {
     std::string out;
     little(out, 10, 2);  // version needed

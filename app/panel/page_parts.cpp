@@ -29,7 +29,7 @@ std::string countOf(const Part& part) {
     }
 }
 
-/// What a file says that it is, and where it comes from.
+/// Title, organism, method and resolution of a file.
 void drawTitle(PanelFrame& f, const FileSummary& file) {
     if (!file.title.empty()) f.ui.paragraph(file.title);
     if (const std::string origin = originText(file); !origin.empty()) f.ui.caption(origin);

@@ -9,7 +9,7 @@
 namespace nacre::app {
 namespace {
 
-/// What a scene draws of its molecule.
+/// Folds, ligands and elements that a scene draws.
 struct Drawn {
     bool helices = false, strands = false;  ///< as ribbons
     bool ligands = false;                   ///< as atoms or bonds

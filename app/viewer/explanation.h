@@ -1,5 +1,5 @@
 #pragma once
-// What a picture shows, in words: style, colours, and what is hidden. Names only what is drawn.
+// Describes a picture in sentences: style, colours and hidden atoms. Mentions only what is drawn.
 
 #include <string>
 

@@ -146,7 +146,7 @@ void addPackedParts(const Molecule& m, Parts& parts) {
         add(nameOf(id, m.file.entityNames), id, group);
 }
 
-/// What the file of one of several inputs states, or that of the only one.
+/// The summary of an input's file. @param model  its number among several; 0: there is one input
 const FileSummary& summaryOf(const Molecule& m, int model) {
     const auto input = static_cast<std::size_t>(model - 1);
     return model > 0 && input < m.inputFiles.size() ? m.inputFiles[input] : m.file;

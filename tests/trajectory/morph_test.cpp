@@ -91,7 +91,7 @@ TEST(Morph, AHingeTurnsInPlaceOfShrinking) {
     for (std::size_t i = 0; i < middle.size(); ++i)
         fixed.emplace_back(expected.atoms[i].position), moving.emplace_back(middle[i]);
     EXPECT_LT(superpose(fixed, moving).rmsd, 0.4);
-    // Whatever was read before.
+    // A frame does not depend on those read before.
     EXPECT_EQ(morph->read(1).positions, middle);
 }
 

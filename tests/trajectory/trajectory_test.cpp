@@ -400,5 +400,21 @@ TEST(Hdf5Structures, AHeapThatDoesNotEndIsRefused) {
     EXPECT_THROW(openTrajectory(folder / "a.h5md"), Error);
 }
 
+TEST(Hdf5Structures, HeapsThatShareTheirObjectsAreRefused) {
+    // Each of 400 heaps leads to the same 5,000 objects: walked one after the other they would cost the product.
+    const std::size_t heaps = 400, objects = 5000, whole = 32 * heaps + 16 * objects;
+    const auto number = [](std::size_t value) {
+        std::string text;
+        for (int i = 0; i < 8; ++i) text.push_back(static_cast<char>(value >> 8 * i & 255));
+        return text;
+    };
+    const std::string object("\1\0\0\0\0\0\0\0", 8);
+    std::string bytes = test::contentOf(test::written() / "t.h5md");
+    for (std::size_t i = 0; i < heaps; ++i)
+        bytes += std::string("GCOL\1\0\0\0", 8) + number(whole - 32 * i) + object + number(32 * (heaps - 1 - i));
+    for (std::size_t i = 0; i < objects; ++i) bytes += object + number(0);
+    EXPECT_THROW(readMolecule("a.h5md", bytes), Error);
+}
+
 }  // namespace
 }  // namespace nacre

@@ -46,7 +46,7 @@ std::vector<std::uint32_t> counterparts(const Molecule& molecule, const Molecule
     const AtomPairs matched = matchAtoms(joined, first, second);
     for (std::size_t i = 0; i < matched.first.size(); ++i)
         pairs[matched.first[i]] = matched.second[i] - static_cast<std::uint32_t>(count);
-    // What is no polymer, by where the files have it.
+    // Other atoms are paired by chain, residue number and name.
     using Key = std::tuple<std::string, std::int32_t, char, std::string, std::string>;
     const auto keyOf = [](const Molecule& m, const Atom& atom) {
         const Residue& r = m.residues[atom.residue];

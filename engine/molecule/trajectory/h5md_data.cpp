@@ -142,6 +142,7 @@ void checkHeaps(std::string_view bytes) {
         while (count-- > 0) value = value << 8 | static_cast<unsigned char>(text[at + count]);
         return value;
     };
+    std::size_t steps = 0;  // heaps that overlap would be walked again and again
     constexpr std::string_view kHeap("GCOL\1\0\0\0", 8);
     for (std::size_t heap = 0; (heap = bytes.find(kHeap, heap)) != std::string_view::npos; ++heap) {
         const std::string_view rest = bytes.substr(heap);
@@ -150,7 +151,8 @@ void checkHeaps(std::string_view bytes) {
         for (std::uint64_t at = kHead; at + kHead <= std::min<std::uint64_t>(whole, rest.size());) {
             const std::uint64_t size = numberIn(rest, at + 8, 8);
             const bool isFree = numberIn(rest, at, 2) == 0;
-            if (size > whole - at || (isFree && size == 0)) throw Hdf5Fault("it is damaged: a heap that does not end");
+            if (++steps > bytes.size() || size > whole - at || (isFree && size == 0))
+                throw Hdf5Fault("it is damaged: a heap that does not end");
             at += isFree ? size : kHead + (size + 7) / 8 * 8;
         }
     }
