@@ -7,6 +7,7 @@
 
 #include "app/desktop/processes.h"
 #include "app/desktop/state_files.h"
+#include "app/download/molecule_sources.h"
 #include "tests/desktop/environment.h"
 
 namespace nacre::app {
@@ -127,6 +128,20 @@ TEST(Processes, TheDesktopSaysWhetherItIsDark) {
     setenv("GTK_THEME", "Adwaita", 1);
     EXPECT_FALSE(systemIsDark());
     unsetenv("GTK_THEME");
+}
+
+TEST(WindowSources, AskWithTheServersName) {
+    unsetenv("NACRE_PDB_URL");
+    PictureDescription view;
+    view.input.path = "pdb:1xyz";
+    view.input.namedBy = "sent.view.json";
+    try {
+        windowSources({}).read(view);
+        FAIL() << "it was downloaded unasked";
+    } catch (const Question& question) {
+        EXPECT_STREQ(question.what(), "This view downloads pdb:1xyz from models.rcsb.org.");
+        EXPECT_EQ(question.yes(), "Download");
+    }
 }
 
 }  // namespace
