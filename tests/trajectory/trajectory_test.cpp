@@ -400,20 +400,87 @@ TEST(Hdf5Structures, AHeapThatDoesNotEndIsRefused) {
     EXPECT_THROW(openTrajectory(folder / "a.h5md"), Error);
 }
 
+/// As HDF5 writes it.
+std::string number(std::size_t value, int bytes = 8) {
+    std::string text;
+    for (int i = 0; i < bytes; ++i) text.push_back(static_cast<char>(value >> 8 * i & 255));
+    return text;
+}
+
+/// With each of these texts, of which there is one at least, exchanged for another as long.
+std::string exchanged(std::string bytes, const std::string& before, const std::string& after) {
+    std::size_t at = bytes.find(before);
+    EXPECT_NE(at, std::string::npos);
+    for (; at != std::string::npos; at = bytes.find(before, at + before.size())) bytes.replace(at, after.size(), after);
+    return bytes;
+}
+
 TEST(Hdf5Structures, HeapsThatShareTheirObjectsAreRefused) {
     // Each of 400 heaps leads to the same 5,000 objects: walked one after the other they would cost the product.
     const std::size_t heaps = 400, objects = 5000, whole = 32 * heaps + 16 * objects;
-    const auto number = [](std::size_t value) {
-        std::string text;
-        for (int i = 0; i < 8; ++i) text.push_back(static_cast<char>(value >> 8 * i & 255));
-        return text;
-    };
     const std::string object("\1\0\0\0\0\0\0\0", 8);
     std::string bytes = test::contentOf(test::written() / "t.h5md");
     for (std::size_t i = 0; i < heaps; ++i)
         bytes += std::string("GCOL\1\0\0\0", 8) + number(whole - 32 * i) + object + number(32 * (heaps - 1 - i));
     for (std::size_t i = 0; i < objects; ++i) bytes += object + number(0);
     EXPECT_THROW(readMolecule("a.h5md", bytes), Error);
+}
+
+TEST(Hdf5Structures, ReferencesIntoHeapsAreNotTrusted) {
+    // The unit of the positions is a reference: two bytes, in the heap at this place, object 1 of it. Without it the
+    // unit is Å.
+    const std::string bytes = contentOf(written() / "t.h5md");
+    const std::size_t heap = bytes.find("GCOL");
+    ASSERT_NE(heap, std::string::npos);
+    const auto reference = [&](std::size_t length, std::size_t place, std::size_t object) {
+        return number(length, 4) + number(place) + number(object, 4);
+    };
+    const std::string sound = reference(2, heap, 1);
+    const float x = readMolecule("a.h5md", bytes).atoms[0].position.x;
+    const std::vector<std::string> damaged{reference(2, heap, 60000),
+                                           reference(2, heap, 0),
+                                           reference(2, heap, 1 << 20),
+                                           reference(2, heap + 1, 1),
+                                           reference(2, std::size_t{1} << 62, 1),
+                                           reference(4000, heap, 1)};
+    const TemporaryFolder folder;
+    for (const std::string& other : damaged) {
+        const std::string changed = exchanged(bytes, sound, other);
+        EXPECT_NEAR(readMolecule("a.h5md", changed).atoms[0].position.x, x / 10, 1e-4);
+        write(folder / "a.h5md", changed);
+        EXPECT_NEAR(openTrajectory(folder / "a.h5md")->read(0).positions[0].x, x / 10, 1e-4);
+    }
+    // An object that fills the heap: the library would write all of it into the two bytes of the text.
+    std::string large = bytes;
+    large.replace(heap + 24, 8, number(4096 - 32));
+    EXPECT_FLOAT_EQ(readMolecule("a.h5md", large).atoms[0].position.x, x);
+}
+
+TEST(Hdf5Structures, NumbersOutsideTheirBytesAreRefused) {
+    // 32-bit floats: class and order, 4 bytes, bits from 0 on, 32 of them, then exponent and mantissa.
+    const std::string head("\x11\x20\x1f\0\4\0\0\0", 8), rest("\x17\x8\0\x17\x7f\0\0\0", 8),
+        sound = head + number(0, 2) + number(32, 2) + rest;
+    for (const char* file : {"t.h5", "t.h5md"}) {
+        const std::string bytes = contentOf(written() / file);
+        EXPECT_NO_THROW(readMolecule(file, bytes));
+        for (const auto& [offset, precision] : {std::pair(0xffff, 32), {1, 32}, {0, 0xffff}, {0, 0}})
+            EXPECT_THROW(
+                readMolecule(file, exchanged(bytes, sound, head + number(offset, 2) + number(precision, 2) + rest)),
+                Error);
+        EXPECT_THROW(readMolecule(file, exchanged(bytes, sound, sound.substr(0, 12) + "\xff" + sound.substr(13))),
+                     Error);
+    }
+}
+
+TEST(Hdf5Structures, DatasetsWithoutRoomAreRefused) {
+    const std::string compact = contentOf(written() / "compact.h5md");
+    EXPECT_EQ(readMolecule("a.h5md", compact).atoms.size(), 2u);
+    const auto sizes = [](std::size_t frames, std::size_t atoms) { return number(frames) + number(atoms) + number(3); };
+    EXPECT_THROW(readMolecule("a.h5md", exchanged(compact, sizes(1, 2), sizes(1, 40000))), Error);
+    // Chunks of 2 frames, of the 30 atoms that there are.
+    const std::string chunks = contentOf(written() / "t.h5md");
+    const auto chunk = [](std::size_t atoms) { return number(2, 4) + number(atoms, 4) + number(3, 4); };
+    EXPECT_THROW(readMolecule("a.h5md", exchanged(chunks, chunk(30), chunk(30000))), Error);
 }
 
 }  // namespace

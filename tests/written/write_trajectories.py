@@ -85,6 +85,14 @@ for name, shape in (("atoms", (1, 1 << 40, 3)), ("frames", (1 << 40, 3, 3))):
 with h5py.File(folder + "/labels.h5md", "w") as h5:
     h5["particles/all/position/value"] = [[[0.0, 0, 0], [1.2, 0, 0]]]
     h5["particles/all/species_label"] = ["C", "O"]
+# Positions within the head of their dataset.
+with h5py.File(folder + "/compact.h5md", "w") as h5:
+    layout = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
+    layout.set_layout(h5py.h5d.COMPACT)
+    group = h5.create_group("particles/all/position")
+    places = h5py.h5d.create(group.id, b"value", h5py.h5t.NATIVE_DOUBLE, h5py.h5s.create_simple((1, 2, 3)), layout)
+    places.write(h5py.h5s.ALL, h5py.h5s.ALL, numpy.array([[[0.0, 0, 0], [1.2, 0, 0]]]))
+    h5["particles/all/species"] = [6, 8]
 # Few atoms, which XTC does not compress; and many, as waters are, which it compresses well.
 few = trajectory.atom_slice(range(7))
 few.save(folder + "/few.xtc")

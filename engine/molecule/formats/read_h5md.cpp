@@ -125,7 +125,7 @@ private:
     void readSpecies() {
         const std::string& group = data_.group();
         names_ = H5mdData::enumerationOf(data_.element(group + "/species"));
-        labels_ = H5mdData::textsOf(data_.element(group + "/species_label"), count_, kMostTopologyBytes);
+        labels_ = data_.textsOf(data_.element(group + "/species_label"), count_, kMostTopologyBytes);
         readConnectivity();
     }
 
@@ -167,7 +167,7 @@ private:
     }
 
     void readTopology() {
-        const std::vector<std::string> texts = H5mdData::textsOf(data_.dataset("topology"), 1, kMostTopologyBytes);
+        const std::vector<std::string> texts = data_.textsOf(data_.dataset("topology"), 1, kMostTopologyBytes);
         if (texts.empty()) cannotRead(name_, "it has no topology: give a structure, and this file as --trajectory");
         JsonWalk walk(name_, texts[0]);
         walk.object([&](const std::string& key) {

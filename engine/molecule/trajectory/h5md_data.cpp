@@ -4,6 +4,8 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
 
 #include "engine/molecule/byte_file.h"
 #include "engine/molecule/read.h"
@@ -22,7 +24,9 @@ namespace {
     CALL(H5Sselect_hyperslab) CALL(H5Sclose) CALL(H5Dread) CALL(H5Aopen) CALL(H5Oopen) CALL(H5Oclose) \
     CALL(H5Aread) CALL(H5Aget_type) CALL(H5Aclose) CALL(H5Aget_space) CALL(H5Tis_variable_str) CALL(H5Tget_class) \
     CALL(H5Tget_nmembers) CALL(H5Tget_member_name) CALL(H5Tget_member_value) CALL(H5Tconvert) CALL(H5Tget_super) \
-    CALL(H5Tget_size) CALL(H5Tclose) CALL(H5free_memory)
+    CALL(H5Tget_size) CALL(H5Tget_offset) CALL(H5Tget_precision) CALL(H5Tget_fields) CALL(H5Tclose) \
+    CALL(H5free_memory) CALL(H5Dget_storage_size) CALL(H5Sget_simple_extent_npoints) \
+    CALL(H5Tcreate) CALL(H5Tregister) CALL(H5Tunregister) CALL(H5Fget_create_plist) CALL(H5Pget_userblock)
 // clang-format on
 
 /// The library's functions. NACRE_HDF5 is its file's name.
@@ -102,8 +106,52 @@ std::mutex& hdf5Calls() {
     return mutex;
 }
 
+herr_t keepReferences(hid_t from, hid_t, H5T_cdata_t* path, std::size_t, std::size_t, std::size_t, void*, void*,
+                      hid_t) {
+    if (path->command != H5T_CONV_INIT) return 0;
+    path->need_bkg = H5T_BKG_NO;
+    return hdf5().H5Tis_variable_str(from) > 0 && hdf5().H5Tget_size(from) == Hdf5Heaps::kReferenceBytes ? 0 : -1;
+}
+
+/// While it lives, the library converts texts of any length to this type by leaving their references as they are.
+class ReferenceType {
+public:
+    explicit ReferenceType(hid_t text)
+        : type_(hdf5().H5Tcreate(H5T_OPAQUE, Hdf5Heaps::kReferenceBytes), hdf5().H5Tclose) {
+        hdf5().H5Tregister(H5T_PERS_SOFT, kName, text, type_, keepReferences);
+    }
+    ~ReferenceType() { hdf5().H5Tunregister(H5T_PERS_SOFT, kName, -1, -1, keepReferences); }
+    ReferenceType(const ReferenceType&) = delete;
+    ReferenceType& operator=(const ReferenceType&) = delete;
+    operator hid_t() const { return type_; }
+
+private:
+    static constexpr const char* kName = "nacre references";
+    Hdf5Handle type_;
+};
+
+/// Strings that stand one after the other, each up to its first NUL.
+std::vector<std::string> cutTexts(std::string_view bytes, std::size_t size) {
+    std::vector<std::string> texts;
+    for (std::size_t at = 0; at < bytes.size(); at += size) {
+        const std::string_view text = bytes.substr(at, size);
+        texts.emplace_back(text.substr(0, text.find('\0')));
+    }
+    return texts;
+}
+
+/// Texts by their references. @param most  bytes of all together; those beyond are empty
+std::vector<std::string> heapTexts(Hdf5Heaps& heaps, std::string_view references, std::size_t most) {
+    std::vector<std::string> texts;
+    for (std::size_t at = 0; at < references.size(); at += Hdf5Heaps::kReferenceBytes) {
+        texts.push_back(heaps.text(references.substr(at, Hdf5Heaps::kReferenceBytes), most));
+        most -= texts.back().size();
+    }
+    return texts;
+}
+
 /// Texts of an attribute that has so many strings, of either kind; none of any other attribute.
-std::vector<std::string> attributeTexts(hid_t attribute, std::size_t count) {
+std::vector<std::string> attributeTexts(hid_t attribute, std::size_t count, Hdf5Heaps& heaps) {
     constexpr std::size_t kLongest = 100;
     const Hdf5Handle type(hdf5().H5Aget_type(attribute), hdf5().H5Tclose);
     const Hdf5Handle space(hdf5().H5Aget_space(attribute), hdf5().H5Sclose);
@@ -112,50 +160,68 @@ std::vector<std::string> attributeTexts(hid_t attribute, std::size_t count) {
     if (hdf5().H5Tget_class(type) != H5T_STRING || rank < 0 || rank > 1) return {};
     if (rank == 1) hdf5().H5Sget_simple_extent_dims(space, &there, nullptr);
     if (there != count) return {};
-    std::vector<std::string> texts;
     if (hdf5().H5Tis_variable_str(type) > 0) {
-        std::vector<char*> own(count);
-        if (hdf5().H5Aread(attribute, type, own.data()) < 0) return {};
-        for (char* const text : own) {
-            texts.emplace_back(text ? text : "");
-            hdf5().H5free_memory(text);
-        }
-        return texts;
+        const ReferenceType references(type);
+        std::string bytes(count * Hdf5Heaps::kReferenceBytes, '\0');
+        return hdf5().H5Aread(attribute, references, bytes.data()) < 0 ? std::vector<std::string>()
+                                                                       : heapTexts(heaps, bytes, count * kLongest);
     }
     const std::size_t size = hdf5().H5Tget_size(type);
     if (size == 0 || size > kLongest) return {};
     std::string bytes(count * size, '\0');
-    if (hdf5().H5Aread(attribute, type, bytes.data()) < 0) return {};
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::string_view text = std::string_view(bytes).substr(i * size, size);
-        texts.emplace_back(text.substr(0, text.find('\0')));
-    }
-    return texts;
+    return hdf5().H5Aread(attribute, type, bytes.data()) < 0 ? std::vector<std::string>() : cutTexts(bytes, size);
 }
 
-/// The library reads texts of any length from heaps, and never ends in one that has a free object of no bytes.
-/// @throws Hdf5Fault
-void checkHeaps(std::string_view bytes) {
-    constexpr std::size_t kHead = 16;  // of a heap, and of each of its objects: number, uses, 4 bytes, size
-    const auto numberIn = [](std::string_view text, std::uint64_t at, std::size_t count) {
-        std::uint64_t value = 0;
-        while (count-- > 0) value = value << 8 | static_cast<unsigned char>(text[at + count]);
-        return value;
-    };
-    std::size_t steps = 0;  // heaps that overlap would be walked again and again
-    constexpr std::string_view kHeap("GCOL\1\0\0\0", 8);
-    for (std::size_t heap = 0; (heap = bytes.find(kHeap, heap)) != std::string_view::npos; ++heap) {
-        const std::string_view rest = bytes.substr(heap);
-        if (rest.size() < kHead) return;
-        const std::uint64_t whole = numberIn(rest, 8, 8);
-        for (std::uint64_t at = kHead; at + kHead <= std::min<std::uint64_t>(whole, rest.size());) {
-            const std::uint64_t size = numberIn(rest, at + 8, 8);
-            const bool isFree = numberIn(rest, at, 2) == 0;
-            if (++steps > bytes.size() || size > whole - at || (isFree && size == 0))
-                throw Hdf5Fault("it is damaged: a heap that does not end");
-            at += isFree ? size : kHead + (size + 7) / 8 * 8;
-        }
+/// Whether the bits of a number lie within its bytes: the library converts them without asking.
+bool isSoundNumber(hid_t type) {
+    constexpr std::size_t kMostBytes = 16;
+    const H5T_class_t kind = hdf5().H5Tget_class(type);
+    if (kind == H5T_ENUM) {
+        const Hdf5Handle base(hdf5().H5Tget_super(type), hdf5().H5Tclose);
+        return hdf5().H5Tget_class(base) == H5T_INTEGER && isSoundNumber(base);
     }
+    const std::size_t size = hdf5().H5Tget_size(type), bits = hdf5().H5Tget_precision(type);
+    const int offset = hdf5().H5Tget_offset(type);
+    if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || size == 0 || size > kMostBytes || offset < 0 || bits == 0 ||
+        bits > 8 * size || static_cast<std::size_t>(offset) > 8 * size - bits)
+        return false;
+    if (kind == H5T_INTEGER) return true;
+    std::size_t sign = 0, exponent = 0, exponentBits = 0, mantissa = 0, mantissaBits = 0;
+    if (hdf5().H5Tget_fields(type, &sign, &exponent, &exponentBits, &mantissa, &mantissaBits) < 0) return false;
+    const auto holds = [&](std::size_t first, std::size_t count) {
+        return count > 0 && count <= bits && first <= bits - count;
+    };
+    constexpr std::size_t kMostExponentBits = 32;
+    return holds(sign, 1) && holds(exponent, exponentBits) && holds(mantissa, mantissaBits) &&
+           exponentBits <= kMostExponentBits;
+}
+
+/// Whether a dataset of this file alone has room for its elements: the library reads them without asking.
+bool isWhole(hid_t set) {
+    const Hdf5Handle layout(hdf5().H5Dget_create_plist(set), hdf5().H5Pclose);
+    const Hdf5Handle space(hdf5().H5Dget_space(set), hdf5().H5Sclose);
+    const H5D_layout_t kind = hdf5().H5Pget_layout(layout);
+    if (kind == H5D_CHUNKED) {
+        std::array<hsize_t, H5S_MAX_RANK> chunk{}, most{};
+        const int rank = hdf5().H5Sget_simple_extent_dims(space, nullptr, most.data());
+        return rank > 0 && hdf5().H5Pget_chunk(layout, H5S_MAX_RANK, chunk.data()) == rank &&
+               std::equal(chunk.begin(), chunk.begin() + rank, most.begin(), std::less_equal<>());
+    }
+    if ((kind != H5D_COMPACT && kind != H5D_CONTIGUOUS) || hdf5().H5Pget_external_count(layout) > 0) return false;
+    const hsize_t stored = hdf5().H5Dget_storage_size(set);
+    if (kind == H5D_CONTIGUOUS && stored == 0) return true;  // not written yet: zeros
+    const Hdf5Handle type(hdf5().H5Dget_type(set), hdf5().H5Tclose);
+    const hssize_t count = hdf5().H5Sget_simple_extent_npoints(space);
+    const std::size_t size =
+        hdf5().H5Tis_variable_str(type) > 0 ? Hdf5Heaps::kReferenceBytes : hdf5().H5Tget_size(type);
+    return count >= 0 && size > 0 && static_cast<hsize_t>(count) <= stored / size;
+}
+
+std::uint64_t userBlock(hid_t file) {
+    const Hdf5Handle made(hdf5().H5Fget_create_plist(file), hdf5().H5Pclose);
+    hsize_t bytes = 0;
+    hdf5().H5Pget_userblock(made, &bytes);
+    return bytes;
 }
 
 }  // namespace
@@ -172,24 +238,31 @@ Hdf5Lock::~Hdf5Lock() {
 
 H5mdData H5mdData::ofFile(const std::string& path) {
     requireLibrary();
-    constexpr std::uint64_t kMostChecked = std::uint64_t{16} << 20;  // of a trajectory that may be huge
-    if (const std::shared_ptr<ByteFile> file = ByteFile::open(path)) {
-        std::string begin(static_cast<std::size_t>(std::min(file->size(), kMostChecked)), '\0');
-        file->read(0, begin.data(), begin.size());
-        checkHeaps(begin);
-    }
-    return H5mdData(hdf5().H5Fopen(path.c_str(), kReadOnly, H5P_DEFAULT));
+    constexpr std::size_t kMostChecked = std::size_t{16} << 20;  // of a trajectory that may be huge
+    const std::shared_ptr<ByteFile> file = ByteFile::open(path);
+    if (!file) throw Hdf5Fault(ByteFile::whyNotOpened(path));
+    const auto read = [file](std::uint64_t at, std::size_t most) {
+        std::string bytes(
+            at < file->size() ? static_cast<std::size_t>(std::min<std::uint64_t>(file->size() - at, most)) : 0, '\0');
+        file->read(at, bytes.data(), bytes.size());
+        return bytes;
+    };
+    Hdf5Heaps::check(read(0, kMostChecked));
+    return H5mdData(hdf5().H5Fopen(path.c_str(), kReadOnly, H5P_DEFAULT), read, file->size());
 }
 
 H5mdData H5mdData::ofBytes(std::string_view bytes) {
     requireLibrary();
-    checkHeaps(bytes);
+    Hdf5Heaps::check(bytes);
     constexpr std::size_t kIncrement = std::size_t{1} << 20;
     const Hdf5Handle access(hdf5().H5Pcreate(hdf5().fileAccess), hdf5().H5Pclose);
     if (hdf5().H5Pset_fapl_core(access, kIncrement, 0) < 0 ||
         hdf5().H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size()) < 0)
         throw Hdf5Fault("libhdf5 does not read from memory");
-    return H5mdData(hdf5().H5Fopen("memory", kReadOnly, access));
+    const auto read = [bytes](std::uint64_t at, std::size_t most) {
+        return std::string(at < bytes.size() ? bytes.substr(static_cast<std::size_t>(at), most) : std::string_view());
+    };
+    return H5mdData(hdf5().H5Fopen("memory", kReadOnly, access), read, bytes.size());
 }
 
 bool H5mdData::read(std::size_t frame, TrajectoryFrame& result) const {
@@ -219,10 +292,7 @@ Hdf5Handle H5mdData::dataset(const std::string& path) const {
         if (end == std::string::npos) break;
     }
     Hdf5Handle opened(hdf5().H5Dopen2(file_, path.c_str(), H5P_DEFAULT), hdf5().H5Dclose);
-    if (!opened.valid()) return {};
-    const Hdf5Handle layout(hdf5().H5Dget_create_plist(opened), hdf5().H5Pclose);
-    if (hdf5().H5Pget_layout(layout) == H5D_VIRTUAL || hdf5().H5Pget_external_count(layout) > 0) return {};
-    return opened;
+    return opened.valid() && isWhole(opened) ? std::move(opened) : Hdf5Handle();
 }
 
 Hdf5Handle H5mdData::element(const std::string& path) const {
@@ -240,7 +310,9 @@ Hdf5Sizes H5mdData::sizesOf(const Hdf5Handle& set) {
 
 std::vector<double> H5mdData::rowOf(const Hdf5Handle& set, std::size_t frame, std::size_t count, bool framed) {
     std::vector<double> values;
-    const bool read = set.valid() && readRow(set, frame, count, framed, hdf5().nativeDouble, [&] {
+    if (!set.valid()) return values;
+    const Hdf5Handle type(hdf5().H5Dget_type(set), hdf5().H5Tclose);
+    const bool read = isSoundNumber(type) && readRow(set, frame, count, framed, hdf5().nativeDouble, [&] {
                           values.resize(count);
                           return values.data();
                       });
@@ -259,28 +331,16 @@ std::vector<std::string> H5mdData::textsOf(const Hdf5Handle& set, std::size_t co
     const std::size_t size = hdf5().H5Tget_size(type);
     if (size == 0 || count > mostBytes / size) return texts;
     const bool framed = sizesOf(set).size() > 1;
-    if (hdf5().H5Tis_variable_str(type) > 0) {
-        std::vector<char*> pointers;
-        const bool read = readRow(set, 0, count, framed, type, [&] {
-            pointers.resize(count);
-            return pointers.data();
-        });
-        for (char* const text : pointers) {
-            texts.emplace_back(read && text ? text : "");
-            hdf5().H5free_memory(text);
-        }
-        return read ? texts : std::vector<std::string>();
-    }
     std::string bytes;
-    const bool read = readRow(set, 0, count, framed, type, [&] {
-        bytes.resize(count * size);
-        return bytes.data();
-    });
-    for (std::size_t i = 0; read && i < count; ++i) {
-        const std::string_view text = std::string_view(bytes).substr(i * size, size);
-        texts.emplace_back(text.substr(0, text.find('\0')));
-    }
-    return texts;
+    const auto read = [&](hid_t as, std::size_t each) {
+        return readRow(set, 0, count, framed, as, [&] {
+            bytes.resize(count * each);
+            return bytes.data();
+        });
+    };
+    if (hdf5().H5Tis_variable_str(type) <= 0) return read(type, size) ? cutTexts(bytes, size) : texts;
+    const ReferenceType references(type);
+    return read(references, Hdf5Heaps::kReferenceBytes) ? heapTexts(heaps_, bytes, mostBytes) : texts;
 }
 
 std::map<double, std::string> H5mdData::enumerationOf(const Hdf5Handle& set) {
@@ -289,7 +349,7 @@ std::map<double, std::string> H5mdData::enumerationOf(const Hdf5Handle& set) {
     const Hdf5Handle type(hdf5().H5Dget_type(set), hdf5().H5Tclose);
     if (hdf5().H5Tget_class(type) != H5T_ENUM) return names;
     const Hdf5Handle base(hdf5().H5Tget_super(type), hdf5().H5Tclose);
-    const int count = hdf5().H5Tget_nmembers(type);
+    const int count = isSoundNumber(type) ? hdf5().H5Tget_nmembers(type) : 0;
     for (int i = 0; i < count && hdf5().H5Tget_size(base) <= sizeof(double); ++i) {
         double value = 0;
         char* const name = hdf5().H5Tget_member_name(type, static_cast<unsigned>(i));
@@ -304,12 +364,13 @@ std::map<double, std::string> H5mdData::enumerationOf(const Hdf5Handle& set) {
 double H5mdData::scaleOf(const Hdf5Handle& set) {
     const Hdf5Handle attribute(hdf5().H5Aopen(set, "unit", H5P_DEFAULT), hdf5().H5Aclose);
     if (!attribute.valid()) return 1;
-    const std::vector<std::string> texts = attributeTexts(attribute, 1);
+    const std::vector<std::string> texts = attributeTexts(attribute, 1, heaps_);
     const std::string unit = texts.empty() ? "" : texts[0];
     return unit == "nm" ? kNanometre : unit == "pm" ? 0.01 : unit == "fm" ? 1e-5 : unit == "m" ? 1e10 : 1;
 }
 
-H5mdData::H5mdData(hid_t opened) : file_(opened, hdf5().H5Fclose) {
+H5mdData::H5mdData(hid_t opened, Hdf5Heaps::Read read, std::uint64_t fileBytes)
+    : file_(opened, hdf5().H5Fclose), heaps_(std::move(read), fileBytes, file_.valid() ? userBlock(file_) : 0) {
     if (!file_.valid()) throw Hdf5Fault("it is not HDF5, or damaged");
     positions_ = dataset("coordinates");
     if (positions_.valid()) {
@@ -361,8 +422,8 @@ void H5mdData::readBoundary() {
     if (!box.valid()) return;
     const Hdf5Handle attribute(hdf5().H5Aopen(box, "boundary", H5P_DEFAULT), hdf5().H5Aclose);
     if (!attribute.valid()) return;
-    std::vector<std::string> texts = attributeTexts(attribute, repeats_.size());
-    if (texts.empty()) texts = attributeTexts(attribute, 1);
+    std::vector<std::string> texts = attributeTexts(attribute, repeats_.size(), heaps_);
+    if (texts.empty()) texts = attributeTexts(attribute, 1, heaps_);
     for (std::size_t i = 0; i < repeats_.size() && !texts.empty(); ++i)
         repeats_[i] = !texts[std::min(i, texts.size() - 1)].starts_with("none");
 }

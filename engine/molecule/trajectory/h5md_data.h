@@ -1,20 +1,20 @@
 #pragma once
 // HDF5 files: H5MD (particles/GROUP/position/value) and MDTraj's (coordinates, in nm). By libhdf5, which is loaded for
 // the first of them, and is not on phones. Its serial build takes one call at a time: hold an Hdf5Lock. Files come from
-// anywhere, so links to other files, storage in other files and filters from plug-ins are not followed. Damaged files
-// can crash the library, so the server reads none.
+// anywhere, so links to other files, storage in other files and filters from plug-ins are not followed, and types and
+// texts are checked before the library converts them. Damaged files can still crash it, so the server reads none.
 
 #include <hdf5.h>
 
 #include <array>
 #include <map>
 #include <mutex>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "engine/molecule/trajectory/hdf5_heaps.h"
 #include "engine/molecule/trajectory/trajectory.h"
 
 namespace nacre {
@@ -57,16 +57,11 @@ private:
 
 using Hdf5Sizes = std::vector<hsize_t>;
 
-/// Why a file cannot be read.
-struct Hdf5Fault : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
 /// The positions of an HDF5 file, frame by frame, and its other data by their paths. @throws Hdf5Fault
 class H5mdData {
 public:
     static H5mdData ofFile(const std::string& path);
-    /// @param bytes  of the file, which the library copies
+    /// @param bytes  of the file; they must outlive this
     static H5mdData ofBytes(std::string_view bytes);
 
     std::uint64_t atoms() const { return sizes_[1]; }
@@ -90,19 +85,21 @@ public:
     /// The same of a number per atom, in every frame or once.
     static std::vector<double> valuesOf(const Hdf5Handle& set, std::size_t frame, std::size_t count);
     /// Texts of any kind of string, likewise. @param mostBytes  in memory
-    static std::vector<std::string> textsOf(const Hdf5Handle& set, std::size_t count, std::size_t mostBytes);
+    std::vector<std::string> textsOf(const Hdf5Handle& set, std::size_t count, std::size_t mostBytes);
     /// Names of an enumeration's values; none of any other type.
     static std::map<double, std::string> enumerationOf(const Hdf5Handle& set);
     /// Å per unit of a dataset, by its attribute "unit".
-    static double scaleOf(const Hdf5Handle& set);
+    double scaleOf(const Hdf5Handle& set);
 
 private:
-    explicit H5mdData(hid_t opened);
+    H5mdData(hid_t opened, Hdf5Heaps::Read read, std::uint64_t fileBytes);
     std::string firstOf(const char* group) const;
     hsize_t chunkBytes() const;
     void readBoundary();
 
-    Hdf5Handle file_, positions_, edges_, angles_, times_;
+    Hdf5Handle file_;
+    Hdf5Heaps heaps_;
+    Hdf5Handle positions_, edges_, angles_, times_;
     Hdf5Sizes sizes_;
     std::string group_;
     std::array<bool, 3> repeats_{true, true, true};
