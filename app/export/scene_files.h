@@ -25,10 +25,11 @@ std::string sceneFile(const ExportScene& scene, const std::string& ending, const
 std::string glbFile(const ExportScene& scene, const SceneFileOptions& options);
 
 constexpr std::size_t kMostUsdzTriangles = 5'000'000;  ///< without copies
+constexpr std::size_t kMostUsdzColors = 512 * 512;     ///< a sheet of 2048 x 2048 pixels
 
 /// USDZ: a package with a text layer, a mesh and its copies per chain, whose faces take their colour from a PNG. 1 unit
 /// is 1 cm; y is up, and the scene stands on the origin, for augmented reality.
-/// @throws Error if it would have over kMostUsdzTriangles
+/// @throws Error if it would have over kMostUsdzTriangles or kMostUsdzColors, or over 4 GiB
 std::string usdzFile(const ExportScene& scene, const SceneFileOptions& options);
 
 /// PLY, binary: vertices at one position are merged, so that bodies are closed; faces have colours.

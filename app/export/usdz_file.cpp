@@ -15,7 +15,6 @@ namespace nacre::app {
 namespace {
 
 constexpr std::uint32_t kRgb = 0xffffff;
-constexpr std::size_t kMostColors = 512 * 512;  // a sheet of 2048 x 2048 pixels
 
 void write(std::string& out, double value) {
     char text[40];
@@ -85,9 +84,9 @@ private:
     std::uint32_t placeOf(std::uint32_t color) {
         const auto [known, added] = places_.emplace(color, static_cast<std::uint32_t>(colors_.size()));
         if (added) colors_.push_back(color);
-        if (colors_.size() > kMostColors)
+        if (colors_.size() > kMostUsdzColors)
             throw Error("cannot export molecule", "",
-                        "it has more colours than the limit of .usdz, " + std::to_string(kMostColors));
+                        "it has more colours than the limit of .usdz, " + std::to_string(kMostUsdzColors));
         return known->second;
     }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "app/images/image_file.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -16,10 +17,6 @@ constexpr std::uint32_t kBlock = 4;
 
 void little(std::string& out, std::size_t value, int bytes) {
     for (int i = 0; i < bytes; ++i) out.push_back(static_cast<char>(value >> 8 * i & 255));
-}
-
-void big(std::string& out, std::size_t value) {
-    for (int i = 3; i >= 0; --i) out.push_back(static_cast<char>(value >> 8 * i & 255));
 }
 
 std::size_t checksum(const std::string& bytes) {
@@ -42,22 +39,15 @@ std::string entryOf(const PackedFile& file, std::size_t extra) {
     return out;
 }
 
-void addChunk(std::string& png, const std::string& kind, const std::string& data) {
-    big(png, data.size());
-    const std::string body = kind + data;
-    png += body;
-    big(png, checksum(body));
-}
-
 }  // namespace
 
-std::string storedArchive(const std::vector<PackedFile>& files) {
+std::string storedArchive(const std::vector<PackedFile>& files, std::size_t most) {
     std::string out, directory;
     for (const PackedFile& file : files) {
         const std::size_t at = out.size();
         std::size_t extra = kExtraHeader;
         extra += (kAlignment - (at + kLocalHeader + file.name.size() + extra) % kAlignment) % kAlignment;
-        if (at + kLocalHeader + kAlignment * 2 + file.bytes.size() > 0xff000000)
+        if (at + kLocalHeader + file.name.size() + extra + file.bytes.size() > most)
             throw Error("cannot export molecule", "", "a .usdz file is limited to 4 GiB (fewer --sides, or .glb)");
         out += "PK\x03\x04" + entryOf(file, extra) + file.name;
         little(out, kPadding, 2);
@@ -88,28 +78,15 @@ std::uint32_t sheetSide(std::size_t colors) {
 
 std::string colorSheet(const std::vector<std::uint32_t>& colors) {
     const std::uint32_t side = sheetSide(colors.size()), pixels = side * kBlock;
-    std::string rows;
-    for (std::uint32_t y = 0; y < pixels; ++y) {
-        rows.push_back('\0');  // no filter
+    CodedPicture sheet{pixels, pixels, false, {}};
+    sheet.bytes.reserve(std::size_t{pixels} * pixels * 3);
+    for (std::uint32_t y = 0; y < pixels; ++y)
         for (std::uint32_t x = 0; x < pixels; ++x) {
             const std::size_t i = std::size_t{y / kBlock} * side + x / kBlock;
-            little(rows, i < colors.size() ? colors[i] : 0, 3);
+            const std::uint32_t color = i < colors.size() ? colors[i] : 0;
+            for (const int shift : {0, 8, 16}) sheet.bytes.push_back(static_cast<std::uint8_t>(color >> shift));
         }
-    }
-    uLongf length = compressBound(static_cast<uLong>(rows.size()));
-    std::string packed(length, '\0');
-    compress2(reinterpret_cast<Bytef*>(packed.data()), &length, reinterpret_cast<const Bytef*>(rows.data()),
-              static_cast<uLong>(rows.size()), Z_BEST_COMPRESSION);
-    packed.resize(length);
-    std::string header, png = "\x89PNG\r\n\x1a\n";
-    big(header, pixels);
-    big(header, pixels);
-    header += std::string("\x08\x02\0\0\0", 5);  // 8 bits per channel, RGB
-    addChunk(png, "IHDR", header);
-    addChunk(png, "sRGB", std::string(1, '\0'));
-    addChunk(png, "IDAT", packed);
-    addChunk(png, "IEND", "");
-    return png;
+    return encodePicture(".png", sheet);
 }
 
 }  // namespace nacre::app

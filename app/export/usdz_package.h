@@ -12,9 +12,11 @@ struct PackedFile {
     std::string bytes;
 };
 
+constexpr std::size_t kMostArchive = 0xff000000;  ///< bytes before the directory: its offset has 32 bits
+
 /// A ZIP archive without compression whose files begin at multiples of 64 bytes, as USDZ requires.
-/// @throws Error if it would exceed 4 GiB
-std::string storedArchive(const std::vector<PackedFile>& files);
+/// @param most  for tests @throws Error if the files would exceed it
+std::string storedArchive(const std::vector<PackedFile>& files, std::size_t most = kMostArchive);
 
 /// A square PNG with a block of 4 x 4 pixels per sRGB colour, row by row from the top, so that neither filtering nor
 /// texture compression by blocks mixes them.

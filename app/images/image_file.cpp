@@ -172,12 +172,26 @@ std::string encodePicture(const std::string& extension, const Picture& picture, 
     return file.bytes();
 }
 
-void writePicture(OutputFile& file, const CodedPicture& picture, double dpi) {
+namespace {
+
+void writeCodes(const ImageTarget& target, const CodedPicture& picture, double dpi) {
     const auto channels = static_cast<std::uint32_t>(picture.channels());
     ImageRequest request = requestOf(picture.width, picture.height, channels, Samples::bytes);
     request.dotsPerInch = static_cast<float>(dpi);
     auto rows = [&](std::size_t first, std::size_t) { return picture.bytes.data() + first * picture.width * channels; };
-    write(targetOf(file), request, rows);
+    write(target, request, rows);
+}
+
+}  // namespace
+
+std::string encodePicture(const std::string& extension, const CodedPicture& picture) {
+    UnnamedFile file;
+    writeCodes({"the picture", file.path(), extension, file.descriptor()}, picture, 0);
+    return file.bytes();
+}
+
+void writePicture(OutputFile& file, const CodedPicture& picture, double dpi) {
+    writeCodes(targetOf(file), picture, dpi);
     file.commit();
 }
 

@@ -30,6 +30,7 @@ void writePicture(OutputFile& file, const Picture& picture, const PictureFormat&
 
 /// The bytes of such a file, made in memory. @param extension  of the format, with the dot @throws Error
 std::string encodePicture(const std::string& extension, const Picture& picture, const PictureFormat& format);
+std::string encodePicture(const std::string& extension, const CodedPicture& picture);
 
 /// As writePicture(). @param dpi  as PictureFormat has it
 void writePicture(OutputFile& file, const CodedPicture& picture, double dpi);

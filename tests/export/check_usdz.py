@@ -116,7 +116,7 @@ def checked_archive(path):
 
 
 def pixels_of(png):
-    """Rows of RGB; only what is neither filtered nor interlaced."""
+    """Rows of RGB. Knows the filter "up" alone."""
     require(png[:8] == b"\x89PNG\r\n\x1a\n", "the texture is no PNG")
     at, packed, size = 8, b"", (0, 0)
     while at < len(png):
@@ -129,8 +129,11 @@ def pixels_of(png):
         packed += body if kind == b"IDAT" else b""
         at += 12 + length
     raw, row = zlib.decompress(packed), size[0] * 3 + 1
-    require(len(raw) == row * size[1] and not any(raw[::row]), "the texture has not the size that it states")
-    return [raw[y * row + 1:(y + 1) * row] for y in range(size[1])], size
+    require(len(raw) == row * size[1] and set(raw[::row]) == {2}, "the texture has another size or filter than expected")
+    rows = [bytes(row - 1)]
+    for y in range(size[1]):
+        rows.append(bytes(a + b & 255 for a, b in zip(rows[-1], raw[y * row + 1:(y + 1) * row])))
+    return rows[1:], size
 
 
 def color_at(rows, size, st):

@@ -7,12 +7,14 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/export/scene_files.h"
+#include "app/export/usdz_package.h"
 #include "engine/error.h"
 #include "engine/mesh/mesh_measures.h"
 #include "engine/molecule/drawn_atoms.h"
@@ -264,6 +266,48 @@ TEST(Export, CopiesOfAnAssemblyAreNodesOrWrittenOut) {
     ASSERT_EQ(same.meshes.size(), 1u);
     EXPECT_EQ(same.meshes[0].transforms.size(), 2u);
     EXPECT_TRUE(glbJson(glbFile(same, {"", 1}))["nodes"][2].contains("matrix"));
+}
+
+bool refused(const std::function<void()>& work, const std::string& why) {
+    try {
+        work();
+    } catch (const Error& error) {
+        return std::string(error.what()).find(why) != std::string::npos;
+    }
+    return false;
+}
+
+/// Triangles apart from each other, each in its own colour.
+ExportScene coloredTriangles(std::size_t count) {
+    ExportScene scene;
+    ExportMesh& part = scene.meshes.emplace_back();
+    part.transforms = {glm::dmat4x3(1.0)};
+    const auto corners = static_cast<std::uint32_t>(count * 3);
+    part.mesh.positions.resize(corners);
+    part.mesh.normals.resize(corners, glm::vec3(0, 0, 1));
+    for (std::uint32_t i = 0; i < corners; ++i) part.mesh.atoms.push_back(0xff000000 | i / 3);
+    for (std::uint32_t i = 0; i < corners; i += 3) part.mesh.triangles.emplace_back(i, i + 1, i + 2);
+    return scene;
+}
+
+TEST(Export, UsdzHoldsAsManyColorsAndTrianglesAsItStates) {
+    ExportScene scene = coloredTriangles(kMostUsdzColors);
+    const std::string file = usdzFile(scene, {"", 1});
+    // The width of the picture of colours, behind its signature and the name of its first chunk.
+    const std::size_t png = file.find("IHDR");
+    ASSERT_NE(png, std::string::npos);
+    EXPECT_EQ(file.substr(png + 4, 4), std::string("\0\0\x08\0", 4)) << "2048 pixels";
+    scene = coloredTriangles(kMostUsdzColors + 1);
+    EXPECT_TRUE(refused([&] { usdzFile(scene, {"", 1}); }, "more colours than the limit of .usdz"));
+    scene.meshes[0].mesh.triangles.assign(kMostUsdzTriangles + 1, glm::uvec3(0, 1, 2));
+    EXPECT_TRUE(refused([&] { usdzFile(scene, {"", 1}); }, "5000001 triangles, more than the limit"));
+}
+
+TEST(Export, AnArchiveEndsBeforeItsOffsetsOverflow) {
+    const std::vector<PackedFile> files{{"a", std::string(1000, 'x')}, {"b", std::string(500, 'y')}};
+    constexpr std::size_t kEnd = 1152 + 500;  // they begin at 64 and at 1152
+    EXPECT_EQ(storedArchive(files, kEnd), storedArchive(files));
+    EXPECT_TRUE(refused([&] { storedArchive(files, kEnd - 1); }, "limited to 4 GiB"));
 }
 
 TEST(Export, TheProgramWritesThemAndRefusesTheRest) {
