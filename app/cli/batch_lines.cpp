@@ -98,12 +98,8 @@ std::size_t placeOf(const std::string& path) {
 
 std::vector<std::string> inputsOf(const PictureDescription& job) {
     std::vector<std::string> inputs{filePathOf(job.input), job.view, trajectoryPathOf(job.input)};
-    for (const FurtherInput& further : job.input.further) {
-        InputOptions each = job.input;
-        each.path = further.path;
-        each.hash = further.hash;
-        inputs.push_back(filePathOf(each));
-    }
+    for (const FurtherInput& further : job.input.further)
+        inputs.push_back(filePathOf(furtherInput(job.input, further)));
     return inputs;
 }
 

@@ -31,12 +31,7 @@ bool sameLook(const PictureDescription& a, PictureDescription b) {
 
 std::string pathsOf(const InputOptions& input) {
     std::string paths = filePathOf(input);
-    for (const FurtherInput& further : input.further) {
-        InputOptions each = input;
-        each.path = further.path;
-        each.hash = further.hash;
-        paths += ", " + filePathOf(each);
-    }
+    for (const FurtherInput& further : input.further) paths += ", " + filePathOf(furtherInput(input, further));
     return paths;
 }
 
@@ -173,10 +168,7 @@ void MovieScenes::layMorph(const InputOptions& input) {
     std::vector<std::vector<glm::vec3>> keys(1);
     for (const Atom& atom : molecule_.atoms) keys[0].push_back(atom.position);
     for (const FurtherInput& further : options_.conformations) {
-        each.path = further.path;
-        each.hash = further.hash;
-        each.opened = further.opened;
-        const Molecule other = loadMolecule(each, downloadProgress(progress_));
+        const Molecule other = loadMolecule(furtherInput(each, further), downloadProgress(progress_));
         Conformation next = conformationOf(molecule_, other, further.path);
         if (next.matched < molecule_.atoms.size())
             sayNote(std::to_string(next.matched) + " of " + std::to_string(molecule_.atoms.size()) +

@@ -130,13 +130,8 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
     if (input.further.empty()) return molecule;
     std::vector<Molecule> molecules;
     molecules.push_back(std::move(molecule));
-    InputOptions next = structure;
-    for (const FurtherInput& further : input.further) {
-        next.path = further.path;
-        next.hash = further.hash;
-        next.opened = further.opened;
-        molecules.push_back(loadStructure(next, onDownload, onModel, onStep));
-    }
+    for (const FurtherInput& further : input.further)
+        molecules.push_back(loadStructure(furtherInput(structure, further), onDownload, onModel, onStep));
     return joinInputs(input, std::move(molecules), sayNote);
 }
 

@@ -67,11 +67,8 @@ void takeMap(PictureDescription& picture) {
     std::vector<std::string> found;
     if (isMap(input)) found.push_back(mapName(input));
     std::erase_if(input.further, [&](const FurtherInput& further) {
-        InputOptions each = input;
-        each.path = further.path;
-        each.hash = further.hash;
-        each.opened = nullptr;
-        if (further.opened || !isMap(each)) return false;
+        const InputOptions each = furtherInput(input, further);
+        if (each.opened || !isMap(each)) return false;
         found.push_back(mapName(each));
         return true;
     });
@@ -190,12 +187,7 @@ void completeUnwritten(PictureDescription& picture) {
 PictureDescription withWholePaths(PictureDescription picture) {
     const InputOptions each = picture.input;
     picture.input.path = filePathOf(each);
-    for (FurtherInput& further : picture.input.further) {
-        InputOptions one = each;
-        one.path = further.path;
-        one.hash = further.hash;
-        further.path = filePathOf(one);
-    }
+    for (FurtherInput& further : picture.input.further) further.path = filePathOf(furtherInput(each, further));
     std::string& trajectory = picture.input.trajectory.path;
     if (!trajectory.empty()) trajectory = std::filesystem::absolute(trajectory).lexically_normal().string();
     return picture;

@@ -73,4 +73,12 @@ struct InputOptions {
     std::optional<std::int64_t> memoryMegabytes;  ///< for the molecule, of 2^20 bytes; empty: half of the machine's
 };
 
+/// A further input as it is read: like the first, from its own file.
+inline InputOptions furtherInput(InputOptions first, const FurtherInput& further) {
+    first.path = further.path;
+    first.hash = further.hash;
+    first.opened = further.opened;
+    return first;
+}
+
 }  // namespace nacre::app

@@ -152,13 +152,10 @@ bool isServed(const Option& option) {
 }
 
 std::string moleculeKey(const PictureDescription& description) {
-    InputOptions input = description.input;
+    const InputOptions& input = description.input;
     std::string key = printed(description, true) + (input.alone ? "alone " : "") + keyOf(input);
-    for (const FurtherInput& further : description.input.further) {
-        input.path = further.path;
-        input.opened = further.opened;
-        key += "\n" + further.name + "=" + keyOf(input);
-    }
+    for (const FurtherInput& further : input.further)
+        key += "\n" + further.name + "=" + keyOf(furtherInput(input, further));
     return key;
 }
 
