@@ -65,11 +65,18 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
     motion("axis", "AXIS", "y", "Axis of --rock, as for --spin");
     motion("map-sweep", "FROM,TO", "none",
            "Contour level of the first map from FROM to TO, as --map-level has them; with --spin or --rock also back");
-    command.flag("--models", options.models,
-                 "Show the models or records of INPUT in sequence, or the frames of --trajectory");
-    command.flag("--morph", options.morph,
-                 "Move from each model of INPUT to the next, or from INPUT to the further ones, by interpolated\n"
-                 "frames of its parts: bonds keep their lengths");
+    const auto models = [&](const std::string& name, MovieModels shown, const std::string& help) {
+        command.add({name, "", "", help, [&options, shown](const std::string&) {
+                         if (options.models != MovieModels::one)
+                             throw UsageError("--models and --morph exclude each other");
+                         options.models = shown;
+                     }});
+    };
+    models("--models", MovieModels::sequence,
+           "Show the models or records of INPUT in sequence, or the frames of --trajectory");
+    models("--morph", MovieModels::morph,
+           "Move from each model of INPUT to the next, or from INPUT to the further ones, by interpolated\n"
+           "frames of its parts: bonds keep their lengths");
     command.value("--frames", "FIRST-LAST[:STEP]", "all",
                   "With --models: only these models or frames, counted from 1, every STEP-th; 101- runs to the end",
                   [&](const std::string& text) { options.range = parseFrames(text); });
@@ -90,45 +97,42 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
 
 void takeMorph(MovieOptions& options) {
     InputOptions& input = options.picture.input;
-    if (options.models) throw UsageError("--models and --morph exclude each other");
     if (!input.trajectory.path.empty()) throw UsageError("--morph goes through models or inputs, not a --trajectory");
     if (!input.fits.empty() || !input.alignments.empty())
         throw UsageError("--morph superposes its inputs: leave out --fit and --align");
-    if (options.range.first != 1 || options.range.last != 0 || options.range.step != 1)
-        throw UsageError("--frames is for --models");
     options.conformations = std::exchange(input.further, {});
-    options.models = true;
 }
 
 void checkMotion(const MovieOptions& options) {
     const int cameras = (options.spin ? 1 : 0) + (options.rock ? 1 : 0) + (options.views.empty() ? 0 : 1);
     if (cameras > 1) throw UsageError("--spin, --rock and --views exclude each other");
-    if (options.picture.input.snapshot == kAllSnapshots && (cameras || options.models || options.sweep))
+    const bool sequence = options.models == MovieModels::sequence, morph = options.models == MovieModels::morph;
+    const bool several = sequence || morph, snapshots = showsSnapshots(options);
+    if (options.picture.input.snapshot == kAllSnapshots && (cameras || several || options.sweep))
         throw UsageError("--snapshot all moves from snapshot to snapshot: name one for other motions");
-    const bool snapshots = showsSnapshots(options);
-    if (cameras == 0 && !options.models && !options.sweep && !snapshots)
+    if (cameras == 0 && !several && !options.sweep && !snapshots)
         throw UsageError("no motion given: add --spin, --rock, --views, --models, --morph or --map-sweep");
     if (options.sweep && options.picture.maps.files.empty()) throw UsageError("--map-sweep needs --map");
-    if (options.sweep && (options.models || !options.views.empty()))
+    if (options.sweep && (several || !options.views.empty()))
         throw UsageError("--map-sweep goes with --spin and --rock only: views have levels of their own");
-    if (options.loop && options.views.empty() && !snapshots && !options.morph)
+    if (options.loop && options.views.empty() && !snapshots && !morph)
         throw UsageError("--loop is for --views, --morph and --snapshot all");
     checkCameraMotion(options);
-    if (options.easing && cameras == 0 && !options.sweep && !snapshots && !options.morph)
+    if (options.easing && cameras == 0 && !options.sweep && !snapshots && !morph)
         throw UsageError("--easing is for --spin, --rock, --views, --morph, --map-sweep and --snapshot all");
-    if (options.easing == Easing::stops && options.views.empty() && !options.morph)
+    if (options.easing == Easing::stops && options.views.empty() && !morph)
         throw UsageError("--easing stops is for --views and --morph");
     const bool trajectory = !options.picture.input.trajectory.path.empty();
-    if (options.models && !trajectory && isGiven(options, "model"))
+    if (several && !trajectory && isGiven(options, "model"))
         throw UsageError("--models shows one model after the other: leave out --model");
     const FrameRange& range = options.range;
-    if (!options.models && (range.first != 1 || range.last != 0 || range.step != 1))
+    if (!sequence && (range.first != 1 || range.last != 0 || range.step != 1))
         throw UsageError("--frames is for --models");
-    if (options.models && isGiven(options, "frame"))
+    if (sequence && isGiven(options, "frame"))
         throw UsageError("--models shows one frame after the other: leave out --frame");
-    if (options.models && !options.views.empty() && options.picture.look.ownFrame)
+    if (several && !options.views.empty() && options.picture.look.ownFrame)
         throw UsageError("--camera model and --views exclude each other: --views move the camera");
-    if (options.models && options.picture.input.path == "-" && options.picture.input.trajectory.path.empty())
+    if (sequence && options.picture.input.path == "-" && !trajectory)
         throw UsageError("--models reads INPUT several times: name a file, not standard input");
     if (!snapshots && framesOf(options, 1) > kMostMovieFrames)
         throw UsageError("more than " + std::to_string(kMostMovieFrames) + " frames: lower --seconds or --fps");
@@ -142,7 +146,8 @@ std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models) {
     const std::size_t views = options.views.size();
     const bool moving = !options.picture.input.trajectory.path.empty();
     double seconds = secondsOf(options, models, moving);
-    if (options.morph) seconds = kStretchSeconds * static_cast<double>(options.loop ? models : models - 1);
+    if (options.models == MovieModels::morph)
+        seconds = kStretchSeconds * static_cast<double>(options.loop ? models : models - 1);
     if (views) seconds = kStretchSeconds * static_cast<double>(options.loop ? views : views - 1);
     seconds = options.seconds.value_or(seconds);
     return static_cast<std::uint64_t>(std::max(std::llround(seconds * options.framesPerSecond), 1ll));

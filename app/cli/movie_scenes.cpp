@@ -40,7 +40,7 @@ void checkSameInput(const MovieOptions& options, const InputOptions& named) {
     const InputOptions& input = options.picture.input;
     const std::string file = named.namedBy, cannot = "cannot join views";
     if (input.namedBy.empty() || named.path.empty()) return;  // who names INPUT means that
-    if (pathsOf(named) != pathsOf(input) || (!options.models && named.model != input.model))
+    if (pathsOf(named) != pathsOf(input) || (options.models == MovieModels::one && named.model != input.model))
         throw Error(cannot, file, "it is of another molecule than the first: " + pathsOf(named));
     if (!isGiven(options, "trajectory") && trajectoryPathOf(named) != input.trajectory.path)
         throw Error(cannot, file, "it is of another trajectory than the first: " + trajectoryPathOf(named));
@@ -99,29 +99,30 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
     progress_.begin("reading");
     InputOptions input = options.picture.input;
     const bool laid = input.trajectory.fit || input.trajectory.smooth != 1;
-    molecules_ = options.models ? 1 : input.model;
-    if (options.morph) {
+    const bool one = options.models == MovieModels::one, morph = options.models == MovieModels::morph;
+    molecules_ = one ? input.model : 1;
+    if (morph) {
         layMorph(input);
-    } else if (options.models && input.trajectory.path.empty()) {
+    } else if (!one && input.trajectory.path.empty()) {
         file_ = openModels(input, downloadProgress(progress_));
         models_ = static_cast<std::uint64_t>(file_->count());
         molecule_ = file_->first();
         if (laid) layModels(input);
     } else {
         InputOptions still = input;
-        if (options.models) {  // the trajectory is opened below
+        if (!one) {  // the trajectory is opened below
             still.trajectory = {};
             still.alone = true;
         }
         molecule_ = loadMolecule(still, downloadProgress(progress_));
-        if (options.models) {
+        if (!one) {
             motion_ = openMotion(input.trajectory, molecule_);
             models_ = motion_->frames();
         }
     }
-    if (options.models && !options.morph) takeRange(input.path);
+    if (options.models == MovieModels::sequence) takeRange(input.path);
     loadMaps(options.picture, downloadProgress(progress_));
-    frames_ = options.morph ? models_ : framesOf(options, models_);
+    frames_ = morph ? models_ : framesOf(options, models_);
     if (frames_ > kMostMovieFrames)
         throw Error("movie too long", input.path, "more than " + std::to_string(kMostMovieFrames) + " frames");
     progress_.begin("building the scene");
@@ -217,7 +218,7 @@ void MovieScenes::addKeys() {
         if (same == looks_.end()) addLook(options);
         keys_.push_back(key);
     }
-    if (options_.models && looks_.size() > 1)
+    if (severalModels() && looks_.size() > 1)
         throw Error("cannot join views", options_.views.front(),
                     "with --models, views may differ in their cameras alone");
     path_.emplace(std::move(lenses), options_.loop);
@@ -242,7 +243,7 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     const std::optional<Bounds> frame = file_ && !motion_ ? frameOf(look) : std::nullopt;
     look.framed = frame.has_value();
     look.drawing.forget();
-    if (options_.models && !motion_) look.options.input.model = model;  // for titles
+    if (severalModels() && !motion_) look.options.input.model = model;  // for titles
     look.drawing.prepare(molecule_, look.options, frame);
     if (first)
         for (const std::string& warning : look.drawing.warnings) sayWarning(warning);
@@ -251,7 +252,7 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
         if (onBake) onBake(share);
     };
     // Occlusion of models that come and go is not worth room on the disk.
-    if (options_.models) look.drawing.settings.occlusion.cache.clear();
+    if (severalModels()) look.drawing.settings.occlusion.cache.clear();
     if (motion_ && !look.options.look.ownFrame) look.drawing.startMoving(molecule_);
     if (!look.canvas) look.canvas = std::make_unique<Canvas>(look.options.device);
     options_.sweep ? look.drawing.show(*look.canvas) : look.drawing.handOver(*look.canvas);
@@ -337,13 +338,13 @@ Picture MovieScenes::drawKeys(double place, int model) {
 }
 
 int MovieScenes::modelAt(std::uint64_t frame) const {
-    if (!options_.models) return molecules_;
+    if (!severalModels()) return molecules_;
     return static_cast<int>(options_.range.first +
                             static_cast<std::int64_t>(frame * models_ / frames_) * options_.range.step);
 }
 
 std::optional<int> MovieScenes::modelOf(std::uint64_t frame) const {
-    return options_.models ? std::optional(modelAt(frame)) : std::nullopt;
+    return severalModels() ? std::optional(modelAt(frame)) : std::nullopt;
 }
 
 Picture MovieScenes::draw(std::uint64_t frame) {

@@ -75,6 +75,7 @@ private:
     Picture drawKeys(double place, int model);
     void moveTo(Look& look, int frame);
     void sweepTo(Look& look, double time);
+    bool severalModels() const { return options_.models != MovieModels::one; }
     int modelAt(std::uint64_t frame) const;
 
     const MovieOptions& options_;

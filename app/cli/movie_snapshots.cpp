@@ -35,7 +35,8 @@ SnapshotPlace SnapshotTimeline::at(double time) const {
 
 bool showsSnapshots(const MovieOptions& options) {
     if (options.picture.input.snapshot == kAllSnapshots) return true;
-    const bool moves = options.spin || options.rock || options.sweep || options.models || !options.views.empty();
+    const bool moves =
+        options.spin || options.rock || options.sweep || options.models != MovieModels::one || !options.views.empty();
     return !moves && !isGiven(options, "snapshot") && mvs::isSceneFile(filePathOf(options.picture.input));
 }
 

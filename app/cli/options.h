@@ -21,11 +21,17 @@ struct FrameRange {
     std::int64_t step = 1;
 };
 
+/// What a movie shows of several models.
+enum class MovieModels {
+    one,
+    sequence,  ///< each after the other, or the frames of a trajectory
+    morph      ///< the way between them, or from INPUT to the further ones
+};
+
 /// Motion, duration and frame rate.
 struct MovieOptions : CameraMotion {
     PictureDescription picture;
-    bool models = false;                      ///< shown in sequence
-    bool morph = false;                       ///< between models, or from INPUT to the further ones; implies `models`
+    MovieModels models = MovieModels::one;
     std::vector<FurtherInput> conformations;  ///< of a morph: the inputs after the first
     FrameRange range;                         ///< of these models or frames
     std::vector<std::string> views;

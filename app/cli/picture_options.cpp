@@ -267,10 +267,11 @@ void checkMovie(MovieOptions& options) {
         if (given.frame != 1) picture.input.trajectory.frame = given.frame;
     }
     if (!takeInput(picture)) throw UsageError("INPUT is required: a file, pdb:1BNA, or sample:dna");
-    if (!picture.input.further.empty() && options.models) throw UsageError("--models is for one INPUT");
-    if (options.morph) takeMorph(options);
+    if (!picture.input.further.empty() && options.models == MovieModels::sequence)
+        throw UsageError("--models is for one INPUT");
+    if (options.models == MovieModels::morph) takeMorph(options);
     takeMap(picture);
-    checkFrames(picture, options.models);
+    checkFrames(picture, options.models != MovieModels::one);
     takeSeveral(picture);
     if (isStandardOutput(picture.output) && isStandardOutput(options.report))
         throw UsageError("--output and --report cannot both be standard output");
