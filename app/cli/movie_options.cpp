@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "app/cli/movie_snapshots.h"
 #include "app/movie/movie_file.h"
@@ -100,7 +99,7 @@ void takeMorph(MovieOptions& options) {
     if (!input.trajectory.path.empty()) throw UsageError("--morph goes through models or inputs, not a --trajectory");
     if (!input.fits.empty() || !input.alignments.empty())
         throw UsageError("--morph superposes its inputs: leave out --fit and --align");
-    options.conformations = std::exchange(input.further, {});
+    input.conformations = !input.further.empty();
 }
 
 void checkMotion(const MovieOptions& options) {
@@ -146,8 +145,6 @@ std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models) {
     const std::size_t views = options.views.size();
     const bool moving = !options.picture.input.trajectory.path.empty();
     double seconds = secondsOf(options, models, moving);
-    if (options.models == MovieModels::morph)
-        seconds = kStretchSeconds * static_cast<double>(options.loop ? models : models - 1);
     if (views) seconds = kStretchSeconds * static_cast<double>(options.loop ? views : views - 1);
     seconds = options.seconds.value_or(seconds);
     return static_cast<std::uint64_t>(std::max(std::llround(seconds * options.framesPerSecond), 1ll));

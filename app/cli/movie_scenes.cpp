@@ -69,19 +69,6 @@ void moveClip(Clip& clip, const Clip& a, const Clip& b, double share, double rad
     clip.far = way(a.far, b.far, radius);
 }
 
-/// Where each frame is between the conformations: 0 is the first, 1 the second.
-std::vector<double> morphPlaces(const MovieOptions& options, std::uint64_t frames, double last) {
-    const Easing easing = options.easing.value_or(Easing::smooth);
-    std::vector<double> places;
-    for (std::uint64_t frame = 0; frame < frames; ++frame) {
-        const auto steps = static_cast<double>(options.loop ? frames : std::max<std::uint64_t>(frames - 1, 1));
-        const double time = static_cast<double>(frame) / steps, key = std::floor(time * last);
-        places.push_back(easing == Easing::stops ? key + eased(Easing::smooth, time * last - key)
-                                                 : last * eased(easing, time));
-    }
-    return places;
-}
-
 }  // namespace
 
 Picture mixed(Picture a, const Picture& b, float share) {
@@ -103,6 +90,10 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
     molecules_ = one ? input.model : 1;
     if (morph) {
         layMorph(input);
+    } else if (!one && input.conformations) {
+        molecule_ = loadMolecule(input, downloadProgress(progress_));
+        models_ = molecule_.others.size() + 1;
+        layModels(input);
     } else if (!one && input.trajectory.path.empty()) {
         file_ = openModels(input, downloadProgress(progress_));
         models_ = static_cast<std::uint64_t>(file_->count());
@@ -161,38 +152,14 @@ void MovieScenes::layModels(const InputOptions& input) {
     motion_ = std::make_unique<Motion>(std::move(models), molecule_, motionOptions(input.trajectory, molecule_));
 }
 
-/// The conformations between those of the models, or of the inputs: one for each frame of the movie.
+/// The conformations between those of the models: one for each frame of the movie.
 void MovieScenes::layMorph(const InputOptions& input) {
-    InputOptions each = input;
-    each.alone = !options_.conformations.empty();
-    molecule_ = loadMolecule(each, downloadProgress(progress_));
-    std::vector<std::vector<glm::vec3>> keys(1);
-    for (const Atom& atom : molecule_.atoms) keys[0].push_back(atom.position);
-    for (const FurtherInput& further : options_.conformations) {
-        const Molecule other = loadMolecule(furtherInput(each, further), downloadProgress(progress_));
-        Conformation next = conformationOf(molecule_, other, further.path);
-        if (next.matched < molecule_.atoms.size())
-            sayNote(std::to_string(next.matched) + " of " + std::to_string(molecule_.atoms.size()) +
-                    " atoms have a counterpart in " + further.path + "; the others go with those around them");
-        molecule_.others.add({next.positions, nullptr});  // for a camera that frames both ends
-        keys.push_back(std::move(next.positions));
-    }
-    if (options_.conformations.empty()) {
-        const auto models = trajectoryOfModels(std::make_shared<const Molecule>(molecule_), 1, true);
-        const std::string& missing = molecule_.othersMissing;
-        if (std::max(molecule_.file.models.value_or(1), molecule_.file.records.value_or(1)) == 1)
-            throw Error("cannot morph", input.path, "it has one model: name another INPUT");
-        if (!models) throw Error("cannot morph", input.path, missing.empty() ? differenceOfModels(molecule_) : missing);
-        if (models->frames() > kMostMorphPositions / molecule_.atoms.size())
-            throw Error("cannot morph", input.path,
-                        "its models have more than " + std::to_string(kMostMorphPositions) + " atoms together");
-        for (std::size_t i = 1; i < models->frames(); ++i) keys.push_back(models->read(i).positions);
-    }
-    models_ = framesOf(options_, keys.size());
-    if (options_.loop) keys.push_back(keys.front());
-    motion_ = std::make_unique<Motion>(
-        morphThrough(molecule_, keys, morphPlaces(options_, models_, static_cast<double>(keys.size() - 1))), molecule_,
-        motionOptions(input.trajectory, molecule_));
+    molecule_ = loadMolecule(input, downloadProgress(progress_));
+    const std::uint64_t keys = std::max<std::uint64_t>(molecule_.others.size() + 1, 2);
+    models_ = framesOf(options_, keys);
+    motion_ = std::make_unique<Motion>(morphOfModels(std::make_shared<const Molecule>(molecule_), 1,
+                                                     morphPlaces(options_, models_, keys), options_.loop, input.path),
+                                       molecule_, motionOptions(input.trajectory, molecule_));
 }
 
 void MovieScenes::addLook(const PictureDescription& options) {

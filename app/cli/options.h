@@ -21,22 +21,12 @@ struct FrameRange {
     std::int64_t step = 1;
 };
 
-/// What a movie shows of several models.
-enum class MovieModels {
-    one,
-    sequence,  ///< each after the other, or the frames of a trajectory
-    morph      ///< the way between them, or from INPUT to the further ones
-};
-
 /// Motion, duration and frame rate.
 struct MovieOptions : CameraMotion {
     PictureDescription picture;
-    MovieModels models = MovieModels::one;
-    std::vector<FurtherInput> conformations;  ///< of a morph: the inputs after the first
-    FrameRange range;                         ///< of these models or frames
+    FrameRange range;  ///< of the models or frames
     std::vector<std::string> views;
     std::vector<OptionValue> given;  ///< options of `picture` that were given: they override each view's
-    bool loop = false;               ///< the last view returns to the first
     std::string report;              ///< path, "-" for standard output; empty: none
 };
 

@@ -267,7 +267,7 @@ void checkMovie(MovieOptions& options) {
         if (given.frame != 1) picture.input.trajectory.frame = given.frame;
     }
     if (!takeInput(picture)) throw UsageError("INPUT is required: a file, pdb:1BNA, or sample:dna");
-    if (!picture.input.further.empty() && options.models == MovieModels::sequence)
+    if (picture.input.several() && options.models == MovieModels::sequence)
         throw UsageError("--models is for one INPUT");
     if (options.models == MovieModels::morph) takeMorph(options);
     takeMap(picture);
@@ -288,7 +288,7 @@ bool checkWindow(PictureDescription& first) {
     const bool named = takeInput(first);
     takeMap(first);
     takeSeveral(first);
-    if (!first.input.further.empty() && !first.input.trajectory.path.empty())
+    if (first.input.several() && !first.input.trajectory.path.empty())
         throw UsageError("a window moves one INPUT: leave out --trajectory, or the others");
     checkFiles(first);
     return named;

@@ -119,7 +119,7 @@ std::vector<std::string> movieArguments(const RecordingWish& wish, const Picture
     if (t.whole) add({"--whole"});
     if (t.fit) add({"--fit-frames", t.fit->text});
     if (t.smooth > 1) add({"--smooth", std::to_string(t.smooth)});
-    if (wish.motion != M::models && shown.input.model != 1)
+    if (wish.motion != M::models && wish.motion != M::morph && shown.input.model != 1)
         add({"--model", shown.input.model == kAllModels ? "all" : std::to_string(shown.input.model)});
     if (wish.motion == M::views) {
         std::string list;
@@ -133,6 +133,7 @@ std::vector<std::string> movieArguments(const RecordingWish& wish, const Picture
     if (wish.motion == M::spin) add({"--spin", "y"});
     if (wish.motion == M::rock) add({"--rock", "30"});
     if (wish.motion == M::models) add({"--models"});
+    if (wish.motion == M::morph) add({"--morph"});
     return words;
 }
 

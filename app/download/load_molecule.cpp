@@ -122,6 +122,7 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
     InputOptions structure = input;
     // Frames of a trajectory do not match other models, and several molecules are not models of one file.
     structure.alone = input.alone || !input.trajectory.path.empty() || !input.further.empty();
+    if (input.conformations && !input.further.empty()) structure.model = 1;  // --model counts the INPUTs
     Molecule molecule = loadStructure(structure, onDownload, onModel, onStep);
     moveToFrame(input.trajectory, molecule);
     if (input.further.empty()) fitModels(input, molecule);
@@ -132,7 +133,8 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
     molecules.push_back(std::move(molecule));
     for (const FurtherInput& further : input.further)
         molecules.push_back(loadStructure(furtherInput(structure, further), onDownload, onModel, onStep));
-    return joinInputs(input, std::move(molecules), sayNote);
+    return input.conformations ? joinConformations(input, std::move(molecules), sayNote)
+                               : joinInputs(input, std::move(molecules), sayNote);
 }
 
 Molecule loadSnapshot(OpenScene& scene, const InputOptions& input, const std::function<void(double)>& onDownload) {

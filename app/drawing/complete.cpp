@@ -81,7 +81,11 @@ void takeMap(PictureDescription& picture) {
 
 void takeSeveral(PictureDescription& picture) {
     const InputOptions& input = picture.input;
-    if (input.further.empty()) {
+    if (!input.several()) {
+        if (input.conformations && !input.trajectory.path.empty())
+            throw UsageError("--conformations and --trajectory exclude each other");
+        if (!input.further.empty() && (!input.fits.empty() || !input.alignments.empty()))
+            throw UsageError("--conformations superposes the INPUTs: leave out --fit and --align");
         if (!input.fits.empty()) throw UsageError("--fit superposes one INPUT on another: name two");
         if (!input.alignments.empty()) throw UsageError("--align superposes one INPUT on another: name two");
         return;

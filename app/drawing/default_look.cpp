@@ -52,7 +52,7 @@ void takeDefaultLook(const ResidueFacts& facts, std::span<const std::uint32_t> d
     if (!look.contacts.of) return;
     Rule sticks =
         parseShow("byres (within " + numberText(kPocketReach) + " of (" + look.contacts.of->text + "))=licorice");
-    if (!picture.input.further.empty()) nameInputs(inputNames(picture.input), sticks.selection);
+    if (picture.input.several()) nameInputs(inputNames(picture.input), sticks.selection);
     look.rules.insert(look.rules.begin(), std::move(sticks));
 }
 

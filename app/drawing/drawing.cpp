@@ -30,7 +30,7 @@ namespace {
 bool showsLaterFrame(const PictureDescription& picture) {
     const TrajectoryOptions& frames = picture.input.trajectory;
     return !frames.path.empty() && frames.frame != 1 && !picture.look.ownFrame && picture.look.assembly.empty() &&
-           picture.input.further.empty();
+           !picture.input.several();
 }
 
 /// The view's aim. Pictures that share a scale are not fitted individually.

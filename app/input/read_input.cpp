@@ -21,6 +21,7 @@
 #include "engine/molecule/join_models.h"
 #include "engine/molecule/memory_bound.h"
 #include "engine/molecule/superpose.h"
+#include "engine/molecule/trajectory/morph.h"
 
 namespace nacre::app {
 namespace {
@@ -110,6 +111,36 @@ Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
     whole.inputFiles = std::move(files);
     whole.assemblies.clear();  // they arrange one molecule, not all
     fitInputs(input, whole, tell);
+    return whole;
+}
+
+Molecule joinConformations(const InputOptions& input, std::vector<Molecule> molecules,
+                           const std::function<void(const std::string&)>& tell) {
+    Molecule whole = std::move(molecules.front());
+    const std::size_t atoms = whole.atoms.size(), count = molecules.size();
+    const auto shown = static_cast<std::size_t>(std::max(input.model, 1)) - 1;
+    if (input.model == kAllModels || shown >= count)
+        throw Error("cannot show conformations", input.path,
+                    input.model == kAllModels
+                        ? "they are shown one by one: leave out --conformations, or --model all"
+                        : "there is no model " + std::to_string(input.model) + ": there are " + std::to_string(count));
+    std::vector<std::vector<glm::vec3>> positions(1);
+    for (const Atom& atom : whole.atoms) positions[0].push_back(atom.position);
+    for (std::size_t i = 1; i < count; ++i) {
+        const std::string& name = input.further[i - 1].path;
+        Conformation next = conformationOf(whole, molecules[i], name);
+        if (next.matched < atoms)
+            tell(std::to_string(next.matched) + " of " + std::to_string(atoms) + " atoms have a counterpart in " +
+                 name + "; the others go with those around them");
+        positions.push_back(std::move(next.positions));
+    }
+    whole.others.clear();
+    whole.othersMissing.clear();
+    if (shown > 0) movePositions(whole, positions[shown]);
+    for (std::size_t i = 0; i < count; ++i)
+        if (i != shown) whole.others.add({std::move(positions[i]), nullptr});
+    whole.file.models = static_cast<std::int64_t>(count);
+    whole.file.records.reset();
     return whole;
 }
 

@@ -41,6 +41,13 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
 Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
                     const std::function<void(const std::string&)>& tell);
 
+/// Takes the INPUTs after the first for its conformations: other models of one molecule, which is at the one that
+/// `input.model` counts.
+/// @param tell  receives one line for each that lacks counterparts of some atoms
+/// @throws Error if there is no such model, or one has too few counterparts
+Molecule joinConformations(const InputOptions& input, std::vector<Molecule> molecules,
+                           const std::function<void(const std::string&)>& tell);
+
 /// Processing of frames. @throws Error if too few atoms are selected to fit
 MotionOptions motionOptions(const TrajectoryOptions& options, const Molecule& molecule);
 

@@ -118,12 +118,27 @@ void checkCameraMotion(const CameraMotion& motion) {
 }
 
 double secondsOf(const CameraMotion& motion, std::uint64_t models, bool trajectory) {
-    constexpr double kSpinSeconds = 6, kRockSeconds = 4, kModelSeconds = 0.1, kSweepSeconds = 4;
+    constexpr double kSpinSeconds = 6, kRockSeconds = 4, kModelSeconds = 0.1, kSweepSeconds = 4, kStepSeconds = 2;
     if (motion.seconds) return *motion.seconds;
+    if (motion.models == MovieModels::morph)
+        return kStepSeconds * static_cast<double>(motion.loop ? models : models - 1);
     if (motion.rock) return kRockSeconds;
     if (motion.spin) return kSpinSeconds;
     if (motion.sweep) return kSweepSeconds;
     return static_cast<double>(models) * (trajectory ? 1 / motion.framesPerSecond : kModelSeconds);
+}
+
+std::vector<double> morphPlaces(const CameraMotion& motion, std::uint64_t frames, std::uint64_t models) {
+    const Easing easing = motion.easing.value_or(Easing::smooth);
+    const auto last = static_cast<double>(motion.loop ? models : models - 1);
+    const auto steps = static_cast<double>(motion.loop ? frames : std::max<std::uint64_t>(frames - 1, 1));
+    std::vector<double> places;
+    for (std::uint64_t frame = 0; frame < frames; ++frame) {
+        const double time = static_cast<double>(frame) / steps, key = std::floor(time * last);
+        places.push_back(easing == Easing::stops ? key + eased(Easing::smooth, time * last - key)
+                                                 : last * eased(easing, time));
+    }
+    return places;
 }
 
 View viewAt(const CameraMotion& motion, const View& view, double time) {

@@ -36,8 +36,17 @@ struct LevelSweep {
     MapLevel at(double share) const { return {from.unit, from.value + (to.value - from.value) * share}; }
 };
 
-/// How a camera moves by itself, how long and how fast.
+/// What a movie shows of several models.
+enum class MovieModels {
+    one,
+    sequence,  ///< each after the other, or the frames of a trajectory
+    morph      ///< the way from each to the next
+};
+
+/// How a camera moves by itself, and models; how long and how fast.
 struct CameraMotion {
+    MovieModels models = MovieModels::one;
+    bool loop = false;                ///< the last view, or model of a morph, returns to the first
     std::optional<glm::dvec3> spin;   ///< axis of a turn
     std::optional<double> turns;      ///< of spin; empty: one
     std::optional<double> rock;       ///< degrees to either side
@@ -53,8 +62,10 @@ struct CameraMotion {
 bool setMotion(std::string_view key, std::string_view text, CameraMotion& motion);
 /// @throws UsageError for conflicting options
 void checkCameraMotion(const CameraMotion& motion);
-/// Duration of a rotation or rocking; else of this many models. @param trajectory  one movie frame per model
+/// Duration of a morph, a rotation or rocking; else of this many models. @param trajectory  one movie frame per model
 double secondsOf(const CameraMotion& motion, std::uint64_t models, bool trajectory);
+/// Where each frame of a morph is between models: 0 is the first, 1 the second.
+std::vector<double> morphPlaces(const CameraMotion& motion, std::uint64_t frames, std::uint64_t models);
 /// The level of the first map at a time, 0..1; with a camera that comes back, so does the level.
 MapLevel levelAt(const CameraMotion& motion, double time);
 /// A view at a time, 0..1; the same where no camera moves.

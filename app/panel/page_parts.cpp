@@ -248,10 +248,18 @@ void drawStructure(PanelFrame& f, const std::string& input, std::size_t number) 
 void drawEnsemble(PanelFrame& f) {
     const Document& document = *f.viewer.document();
     const bool several = f.viewer.playback().models() > 1 && !f.viewer.playback().hasTrajectory();
-    if (!several || document.molecule->modelsAreInputs) return;
+    if (!several || document.molecule->modelsAreInputs || f.look.input.conformations) return;
     bool all = f.look.input.model == kAllModels;
     if (!f.ui.toggle("All models together", all)) return;
     f.s.wanted.emplace(f.look).input.model = all ? kAllModels : 1;
+}
+
+/// Several files as the conformations of one molecule, which are played.
+void drawConformations(PanelFrame& f) {
+    bool conformations = f.look.input.conformations;
+    if (f.look.input.further.empty() || !f.ui.toggle("Conformations of one molecule", conformations)) return;
+    setConformations(f.s.wanted.emplace(f.look), conformations);
+    f.viewer.picking().select("");
 }
 
 /// "In the file: 327 atoms, 1 chain", "Guessed: 334 bonds (from residue templates)", and what was left out.
@@ -298,6 +306,7 @@ void drawPartsPage(PanelFrame& f) {
     std::string input;
     std::size_t number = 0, structure = 0;
     drawEnsemble(f);
+    drawConformations(f);
     findPartColors(f);
     for (const Part& part : f.s.parts) {
         const bool another = part.input != input;

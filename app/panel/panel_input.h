@@ -111,7 +111,7 @@ private:
 };
 
 struct RecordingWish {
-    enum class Motion { spin, rock, models, views };
+    enum class Motion { spin, rock, models, views, morph };
     Motion motion = Motion::spin;
     double seconds = 6, framesPerSecond = 30;
     PixelSize size;

@@ -27,7 +27,13 @@ std::string placeText(const PanelFrame& f) {
     if (!playback.hasTrajectory() && f.look.input.model == kAllModels)
         return "All " + std::to_string(clock.frames()) + " models";
     std::string text = playback.hasTrajectory() ? "Frame " : "Model ";
-    text += std::to_string(clock.frame() + 1) + " of " + std::to_string(clock.frames());
+    if (const double place = playback.place(); place != std::floor(place)) {
+        const auto before = static_cast<int>(place) + 1;
+        text = "Between models " + std::to_string(before) + " and " + std::to_string(before + 1);
+    } else {
+        const std::size_t count = playback.morphs() ? playback.models() : clock.frames();
+        text += std::to_string(static_cast<int>(place) + 1) + " of " + std::to_string(count);
+    }
     if (const auto time = playback.frameTime()) {
         std::array<char, 40> number{};
         const bool nanoseconds = std::abs(*time) >= 1000;
@@ -79,6 +85,8 @@ void drawPlayOptions(PanelFrame& f) {
     if (!narrow) ImGui::SameLine();
     if (f.ui.choose("Order", kOrders, order, narrow ? -1 : half)) playback.setOrder(order);
     if (!playback.canLay()) return;
+    bool morphs = playback.morphs();
+    if (playback.canMorph() && f.ui.toggle("Morph between models", morphs)) playback.setMorph(morphs, f.now);
     const PictureDescription& view = f.viewer.view();
     TrajectoryOptions laid = view.input.trajectory;
     bool changed = false;

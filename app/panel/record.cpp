@@ -73,6 +73,7 @@ void drawRecord(PanelFrame& f) {
     if (f.s.movie.motion == 2 && !moves) f.s.movie.motion = 0;
     std::vector<const char*> motions(kMotions.begin(), kMotions.end());
     if (f.viewer.playback().hasTrajectory()) motions[2] = "Frames";
+    if (f.viewer.playback().morphs()) motions[2] = "Morph";
     if (!moves) motions.erase(motions.begin() + 2);
     int motion = f.s.movie.motion - (f.s.movie.motion == 3 && !moves ? 1 : 0);
     if (f.ui.choose("Motion", motions, motion)) {
@@ -109,6 +110,8 @@ void drawRecord(PanelFrame& f) {
         const PixelSize sizes[] = {even(f.viewer.frames().size()), {1920, 1080}, {1280, 720}, {1080, 1080}};
         RecordingWish wish;
         wish.motion = static_cast<RecordingWish::Motion>(f.s.movie.motion);
+        if (wish.motion == RecordingWish::Motion::models && f.viewer.playback().morphs())
+            wish.motion = RecordingWish::Motion::morph;
         wish.seconds = static_cast<double>(f.s.movie.seconds);
         wish.framesPerSecond = f.s.movie.format == 2 ? kFramesPerSecondOfGif : kFramesPerSecond;
         wish.size = sizes[f.s.movie.size];

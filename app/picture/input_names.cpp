@@ -109,7 +109,7 @@ void forEachSelection(PictureDescription& d, const std::function<void(Selection&
 }
 
 void nameInputs(PictureDescription& d) {
-    if (d.input.further.empty()) return;
+    if (!d.input.several()) return;
     const std::vector<std::string> names = inputNames(d.input);
     forEachSelection(d, [&](Selection& selection) { nameInputs(names, selection); });
 }
@@ -117,6 +117,23 @@ void nameInputs(PictureDescription& d) {
 bool namesInput(const Selection& selection, const std::string& name) {
     return findInput(selection.text, name) != std::string::npos;
 }
+
+namespace {
+
+void forgetNames(PictureDescription& d, const std::vector<std::string>& names) {
+    const auto gone = [&](const Selection& selection) {
+        return std::ranges::any_of(names, [&](const std::string& name) { return namesInput(selection, name); });
+    };
+    std::erase_if(d.look.rules, [&](const Rule& rule) { return gone(rule.selection); });
+    std::erase_if(d.words.labels, [&](const Label& label) { return gone(label.selection); });
+    for (std::vector<FitOptions>* fits : {&d.input.fits, &d.input.alignments})
+        std::erase_if(*fits, [&](const FitOptions& fit) { return gone(fit.moving) || gone(fit.fixed); });
+    for (std::optional<Selection>* selection : optionalSelections(d))
+        if (*selection && gone(**selection)) selection->reset();
+    d.words.measures.clear();  // they count atoms of all
+}
+
+}  // namespace
 
 void removeInput(PictureDescription& d, std::size_t number) {
     const std::vector<std::string> names = inputNames(d.input);
@@ -126,18 +143,14 @@ void removeInput(PictureDescription& d, std::size_t number) {
         d.input.path = next.path, d.input.name = next.name, d.input.hash = next.hash, d.input.opened = next.opened;
     }
     d.input.further.erase(d.input.further.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(number, 1) - 1));
-    const auto gone = [&](const Selection& selection) {
-        for (std::size_t i = 0; i < names.size(); ++i)
-            if ((alone || i == number) && namesInput(selection, names[i])) return true;
-        return false;
-    };
-    std::erase_if(d.look.rules, [&](const Rule& rule) { return gone(rule.selection); });
-    std::erase_if(d.words.labels, [&](const Label& label) { return gone(label.selection); });
-    for (std::vector<FitOptions>* fits : {&d.input.fits, &d.input.alignments})
-        std::erase_if(*fits, [&](const FitOptions& fit) { return gone(fit.moving) || gone(fit.fixed); });
-    for (std::optional<Selection>* selection : optionalSelections(d))
-        if (*selection && gone(**selection)) selection->reset();
-    d.words.measures.clear();  // they count atoms of all
+    forgetNames(d, alone ? names : std::vector{names[number]});
+}
+
+void setConformations(PictureDescription& d, bool conformations) {
+    d.input.conformations = conformations;
+    d.input.model = 1;
+    const std::vector<std::string> names = inputNames(d.input);
+    conformations ? forgetNames(d, names) : colorApart(names, d.look);
 }
 
 void renameInput(PictureDescription& d, std::size_t number, const std::string& name) {

@@ -33,6 +33,9 @@ void forEachSelection(PictureDescription& description, const std::function<void(
 bool namesInput(const Selection& selection, const std::string& name);
 /// Takes an input out of several, with the rules, labels and fits that name it. @param number  from 0
 void removeInput(PictureDescription& description, std::size_t number);
+/// Takes the further inputs for conformations of the first, without rules, labels and fits that name an input; or for
+/// molecules, each in a colour.
+void setConformations(PictureDescription& description, bool conformations);
 /// Names an input anew, also in all selections. @param number  from 0 @throws std::invalid_argument
 void renameInput(PictureDescription& description, std::size_t number, const std::string& name);
 

@@ -69,8 +69,12 @@ struct InputOptions {
     TrajectoryOptions trajectory;
     std::string name;                             ///< for selections, with further inputs; empty: by its path
     std::vector<FurtherInput> further;            ///< read as this one is
+    bool conformations = false;                   ///< these are superposed as other models of this one
     std::vector<FitOptions> fits, alignments;     ///< by sequence, and by structure, each in order
     std::optional<std::int64_t> memoryMegabytes;  ///< for the molecule, of 2^20 bytes; empty: half of the machine's
+
+    /// Several molecules in one picture.
+    bool several() const { return !further.empty() && !conformations; }
 };
 
 /// A further input as it is read: like the first, from its own file.

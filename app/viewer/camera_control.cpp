@@ -150,8 +150,7 @@ void CameraControl::take(Aim aim, bool fly, double now) {
     aim.fits = false;  // the scale fits all sides
     for (std::optional<Selection>* selection :
          {&aim.lookAt, &aim.zoomTo, &aim.uncover, &aim.axesOf, &aim.left, &aim.clip})
-        if (*selection && !document.view.input.further.empty())
-            nameInputs(inputNames(inputOf(document.view)), **selection);
+        if (*selection && document.view.input.several()) nameInputs(inputNames(inputOf(document.view)), **selection);
     try {
         const PixelSize size = frames_.freeSize();
         Camera from = stage_.motion.camera();

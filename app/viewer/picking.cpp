@@ -25,7 +25,7 @@ constexpr double kHoverSeconds = 0.08;  // time at rest before the atom under it
 /// A selection as it is typed: `/name` is one of several molecules. @throws std::invalid_argument
 Selection selectionOf(const std::string& text, const PictureDescription& view) {
     Selection selection = parseSelection(text);
-    if (!view.input.further.empty()) nameInputs(inputNames(inputOf(view)), selection);
+    if (view.input.several()) nameInputs(inputNames(inputOf(view)), selection);
     return selection;
 }
 

@@ -1,16 +1,20 @@
 #include "app/viewer/playback.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "app/input/read_input.h"
 #include "engine/error.h"
+#include "engine/molecule/trajectory/morph.h"
 
 namespace nacre::app {
 namespace {
 
 constexpr double kNotAgain = std::numeric_limits<double>::infinity();
+constexpr std::size_t kMorphFrames = 30;  // from model to model
 
 }  // namespace
 
@@ -35,6 +39,8 @@ void Playback::arrived(const Reading::Arrival& arrival) {
     const PictureDescription& view = document.view;
     const std::size_t model = static_cast<std::size_t>(std::max(view.input.model, 1)) - 1;
     if (arrival.another && !arrival.step) stop();
+    if (arrival.another) morphs_ = false, readModel_ = std::max(view.input.model, 1);
+    if (morphs_ && !document.moves()) makePlayer(false);
     if (document.motion) {
         player_ = std::make_unique<Player>(document.molecule, std::exchange(document.motion, nullptr), wake_);
         const bool trajectory = !view.input.trajectory.path.empty();
@@ -69,12 +75,50 @@ void Playback::request(std::size_t frame, double now) {
     stage_.messages.say("model " + std::to_string(frame + 1) + " of " + std::to_string(models()), now);
 }
 
+std::size_t Playback::framesPerModel() const { return morphs_ ? kMorphFrames : 1; }
+
+/// From an interpolated frame to the next model.
 void Playback::step(int step, double now) {
     stop();
-    const std::size_t frames = clock_.frames();
-    if (frames < 2) return stage_.messages.say("it has only one model", now);
+    if (clock_.frames() < 2) return stage_.messages.say("it has only one model", now);
+    const auto count = static_cast<int>((clock_.frames() - 1) / framesPerModel() + 1);
     const bool all = stage_.view().input.model == kAllModels;
-    show(all ? 0 : (clock_.frame() + frames + static_cast<std::size_t>(step)) % frames, now);
+    const int from = static_cast<int>(step > 0 ? std::floor(place()) : std::ceil(place()));
+    show(all ? 0 : static_cast<std::size_t>((from + count + step) % count) * framesPerModel(), now);
+}
+
+/// @throws Error
+void Playback::makePlayer(bool morphs) {
+    const Document& document = stage_.document;
+    const std::shared_ptr<const Molecule>& molecule = document.molecule;
+    std::vector<double> places;
+    for (std::size_t i = 0; i <= (models() - 1) * kMorphFrames; ++i)
+        places.push_back(static_cast<double>(i) / static_cast<double>(kMorphFrames));
+    std::unique_ptr<Trajectory> frames =
+        morphs ? morphOfModels(molecule, readModel_, std::move(places), false, document.view.input.path)
+               : trajectoryOfModels(molecule, readModel_);
+    const TrajectoryOptions& laid = document.view.input.trajectory;
+    player_ = std::make_unique<Player>(
+        molecule, std::make_shared<Motion>(std::move(frames), *molecule, motionOptions(laid, *molecule)), wake_);
+    morphs_ = morphs;
+    waiting_.reset();
+}
+
+void Playback::setMorph(bool morphs, double now) {
+    if (morphs == morphs_ || !canMorph()) return;
+    const auto model = static_cast<std::size_t>(std::lround(place()));
+    const bool wasPlaying = playing();
+    try {
+        makePlayer(morphs);
+    } catch (const Error& error) {
+        return stage_.messages.say(error.what(), now);
+    }
+    clock_.begin(player_->frames(), model * framesPerModel(),
+                 morphs ? PlayClock::kTrajectoryRate : PlayClock::kModelRate);
+    player_->setScene(stage_.document.drawing.moving());
+    player_->want(clock_.frame());
+    if (wasPlaying) clock_.play(now);
+    stage_.changed(now);
 }
 
 void Playback::play(double now) {
@@ -130,7 +174,9 @@ void Playback::lay(const TrajectoryOptions& options) {
 void Playback::restore(const PictureDescription& view) {
     lay(view.input.trajectory);
     const std::int64_t number = hasTrajectory() ? view.input.trajectory.frame : view.input.model;
-    clock_.goTo(std::min(static_cast<std::size_t>(std::max<std::int64_t>(number, 1) - 1), clock_.frames() - 1));
+    const std::size_t frame = static_cast<std::size_t>(std::max<std::int64_t>(number, 1) - 1) * framesPerModel();
+    // An interpolated frame counts as the model next to it.
+    if (std::lround(place()) != number - 1) clock_.goTo(std::min(frame, clock_.frames() - 1));
     player_->want(clock_.frame());
 }
 
@@ -184,7 +230,7 @@ void Playback::put(double now) {
     document.placed = std::move(played.molecule);
     frameTime_ = played.time;
     frameRmsd_ = played.rmsd;
-    const int number = static_cast<int>(played.frame + 1);
+    const int number = static_cast<int>(std::lround(place())) + 1;
     if (hasTrajectory())
         view.input.trajectory.frame = document.view.input.trajectory.frame = number;
     else

@@ -1,6 +1,6 @@
 #pragma once
-// Plays trajectory frames or models. If all have the same atoms, a player makes them as fast as they are drawn; other
-// models are read from their file one by one.
+// Plays trajectory frames or models, or a morph from model to model. If all have the same atoms, a player makes them as
+// fast as they are drawn; other models are read from their file one by one.
 
 #include <functional>
 #include <memory>
@@ -27,6 +27,12 @@ public:
     bool hasTrajectory() const;
     /// Frames can be fitted, smoothed and made whole.
     bool canLay() const { return player_ && stage_.document.moves(); }
+    /// Whether interpolated frames can lead from model to model, and whether they do.
+    bool canMorph() const { return canLay() && !hasTrajectory(); }
+    bool morphs() const { return morphs_; }
+    void setMorph(bool morphs, double now);
+    /// The current model, from 0: of a morph, with a fraction.
+    double place() const { return static_cast<double>(clock_.frame()) / static_cast<double>(framesPerModel()); }
     /// For the frame shown: time in ps, if stated; RMSD of fitted atoms to the first frame, Å.
     std::optional<double> frameTime() const { return frameTime_; }
     double frameRmsd() const { return frameRmsd_; }
@@ -55,6 +61,8 @@ public:
 
 private:
     void lay(const TrajectoryOptions& options);
+    void makePlayer(bool morphs);
+    std::size_t framesPerModel() const;
     void request(std::size_t frame, double now);
     double readNext(double now);
     void put(double now);
@@ -65,6 +73,8 @@ private:
     std::function<void(double)> moved_;
     std::function<void()> wake_;
     PlayClock clock_;
+    bool morphs_ = false;
+    int readModel_ = 1;                   // of the document's molecule
     std::unique_ptr<Player> player_;      // null: models are read one by one, if there are any
     std::optional<PlayedFrame> waiting_;  // until it is due
     std::optional<double> frameTime_;     // ps

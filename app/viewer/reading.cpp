@@ -135,7 +135,7 @@ bool Reading::beginWith(PictureDescription& view, const std::vector<std::string>
         return false;
     }
     for (const std::string& path : paths) view.input.further.push_back({"", path, ""});
-    if (!paths.empty()) colorApart(inputNames(inputOf(view)), view.look, before);
+    if (!paths.empty() && view.input.several()) colorApart(inputNames(inputOf(view)), view.look, before);
     return true;
 }
 

@@ -187,7 +187,15 @@ TEST(Recorder, AsksForWhatTheWindowShows) {
     EXPECT_NE(std::find(words.begin(), words.end(), "--models"), words.end());
     EXPECT_NE(std::find(words.begin(), words.end(), "--whole"), words.end());
     EXPECT_EQ(after("--frame"), "none") << "it goes through all of them";
+    wish.motion = RecordingWish::Motion::morph;
+    shown.input.trajectory = {};
+    shown.input.further.push_back({"", "/data/b.gro", ""});
+    const std::vector<std::string> morph = movieArguments(wish, shown, "v.json", {});
+    EXPECT_EQ(morph[1], "--output") << "the view names the inputs";
+    EXPECT_NE(std::find(morph.begin(), morph.end(), "--morph"), morph.end());
     wish.motion = RecordingWish::Motion::spin;
+    shown.input.further.clear();
+    shown.input.trajectory.path = "/data/md.xtc";
     shown.input.trajectory.frame = 7;
     const std::vector<std::string> spin = movieArguments(wish, shown, "v.json", {});
     EXPECT_EQ(*(std::find(spin.begin(), spin.end(), "--frame") + 1), "7");

@@ -205,6 +205,10 @@ TEST(Movie, MorphsFromModelToModelOrFromInputToInput) {
     for (std::size_t i = 1; i < 8; ++i) EXPECT_NE(at(through, i), at(through, i - 1)) << i;
     EXPECT_EQ(at(through, 0), at(models, 0)) << "it begins as the first model";
     EXPECT_EQ(at(frames("a.xyz b.xyz --morph"), 0), at(through, 0));
+    // Inputs are shown one by one, too.
+    ASSERT_EQ(nacreIn(folder, "movie a.xyz b.xyz -o inputs.png --models --conformations --fps 10" + kSmall).code, 0);
+    EXPECT_EQ(framesOf(folder / "inputs.png").substr(0, frame), at(models, 0));
+    EXPECT_EQ(framesOf(folder / "inputs.png").size(), models.size());
     // There and back in the same time.
     const std::string round = frames("m.xyz --morph --loop --seconds 2 --easing linear");
     EXPECT_EQ(at(round, 0), at(through, 0));

@@ -33,7 +33,9 @@ inline Sources sampleSources() {
         if (v.input.further.empty()) return sample(v.input.path);
         std::vector<Molecule> all{sample(v.input.path)};
         for (const FurtherInput& further : v.input.further) all.push_back(sample(further.path));
-        return joinInputs(inputOf(v), std::move(all), [](const std::string&) {});
+        const InputOptions input = inputOf(v);
+        const auto join = input.conformations ? joinConformations : joinInputs;
+        return join(input, std::move(all), [](const std::string&) {});
     }};
 }
 

@@ -70,6 +70,35 @@ TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
     EXPECT_TRUE(b.viewer.view().input.further.empty());
 }
 
+TEST(Panel, StructuresAreTakenForConformations) {
+    Sources sources = sampleSources();
+    sources.motion = [](const std::shared_ptr<const Molecule>& molecule,
+                        const PictureDescription& v) -> std::unique_ptr<Motion> {
+        auto models = trajectoryOfModels(molecule, v.input.model);
+        return models ? std::make_unique<Motion>(std::move(models), *molecule, MotionOptions()) : nullptr;
+    };
+    Bench b("sample:dna", {1500, 1400}, 1, PanelHand::mouse, sources);
+    b.panel.showPage("Parts");
+    b.settle();
+    EXPECT_FALSE(b.find("Conformations of one molecule"));
+    b.viewer.reading().add("sample:dna", b.now);
+    b.settle();
+    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), 2 * 486u);
+    b.click("Conformations of one molecule");
+    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), 486u);
+    EXPECT_TRUE(b.viewer.view().look.rules.empty()) << "/dna_2 is none of its atoms";
+    EXPECT_EQ(b.viewer.playback().clock().frames(), 2u);
+    EXPECT_TRUE(b.viewer.playback().canMorph());
+    expectReadable(b, "conformations");
+    const PictureDescription again = parseSavedView(savedViewJson(b.viewer.view()), "view");
+    EXPECT_TRUE(again.input.conformations);
+    b.click("Conformations of one molecule");
+    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), 2 * 486u);
+    EXPECT_EQ(b.viewer.view().look.rules.size(), 1u) << "colours tell them apart again";
+    b.click("Undo");
+    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), 486u);
+}
+
 TEST(Panel, StructuresAreRenamedAndRemoved) {
     Bench b("sample:dna", {1500, 1400});
     b.viewer.reading().add("sample:buckyball", b.now);

@@ -78,6 +78,20 @@ TEST(PlayBar, StepsPlaysAndScrubs) {
     b.click("Superpose all atoms");
     EXPECT_EQ(b.viewer.view().input.trajectory.fit->text, "all");
     EXPECT_TRUE(b.says("RMSD"));
+    b.click("Morph between models");
+    b.viewer.playback().show(15, b.now);
+    b.settle();
+    EXPECT_TRUE(b.says("Between models 1 and 2"));
+    b.click("Next model");
+    EXPECT_TRUE(b.says("Model 2 of 60"));
+    b.panel.showRecord();
+    b.settle();
+    b.click("Motion");
+    b.click("Morph");
+    b.click("Record");
+    ASSERT_EQ(b.films.size(), 1u);
+    EXPECT_EQ(b.films[0].motion, RecordingWish::Motion::morph);
+    EXPECT_NEAR(b.films[0].seconds, 59, 0.1) << "59 steps of a second";
 }
 
 TEST(PlayBar, AFingerThatHoldsTheSliderMovesIt) {

@@ -210,6 +210,46 @@ TEST(Playing, ModelsOfOneMoleculeMoveWithoutBeingReadAgain) {
     EXPECT_EQ(b.reads, 1);
 }
 
+TEST(Playing, AMorphLeadsFromModelToModel) {
+    PlayingBench b;
+    Playback& playback = b.viewer.playback();
+    ASSERT_TRUE(playback.canMorph());
+    playback.show(1, b.now);
+    b.run(0.1);
+    playback.setMorph(true, b.now);
+    b.run(0.1);
+    EXPECT_EQ(playback.place(), 1) << "it goes on from the model that was shown";
+    EXPECT_NEAR(b.distance(), 1.5, 1e-5);
+    const std::size_t perModel = (playback.clock().frames() - 1) / 4;
+    ASSERT_GE(perModel, 10u);
+    playback.show(perModel * 5 / 2, b.now);
+    b.run(0.1);
+    EXPECT_EQ(playback.place(), 2.5);
+    EXPECT_NEAR(b.distance(), 2.25, 1e-3) << "halfway between 2 and 2.5 Å";
+    // Another look leaves it there.
+    PictureDescription view = b.viewer.view();
+    view.look.rules.push_back({});
+    view.look.rules.back().selection = parseSelection("all");
+    b.viewer.show(view, b.now);
+    b.run(0.2);
+    EXPECT_EQ(playback.place(), 2.5);
+    b.viewer.run(ViewerCommand::nextModel, b.now);
+    b.run(0.1);
+    EXPECT_NEAR(b.distance(), 2.5, 1e-5);
+    EXPECT_EQ(b.viewer.view().input.model, 4);
+    b.viewer.run(ViewerCommand::lastModel, b.now);
+    b.run(0.1);
+    EXPECT_NEAR(b.distance(), 3, 1e-5);
+    const int moves = b.screen.moves;
+    b.viewer.run(ViewerCommand::playModels, b.now);
+    b.run(1);
+    EXPECT_NEAR(b.screen.moves - moves, 30, 3) << "as a movie";
+    playback.setMorph(false, b.now);
+    EXPECT_EQ(playback.clock().frames(), 5u);
+    EXPECT_TRUE(playback.playing());
+    EXPECT_EQ(b.reads, 1);
+}
+
 TEST(Playing, ASurfaceHasTheColoursOfAMapInEveryFrame) {
     std::vector<float> values;
     for (int i = 0; i < 1000; ++i) values.push_back(static_cast<float>(i % 10));  // the place along x

@@ -111,7 +111,7 @@ Conformation conformationOf(const Molecule& molecule, const Molecule& other, con
     }
     constexpr std::size_t kFewest = 3, kLeastShare = 3;
     if (matched.size() < kFewest || kLeastShare * matched.size() < molecule.atoms.size())
-        throw Error("cannot morph", name,
+        throw Error("cannot take as a conformation", name,
                     "only " + std::to_string(matched.size()) + " of " + std::to_string(molecule.atoms.size()) +
                         " atoms have a counterpart of the same residue and name");
     const Superposition onto = superposePruned(fixed, moving).motion;

@@ -237,4 +237,20 @@ std::unique_ptr<Trajectory> morphThrough(const Molecule& molecule, std::vector<s
     return std::make_unique<Morph>(molecule, std::move(keys), std::move(places));
 }
 
+std::unique_ptr<Trajectory> morphOfModels(const std::shared_ptr<const Molecule>& molecule, int model,
+                                          std::vector<double> places, bool back, const std::string& name) {
+    const std::string cannot = "cannot morph", &missing = molecule->othersMissing;
+    if (std::max(molecule->file.models.value_or(1), molecule->file.records.value_or(1)) == 1)
+        throw Error(cannot, name, "it has one model: name another INPUT");
+    const auto models = trajectoryOfModels(molecule, model, true);
+    if (!models) throw Error(cannot, name, missing.empty() ? differenceOfModels(*molecule) : missing);
+    if (models->frames() > kMostMorphPositions / molecule->atoms.size())
+        throw Error(cannot, name,
+                    "its models have more than " + std::to_string(kMostMorphPositions) + " atoms together");
+    std::vector<std::vector<glm::vec3>> keys;
+    for (std::size_t i = 0; i < models->frames(); ++i) keys.push_back(models->read(i).positions);
+    if (back) keys.push_back(keys.front());
+    return morphThrough(*molecule, std::move(keys), std::move(places));
+}
+
 }  // namespace nacre

@@ -34,4 +34,9 @@ Conformation conformationOf(const Molecule& molecule, const Molecule& other, con
 std::unique_ptr<Trajectory> morphThrough(const Molecule& molecule, std::vector<std::vector<glm::vec3>> keys,
                                          std::vector<double> places);
 
+/// As above from model to model (trajectoryOfModels()). @param model  the molecule's own @param back  at last to the
+/// first @param name  for errors @throws Error as well if there is one model, or one of other atoms
+std::unique_ptr<Trajectory> morphOfModels(const std::shared_ptr<const Molecule>& molecule, int model,
+                                          std::vector<double> places, bool back, const std::string& name);
+
 }  // namespace nacre
