@@ -1,4 +1,4 @@
-// Moves the molecule clear of title, legends and scale bar in the picture's corners.
+// Moves the molecule clear of title, legends, scale bar and axes in the picture's corners.
 
 #include <algorithm>
 #include <array>
@@ -105,7 +105,7 @@ Standing bestPlace(const Hull& hull, const std::vector<Area>& areas, const Area&
 
 View besideWords(const View& view, const PlacedWords& words, double size, const std::vector<glm::dvec4>& balls,
                  double zoom, const TextWidth& widthOf) {
-    if ((words.title.empty() && words.scaleBar == ScaleBar::off && words.legends.empty()) || balls.empty()) return view;
+    if (!words.hasBlocks() || balls.empty()) return view;
     const double em = size > 0 ? size : usualTextSize(view.width, view.height);
     const Hull hull = hullOf(view, balls);
     const glm::dvec2 middle(view.width / 2.0, view.height / 2.0), pan(view.pan.x, -view.pan.y);

@@ -244,6 +244,7 @@ void layBlocks(Room& room, const PlacedWords& words) {
     layTitle(room, words.title);
     layScaleBar(room, words.scaleBar);
     layLegends(room, words.legends);
+    layAxes(room, words.axes);
 }
 
 double usualTextSize(std::uint32_t width, std::uint32_t height) {

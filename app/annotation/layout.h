@@ -39,6 +39,11 @@ struct DiscMark {
     std::uint32_t ring = 0;   ///< packed, of its border, where the colour hardly differs from the background; 0: none
     double inner() const { return ring ? 0.82 * radius : radius; }
 };
+/// A convex polygon, with its corners clockwise as seen.
+struct ShapeMark {
+    std::vector<glm::dvec2> corners;
+    std::uint32_t color = 0;  ///< packed
+};
 /// A rectangle with colours from top to bottom.
 struct RampMark {
     glm::dvec2 low{}, high{};
@@ -54,6 +59,7 @@ struct BackMark {
 struct Marks {
     std::vector<BackMark> backs;
     std::vector<LineMark> lines;  ///< drawn in this order, each kind over the previous
+    std::vector<ShapeMark> shapes;
     std::vector<DiscMark> discs;
     std::vector<RampMark> ramps;
     std::vector<TextMark> texts;
@@ -92,7 +98,7 @@ Marks layOut(const PlacedWords& words, const View& view, double size, const std:
              const std::array<float, 4>& background, const TextWidth& widthOf, const Clip& clip = {},
              WordMemory* memory = nullptr);
 
-/// Shrinks and shifts the view as little as needed to keep the molecule clear of title, legends and scale bar.
+/// Shrinks and shifts the view as little as needed to keep the molecule clear of title, legends, scale bar and axes.
 /// Unchanged if they do not overlap, or if the molecule would shrink below a third; then they overlap.
 /// @param balls  the scene, from drawnBalls() @param zoom  of the view: parts beyond zoom 1 may overlap
 View besideWords(const View& view, const PlacedWords& words, double size, const std::vector<glm::dvec4>& balls,

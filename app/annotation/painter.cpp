@@ -122,6 +122,13 @@ void rasterizeLine(FT_Library library, const LineMark& line, double grown, Cover
     }
 }
 
+/// The outline, without width.
+LineMark rimOf(const ShapeMark& shape) {
+    LineMark rim{shape.corners, 0};
+    rim.points.push_back(shape.corners.front());
+    return rim;
+}
+
 }  // namespace
 
 struct WordPainter::Face {
@@ -233,6 +240,10 @@ void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, st
     coverage.pour(marks.halo, BackMark::kStrength, rgba);
     for (const LineMark& line : marks.lines)
         if (nearLine(line)) rasterizeLine(library, line, marks.haloWidth * 0.8, coverage);
+    for (const ShapeMark& shape : marks.shapes) {
+        const LineMark rim = rimOf(shape);
+        if (nearLine(rim)) rasterizeLine(library, rim, marks.haloWidth * 0.8, coverage);
+    }
     for (const DiscMark& disc : marks.discs)
         if (nearRows(disc.at.y, disc.radius + marks.haloWidth))
             rasterizeDisc(library, disc.at, disc.radius + marks.haloWidth * 0.8, coverage);
@@ -244,6 +255,11 @@ void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, st
     for (const DiscMark& disc : marks.discs)
         if (disc.color == 0 && nearRows(disc.at.y, disc.radius)) rasterizeDisc(library, disc.at, disc.radius, coverage);
     coverage.pour(marks.color, 1, rgba);
+    for (const ShapeMark& shape : marks.shapes) {
+        if (!nearLine(rimOf(shape))) continue;
+        rasterizePolygon(library, shape.corners, coverage);
+        coverage.pour(shape.color, 1, rgba);
+    }
     for (const DiscMark& disc : marks.discs) {
         if (disc.color == 0 || !nearRows(disc.at.y, disc.radius)) continue;
         if (disc.ring) {

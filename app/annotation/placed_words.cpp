@@ -281,6 +281,7 @@ PlacedWords placeWords(const Words& words, const ResidueFacts& facts, const Repr
     placed.title = words.title;
     placed.scaleBar = words.scaleBar;
     if (words.legend) placed.legends = scene.legends;
+    if (words.axes) placed.axes = crossOf({});
     if (words.distances) placeDistances(scene, placed);
     if (words.labels.empty() && words.measures.empty()) return placed;
     const DrawnAtoms drawn(facts.molecule(), scene);

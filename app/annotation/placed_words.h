@@ -1,6 +1,7 @@
 #pragma once
 // Words of a molecule and its scene. layout.h places them in a picture.
 
+#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -35,6 +36,17 @@ struct PlacedMeasure {
     std::string atoms = {};  ///< by name: "HIS 87 NE2 to HEM 142 FE"
 };
 
+/// An arrow of the axes cross.
+struct PlacedAxis {
+    glm::dvec3 way{};  ///< a unit vector in the scene
+    std::string name;
+    std::uint32_t color = 0;  ///< packed
+};
+/// The x, y and z axes, or those of the unit cell: a, b and c.
+std::vector<PlacedAxis> crossOf(const std::optional<std::array<glm::dvec3, 3>>& cell);
+/// Packed colours of x, y, z and of a, b, c.
+constexpr std::uint32_t kAxisColors[] = {packedColor(0xc8322d), packedColor(0x2d8a3c), packedColor(0x2f5fc4)};
+
 /// The words of a scene.
 struct PlacedWords {
     std::vector<PlacedLabel> labels;
@@ -42,12 +54,13 @@ struct PlacedWords {
     std::string title;
     ScaleBar scaleBar = ScaleBar::off;
     std::vector<Legend> legends;
+    std::vector<PlacedAxis> axes;             ///< empty: no cross
     std::shared_ptr<const LabelSight> sight;  ///< null: labels are never hidden
     std::vector<std::string> leftOut;         ///< selections of labels and measurements without drawn atoms
 
-    bool any() const {
-        return !labels.empty() || !measures.empty() || !title.empty() || scaleBar != ScaleBar::off || !legends.empty();
-    }
+    bool any() const { return !labels.empty() || !measures.empty() || hasBlocks(); }
+    /// Title, scale bar, legends or axes.
+    bool hasBlocks() const { return !title.empty() || scaleBar != ScaleBar::off || !legends.empty() || !axes.empty(); }
 };
 
 /// Treatment of words about atoms that exist but are not drawn.

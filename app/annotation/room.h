@@ -68,10 +68,13 @@ struct Room {
     Marks marks;
 };
 
-/// Title, scale bar and legends, whose positions do not depend on the molecule.
+/// Title, scale bar, legends and axes, whose positions do not depend on the molecule.
 void layBlocks(Room& room, const PlacedWords& words);
 
 /// In at most three columns from the right edge.
 void layLegends(Room& room, const std::vector<Legend>& legends);
+
+/// In the lower left corner, as the view turns them; they take the same area from all sides.
+void layAxes(Room& room, const std::vector<PlacedAxis>& axes);
 
 }  // namespace nacre::app

@@ -3,13 +3,13 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "app/annotation/placed_words.h"
 #include "engine/molecule/crystal.h"
 
 namespace nacre::app {
 
 Primitives cellFrame(const Molecule& molecule) {
     constexpr std::uint32_t kEdge = packedColor(0x707070);
-    constexpr std::uint32_t kAxes[] = {packedColor(0xc8322d), packedColor(0x2d8a3c), packedColor(0x2f5fc4)};
     constexpr const char* kNames[] = {"a", "b", "c"};
     constexpr double kEdgeWidth = 1.5, kAxisWidth = 3, kBeyond = 0.04;  // pixels, pixels, of the edge
 
@@ -24,11 +24,11 @@ Primitives cellFrame(const Molecule& molecule) {
             if (side & 2) from += (*edges)[(axis + 2) % 3];
             Primitives::Line line{from, from + (*edges)[axis]};
             line.width = side == 0 ? kAxisWidth : kEdgeWidth;
-            line.look.color = side == 0 ? kAxes[axis] : kEdge;
+            line.look.color = side == 0 ? kAxisColors[axis] : kEdge;
             frame.lines.push_back(line);
         }
     for (std::size_t axis = 0; axis < 3; ++axis)
-        frame.labels.push_back({corner + (1 + kBeyond) * (*edges)[axis], kNames[axis], 0, kAxes[axis]});
+        frame.labels.push_back({corner + (1 + kBeyond) * (*edges)[axis], kNames[axis], 0, kAxisColors[axis]});
     return frame;
 }
 

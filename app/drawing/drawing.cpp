@@ -17,6 +17,7 @@
 #include "app/picture/options.h"
 #include "engine/error.h"
 #include "engine/milliseconds.h"
+#include "engine/molecule/crystal.h"
 #include "engine/scene/build/map_scene.h"
 #include "engine/scene/build/mesh_caps.h"
 #include "engine/scene/view/cut_scene.h"
@@ -318,6 +319,7 @@ PlacedWords Drawing::placeWords(const Words& asked, WordsOfHidden hidden) const 
     PlacedWords placed = app::placeWords(asked, *facts_, *scene_, hidden);
     addLabels(maps_.labels, scene_->center, placed);
     if (asked.legend) append(placed.legends, maps_.shown.legends);
+    if (asked.axes && description_.cell) placed.axes = crossOf(cellEdges(facts_->molecule().file));
     placed.title = filledTitle(placed.title, moment);
     if (placed.legends.empty() || asked.legendTitle.empty()) return placed;
     const auto scale = std::ranges::find_if(placed.legends, [](const Legend& legend) { return legend.stops > 0; });

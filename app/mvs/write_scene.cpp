@@ -83,7 +83,7 @@ std::vector<std::string> notesOf(const PictureDescription& d) {
     add(e.fog.range != Fog::Range::off || e.shadow.strength > 0, "fog and shadows");
     add(e.clip.on(), "clipping planes");
     add(e.depthOfField.strength > 0, "depth of field and its focus");
-    add(d.words.legend || d.words.scaleBar != ScaleBar::off, "legends and scale bars");
+    add(d.words.legend || d.words.axes || d.words.scaleBar != ScaleBar::off, "legends, axes and scale bars");
     add(d.look.contacts.of.has_value(), "interactions");
     add(!d.input.further.empty(), "more than one structure");
     add(!d.input.trajectory.path.empty(), "trajectories");

@@ -124,6 +124,16 @@ void drawMarks(const Marks& marks, const glm::dvec2& corner) {
             for (std::size_t i = 1; i < line.points.size(); ++i)
                 list.AddLine(placeOf(line.points[i - 1]), placeOf(line.points[i]), ink ? marks.color : halo,
                              static_cast<float>(line.width) + (ink ? 0 : 1.6f * haloWidth));
+    for (const bool ink : {false, true})
+        for (const ShapeMark& shape : marks.shapes) {
+            std::vector<ImVec2> corners;
+            for (const glm::dvec2& p : shape.corners) corners.push_back(placeOf(p));
+            const int count = static_cast<int>(corners.size());
+            if (ink)
+                list.AddConvexPolyFilled(corners.data(), count, shape.color);
+            else
+                list.AddPolyline(corners.data(), count, halo, ImDrawFlags_Closed, 1.6f * haloWidth);
+        }
     for (const DiscMark& disc : marks.discs) {
         const auto radius = static_cast<float>(disc.radius);
         list.AddCircleFilled(placeOf(disc.at), radius + 0.8f * haloWidth, halo, 32);

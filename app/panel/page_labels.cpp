@@ -43,6 +43,7 @@ void drawLabelsPage(PanelFrame& f) {
     if (f.ui.edited()) f.s.take([&] { words.title = parseTitle(f.s.title); });
     if (!f.s.ruleError.empty()) f.ui.warning(f.s.ruleError);
     toggleOption(f, "legend");
+    toggleOption(f, "axes");
     f.ui.heading("Scale bar");
     chooseOption(f, "scale-bar");
     f.ui.heading("Measurements");

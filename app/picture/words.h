@@ -52,6 +52,7 @@ struct Words {
     std::string title;
     ScaleBar scaleBar = ScaleBar::off;
     bool legend = false;
+    bool axes = false;                          ///< a cross of x, y, z; of a, b, c with the unit cell
     std::string legendTitle;                    ///< of the first scale, else of the first legend
     bool distances = false;                     ///< of drawn interactions
     bool seenOnly = false;                      ///< hide labels behind other atoms
@@ -59,7 +60,7 @@ struct Words {
     std::optional<std::array<float, 3>> color;  ///< sRGB-coded; empty: dark or light, in contrast to the background
 
     bool any() const {
-        return !labels.empty() || !measures.empty() || !title.empty() || scaleBar != ScaleBar::off || legend ||
+        return !labels.empty() || !measures.empty() || !title.empty() || scaleBar != ScaleBar::off || legend || axes ||
                distances;
     }
     friend bool operator==(const Words&, const Words&) = default;

@@ -276,6 +276,72 @@ TEST(WordLayout, TheScaleBarIsAsLongAsItSays) {
     }
 }
 
+/// Where a mark of one letter stands: its middle, from the middle of the cross, y up.
+glm::dvec2 nameOf(const Marks& marks, const char* name, const glm::dvec2& middle) {
+    for (const TextMark& text : marks.texts)
+        if (text.text == name)
+            return (text.at + glm::dvec2(widthOf(name, text.size) / 2, -0.27 * text.size) - middle) * glm::dvec2(1, -1);
+    ADD_FAILURE() << name;
+    return {};
+}
+
+TEST(WordLayout, TheAxesTurnWithTheView) {
+    PlacedWords words;
+    words.axes = crossOf({});
+    constexpr double kEm = 20;
+    glm::dvec2 middle(0);
+    const auto laid = [&](const glm::dvec3& degrees) {
+        Camera camera;
+        camera.rotationDegrees = degrees;
+        const Marks marks = layOut(words, viewOf(camera, 10, 600, 400), kEm, {}, kWhite, widthOf);
+        EXPECT_EQ(marks.texts.size(), 3u);
+        EXPECT_EQ(marks.shapes.size(), 6u);  // a shaft and a head each
+        for (const ShapeMark& shape : marks.shapes)
+            for (const glm::dvec2& corner : shape.corners) {
+                EXPECT_TRUE(corner.x > 0 && corner.y < 400);
+                EXPECT_LT(glm::distance(corner, glm::dvec2(0, 400)), 0.45 * 400);
+            }
+        return marks;
+    };
+    // The shaft of an axis towards the viewer is a circle about the middle.
+    const Marks straight = laid({0, 0, 0});
+    EXPECT_EQ(straight.shapes.back().color, kAxisColors[2]) << "z is in front";
+    for (const glm::dvec2& corner : straight.shapes.back().corners)
+        middle += corner / static_cast<double>(straight.shapes.back().corners.size());
+    EXPECT_GT(nameOf(straight, "x", middle).x, 2 * kEm);
+    EXPECT_NEAR(nameOf(straight, "x", middle).y, 0, 0.3 * kEm);
+    EXPECT_GT(nameOf(straight, "y", middle).y, 2 * kEm);
+    EXPECT_NEAR(nameOf(straight, "y", middle).x, 0, 0.3 * kEm);
+    EXPECT_LT(glm::length(nameOf(straight, "z", middle)), kEm);
+    // A quarter turn about y, right-handed: z to the right, x away from the viewer.
+    const Marks turned = laid({0, 90, 0});
+    EXPECT_GT(nameOf(turned, "z", middle).x, 2 * kEm);
+    EXPECT_GT(nameOf(turned, "y", middle).y, 2 * kEm);
+    EXPECT_LT(glm::length(nameOf(turned, "x", middle)), kEm);
+    EXPECT_EQ(turned.shapes.front().color, kAxisColors[0]) << "x is behind";
+    // The molecule finds the same room from any side.
+    const std::vector<glm::dvec4> ball{{0, 0, 0, 10}};
+    std::optional<glm::dvec2> pan;
+    for (int i = 0; i < 50; ++i) {
+        Camera camera;
+        camera.rotationDegrees = {37.0 * i, 61.0 * i, 11.0 * i};
+        const View view = viewOf(camera, 10, 400, 400);
+        const View beside = besideWords(view, words, kEm, ball, 1, widthOf);
+        EXPECT_NEAR(glm::distance(pan.value_or(beside.pan), beside.pan), 0, 1e-6);
+        pan = beside.pan;
+    }
+}
+
+TEST(WordLayout, TheAxesOfACellFollowItsEdges) {
+    // A monoclinic cell, beta 120 degrees: c leans back over a.
+    const std::array<glm::dvec3, 3> cell{glm::dvec3(5, 0, 0), {0, 9, 0}, {-4, 0, 4 * std::sqrt(3.0)}};
+    const std::vector<PlacedAxis> axes = crossOf(cell);
+    ASSERT_EQ(axes.size(), 3u);
+    EXPECT_EQ(axes[0].name + axes[1].name + axes[2].name, "abc");
+    EXPECT_NEAR(glm::dot(axes[0].way, axes[2].way), -0.5, 1e-12);
+    for (const PlacedAxis& axis : axes) EXPECT_NEAR(glm::length(axis.way), 1, 1e-12);
+}
+
 TEST(WordLayout, MeasuresJoinTheirAtomsByDashes) {
     PlacedWords words;
     words.measures = {{{{-5, 0, 0}, {5, 0, 0}}, "10.00 Å"}};

@@ -25,6 +25,7 @@ PlacedWords someWords() {
     words.labels = {{{1, 2, 0}, "label", false, 1}};
     words.measures = {{{{-5, -3, 0}, {2, -3, 0}, {4, 0, 2}}, "99.9°"}};
     words.scaleBar = ScaleBar::angstrom;
+    words.axes = crossOf({});
     words.legends = {{"all", "b-factor", {{"1", 1}, {"2", 2}, {"3", 3}}, Palette::viridis, 3}};
     return words;
 }

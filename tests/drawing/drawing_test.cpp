@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "app/input/map_input.h"
 #include "app/picture/options.h"
 #include "engine/error.h"
@@ -46,17 +48,10 @@ TEST_F(DrawingTest, ViewShadingAndWordsBuildNoSceneAndNoBake) {
     drawn();
     ASSERT_EQ(drawing.counts().scenes, 1);
     ASSERT_EQ(drawing.counts().uploads, 1);
-    const std::pair<const char*, const char*> changes[] = {{"rotate", "10,20,30"},
-                                                           {"zoom", "1.5"},
-                                                           {"size", "80x60"},
-                                                           {"projection", "perspective"},
-                                                           {"fog", "auto"},
-                                                           {"contours", "2"},
-                                                           {"background", "navy"},
-                                                           {"lighting", "off"},
-                                                           {"title", "DNA"},
-                                                           {"legend", "on"},
-                                                           {"label", "chain A and resi 1={residue}"}};
+    const std::pair<const char*, const char*> changes[] = {
+        {"rotate", "10,20,30"}, {"zoom", "1.5"},   {"size", "80x60"},      {"projection", "perspective"},
+        {"fog", "auto"},        {"contours", "2"}, {"background", "navy"}, {"lighting", "off"},
+        {"title", "DNA"},       {"legend", "on"},  {"axes", "on"},         {"label", "chain A and resi 1={residue}"}};
     for (const auto& [key, value] : changes) {
         set(key, value);
         const Picture again = drawn();
@@ -220,6 +215,27 @@ TEST_F(DrawingTest, MapsAreDrawnWhereEveryAtomIsHidden) {
     EXPECT_GT(covered(surface), 30u);
     set("map", "");
     EXPECT_THROW(drawn(), Error);
+}
+
+TEST(Axes, AreThoseOfTheCellWhereItIsDrawn) {
+    const Molecule crystal = readMolecule(
+        "a.cif",
+        "data_x\n_cell_length_a 5\n_cell_length_b 9\n_cell_length_c 8\n_cell_angle_alpha 90\n_cell_angle_beta 120\n"
+        "_cell_angle_gamma 90\nloop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n"
+        "_atom_site_fract_z\nC1 0.1 0.2 0.3\n");
+    for (const auto& [cell, names] : {std::pair("off", "xyz"), std::pair("on", "abc")}) {
+        PictureDescription picture;
+        for (const auto& [key, value] : {std::pair("axes", "on"), std::pair("cell", cell)})
+            setOption(option(key), value, picture);
+        Drawing drawing;
+        drawing.prepare(crystal, picture);
+        std::string shown;
+        for (const PlacedAxis& axis : drawing.words.axes) shown += axis.name;
+        EXPECT_EQ(shown, names);
+        // c leans back by the obtuse angle beta.
+        EXPECT_NEAR(glm::dot(drawing.words.axes.at(0).way, drawing.words.axes.at(2).way),
+                    names == std::string("abc") ? -0.5 : 0, 1e-6);
+    }
 }
 
 }  // namespace

@@ -132,6 +132,7 @@ class Options(TypedDict, total=False):
     scale_bar: str | bool
     legend: str | bool
     legend_title: str | float
+    axes: str | bool
     interaction_labels: str | bool
     show_labels: str
     text_size: str | float

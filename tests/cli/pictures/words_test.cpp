@@ -45,6 +45,7 @@ TEST(WordOptions, EachPutsInkIntoThePictureAndAViewKeepsIt) {
         {"--measure 1,2,3", R"("measures": ["1,2,3"])"},
         {"--title 'Glucose, \\alpha'", R"("title": "Glucose, \\alpha")"},
         {"--scale-bar nm", R"("scale-bar": "nm")"},
+        {"--axes on", R"("axes": "on")"},
         {"--legend on --text-color red --text-size 15", R"("legend": "on", "text-color": "#ff0000", "text-size": 15)"}};
     for (const auto& [option, keys] : options) {
         const Outcome outcome = nacreIn(folder, std::string(kBase) + "-o a.png " + option);
