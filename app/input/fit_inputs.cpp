@@ -9,6 +9,7 @@
 #include "app/files/messages.h"
 #include "engine/error.h"
 #include "engine/molecule/align_structures.h"
+#include "engine/molecule/displacement.h"
 #include "engine/molecule/matched_atoms.h"
 #include "engine/molecule/residue_facts.h"
 #include "engine/molecule/superpose.h"
@@ -72,8 +73,10 @@ int movedInput(const Molecule& molecule, const FitOptions& fit, const std::vecto
 
 void move(Molecule& molecule, int input, const Superposition& motion) {
     for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
-        if (inputNumber(molecule, i) == input)
+        if (inputNumber(molecule, i) == input) {
             molecule.atoms[i].position = glm::vec3(motion(glm::dvec3(molecule.atoms[i].position)));
+            turnDisplacement(molecule, i, motion.rotation);
+        }
 }
 
 std::string fitInput(Molecule& molecule, const FitOptions& fit) {

@@ -18,6 +18,7 @@
 #include "app/picture/input_names.h"
 #include "engine/error.h"
 #include "engine/molecule/chemistry/hydrogens.h"
+#include "engine/molecule/displacement.h"
 #include "engine/molecule/join_models.h"
 #include "engine/molecule/memory_bound.h"
 #include "engine/molecule/superpose.h"
@@ -195,7 +196,10 @@ void fitModels(const InputOptions& input, Molecule& molecule) {
         }
         if (fixed.size() < 3) refuse("--fit-frames selects fewer than three atoms");
         const Superposition onto = superpose(fixed, moving);
-        for (Atom& atom : molecule.atoms) atom.position = glm::vec3(onto(glm::dvec3(atom.position)));
+        for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
+            molecule.atoms[i].position = glm::vec3(onto(glm::dvec3(molecule.atoms[i].position)));
+            turnDisplacement(molecule, i, onto.rotation);
+        }
         return;
     }
     std::set<int> models;
@@ -216,7 +220,9 @@ void fitModels(const InputOptions& input, Molecule& molecule) {
     }
     for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i) {
         glm::vec3& position = molecule.atoms[i].position;
-        position = glm::vec3(onto.at(modelOf(molecule, i))(glm::dvec3(position)));
+        const Superposition& motion = onto.at(modelOf(molecule, i));
+        position = glm::vec3(motion(glm::dvec3(position)));
+        turnDisplacement(molecule, i, motion.rotation);
     }
 }
 

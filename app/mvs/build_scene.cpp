@@ -9,6 +9,7 @@
 #include "app/mvs/scene_primitives.h"
 #include "app/mvs/scene_volumes.h"
 #include "engine/error.h"
+#include "engine/molecule/displacement.h"
 #include "engine/molecule/join_models.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/view/scene_camera.h"
@@ -208,8 +209,11 @@ private:
         const glm::dmat4x3 copy = s.transforms.empty() ? glm::dmat4x3(1.0) : s.transforms.front();
         const glm::dmat4x3 motion = motionsOf(s, copy).front();
         if (isStill(motion)) return;
-        for (Atom& atom : s.molecule->atoms)
-            atom.position = glm::vec3(motion * glm::dvec4(glm::dvec3(atom.position), 1.0));
+        for (std::size_t i = 0; i < s.molecule->atoms.size(); ++i) {
+            glm::vec3& position = s.molecule->atoms[i].position;
+            position = glm::vec3(motion * glm::dvec4(glm::dvec3(position), 1.0));
+            turnDisplacement(*s.molecule, i, glm::dmat3(motion));
+        }
     }
 
     /// The copies of a structure among those of the scene. @param firstResidue  of it in the joined molecule

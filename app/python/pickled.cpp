@@ -147,8 +147,8 @@ void summary(Archive& archive, File& file) {
 template <typename Archive, typename M>
 void all(Archive& archive, M& molecule) {
     auto& [atoms, residues, chains, subchains, bonds, assemblies, entities, statesSecondaryStructure, partialCharges,
-           radii, masses, types, serials, warnings, notes, lacksPositions, modelsAreInputs, inputs, inputFiles, others,
-           othersMissing, file, guide] = molecule;
+           radii, masses, displacements, types, serials, warnings, notes, lacksPositions, modelsAreInputs, inputs,
+           inputFiles, others, othersMissing, file, guide] = molecule;
     const auto texts = [&](auto& list) { archive.list(list, [&](auto& text) { archive.text(text); }); };
     archive.plains(atoms);
     archive.plains(residues);
@@ -170,6 +170,7 @@ void all(Archive& archive, M& molecule) {
     archive.plains(partialCharges);
     archive.plains(radii);
     archive.plains(masses);
+    archive.plains(displacements);
     archive.plains(types);
     archive.plains(serials);
     texts(warnings);

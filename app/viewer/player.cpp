@@ -135,6 +135,7 @@ std::shared_ptr<Molecule> Player::freeMolecule() {
     copy->partialCharges = m.partialCharges;
     copy->radii = m.radii;
     copy->masses = m.masses;
+    copy->displacements = m.displacements;
     copy->types = m.types;
     copy->file = m.file;
     return shared(std::move(copy));

@@ -51,6 +51,7 @@ public:
         addValues(whole_.radii, model.radii, atoms);
         addValues(whole_.masses, model.masses, atoms);
         addValues(whole_.types, model.types, atoms);
+        addDisplacements(model.displacements, atoms);
         for (const ReadNote& note : model.notes)
             addNote(whole_.notes, note.action, note.what, note.why, note.count, note.line);
         for (const std::string& warning : model.warnings)
@@ -74,6 +75,15 @@ private:
             if (residue.entity > 0) residue.entity = entities[residue.entity - 1] + 1;
             whole_.residues.push_back(residue);
         }
+    }
+
+    /// Those of a file that states none are not stated.
+    void addDisplacements(const std::vector<Displacement>& more, std::size_t atoms) {
+        std::vector<Displacement>& all = whole_.displacements;
+        if (all.empty() && more.empty()) return;
+        all.resize(atoms);
+        all.insert(all.end(), more.begin(), more.end());
+        all.resize(whole_.atoms.size());
     }
 
     /// One value per atom, in both or in neither.

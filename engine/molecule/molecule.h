@@ -50,6 +50,12 @@ struct Atom {
     float radius = 0;        ///< of a coarse grain, Å; 0: the element's
 };
 
+/// Mean square displacement of an atom: the tensor U in the frame of the positions, Å^2. All zero: not stated.
+struct Displacement {
+    float u11 = 0, u22 = 0, u33 = 0, u12 = 0, u13 = 0, u23 = 0;
+    bool stated() const { return u11 != 0 || u22 != 0 || u33 != 0 || u12 != 0 || u13 != 0 || u23 != 0; }
+};
+
 /// Secondary structure from the file; `none` also if the file does not state it.
 enum class SecondaryStructure : std::uint8_t { none, helix, strand };
 
@@ -157,19 +163,20 @@ struct Molecule {
     std::vector<std::string> subchains;
     std::vector<Bond> bonds;
     std::vector<Assembly> assemblies;
-    std::vector<std::string> entities;      ///< identifiers of the file's entities (mmCIF label_entity_id)
-    bool statesSecondaryStructure = false;  ///< the file states helices or strands of residues that exist
-    std::vector<float> partialCharges;      ///< by atom, elementary charges; empty if the format has none
-    std::vector<float> radii;               ///< by atom, Å, as PQR states them; empty otherwise
-    std::vector<float> masses;              ///< by atom, u; empty if the format has none
-    std::vector<Name> types;                ///< by atom, of its force field; empty if the format has none
-    std::vector<std::int32_t> serials;      ///< by atom, its number in mmCIF (_atom_site.id); empty: 1, 2, 3, ...
-    std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number
-    ReadNotes notes;                        ///< what the reader guessed and left out; readingOf() has the whole list
-    bool lacksPositions = false;            ///< a topology alone: a trajectory has to place its atoms
-    bool modelsAreInputs = false;           ///< Chain::model counts inputs
-    std::vector<std::string> inputs;        ///< names of those, in the order of their models; empty: there is one
-    std::vector<FileSummary> inputFiles;    ///< what each of those states
+    std::vector<std::string> entities;        ///< identifiers of the file's entities (mmCIF label_entity_id)
+    bool statesSecondaryStructure = false;    ///< the file states helices or strands of residues that exist
+    std::vector<float> partialCharges;        ///< by atom, elementary charges; empty if the format has none
+    std::vector<float> radii;                 ///< by atom, Å, as PQR states them; empty otherwise
+    std::vector<float> masses;                ///< by atom, u; empty if the format has none
+    std::vector<Displacement> displacements;  ///< by atom, anisotropic; empty if the file states none
+    std::vector<Name> types;                  ///< by atom, of its force field; empty if the format has none
+    std::vector<std::int32_t> serials;        ///< by atom, its number in mmCIF (_atom_site.id); empty: 1, 2, 3, ...
+    std::vector<std::string> warnings;        ///< what was read leniently, one sentence each, bounded in number
+    ReadNotes notes;                          ///< what the reader guessed and left out; readingOf() has the whole list
+    bool lacksPositions = false;              ///< a topology alone: a trajectory has to place its atoms
+    bool modelsAreInputs = false;             ///< Chain::model counts inputs
+    std::vector<std::string> inputs;          ///< names of those, in the order of their models; empty: there is one
+    std::vector<FileSummary> inputFiles;      ///< what each of those states
     OtherModels others;         ///< if they were asked for: the file's other models, for a camera that all share
     std::string othersMissing;  ///< why they are not there though there are some; empty: they are, or none is
     FileSummary file;

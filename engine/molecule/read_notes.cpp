@@ -88,6 +88,9 @@ ReadNotes readingOf(const Molecule& molecule, const std::vector<std::uint8_t>& d
     read("partial charges", molecule.partialCharges.size());
     read("radii", molecule.radii.size());
     read("masses", molecule.masses.size());
+    read("anisotropic displacements",
+         static_cast<std::size_t>(std::count_if(molecule.displacements.begin(), molecule.displacements.end(),
+                                                [](const Displacement& u) { return u.stated(); })));
     read("atom types", molecule.types.size());
     read("unit cells", molecule.file.cell ? 1 : 0);
     read("periodic boxes", molecule.file.box ? 1 : 0);

@@ -164,9 +164,9 @@ TEST(OddPdb, ConectOfLongSerialNumbers) {
 TEST(OddPdb, LinesThatNothingReadsAreTold) {
     const std::string atom = "ATOM      1  C1  LIG A   1       0.000   0.000   0.000  1.00  0.00           C\n";
     const Molecule read = readMolecule(
-        "a.pdb", atom + "ANISOU    1  C1  LIG A   1      100    100    100      0      0      0       C\n" + atom +
+        "a.pdb", atom + "SIGUIJ    1  C1  LIG A   1      100    100    100      0      0      0       C\n" + atom +
                      "ATOM\t2\tC2\tLIG\tA\t1\t1.5\t0.0\n");
-    EXPECT_EQ(noteOf(read, ReadAction::unused, "anisotropic displacements").count, 1);
+    EXPECT_EQ(noteOf(read, ReadAction::unused, "standard deviations").count, 1);
     EXPECT_EQ(noteOf(read, ReadAction::leftOut, "atoms").line, 4u);
 }
 

@@ -194,6 +194,7 @@ Molecule withHydrogens(const Molecule& molecule, const Chemistry& chemistry) {
     result.partialCharges.clear();
     result.radii.clear();
     result.masses.clear();
+    result.displacements.clear();
     result.types.clear();
     std::vector<std::uint32_t> moved(molecule.atoms.size());
     for (Residue& residue : result.residues) {
@@ -223,6 +224,10 @@ Molecule withHydrogens(const Molecule& molecule, const Chemistry& chemistry) {
             }
         }
         residue.atomCount = static_cast<std::uint32_t>(result.atoms.size()) - residue.firstAtom;
+    }
+    if (!molecule.displacements.empty()) {
+        result.displacements.resize(result.atoms.size());
+        for (std::size_t i = 0; i < moved.size(); ++i) result.displacements[moved[i]] = molecule.displacements[i];
     }
     for (const Bond& bond : molecule.bonds)
         result.bonds.push_back({moved[bond.a], moved[bond.b], bond.order, bond.source});

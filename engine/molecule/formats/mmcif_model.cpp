@@ -109,6 +109,8 @@ MmcifModel::MmcifModel(const std::string& name, std::string_view document, const
 
 bool MmcifModel::isKept(std::string_view category) {
     static constexpr std::string_view kKept[] = {"atom_site",
+                                                 "atom_site_aniso",
+                                                 "atom_site_anisotrop",
                                                  "ihm_sphere_obj_site",
                                                  "ihm_gaussian_obj_site",
                                                  "struct",
@@ -142,7 +144,9 @@ bool MmcifModel::isKept(std::string_view category) {
 }
 
 bool MmcifModel::isKept(std::string_view category, std::string_view column) {
-    return isKept(category) && (category != "atom_site" || MmcifAtoms::isKept(column));
+    if (category == "atom_site") return MmcifAtoms::isKept(column);
+    if (category == "atom_site_anisotrop") return MmcifDisplacements::isKept(column);
+    return isKept(category);
 }
 
 void MmcifModel::beginBlock() {
@@ -154,6 +158,7 @@ void MmcifModel::beginBlock() {
         done_ = true;
     } else {
         tables_.clear();
+        displacements_ = {};
         cells_ = 0;
     }
     table_ = nullptr;
@@ -173,10 +178,16 @@ bool MmcifModel::beginCategory(const std::string& category, const std::vector<st
         sawAtomSite_ = sawAtomSite_ || !grains;
         if (!atoms_) atoms_ = std::make_unique<MmcifAtoms>(builders_, options_, lastModel_, together_);
         atoms_->begin(category, columns);
-        table_ = nullptr;
+        rows_ = Rows::atoms;
         return true;
     }
     if (!isKept(category)) return false;
+    if (category == "atom_site_anisotrop") {
+        displacements_.begin(columns);
+        rows_ = Rows::displacements;
+        return true;
+    }
+    rows_ = Rows::table;
     table_ = &tables_[category];
     // Single values of a category may be scattered; together they are its one row.
     if (table_->rows() != 1) *table_ = MmcifTable();
@@ -190,10 +201,8 @@ void MmcifModel::expectRows(std::size_t rows, std::size_t columns) const {
 }
 
 void MmcifModel::addRow(const std::vector<MmcifCell>& cells, std::uint64_t line) {
-    if (!table_) {
-        atoms_->addRow(cells.data(), line);
-        return;
-    }
+    if (rows_ == Rows::atoms) return atoms_->addRow(cells.data(), line);
+    if (rows_ == Rows::displacements) return displacements_.addRow(cells.data());
     cells_ += cells.size();
     if (cells_ > mostCells_) cannotRead(builders_.front().name(), "a category is too long", line);
     if (table_->lines.size() == table_->rows()) table_->lines.push_back(line);
@@ -249,6 +258,7 @@ void MmcifModel::finishModels(FileSummary& file) {
         cannotRead(builders_.front().name(), "it has too many models for its connections and helices");
     const std::vector<EntityKind> kinds = entityKinds();
     for (MoleculeBuilder& builder : builders_) {
+        displacements_.apply(builder);
         builder.molecule().entities = atoms_->entities();
         for (Residue& residue : builder.molecule().residues)
             if (residue.entity > 0) residue.entityKind = kinds[residue.entity - 1];
@@ -302,7 +312,7 @@ std::vector<Molecule> MmcifModel::finish(const std::string& format) {
         const bool old = tables_["symmetry_equiv"].rows() > 0;
         addSmallMolecule(builder,
                          {tables_["atom_site"], tables_["cell"], tables_[old ? "symmetry_equiv" : "space_group_symop"],
-                          tables_["chemical"], spaceGroupName()});
+                          tables_["chemical"], tables_["atom_site_aniso"], spaceGroupName()});
         file.format = "cif-core";
     } else {
         cannotRead(builder.name(), "it has no _atom_site rows, so no atoms");

@@ -142,6 +142,21 @@ private:
     std::vector<std::string> entityNames_;
 };
 
+/// Collects rows of _atom_site_anisotrop. They may come before those of the atoms.
+class MmcifDisplacements {
+public:
+    static bool isKept(std::string_view column);
+    void begin(const std::vector<std::string>& columns);
+    void addRow(const MmcifCell* cells);
+    /// Gives them to the atoms of their numbers.
+    void apply(MoleculeBuilder& builder) const;
+
+private:
+    std::array<int, 7> ofU_{}, ofB_{};  ///< columns: the atom's number, then the tensor; -1: none
+    std::vector<std::pair<std::int64_t, Displacement>> rows_;
+    std::int64_t unusable_ = 0;
+};
+
 class MmcifModel {
 public:
     /// @param document  the file's content, which outlives this; cells inside it are not copied
@@ -183,8 +198,11 @@ private:
     std::deque<std::string> copies_;
     MmcifAtoms::Models together_ = MmcifAtoms::Models::apart;
     std::unique_ptr<MmcifAtoms> atoms_;
+    MmcifDisplacements displacements_;
     std::map<std::string, MmcifTable> tables_;  ///< the small categories kept
-    MmcifTable* table_ = nullptr;               ///< receives the rows; null: the atoms
+    enum class Rows : std::uint8_t { atoms, displacements, table };
+    Rows rows_ = Rows::atoms;      ///< that are being read
+    MmcifTable* table_ = nullptr;  ///< receives those of a table
     std::size_t cells_ = 0, cellBytes_ = 0;
     bool done_ = false, sawAtomSite_ = false;
 };
@@ -213,7 +231,7 @@ void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, 
 
 /// The tables of a small-molecule CIF, whose coordinates are fractional.
 struct SmallMoleculeTables {
-    const MmcifTable &atoms, &cell, &symmetry, &chemical;
+    const MmcifTable &atoms, &cell, &symmetry, &chemical, &displacements;
     std::string spaceGroup = {};  ///< Hermann-Mauguin, for files that list no operations; empty: not stated
 };
 /// The file's atoms are the asymmetric unit; the content of the unit cell becomes the assembly "unit-cell", where an

@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "engine/molecule/assemblies.h"
+#include "engine/molecule/displacement.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/cell_sites.h"
 #include "engine/molecule/formats/mmcif_model.h"
@@ -103,7 +104,6 @@ Atom readAtom(MoleculeBuilder& builder, const MmcifTable& atoms, std::size_t row
     const auto inRange = [](std::optional<double> value) { return value && std::abs(*value) <= 1e9; };
     if (const auto share = number(atoms, row, {"occupancy"}); inRange(share))
         atom.occupancy = static_cast<float>(*share);
-    constexpr double kEightPiSquared = 78.95683520871486;
     if (const auto b = number(atoms, row, {"b_iso_or_equiv"}); inRange(b))
         atom.temperatureFactor = static_cast<float>(*b);
     else if (const auto u = number(atoms, row, {"u_iso_or_equiv"}); inRange(u))
@@ -253,6 +253,49 @@ void separateSharedSites(MoleculeBuilder& builder) {
     }
 }
 
+/// The tensor in Cartesian axes of U_ij (or B_ij = 8 pi^2 U_ij) in units of the reciprocal axes, by which the file
+/// scales them (R. W. Grosse-Kunstleve and P. D. Adams, J. Appl. Cryst. 35 (2002) 477). Empty without six numbers.
+std::optional<Displacement> readDisplacement(const gemmi::UnitCell& cell, const MmcifTable& table, std::size_t row) {
+    static constexpr const char* kColumns[6][4] = {
+        {"u_11", "matrix_u_11", "b_11", "matrix_b_11"}, {"u_22", "matrix_u_22", "b_22", "matrix_b_22"},
+        {"u_33", "matrix_u_33", "b_33", "matrix_b_33"}, {"u_12", "matrix_u_12", "b_12", "matrix_b_12"},
+        {"u_13", "matrix_u_13", "b_13", "matrix_b_13"}, {"u_23", "matrix_u_23", "b_23", "matrix_b_23"}};
+    std::array<double, 6> u{};
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        const auto& names = kColumns[i];
+        if (const auto own = number(table, row, {names[0], names[1]}))
+            u[i] = *own;
+        else if (const auto b = number(table, row, {names[2], names[3]}))
+            u[i] = *b / kEightPiSquared;
+        else
+            return std::nullopt;
+    }
+    const glm::dmat3 ofAxes(u[0], u[3], u[4], u[3], u[1], u[5], u[4], u[5], u[2]);
+    const double reciprocal[3] = {cell.ar, cell.br, cell.cr};
+    glm::dmat3 turn(0.0);  // column by column: a cell edge times its reciprocal length
+    for (int row3 = 0; row3 < 3; ++row3)
+        for (int column = 0; column < 3; ++column)
+            turn[column][row3] = cell.orth.mat[row3][column] * reciprocal[column];
+    return displacementOf(turn * ofAxes * glm::transpose(turn));
+}
+
+/// @param sites  atoms by their labels
+void addDisplacements(MoleculeBuilder& builder, const gemmi::UnitCell& cell, const MmcifTable& table,
+                      const std::map<std::string, std::uint32_t, std::less<>>& sites) {
+    std::vector<Displacement>& all = builder.molecule().displacements;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto site = sites.find(table.get(row, {"label"}).value_or(""));
+        const auto u = readDisplacement(cell, table, row);
+        if (!u || site == sites.end()) {
+            builder.leaveOut("anisotropic displacements", u ? "of no atom" : "not six usable numbers",
+                             table.lineOf(row));
+            continue;
+        }
+        all.resize(builder.molecule().atoms.size());
+        all[site->second] = *u;
+    }
+}
+
 }  // namespace
 
 void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& tables) {
@@ -268,7 +311,8 @@ void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& table
     const std::vector<Element> formula =
         elementsOfFormula(formulated ? tables.chemical.get(0, {"formula_sum"}).value_or("") : std::string_view());
     CellSites sites(cell, operations);
-    std::size_t placed = 0;
+    std::map<std::string, std::uint32_t, std::less<>> byLabel;
+    std::uint32_t placed = 0;
     for (std::size_t row = 0; row < tables.atoms.rows(); ++row) {
         const auto fractional = readPosition(builder, tables.atoms, row);
         if (!fractional) continue;
@@ -285,11 +329,12 @@ void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& table
             continue;
         }
         builder.addAtom(atom, "", 1, '\0', "", sites.add(*fractional));
-        ++placed;
+        byLabel.emplace(tables.atoms.get(row, {"label"}).value_or(""), placed++);
     }
+    addDisplacements(builder, cell, tables.displacements, byLabel);
     separateSharedSites(builder);
     builder.molecule().file.models = 1;
-    builder.molecule().file.totalAtomsAllModels = static_cast<std::int64_t>(placed);
+    builder.molecule().file.totalAtomsAllModels = std::int64_t{placed};
     if (!fault.empty()) builder.warn("the unit cell is left out: " + fault);
     sites.addUnitCell(builder);
 }

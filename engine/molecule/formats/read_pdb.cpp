@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "engine/molecule/bonds/residue_templates.h"
+#include "engine/molecule/displacement.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/formats/id_index.h"
 #include "engine/molecule/formats/pdb_assemblies.h"
@@ -45,8 +46,7 @@ struct UnusedItem {
 };
 
 const UnusedItem* unusedItem(std::string_view line) {
-    static constexpr UnusedItem kItems[] = {{"ANISOU", "anisotropic displacements"},
-                                            {"SIGATM", "standard deviations"},
+    static constexpr UnusedItem kItems[] = {{"SIGATM", "standard deviations"},
                                             {"SIGUIJ", "standard deviations"},
                                             {"LINK  ", "links", "distances tell as well"},
                                             {"SSBOND", "disulphide bridges", "distances tell as well"},
@@ -96,6 +96,8 @@ private:
             else if (modelInProgress() == 1 && sawModelRecord_ && firstModel_.size() < maxAtoms_)
                 firstModel_.emplace_back(pdb::serial(line).value_or(-1), identityOf(line));
             ++atomsInModel_;
+        } else if (startsWith(line, "ANISOU")) {
+            if (modelInProgress() == wanted_) displacement(line);
         } else if (const UnusedItem* unused = unusedItem(line)) {
             if (modelInProgress() == wanted_ || atomsInModel_ == 0)
                 addNote(molecule_.notes, ReadAction::unused, unused->items, unused->why);
@@ -196,6 +198,7 @@ private:
                 where = pdb::coordinates(line);
             }
         }
+        latestAtom_.clear();
         Atom atom;
         for (int axis = 0; axis < 3; ++axis) {
             const auto value = coordinate(where.fields[static_cast<std::size_t>(axis)], "xyz"[axis]);
@@ -220,7 +223,24 @@ private:
         if (molecule_.atoms.size() >= maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
         molecule_.atoms.push_back(atom);
         serials_.push_back(pdb::serial(line).value_or(-1));
+        latestAtom_ = pdb::columns(line, 13, 27);
         if (!firstModel_.empty()) identities_.push_back(identityOf(line));
+    }
+
+    /// A record stands behind its atom's: U(1,1), U(2,2), U(3,3), U(1,2), U(1,3), U(2,3) in 1e-4 Å^2.
+    void displacement(std::string_view line) {
+        const auto leaveOut = [&](const char* why) {
+            addNote(molecule_.notes, ReadAction::leftOut, "anisotropic displacements", why, 1, lines_.number());
+        };
+        if (pdb::columns(line, 13, 27) != latestAtom_) return leaveOut("not behind their atoms");
+        std::array<float, 6> u{};
+        for (std::size_t i = 0; i < u.size(); ++i) {
+            const auto value = pdb::number(pdb::columns(line, 29 + 7 * i, 35 + 7 * i));
+            if (!value || std::abs(*value * 1e-4) > kLargestDisplacement) return leaveOut("not six usable numbers");
+            u[i] = static_cast<float>(*value * 1e-4);
+        }
+        molecule_.displacements.resize(molecule_.atoms.size());
+        molecule_.displacements.back() = {u[0], u[1], u[2], u[3], u[4], u[5]};
     }
 
     void elementAndCharge(std::string_view before, std::string_view after, Atom& atom) {
@@ -343,6 +363,7 @@ private:
         if (leftOut_ > molecule_.atoms.size()) cannotRead(name_, fault_, lineOfFault_);
         if (molecule_.atoms.empty()) cannotRead(name_, "it has no atoms");
         endResidue();
+        if (!molecule_.displacements.empty()) molecule_.displacements.resize(molecule_.atoms.size());
         addNote(molecule_.notes, ReadAction::guessed, "elements", "from atom names", guessedElements_);
         forgetOtherAtoms();
         FileSummary& file = molecule_.file;
@@ -404,6 +425,7 @@ private:
     std::string fault_;
     std::uint64_t lineOfFault_ = 0;
     std::string latestResidue_;  ///< its columns 18 to 28
+    std::string latestAtom_;     ///< its columns 13 to 27; empty if it was left out
     std::string inColumns_;      ///< the line that is read, if it was not
     bool sawModelRecord_ = false;
     std::optional<std::size_t> conectBefore_;  ///< of conect_, where the model that is open began

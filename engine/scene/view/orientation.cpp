@@ -12,6 +12,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/molecule/displacement.h"
 #include "engine/scene/view/bounds.h"
 
 namespace nacre {
@@ -19,55 +20,19 @@ namespace {
 
 using Balls = std::vector<glm::dvec4>;
 
-/// Variances along the axes, largest first.
-struct Axes {
-    std::array<double, 3> variances{};
-    std::array<glm::dvec3, 3> ways{};
-};
-
 glm::dvec3 meanOf(const Balls& balls) {
     glm::dvec3 sum(0);
     for (const glm::dvec4& ball : balls) sum += glm::dvec3(ball);
     return sum / static_cast<double>(balls.size());
 }
 
-/// Diagonalises a symmetric matrix by rotations. C. G. J. Jacobi, Journal für die reine und angewandte Mathematik 30
-/// (1846) 51.
-Axes axesOf(glm::dmat3 m) {
-    glm::dmat3 turned(1.0);  // its columns become the axes
-    for (int sweep = 0; sweep < 50; ++sweep) {
-        if (m[0][1] * m[0][1] + m[0][2] * m[0][2] + m[1][2] * m[1][2] == 0) break;
-        for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
-            if (m[i][j] == 0) continue;
-            const double half = (m[j][j] - m[i][i]) / (2 * m[i][j]);
-            const double tangent = (half < 0 ? -1 : 1) / (std::abs(half) + std::hypot(half, 1.0));
-            const double cosine = 1 / std::hypot(tangent, 1.0), sine = tangent * cosine;
-            glm::dmat3 turn(1.0);
-            turn[i][i] = turn[j][j] = cosine;
-            turn[j][i] = sine;
-            turn[i][j] = -sine;
-            m = glm::transpose(turn) * m * turn;
-            m[i][j] = m[j][i] = 0;  // up to rounding
-            turned = turned * turn;
-        }
-    }
-    std::array<int, 3> order{0, 1, 2};
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return m[a][a] > m[b][b]; });
-    Axes axes;
-    for (std::size_t i = 0; i < 3; ++i) {
-        axes.variances[i] = m[order[i]][order[i]];
-        axes.ways[i] = turned[order[i]];
-    }
-    return axes;
-}
-
-Axes principalAxes(const Balls& balls, const glm::dvec3& mean) {
+PrincipalAxes axesOf(const Balls& balls, const glm::dvec3& mean) {
     glm::dmat3 covariance(0.0);
     for (const glm::dvec4& ball : balls) {
         const glm::dvec3 p = glm::dvec3(ball) - mean;
         covariance += glm::outerProduct(p, p);
     }
-    return axesOf(covariance / static_cast<double>(balls.size()));
+    return principalAxes(covariance / static_cast<double>(balls.size()));
 }
 
 /// The axis in the direction in which the points reach farther.
@@ -271,9 +236,9 @@ glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide)
     constexpr double kAlike = 0.01;  // of the largest variance
     if (balls.size() < 2) return {1, 0, 0, 0};
     const glm::dvec3 mean = meanOf(balls);
-    const Axes axes = principalAxes(balls, mean);
+    const PrincipalAxes axes = axesOf(balls, mean);
     const auto alike = [&](std::size_t i, std::size_t j) {
-        return axes.variances[i] - axes.variances[j] < kAlike * axes.variances[0];
+        return axes.values[i] - axes.values[j] < kAlike * axes.values[0];
     };
     const bool longIsOne = !alike(0, 1), shortIsOne = !alike(1, 2);
     if (!longIsOne && !shortIsOne) return {1, 0, 0, 0};
@@ -293,13 +258,13 @@ glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide)
 bool isSlab(const std::vector<glm::dvec4>& balls) {
     constexpr double kThin = 0.4;  // of the next variance: 63 % of the spread
     if (balls.size() < 3) return false;
-    const Axes axes = principalAxes(balls, meanOf(balls));
-    return axes.variances[2] < kThin * axes.variances[1];
+    const PrincipalAxes axes = axesOf(balls, meanOf(balls));
+    return axes.values[2] < kThin * axes.values[1];
 }
 
 glm::dquat edgeOnOrientation(const std::vector<glm::dvec4>& slab) {
     const glm::dvec3 mean = meanOf(slab);
-    const Axes axes = principalAxes(slab, mean);
+    const PrincipalAxes axes = axesOf(slab, mean);
     const glm::dvec3 up = directed(axes.ways[2], slab, mean), right = directed(axes.ways[0], slab, mean);
     return glm::normalize(glm::quat_cast(glm::transpose(glm::dmat3(right, up, glm::cross(right, up)))));
 }
@@ -426,7 +391,7 @@ double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm:
 glm::dmat3 principalAxesOf(std::span<const glm::dvec3> points) {
     Balls balls;
     for (const glm::dvec3& point : points) balls.emplace_back(point, 0.0);
-    const Axes axes = principalAxes(balls, meanOf(balls));
+    const PrincipalAxes axes = axesOf(balls, meanOf(balls));
     return {axes.ways[0], axes.ways[1], axes.ways[2]};
 }
 

@@ -1,0 +1,38 @@
+#pragma once
+// Anisotropic displacements of atoms about their mean positions.
+
+#include <array>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+constexpr double kEightPiSquared = 78.95683520871486;  ///< B = 8 pi^2 U
+constexpr double kLargestDisplacement = 1000;          ///< Å^2; ANISOU holds no more
+
+glm::dmat3 matrixOf(const Displacement& u);
+Displacement displacementOf(const glm::dmat3& u);
+
+/// Symmetric matrices by their eigenvalues, largest first, with orthonormal eigenvectors.
+struct PrincipalAxes {
+    std::array<double, 3> values{};
+    std::array<glm::dvec3, 3> ways{};
+};
+PrincipalAxes principalAxes(glm::dmat3 symmetric);
+
+/// Root mean square displacements along the principal axes, Å, shortest last, right-handed; empty if the tensor is not
+/// positive definite.
+std::optional<std::array<glm::dvec3, 3>> displacementAxes(const Displacement& u);
+
+/// By how much an ellipsoid that holds an atom with a probability is larger than its root mean square displacements:
+/// the quantile of the chi distribution with three degrees of freedom, 1.5382 at 50 %.
+/// @param percent  above 0, below 100
+double probabilityScale(double percent);
+
+/// Turns the displacement of an atom with the atom, if it has one. @param rotation  or another linear map
+void turnDisplacement(Molecule& molecule, std::size_t atom, const glm::dmat3& rotation);
+
+}  // namespace nacre
