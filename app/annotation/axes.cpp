@@ -14,7 +14,7 @@ namespace {
 constexpr double kArm = 2.3, kName = 0.7, kHead = 0.7, kHeadRadius = 0.26, kShaftRadius = 0.075;
 
 /// The convex hull, clockwise as seen, since y points down (A. M. Andrew, Inf. Process. Lett. 9 (1979) 216).
-std::vector<glm::dvec2> hullOf(std::vector<glm::dvec2> points) {
+std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points) {
     std::ranges::sort(points,
                       [](const glm::dvec2& p, const glm::dvec2& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
     std::vector<glm::dvec2> hull;
@@ -47,7 +47,7 @@ ShapeMark coneOf(const glm::dvec2& origin, const glm::dvec3& way, double from, d
         for (const glm::dvec3& p : {from * way + radius * out, to * way + end * out})
             points.emplace_back(origin + glm::dvec2(p.x, -p.y));
     }
-    return {hullOf(std::move(points)), color};
+    return {convexHull(std::move(points)), color};
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ namespace nacre::app::mvs {
 namespace {
 
 const char* typeOf(Style style) {
-    return style == Style::ballAndStick || style == Style::licorice ? "ball_and_stick" : styleName(style);
+    const bool sticks = style == Style::ballAndStick || style == Style::licorice || style == Style::ellipsoids;
+    return sticks ? "ball_and_stick" : styleName(style);
 }
 
 /// Colours of a layer: the most frequent one for all, the others for their atoms.
@@ -98,6 +99,9 @@ std::vector<std::string> notesOf(const PictureDescription& d, const Molecule& mo
     if (std::any_of(layers.begin(), layers.end(),
                     [](const SceneLayer& layer) { return layer.style == Style::licorice; }))
         notes.push_back("MolViewSpec cannot store the thickness of sticks: viewers use their own");
+    if (std::any_of(layers.begin(), layers.end(),
+                    [](const SceneLayer& layer) { return layer.style == Style::ellipsoids; }))
+        notes.push_back("MolViewSpec cannot store ellipsoids: they become balls");
     if (std::any_of(d.words.labels.begin(), d.words.labels.end(), hasFields))
         notes.push_back("MolViewSpec cannot store labels that name each residue");
     if (torsions > 0) notes.push_back("MolViewSpec cannot store torsion angles");

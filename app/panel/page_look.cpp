@@ -1,6 +1,7 @@
 // Style, colours, looks and light of the whole molecule.
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/panel/panel_state.h"
@@ -23,15 +24,15 @@ bool shows(Style style, const RepresentationOptions& look) {
            });
 }
 
-/// Takes effect on release: each value builds a scene.
-void slideOpacity(Widgets& ui, std::string_view key, double& opacity) {
+/// Takes effect on release: each value builds a scene. @param steps  per unit
+void slideOnRelease(Widgets& ui, std::string_view key, double steps, double& value) {
     const Option::Control& control = option(key).control;
     float& held = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(control.label), -1);
-    float at = held < 0 ? static_cast<float>(opacity) : held;
+    float at = held < 0 ? static_cast<float>(value) : held;
     if (ui.slide(control.label, at, static_cast<float>(control.low), static_cast<float>(control.high), control.shown))
         held = at;
     if (held < 0 || ImGui::IsAnyItemActive()) return;
-    opacity = inHundredths(held);
+    value = std::round(static_cast<double>(held) * steps) / steps;
     held = -1;
 }
 
@@ -51,8 +52,9 @@ void drawStyles(PanelFrame& f) {
     }
     if (!look.style && f.viewer.document())
         f.ui.caption("Automatic: " + wordOf("style", styleName(f.viewer.document()->drawing.scene().style)));
-    if (shows(Style::cartoon, look)) slideOpacity(f.ui, "cartoon-opacity", look.cartoonOpacity);
-    if (shows(Style::surface, look)) slideOpacity(f.ui, "surface-opacity", look.surfaceOpacity);
+    if (shows(Style::cartoon, look)) slideOnRelease(f.ui, "cartoon-opacity", 100, look.cartoonOpacity);
+    if (shows(Style::surface, look)) slideOnRelease(f.ui, "surface-opacity", 100, look.surfaceOpacity);
+    if (shows(Style::ellipsoids, look)) slideOnRelease(f.ui, "probability", 1, look.sizes.probability);
 }
 
 }  // namespace

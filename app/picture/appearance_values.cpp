@@ -41,6 +41,8 @@ constexpr Synonym kStyleSynonyms[] = {{"sticks", "licorice"},
                                       {"trace", "backbone"},
                                       {"carbohydrates", "carbohydrate"},
                                       {"snfg", "carbohydrate"},
+                                      {"ellipsoid", "ellipsoids"},
+                                      {"ortep", "ellipsoids"},
                                       {"molecular-surface", "surface"},
                                       {"surf", "surface"},
                                       {"quicksurf", "surface"}};

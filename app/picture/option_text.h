@@ -15,10 +15,11 @@ std::string numberText(double value);
 /// With all digits needed to read the same number again.
 std::string exactText(double value);
 constexpr std::pair<const char*, Style> kStyles[] = {
-    {"spacefill", Style::spacefill}, {"ball-and-stick", Style::ballAndStick},
-    {"licorice", Style::licorice},   {"cartoon", Style::cartoon},
-    {"surface", Style::surface},     {"line", Style::line},
-    {"backbone", Style::backbone},   {"carbohydrate", Style::carbohydrate}};
+    {"spacefill", Style::spacefill},  {"ball-and-stick", Style::ballAndStick},
+    {"licorice", Style::licorice},    {"cartoon", Style::cartoon},
+    {"surface", Style::surface},      {"line", Style::line},
+    {"backbone", Style::backbone},    {"carbohydrate", Style::carbohydrate},
+    {"ellipsoids", Style::ellipsoids}};
 /// "spacefill", "ball-and-stick", "licorice"
 const char* styleName(Style style);
 /// A common name if there is one, else "#rrggbb", or "#rrggbbaa" if not opaque.

@@ -66,7 +66,7 @@ std::vector<Option> whole() {
          .syntax = "NAME",
          .standard = "cartoon for proteins, beside maps licorice; ball-and-stick under 100 atoms with bonds; spacefill",
          .help = "spacefill, ball-and-stick, licorice, line, cartoon or backbone (with ligands as licorice),\nsurface, "
-                 "carbohydrate (symbols of sugars) or auto: the default",
+                 "carbohydrate (symbols of sugars), ellipsoids (of displacements) or auto: the default",
          .parse = parseAnyStyle,
          .print = [](const P& d) { return std::string(d.look.style ? styleName(*d.look.style) : "auto"); },
          .save = differing,
@@ -79,7 +79,9 @@ std::vector<Option> whole() {
                                  {"Cartoon", "cartoon", "Ribbons follow the backbone."},
                                  {"Surface", "surface", "The surface is the boundary that water can reach."},
                                  {"Lines", "line", "Lines are the bonds between atoms."},
-                                 {"Backbone", "backbone", "A tube goes through the alpha carbons or phosphates."}}}},
+                                 {"Backbone", "backbone", "A tube goes through the alpha carbons or phosphates."},
+                                 {"Ellipsoids", "ellipsoids",
+                                  "Each atom is inside its ellipsoid with the chosen probability."}}}},
         {.key = "bond-orders",
          .syntax = "ligands|on|off",
          .standard = "=",
@@ -259,9 +261,14 @@ std::vector<Option> meshes() {
             "cartoon-opacity", "SHARE", "Opacity of cartoons, 0.01 to 1",
             [](T text, P& d) { d.look.cartoonOpacity = parseNumber(text, kLeastOpacity, 1); },
             printNumber<&P::look, &R::cartoonOpacity>),
+        row(
+            "probability", "P", "Probability in % that an atom is inside its ellipsoid (--style ellipsoids), 1 to 99",
+            [](T text, P& d) { d.look.sizes.probability = parseNumber(text, 1, 99); },
+            printNumber<&P::look, &R::sizes, &Sizes::probability>),
     };
-    rows.end()[-2].control = {"Surface opacity", 0.1, 1, "Surface opacity: %.2f"};
-    rows.back().control = {"Cartoon opacity", 0.1, 1, "Cartoon opacity: %.2f"};
+    rows.end()[-3].control = {"Surface opacity", 0.1, 1, "Surface opacity: %.2f"};
+    rows.end()[-2].control = {"Cartoon opacity", 0.1, 1, "Cartoon opacity: %.2f"};
+    rows.back().control = {"Probability of ellipsoids", 1, 99, "Probability of ellipsoids: %.0f %%"};
     return under(Topic::mesh, Facet::scene, std::move(rows));
 }
 

@@ -27,15 +27,15 @@
 namespace nacre {
 namespace {
 
-constexpr double kSame = 2e-5;  // Å^2: files state four digits
+constexpr double kTensorError = 2e-5;  // Å^2: files state four digits
 
-void expectSame(const Displacement& ours, const gemmi::SMat33<double>& theirs, const std::string& what) {
-    EXPECT_NEAR(ours.u11, theirs.u11, kSame) << what;
-    EXPECT_NEAR(ours.u22, theirs.u22, kSame) << what;
-    EXPECT_NEAR(ours.u33, theirs.u33, kSame) << what;
-    EXPECT_NEAR(ours.u12, theirs.u12, kSame) << what;
-    EXPECT_NEAR(ours.u13, theirs.u13, kSame) << what;
-    EXPECT_NEAR(ours.u23, theirs.u23, kSame) << what;
+void expectTensor(const Displacement& ours, const gemmi::SMat33<double>& theirs, const std::string& what) {
+    EXPECT_NEAR(ours.u11, theirs.u11, kTensorError) << what;
+    EXPECT_NEAR(ours.u22, theirs.u22, kTensorError) << what;
+    EXPECT_NEAR(ours.u33, theirs.u33, kTensorError) << what;
+    EXPECT_NEAR(ours.u12, theirs.u12, kTensorError) << what;
+    EXPECT_NEAR(ours.u13, theirs.u13, kTensorError) << what;
+    EXPECT_NEAR(ours.u23, theirs.u23, kTensorError) << what;
 }
 
 std::size_t statedIn(const Molecule& m) {
@@ -60,7 +60,7 @@ void expectAsGemmiReads(const Molecule& m, gemmi::Structure structure) {
             for (const gemmi::Atom& atom : residue.atoms) {
                 const Place place{chain.name, *residue.seqid.num, atom.name, atom.altloc};
                 ASSERT_TRUE(ours.contains(place)) << atom.name;
-                expectSame(ours[place], atom.aniso.scaled(1.0), chain.name + residue.str() + atom.name);
+                expectTensor(ours[place], atom.aniso.scaled(1.0), chain.name + residue.str() + atom.name);
                 stated += atom.aniso.nonzero();
             }
     EXPECT_EQ(statedIn(m), stated);
@@ -101,7 +101,7 @@ TEST(Displacements, OfASmallMoleculeAreTurnedIntoTheAxesOfPositions) {
         }
         ++stated;
         const gemmi::SMat33<double> file = gemmi::atom_to_site(atom, crystal.cell).aniso;
-        expectSame(
+        expectTensor(
             {float(file.u11), float(file.u22), float(file.u33), float(file.u12), float(file.u13), float(file.u23)},
             site.aniso, site.label);
     }
@@ -160,7 +160,7 @@ TEST(Displacements, OfMmcifFollowTheNumbersOfAtoms) {
     const Molecule m = readMolecule("a.cif", text);
     ASSERT_EQ(m.displacements.size(), 3u);
     EXPECT_FALSE(m.displacements[0].stated() || m.displacements[2].stated());
-    expectSame(m.displacements[1], {0.1, 0.2, 0.3, 0.01, 0, -0.01}, "B");
+    expectTensor(m.displacements[1], {0.1, 0.2, 0.3, 0.01, 0, -0.01}, "B");
 }
 
 TEST(Displacements, OfPdbBelongToTheAtomBefore) {
@@ -180,7 +180,7 @@ TEST(Displacements, OfPdbBelongToTheAtomBefore) {
                                                  atom(3, "C3", "?") + aniso(3, "C3") + atom(4, "C4", "4.500"));
     ASSERT_EQ(m.displacements.size(), 3u);
     EXPECT_FALSE(m.displacements[0].stated() || m.displacements[2].stated());
-    expectSame(m.displacements[1], {0.1, 0.2, 0.3, 0.01, -0.02, 0.03}, "C2");
+    expectTensor(m.displacements[1], {0.1, 0.2, 0.3, 0.01, -0.02, 0.03}, "C2");
     EXPECT_TRUE(readMolecule("a.pdb", atom(1, "C1", "0.000")).displacements.empty());
     // Joined to files without them, each atom keeps its own.
     const Molecule other = readMolecule("b.pdb", atom(1, "C1", "9.000"));
@@ -228,7 +228,7 @@ TEST(Displacements, TurnWithTheirAtoms) {
     const glm::dmat3 quarter(0, 1, 0, -1, 0, 0, 0, 0, 1);
     turnDisplacement(m, 0, quarter);
     turnDisplacement(m, 1, quarter);
-    expectSame(m.displacements[0], {0.02, 0.01, 0.03, -0.004, -0.006, 0.005}, "turned");
+    expectTensor(m.displacements[0], {0.02, 0.01, 0.03, -0.004, -0.006, 0.005}, "turned");
     EXPECT_FALSE(m.displacements[1].stated());
 }
 

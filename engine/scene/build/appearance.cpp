@@ -6,6 +6,7 @@
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
+#include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/build/carbohydrates.h"
 #include "engine/scene/color/color_table.h"
 
@@ -336,6 +337,11 @@ Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t
               slotsOfColoring[i], appearance);
     }
     partByStyle(facts, looks, options, appearance);
+    std::vector<std::uint32_t> ellipsoids;
+    for (std::size_t i = 0; i < appearance.atoms.size(); ++i)
+        if (appearance.styles[i] == Style::ellipsoids) ellipsoids.push_back(appearance.atoms[i]);
+    for (std::string& warning : AtomEllipsoids(facts.molecule(), options.sizes.probability).warnings(ellipsoids))
+        appearance.warnings.push_back(std::move(warning));
     return appearance;
 }
 
@@ -348,10 +354,12 @@ bool Appearance::anyByCopy() const {
 
 SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance) {
     SeenBalls seen;
+    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability);
     const auto add = [&](std::uint32_t index, Style style) {
         const Atom& atom = molecule.atoms[index];
         seen.atoms.push_back(index);
-        seen.balls.emplace_back(atom.position, drawnRadius(atom, style, appearance.sizes));
+        seen.balls.emplace_back(atom.position, style == Style::ellipsoids ? static_cast<float>(ellipsoids.reach(index))
+                                                                          : drawnRadius(atom, style, appearance.sizes));
     };
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) add(appearance.atoms[i], appearance.styles[i]);
     for (const std::uint32_t atom : appearance.cartoon.atoms) add(atom, Style::cartoon);
@@ -376,6 +384,7 @@ float drawnRadius(const Atom& atom, Style style, const Sizes& sizes) {
             return 0.1f;
         case Style::spacefill:
         case Style::surface:
+        case Style::ellipsoids:
             break;
     }
     return vanDerWaalsRadius(atom);

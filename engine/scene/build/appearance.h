@@ -23,8 +23,9 @@ namespace nacre {
 /// cartoon, unless there are no others.
 ///
 /// Lines are bonds of constant width in the picture. A backbone is a tube through alpha carbons or phosphates;
-/// carbohydrate draws sugars as symbols (carbohydrates.h). Both leave other atoms as a cartoon does.
-enum class Style { spacefill, ballAndStick, licorice, cartoon, surface, line, backbone, carbohydrate };
+/// carbohydrate draws sugars as symbols (carbohydrates.h). Both leave other atoms as a cartoon does. Ellipsoids draw
+/// displacements (atom_ellipsoids.h), with thin sticks.
+enum class Style { spacefill, ballAndStick, licorice, cartoon, surface, line, backbone, carbohydrate, ellipsoids };
 
 /// Sugars beside a cartoon: as any ligand, as symbols, or as small symbols within their licorice.
 enum class Carbohydrates : std::uint8_t { off, on, icon };
@@ -39,10 +40,11 @@ enum class SurfaceForm : std::uint8_t { solid, mesh, dots };
 
 /// Sizes of atoms and bonds.
 struct Sizes {
-    double stick = 0.25;  ///< radius of licorice, Å
-    double bond = 0.15;   ///< radius of bonds in ball-and-stick, Å
-    double ball = 0.25;   ///< of the van der Waals radius, ball-and-stick
-    double tube = 0.3;    ///< radius of backbones, Å
+    double stick = 0.25;      ///< radius of licorice, Å
+    double bond = 0.15;       ///< radius of bonds in ball-and-stick, Å
+    double ball = 0.25;       ///< of the van der Waals radius, ball-and-stick
+    double tube = 0.3;        ///< radius of backbones, Å
+    double probability = 50;  ///< of an atom inside its ellipsoid, %
     friend bool operator==(const Sizes&, const Sizes&) = default;
 };
 
@@ -140,7 +142,7 @@ struct SeenBalls {
 SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance);
 
 constexpr float kCartoonReach = 2.5f;  ///< largest distance of a cartoon from an atom, Å
-/// Radius of an atom's sphere, Å; for cartoons kCartoonReach.
+/// Radius of an atom's sphere, Å; for cartoons kCartoonReach. Ellipsoids have other ones (atom_ellipsoids.h).
 float drawnRadius(const Atom& atom, Style style, const Sizes& sizes = {});
 
 /// The default style: ball-and-stick for fewer than 100 drawn atoms with bonds, else spacefill, or another one.

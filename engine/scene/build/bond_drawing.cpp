@@ -59,18 +59,22 @@ glm::dvec3 middleOf(const Molecule& molecule, std::span<const std::uint32_t> ato
 }
 
 Style stouter(Style a, Style b) {
-    for (const Style style : {Style::licorice, Style::ballAndStick})
+    for (const Style style : {Style::licorice, Style::ballAndStick, Style::ellipsoids})
         if (a == style || b == style) return style;
     return a;
 }
 
 BondStrands strandsOf(std::uint8_t order, bool inRing, Style style, const Sizes& sizes) {
     constexpr Sizes kUsual;
+    constexpr double kThin = 0.4;  // of the bonds in ball-and-stick
+    if (style == Style::ellipsoids) return scaled(bondStrands(1, false), kThin * sizes.bond / kUsual.bond);
     return style == Style::ballAndStick ? scaled(bondStrands(order, inRing), sizes.bond / kUsual.bond)
                                         : scaled(licoriceStrands(order, inRing), sizes.stick / kUsual.stick);
 }
 
-bool hasSticks(Style style) { return style == Style::licorice || style == Style::ballAndStick; }
+bool hasSticks(Style style) {
+    return style == Style::licorice || style == Style::ballAndStick || style == Style::ellipsoids;
+}
 
 /// Coordination is what binds a metal to anything but metals, whatever order a file gives it.
 bool isCoordination(const Molecule& molecule, const Bond& bond) {
@@ -271,7 +275,7 @@ void addBonds(const ResidueFacts& facts, const Appearance& appearance, const Dra
     const Molecule& molecule = facts.molecule();
     const std::vector<Style>& styles = appearance.styles;
     const auto has = [&](Style style) { return std::find(styles.begin(), styles.end(), style) != styles.end(); };
-    if (!has(Style::ballAndStick) && !has(Style::licorice) && !has(Style::backbone)) return;
+    if (std::ranges::none_of(styles, hasSticks) && !has(Style::backbone)) return;
     const std::vector<std::uint32_t> slots = drawnSlots(molecule, appearance.atoms);
     const auto styleOf = [&](std::uint32_t a, std::uint32_t b) { return stouter(styles[slots[a]], styles[slots[b]]); };
     std::vector<Bond> bonds = drawnBonds(molecule, appearance, orders, contacts, slots);
@@ -292,7 +296,8 @@ void addBonds(const ResidueFacts& facts, const Appearance& appearance, const Dra
     if (orders.form() != AromaticForm::ring) return;
     for (const DrawnOrders::DrawnRing& ring : orders.rings()) {
         const auto seen = [&](std::uint32_t atom) {
-            return slots[atom] != kNotDrawn && hasSticks(styles[slots[atom]]);
+            return slots[atom] != kNotDrawn && hasSticks(styles[slots[atom]]) &&
+                   styles[slots[atom]] != Style::ellipsoids;
         };
         if (!ring.aromatic || !std::all_of(ring.atoms.begin(), ring.atoms.end(), seen)) continue;
         const Style style = styleOf(ring.atoms[0], ring.atoms[1]);

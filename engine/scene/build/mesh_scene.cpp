@@ -8,8 +8,10 @@
 
 #include "engine/error.h"
 #include "engine/mesh/cartoon.h"
+#include "engine/mesh/ellipsoids.h"
 #include "engine/mesh/surface.h"
 #include "engine/molecule/element.h"
+#include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/build/carbohydrates.h"
 #include "engine/scene/build/mesh_streams.h"
 #include "engine/scene/color/colors.h"
@@ -94,6 +96,21 @@ SurfaceOptions wireOptions(const RepresentationOptions& options, std::size_t ato
     return result;
 }
 
+/// The atoms of an appearance that are ellipsoids.
+MeshAtoms ellipsoidAtoms(const Appearance& appearance, const AtomEllipsoids& ellipsoids) {
+    std::vector<std::size_t> slots;
+    for (std::size_t i = 0; i < appearance.atoms.size(); ++i)
+        if (appearance.styles[i] == Style::ellipsoids && ellipsoids.axes(appearance.atoms[i])) slots.push_back(i);
+    std::ranges::sort(slots, {}, [&](std::size_t i) { return appearance.atoms[i]; });
+    MeshAtoms mesh;
+    for (const std::size_t i : slots) {
+        mesh.atoms.push_back(appearance.atoms[i]);
+        mesh.colors.push_back(appearance.colors[i]);
+    }
+    mesh.opacity.assign(mesh.atoms.size(), 1.0);
+    return mesh;
+}
+
 }  // namespace
 
 void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options,
@@ -101,11 +118,18 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
     const Molecule& molecule = facts.molecule();
     struct Group {
         std::vector<std::uint32_t> cartoon, surface, sugars;
+        std::vector<Ellipsoid> ellipsoids;
     };
     std::map<std::uint32_t, Group> groups;
     for (const std::uint32_t atom : appearance.cartoon.atoms) groups[groupOf(atom)].cartoon.push_back(atom);
     for (const std::uint32_t atom : appearance.surface.atoms) groups[groupOf(atom)].surface.push_back(atom);
     for (const std::uint32_t atom : appearance.sugars.atoms) groups[groupOf(atom)].sugars.push_back(atom);
+    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability);
+    const MeshAtoms asEllipsoids = ellipsoidAtoms(appearance, ellipsoids);
+    for (const std::uint32_t atom : asEllipsoids.atoms)
+        groups[groupOf(atom)].ellipsoids.push_back(
+            {glm::dvec3(molecule.atoms[atom].position), *ellipsoids.axes(atom), atom});
+    const MeshLooks ofEllipsoids(molecule, asEllipsoids);
     const MeshLooks ofCartoon(molecule, appearance.cartoon), ofSurface(molecule, appearance.surface),
         ofSugars(molecule, appearance.sugars);
     for (const auto& [number, group] : groups) {
@@ -125,6 +149,15 @@ void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const Re
                     {glm::vec3(glm::dvec3(molecule.atoms[atom].position) - representation.center),
                      vanDerWaalsRadius(molecule.atoms[atom]), ofSurface(atom)});
         }
+        if (!group.ellipsoids.empty())
+            appendMesh(
+                ellipsoidMesh(group.ellipsoids, representation.center), {},
+                [&](std::uint32_t atom) {
+                    SphereLook look = ofEllipsoids(atom & ~kEllipsoidBand);
+                    if (atom & kEllipsoidBand) look.color = bandColor(look.color);
+                    return look;
+                },
+                representation);
         if (!group.sugars.empty())
             appendMesh(
                 sugarSymbols(molecule, group.sugars, {options.carbohydrates == Carbohydrates::icon, options.sugarScale},

@@ -1,5 +1,5 @@
 #pragma once
-// Cartoons and surfaces of a representation. Used by representation.cpp.
+// Cartoons, surfaces and ellipsoids of a representation. Used by representation.cpp.
 
 #include <cstdint>
 #include <functional>

@@ -10,6 +10,7 @@
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
+#include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/build/atom_groups.h"
 #include "engine/scene/build/bond_drawing.h"
 #include "engine/scene/build/contact_lines.h"
@@ -26,11 +27,14 @@ namespace {
 void appendAtoms(const Molecule& molecule, const Appearance& appearance, Representation& result) {
     result.spheres.reserve(appearance.atoms.size());
     result.sphereLooks.reserve(appearance.atoms.size());
+    const AtomEllipsoids ellipsoids(molecule, appearance.sizes.probability);
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
         const std::uint32_t index = appearance.atoms[i];
         const Atom& atom = molecule.atoms[index];
         const glm::dvec3 position = glm::dvec3(atom.position) - result.center;
-        const float radius = drawnRadius(atom, appearance.styles[i], appearance.sizes);
+        const float radius = appearance.styles[i] == Style::ellipsoids
+                                 ? static_cast<float>(ellipsoids.ball(index))
+                                 : drawnRadius(atom, appearance.styles[i], appearance.sizes);
         result.spheres.push_back({glm::vec3(position), radius});
         result.sphereLooks.push_back({appearance.colors[i], index + 1});
     }

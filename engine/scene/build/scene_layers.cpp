@@ -7,6 +7,7 @@
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
+#include "engine/scene/build/atom_ellipsoids.h"
 #include "engine/scene/build/atom_groups.h"
 #include "engine/scene/build/bond_drawing.h"
 #include "engine/scene/build/carbohydrates.h"
@@ -146,13 +147,16 @@ float ballRadius(const SceneLayer& layer, const Atom& atom) {
 Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, const RepresentationOptions& options,
                          const glm::dvec3& center) {
     const Molecule& molecule = facts.molecule();
-    const Appearance appearance = appearanceOfLayer(facts, layer);
+    Appearance appearance = appearanceOfLayer(facts, layer);
+    appearance.sizes.probability = options.sizes.probability;
+    const AtomEllipsoids ellipsoids(molecule, options.sizes.probability);
     Representation part;
     part.center = center;
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
         const std::uint32_t index = appearance.atoms[i];
         const Atom& atom = molecule.atoms[index];
-        const float own = ballRadius(layer, atom);
+        const float own =
+            layer.style == Style::ellipsoids ? static_cast<float>(ellipsoids.ball(index)) : ballRadius(layer, atom);
         part.spheres.push_back({glm::vec3(glm::dvec3(atom.position) - center), own * layer.atomScale});
         part.sphereLooks.push_back({appearance.colors[i], index + 1});
     }
