@@ -63,6 +63,7 @@ struct PassCount {
 /// Geometry of a pass over the scene's primitives.
 struct PassGeometry {
     std::string name;
+    std::uint32_t pass = 0;  ///< its place in the frame
     std::uint64_t vertices = 0, triangles = 0;
     std::uint64_t varyingBytes = 0;  ///< positions and varyings of all vertices
 };

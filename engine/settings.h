@@ -54,6 +54,8 @@ struct FrameTuning {
     /// Number of spheres from which the host draws them first, or looks for hidden ones, on the `tiles` path. Below, it
     /// costs more than it saves.
     std::uint32_t hideFrom = 1'500'000;
+    /// Limit of vertex outputs per render pass, bytes; 0: the device's (GeometryCaps).
+    std::uint64_t mostVertexBytes = 0;
 };
 
 struct RenderSettings {

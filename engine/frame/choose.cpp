@@ -5,11 +5,19 @@
 #include "engine/error.h"
 #include "engine/frame/effects/lens/choice.h"
 #include "engine/frame/effects/shadow/choice.h"
+#include "engine/frame/frame.h"
 
 namespace nacre {
 
 using graph::DeviceKind;
 using graph::FrameCaps;
+using passes::bytesOf;
+using passes::costOf;
+using passes::Handed;
+using passes::PassCost;
+using passes::PrimitiveCounts;
+using passes::shapesOf;
+using passes::SphereShapes;
 using Kind = Effect::Kind;
 using Where = Samples::Where;
 
@@ -128,6 +136,33 @@ bool isFineMesh(const View& view, const SceneFacts& scene) {
            scene.meshTriangles * kPixels > std::uint64_t{view.width} * view.height;
 }
 
+/// A pass over the primitives: its rounds in VertexOutputs, and what it hands on.
+struct GeometryWork {
+    Rounds VertexOutputs::*rounds = nullptr;
+    PassCost cost;
+};
+
+/// Those of a path, in order. Frames allocate nothing.
+class GeometryWorks {
+public:
+    void add(const GeometryWork& work) { works_.at(count_++) = work; }
+    const GeometryWork* begin() const { return works_.data(); }
+    const GeometryWork* end() const { return works_.data() + count_; }
+
+private:
+    std::array<GeometryWork, 5> works_{};  // prepass, nearest, three targets
+    std::size_t count_ = 0;
+};
+
+/// Whether shapes or render passes are other than they were without a limit.
+bool limited(const VertexOutputs& outputs) {
+    const VertexOutputs usual;
+    return !(outputs == usual);
+}
+
+/// Render passes that passes begin beyond the first.
+std::uint32_t begun(const Rounds& rounds) { return rounds.count - (rounds.apart ? 0 : 1); }
+
 /// Makes one choice, step by step. Steps note their reasons if somebody wants them.
 class Chooser {
 public:
@@ -147,6 +182,7 @@ public:
         chooseEnding();
         chooseOverflow();
         chooseViews();
+        chooseVertices();
         return choice_;
     }
     Samples samples() {
@@ -195,11 +231,16 @@ private:
     void chooseGeometry();
     HostWork hostWorkOfTiles() const;
     HostWork hostWorkOf(Visibility path) const;
-    bool prepassOf(Visibility path) const;
+    bool prepassOf(Visibility path, PlateShape plates) const;
     void chooseEnding();
     void chooseOverflow();
     const char* lackOfViews() const;
     void chooseViews();
+    std::uint64_t mostVertexBytes() const;
+    Rounds roundsOf(const PassCost& cost, const PrimitiveCounts& counts) const;
+    GeometryWorks geometryOf(Visibility path, const SphereShapes& shapes) const;
+    VertexOutputs fitted(Visibility path) const;
+    void chooseVertices();
 
     const FrameRequest& request_;
     const RenderSettings settings_;
@@ -348,17 +389,16 @@ HostWork Chooser::hostWorkOfTiles() const {
     return HostWork::none;
 }
 
-bool Chooser::prepassOf(Visibility path) const {
+bool Chooser::prepassOf(Visibility path, PlateShape plates) const {
     if (debugs()) return true;  // views show it
     // Without plates the passes that write depth themselves need no pass before them.
-    const bool plates =
-        settings_.tuning.plates != PlateShape::none || (path != Visibility::fragdepth && path != Visibility::deferred);
-    return plates && platesReject(path, device_.plan);
+    const bool wanted = plates != PlateShape::none || (path != Visibility::fragdepth && path != Visibility::deferred);
+    return wanted && platesReject(path, device_.plan);
 }
 
 void Chooser::chooseGeometry() {
     const bool tiles = choice_.path == Visibility::tiles;
-    choice_.prepass = prepassOf(choice_.path);
+    choice_.prepass = prepassOf(choice_.path, settings_.tuning.plates);
     choice_.geometry = tiles                                                       ? Geometry::hostLists
                        : device_.plan.geometry.storesVaryings && !request_.counted ? Geometry::fetched
                                                                                    : Geometry::instanced;
@@ -407,7 +447,7 @@ void Chooser::chooseOverflow() {
     // Lists of a quarter of the pixels' side are shorter.
     if (choice_.drawsEdges()) overflow.refinement = blind() ? Refinement::everywhere : Refinement::blocks;
     overflow.host = hostWorkOf(overflow.path);
-    overflow.prepass = prepassOf(overflow.path);
+    overflow.prepass = prepassOf(overflow.path, settings_.tuning.plates);
     if (reasons_)
         because("long lists",
                 "taken where a tile's list has more than " + std::to_string(overflow.longestList) + " entries");
@@ -435,6 +475,126 @@ void Chooser::chooseViews() {
     because("views", lack ? lack : "parallel eyes: a draw call draws both, and both depths stay on the tile");
 }
 
+/// 0: no limit.
+std::uint64_t Chooser::mostVertexBytes() const {
+    const std::uint64_t asked = settings_.tuning.mostVertexBytes;
+    return asked > 0 ? asked : device_.plan.geometry.mostVertexBytes;
+}
+
+/// Rounds of a pass, so that none hands on more than the limit.
+Rounds Chooser::roundsOf(const PassCost& cost, const PrimitiveCounts& counts) const {
+    const std::uint64_t all = bytesOf(cost, counts) * choice_.views, most = mostVertexBytes();
+    Rounds rounds;
+    if (all <= most) return rounds;
+    rounds.bytes = bytesOf(cost);
+    // Shares are of whole primitives: each may have one more.
+    const std::uint64_t one = std::uint64_t{*std::ranges::max_element(rounds.bytes)} * choice_.views;
+    const std::uint64_t room = most > 2 * one ? most - one : one;
+    rounds.count = static_cast<std::uint32_t>((all + room - 1) / room);
+    return rounds;
+}
+
+/// The passes of a path over the primitives, in order.
+GeometryWorks Chooser::geometryOf(Visibility path, const SphereShapes& shapes) const {
+    const bool stores = device_.plan.geometry.storesVaryings, fetched = stores && !request_.counted;
+    const auto cost = [&](Handed handed) { return costOf(handed, stores, shapes); };
+    GeometryWorks passes;
+    if (path == Visibility::tiles) return passes;
+    if (prepassOf(path, shapes.plates)) passes.add({&VertexOutputs::plating, cost(Handed::plates)});
+    const std::span<const ScreenTarget> targets = targetsOf(choice_);
+    if (path == Visibility::deferred) passes.add({&VertexOutputs::nearest, cost(Handed::number)});
+    if (path == Visibility::encoded || (path == Visibility::rasterOrder && !settlesWhileShading(targets)))
+        passes.add({&VertexOutputs::nearest, cost(Handed::depth)});
+    if (path == Visibility::deferred && !rims()) return passes;
+    for (const ScreenTarget& target : targets) {
+        const bool colour = target.output == passes::Output::color;
+        const Handed handed = path == Visibility::deferred ? Handed::number
+                              : colour && fetched          ? Handed::shadingFetched
+                                                           : Handed::shading;
+        passes.add({&VertexOutputs::shading, cost(handed)});
+        if (path == Visibility::deferred) break;
+    }
+    return passes;
+}
+
+/// Shapes and rounds by which no render pass of a path hands on more than the limit: first fewer corners, then none of
+/// plates, then more render passes.
+VertexOutputs Chooser::fitted(Visibility path) const {
+    const graph::GeometryCaps& caps = device_.plan.geometry;
+    PrimitiveCounts counts = scene_;
+    counts.flat = counts.flat || choice_.attachmentSamples() > 1;
+    const FrameTuning& tuning = settings_.tuning;
+    const std::uint64_t most = mostVertexBytes();
+    if (most == 0) return {};
+    const auto fit = [&](VertexOutputs outputs) {
+        const bool usual = outputs == VertexOutputs();
+        const SphereShapes shapes =
+            shapesOf(usual ? tuning.plates : outputs.plates, usual ? tuning.impostor : outputs.impostor, caps, counts);
+        std::uint64_t sum = 0;
+        std::uint32_t renderPasses = 1;
+        for (const auto& [rounds, cost] : geometryOf(path, shapes)) {
+            Rounds made = roundsOf(cost, counts);
+            const std::uint64_t bytes = bytesOf(cost, counts) * choice_.views / made.count;
+            made.apart = sum > 0 && (made.count > 1 || sum + bytes > most);
+            sum = made.apart || made.count > 1 ? bytes : sum + bytes;
+            renderPasses += begun(made);
+            // Passes of several targets share the rounds.
+            Rounds& kept = outputs.*rounds;
+            for (std::size_t kind = 0; kind < kept.bytes.size(); ++kind)
+                kept.bytes[kind] = std::max(kept.bytes[kind], made.bytes[kind]);
+            kept.count = std::max(kept.count, made.count);
+            kept.apart = kept.apart || made.apart;
+        }
+        return std::pair(outputs, renderPasses);
+    };
+    auto [best, renderPasses] = fit({});
+    const bool free = tuning.plates == PlateShape::automatic && tuning.impostor == ImpostorShape::automatic;
+    for (const PlateShape plates : {PlateShape::square, PlateShape::none}) {
+        if (!free || debugs() || renderPasses == 1) break;
+        VertexOutputs fewer;
+        fewer.plates = plates, fewer.impostor = ImpostorShape::square;
+        const auto [outputs, begun] = fit(fewer);
+        if (begun < renderPasses) best = outputs, renderPasses = begun;
+    }
+    return best;
+}
+
+void Chooser::chooseVertices() {
+    choice_.vertices = fitted(choice_.path);
+    if (choice_.vertices.plates == PlateShape::none) choice_.prepass = prepassOf(choice_.path, PlateShape::none);
+    Overflow& overflow = choice_.overflow;
+    if (choice_.drawnByTiles()) {
+        overflow.vertices = fitted(overflow.path);
+        if (overflow.vertices.plates == PlateShape::none) overflow.prepass = prepassOf(overflow.path, PlateShape::none);
+    }
+    if (mostVertexBytes() == 0) return;
+    const graph::GeometryCaps& caps = device_.plan.geometry;
+    const FrameTuning& tuning = settings_.tuning;
+    const SphereShapes ofLight = shapesOf(PlateShape::none, tuning.impostor, caps, scene_.light);
+    const PassCost triangles = costOf(Handed::number, false, ofLight);
+    PrimitiveCounts layer;
+    layer.triangles = scene_.translucent;
+    for (VertexOutputs* outputs : {&choice_.vertices, &overflow.vertices}) {
+        outputs->light = roundsOf(costOf(Handed::depth, caps.storesVaryings, ofLight), scene_.light);
+        outputs->layers = roundsOf(triangles, layer);
+    }
+    if (!reasons_ || !limited(choice_.vertices)) return;
+    PrimitiveCounts counts = scene_;
+    counts.flat = counts.flat || choice_.attachmentSamples() > 1;
+    std::uint64_t all = 0;
+    for (const GeometryWork& pass : geometryOf(choice_.path, shapesOf(tuning.plates, tuning.impostor, caps, counts)))
+        all += bytesOf(pass.cost, counts) * choice_.views;
+    constexpr std::uint64_t kMega = 1'000'000;
+    const auto text = [&](std::uint64_t bytes) {
+        return bytes < kMega ? std::to_string(bytes) + " B" : std::to_string((bytes + kMega / 2) / kMega) + " MB";
+    };
+    because("vertex outputs",
+            "they would be " + text(all) + ", and a render pass gets at most " + text(mostVertexBytes()));
+    if (choice_.vertices.plates == PlateShape::none)
+        for (Decision& decision : *reasons_)
+            if (decision.what == "prepass") decision.why = "plates would take vertex outputs beyond the limit";
+}
+
 /// A name by its place in a list.
 template <typename Enum, std::size_t n>
 std::string nameIn(const char* const (&names)[n], Enum value) {
@@ -454,6 +614,21 @@ std::string samplesText(const FrameChoice& choice) {
             break;
     }
     return "16 per pixel, in blocks";
+}
+
+/// "3 render passes without plates, shadow map in 2"
+std::string verticesText(const FrameChoice& choice) {
+    const VertexOutputs& v = choice.vertices;
+    const auto targets = static_cast<std::uint32_t>(choice.path == Visibility::deferred ? 1 : targetsOf(choice).size());
+    const std::uint32_t count = 1 + begun(v.plating) + begun(v.nearest) + targets * begun(v.shading);
+    std::string text = std::to_string(count) + (count == 1 ? " render pass" : " render passes");
+    if (v.plates == PlateShape::none)
+        text += " without plates";
+    else if (v.impostor == ImpostorShape::square)
+        text += " of squares";
+    if (v.light.count > 1) text += ", shadow map in " + std::to_string(v.light.count);
+    if (v.layers.count > 1) text += ", each translucent layer in " + std::to_string(v.layers.count);
+    return text;
 }
 
 std::string effectsText(const EffectList& effects) {
@@ -479,6 +654,12 @@ void EffectList::replace(Kind kind, Kind by) {
         if (effects_[i].kind == kind) effects_[i].kind = by;
 }
 
+std::vector<graph::Share> Rounds::shares() const {
+    std::vector<graph::Share> shares;
+    for (std::uint32_t i = 0; i < count; ++i) shares.push_back({i, count, bytes, apart || i > 0});
+    return shares;
+}
+
 std::uint32_t FrameChoice::layers() const {
     return std::max(effects.size(Kind::translucency), effects.size(Kind::tileTranslucency));
 }
@@ -494,6 +675,7 @@ FrameChoice FrameChoice::within(std::uint32_t longest, std::uint32_t longestOfLa
         choice.geometry = Geometry::instanced;
         choice.host = overflow.host;
         choice.prepass = overflow.prepass;
+        choice.vertices = overflow.vertices;
         choice.shading = Shading::fragments;
         choice.samples = {};
         choice.edgePixels = {};
@@ -533,6 +715,7 @@ std::vector<Decision> describe(const FrameChoice& choice) {
                                     {"ending", nameIn(kEndings, choice.ending), {}}};
     if (choice.overflow.longestList > 0)
         decisions.push_back({"long lists", choice.drawsEdges() ? "blocks" : visibilityName(choice.overflow.path), {}});
+    if (limited(choice.vertices)) decisions.push_back({"vertex outputs", verticesText(choice), {}});
     if (choice.views > 1) decisions.push_back({"views", "both eyes in one frame", {}});
     return decisions;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/graph/frame_caps.h"
+#include "engine/passes/vertex_costs.h"
 #include "engine/results.h"
 #include "engine/settings.h"
 
@@ -57,16 +58,15 @@ struct FrameRequest {
 };
 
 /// Counts that are known before a frame.
-struct SceneFacts {
+struct SceneFacts : passes::PrimitiveCounts {
     // Of the scene:
     bool hasCylinders = false, hasWires = false, hasTranslucent = false;
     std::uint64_t meshTriangles = 0;  ///< of the finest level
     bool leveled = false;             ///< each view has its own levels of detail
-    // Of what the view submits, in all copies:
-    std::uint64_t spheres = 0, triangles = 0;  ///< without triangles of translucent layers
-    double radiusPixels = 0;                   ///< mean radius of the spheres in the picture
-    double smallestPixels = 1e9;               ///< half the width of the narrowest primitive or line in the picture
-    bool boxed = false;                        ///< the scene's spheres have finite bounding boxes
+    bool boxed = false;               ///< the scene's spheres have finite bounding boxes
+    // Of the view:
+    double smallestPixels = 1e9;      ///< half the width of the narrowest primitive or line in the picture
+    passes::PrimitiveCounts light{};  ///< what the light's view submits to the shadow map
 };
 
 // Output of choose():
@@ -158,6 +158,27 @@ enum class EdgePixels : std::uint8_t {
     alone,   ///< the same, and only they are shaded, from the numbers of primitives
 };
 
+/// Passes that each draw a share of the primitives.
+struct Rounds {
+    std::uint32_t count = 1;
+    std::array<std::uint32_t, 3> bytes{};  ///< of vertex outputs per primitive of each kind, where there are several
+    bool apart = false;                    ///< the first begins a render pass, as all others do
+    friend bool operator==(const Rounds&, const Rounds&) = default;
+
+    std::vector<graph::Share> shares() const;
+};
+
+/// How a frame's vertex outputs fit the device's limit per render pass (GeometryCaps::mostVertexBytes).
+struct VertexOutputs {
+    // Automatic: as the settings have it.
+    PlateShape plates = PlateShape::automatic;
+    ImpostorShape impostor = ImpostorShape::automatic;
+    // Of the passes that draw primitives, in the order in which they run:
+    Rounds light, layers;              ///< the shadow map; each translucent layer
+    Rounds plating, nearest, shading;  ///< the prepass; nearest depth or numbers; colour, layers, or outlines and halos
+    friend bool operator==(const VertexOutputs&, const VertexOutputs&) = default;
+};
+
 /// Changes of a choice where a tile's list is longer than the device's loops.
 struct Overflow {
     std::uint32_t longestList = 0;          ///< entries that a list may have; 0: the frame has no lists
@@ -166,6 +187,7 @@ struct Overflow {
     Refinement refinement{};  ///< not none: these frames are drawn instead of this one
     HostWork host{};
     bool prepass = false;
+    VertexOutputs vertices{};
     friend bool operator==(const Overflow&, const Overflow&) = default;
 };
 
@@ -186,6 +208,7 @@ struct FrameChoice {
     EdgePixels edgePixels{};
     bool prepass = true;             ///< false: plates would reject nothing
     graph::EncodedFormat encoded{};  ///< for `encoded`
+    VertexOutputs vertices{};
     Overflow overflow{};
     friend bool operator==(const FrameChoice&, const FrameChoice&) = default;
 

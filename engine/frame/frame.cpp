@@ -63,6 +63,11 @@ std::span<const ScreenTarget> targetsOf(const FrameChoice& choice) {
     return layers.first(1);
 }
 
+bool settlesWhileShading(std::span<const ScreenTarget> targets) {
+    constexpr std::uint32_t kNarrow = 8;  // bytes of colour
+    return targets.size() == 1 && graph::bytesPerTexel(targets[0].format) <= kNarrow;
+}
+
 bool operator==(const FrameShape& a, const FrameShape& b) {
     return membersOf(a) == membersOf(b) && std::ranges::equal(a.targets, b.targets, [](const auto& x, const auto& y) {
                return membersOf(x) == membersOf(y);
@@ -77,12 +82,18 @@ graph::Image& Frame::add(const ScreenTarget& target, const FrameShape& shape) {
     return targets.back();
 }
 
-graph::PassBuilder& Frame::draw(graph::PassBuilder& pass, const ScreenTarget& target, const FrameShape& shape) {
-    graph::Image& image = add(target, shape);
+graph::PassBuilder& Frame::draw(graph::PassBuilder& pass, const ScreenTarget& target, const FrameShape& shape,
+                                const graph::Share& share) {
     const std::uint32_t count = shape.choice.attachmentSamples();
-    if (count == 1) return pass.color(image, target.clear);
-    samples = graph.image(std::string(target.image) + " samples", {target.format, shape.extent, count});
-    return pass.color(*samples, target.clear).resolve(image);
+    const std::optional<Clear> clear = clearFirst(share, target.clear);
+    if (share.index == 0) {
+        add(target, shape);
+        if (count > 1)
+            samples = graph.image(std::string(target.image) + " samples", {target.format, shape.extent, count});
+    }
+    if (count == 1) return pass.color(targets.back(), clear);
+    pass.color(*samples, clear);
+    return share.index + 1 == share.count ? pass.resolve(targets.back()) : pass;
 }
 
 graph::PassBuilder& Frame::lit(graph::PassBuilder& pass) const {

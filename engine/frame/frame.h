@@ -31,6 +31,9 @@ struct ScreenTarget {
 /// The targets of a choice, but those of windows.
 std::span<const ScreenTarget> targetsOf(const FrameChoice& choice);
 
+/// Whether `raster-order` settles depth and shades in one pass: its colour and the depth beside it fit every tile.
+bool settlesWhileShading(std::span<const ScreenTarget> targets);
+
 /// State of a window's image before and after a frame.
 constexpr graph::State kWindowState{VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, 0, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
 
@@ -95,11 +98,19 @@ struct Frame {
 
     /// The pass samples the atlas, and the shadow map if there is one. @returns the pass
     graph::PassBuilder& lit(graph::PassBuilder& pass) const;
-    /// The image of a target, which a pass clears and draws to, with the choice's samples per pixel. @returns the pass
-    graph::PassBuilder& draw(graph::PassBuilder& pass, const ScreenTarget& target, const FrameShape& shape);
+    /// The image of a target, which a pass draws to with the choice's samples per pixel. The pass of the first share
+    /// makes and clears it. @returns the pass
+    graph::PassBuilder& draw(graph::PassBuilder& pass, const ScreenTarget& target, const FrameShape& shape,
+                             const graph::Share& share);
     /// The image of a target.
     graph::Image& add(const ScreenTarget& target, const FrameShape& shape);
 };
+
+/// The pass of the first share clears what the others go on with.
+inline std::optional<graph::Clear> clearFirst(const graph::Share& share, const graph::Clear& clear) {
+    if (share.index > 0) return {};
+    return clear;
+}
 
 /// Declares the passes of a shape's scene. The caller declares what becomes of the targets.
 /// @param shown  null: the frame is only planned

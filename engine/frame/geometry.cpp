@@ -3,11 +3,10 @@
 #include <algorithm>
 
 #include "engine/frame/effects/outlines/outlines.h"
-#include "engine/frame/effects/shadow/choice.h"
+#include "engine/frame/effects/shadow/shadow.h"
 #include "engine/frame/effects/translucency/translucency.h"
 #include "engine/frame/level_scenes.h"
 #include "engine/passes/placed_copies.h"
-#include "engine/passes/plates.h"
 #include "engine/passes/select_triangles.h"
 #include "engine/scene/instances/mesh_levels.h"
 
@@ -15,36 +14,12 @@ namespace nacre {
 namespace {
 
 using graph::Verb;
-
-constexpr std::uint32_t kPosition = 16, kVec4 = 16, kNumber = 4, kThree = 12;
-constexpr std::uint32_t kTwo = 8;
-constexpr std::uint32_t kSphereLook = kThree + kTwo, kCylinderLook = 3 * kThree + kTwo, kTriangleLook = 3 * kThree;
-
-/// Positions and varyings of a vertex as shaders/*.vert write them.
-struct VertexBytes {
-    std::uint32_t sphere = kPosition + kVec4, cylinder = kPosition + 2 * kVec4;
-    std::uint32_t triangle = kPosition + 3 * kThree + kNumber;
-};
-
-/// Corners of a polygon or pyramid, and the triangles that it is made of.
-struct Shape {
-    std::uint32_t vertices = 0, triangles = 0;
-};
-
-Shape operator+(const Shape& a, const Shape& b) { return {a.vertices + b.vertices, a.triangles + b.triangles}; }
-
-Shape polygon(std::uint32_t corners) { return {corners, corners - 2}; }
-
-Shape impostorOf(ImpostorShape shape) {
-    switch (shape) {
-        case ImpostorShape::square:
-            return polygon(4);
-        case ImpostorShape::octagon:
-            return polygon(8);
-        default:
-            return {9, 8};  // indexed: each corner once
-    }
-}
+using passes::costOf;
+using passes::Handed;
+using passes::PassCost;
+using passes::PrimitiveCounts;
+using passes::shapesOf;
+using passes::SphereShapes;
 
 /// Whether a colour of the pass holds integers: primitive numbers, which the vertex stage passes on.
 bool numbers(const graph::Graph& graph, const graph::PassDecl& pass) {
@@ -83,62 +58,59 @@ SceneCounts countsOf(Representation r, const RenderSettings& settings, SceneFact
     counts.radiusPixels = sizes.meanRadius * view.pixelsPerAngstrom;
     counts.flat = view.projection == Projection::perspective;
 
+    if (shadowPixels(settings) > 0) counts.light = countsInLight(r, settings, runs);
+
     facts = factsOf(r, chunks, runs);
-    facts.spheres = counts.spheres;
-    facts.triangles = counts.triangles;
-    facts.radiusPixels = counts.radiusPixels;
+    static_cast<PrimitiveCounts&>(facts) = counts;
+    facts.light = counts.light;
     facts.smallestPixels = smallestPixels(sizes, !r.wires.empty(), settings, view);
     return counts;
 }
 
 void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const graph::GeometryCaps& caps,
                   PlateShape plates, ImpostorShape impostor, std::vector<PassGeometry>& list) {
-    const Shape sphere = impostorOf(passes::chooseImpostor(impostor, caps, counts.radiusPixels, counts.flat));
-    const Shape cylinder = polygon(4), triangle = polygon(3);
-    Shape plate;
-    for (const passes::Plate& p : passes::platesOf(passes::choosePlates(plates, caps, counts.radiusPixels)))
-        plate = plate + polygon(p.corners);
+    const SphereShapes shapes = shapesOf(plates, impostor, caps, counts);
     std::size_t told = 0;
-    const auto tell = [&](const graph::PassDecl& pass, std::uint64_t vertices, std::uint64_t triangles,
-                          std::uint64_t varyingBytes) {
+    const auto tell = [&](std::uint32_t p, const PassCost& cost, const PrimitiveCounts& of) {
         if (told == list.size()) list.emplace_back();
         PassGeometry& geometry = list[told++];
+        const graph::PassDecl& pass = graph.passes()[p];
         geometry.name = pass.name;
-        geometry.vertices = vertices;
-        geometry.triangles = triangles;
-        geometry.varyingBytes = varyingBytes;
+        geometry.pass = p;
+        geometry.vertices = geometry.triangles = geometry.varyingBytes = 0;
+        for (std::size_t kind = 0; kind < cost.size(); ++kind) {
+            const auto [first, end] = pass.share.range(kind, passes::kindsOf(of));
+            geometry.vertices += (end - first) * cost[kind].vertices;
+            geometry.triangles += (end - first) * cost[kind].triangles;
+            geometry.varyingBytes += (end - first) * cost[kind].bytes;
+        }
     };
-    for (const graph::PassDecl& pass : graph.passes()) {
+    for (std::uint32_t p = 0; p < graph.passes().size(); ++p) {
+        const graph::PassDecl& pass = graph.passes()[p];
         const bool tests = pass.has(Verb::depth) || pass.has(Verb::depthTest) || pass.has(Verb::ordered);
         // None of the scene's primitives, but triangles over the screen.
         const bool screen = pass.has(Verb::reads) || pass.name.starts_with(kTranslucentColor);
-        if (pass.kind != graph::PassKind::graphics || !tests || screen) continue;
+        if (pass.kind != graph::PassKind::graphics || !tests) continue;
         if (pass.name.starts_with(kTranslucentLayer)) {
-            const std::uint64_t vertices = counts.translucent * triangle.vertices;
-            tell(pass, vertices, counts.translucent, vertices * (VertexBytes().triangle + kNumber));
+            PrimitiveCounts layer;
+            layer.triangles = counts.translucent;
+            tell(p, costOf(Handed::number, false, shapes), layer);
+        } else if (screen) {
             continue;
+        } else if (pass.name == kShadowPass) {
+            tell(p, costOf(Handed::depth, caps.storesVaryings, shapesOf(plates, impostor, caps, counts.light)),
+                 counts.light);
+        } else if (!pass.has(Verb::color) && !pass.has(Verb::ordered)) {
+            tell(p, costOf(Handed::plates, false, shapes), counts);
+        } else {
+            // Passes that sample the occlusion atlas shade.
+            const bool numbered = numbers(graph, pass) || pass.name == kRimPass;
+            const bool fetched = caps.storesVaryings && pass.name == "impostor colour";  // not of layers
+            const Handed handed = !pass.has(Verb::samples) ? (numbered ? Handed::number : Handed::depth)
+                                  : fetched                ? Handed::shadingFetched
+                                                           : Handed::shading;
+            tell(p, costOf(handed, caps.storesVaryings, shapes), counts);
         }
-        if (!pass.has(Verb::color) && !pass.has(Verb::ordered) && pass.name != kShadowPass) {
-            const std::uint64_t flat = plate.vertices ? counts.triangles : 0;
-            const std::uint64_t vertices = counts.spheres * plate.vertices + flat * triangle.vertices;
-            tell(pass, vertices, counts.spheres * plate.triangles + flat, vertices * kPosition);
-            continue;
-        }
-        VertexBytes bytes;
-        if (pass.has(Verb::samples))  // the occlusion atlas: it shades
-            bytes = {caps.storesVaryings ? kPosition + kThree + kNumber : bytes.sphere + kSphereLook,
-                     bytes.cylinder + kCylinderLook,
-                     caps.storesVaryings ? kPosition + kNumber : bytes.triangle + kTriangleLook};
-        else if (numbers(graph, pass) || pass.name == kRimPass)
-            bytes = {bytes.sphere + kNumber, bytes.cylinder + kNumber, bytes.triangle + kNumber};
-        else if (caps.storesVaryings)
-            bytes.triangle = kPosition + kNumber;
-        const std::uint64_t spheres = counts.spheres * sphere.vertices,
-                            triangles = counts.triangles * triangle.vertices,
-                            cylinders = counts.cylinders * cylinder.vertices;
-        tell(pass, spheres + cylinders + triangles,
-             counts.spheres * sphere.triangles + counts.cylinders * cylinder.triangles + counts.triangles,
-             spheres * bytes.sphere + cylinders * bytes.cylinder + triangles * bytes.triangle);
     }
     list.resize(told);
 }
@@ -148,6 +120,18 @@ std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCount
     std::vector<PassGeometry> list;
     tellGeometry(graph, counts, caps, plates, impostor, list);
     return list;
+}
+
+std::vector<std::uint64_t> vertexBytesOf(const graph::Plan& plan, std::span<const PassGeometry> passes) {
+    std::vector<std::uint64_t> bytes;
+    for (const graph::Step& step : plan.steps) {
+        std::uint64_t sum = 0;
+        for (const graph::Subpass& subpass : step.renderPass.subpasses)
+            for (const PassGeometry& pass : passes)
+                if (std::ranges::find(subpass.passes, pass.pass) != subpass.passes.end()) sum += pass.varyingBytes;
+        if (sum > 0) bytes.push_back(sum);
+    }
+    return bytes;
 }
 
 PassGeometry sumOf(std::span<const PassGeometry> passes) {

@@ -10,12 +10,8 @@
 
 namespace nacre {
 
-/// Primitives that a view submits, and their size in the picture.
-struct SceneCounts {
-    std::uint64_t spheres = 0, cylinders = 0, triangles = 0;  ///< in all copies
-    double radiusPixels = 0;                                  ///< mean radius of the spheres
-    bool flat = false;                                        ///< no impostor leans
-    std::uint64_t translucent = 0;                            ///< triangles of translucent layers, beside the others
+struct SceneCounts : passes::PrimitiveCounts {
+    passes::PrimitiveCounts light{};  ///< of the light's view
     std::vector<MeshLevelCount> meshLevels{};
     std::vector<CopyLevelCount> copyLevels{};
     TileCounts lists{};  ///< tile lists
@@ -32,6 +28,9 @@ std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCount
 /// As above, into an existing list.
 void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const graph::GeometryCaps& caps,
                   PlateShape plates, ImpostorShape impostor, std::vector<PassGeometry>& list);
+
+/// Bytes that the passes of each render pass hand on. Render passes that draw no primitives have none.
+std::vector<std::uint64_t> vertexBytesOf(const graph::Plan& plan, std::span<const PassGeometry> passes);
 
 /// The total.
 PassGeometry sumOf(std::span<const PassGeometry> passes);

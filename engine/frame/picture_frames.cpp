@@ -113,13 +113,13 @@ PictureFrames::Drawn PictureFrames::run(PreparedFrame prepared, const RenderSett
     if (settings.tuning.timePasses) stats_.passTimes = timer_.times();
     if (last_ != declared) planText_.clear();
     last_ = declared;
-    note(prepared, settings.tuning);
+    note(prepared);
     counts_ = std::move(prepared.counts);
     return drawn;
 }
 
 /// Records the last frame for stats().
-void PictureFrames::note(const PreparedFrame& prepared, const FrameTuning& tuning) {
+void PictureFrames::note(const PreparedFrame& prepared) {
     const graph::Plan& plan = last_->plan;
     stats_.tileBytesPerPixel = graph::tileBytesPerPixel(plan);
     stats_.loadedBytes = plan.total.loaded;
@@ -127,7 +127,8 @@ void PictureFrames::note(const PreparedFrame& prepared, const FrameTuning& tunin
     stats_.deviceBytes = device_.peakAllocatedBytes();
     stats_.deviceBytesHeld = device_.allocatedBytes();
     const graph::GeometryCaps& caps = device_.caps().plan.geometry;
-    tellGeometry(last_->frame.graph, prepared.counts, caps, tuning.plates, tuning.impostor, stats_.geometry);
+    const passes::SceneView& view = *prepared.view;
+    tellGeometry(last_->frame.graph, prepared.counts, caps, view.plates, view.impostor, stats_.geometry);
     stats_.storesVaryings = caps.storesVaryings;
 }
 

@@ -80,7 +80,7 @@ private:
     PreparedFrame prepare(const FrameRequest& request, FrameInputs inputs);
     Drawn run(PreparedFrame prepared, const RenderSettings& settings);
     const std::shared_ptr<DeclaredFrame>& declare(const PreparedFrame& prepared);
-    void note(const PreparedFrame& prepared, const FrameTuning& tuning);
+    void note(const PreparedFrame& prepared);
 
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
     Drawn draw(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted, Ending ending);

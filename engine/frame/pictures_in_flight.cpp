@@ -14,31 +14,34 @@ bool PictureFrames::submit(const RenderSettings& settings, const passes::Atlas& 
     if (settings.tuning.countFragments || settings.tuning.timePasses || settings.supersample > 1 ||
         !isOneFrame(choose(request, frames_.facts(settings), device_.caps())))
         return false;
-    Started next;
-    next.background = settings.background;
-    next.alpha = alpha;
-    next.wanted = wantedOf(settings);
-    checkSize(next.wanted.view);
-    next.prepared = prepare(request, {atlas, next.wanted.view});
-    if (!isOneFrame(next.prepared.choice())) return false;
-    const std::shared_ptr<DeclaredFrame> declared = declare(next.prepared);
-    SceneFrames::bind(*declared, next.prepared);
+    const Wanted wanted = wantedOf(settings);
+    checkSize(wanted.view);
+    PreparedFrame prepared = prepare(request, {atlas, wanted.view});
+    if (!isOneFrame(prepared.choice())) return false;
+    const std::shared_ptr<DeclaredFrame> declared = declare(prepared);
+    SceneFrames::bind(*declared, prepared);
+    std::unique_ptr<gpu::Submission> submission;
     if (!spare_.empty()) {
-        next.submission = std::move(spare_.back());
+        submission = std::move(spare_.back());
         spare_.pop_back();
     } else {
-        next.submission = std::make_unique<gpu::Submission>(device_, "picture");
+        submission = std::make_unique<gpu::Submission>(device_, "picture");
     }
-    next.submission->submit([&](gpu::CommandBuffer& c) {
-        executor_.record(c, *declared->recording, declared->imports, next.submission->descriptors());
+    submission->submit([&](gpu::CommandBuffer& c) {
+        executor_.record(c, *declared->recording, declared->imports, submission->descriptors());
     });
     if (last_ != declared) planText_.clear();
     last_ = declared;
     stats_.frames = 1;
-    stats_.samples = next.prepared.choice().samples.count;
-    note(next.prepared, settings.tuning);
-    counts_ = next.prepared.counts;
-    started_.push_back(std::move(next));
+    stats_.samples = prepared.choice().samples.count;
+    note(prepared);
+    counts_ = prepared.counts;
+    Started& started = started_.emplace_back();
+    started.background = settings.background;
+    started.alpha = alpha;
+    started.wanted = wanted;
+    started.prepared = std::move(prepared);
+    started.submission = std::move(submission);
     return true;
 }
 
@@ -46,9 +49,8 @@ void PictureFrames::start(RenderSettings settings, const passes::Atlas& atlas, b
     settings.fine = false;
     if (submit(settings, atlas, alpha)) return;
     settle();
-    Started next;
-    next.picture = coded(settings, atlas, alpha);
-    started_.push_back(std::move(next));
+    CodedPicture picture = coded(settings, atlas, alpha);
+    started_.emplace_back().picture = std::move(picture);
 }
 
 CodedPicture PictureFrames::finish() {

@@ -45,7 +45,7 @@ graph::Work drawsFirst(const Frame& frame, Describe describe) {
     graph::Work work = draws(frame, describe);
     if (!frame.shown) return work;
     work.record = [shown = frame.shown, record = std::move(work.record)](gpu::PassContext& c) {
-        passes::drawCovers(c, *shown->scene);
+        if (c.share.index == 0) passes::drawCovers(c, *shown->scene);
         record(c);
     };
     return work;

@@ -31,10 +31,18 @@ SceneFacts SceneFrames::facts(const RenderSettings& settings) const {
     return facts;
 }
 
+passes::PrimitiveCounts SceneFrames::countsOf(const passes::SceneView& view) {
+    return {view.copies.sphereCount(),
+            view.copies.cylinderCount(),
+            view.copies.triangleCount(),
+            view.radiusPixels,
+            view.flat(),
+            view.translucent ? view.translucent->copies.triangleCount() : 0};
+}
+
 void SceneFrames::addViewFacts(SceneFacts& facts, const passes::SceneView& view) {
-    facts.spheres = view.copies.sphereCount();
-    facts.triangles = view.copies.triangleCount();
-    facts.radiusPixels = view.radiusPixels;
+    static_cast<passes::PrimitiveCounts&>(facts) = countsOf(view);
+    if (view.light) facts.light = countsOf(*view.light);
     facts.smallestPixels = view.smallestPixels;
 }
 
@@ -109,13 +117,9 @@ void SceneFrames::addCovers(PreparedFrame& prepared, const TileMask& mask) {
 void SceneFrames::count(PreparedFrame& prepared) {
     const passes::SceneView& view = *prepared.view;
     SceneCounts& counts = prepared.counts;
-    const std::uint64_t spheres = view.copies.sphereCount();
-    counts.spheres = view.tiles ? view.tiles->shownSpheres().value_or(spheres) : spheres;
-    counts.cylinders = view.copies.cylinderCount();
-    counts.triangles = view.copies.triangleCount();
-    counts.radiusPixels = view.radiusPixels;
-    counts.flat = view.flat();
-    counts.translucent = view.translucent ? view.translucent->copies.triangleCount() : 0;
+    static_cast<passes::PrimitiveCounts&>(counts) = countsOf(view);
+    if (view.light) counts.light = countsOf(*view.light);
+    if (view.tiles) counts.spheres = view.tiles->shownSpheres().value_or(counts.spheres);
     if (view.tiles) counts.lists = view.tiles->counts();
 }
 
@@ -195,6 +199,8 @@ PreparedFrame SceneFrames::prepare(const FrameRequest& request, const FrameInput
     shape.targets = inputs.window.empty() ? targetsOf(choice) : inputs.window;
     view.coded = choice.color == ColorFormat::coded;
     view.samples = choice.attachmentSamples();
+    if (choice.vertices.plates != PlateShape::automatic) view.plates = choice.vertices.plates;
+    if (choice.vertices.impostor != ImpostorShape::automatic) view.impostor = choice.vertices.impostor;
     if (choice.readsCopyRows() && !view.copyRows) uploadRows();
     if (inputs.mask && (!choice.drawnByTiles() || choice.has(Effect::Kind::translucency)))
         addCovers(prepared, *inputs.mask);

@@ -148,6 +148,7 @@ void Executor::recordRenderPass(Recording& recording, std::size_t step, PassCont
                                                          static_cast<float>(pass.extent.height), 0, 1));
             context.commands.setScissor(0, area);
             context.pass = declared.name;
+            context.share = declared.share;
             if (declared.work.record) declared.work.record(context);
             device_.endLabel(context.commands);
         }

@@ -48,6 +48,7 @@ struct PassContext : PipelineContext {
     vk::ImageLayout inputLayout = vk::ImageLayout::eShaderReadOnlyOptimal;  ///< of input attachments
     std::span<const ImageRef> images{};                                     ///< by graph index
     std::span<const vk::Buffer> buffers{};
+    graph::Share share{};  ///< of the scene's primitives
 
     vk::ImageView view(graph::Image image) const { return images[image.index].view; }
     vk::Image image(graph::Image image) const { return images[image.index].handle; }

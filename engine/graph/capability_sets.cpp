@@ -18,8 +18,12 @@ constexpr const char* kArmVertices =
     "from there by fragments";
 constexpr const char* kStoredVaryings =
     "positions and varyings go through memory: shapes of few corners until spheres are large";
+constexpr const char* kMostVertices =
+    "a render pass of more than 180 MB of vertex outputs loses the device: none gets more than 150 MB";
+constexpr const char* kArmMemory = "Vulkan samples, docs/memory_limits.adoc: Memory limits with Vulkan, Mali GPUs";
 constexpr Fact kMali[] = {
     {kStoredVaryings, kArmVertices},
+    {kMostVertices, kArmMemory},
     {"256 bits per pixel on the tile, hardware depth beside them", kMesaTiles},
     {"subpasses that read each other's pixel alone run on one tile",
      "Arm, 'Vulkan best practice for mobile developers', render subpasses tutorial"},
@@ -38,6 +42,7 @@ constexpr Fact kMaliLate[] = {
 };
 constexpr Fact kMaliOld[] = {
     {kStoredVaryings, kArmVertices},
+    {kMostVertices, kArmMemory},
     {"128 bits per pixel on the tile, hardware depth beside them", kMesaTiles},
     {"the vendor states the same limit: 128 bits of colour per pixel, D32F not counted",
      "Arm, 'Vulkan best practice for mobile developers', render subpasses tutorial"},
@@ -109,19 +114,19 @@ PlanCaps plan(const char* name, std::uint32_t tileBytes, bool storeNone) {
 /// fragments; of GPUs that store varyings at 100 pJ a byte and 10 an instruction. Where depth is tested late by
 /// default, octagons begin sooner: nothing but their outline spares fragments.
 constexpr GeometryCaps kDirect{false, 3.5, 6.5, 6.5}, kDirectLate{false, 3.5, 3.5, 6.5}, kV3dLate{false, 4.5, 5, 9.5},
-    kStored{true, 9, 20, 20}, kStoredLate{true, 9, 10, 20};
+    kStored{true, 9, 20, 20}, kStoredByArm{true, 9, 20, 20, 150'000'000}, kStoredLate{true, 9, 10, 20};
 
 std::vector<CapabilitySet> makeSets() {
     constexpr auto kTiler = DeviceKind::tiler;
     const EncodedFormat kFloat = encodedFormats()[0], kHalf = encodedFormats()[1];
     PlanCaps mali = plan("mali", 32, true);
     mali.rasterOrder = mali.blendsByShader = true;
-    mali.geometry = kStored;
+    mali.geometry = kStoredByArm;
     PlanCaps maliLate = mali;
     maliLate.name = "mali-late";
     maliLate.geometry = kDirect;
     PlanCaps maliOld = plan("mali-old", 16, false);
-    maliOld.geometry = kStored;
+    maliOld.geometry = kStoredByArm;
     maliOld.blendsByShader = true;
     PlanCaps powerVr = plan("powervr", 16, false);
     powerVr.geometry = kStored;

@@ -13,6 +13,21 @@ std::string SourceLine::text() const {
     return line == 0 ? "" : " (declared at " + std::string(path) + ":" + std::to_string(line) + ")";
 }
 
+std::array<std::uint64_t, 2> Share::range(std::size_t kind, const std::array<std::uint64_t, 3>& all) const {
+    if (count == 1) return {0, all[kind]};
+    std::uint64_t before = 0, total = 0;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (k == kind) before = total;
+        total += all[k] * bytes[k];
+    }
+    const auto at = [&](std::uint64_t i) {
+        if (bytes[kind] == 0) return i == 0 ? 0 : all[kind];
+        const std::uint64_t border = total * i / count;
+        return std::min((border - std::min(border, before)) / bytes[kind], all[kind]);
+    };
+    return {at(index), at(std::uint64_t{index} + 1)};
+}
+
 Graph::Graph(std::string name, std::uint32_t views) : name_(std::move(name)), views_(views) {
     static std::atomic<std::uint32_t> next{1};
     id_ = next++;
@@ -71,7 +86,7 @@ void Graph::output(Buffer buffer) {
 }
 
 PassBuilder Graph::pass(std::string name, PassKind kind, SourceLine line) {
-    passes_.push_back({std::move(name), kind, line, {}, {}, false});
+    passes_.push_back({std::move(name), kind, line, {}, {}, false, {}});
     return PassBuilder(*this, static_cast<std::uint32_t>(passes_.size() - 1));
 }
 
@@ -97,6 +112,11 @@ PassBuilder& PassBuilder::use(Verb verb, Buffer buffer) {
 
 PassBuilder& PassBuilder::sideEffect() {
     graph_.passes_[pass_].sideEffect = true;
+    return *this;
+}
+
+PassBuilder& PassBuilder::share(const Share& share) {
+    graph_.passes_[pass_].share = share;
     return *this;
 }
 

@@ -114,6 +114,18 @@ struct SourceLine {
     std::string text() const;
 };
 
+/// The part of the scene's primitives that a pass draws. Several passes, each with a share, draw all of them in order:
+/// first spheres, then cylinders, then triangles.
+struct Share {
+    std::uint32_t index = 0, count = 1;
+    std::array<std::uint32_t, 3> bytes{};  ///< weight of a primitive of each kind; needed if count > 1
+    bool apart = false;                    ///< begins a render pass
+
+    /// First and end of a kind's primitives. @param all  number of each kind
+    std::array<std::uint64_t, 2> range(std::size_t kind, const std::array<std::uint64_t, 3>& all) const;
+    friend bool operator==(const Share&, const Share&) = default;
+};
+
 struct PassDecl {
     std::string name;
     PassKind kind{};
@@ -121,6 +133,7 @@ struct PassDecl {
     std::vector<Use> uses;
     Work work;
     bool sideEffect = false;  ///< kept even if nothing reads its results
+    Share share{};
 
     bool has(Verb verb) const {
         return std::any_of(uses.begin(), uses.end(), [&](const Use& use) { return use.verb == verb; });
@@ -164,6 +177,7 @@ public:
     PassBuilder& writes(Buffer buffer) { return use(Verb::writes, buffer); }
     PassBuilder& vertices(Buffer buffer) { return use(Verb::vertices, buffer); }
     PassBuilder& sideEffect();
+    PassBuilder& share(const Share& share);
     PassBuilder& record(Record recorded) { return record(Work{std::move(recorded), {}}); }
     PassBuilder& record(Work work);
 

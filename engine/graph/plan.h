@@ -11,10 +11,11 @@ namespace nacre::graph {
 
 /// How a device handles geometry. Thresholds are a sphere's mean radius in pixels.
 struct GeometryCaps {
-    bool storesVaryings = false;  ///< vertex outputs go through memory: written once and read once
-    double plateOctagons = 0;     ///< from this radius on plates are octagons, below squares
-    double octagons = 0;          ///< from this radius on impostors are octagons, below squares
-    double domes = 6;             ///< from this radius on plates are domes of three, and impostors pyramids
+    bool storesVaryings = false;        ///< vertex outputs go through memory: written once and read once
+    double plateOctagons = 0;           ///< from this radius on plates are octagons, below squares
+    double octagons = 0;                ///< from this radius on impostors are octagons, below squares
+    double domes = 6;                   ///< from this radius on plates are domes of three, and impostors pyramids
+    std::uint64_t mostVertexBytes = 0;  ///< vertex outputs of one render pass; 0: no limit
     friend bool operator==(const GeometryCaps&, const GeometryCaps&) = default;
 };
 

@@ -51,7 +51,8 @@ private:
     }
 
     bool joins(const PassDecl& pass) {
-        if (!caps_.merge || plan_.steps.empty() || plan_.steps.back().kind != PassKind::graphics) return false;
+        if (!caps_.merge || pass.share.apart || plan_.steps.empty() || plan_.steps.back().kind != PassKind::graphics)
+            return false;
         bool shares = false, inputOnTile = false, inputInMemory = false;
         std::uint32_t bytes = current().tileBytesPerPixel;
         for (const Use& use : pass.uses) {

@@ -1,6 +1,7 @@
 #include "engine/passes/primitives.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/passes/bindings.h"
@@ -224,7 +225,17 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 0, set, {});
 }
 
+/// First and end of the instances of a kind that the pass draws.
+std::array<std::uint64_t, 2> instancesOf(const gpu::PassContext& context, const SceneView& view, Primitive primitive) {
+    if (context.share.count == 1) return {0, ~std::uint64_t{0}};
+    const PlacedCopies& all = view.copies;
+    return context.share.range(static_cast<std::size_t>(primitive),
+                               {all.sphereCount(), all.cylinderCount(), all.triangleCount()});
+}
+
 void record(gpu::PassContext& context, const SceneView& view, const GeometryPass& pass, const Draw& drawn) {
+    const auto [begin, end] = instancesOf(context, view, drawn.primitive);
+    if (begin == end) return;
     const bool sphere = drawn.primitive == Primitive::sphere, triangle = drawn.primitive == Primitive::triangle;
     const bool pyramid = sphere && drawn.corners.count == kPyramid.count;
     const SceneBuffers& scene = *view.buffers;
@@ -247,7 +258,13 @@ void record(gpu::PassContext& context, const SceneView& view, const GeometryPass
     constants.primitives = scene.primitives();
     if (pass.rim > 0) constants.contourWidth = pass.rim;
     if (context.views > 1) constants.contourDepth = view.otherAxis;
-    for (const PlacedCopies::Call& call : callsOf(view, drawn.primitive)) {  // copies differ by their push constants
+    std::uint64_t at = 0;
+    for (const PlacedCopies::Call& all : callsOf(view, drawn.primitive)) {  // copies differ by their push constants
+        const auto from = static_cast<std::uint32_t>(std::clamp(begin, at, at + all.count) - at);
+        const auto to = static_cast<std::uint32_t>(std::clamp(end, at, at + all.count) - at);
+        at += all.count;
+        if (from == to) continue;
+        const PlacedCopies::Call call{all.copy, all.first + from, to - from};
         const glm::vec4* rows = &view.copies.rows[3 * std::size_t{call.copy}];
         constants.row0 = rows[0], constants.row1 = rows[1], constants.row2 = rows[2];
         constants.numberBefore = call.copy * constants.primitives;
@@ -257,8 +274,8 @@ void record(gpu::PassContext& context, const SceneView& view, const GeometryPass
             commands.draw(3 * call.count, 1, 3 * call.first, 0);
             continue;
         }
-        for (std::uint32_t first = call.first, end = first + call.count; first < end; first += kMostInstances) {
-            const std::uint32_t count = std::min(end - first, kMostInstances);
+        for (std::uint32_t first = call.first, last = first + call.count; first < last; first += kMostInstances) {
+            const std::uint32_t count = std::min(last - first, kMostInstances);
             if (pyramid)
                 commands.drawIndexed(kPyramidIndices, count, 0, static_cast<std::int32_t>(drawn.corners.first), first);
             else

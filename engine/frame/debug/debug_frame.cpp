@@ -43,9 +43,9 @@ struct Shown {
 };
 
 /// Repeats the prepass with a depth buffer of its own: on some paths the frame's depth later holds the impostors.
-graph::Image addPlates(Frame& f, graph::Extent extent) {
+graph::Image addPlates(Frame& f, graph::Extent extent, const Rounds& rounds) {
     graph::Image plates = f.graph.image("plates", {VK_FORMAT_D32_SFLOAT, extent});
-    declarePrepass(f, plates);
+    declarePrepass(f, plates, rounds);
     return plates;
 }
 
@@ -56,12 +56,15 @@ passes::GeometryPass overdraw() {
     return pass;
 }
 
-graph::Image addOverdraw(Frame& f, graph::Extent extent) {
+graph::Image addOverdraw(Frame& f, graph::Extent extent, const Rounds& rounds) {
     graph::Image counts = f.graph.image("overdraw", {VK_FORMAT_R8_UNORM, extent});
-    f.graph.graphics("overdraw")
-        .depthTest(f.depth)
-        .color(counts, Clear{0.0f})
-        .record(records(f, [](gpu::PassContext& c, const SceneView& scene) { passes::draw(c, scene, overdraw()); }));
+    for (const graph::Share& share : rounds.shares())
+        f.graph.graphics("overdraw")
+            .share(share)
+            .depthTest(f.depth)
+            .color(counts, clearFirst(share, 0.0f))
+            .record(
+                records(f, [](gpu::PassContext& c, const SceneView& scene) { passes::draw(c, scene, overdraw()); }));
     return counts;
 }
 
@@ -79,18 +82,18 @@ graph::Image addTileMeans(Frame& f, graph::Extent extent, graph::Image counts) {
 }
 
 /// Adds the passes between the screen frame's and the picture.
-Shown addShown(DebugView view, Frame& f, graph::Extent extent) {
+Shown addShown(DebugView view, Frame& f, graph::Extent extent, const VertexOutputs& vertices) {
     switch (view) {
         case DebugView::encoded:
             return {f.nearest, {}};
         case DebugView::patches:
             return {f.atlas, {}};
         case DebugView::plates:
-            return {addPlates(f, extent), f.targets[0]};
+            return {addPlates(f, extent, vertices.plating), f.targets[0]};
         case DebugView::overdraw:
-            return {addOverdraw(f, extent), {}};
+            return {addOverdraw(f, extent, vertices.shading), {}};
         case DebugView::tiles: {
-            const graph::Image counts = addOverdraw(f, extent);
+            const graph::Image counts = addOverdraw(f, extent, vertices.shading);
             return {addTileMeans(f, extent, counts), counts};
         }
         default:
@@ -114,7 +117,7 @@ void declareDebugView(Frame& f, const FrameShape& shape) {
     drawn.choice.ending = Ending::left;
     drawn.targets = drawnFor(view, target.format == VK_FORMAT_R8G8B8A8_UNORM);
     declarePath(f, drawn);
-    const Shown shown = addShown(view, f, shape.extent);
+    const Shown shown = addShown(view, f, shape.extent, shape.choice.vertices);
     f.targets.clear();
     graph::Image& picture = f.add(target, shape);
     graph::PassBuilder pass = f.graph.graphics("debug view");

@@ -26,18 +26,20 @@ passes::GeometryPass nearestPrimitive(bool distance) {
 
 void declareDeferred(Frame& f, const FrameShape& shape) {
     const bool rims = shape.choice.rims();
-    std::optional<Clear> clear = Clear{1.0f};
-    if (shape.choice.prepass) {
-        declarePrepass(f, f.depth);
-        clear.reset();
-    }
+    const VertexOutputs& vertices = shape.choice.vertices;
+    if (shape.choice.prepass) declarePrepass(f, f.depth, vertices.plating);
     f.nearest = rims ? f.graph.image("primitive number, distance", {VK_FORMAT_R32G32_UINT, shape.extent})
                      : f.graph.image("primitive number", {VK_FORMAT_R32_UINT, shape.extent});
     const auto describe = [=](const auto&, const SceneView&) { return nearestPrimitive(rims); };
-    f.graph.graphics("nearest primitive")
-        .depth(f.depth, clear)
-        .color(f.nearest, Clear{0.0f})
-        .record(clear ? drawsFirst(f, describe) : draws(f, describe));
+    for (const graph::Share& share : vertices.nearest.shares()) {
+        std::optional<Clear> clear = clearFirst(share, 1.0f);
+        if (shape.choice.prepass) clear.reset();
+        f.graph.graphics("nearest primitive")
+            .share(share)
+            .depth(f.depth, clear)
+            .color(f.nearest, clearFirst(share, 0.0f))
+            .record(clear ? drawsFirst(f, describe) : draws(f, describe));
+    }
 
     // A pixel's nearest primitive is known here, and nothing has left the tile.
     std::optional<graph::Image> drawnRims;

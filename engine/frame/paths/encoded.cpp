@@ -34,33 +34,37 @@ passes::GeometryPass shadedImpostors(Output output, const passes::Reads& reads, 
 
 void declareEncoded(Frame& f, const FrameShape& shape) {
     const graph::EncodedFormat& format = shape.choice.encoded;
-    declarePrepass(f, f.depth);
+    const VertexOutputs& vertices = shape.choice.vertices;
+    declarePrepass(f, f.depth, vertices.plating);
 
     f.encoding = format;
     f.nearest = f.graph.image("encoded depth", {format.format, shape.extent});
     const graph::Image atlas = f.atlas, nearest = f.nearest;
-    graph::PassBuilder encoding = f.graph.graphics("depth encoding").depthTest(f.depth);
-    if (format.ordered)
-        encoding.ordered(f.nearest, Clear{format.farthest}).record(draws(f, [=](const auto& c, const SceneView&) {
-            return passes::orderedDepth(readsOf(c, NearestFrom::ownAttachment, atlas, nearest));
-        }));
-    else
-        encoding.color(f.nearest, Clear{format.farthest})
-            .record(draws(f, [encoding = passes::Encoding(format)](const auto&, const SceneView&) {
-                return passes::depthEncoding(encoding);
+    for (const graph::Share& share : vertices.nearest.shares()) {
+        graph::PassBuilder encoding = f.graph.graphics("depth encoding").share(share).depthTest(f.depth);
+        const std::optional<Clear> clear = clearFirst(share, format.farthest);
+        if (format.ordered)
+            encoding.ordered(f.nearest, clear).record(draws(f, [=](const auto& c, const SceneView&) {
+                return passes::orderedDepth(readsOf(c, NearestFrom::ownAttachment, atlas, nearest));
             }));
+        else
+            encoding.color(f.nearest, clear)
+                .record(draws(f, [encoding = passes::Encoding(format)](const auto&, const SceneView&) {
+                    return passes::depthEncoding(encoding);
+                }));
+    }
 
     const bool settles = format.settles();
-    for (const ScreenTarget& target : shape.targets) {
-        graph::Image& image = f.add(target, shape);
-        graph::PassBuilder shading = f.graph.graphics(target.pass);
-        settles ? shading.depth(f.depth) : shading.depthTest(f.depth);
-        f.lit(shading.input(f.nearest)).color(image, target.clear);
-        shading.record(
-            draws(f, [=, output = target.output, encoding = passes::Encoding(format)](const auto& c, const SceneView&) {
-                return shadedImpostors(output, readsOf(c, fromEarlierPass(c), atlas, nearest), encoding, settles);
-            }));
-    }
+    for (const ScreenTarget& target : shape.targets)
+        for (const graph::Share& share : vertices.shading.shares()) {
+            graph::PassBuilder shading = f.graph.graphics(target.pass).share(share);
+            settles ? shading.depth(f.depth) : shading.depthTest(f.depth);
+            f.draw(f.lit(shading.input(f.nearest)), target, shape, share);
+            shading.record(draws(
+                f, [=, output = target.output, encoding = passes::Encoding(format)](const auto& c, const SceneView&) {
+                    return shadedImpostors(output, readsOf(c, fromEarlierPass(c), atlas, nearest), encoding, settles);
+                }));
+        }
 }
 
 }  // namespace nacre

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "engine/frame/paths/paths.h"
 #include "engine/frame/record.h"
 #include "engine/passes/geometry_passes.h"
@@ -26,18 +28,19 @@ passes::GeometryPass shadedImpostors(Output output, const passes::Reads& reads, 
 }  // namespace
 
 void declareFragdepth(Frame& f, const FrameShape& shape) {
-    std::optional<Clear> clear = Clear{1.0f};
-    if (shape.choice.prepass) {
-        declarePrepass(f, f.depth);
-        clear.reset();
-    }
+    const VertexOutputs& vertices = shape.choice.vertices;
+    if (shape.choice.prepass) declarePrepass(f, f.depth, vertices.plating);
+    bool begins = !shape.choice.prepass;
     for (const ScreenTarget& target : shape.targets) {
         const auto describe = [atlas = f.atlas, output = target.output](const auto& c, const SceneView& scene) {
             return shadedImpostors(output, readsOf(c, NearestFrom::depthBuffer, atlas), scene.samples > 1);
         };
-        f.draw(f.lit(f.graph.graphics(target.pass).depth(f.depth, clear)), target, shape)
-            .record(clear ? drawsFirst(f, describe) : draws(f, describe));
-        clear.reset();
+        for (const graph::Share& share : vertices.shading.shares()) {
+            std::optional<Clear> clear;
+            if (std::exchange(begins, false)) clear = Clear{1.0f};
+            f.draw(f.lit(f.graph.graphics(target.pass).share(share).depth(f.depth, clear)), target, shape, share)
+                .record(clear ? drawsFirst(f, describe) : draws(f, describe));
+        }
     }
 }
 

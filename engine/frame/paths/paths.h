@@ -26,6 +26,6 @@ void declareTiles(Frame& frame, const FrameShape& shape);
 void declarePath(Frame& frame, const FrameShape& shape);
 
 /// The opaque prepass, shared by the paths that draw impostors.
-void declarePrepass(Frame& frame, graph::Image& depth);
+void declarePrepass(Frame& frame, graph::Image& depth, const Rounds& rounds);
 
 }  // namespace nacre

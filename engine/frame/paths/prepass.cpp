@@ -4,12 +4,14 @@
 
 namespace nacre {
 
-void declarePrepass(Frame& f, graph::Image& depth) {
-    f.graph.graphics("opaque prepass")
-        .depth(depth, graph::Clear{1.0f})
-        .record(drawsFirst(f, [](const auto&, const passes::SceneView& scene) {
-            return passes::opaquePrepass(scene.plates != PlateShape::none);
-        }));
+void declarePrepass(Frame& f, graph::Image& depth, const Rounds& rounds) {
+    for (const graph::Share& share : rounds.shares())
+        f.graph.graphics("opaque prepass")
+            .share(share)
+            .depth(depth, clearFirst(share, 1.0f))
+            .record(drawsFirst(f, [](const auto&, const passes::SceneView& scene) {
+                return passes::opaquePrepass(scene.plates != PlateShape::none);
+            }));
 }
 
 }  // namespace nacre

@@ -1,12 +1,10 @@
 #include "engine/frame/paths/paths.h"
 #include "engine/frame/record.h"
-#include "engine/graph/plan.h"
 #include "engine/passes/geometry_passes.h"
 #include "shaders.h"
 
 namespace nacre {
 
-using graph::Clear;
 using passes::NearestFrom;
 using passes::Output;
 using passes::SceneView;
@@ -35,34 +33,37 @@ passes::GeometryPass impostorsAtNearest(Output output, const passes::Reads& read
 }  // namespace
 
 void declareRasterOrder(Frame& f, const FrameShape& shape) {
-    declarePrepass(f, f.depth);
+    const VertexOutputs& vertices = shape.choice.vertices;
+    declarePrepass(f, f.depth, vertices.plating);
     f.encoding = graph::EncodedFormat();
     f.nearest = f.graph.image("nearest depth", {VK_FORMAT_R32_SFLOAT, shape.extent, shape.choice.attachmentSamples()});
     const graph::Image atlas = f.atlas, nearest = f.nearest;
-    constexpr std::uint32_t kNarrow = 8;  // bytes of colour: the depth beside it fits every tile
-    if (shape.targets.size() == 1 && graph::bytesPerTexel(shape.targets[0].format) <= kNarrow) {
+    if (settlesWhileShading(shape.targets)) {
         const ScreenTarget& target = shape.targets[0];
-        f.draw(f.lit(f.graph.graphics(target.pass).depthTest(f.depth)), target, shape)
-            .ordered(f.nearest, Clear{1.0f})
-            .record(draws(f, [=, output = target.output](const auto& c, const SceneView& scene) {
-                return orderedImpostors(output, readsOf(c, NearestFrom::ownAttachment, atlas, nearest),
-                                        scene.samples > 1);
-            }));
+        for (const graph::Share& share : vertices.shading.shares())
+            f.draw(f.lit(f.graph.graphics(target.pass).share(share).depthTest(f.depth)), target, shape, share)
+                .ordered(f.nearest, clearFirst(share, 1.0f))
+                .record(draws(f, [=, output = target.output](const auto& c, const SceneView& scene) {
+                    return orderedImpostors(output, readsOf(c, NearestFrom::ownAttachment, atlas, nearest),
+                                            scene.samples > 1);
+                }));
         return;
     }
-    f.graph.graphics("depth encoding")
-        .depthTest(f.depth)
-        .ordered(f.nearest, Clear{1.0f})
-        .record(draws(f, [=](const auto& c, const SceneView&) {
-            return passes::orderedDepth(readsOf(c, NearestFrom::ownAttachment, atlas, nearest));
-        }));
-    for (const ScreenTarget& target : shape.targets)  // share the previous pass's attachments
-        f.lit(f.graph.graphics(target.pass).depthTest(f.depth))
-            .color(f.add(target, shape), target.clear)
-            .samples(f.nearest)
-            .record(draws(f, [=, output = target.output](const auto& c, const SceneView&) {
-                return impostorsAtNearest(output, readsOf(c, NearestFrom::texture, atlas, nearest));
+    for (const graph::Share& share : vertices.nearest.shares())
+        f.graph.graphics("depth encoding")
+            .share(share)
+            .depthTest(f.depth)
+            .ordered(f.nearest, clearFirst(share, 1.0f))
+            .record(draws(f, [=](const auto& c, const SceneView&) {
+                return passes::orderedDepth(readsOf(c, NearestFrom::ownAttachment, atlas, nearest));
             }));
+    for (const ScreenTarget& target : shape.targets)  // share the previous pass's attachments
+        for (const graph::Share& share : vertices.shading.shares())
+            f.draw(f.lit(f.graph.graphics(target.pass).share(share).depthTest(f.depth)), target, shape, share)
+                .samples(f.nearest)
+                .record(draws(f, [=, output = target.output](const auto& c, const SceneView&) {
+                    return impostorsAtNearest(output, readsOf(c, NearestFrom::texture, atlas, nearest));
+                }));
 }
 
 }  // namespace nacre

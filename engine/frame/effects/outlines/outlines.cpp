@@ -26,13 +26,15 @@ passes::GeometryPass rims(const passes::SceneView& view, const passes::Reads& re
 
 graph::Image declareRims(Frame& f, const FrameShape& shape) {
     graph::Image drawn = f.graph.image(kRimPass, {VK_FORMAT_R8G8B8A8_UNORM, shape.extent});
-    f.graph.graphics(kRimPass)
-        .depthTest(f.depth)
-        .input(f.nearest)
-        .color(drawn, graph::Clear{0.0f})
-        .record(draws(f, [atlas = f.atlas, numbers = f.nearest](const auto& c, const passes::SceneView& scene) {
-            return rims(scene, readsOf(c, fromEarlierPass(c), atlas, numbers));
-        }));
+    for (const graph::Share& share : shape.choice.vertices.shading.shares())
+        f.graph.graphics(kRimPass)
+            .share(share)
+            .depthTest(f.depth)
+            .input(f.nearest)
+            .color(drawn, clearFirst(share, 0.0f))
+            .record(draws(f, [atlas = f.atlas, numbers = f.nearest](const auto& c, const passes::SceneView& scene) {
+                return rims(scene, readsOf(c, fromEarlierPass(c), atlas, numbers));
+            }));
     return drawn;
 }
 

@@ -24,7 +24,24 @@ View lightView(const RenderSettings& settings, const View& view) {
     return light;
 }
 
+void placeInLight(passes::PlacedCopies& copies, const Representation& r, const RenderSettings& settings,
+                  const View& view, const View& light, const TranslucentRuns& translucent) {
+    // As the view does, so that nothing shades itself.
+    passes::placeCopies(copies, r, light, nullptr, 0, meshErrorOf(settings, view));
+    // Translucent parts cast no shadow.
+    passes::selectTriangles(copies.triangles, translucent, passes::Triangles::opaque);
+}
+
 }  // namespace
+
+passes::PrimitiveCounts countsInLight(const Representation& r, const RenderSettings& settings,
+                                      const TranslucentRuns& translucent) {
+    const View light = lightView(settings, settings.view);
+    passes::PlacedCopies copies;
+    placeInLight(copies, r, settings, settings.view, light, translucent);
+    return {copies.sphereCount(), copies.cylinderCount(), copies.triangleCount(),
+            sizesOf(r).meanRadius * light.pixelsPerAngstrom};
+}
 
 void declareShadow(Frame& f, const FrameChoice& choice) {
     const std::uint32_t side = choice.effects.size(Effect::Kind::shadow);
@@ -37,7 +54,8 @@ void declareShadow(Frame& f, const FrameChoice& choice) {
             [shown = f.shown](gpu::PipelineContext& c) {
                 passes::want(c, *shown->scene->light, passes::nearestDepth());
             }};
-    f.graph.graphics(kShadowPass).depth(*f.shadow, graph::Clear{1.0f}).record(work);
+    for (const graph::Share& share : choice.vertices.light.shares())
+        f.graph.graphics(kShadowPass).share(share).depth(*f.shadow, clearFirst(share, 1.0f)).record(work);
 }
 
 std::shared_ptr<passes::SceneView> lightScene(const Scene& scene, const RenderSettings& settings, const View& view,
@@ -53,10 +71,7 @@ std::shared_ptr<passes::SceneView> lightScene(const Scene& scene, const RenderSe
         seen->cut = true;
     }
     seen->buffers = &scene.buffers;
-    // As the view does, so that nothing shades itself.
-    passes::placeCopies(seen->copies, scene.representation, light, nullptr, 0, meshErrorOf(settings, view));
-    // Translucent parts cast no shadow.
-    passes::selectTriangles(seen->copies.triangles, scene.translucent, passes::Triangles::opaque);
+    placeInLight(seen->copies, scene.representation, settings, view, light, scene.translucent);
     seen->impostor = settings.tuning.impostor;
     seen->radiusPixels = scene.sizes.meanRadius * light.pixelsPerAngstrom;
     return seen;

@@ -14,6 +14,10 @@ void declareShadow(Frame& frame, const FrameChoice& choice);
 std::shared_ptr<passes::SceneView> lightScene(const Scene& scene, const RenderSettings& settings, const View& view,
                                               SceneViews& views);
 
+/// Primitives that the light sees.
+passes::PrimitiveCounts countsInLight(const Representation& representation, const RenderSettings& settings,
+                                      const TranslucentRuns& translucent);
+
 /// Where a point of view space is in the map, for shaders.
 void addShadow(layout::EffectConstants& constants, const RenderSettings& settings);
 

@@ -41,15 +41,17 @@ void declareTranslucentLayers(Frame& f, const FrameShape& shape) {
         const std::string name = kTranslucentLayer + std::to_string(i + 1);
         graph::Image depth = f.graph.image(name + " depth", {VK_FORMAT_D32_SFLOAT, shape.extent});
         f.layers.push_back(f.graph.image(name, {VK_FORMAT_R32_UINT, shape.extent}));
-        graph::PassBuilder pass = f.graph.graphics(name);
-        if (before) pass.samples(*before);
-        pass.depth(depth, Clear{1.0f}).color(f.layers.back(), Clear{0.0f});
-        pass.record(records(f, [atlas = f.atlas, before](gpu::PassContext& c, const SceneView& scene) {
-            std::optional<passes::Reads> reads;
-            if (before) reads = readsOf(c, NearestFrom::texture, atlas, before);
-            passes::drawCovers(c, *scene.translucent);
-            passes::draw(c, *scene.translucent, layerPass(reads));
-        }));
+        for (const graph::Share& share : shape.choice.vertices.layers.shares()) {
+            graph::PassBuilder pass = f.graph.graphics(name).share(share);
+            if (before) pass.samples(*before);
+            pass.depth(depth, clearFirst(share, 1.0f)).color(f.layers.back(), clearFirst(share, 0.0f));
+            pass.record(records(f, [atlas = f.atlas, before](gpu::PassContext& c, const SceneView& scene) {
+                std::optional<passes::Reads> reads;
+                if (before) reads = readsOf(c, NearestFrom::texture, atlas, before);
+                if (c.share.index == 0) passes::drawCovers(c, *scene.translucent);
+                passes::draw(c, *scene.translucent, layerPass(reads));
+            }));
+        }
         before = depth;
     }
 }

@@ -1,0 +1,54 @@
+#pragma once
+// What vertex stages cost per primitive. Makes no Vulkan calls.
+
+#include <array>
+#include <cstdint>
+
+#include "engine/device_options.h"
+#include "engine/graph/plan.h"
+
+namespace nacre::passes {
+
+/// Primitives that a view submits, in all copies, and their size in the picture.
+struct PrimitiveCounts {
+    std::uint64_t spheres = 0, cylinders = 0, triangles = 0;  ///< without triangles of translucent layers
+    double radiusPixels = 0;                                  ///< mean radius of the spheres
+    bool flat = false;                                        ///< no impostor leans
+    std::uint64_t translucent = 0;                            ///< triangles of translucent layers
+};
+
+/// What the vertex stage of a pass hands on.
+enum class Handed : std::uint8_t {
+    plates,          ///< positions
+    depth,           ///< what its fragments find depth by
+    number,          ///< the same, and the primitive's number
+    shading,         ///< what its fragments are shaded by
+    shadingFetched,  ///< a number by which they fetch that
+};
+
+/// Shapes of spheres, resolved.
+struct SphereShapes {
+    PlateShape plates{};
+    ImpostorShape impostor{};
+};
+/// Shapes of spheres of a view. @param plates, impostor  as requested
+SphereShapes shapesOf(PlateShape plates, ImpostorShape impostor, const graph::GeometryCaps& caps,
+                      const PrimitiveCounts& counts);
+
+struct VertexCost {
+    std::uint32_t vertices = 0, triangles = 0, bytes = 0;
+};
+/// Of a sphere, a cylinder and a triangle.
+using PassCost = std::array<VertexCost, 3>;
+
+/// Cost of a primitive of each kind. @param stores  GeometryCaps::storesVaryings
+PassCost costOf(Handed handed, bool stores, const SphereShapes& shapes);
+
+/// Bytes of a primitive of each kind.
+std::array<std::uint32_t, 3> bytesOf(const PassCost& cost);
+/// The primitives of a view's passes, by kind.
+std::array<std::uint64_t, 3> kindsOf(const PrimitiveCounts& counts);
+/// Bytes of all primitives.
+std::uint64_t bytesOf(const PassCost& cost, const PrimitiveCounts& counts);
+
+}  // namespace nacre::passes
