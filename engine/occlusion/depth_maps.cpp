@@ -7,6 +7,7 @@
 #include "engine/occlusion/pipelines.h"
 #include "engine/passes/geometry_passes.h"
 #include "engine/passes/select_triangles.h"
+#include "engine/passes/vertex_costs.h"
 #include "engine/passes/view_constants.h"
 #include "engine/scene/instances/mesh_levels.h"
 
@@ -136,6 +137,7 @@ DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scen
     double sum = 0;
     for (const Sphere& s : representation.spheres) sum += s.radius;
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
+    mostInstances_ = path == OcclusionMaps::tiles ? sizes_.mostPrimitives : instancesThatFit();
     if (path == OcclusionMaps::tiles && budgetBytes > 0)
         tiles_ = makeTileMaps(device, scene, representation, pixels(), radius_, mapsAcross(perBatch()),
                               std::move(occluders));
@@ -177,6 +179,22 @@ passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t mo
     return all;
 }
 
+/// Instances whose vertex outputs a render pass has room for, whatever their kinds.
+std::uint64_t DepthMaps::instancesThatFit() const {
+    const graph::GeometryCaps& caps = device_.caps().plan.geometry;
+    if (caps.mostVertexBytes == 0) return ~std::uint64_t{0};
+    passes::PrimitiveCounts counts;
+    counts.radiusPixels = radiusPixels();
+    const passes::SphereShapes shapes = passes::shapesOf(PlateShape::automatic, ImpostorShape::automatic, caps, counts);
+    const passes::PassCost plates = passes::costOf(passes::Handed::plates, caps.storesVaryings, shapes);
+    const passes::PassCost depth = passes::costOf(passes::Handed::depth, caps.storesVaryings, shapes);
+    std::uint32_t most = 1;
+    if (!representation_.spheres.empty()) most = std::max(most, plates[0].bytes + depth[0].bytes);
+    if (!representation_.cylinders.empty()) most = std::max(most, depth[1].bytes);
+    if (!representation_.triangles.empty()) most = std::max(most, depth[2].bytes);
+    return caps.mostVertexBytes / most;
+}
+
 std::uint64_t DepthMaps::instances(std::uint32_t model) const {
     const passes::PlacedCopies all = placed(glm::dmat3(1), model);
     return all.sphereCount() + all.cylinderCount() + all.triangleCount();
@@ -188,7 +206,7 @@ graph::Work DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32_t
         passes::SceneView scene;
         scene.buffers = &scene_;
         scene.copies = placed(frames[i], model, part);
-        scene.radiusPixels = meanRadius_ * pixels() / (2.0 * radius_);
+        scene.radiusPixels = radiusPixels();
         scene.constants = constants(frames[i], i, across);
         scene.wholeImage = false;
         return scene;

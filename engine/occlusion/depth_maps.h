@@ -61,9 +61,7 @@ public:
     std::uint32_t models() const { return static_cast<std::uint32_t>(runs_.size()); }
 
     /// Maximum number of instances per draw, over all maps.
-    std::uint64_t mostInstances() const {
-        return path_ == OcclusionMaps::tiles ? sizes_.mostPrimitives : ~std::uint64_t{0};
-    }
+    std::uint64_t mostInstances() const { return mostInstances_; }
     /// The heights of `tiles`, instead of images; else null.
     const TileMaps* tiles() const { return tiles_.get(); }
     /// Number of maps per row of a batch.
@@ -108,6 +106,8 @@ private:
     /// Draws each map of a batch in a pass of its own.
     graph::Work eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model, MapPart part,
                         const passes::GeometryPass& pass) const;
+    double radiusPixels() const { return meanRadius_ * pixels() / (2.0 * radius_); }
+    std::uint64_t instancesThatFit() const;
     void beginTiles(std::span<const glm::dmat3> frames, std::uint32_t model);
     void declareDrawn(graph::Graph& g, Images& images, std::span<const glm::dmat3> frames, std::uint32_t across,
                       std::uint32_t model, MapPart part) const;
@@ -119,6 +119,7 @@ private:
     OcclusionMaps path_;
     DepthMapSizes sizes_;
     double radius_, meanRadius_ = 0;
+    std::uint64_t mostInstances_ = 0;
     TranslucentRuns translucent_;  ///< left out of maps
     std::vector<Runs> runs_;       // by model
     std::unique_ptr<TileMaps> tiles_;
