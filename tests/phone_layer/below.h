@@ -16,6 +16,7 @@ inline bool isPhone(std::string_view name) {
 inline bool molten() { return isPhone("moltenvk"); }
 inline bool adreno() { return isPhone("adreno"); }
 inline bool mali() { return isPhone("mali"); }
+inline bool arm() { return mali() || isPhone("android"); }
 inline bool powervr() { return isPhone("powervr"); }
 /// A fault of the driver: NACRE_PHONE_WRONG.
 inline bool isWrong(std::string_view how) {
@@ -50,6 +51,7 @@ inline bool isWrong(std::string_view how) {
     X(CreateRenderPass2KHR)         \
     X(GetDeviceMemoryCommitment)    \
     X(QueueSubmit)                  \
+    X(CmdBindPipeline)              \
     X(CmdDraw)                      \
     X(CmdDrawIndexed)               \
     X(CmdDispatch)                  \

@@ -9,9 +9,9 @@
 // as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h), NACRE_PHONE_PIPELINES one that
 // gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one that gets the corners of each
 // draw, and each timestamp; NACRE_PHONE_NO_CLOCK takes the queue's clock away; NACRE_PHONE_WORK one that gets what each
-// submission takes of its device (clock.h). NACRE_PHONE_PROFILE is a profile that it meets (profiles.h). Where
-// NACRE_PHONE_FIRST is set, a second device before the first present ends the program: a start that keeps its user
-// waiting.
+// submission takes of its device (clock.h). NACRE_PHONE_VERTEX_BYTES is how many bytes of vertex outputs a render pass
+// may have (vertices.h). NACRE_PHONE_PROFILE is a profile that it meets (profiles.h). Where NACRE_PHONE_FIRST is set, a
+// second device before the first present ends the program: a start that keeps its user waiting.
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -36,6 +36,7 @@
 #include "tests/phone_layer/frames.h"
 #include "tests/phone_layer/memory.h"
 #include "tests/phone_layer/restarts.h"
+#include "tests/phone_layer/vertices.h"
 #include "tests/support/layer_link.h"
 
 namespace nacre::phone {
@@ -221,7 +222,9 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateShaderModule(VkDevice of, const VkShaderMod
         file.write(reinterpret_cast<const char*>(info->pCode), static_cast<std::streamsize>(info->codeSize));
         if (!file.flush()) std::abort();  // a test that looks at fewer would pass for nothing
     }
-    return nextCreateShaderModule(of, info, allocator, shader);
+    const VkResult result = nextCreateShaderModule(of, info, allocator, shader);
+    if (result == VK_SUCCESS) noteShader(*shader, *info);
+    return result;
 }
 
 // --- a driver that is wrong
@@ -264,7 +267,13 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateGraphicsPipelines(VkDevice of, VkPipelineCa
         for (std::uint32_t i = 0; i < count; ++i)
             std::ofstream(file, std::ios::app) << std::this_thread::get_id() << '\n';
     const InCompiler in;
-    if (!isWrong("min")) return nextCreateGraphicsPipelines(of, cache, count, infos, allocator, pipelines);
+    const auto create = [&](const VkGraphicsPipelineCreateInfo* wanted) {
+        const VkResult result = nextCreateGraphicsPipelines(of, cache, count, wanted, allocator, pipelines);
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (pipelines[i]) notePipeline(pipelines[i], wanted[i]);
+        return result;
+    };
+    if (!isWrong("min")) return create(infos);
     std::vector<VkGraphicsPipelineCreateInfo> made(infos, infos + count);
     std::vector<VkPipelineColorBlendStateCreateInfo> states(count);
     std::vector<std::vector<VkPipelineColorBlendAttachmentState>> attachments(count);
@@ -277,7 +286,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateGraphicsPipelines(VkDevice of, VkPipelineCa
         states[i].pAttachments = attachments[i].data();
         made[i].pColorBlendState = &states[i];
     }
-    return nextCreateGraphicsPipelines(of, cache, count, made.data(), allocator, pipelines);
+    return create(made.data());
 }
 
 // --- render passes
@@ -310,6 +319,7 @@ VKAPI_ATTR void VKAPI_CALL CmdDraw(VkCommandBuffer commands, std::uint32_t verti
                                    std::uint32_t firstVertex, std::uint32_t firstInstance) {
     take(instances);
     tell("corners ", vertices);
+    handOn(commands, std::uint64_t{vertices} * instances);
     work(double{1} * vertices * instances);
     nextCmdDraw(commands, vertices, instances, firstVertex, firstInstance);
 }
@@ -318,6 +328,7 @@ VKAPI_ATTR void VKAPI_CALL CmdDrawIndexed(VkCommandBuffer commands, std::uint32_
                                           std::uint32_t firstIndex, std::int32_t offset, std::uint32_t firstInstance) {
     take(instances);
     tell("indices ", indices);
+    handOn(commands, std::uint64_t{indices} * instances * passes::kPyramid.count / passes::kPyramidIndices);
     work(double{1} * indices * instances);
     nextCmdDrawIndexed(commands, indices, instances, firstIndex, offset, firstInstance);
 }

@@ -15,6 +15,7 @@
 
 #include "engine/gpu/local_read.h"
 #include "tests/phone_layer/below.h"
+#include "tests/phone_layer/vertices.h"
 
 namespace nacre::phone {
 
@@ -26,7 +27,7 @@ struct PlannedPass {
     std::vector<VkAttachmentDescription2> attachments;
     struct Subpass {
         std::vector<std::uint32_t> colors;
-        std::uint32_t depth = VK_ATTACHMENT_UNUSED;
+        std::uint32_t depth = VK_ATTACHMENT_UNUSED, views = 0;
     };
     std::vector<Subpass> subpasses;
 };
@@ -101,6 +102,7 @@ inline void planEncoders(const VkRenderPassCreateInfo2& info, VkRenderPass made)
         PlannedPass::Subpass& planned = pass.subpasses.emplace_back();
         for (std::uint32_t i = 0; i < subpass.colorAttachmentCount; ++i)
             planned.colors.push_back(subpass.pColorAttachments[i].attachment);
+        planned.views = subpass.viewMask;
         if (subpass.pDepthStencilAttachment) planned.depth = subpass.pDepthStencilAttachment->attachment;
     }
 }
@@ -126,6 +128,7 @@ inline VKAPI_ATTR void VKAPI_CALL CmdBeginRenderPass2KHR(VkCommandBuffer command
     e.pass = &plannedPasses[info->renderPass];
     e.begun.resize(e.pass->attachments.size());
     e.area = info->renderArea;
+    beginVertices(commands, e.pass->subpasses.empty() ? 0 : e.pass->subpasses[0].views);
     for (const VkImageView view : framebufferViews[info->framebuffer])
         e.attachments.push_back({false, lostWithEncoder(view)});
     beginEncoder(commands, e, false);
@@ -146,6 +149,7 @@ inline VKAPI_ATTR void VKAPI_CALL CmdBeginRenderingKHR(VkCommandBuffer commands,
     Encoding& e = encodings[commands] = {};
     e.area = info->renderArea;
     e.layers = info->layerCount;
+    beginVertices(commands, info->viewMask);
     for (std::uint32_t i = 0; i < info->colorAttachmentCount; ++i)
         e.attachments.push_back({false, lostWithEncoder(info->pColorAttachments[i].imageView)});
     if (info->pDepthAttachment) e.attachments.push_back({true, lostWithEncoder(info->pDepthAttachment->imageView)});
