@@ -208,9 +208,16 @@ PlanReport planReport(const PlanOptions& options) {
     report.paper = graph::compile(report.paperGraph, gles);
     report.meshLevels = counts.meshLevels;
     report.copyLevels = counts.copyLevels;
-    if (given)
+    if (given) {
+        const VertexOutputs& vertices = report.choice.vertices;
         report.geometry =
-            geometryOf(report.frame.graph, counts, caps.plan.geometry, PlateShape::automatic, ImpostorShape::automatic);
+            geometryOf(report.frame.graph, counts, caps.plan.geometry, vertices.plates, vertices.impostor);
+        report.vertexBytes = vertexBytesOf(report.plan, report.geometry);
+        graph::FrameCaps unlimited = caps;
+        unlimited.plan.geometry.mostVertexBytes = 0;
+        const graph::Traffic without = framePlanned(settings, Part::whole, facts, unlimited).plan.total;
+        report.forLimit = {report.plan.total.loaded - without.loaded, report.plan.total.stored - without.stored};
+    }
     return report;
 }
 

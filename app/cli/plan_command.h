@@ -35,9 +35,11 @@ struct PlanReport {
     graph::Plan plan, unmerged;
     graph::Graph paperGraph{""};
     graph::Plan paper;
-    MotionSamples motion{};                ///< of a window's frames in motion
-    std::uint32_t samples = 1;             ///< per pixel of a picture where colours change
-    std::vector<PassGeometry> geometry{};  ///< of the scene that was given
+    MotionSamples motion{};                    ///< of a window's frames in motion
+    std::uint32_t samples = 1;                 ///< per pixel of a picture where colours change
+    std::vector<PassGeometry> geometry{};      ///< of the scene that was given
+    std::vector<std::uint64_t> vertexBytes{};  ///< of its render passes that draw primitives
+    graph::Traffic forLimit{};                 ///< bytes that the limit of vertex outputs adds to the traffic
     std::vector<MeshLevelCount> meshLevels{};
     std::vector<CopyLevelCount> copyLevels{};
     std::vector<EffectCost> costs{};  ///< of the effects that are on

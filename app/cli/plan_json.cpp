@@ -27,10 +27,13 @@ Json subpassJson(const PlanReport& report, const graph::RenderPassPlan& pass, co
 
 Json renderPassJson(const PlanReport& report, const graph::RenderPassPlan& pass) {
     const graph::Graph& g = report.frame.graph;
+    const graph::Share& share = g.passes()[pass.subpasses.back().passes.back()].share;
     Json json{{"name", nameOf(g, pass)},
               {"subpasses", Json::array()},
               {"attachments", Json::array()},
               {"dependencies", Json::array()},
+              {"share", share.index + 1},
+              {"shares", share.count},
               {"tile_bytes_per_pixel", pass.tileBytesPerPixel}};
     for (const graph::Subpass& subpass : pass.subpasses)
         json["subpasses"].push_back(subpassJson(report, pass, subpass));
@@ -145,6 +148,11 @@ std::string planJson(const PlanReport& report) {
     json["costs"] = costsJson(report);
     json["geometry"] =
         report.geometry.empty() ? Json() : geometryJson(report.geometry, report.plannedWith.geometry.storesVaryings);
+    const std::uint64_t most = report.plannedWith.geometry.mostVertexBytes;
+    json["vertex_bytes"] = {{"most", most > 0 ? Json(most) : Json()},
+                            {"render_passes", report.vertexBytes},
+                            {"loaded_for_limit", report.forLimit.loaded},
+                            {"stored_for_limit", report.forLimit.stored}};
     json["mesh_levels"] = meshLevelsJson(report.meshLevels);
     json["copy_levels"] = copyLevelsJson(report.copyLevels);
     json["facts"] = Json::array();

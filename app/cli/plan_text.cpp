@@ -44,7 +44,10 @@ std::string grouped(std::uint64_t value) {
 
 void renderPassText(std::ostream& out, const PlanReport& report, const graph::RenderPassPlan& pass) {
     const graph::Graph& g = report.frame.graph;
-    out << "render pass: " << nameOf(g, pass) << '\n';
+    out << "render pass: " << nameOf(g, pass);
+    const graph::Share& share = g.passes()[pass.subpasses.back().passes.back()].share;
+    if (share.count > 1) out << ", share " << share.index + 1 << " of " << share.count << " of the primitives";
+    out << '\n';
     std::vector<Row> rows{{"attachment", "format", "load", "store", "memory"}};
     bool depth = false;
     for (const graph::Attachment& a : pass.attachments) {
@@ -195,6 +198,14 @@ void geometryText(std::ostream& out, const PlanReport& report) {
     for (const PassGeometry& pass : report.geometry) add(pass.name, pass);
     add("total", sumOf(report.geometry));
     table(out, "  ", rows, 1);
+    const std::uint64_t most = report.plannedWith.geometry.mostVertexBytes;
+    if (most == 0) return;
+    out << "  at most " << grouped(most) << " B in a render pass:";
+    for (const std::uint64_t bytes : report.vertexBytes) out << ' ' << grouped(bytes);
+    out << '\n';
+    if (report.forLimit.loaded + report.forLimit.stored > 0)
+        out << "  the limit adds " << grouped(report.forLimit.loaded) << " B loaded, "
+            << grouped(report.forLimit.stored) << " B stored\n";
 }
 
 void levelsText(std::ostream& out, const PlanReport& report) {
@@ -224,7 +235,9 @@ std::string planText(const PlanReport& report) {
     out << "frames in motion: " << report.motion.count << (report.motion.count == 1 ? " sample" : " samples")
         << " per pixel (" << report.motion.why << ")\n";
     for (const Decision& decision : report.decisions)
-        if (decision.what == "views") out << "stereo: " << decision.how << " (" << decision.why << ")\n";
+        if (decision.what == "views" || decision.what == "vertex outputs")
+            out << (decision.what == "views" ? "stereo" : decision.what) << ": " << decision.how << " (" << decision.why
+                << ")\n";
     if (report.samples > 1)
         out << "pixels of a picture where colours change are the mean of " << report.samples << " samples\n";
     if (report.explained) {

@@ -8,6 +8,7 @@
 #include "app/cli/plan_command.h"
 #include "engine/error.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/test_data.h"
 
 namespace nacre::app {
 namespace {
@@ -113,6 +114,35 @@ TEST(Plan, CountsTheGeometryOfASceneThatIsGiven) {
     const Json adreno = jsonOf(options)["geometry"];
     EXPECT_EQ(adreno["memory_bytes"]["stored"], 0);
     EXPECT_EQ(adreno["vertices"], spheres * (8 + 4 + 4));  // octagons as plates, squares as impostors
+}
+
+TEST(Plan, TellsHowVertexOutputsFitMalisMemory) {
+    NACRE_NEEDS_DATA();
+    PlanOptions options = encodedOn("mali");
+    options.picture.input.path = test::dataFile("1aon-groel.pdb.gz");
+    options.picture.look.style = Style::cartoon;
+    const PlanReport report = planReport(options);
+    const std::string text = planText(report);
+    EXPECT_NE(
+        text.find("\nvertex outputs: 2 render passes without plates (they would be 241 MB, and a render pass gets "
+                  "at most 150 MB)\n"),
+        std::string::npos)
+        << text;
+    EXPECT_NE(text.find("\n  the limit adds 23,699,520 B loaded, 23,699,520 B stored\n"), std::string::npos) << text;
+    const Json json = Json::parse(planJson(report));
+    ASSERT_EQ(json["render_passes"].size(), 2u);
+    EXPECT_EQ(json["render_passes"][1]["name"], "impostor colour");
+    EXPECT_EQ(json["render_passes"][1]["shares"], 1);
+    EXPECT_EQ(json["vertex_bytes"]["most"], 150'000'000);
+    std::uint64_t sum = 0;
+    for (const std::uint64_t bytes : json["vertex_bytes"]["render_passes"]) sum += bytes;
+    EXPECT_EQ(sum, json["geometry"]["varying_bytes"]);
+    EXPECT_EQ(json["memory_bytes"]["loaded"], kPixels * 8);  // depth and encoded depth
+    EXPECT_EQ(json["memory_bytes"]["stored"], kPixels * 12);
+    options.caps = "mali-late";
+    const Json late = jsonOf(options);
+    EXPECT_EQ(late["render_passes"].size(), 1u);
+    EXPECT_TRUE(late["vertex_bytes"]["most"].is_null());
 }
 
 TEST(Plan, AShadowIsAMapThatLeavesTheTileAndNothingElseDoes) {
