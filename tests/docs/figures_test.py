@@ -81,6 +81,33 @@ class Figures(unittest.TestCase):
             drawn = [sum(level["drawn"] for level in levels("4v5a-ribosome.mmtf", "cartoon", error)) for error in ("1", "0.25")]
             self.says("measurements.md", f"4V5A has {drawn[0]:,} triangles, with a quarter {drawn[1]:,}")
 
+    def plan_on_mali(self, file, style, path):
+        return json.loads(run("plan", self.file(file), "--caps", "mali", "--size", "1170x2532", "--style", style,
+                              "--visibility", path, "--json"))
+
+    def test_a_frame_on_mali(self):
+        stages = json.loads(page("tilers.json"))["Mali-G610, Arm's driver"]["paths"]["encoded"]["pipelines"]
+        drawn = {"opaque prepass": "spheres", "depth encoding": "spheres", "impostor colour": "fetched spheres"}
+        each = {name: stages[f"{name}, {kind}, vertex"]["instructions"] for name, kind in drawn.items()}
+        for name, file in (("4HHB", "4hhb.cif.gz"), ("1AON", "1aon-groel.pdb.gz"), ("4V5A", "4v5a-ribosome.mmtf")):
+            for path in ("raster-order", "encoded"):
+                with self.subTest(name, path=path):
+                    plan = self.plan_on_mali(file, "spacefill", path)
+                    geometry, stored = plan["geometry"], plan["memory_bytes"]["stored"]
+                    instructions = sum(each[p["name"]] * p["vertices"] for p in geometry["passes"]) / 1e6
+                    milliwatts = (2 * geometry["varying_bytes"] + stored) * 60 / 1e9 * 100
+                    self.says("tilers.md", f"| {name} | `{path}` | {geometry['vertices']:,} | {geometry['varying_bytes']:,} | "
+                                           f"{stored:,} | {instructions:.1f} | {milliwatts:.0f} |")
+
+    def test_large_scenes_on_mali(self):
+        for style, path, more in (("cartoon", "raster-order", 0), ("cartoon", "encoded", 8), ("surface", "encoded", 8)):
+            with self.subTest(style, path=path):
+                plan = self.plan_on_mali("1aon-groel.pdb.gz", style, path)
+                each = " and ".join(f"{size:,}" for size in plan["vertex_bytes"]["render_passes"])
+                added = plan["vertex_bytes"]["loaded_for_limit"] // (1170 * 2532)
+                self.assertEqual(added, more)
+                self.says("tilers.md", f"{each} | {f'{more}, {more} B per pixel' if more else 0} |")
+
     def test_a_capsid_of_copies(self):
         with tempfile.TemporaryDirectory() as folder:
             told = stats(folder, self.file("3j6r-hpv16.pdb.gz"), "--assembly", "1", "--size", "256x256")
