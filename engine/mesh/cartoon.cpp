@@ -231,15 +231,21 @@ Mesh cartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
     return mesh;
 }
 
-std::vector<std::uint32_t> atomsOfCartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms) {
+CartoonAtoms atomsOfCartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms) {
     const Molecule& molecule = facts.molecule();
-    std::vector<bool> drawn(molecule.residues.size());
+    std::vector<bool> drawn(molecule.residues.size()), fused(molecule.residues.size());
     for (const Trace& trace : cartoonTraces(facts, atoms, {}))
-        for (std::size_t i = 0; i < trace.residues.size(); ++i)
-            if (trace.shown[i]) drawn[trace.residues[i]] = true;
-    std::vector<std::uint32_t> found;
-    for (const std::uint32_t atom : atoms)
-        if (drawn[facts.positions()[molecule.atoms[atom].residue]]) found.push_back(atom);
+        for (std::size_t i = 0; i < trace.residues.size(); ++i) {
+            if (!trace.shown[i]) continue;
+            drawn[trace.residues[i]] = true;
+            fused[trace.residues[i]] = trace.fused[i];
+        }
+    CartoonAtoms found;
+    for (const std::uint32_t atom : atoms) {
+        const std::uint32_t residue = facts.positions()[molecule.atoms[atom].residue];
+        if (drawn[residue]) found.drawn.push_back(atom);
+        if (fused[residue]) found.beside.push_back(atom);
+    }
     return found;
 }
 

@@ -47,11 +47,13 @@ struct CartoonOptions {
 /// `atoms`. Omitted residues do not change the curve, which is that of whole chains.
 ///
 /// Chains break where C and the next N (O3' and the next P) are over 2.5 Å apart; in models of alpha carbons or
-/// phosphates only, at over 5 Å (8.5 Å). A single residue is a rod from N to C, or a ball. Every triangle belongs to
-/// one residue: vertices are duplicated midway between two alpha carbons; nucleotides meet at P. The mesh consists of
-/// closed pieces that touch or intersect: every edge (vertices compared by position) is shared by two triangles of
-/// opposite orientation. This also holds for coarser levels, which omit sides, rings within residues, and rings of
-/// round ends; their error bounds are guaranteed. All coarser levels together have no more triangles than the mesh.
+/// phosphates only, at over 5 Å (8.5 Å). Their residues may stand in any order in the file if bonds join them. A
+/// residue without CA that is bonded to both neighbours has the alpha carbons along its own bonds: three in GFP's
+/// chromophore. A single residue is a rod from N to C, or a ball. Every triangle belongs to one residue: vertices are
+/// duplicated midway between two alpha carbons; nucleotides meet at P. The mesh consists of closed pieces that touch or
+/// intersect: every edge (vertices compared by position) is shared by two triangles of opposite orientation. This also
+/// holds for coarser levels, which omit sides, rings within residues, and rings of round ends; their error bounds are
+/// guaranteed. All coarser levels together have no more triangles than the mesh.
 /// @param atoms  indices of drawn atoms (drawn_atoms.h), ascending
 /// @param secondary  of each residue of the molecule (secondaryStructure()); helices under three residues and strands
 /// under two are drawn as coil
@@ -63,11 +65,22 @@ Mesh cartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
 /// With numbers for the rings and vertices that options leave open. @param residues  that are drawn, in all copies
 CartoonOptions settledCartoon(const CartoonOptions& options, std::size_t residues);
 
-/// The guide atoms (CA, P) of each unbroken stretch of a chain, whatever is drawn of it.
-std::vector<std::vector<std::uint32_t>> guideTraces(const ResidueFacts& facts);
+/// An unbroken stretch of a chain.
+struct GuideTrace {
+    std::vector<std::uint32_t> atoms;  ///< guide atoms (CA, P), whatever is drawn of it
+    std::uint32_t end = 0;             ///< where its ribbon ends: O3' of nucleic acids, if there is one
+};
+std::vector<GuideTrace> guideTraces(const ResidueFacts& facts);
 
-/// The atoms among `atoms` whose residues cartoon() draws: all atoms of those residues, with side chains and hydrogens.
-/// Ascending. The rest (ligands, ions, waters) needs another style.
-std::vector<std::uint32_t> atomsOfCartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms);
+struct CartoonAtoms {
+    /// All atoms of the residues that cartoon() draws, with side chains and hydrogens, ascending. The rest (ligands,
+    /// ions, waters) needs another style.
+    std::vector<std::uint32_t> drawn;
+    /// Some of these that need another style as well: those of fused residues, such as GFP's chromophore, whose shape
+    /// the ribbon does not show.
+    std::vector<std::uint32_t> beside;
+};
+
+CartoonAtoms atomsOfCartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms);
 
 }  // namespace nacre

@@ -25,11 +25,13 @@ struct Trace {
     /// Residue i owns the curve from i - shift to i + 1 - shift: half of the way to both neighbours, or, if points are
     /// phosphates, the way to the next.
     double shift = 0.5;
-    std::vector<glm::dvec3> points;       ///< Å, in the file's frame; for a nucleic acid one more, at its 3' end
-    std::vector<std::uint32_t> atoms;     ///< per residue: CA or C4', for colour and number
-    std::vector<std::uint32_t> residues;  ///< index into the molecule's residues, of the first at the position
+    std::vector<glm::dvec3> points;    ///< Å, in the file's frame; for a nucleic acid one more, at its 3' end
+    std::vector<std::uint32_t> atoms;  ///< per residue: CA or C4', for colour and number
+    std::vector<std::uint32_t>
+        residues;  ///< index into the molecule's residues, of the first at the position; fused backbones repeat theirs
     std::vector<SecondaryStructure> kinds;
     std::vector<bool> shown;
+    std::vector<bool> fused;            ///< one of the backbones that a residue without CA has
     std::vector<double> temperatures;   ///< B factor of the guide atoms, Å^2
     std::vector<glm::dvec3> carbonyls;  ///< from C to O; 0 where these are missing
 };

@@ -52,13 +52,25 @@ std::optional<ResidueKind> kindOfName(const Name& given) {
     return std::nullopt;
 }
 
-enum Link : std::uint8_t { kPeptideLink = 1, kNucleicLink = 2 };
+enum Link : std::uint8_t {
+    kPeptideLink = 1,
+    kNucleicLink = 2,
+    kAfterPeptide = 4,  ///< a nitrogen, whatever its name, bonded to another residue's C
+    kBeforePeptide = 8  ///< a carbon bonded to another residue's N
+};
 
 /// Kind of backbone bond that an atom of this name can have to another residue; 0: none.
 std::uint8_t linkOf(const Name& atom) {
     const std::string_view name = atom.view();
     if (name == "N" || name == "C") return kPeptideLink;
     return name == "P" || name == "O3'" || name == "O3*" ? kNucleicLink : 0;
+}
+
+/// Where an atom stands in a chain by the atom of another residue that it is bonded to.
+std::uint8_t chainLinkOf(const Atom& atom, const Atom& other) {
+    constexpr Element kCarbon = 6, kNitrogen = 7;
+    if (atom.element == kNitrogen && other.name == Name("C")) return kAfterPeptide;
+    return atom.element == kCarbon && other.name == Name("N") ? kBeforePeptide : 0;
 }
 
 using Links = std::vector<std::pair<const Atom*, const Atom*>>;
@@ -80,7 +92,9 @@ public:
     Classifier(const Molecule& molecule, const Links& links) : molecule_(molecule), links_(molecule.residues.size()) {
         for (const auto& [a, b] : links) {
             links_[a->residue] |= linkOf(a->name);
+            links_[a->residue] |= chainLinkOf(*a, *b);
             links_[b->residue] |= linkOf(b->name);
+            links_[b->residue] |= chainLinkOf(*b, *a);
         }
     }
 
@@ -115,6 +129,8 @@ private:
         if (isSingleIon(residue)) return ResidueKind::ion;
         if (latestKind_) return *latestKind_;
         if ((links_[index] & kPeptideLink) && hasAll(residue, {"N", "CA", "C"})) return ResidueKind::protein;
+        constexpr std::uint8_t kWithinPeptide = kAfterPeptide | kBeforePeptide;
+        if ((links_[index] & kWithinPeptide) == kWithinPeptide) return ResidueKind::protein;
         if ((links_[index] & kNucleicLink) && hasAll(residue, {"C1'", "C3'", "O3'"})) return ResidueKind::nucleic;
         return ResidueKind::ligand;
     }

@@ -15,10 +15,10 @@ enum class ResidueKind : std::uint8_t { protein, nucleic, water, ion, ligand };
 /// Kind of each residue. The file's entities come first: parts of a polypeptide or nucleic acid are polymer; other
 /// entities are a ligand, or an ion or water by name. Without entities names are looked up in gemmi's table of residues
 /// and in ours of protonation states; caps of chains (ACE, NME, NH2, FOR) count as protein. A residue of unknown name
-/// belongs to a polymer if it has that polymer's backbone atoms and one of them is bonded to another residue. Next to a
-/// polymer of ATOM records, up to eight HETATM amino acids or nucleotides without a backbone bond to it are a ligand: a
-/// peptide-like inhibitor. An ion is a single metal or halogen atom that is no part of a larger residue, or one of a
-/// few small inorganic ones (SO4, PO4, NO3, NH4, ...).
+/// belongs to a polymer if it has that polymer's backbone atoms and one of them is bonded to another residue, or if it
+/// is bonded to both its neighbours as amino acids are. Next to a polymer of ATOM records, up to eight HETATM amino
+/// acids or nucleotides without a backbone bond to it are a ligand: a peptide-like inhibitor. An ion is a single metal
+/// or halogen atom that is no part of a larger residue, or one of a few small inorganic ones (SO4, PO4, NO3, NH4, ...).
 std::vector<ResidueKind> residueKinds(const Molecule& molecule);
 
 /// One-letter code of an amino acid; protonation states and modified residues have their parent's; '\0' for others.

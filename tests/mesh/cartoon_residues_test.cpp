@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <set>
@@ -50,7 +51,7 @@ TEST(CartoonResidues, AHiddenPartLeavesTheRestWhereItWas) {
         const std::uint32_t residue = molecule.atoms[part.atoms[i]].residue;
         EXPECT_TRUE(residue < 6 || residue > 9);
     }
-    EXPECT_EQ(atomsOfCartoon(molecule, some), some);
+    EXPECT_EQ(atomsOfCartoon(molecule, some).drawn, some);
 }
 
 TEST(CartoonResidues, ChainsBreakWhereTheyDo) {
@@ -79,6 +80,131 @@ TEST(CartoonResidues, InsertedModifiedAndRightHandedResiduesGoOn) {
     const std::vector<Trace> traces = cartoonTraces(molecule, drawnAtoms(molecule), {});
     ASSERT_EQ(traces.size(), 1u);
     EXPECT_EQ(traces[0].residues.size(), 20u);
+}
+
+/// A helix of 20 whose residues 8 to 10 are one, with atoms N1, CA1, ... as in GFP's chromophore, and a bond that
+/// closes a ring of the first C and the third N.
+Molecule fusedChain() {
+    Molecule molecule = chainOf(20, -57, -47);
+    for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i) {
+        const std::uint32_t first = i - i % 4;
+        for (const auto& [a, b] : {std::pair(0u, 1u), std::pair(1u, 2u), std::pair(2u, 3u)})
+            if (i == first) molecule.bonds.push_back({first + a, first + b});
+        if (i == first && i > 0) molecule.bonds.push_back({first - 2, first});
+    }
+    for (std::uint32_t unit = 0; unit < 3; ++unit)
+        for (std::uint32_t k = 0; k < 4; ++k) {
+            Atom& atom = molecule.atoms[4 * (7 + unit) + k];
+            atom.name = Name(std::string(atom.name.view()) + std::to_string(unit + 1));
+            atom.residue = 7;
+        }
+    molecule.bonds.push_back({4 * 7 + 2, 4 * 9});
+    molecule.residues[7].name = Name("CRO");
+    molecule.residues[7].atomCount = 12;
+    molecule.residues.erase(molecule.residues.begin() + 8, molecule.residues.begin() + 10);
+    for (std::uint32_t i = 4 * 10; i < molecule.atoms.size(); ++i) molecule.atoms[i].residue -= 2;
+    return molecule;
+}
+
+TEST(CartoonResidues, FusedResiduesGoOn) {
+    const Molecule plain = chainOf(20, -57, -47), fused = fusedChain();
+    const std::vector<Trace> traces = cartoonTraces(fused, drawnAtoms(fused), {});
+    ASSERT_EQ(traces.size(), 1u);
+    EXPECT_EQ(traces[0].points, cartoonTraces(plain, drawnAtoms(plain), {})[0].points);
+    // As a helix it is that of its three residues.
+    EXPECT_EQ(cartoonOf(fused, all(fused, SecondaryStructure::helix)).positions,
+              cartoonOf(plain, all(plain, SecondaryStructure::helix)).positions);
+    const CartoonAtoms atoms = atomsOfCartoon(fused, drawnAtoms(fused));
+    EXPECT_EQ(atoms.drawn.size(), fused.atoms.size());
+    ASSERT_EQ(atoms.beside.size(), 12u);
+    EXPECT_EQ(atoms.beside.front(), 28u);
+    // Without a bond to both neighbours it is no part of the chain.
+    Molecule loose = fused;
+    std::erase_if(loose.bonds, [](const Bond& bond) { return bond.a == 4 * 9 + 2 && bond.b == 4 * 10; });
+    EXPECT_EQ(cartoonTraces(loose, drawnAtoms(loose), {}).size(), 2u);
+}
+
+TEST(CartoonResidues, TheTraceOfGfpPassesItsChromophore) {
+    NACRE_NEEDS_DATA();
+    const Molecule gfp = readMoleculeFile(test::dataFile("gfp-1ema.cif"));
+    const std::vector<GuideTrace> traces = guideTraces(gfp);
+    ASSERT_EQ(traces.size(), 1u);
+    std::string passed;
+    for (const std::uint32_t atom : traces[0].atoms)
+        if (gfp.residues[gfp.atoms[atom].residue].name == Name("CRO"))
+            passed += std::string(gfp.atoms[atom].name.view()) + " ";
+    EXPECT_EQ(passed, "CA1 CA2 CA3 ");
+    for (std::size_t i = 1; i < traces[0].atoms.size(); ++i)
+        EXPECT_NEAR(glm::distance(gfp.atoms[traces[0].atoms[i - 1]].position, gfp.atoms[traces[0].atoms[i]].position),
+                    i == 87 ? 2.95 : 3.8, 0.4)  // proline 89 is cis
+            << i;
+}
+
+/// Residues in another order, with their bonds. @param order  of the file's residues @param backward  atoms, too
+Molecule inOrder(const Molecule& molecule, const std::vector<std::uint32_t>& order, bool backward) {
+    Molecule moved = molecule;
+    moved.atoms.clear(), moved.residues.clear();
+    std::vector<std::uint32_t> places(molecule.atoms.size());
+    for (const std::uint32_t r : order) {
+        Residue residue = molecule.residues[r];
+        residue.firstAtom = static_cast<std::uint32_t>(moved.atoms.size());
+        for (std::uint32_t i = 0; i < residue.atomCount; ++i) {
+            const std::uint32_t from = molecule.residues[r].firstAtom + (backward ? residue.atomCount - 1 - i : i);
+            places[from] = static_cast<std::uint32_t>(moved.atoms.size());
+            moved.atoms.push_back(molecule.atoms[from]);
+            moved.atoms.back().residue = static_cast<std::uint32_t>(moved.residues.size());
+        }
+        moved.residues.push_back(residue);
+    }
+    for (Bond& bond : moved.bonds) {
+        const auto [a, b] = std::minmax(places[bond.a], places[bond.b]);
+        bond.a = a, bond.b = b;
+    }
+    return moved;
+}
+
+TEST(CartoonResidues, NucleotidesStandInAnyOrderInTheFile) {
+    const Molecule dna = sampleMolecule("dna");
+    const auto pointsOf = [](const Molecule& molecule) {
+        std::vector<std::vector<glm::dvec3>> points;
+        for (const Trace& trace : cartoonTraces(molecule, drawnAtoms(molecule), {})) points.push_back(trace.points);
+        std::sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a[0].x < b[0].x; });
+        return points;
+    };
+    const auto count = static_cast<std::uint32_t>(dna.residues.size());
+    std::vector<std::uint32_t> given(count), reversed, oddFirst, across;
+    for (std::uint32_t i = 0; i < count; ++i) given[i] = i;
+    reversed.assign(given.rbegin(), given.rend());
+    for (const std::uint32_t odd : {1u, 0u})
+        for (std::uint32_t i = odd; i < count; i += 2) oddFirst.push_back(i);
+    for (std::uint32_t i = 0; i < count / 2; ++i) across.push_back(i), across.push_back(count - 1 - i);
+    ASSERT_EQ(pointsOf(dna).size(), 2u);
+    for (const auto& order : {given, reversed, oddFirst, across})
+        for (const bool backward : {false, true}) {
+            const Molecule moved = inOrder(dna, order, backward);
+            EXPECT_EQ(pointsOf(moved), pointsOf(dna));
+            expectSound(cartoonOf(moved), moved.atoms.size());
+        }
+}
+
+TEST(CartoonResidues, ARingBeginsWithItsFirstResidue) {
+    MoleculeText text;
+    constexpr int kResidues = 10;
+    constexpr double kStep = 2 * 3.14159265358979 / kResidues, kRadius = 6.1;
+    for (int i = 0; i < kResidues; ++i) {
+        const auto at = [&](double turn) {
+            return glm::vec3(kRadius * std::cos(kStep * (i + turn)), kRadius * std::sin(kStep * (i + turn)), 0);
+        };
+        text.residue("GLY", i + 1).atom("N", "N", at(-0.35)).atom("CA", "C", at(0)).atom("C", "C", at(0.35));
+    }
+    for (std::uint32_t i = 0; i < kResidues; ++i) {
+        const std::uint32_t next = (i + 1) % kResidues;
+        text.molecule.bonds.push_back({std::min(3 * i + 2, 3 * next), std::max(3 * i + 2, 3 * next)});
+    }
+    const std::vector<Trace> traces = cartoonTraces(text.molecule, drawnAtoms(text.molecule), {});
+    ASSERT_EQ(traces.size(), 1u);
+    EXPECT_EQ(traces[0].residues.size(), std::size_t{kResidues});
+    EXPECT_EQ(traces[0].residues[0], 0u);
 }
 
 TEST(CartoonResidues, OneOfAlternateConformersIsDrawn) {
@@ -157,7 +283,7 @@ TEST(CartoonResidues, NucleotidesShowTheColourOfACarbon) {
 TEST(CartoonResidues, WhatCannotBeDrawnIsLeftOut) {
     EXPECT_TRUE(cartoonOf(Molecule()).triangles.empty());
     EXPECT_TRUE(cartoonOf(sampleMolecule("buckyball")).triangles.empty());
-    EXPECT_TRUE(atomsOfCartoon(sampleMolecule("glucose"), drawnAtoms(sampleMolecule("glucose"))).empty());
+    EXPECT_TRUE(atomsOfCartoon(sampleMolecule("glucose"), drawnAtoms(sampleMolecule("glucose"))).drawn.empty());
 
     const float nan = std::numeric_limits<float>::quiet_NaN(), huge = 1e30f;
     Molecule broken = chainOf(12, -57, -47);

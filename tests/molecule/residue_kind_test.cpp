@@ -57,6 +57,17 @@ TEST(ResidueKind, UnknownNamesCountAsPolymerIfTheyAreBondedIntoOne) {
     EXPECT_EQ(residueKinds(other.molecule).at(0), ResidueKind::nucleic);
 }
 
+TEST(ResidueKind, UnknownNamesWithinAChainNeedNoUsualAtoms) {
+    test::MoleculeText text;
+    text.residue("ALA", 1).atom("C", "C", {0, 0, 0});
+    text.residue("QQQ", 2).atom("N1", "N", {1.3f, 0, 0}).atom("CA1", "C", {2.8f, 0, 0}).atom("C1", "C", {4.3f, 0, 0});
+    text.residue("ALA", 3).atom("N", "N", {5.6f, 0, 0});
+    text.molecule.bonds = {{0, 1, 1, BondSource::distance}};
+    EXPECT_EQ(residueKinds(text.molecule).at(1), ResidueKind::ligand);  // bonded to one neighbour
+    text.molecule.bonds.push_back({3, 4, 1, BondSource::distance});
+    EXPECT_EQ(residueKinds(text.molecule).at(1), ResidueKind::protein);
+}
+
 TEST(ResidueKind, EntitiesComeFirst) {
     constexpr const char* kHead =
         "data_x\nloop_\n_entity.id\n_entity.type\n1 polymer\n2 non-polymer\n3 water\n4 polymer\n"

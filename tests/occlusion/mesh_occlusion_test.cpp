@@ -44,7 +44,7 @@ Representation meshOf(const std::string& file, Made made) {
         },
         r);
     if (made != Made::cartoonWithSpheres) return r;
-    const std::vector<std::uint32_t> inside = atomsOfCartoon(m, drawn);
+    const std::vector<std::uint32_t> inside = atomsOfCartoon(m, drawn).drawn;
     for (std::size_t i = 0; i < drawn.size(); ++i)
         if (!std::binary_search(inside.begin(), inside.end(), drawn[i])) {
             r.spheres.push_back(spheres.spheres[i]);

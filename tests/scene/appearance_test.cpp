@@ -2,15 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "engine/error.h"
 #include "engine/molecule/bonds/bonds.h"
 #include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
 #include "engine/scene/build/representation.h"
 #include "engine/scene/color/colors.h"
 #include "engine/scene/color/palettes.h"
 #include "tests/molecule/build_molecule.h"
+#include "tests/support/test_data.h"
 
 namespace nacre {
 namespace {
@@ -131,6 +134,26 @@ TEST(Appearance, HalvesOfABondHaveTheColoursOfTheirAtoms) {
     EXPECT_EQ(scene.cylinderLooks[0].colorA, kRed);
     EXPECT_EQ(scene.cylinderLooks[0].colorB, kBlue);
     EXPECT_EQ(scene.legends.size(), 2u);
+}
+
+TEST(Appearance, AChromophoreKeepsItsSticksBesideTheRibbon) {
+    NACRE_NEEDS_DATA();
+    const Molecule gfp = readMoleculeFile(test::dataFile("gfp-1ema.cif"));
+    const Appearance a = appearanceOf(gfp, drawnAtoms(gfp), {Style::cartoon, ColorScheme::element, {}});
+    std::size_t sticks = 0;
+    for (std::size_t i = 0; i < a.atoms.size(); ++i) {
+        EXPECT_EQ(gfp.residues[gfp.atoms[a.atoms[i]].residue].name, Name("CRO"));
+        sticks += a.styles[i] == Style::licorice;
+    }
+    EXPECT_EQ(sticks, 22u);
+    const auto inCartoon = std::count_if(a.cartoon.atoms.begin(), a.cartoon.atoms.end(), [&](std::uint32_t atom) {
+        return gfp.residues[gfp.atoms[atom].residue].name == Name("CRO");
+    });
+    EXPECT_EQ(inCartoon, 22);
+    const Appearance hidden =
+        appearanceOf(gfp, drawnAtoms(gfp), {Style::cartoon, ColorScheme::element, {hide("resn CRO")}});
+    EXPECT_TRUE(hidden.atoms.empty());
+    EXPECT_EQ(hidden.cartoon.atoms.size(), a.cartoon.atoms.size() - 22);
 }
 
 }  // namespace

@@ -191,8 +191,8 @@ std::vector<bool> bondedAmong(const Molecule& molecule, const std::vector<std::u
 /// For each atom of the molecule, whether a backbone tube passes it.
 std::vector<bool> guideAtoms(const ResidueFacts& facts) {
     std::vector<bool> guides(facts.molecule().atoms.size());
-    for (const std::vector<std::uint32_t>& trace : guideTraces(facts))
-        for (const std::uint32_t atom : trace) guides[atom] = true;
+    for (const GuideTrace& trace : guideTraces(facts))
+        for (const std::uint32_t atom : trace.atoms) guides[atom] = true;
     return guides;
 }
 
@@ -220,16 +220,21 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
                  Appearance& appearance) {
     const std::vector<Rule>& rules = options.rules;
     const std::size_t count = appearance.atoms.size();
-    std::vector<bool> inCartoon(count), inSurface(count);
+    std::vector<bool> inCartoon(count), besideCartoon(count), inSurface(count);
     std::vector<std::uint32_t> wanted;
     for (std::size_t i = 0; i < count; ++i) {
         if (looks[i].cartoon) wanted.push_back(appearance.atoms[i]);
         inSurface[i] = looks[i].surface;
     }
     if (!wanted.empty()) {
-        const std::vector<std::uint32_t> drawn = atomsOfCartoon(facts, wanted);
-        for (std::size_t i = 0; i < count; ++i)
-            inCartoon[i] = looks[i].cartoon && std::binary_search(drawn.begin(), drawn.end(), appearance.atoms[i]);
+        const CartoonAtoms found = atomsOfCartoon(facts, wanted);
+        const auto has = [&](const std::vector<std::uint32_t>& atoms, std::size_t i) {
+            return looks[i].cartoon && std::binary_search(atoms.begin(), atoms.end(), appearance.atoms[i]);
+        };
+        for (std::size_t i = 0; i < count; ++i) {
+            inCartoon[i] = has(found.drawn, i);
+            besideCartoon[i] = looks[i].cartoon && (!inCartoon[i] || has(found.beside, i));
+        }
     }
     const auto styleOf = [&](std::size_t i) {
         return looks[i].style == kBase ? appearance.style : rules[looks[i].style - 1].style;
@@ -246,7 +251,7 @@ void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, 
     Appearance atoms;
     for (std::size_t i = 0; i < count; ++i) {
         Style style = styleOf(i);
-        const bool left = looks[i].bare && (looks[i].beside || (looks[i].cartoon && !inCartoon[i]));
+        const bool left = looks[i].bare && (looks[i].beside || besideCartoon[i]);
         if (!left && (looks[i].bare || (looks[i].covered && style == Style::spacefill))) continue;
         const std::uint32_t atom = appearance.atoms[i], residue = facts.molecule().atoms[atom].residue;
         const bool symbols = left ? options.carbohydrates != Carbohydrates::off : style == Style::carbohydrate;

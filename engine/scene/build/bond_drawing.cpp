@@ -262,10 +262,10 @@ void addTraces(const ResidueFacts& facts, const Appearance& appearance, std::spa
     const auto drawn = [&](std::uint32_t atom) {
         return slots[atom] != kNotDrawn && appearance.styles[slots[atom]] == Style::backbone;
     };
-    for (const std::vector<std::uint32_t>& trace : guideTraces(facts))
-        for (std::size_t i = 1; i < trace.size(); ++i)
-            if (drawn(trace[i - 1]) && drawn(trace[i]))
-                bonds.push_back({trace[i - 1], trace[i], kTraceBond, BondSource::distance});
+    for (const GuideTrace& trace : guideTraces(facts))
+        for (std::size_t i = 1; i < trace.atoms.size(); ++i)
+            if (drawn(trace.atoms[i - 1]) && drawn(trace.atoms[i]))
+                bonds.push_back({trace.atoms[i - 1], trace.atoms[i], kTraceBond, BondSource::distance});
 }
 
 }  // namespace

@@ -26,13 +26,13 @@ std::optional<std::uint32_t> ribbonColor(const Appearance& appearance, std::uint
 
 void addGaps(const ResidueFacts& facts, const Appearance& appearance, Representation& scene) {
     const Molecule& molecule = facts.molecule();
-    const std::vector<std::vector<std::uint32_t>> traces = guideTraces(facts);
+    const std::vector<GuideTrace> traces = guideTraces(facts);
     const auto residueOf = [&](std::uint32_t atom) -> const Residue& {
         return molecule.residues[molecule.atoms[atom].residue];
     };
     for (std::size_t i = 1; i < traces.size(); ++i) {
-        if (traces[i - 1].empty() || traces[i].empty()) continue;
-        const std::uint32_t last = traces[i - 1].back(), next = traces[i].front();
+
+        const std::uint32_t last = traces[i - 1].atoms.back(), next = traces[i].atoms.front();
         const Residue &before = residueOf(last), &after = residueOf(next);
         if (before.chain != after.chain || after.number <= before.number + 1) continue;
         const auto color = ribbonColor(appearance, last), colorAfter = ribbonColor(appearance, next);

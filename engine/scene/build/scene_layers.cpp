@@ -111,7 +111,7 @@ Appearance appearanceOfLayer(const ResidueFacts& facts, const SceneLayer& layer)
         return atoms;
     };
     if (layer.style == Style::cartoon) {
-        appearance.cartoon = mesh(atomsOfCartoon(facts, layer.atoms));
+        appearance.cartoon = mesh(atomsOfCartoon(facts, layer.atoms).drawn);
     } else if (layer.style == Style::surface) {
         appearance.surface = mesh(layer.atoms);
     } else if (layer.style == Style::line) {
@@ -125,8 +125,8 @@ Appearance appearanceOfLayer(const ResidueFacts& facts, const SceneLayer& layer)
         const bool backbone = layer.style == Style::backbone;
         std::vector<bool> guides(backbone ? facts.molecule().atoms.size() : 0);
         if (backbone)
-            for (const std::vector<std::uint32_t>& trace : guideTraces(facts))
-                for (const std::uint32_t atom : trace) guides[atom] = true;
+            for (const GuideTrace& trace : guideTraces(facts))
+                for (const std::uint32_t atom : trace.atoms) guides[atom] = true;
         for (std::size_t i = 0; i < layer.atoms.size(); ++i) {
             if (backbone && !guides[layer.atoms[i]]) continue;
             appearance.atoms.push_back(layer.atoms[i]);
