@@ -125,9 +125,10 @@ Molecule gappedDna() {
 
 TEST(Gaps, AreDashedBetweenTheEndsOfTheChain) {
     const Molecule molecule = gappedDna();
-    for (const char* style : {"cartoon", "backbone"}) {
-        const Representation plain = sizedScene(molecule, {{"style", style}, {"bases", "none"}}),
-                             dashed = sizedScene(molecule, {{"style", style}, {"bases", "none"}, {"gaps", "dashed"}});
+    for (const std::string style : {"cartoon", "backbone"}) {
+        const Representation plain =
+                                 sizedScene(molecule, {{"style", style.c_str()}, {"bases", "none"}, {"gaps", "off"}}),
+                             dashed = sizedScene(molecule, {{"style", style.c_str()}, {"bases", "none"}});
         const auto added = [&](const auto& of) { return of(dashed).size() - of(plain).size(); };
         const std::size_t sticks = added([](const Representation&r) { return r.cylinders; }),
                           balls = added([](const Representation&r) { return r.spheres; });
@@ -138,18 +139,73 @@ TEST(Gaps, AreDashedBetweenTheEndsOfTheChain) {
         glm::dvec3 first(dashed.cylinders[dashed.cylinders.size() - sticks].a);
         for (std::size_t i = dashed.cylinders.size() - sticks; i < dashed.cylinders.size(); ++i)
             longest = std::max(longest, glm::distance(first, glm::dvec3(dashed.cylinders[i].b)));
-        const auto guide = [&](int number) {
+        const auto place = [&](int number, const char* name) {
             for (const Atom& atom : molecule.atoms) {
                 const Residue& residue = molecule.residues[atom.residue];
-                if (residue.number == number && atom.name == Name("P")) return glm::dvec3(atom.position);
+                if (residue.number == number && atom.name == Name(name)) return glm::dvec3(atom.position);
             }
             return glm::dvec3(0);
         };
-        EXPECT_NEAR(longest, glm::distance(guide(4), guide(7)), 3) << style;
+        const glm::dvec3 end = place(4, style == "cartoon" ? "O3'" : "P");
+        EXPECT_NEAR(longest, glm::distance(end, place(7, "P")), 1) << style;
     }
     const Molecule whole = sampleMolecule("dna");
-    EXPECT_EQ(sizedScene(whole, {{"style", "cartoon"}, {"gaps", "dashed"}}).cylinders.size(),
-              sizedScene(whole, {{"style", "cartoon"}}).cylinders.size());
+    EXPECT_TRUE(sizedScene(whole, {{"style", "cartoon"}}).cylinders.empty());
+}
+
+TEST(Gaps, NeedAChainThatGoesOn) {
+    const auto dashesOf = [](const Molecule& molecule, Values options = {{"style", "cartoon"}, {"bases", "none"}}) {
+        return sizedScene(molecule, options).cylinders.size();
+    };
+    const Molecule gapped = gappedDna();
+    const std::size_t dashes = dashesOf(gapped);
+    const auto from = [](Molecule& molecule, int number, const auto& change) {
+        for (Residue& residue : molecule.residues)
+            if (residue.chain == 0 && residue.number >= number) change(residue);
+    };
+    // The numbers of mmCIF count; the author's may jump back.
+    Molecule jumping = gapped;
+    from(jumping, 7, [](Residue& residue) { residue.number -= 6; });
+    EXPECT_EQ(dashesOf(jumping), dashes);
+    // A cleaved chain whose ends are far apart, and two chains of one name.
+    Molecule cleaved = gapped;
+    from(cleaved, 7, [](Residue& residue) { residue.labelNumber = residue.number -= 2; });
+    EXPECT_EQ(dashesOf(cleaved), 0u);
+    Molecule two = gapped;
+    two.subchains.push_back("C");
+    from(two, 7, [&](Residue& residue) { residue.subchain = static_cast<std::uint32_t>(two.subchains.size() - 1); });
+    EXPECT_EQ(dashesOf(two), 0u);
+    // A bond that is too long between neighbours by number.
+    Molecule stretched = sampleMolecule("dna");
+    for (Atom& atom : stretched.atoms) {
+        const Residue& residue = stretched.residues[atom.residue];
+        if (residue.chain == 0 && residue.number >= 7) atom.position += glm::vec3(2, 2, 2);
+    }
+    EXPECT_GT(dashesOf(stretched), 0u);
+    // Where residues are hidden the chain is whole.
+    EXPECT_EQ(dashesOf(sampleMolecule("dna"), {{"style", "cartoon"}, {"bases", "none"}, {"hide", "resi 5-6"}}), 0u);
+}
+
+TEST(Gaps, AreDashedInEachCopy) {
+    Molecule molecule = gappedDna();
+    AssemblyPart part;
+    part.transforms = {glm::mat4x3(1), glm::mat4x3(1)};
+    part.transforms[1][3] = {40, 0, 0};
+    for (std::uint32_t i = 0; i < molecule.subchains.size(); ++i) part.subchains.push_back(i);
+    molecule.assemblies.push_back({"1", "", {part}});
+    for (const char* style : {"cartoon", "backbone"}) {
+        const Representation one = sizedScene(molecule, {{"style", style}, {"bases", "none"}}),
+                             two = sizedScene(molecule, {{"style", style}, {"bases", "none"}, {"assembly", "1"}});
+        EXPECT_EQ(two.cylinders.size(), one.cylinders.size()) << style;
+        EXPECT_EQ(two.spheres.size(), one.spheres.size()) << style;
+        ASSERT_EQ(two.copies.transforms.size(), 2u);
+        std::size_t covered = 0;
+        for (const PrimitiveRun& run : two.copies.cylinders) {
+            covered += run.count;
+            EXPECT_EQ(two.copies.lists[run.list].size(), 2u) << style;
+        }
+        EXPECT_EQ(covered, two.cylinders.size()) << style;
+    }
 }
 
 TEST(SurfaceForms, AreLinesAndDotsOnTheSurface) {

@@ -88,7 +88,7 @@ struct RepresentationOptions {
     double lineWidth = 1.5;   ///< of Style::line, pixels
     Sizes sizes = {};
     SurfaceForm surfaceForm = SurfaceForm::solid;
-    bool gaps = false;  ///< dashes where a chain of a cartoon or backbone misses residues
+    bool gaps = true;  ///< dashes where a chain of a cartoon or backbone is broken
     BondOrders bondOrders = BondOrders::ligands;
     AromaticForm aromatic = AromaticForm::dashes;
     Style usual = Style::spacefill;  ///< for defaultStyle()

@@ -1,13 +1,13 @@
 #pragma once
-// Dashes where a chain misses residues.
+// Dashes where a chain is broken.
 
 #include "engine/scene/build/appearance.h"
 #include "engine/scene/build/representation.h"
 
 namespace nacre {
 
-/// Joins the ends of a chain's unbroken stretches, in the order of the file, where both ends are drawn as a cartoon or
-/// backbone and residue numbers are missing between them.
+/// Joins the ends of a chain's unbroken stretches where both ends are drawn as a cartoon or backbone, and residues are
+/// missing between them by number, or the ends are at most 10 Å apart.
 void addGaps(const ResidueFacts& facts, const Appearance& appearance, Representation& scene);
 
 }  // namespace nacre

@@ -179,9 +179,9 @@ Representation represent(const ResidueFacts& facts, std::span<const std::uint32_
     }
     addBonds(facts, appearance, DrawnOrders(facts, appearance, options), contacts, assembly ? &*assembly : nullptr,
              result);
-    if (options.gaps && !assembly) addGaps(facts, appearance, result);
-    if (assembly && (options.gaps || (options.surfaceForm != SurfaceForm::solid && !appearance.surface.atoms.empty())))
-        result.warnings.push_back("an assembly has no dashes of gaps, and its surfaces are solid");
+    if (options.gaps) addGaps(facts, appearance, result);
+    if (assembly && options.surfaceForm != SurfaceForm::solid && !appearance.surface.atoms.empty())
+        result.warnings.push_back("an assembly's surfaces are solid");
     if (options.contacts.of) addContacts(molecule, appearance, std::move(contacts), options.contacts, result);
     addLines(molecule, appearance, options.lineWidth, assembly ? &*assembly : nullptr, result);
     const auto groupOf = [&](std::uint32_t atom) {

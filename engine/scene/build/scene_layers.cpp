@@ -12,6 +12,7 @@
 #include "engine/scene/build/bond_drawing.h"
 #include "engine/scene/build/carbohydrates.h"
 #include "engine/scene/build/crowd.h"
+#include "engine/scene/build/gaps.h"
 #include "engine/scene/build/join_parts.h"
 #include "engine/scene/build/line_drawing.h"
 #include "engine/scene/build/mesh_scene.h"
@@ -176,6 +177,7 @@ Representation layerPart(const ResidueFacts& facts, const SceneLayer& layer, con
         return static_cast<std::uint32_t>(molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model);
     };
     addMeshes(facts, appearance, own, groupOf, part);
+    if (options.gaps) addGaps(facts, appearance, part);
     return part;
 }
 
