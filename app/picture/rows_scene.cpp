@@ -18,7 +18,7 @@ inline constexpr std::array<const char*, 3> kBondOrders{"off", "ligands", "on"};
 inline constexpr std::array<const char*, 2> kAromaticForms{"dashes", "ring"};
 inline constexpr std::array<const char*, 3> kHelixForms{"ribbon", "tube", "cylinder"};
 inline constexpr std::array<const char*, 3> kCarbohydrates{"off", "on", "icon"};
-inline constexpr std::array<const char*, 3> kBaseForms{"plates", "ladder", "none"};
+inline constexpr std::array<const char*, 4> kBaseForms{"plates", "rings", "ladder", "none"};
 inline constexpr Words2 kDashedOff = {"dashed", "off"};
 inline constexpr std::array<const char*, 3> kSurfaceForms{"solid", "mesh", "dots"};
 inline constexpr std::array<const char*, 3> kSurfaceKinds{"excluded", "accessible", "gaussian"};
@@ -203,13 +203,18 @@ std::vector<Option> meshes() {
     std::vector<Option> rows{
         row("helices", "FORM", "Cartoon helices: ribbon, tube (follows the bends) or cylinder (straight)",
             parseNamed<kHelixForms, &P::look, &R::cartoon, &C::helices>,
-            printNamed<kHelixForms, &P::look, &R::cartoon, &C::helices>),
-        row("bases", "FORM", "Nucleic acid cartoons: plates, ladder or none",
+            printNamed<kHelixForms, &P::look, &R::cartoon, &C::helices>,
+            {.label = "Helices", .choices = {{"Ribbons", "ribbon"}, {"Tubes", "tube"}, {"Cylinders", "cylinder"}}}),
+        row("bases", "FORM",
+            "Nucleic acid cartoons: plates of the bases, rings (plates of bases and sugars), ladder or none",
             parseNamed<kBaseForms, &P::look, &R::cartoon, &C::bases>,
-            printNamed<kBaseForms, &P::look, &R::cartoon, &C::bases>),
+            printNamed<kBaseForms, &P::look, &R::cartoon, &C::bases>,
+            {.label = "Nucleotides",
+             .choices = {{"Plates", "plates"}, {"Filled rings", "rings"}, {"Ladder", "ladder"}, {"None", "none"}}}),
         row("putty", "on|off", "Cartoons as tubes that are wider where the B factor is larger",
             parseSwitch<kOnOff, &P::look, &R::cartoon, &C::putty>,
-            printSwitch<kOnOff, &P::look, &R::cartoon, &C::putty>),
+            printSwitch<kOnOff, &P::look, &R::cartoon, &C::putty>,
+            {.label = "Width by B factor (putty)", .choices = {{"off", "off"}, {"on", "on"}}}),
         row("carbohydrates", "on|off|icon",
             "Sugars beside a cartoon as symbols (SNFG): on, small within licorice, or off",
             parseNamed<kCarbohydrates, &P::look, &R::carbohydrates>,

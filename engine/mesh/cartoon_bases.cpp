@@ -21,10 +21,37 @@ constexpr double kLeastRingBond = 0.5;       // Å
 constexpr double kFarthestBase = 15;         // Å, of a base from its ribbon
 constexpr Element kSulfur = 16;
 
-/// Outline of a purine. A pyrimidine has its first four and last two atoms.
-enum BaseAtom { kBaseN1, kBaseC2, kBaseN3, kBaseC4, kBaseN9, kBaseC8, kBaseN7, kBaseC5, kBaseC6, kBaseC1, kBaseAtoms };
-constexpr std::array<std::string_view, kBaseAtoms> kBaseNames{"N1", "C2", "N3", "C4", "N9",
-                                                              "C8", "N7", "C5", "C6", "C1'"};
+enum BaseAtom {
+    kBaseN1,
+    kBaseC2,
+    kBaseN3,
+    kBaseC4,
+    kBaseN9,
+    kBaseC8,
+    kBaseN7,
+    kBaseC5,
+    kBaseC6,
+    kSugarC1,
+    kSugarC2,
+    kSugarC3,
+    kSugarC4,
+    kSugarO4,
+    kBaseAtoms
+};
+constexpr std::array<std::string_view, kBaseAtoms> kBaseNames{"N1", "C2", "N3",  "C4",  "N9",  "C8",  "N7",
+                                                              "C5", "C6", "C1'", "C2'", "C3'", "C4'", "O4'"};
+
+/// A plate: atoms around one ring or two fused ones, and these rings by place in the outline.
+struct RingPlate {
+    std::vector<BaseAtom> outline;
+    std::vector<std::vector<std::uint32_t>> rings;
+    BaseAtom owner;
+};
+const RingPlate kPurine{{kBaseN1, kBaseC2, kBaseN3, kBaseC4, kBaseN9, kBaseC8, kBaseN7, kBaseC5, kBaseC6},
+                        {{3, 7, 8, 0, 1, 2}, {3, 4, 5, 6, 7}},
+                        kBaseC4};
+const RingPlate kPyrimidine{{kBaseN1, kBaseC2, kBaseN3, kBaseC4, kBaseC5, kBaseC6}, {{0, 1, 2, 3, 4, 5}}, kBaseC4};
+const RingPlate kSugar{{kSugarC1, kSugarC2, kSugarC3, kSugarC4, kSugarO4}, {{0, 1, 2, 3, 4}}, kSugarC1};
 
 /// Atoms of a residue position in the drawn conformer, by name.
 struct Base {
@@ -84,13 +111,15 @@ public:
         const BaseAtom root = purine ? kBaseN9 : nearestToSugar(base);
         const BaseAtom end = purine ? kBaseN1 : kBaseN3;
         const glm::dvec3 from = ribbon.place - origin_;
-        if (options_.bases == BaseForm::plates && base.has(kBaseC1) && plate(base, purine)) {
-            rod(from, kBaseC1, base);
-            addRod(mesh_, place(base, kBaseC1), place(base, root), kRungRadius * options_.scale, base.atoms[kBaseC1],
-                   base.atoms[kBaseC1], options_.sides);
+        const bool plates = options_.bases == BaseForm::plates || options_.bases == BaseForm::rings;
+        if (plates && base.has(kSugarC1) && plate(base, purine ? kPurine : kPyrimidine)) {
+            const bool sugar = options_.bases == BaseForm::rings && plate(base, kSugar);
+            rod(from, sugar ? nearestOfSugar(base, from) : kSugarC1, base);
+            addRod(mesh_, place(base, kSugarC1), place(base, root), kRungRadius * options_.scale, base.atoms[kSugarC1],
+                   base.atoms[kSugarC1], options_.sides);
             return;
         }
-        for (const BaseAtom name : {end, root, kBaseC1})
+        for (const BaseAtom name : {end, root, kSugarC1})
             if (base.has(name)) return rod(from, name, base);
     }
 
@@ -100,10 +129,16 @@ private:
     }
 
     BaseAtom nearestToSugar(const Base& base) const {
-        if (!base.has(kBaseC1) || !base.has(kBaseC5) || !base.has(kBaseN1)) return kBaseN1;
-        const glm::dvec3 sugar = place(base, kBaseC1);
+        if (!base.has(kSugarC1) || !base.has(kBaseC5) || !base.has(kBaseN1)) return kBaseN1;
+        const glm::dvec3 sugar = place(base, kSugarC1);
         return glm::distance(place(base, kBaseC5), sugar) < glm::distance(place(base, kBaseN1), sugar) ? kBaseC5
                                                                                                        : kBaseN1;
+    }
+
+    /// The carbon of the backbone in a sugar's ring that is nearer to the ribbon.
+    BaseAtom nearestOfSugar(const Base& base, const glm::dvec3& ribbon) const {
+        return glm::distance(place(base, kSugarC3), ribbon) < glm::distance(place(base, kSugarC4), ribbon) ? kSugarC3
+                                                                                                           : kSugarC4;
     }
 
     void rod(const glm::dvec3& from, BaseAtom to, const Base& base) {
@@ -112,16 +147,10 @@ private:
                options_.sides);
     }
 
-    /// False if an atom is missing or the ring is not flat.
-    bool plate(const Base& base, bool purine) {
-        static constexpr std::array kPurine{kBaseN1, kBaseC2, kBaseN3, kBaseC4, kBaseN9,
-                                            kBaseC8, kBaseN7, kBaseC5, kBaseC6};
-        static constexpr std::array kPyrimidine{kBaseN1, kBaseC2, kBaseN3, kBaseC4, kBaseC5, kBaseC6};
-        static const std::vector<std::vector<std::uint32_t>> kPurineFans{{3, 7, 8, 0, 1, 2}, {3, 4, 5, 6, 7}};
-        static const std::vector<std::vector<std::uint32_t>> kPyrimidineFans{{0, 1, 2, 3, 4, 5}};
-        const std::span<const BaseAtom> names = purine ? std::span<const BaseAtom>(kPurine) : kPyrimidine;
+    /// False if an atom is missing or the outline is no ring. Puckered rings are drawn in their mean plane.
+    bool plate(const Base& base, const RingPlate& ring) {
         std::vector<glm::dvec3> outline;
-        for (const BaseAtom name : names) {
+        for (const BaseAtom name : ring.outline) {
             if (!base.has(name)) return false;
             outline.push_back(place(base, name));
         }
@@ -136,8 +165,7 @@ private:
         const glm::dvec3 normal = unitOr(area, {});
         if (glm::length(area) < 2) return false;  // a benzene ring has 5.1 Å^2
         for (glm::dvec3& p : outline) p = middle + across(p - middle, normal) * (1 + kPlateMargin / 1.4);
-        addPlate(mesh_, outline, normal, kPlateHalfThickness * options_.scale, purine ? kPurineFans : kPyrimidineFans,
-                 base.atoms[kBaseC4]);
+        addPlate(mesh_, outline, normal, kPlateHalfThickness * options_.scale, ring.rings, base.atoms[ring.owner]);
         return true;
     }
 

@@ -17,8 +17,7 @@ struct RibbonPlace {
     glm::dvec3 place{};         ///< Å, in the file's frame
 };
 
-/// Adds a base for each nucleotide: plates for its rings if these are complete and flat, else a stick as far as atoms
-/// exist.
+/// Adds a base for each nucleotide: plates for its rings if these are complete, else a stick as far as atoms exist.
 /// @param places  of nucleotides, by ascending residue @param options  with a resolved number of sides
 void addBases(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, const CartoonOptions& options,
               const glm::dvec3& origin);

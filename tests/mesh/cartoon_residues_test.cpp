@@ -7,7 +7,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <set>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "engine/mesh/cartoon_trace.h"
 #include "engine/molecule/read.h"
@@ -247,7 +249,7 @@ TEST(CartoonResidues, BasesArePlatesOrRungs) {
     const Molecule dna = sampleMolecule("dna");
     CartoonOptions options;
     std::vector<std::size_t> triangles;
-    for (const BaseForm form : {BaseForm::none, BaseForm::ladder, BaseForm::plates}) {
+    for (const BaseForm form : {BaseForm::none, BaseForm::ladder, BaseForm::plates, BaseForm::rings}) {
         options.bases = form;
         const Mesh mesh = cartoonOf(dna, options);
         expectSound(mesh, dna.atoms.size());
@@ -263,6 +265,25 @@ TEST(CartoonResidues, BasesArePlatesOrRungs) {
         plates += name == "DA" || name == "DG" ? 14 + 18 : 8 + 12;
     }
     EXPECT_EQ(triangles[2] - triangles[0], 2 * rods * dna.residues.size() + plates);
+    // A sugar's ring has five corners more.
+    EXPECT_EQ(triangles[3] - triangles[2], dna.residues.size() * (6 + 10));
+}
+
+TEST(CartoonResidues, SugarsArePlatesOfTheirRings) {
+    const Molecule dna = sampleMolecule("dna");
+    CartoonOptions options;
+    options.bases = BaseForm::rings;
+    const Mesh mesh = cartoonOf(dna, options);
+    // Each ring atom is a corner of its residue's plates, in the ring's mean plane.
+    for (const Atom& atom : dna.atoms) {
+        const std::string_view name = atom.name.view();
+        if (name != "C2'" && name != "C3'" && name != "O4'" && name != "C8" && name != "C6") continue;
+        float nearest = 9;
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+            if (dna.atoms[mesh.atoms[i]].residue == atom.residue)
+                nearest = std::min(nearest, glm::distance(mesh.positions[i], atom.position));
+        EXPECT_LT(nearest, 0.5) << name;
+    }
 }
 
 TEST(CartoonResidues, NucleotidesShowTheColourOfACarbon) {
