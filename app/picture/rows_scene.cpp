@@ -191,14 +191,16 @@ std::string printResolution(const P& d) {
 std::vector<Option> meshes() {
     using C = CartoonOptions;
     using S = SurfaceOptions;
-    const auto row = [](T key, const char* syntax, const char* help, auto parse, auto print) {
+    const auto row = [](T key, const char* syntax, const char* help, auto parse, auto print,
+                        Option::Control control = {}) {
         return Option{.key = key,
                       .syntax = syntax,
                       .standard = "=",
                       .help = help,
                       .parse = parse,
                       .print = print,
-                      .save = differing};
+                      .save = differing,
+                      .control = std::move(control)};
     };
     std::vector<Option> rows{
         row("helices", "FORM", "Cartoon helices: ribbon, tube (follows the bends) or cylinder (straight)",
