@@ -6,8 +6,8 @@ namespace nacre::passes {
 namespace {
 
 // Bytes of a vertex's outputs as shaders/*.vert write them.
-constexpr std::uint32_t kPosition = 16, kVec4 = 16, kNumber = 4, kThree = 12, kTwo = 8;
-constexpr std::uint32_t kSphere = kPosition + kVec4, kCylinder = kPosition + 2 * kVec4,
+constexpr std::uint32_t kPosition = 16, kFour = 16, kNumber = 4, kThree = 12, kTwo = 8;
+constexpr std::uint32_t kSphere = kPosition + kFour, kCylinder = kPosition + 2 * kFour,
                         kTriangle = kPosition + 3 * kThree + kNumber, kFetched = kPosition + kNumber;
 constexpr std::uint32_t kSphereLook = kThree + kTwo, kCylinderLook = 3 * kThree + kTwo, kTriangleLook = 3 * kThree;
 
